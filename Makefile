@@ -1,0 +1,43 @@
+# The front door. Every goal does its own set-up, and does again only what changed.
+#   make run                     reference against CGAL, a table, and build/report/index.html
+#   make test                    GoogleTest and pytest
+#   make evidence [ONLY="NAME ..."] [QUICK=1]
+#   make lint | format
+SHELL := /bin/bash
+.DEFAULT_GOAL := run
+.PHONY: run test evidence lint format setup environment clean
+
+CXX_SOURCES = $(shell find reference formats oracle python fuzz tests -name '*.cpp' -o -name '*.hpp')
+PYTHON_SOURCES = python fuzz oracle reports models tests scripts
+
+setup:
+	@scripts/set_up.sh
+
+environment:
+	@scripts/set_up.sh environment
+
+run: setup
+	.venv/bin/minkref verify --baseline fuzz/baseline.json --report build/report $(ARGS)
+
+test: setup
+	ctest --preset release -j $$(nproc)
+	.venv/bin/python -m pytest -n $$(nproc) $(ARGS)
+
+evidence: setup
+	.venv/bin/python reports/evidence/run.py $(ONLY) $(if $(QUICK),--quick)
+
+lint: setup
+	.venv/bin/clang-format --dry-run -Werror $(CXX_SOURCES)
+	.venv/bin/ruff check $(PYTHON_SOURCES)
+	.venv/bin/ruff format --check $(PYTHON_SOURCES)
+	.venv/bin/mypy
+	MYPYPATH=models .venv/bin/mypy models/*.py scripts/*.py
+	.venv/bin/python scripts/check_includes.py
+
+format: environment
+	.venv/bin/clang-format -i $(CXX_SOURCES)
+	.venv/bin/ruff check --fix-only --quiet $(PYTHON_SOURCES)
+	.venv/bin/ruff format $(PYTHON_SOURCES)
+
+clean:
+	rm -rf build .venv

@@ -1,0 +1,39 @@
+# What every target of ours is compiled with.
+include_guard(GLOBAL)
+
+if(PROJECT_IS_TOP_LEVEL)
+  if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+    set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+  endif()
+  # No NDEBUG: assertions guard the invariants of a reference, in every build.
+  set(CMAKE_CXX_FLAGS_RELEASE "-O3")
+  find_program(CCACHE_PROGRAM ccache)
+  if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE_PROGRAM}")
+  endif()
+endif()
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+# One compilation of the library serves executables and the extension module.
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+# The error bounds of the float filters hold for IEEE operations in the order written: no contraction
+# to fused multiply-add, and never -ffast-math.
+add_compile_options(-ffp-contract=off)
+
+# minkref_warnings(TARGET...): warnings are errors in our own code. Headers of others come in through
+# imported targets, which are system headers and do not warn.
+function(minkref_warnings)
+  foreach(target IN LISTS ARGN)
+    target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+      # GCC 12 sees an overlap in `"text" + string` where there is none (GCC bug 105651).
+      target_compile_options(${target} PRIVATE -Wno-restrict)
+    endif()
+    if(MINKREF_WERROR)
+      target_compile_options(${target} PRIVATE -Werror)
+    endif()
+  endforeach()
+endfunction()

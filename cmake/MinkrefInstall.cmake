@@ -1,0 +1,28 @@
+# Installs minkref::reference, its headers and the CMake package.
+include_guard(GLOBAL)
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(MINKREF_CMAKE_DIR "${CMAKE_INSTALL_LIBDIR}/cmake/minkref")
+set(MINKREF_HEADER_DIR "${CMAKE_INSTALL_INCLUDEDIR}/minkref")
+
+install(TARGETS minkref_reference EXPORT minkrefTargets
+        ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development
+        LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development
+        INCLUDES DESTINATION "${MINKREF_HEADER_DIR}")
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/reference" DESTINATION "${MINKREF_HEADER_DIR}"
+        COMPONENT development FILES_MATCHING PATTERN "*.hpp")
+install(EXPORT minkrefTargets NAMESPACE minkref:: DESTINATION "${MINKREF_CMAKE_DIR}"
+        COMPONENT development)
+configure_package_config_file(
+  "${PROJECT_SOURCE_DIR}/cmake/minkrefConfig.cmake.in" "${PROJECT_BINARY_DIR}/minkrefConfig.cmake"
+  INSTALL_DESTINATION "${MINKREF_CMAKE_DIR}")
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/minkrefConfigVersion.cmake"
+                                 COMPATIBILITY SameMinorVersion)
+install(FILES "${PROJECT_BINARY_DIR}/minkrefConfig.cmake"
+              "${PROJECT_BINARY_DIR}/minkrefConfigVersion.cmake"
+              "${PROJECT_SOURCE_DIR}/cmake/FindGMP.cmake"
+              "${PROJECT_SOURCE_DIR}/cmake/FindMPFR.cmake"
+        DESTINATION "${MINKREF_CMAKE_DIR}" COMPONENT development)
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}"
+        COMPONENT development)

@@ -1,0 +1,99 @@
+#include "formats/containment.hpp"
+
+#include <optional>
+#include <string>
+
+namespace minkref {
+namespace {
+
+struct Box {
+  Rational left, right, bottom, top;
+};
+
+Box box_of(const Ring& ring) {
+  Box box{ring[0].x, ring[0].x, ring[0].y, ring[0].y};
+  for (const Point& p : ring) {
+    if (p.x < box.left) box.left = p.x;
+    if (p.x > box.right) box.right = p.x;
+    if (p.y < box.bottom) box.bottom = p.y;
+    if (p.y > box.top) box.top = p.y;
+  }
+  return box;
+}
+
+bool within(const Box& inner, const Box& outer) {
+  return inner.left >= outer.left && inner.right <= outer.right && inner.bottom >= outer.bottom &&
+         inner.top <= outer.top;
+}
+
+/// Whether `p` is strictly outside: the ray to the right crosses the ring an even number of times,
+/// and `p` is not on it.
+bool strictly_outside(const Point& p, const Ring& ring) {
+  bool inside = false;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point& a = ring[i];
+    const Point& b = ring[i + 1 == ring.size() ? 0 : i + 1];
+    if (a.y == p.y && b.y == p.y) {
+      if ((a.x <= p.x) != (b.x <= p.x) || a.x == p.x || b.x == p.x) return false;
+      continue;
+    }
+    if ((a.y < p.y && b.y < p.y) || (a.y > p.y && b.y > p.y)) continue;
+    const int side = sign(Rational((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)));
+    if (side == 0) return false;
+    if ((a.y > p.y) != (b.y > p.y) && (side > 0) == (b.y > a.y)) inside = !inside;
+  }
+  return !inside;
+}
+
+}  // namespace
+
+bool lies_inside(const Ring& inner, const Ring& outer, std::size_t& steps) {
+  for (std::size_t i = 0; i < inner.size(); ++i) {
+    const Point& a = inner[i];
+    const Point& b = inner[i + 1 == inner.size() ? 0 : i + 1];
+    steps += 2 * outer.size();
+    if (strictly_outside(a, outer)) return false;
+    if (strictly_outside({(a.x + b.x) / 2, (a.y + b.y) / 2}, outer)) return false;
+  }
+  return true;
+}
+
+std::vector<std::size_t> containing_outers(const std::vector<const Ring*>& outers,
+                                           const std::vector<const Ring*>& holes,
+                                           const std::vector<Place>& places, const Input& input) {
+  if (outers.size() == 1) return std::vector<std::size_t>(holes.size(), 0);
+  std::vector<Box> boxes;
+  for (const Ring* outer : outers) boxes.push_back(box_of(*outer));
+  std::vector<std::size_t> found;
+  std::size_t steps = 0;
+  const auto inside = [&](const Ring& inner, const Box& box, std::size_t outer,
+                          const Place& place) {
+    steps += 1;
+    const std::size_t work = 2 * inner.size() * outers[outer]->size();
+    if (!within(box, boxes[outer])) return false;
+    if (steps + work > input.limits().containment_steps) {
+      input.exceed(
+          "too-much-work", "too many tests are needed to find the outer ring of each hole",
+          "give the polygons in a format that lists holes under their outer ring, or raise "
+          "the limit on containment steps",
+          place);
+    }
+    return lies_inside(inner, *outers[outer], steps);
+  };
+  for (std::size_t h = 0; h < holes.size(); ++h) {
+    const Box box = box_of(*holes[h]);
+    std::optional<std::size_t> smallest;
+    for (std::size_t o = 0; o < outers.size(); ++o) {
+      if (!inside(*holes[h], box, o, places[h])) continue;
+      if (!smallest || inside(*outers[o], boxes[o], *smallest, places[h])) smallest = o;
+    }
+    if (!smallest) {
+      input.refuse("hole-outside", "the hole lies in no outer ring",
+                   "move the hole into an outer ring, or mark the ring `out`", places[h]);
+    }
+    found.push_back(*smallest);
+  }
+  return found;
+}
+
+}  // namespace minkref

@@ -1,0 +1,24 @@
+// Which outer ring a hole lies in.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "formats/input.hpp"
+#include "reference/plane/polygon_set.hpp"
+
+namespace minkref {
+
+/// Whether no vertex and no midpoint of an edge of `inner` lies strictly outside `outer`: for rings
+/// that touch at points only this says that `inner` lies in the closed region of `outer`. Exact.
+/// O(m n), `steps` counts the edges visited.
+bool lies_inside(const Ring& inner, const Ring& outer, std::size_t& steps);
+
+/// For each hole the index of the smallest outer ring that contains it. A lone outer ring takes all
+/// holes, untested (`validate` tests them). `outers` and `holes` have three vertices each, or more.
+/// Throws BadInput ("hole-outside", at `places[hole]`), LimitExceeded ("too-much-work").
+std::vector<std::size_t> containing_outers(const std::vector<const Ring*>& outers,
+                                           const std::vector<const Ring*>& holes,
+                                           const std::vector<Place>& places, const Input& input);
+
+}  // namespace minkref

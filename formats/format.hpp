@@ -1,0 +1,28 @@
+// The file formats of the plane and their names.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace minkref {
+
+enum class Format {
+  wkt,        ///< well-known text
+  geojson,    ///< RFC 7946
+  poly,       ///< the format of the paper's models: rings marked `out` or `in`
+  json,       ///< {"polygons":[{"outer":ring,"holes":[ring,...]}]}; exact
+  case_json,  ///< case-v1: two operands with scales and expected results
+  svg,        ///< a picture; written only
+};
+
+/// "wkt", "geojson", "poly", "json", "case", "svg".
+std::string name(Format format);
+
+/// The format of that name. Throws BadInput ("unknown-format").
+Format format_named(std::string_view name);
+
+/// The format by the extension of a file name (any case); `.json` is Format::json, whose reader
+/// tells GeoJSON and cases by their members. Throws BadInput ("unknown-format").
+Format format_of_file(const std::string& path);
+
+}  // namespace minkref

@@ -1,0 +1,64 @@
+// One text being read: its name, its limits, what has been used of them, and how it is refused.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formats/limits.hpp"
+#include "reference/error.hpp"
+
+namespace minkref {
+
+class Input {
+ public:
+  Input(std::string source, const ReadLimits& limits)
+      : source_(std::move(source)), limits_(limits) {}
+  /// A part of `whole` under its own name; both draw on the same limits. `whole` must outlive it.
+  Input(std::string source, Input& whole)
+      : source_(std::move(source)), limits_(whole.limits_), used_(whole.used_) {}
+  Input(const Input&) = delete;
+  Input& operator=(const Input&) = delete;
+
+  const ReadLimits& limits() const { return limits_; }
+  const std::string& source() const { return source_; }
+
+  /// Throws BadInput that names this source. `line` 0: none.
+  [[noreturn]] void refuse(const std::string& code, const std::string& problem,
+                           const std::string& mend, Place place) const;
+  [[noreturn]] void refuse(const std::string& code, const std::string& problem,
+                           const std::string& mend, std::size_t line = 0) const;
+  /// Throws LimitExceeded that names this source.
+  [[noreturn]] void exceed(const std::string& code, const std::string& problem,
+                           const std::string& mend, Place place) const;
+
+  /// The exact number that a token names, charged to `number_bytes`. Refusals carry `place`.
+  Rational number(std::string_view token, const Place& place);
+
+  /// Charges one vertex.
+  void count_vertex(const Place& place);
+
+  /// Keeps the first hundred warnings and counts the rest.
+  void warn(std::size_t line, const std::string& text);
+  std::vector<std::string> take_warnings();
+
+ private:
+  struct Used {
+    std::size_t vertices = 0;
+    std::size_t number_bytes = 0;
+  };
+
+  Place named(Place place) const;
+
+  std::string source_;
+  const ReadLimits& limits_;
+  Used own_;
+  Used& used_ = own_;
+  std::vector<std::string> warnings_;
+  std::size_t more_warnings_ = 0;
+};
+
+/// A place in a text. `line` 0: none.
+Place at_line(std::size_t line);
+
+}  // namespace minkref

@@ -1,0 +1,41 @@
+// The members that a reader knows of one JSON object.
+#pragma once
+
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "formats/json_text.hpp"
+
+namespace minkref {
+
+class JsonObject {
+ public:
+  enum class Others { refused, ignored };
+
+  /// `what` names the object in messages ("a polygon"). Refuses what is not an object
+  /// ("wrong-type"), a known member given twice ("duplicate-member") and, where asked, an unknown
+  /// member
+  /// ("unknown-member": a misspelt "holes" must not lose a hole).
+  JsonObject(Json value, const Input& input, std::string what,
+             std::initializer_list<std::string_view> known, Others others);
+
+  std::optional<Json> find(std::string_view name) const;
+  /// Refuses its absence ("missing-member").
+  Json require(std::string_view name) const;
+  std::size_t line() const { return line_; }
+
+ private:
+  const Input& input_;
+  std::string what_;
+  std::size_t line_;
+  std::vector<std::pair<std::string, Json>> found_;
+};
+
+/// Refuses a value of another kind ("wrong-type"); `what` as in "the coordinates of a point".
+void expect(Json value, JsonKind kind, const std::string& what, const Input& input);
+
+}  // namespace minkref

@@ -1,0 +1,22 @@
+// The limits of the readers, in one place.
+#pragma once
+
+#include <cstddef>
+
+#include "reference/number/rational.hpp"
+
+namespace minkref {
+
+/// What a reader accepts at most. An input beyond a limit is refused (LimitExceeded) before work is
+/// spent on it, so that time and memory stay bounded on hostile input.
+struct ReadLimits {
+  NumberLimits number;                        ///< digits and exponent of one number
+  std::size_t depth = 128;                    ///< nesting of JSON values, of WKT collections
+  std::size_t bytes = std::size_t{64} << 20;  ///< length of a file
+  std::size_t vertices = 1'000'000;           ///< over all rings of a file
+  std::size_t json_values = 16'000'000;       ///< values and member names in a JSON text
+  std::size_t number_bytes = std::size_t{256} << 20;  ///< memory of all numbers, written out
+  std::size_t containment_steps = 50'000'000;  ///< edges visited to find the outer ring of a hole
+};
+
+}  // namespace minkref

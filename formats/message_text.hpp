@@ -1,0 +1,16 @@
+// Text of an input as it may appear in a message.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace minkref {
+
+/// Printable ASCII only: every other byte is replaced by "?".
+std::string printable(std::string_view text);
+
+/// In double quotes, printable, cut after 40 characters (a message never holds a number of a
+/// million digits).
+std::string in_quotes(std::string_view text);
+
+}  // namespace minkref

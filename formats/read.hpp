@@ -1,0 +1,33 @@
+// Reads operands from files and texts: where to start.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "formats/format.hpp"
+#include "formats/limits.hpp"
+#include "formats/reading.hpp"
+
+namespace minkref {
+
+/// Reads a polygon set (docs/formats.md). Coordinates are the exact numbers of the text. Rings of
+/// WKT, GeoJSON, `.poly` and plain JSON are turned as their role demands; those of a case are left
+/// as they are. Nothing else is checked: see read_valid_text. Format::json takes plain sets,
+/// GeoJSON and cases, told apart by their members. A case holds two operands: a source ending in
+/// "#P" or "#Q" names the one wanted; otherwise P is taken, with a warning. Throws BadInput and
+/// LimitExceeded, which name source, line, ring and vertex; nothing else, save for std::bad_alloc.
+/// Time and memory are bounded by the limits.
+Reading read_text(std::string_view text, Format format, const std::string& source,
+                  const ReadLimits& limits = {});
+
+/// The same from a file, read to its end first; the format by its extension. "case.json#Q" reads
+/// the operand Q of case.json.
+Reading read_file(const std::string& path, const ReadLimits& limits = {});
+
+/// Read, then validated (`validate`); a refusal names the file, and the line, the ring and the
+/// vertices as the file numbers them.
+Reading read_valid_text(std::string_view text, Format format, const std::string& source,
+                        const ReadLimits& limits = {});
+Reading read_valid_file(const std::string& path, const ReadLimits& limits = {});
+
+}  // namespace minkref

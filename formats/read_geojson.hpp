@@ -1,0 +1,18 @@
+// Reader of GeoJSON (RFC 7946).
+#pragma once
+
+#include "formats/json_text.hpp"
+#include "formats/set_builder.hpp"
+
+namespace minkref {
+
+/// Reads Polygon, MultiPolygon, Point, LineString of two positions (a segment), Feature,
+/// FeatureCollection and GeometryCollection (flattened). Coordinates are plane coordinates, taken
+/// from the text of the JSON numbers: 0.1 is 1/10. Foreign members are ignored. A third coordinate
+/// is refused. Linear.
+void read_geojson(Json root, SetBuilder& set);
+
+/// Whether the value is an object whose `type` GeoJSON knows.
+bool looks_like_geojson(Json root);
+
+}  // namespace minkref

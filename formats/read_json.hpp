@@ -1,0 +1,22 @@
+// Reader of the plain JSON form of a set, which cases hold too.
+#pragma once
+
+#include "formats/json_text.hpp"
+#include "formats/set_builder.hpp"
+
+namespace minkref {
+
+/// Which JSON values name a coordinate. Strings ("3/7", "-30.7428") always do.
+enum class JsonNumbers {
+  any,       ///< every JSON number too, from its text
+  integers,  ///< JSON integers only (cases)
+};
+
+/// Reads {"polygons":[{"outer":ring,"holes":[ring,...]},...]}, ring = [[x,y],...], the first vertex
+/// not repeated. `holes` may be absent; other members are refused. Linear.
+void read_json_set(Json value, SetBuilder& set, JsonNumbers numbers);
+
+/// The text of a number given as a JSON value. Refuses other values ("not-a-number") at `place`.
+std::string number_text(Json value, JsonNumbers numbers, const Input& input, const Place& place);
+
+}  // namespace minkref

@@ -1,0 +1,151 @@
+#include "formats/read_poly.hpp"
+
+#include <charconv>
+#include <string>
+#include <utility>
+
+#include "formats/containment.hpp"
+#include "formats/message_text.hpp"
+#include "formats/poly_lines.hpp"
+
+namespace minkref {
+namespace {
+
+class PolyReader {
+ public:
+  PolyReader(std::string_view text, SetBuilder& set)
+      : set_(set), input_(set.input()), lines_(text, input_) {}
+
+  void run() {
+    const std::size_t count = ring_count();
+    for (std::size_t i = 0; i < count; ++i) ring(i, count);
+    if (lines_.line()) {
+      input_.refuse(
+          "trailing-text", "there is text after the last of " + std::to_string(count) + " rings",
+          "correct the number of rings at the top, or remove the text", lines_.line()->number);
+    }
+    assign();
+  }
+
+ private:
+  using Tokens = std::vector<std::string_view>;
+
+  const PolyLine& due(const std::string& expected) const {
+    if (!lines_.line()) {
+      input_.refuse("truncated", "the text ends where " + expected + " is due", "complete the file",
+                    lines_.last_number());
+    }
+    return *lines_.line();
+  }
+
+  std::size_t count_of(std::string_view token, const std::string& what, std::size_t line) const {
+    std::size_t value = 0;
+    const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
+    if (error != std::errc{} || end != token.data() + token.size()) {
+      input_.refuse("syntax", in_quotes(token) + " is not " + what, "write a whole number", line);
+    }
+    return value;
+  }
+
+  std::size_t ring_count() {
+    const PolyLine& line = due("the number of rings");
+    if (line.tokens.size() != 1) {
+      input_.refuse("syntax", "the first line must hold the number of rings alone",
+                    "write the number of rings on a line of its own", line.number);
+    }
+    const std::size_t count = count_of(line.tokens[0], "a number of rings", line.number);
+    lines_.advance();
+    return count;
+  }
+
+  static bool is_header(const Tokens& tokens) {
+    return tokens.size() == 2 && (tokens[1] == "in" || tokens[1] == "out");
+  }
+
+  void ring(std::size_t index, std::size_t count) {
+    const PolyLine& header =
+        due("ring " + std::to_string(index + 1) + " of " + std::to_string(count));
+    if (!is_header(header.tokens)) {
+      input_.refuse("syntax", "a ring must begin with its number of vertices and `in` or `out`",
+                    "write, for example, \"275 out\"", header.number);
+    }
+    const bool hole = header.tokens[1] == "in";
+    const std::size_t size = count_of(header.tokens[0], "a number of vertices", header.number);
+    TextRing fresh = set_.ring(header.number);
+    lines_.advance();
+    for (std::size_t i = 0; i < size; ++i) vertex(fresh, size);
+    if (size < 3) {
+      input_.refuse("too-few-vertices", "a ring has three vertices or more",
+                    "complete the ring or leave it out; give a point or a segment as WKT",
+                    fresh.place());
+    }
+    indices(size);
+    (hole ? holes_ : outers_).push_back(std::move(fresh));
+  }
+
+  void vertex(TextRing& ring, std::size_t size) {
+    const PolyLine& line =
+        due("vertex " + std::to_string(ring.points.size() + 1) + " of " + std::to_string(size));
+    if (line.tokens.size() != 2 || is_header(line.tokens)) {
+      Place where = ring.place_of(ring.points.size());
+      where.line = line.number;
+      input_.refuse(line.tokens.size() == 3 ? "three-dimensional" : "syntax",
+                    "a line of a vertex must hold two numbers",
+                    "write x and y, and check the number of vertices of the ring", where);
+    }
+    set_.vertex(ring, line.tokens[0], line.tokens[1], line.number);
+    lines_.advance();
+  }
+
+  /// The indices 1...n, possibly on several lines, or nothing.
+  void indices(std::size_t size) {
+    std::size_t next = 1;
+    while (lines_.line() && next <= size) {
+      const PolyLine& line = *lines_.line();
+      if (is_header(line.tokens)) break;
+      for (const std::string_view token : line.tokens) {
+        if (next > size || count_of(token, "an index", line.number) != next) {
+          input_.refuse("syntax",
+                        "the indices of a ring must be 1 to " + std::to_string(size) + ", in order",
+                        "correct them, or leave the line of indices out", line.number);
+        }
+        ++next;
+      }
+      lines_.advance();
+    }
+    if (next != 1 && next != size + 1) {
+      input_.refuse(lines_.line() ? "syntax" : "truncated",
+                    "the indices of a ring must be 1 to " + std::to_string(size) +
+                        ", these end at " + std::to_string(next - 1),
+                    "complete them, or leave the line of indices out", lines_.last_number());
+    }
+  }
+
+  /// Sorts the holes under their outer rings.
+  void assign() {
+    std::vector<const Ring*> outers, holes;
+    std::vector<Place> places;
+    for (const TextRing& outer : outers_) outers.push_back(&outer.points);
+    for (const TextRing& hole : holes_) {
+      holes.push_back(&hole.points);
+      places.push_back(hole.place_of(0));
+    }
+    const auto owners = containing_outers(outers, holes, places, input_);
+    std::vector<std::vector<TextRing>> held(outers_.size());
+    for (std::size_t h = 0; h < holes_.size(); ++h) held[owners[h]].push_back(std::move(holes_[h]));
+    for (std::size_t o = 0; o < outers_.size(); ++o) {
+      set_.polygon(std::move(outers_[o]), std::move(held[o]));
+    }
+  }
+
+  SetBuilder& set_;
+  Input& input_;
+  PolyLines lines_;
+  std::vector<TextRing> outers_, holes_;
+};
+
+}  // namespace
+
+void read_poly(std::string_view text, SetBuilder& set) { PolyReader(text, set).run(); }
+
+}  // namespace minkref

@@ -1,0 +1,31 @@
+// What a reader gives: the set, its warnings, and where in the text each vertex stood.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "reference/plane/polygon_set.hpp"
+
+namespace minkref {
+
+/// Where a ring of the set came from, so that a later refusal names the place in the file and not
+/// the place in memory: rings may have been turned, and holes sorted under their outer rings.
+struct RingOrigin {
+  enum class Order : std::uint8_t { as_read, reversed, reversed_after_first };
+  std::size_t ring = 0;              ///< 0-based, in the order of the file
+  std::vector<std::uint32_t> lines;  ///< 1-based line of each vertex, in the order of the file
+  Order order = Order::as_read;      ///< how `orient` turned it
+
+  /// Index in the file of the vertex that has this index in the set.
+  std::size_t index_in_file(std::size_t index) const;
+};
+
+struct Reading {
+  PolygonSet set;
+  std::vector<std::string> warnings;
+  std::vector<RingOrigin>
+      origins;  ///< one for each ring of the set: outer, holes, outer, holes, ...
+};
+
+}  // namespace minkref

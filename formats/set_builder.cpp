@@ -1,0 +1,142 @@
+#include "formats/set_builder.hpp"
+
+#include <string>
+#include <utility>
+
+namespace minkref {
+namespace {
+
+/// Long coordinates are cut in a message.
+std::string brief(const Rational& value) {
+  const std::string text = to_string(value);
+  constexpr std::size_t most = 60;
+  return text.size() > most ? text.substr(0, most) + "..." : text;
+}
+
+[[noreturn]] void too_few(const Input& input, const TextRing& ring) {
+  input.refuse("too-few-vertices",
+               "the ring has " + std::to_string(ring.points.size()) +
+                   (ring.points.size() == 1 ? " vertex" : " different vertices") +
+                   ", a ring has three or more",
+               "complete the ring or leave it out; write a point or a segment as such, alone",
+               ring.place());
+}
+
+RingOrigin::Order turned(const Ring& before, const Ring& after) {
+  if (before == after) return RingOrigin::Order::as_read;
+  return before.front() == after.front() ? RingOrigin::Order::reversed_after_first
+                                         : RingOrigin::Order::reversed;
+}
+
+}  // namespace
+
+Place TextRing::place() const {
+  Place where = at_line(line);
+  where.ring = number;
+  return where;
+}
+
+Place TextRing::place_of(std::size_t vertex) const {
+  Place where = place();
+  where.vertices.push_back(vertex);
+  if (vertex < points.size()) {
+    where.line = lines[vertex];
+    where.coordinates.push_back("(" + brief(points[vertex].x) + ", " + brief(points[vertex].y) +
+                                ")");
+  }
+  return where;
+}
+
+TextRing SetBuilder::ring(std::size_t line) {
+  TextRing fresh;
+  fresh.number = rings_++;
+  fresh.line = line;
+  return fresh;
+}
+
+void SetBuilder::vertex(TextRing& ring, std::string_view x, std::string_view y, std::size_t line) {
+  Place where = ring.place_of(ring.points.size());
+  where.line = line;
+  input_.count_vertex(where);
+  Rational first = input_.number(x, where);
+  Rational second = input_.number(y, where);
+  ring.points.push_back({std::move(first), std::move(second)});
+  ring.lines.push_back(static_cast<std::uint32_t>(line));
+}
+
+void SetBuilder::close(TextRing& ring) const {
+  if (ring.points.empty()) too_few(input_, ring);
+  if (ring.points.front() != ring.points.back()) {
+    Place where = ring.place_of(0);
+    Place last = ring.place_of(ring.points.size() - 1);
+    where.line = last.line;
+    where.vertices.push_back(last.vertices.front());
+    where.coordinates.push_back(last.coordinates.front());
+    input_.refuse("ring-not-closed", "the last vertex of the ring differs from the first",
+                  "repeat the first vertex at the end of the ring", where);
+  }
+  if (ring.points.size() > 1) {
+    ring.points.pop_back();
+    ring.lines.pop_back();
+  }
+  if (ring.points.size() < 3) too_few(input_, ring);
+}
+
+void SetBuilder::point(TextRing vertex) { polygon(std::move(vertex), {}); }
+
+void SetBuilder::segment(TextRing ends) { polygon(std::move(ends), {}); }
+
+void SetBuilder::polygon(TextRing outer, std::vector<TextRing> holes) {
+  std::vector<TextRing> rings;
+  rings.push_back(std::move(outer));
+  for (TextRing& hole : holes) rings.push_back(std::move(hole));
+  polygons_.push_back(std::move(rings));
+}
+
+Reading SetBuilder::finish_as_read() {
+  const bool alone = polygons_.size() == 1 && polygons_[0].size() == 1;
+  for (const auto& rings : polygons_) {
+    for (const TextRing& ring : rings) {
+      const std::size_t size = ring.points.size();
+      if (size >= 3 || (alone && size > 0)) continue;
+      if (size == 0 || &ring != &rings[0] || rings.size() > 1) too_few(input_, ring);
+      input_.refuse("mixed-operand",
+                    std::string(size == 1 ? "a point" : "a segment") + " stands beside other parts",
+                    "give the point or the segment alone, in its own file", ring.place_of(0));
+    }
+  }
+  Reading reading;
+  for (auto& rings : polygons_) {
+    Polygon polygon;
+    for (TextRing& ring : rings) {
+      RingOrigin origin;
+      origin.ring = ring.number;
+      origin.lines = std::move(ring.lines);
+      reading.origins.push_back(std::move(origin));
+      (&ring == &rings[0] ? polygon.outer : polygon.holes.emplace_back()) = std::move(ring.points);
+    }
+    reading.set.polygons.push_back(std::move(polygon));
+  }
+  polygons_.clear();
+  reading.warnings = input_.take_warnings();
+  return reading;
+}
+
+Reading SetBuilder::finish() {
+  Reading reading = finish_as_read();
+  if (!reading.set.is_region()) return reading;
+  const PolygonSet before = reading.set;
+  orient(reading.set);
+  auto origin = reading.origins.begin();
+  for (std::size_t i = 0; i < before.polygons.size(); ++i) {
+    const Polygon& old = before.polygons[i];
+    const Polygon& now = reading.set.polygons[i];
+    (origin++)->order = turned(old.outer, now.outer);
+    for (std::size_t j = 0; j < old.holes.size(); ++j) {
+      (origin++)->order = turned(old.holes[j], now.holes[j]);
+    }
+  }
+  return reading;
+}
+
+}  // namespace minkref

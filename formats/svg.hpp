@@ -1,0 +1,28 @@
+// Pictures: layers of regions and segments drawn over each other.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reference/plane/convolution.hpp"
+#include "reference/plane/polygon_set.hpp"
+
+namespace minkref {
+
+/// Drawn in this order: the region, then the segments. Colours are SVG's ("#c33", "none").
+struct Layer {
+  std::string name;        ///< becomes the title of the group
+  PolygonSet region = {};  ///< filled even-odd, rings outlined; points and segments are drawn
+  std::vector<Segment> segments = {};
+  std::string fill = "#4c78a8";
+  std::string stroke = "#1f3b57";
+  double opacity = 0.5;     ///< of the fill
+  double stroke_width = 1;  ///< in units of the picture, whose longer side is 1000
+};
+
+/// An SVG document with all layers, first one undermost. The y axis points up. Coordinates are
+/// moved and scaled (exactly, then rounded to doubles) so that the longer side of the common
+/// bounding box is 1000.
+std::string write_svg(const std::vector<Layer>& layers);
+
+}  // namespace minkref

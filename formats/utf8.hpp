@@ -1,0 +1,17 @@
+// UTF-8 (RFC 3629).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace minkref {
+
+/// Length of the well-formed character at `at`; 0 where there is none.
+std::size_t utf8_length(std::string_view text, std::size_t at);
+
+/// Appends a Unicode scalar value.
+void append_utf8(std::string& text, std::uint32_t point);
+
+}  // namespace minkref

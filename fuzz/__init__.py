@@ -1,0 +1,1 @@
+"""Differential testing: generators, targets, comparison with exact witnesses, runner."""

@@ -1,0 +1,75 @@
+"""The baseline: known faults of known versions, each with its reason. A listed fault becomes
+`known`."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from fnmatch import fnmatchcase
+from pathlib import Path
+from typing import Any
+
+from minkref.errors import Refusal
+from minkref.fuzz.verdict import Outcome, Verdict
+
+_FIELDS = ("target", "version", "kind", "reason")
+
+
+@dataclass(frozen=True)
+class Entry:
+    """`target` and `version` may hold the wild cards of file names; `kind` is a reason of
+    `wrong`, or a verdict such as `crashed`."""
+
+    target: str
+    version: str
+    kind: str
+    reason: str
+
+
+@dataclass(frozen=True)
+class Baseline:
+    entries: tuple[Entry, ...] = ()
+
+    def apply(self, outcome: Outcome, version: str | None) -> Outcome:
+        """`known` iff every kind of the outcome's fault is listed for its target and version."""
+        if outcome.verdict in (Verdict.PASS, Verdict.SKIPPED, Verdict.UNDECIDED, Verdict.KNOWN):
+            return outcome
+        reasons = [self._reason(outcome.target, version or "", kind) for kind in outcome.kinds]
+        if not reasons or any(reason is None for reason in reasons):
+            return outcome
+        return outcome.known("; ".join(dict.fromkeys(r for r in reasons if r is not None)))
+
+    def _reason(self, target: str, version: str, kind: str) -> str | None:
+        for entry in self.entries:
+            if (
+                fnmatchcase(target, entry.target)
+                and fnmatchcase(version, entry.version)
+                and kind == entry.kind
+            ):
+                return entry.reason
+        return None
+
+
+def read_baseline(path: Path) -> Baseline:
+    """Refuses what is not `{"baseline": "baseline-v1", "entries": [...]}` with texts in all
+    fields."""
+    mend = 'write {"baseline": "baseline-v1", "entries": [{"target", "version", "kind", "reason"}]}'
+    try:
+        value: Any = json.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise Refusal(
+            f"the baseline cannot be read: {error.strerror}", str(path), "check the path"
+        ) from error
+    except ValueError as error:
+        raise Refusal(f"the baseline is not JSON: {error}", str(path), mend) from error
+    if not isinstance(value, dict) or value.get("baseline") != "baseline-v1":
+        raise Refusal("this is no baseline of version 1", str(path), mend)
+    entries = value.get("entries")
+    if not isinstance(entries, list):
+        raise Refusal("the baseline has no list of entries", str(path), mend)
+    for number, entry in enumerate(entries):
+        if not isinstance(entry, dict) or any(
+            not isinstance(entry.get(field), str) or not entry[field] for field in _FIELDS
+        ):
+            raise Refusal(f"entry {number} lacks one of {', '.join(_FIELDS)}", str(path), mend)
+    return Baseline(tuple(Entry(*(entry[field] for field in _FIELDS)) for entry in entries))

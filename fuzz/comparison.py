@@ -1,0 +1,105 @@
+"""A disagreement is settled by points that are decided from the definition, never by a vote."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, field
+
+from minkref import _core
+from minkref.fuzz.case import Case
+from minkref.fuzz.region import Region, inner_point, minus
+from minkref.fuzz.verdict import Reason, Witness
+from minkref.fuzz.witness import holds
+
+
+class WitnessRefuted(Exception):
+    """The reference's own decision about a point does not stand the check in plain fractions."""
+
+
+@dataclass
+class Settlement:
+    """Which of two results is refuted, each by a witness. `reasons` tell how the claim differs."""
+
+    claim: Witness | None = None
+    truth: Witness | None = None
+    reasons: list[Reason] = field(default_factory=list)
+
+
+def decide(case: Case, point: tuple[str, str]) -> Witness:
+    """Whether the point lies in the sum, by pairs of triangles, checked again in plain fractions.
+    A point where the operands only touch belongs to the sum: it is closed."""
+    answer = _core.decide(case.P, case.Q, case.scale, point[0], point[1])
+    inside = answer["contact"] != "empty"
+    p, q = answer["p"], answer["q"]
+    witness = Witness(
+        point, inside, (p[0], p[1]) if inside else None, (q[0], q[1]) if inside else None
+    )
+    if not holds(case.P_json, case.Q_json, case.scale, witness):
+        raise WitnessRefuted(f"the point ({point[0]}, {point[1]}) on {case.name.text}")
+    return witness
+
+
+def settle(case: Case, truth: Region, claim: Region) -> Settlement:
+    """Decides a point that only `truth` has and one that only `claim` has, where there are such."""
+    settled = Settlement()
+    absent, surplus = minus(truth.json, claim.json), minus(claim.json, truth.json)
+    for part, reason in ((absent, Reason.MISSING), (surplus, Reason.EXTRA)):
+        point = inner_point(part)
+        if point is None:
+            continue
+        witness = decide(case, point)
+        if witness.in_truth == (reason is Reason.MISSING):
+            settled.claim = settled.claim or witness
+            settled.reasons.append(reason)
+        else:
+            settled.truth = settled.truth or witness
+    if settled.claim is not None:
+        settled.reasons = _sharpen(settled.reasons, truth, claim, absent, surplus)
+    return settled
+
+
+def _sharpen(
+    reasons: list[Reason],
+    truth: Region,
+    claim: Region,
+    absent: _core.PolygonSet,
+    surplus: _core.PolygonSet,
+) -> list[Reason]:
+    """Names lost and invented holes and components; `missing` and `extra` are left out where these
+    explain all of the difference."""
+    found: list[Reason] = []
+    if Reason.EXTRA in reasons:
+        if claim.holes < truth.holes:
+            found.append(Reason.HOLE_LOST)
+        elif claim.components > truth.components:
+            found.append(Reason.COMPONENT)
+        if not (found and _pieces(surplus) <= _holes(truth) | _outers(claim)):
+            found.append(Reason.EXTRA)
+    if Reason.MISSING in reasons:
+        more: list[Reason] = []
+        if claim.holes > truth.holes:
+            more.append(Reason.HOLE_INVENTED)
+        elif claim.components < truth.components:
+            more.append(Reason.COMPONENT)
+        if not (more and _pieces(absent) <= _holes(claim) | _outers(truth)):
+            more.append(Reason.MISSING)
+        found += [reason for reason in more if reason not in found]
+    return found
+
+
+def _key(ring: list[list[str]]) -> frozenset[tuple[str, str]]:
+    return frozenset((x, y) for x, y in ring)
+
+
+def _pieces(region: _core.PolygonSet) -> set[frozenset[tuple[str, str]]]:
+    polygons = json.loads(region.canonical_json())["polygons"]
+    return {_key(polygon["outer"]) for polygon in polygons}
+
+
+def _outers(region: Region) -> set[frozenset[tuple[str, str]]]:
+    return {_key(polygon["outer"]) for polygon in json.loads(region.json)["polygons"]}
+
+
+def _holes(region: Region) -> set[frozenset[tuple[str, str]]]:
+    polygons = json.loads(region.json)["polygons"]
+    return {_key(hole) for polygon in polygons for hole in polygon["holes"]}

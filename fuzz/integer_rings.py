@@ -1,0 +1,188 @@
+"""Small simple rings on an integer grid, in plain integer arithmetic: the generator's own
+predicates."""
+
+from __future__ import annotations
+
+import random
+
+Node = tuple[int, int]
+Ring = list[Node]
+
+
+def turn(a: Node, b: Node, c: Node) -> int:
+    """Twice the signed area of the triangle a, b, c."""
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+
+def doubled_area(ring: Ring) -> int:
+    """Twice the signed area of a ring."""
+    return sum(p[0] * q[1] - p[1] * q[0] for p, q in zip(ring, ring[1:] + ring[:1], strict=True))
+
+
+def counter_clockwise(ring: Ring) -> Ring:
+    return ring if doubled_area(ring) > 0 else ring[::-1]
+
+
+def _within(a: Node, b: Node, p: Node) -> bool:
+    """p, known to be on the line a b, lies on the closed segment."""
+    return min(a[0], b[0]) <= p[0] <= max(a[0], b[0]) and min(a[1], b[1]) <= p[1] <= max(a[1], b[1])
+
+
+def segments_meet(a: Node, b: Node, c: Node, d: Node) -> bool:
+    """The closed segments a b and c d share a point."""
+    if max(a[0], b[0]) < min(c[0], d[0]) or max(c[0], d[0]) < min(a[0], b[0]):
+        return False
+    if max(a[1], b[1]) < min(c[1], d[1]) or max(c[1], d[1]) < min(a[1], b[1]):
+        return False
+    t1, t2, t3, t4 = turn(a, b, c), turn(a, b, d), turn(c, d, a), turn(c, d, b)
+    if ((t1 > 0) != (t2 > 0) and t1 and t2) and ((t3 > 0) != (t4 > 0) and t3 and t4):
+        return True
+    return (
+        (t1 == 0 and _within(a, b, c))
+        or (t2 == 0 and _within(a, b, d))
+        or (t3 == 0 and _within(c, d, a))
+        or (t4 == 0 and _within(c, d, b))
+    )
+
+
+def segments_cross(a: Node, b: Node, c: Node, d: Node) -> bool:
+    """The segments cross properly, or overlap along more than a point."""
+    if max(a[0], b[0]) < min(c[0], d[0]) or max(c[0], d[0]) < min(a[0], b[0]):
+        return False
+    if max(a[1], b[1]) < min(c[1], d[1]) or max(c[1], d[1]) < min(a[1], b[1]):
+        return False
+    t1, t2, t3, t4 = turn(a, b, c), turn(a, b, d), turn(c, d, a), turn(c, d, b)
+    if t1 == 0 and t2 == 0:
+        (lo1, hi1), (lo2, hi2) = sorted((a, b)), sorted((c, d))
+        return max(lo1, lo2) < min(hi1, hi2)
+    return t1 * t2 < 0 and t3 * t4 < 0
+
+
+def is_simple(ring: Ring) -> bool:
+    """Distinct vertices, non-adjacent edges apart, adjacent edges meeting in their vertex only."""
+    n = len(ring)
+    if n < 3 or len(set(ring)) != n or doubled_area(ring) == 0:
+        return False
+    for i in range(n):
+        a, b = ring[i], ring[(i + 1) % n]
+        c = ring[(i + 2) % n]
+        if turn(a, b, c) == 0 and (_within(a, b, c) or _within(b, c, a)):
+            return False
+        for j in range(i + 2, n):
+            if (j + 1) % n == i:
+                continue
+            if segments_meet(a, b, ring[j], ring[(j + 1) % n]):
+                return False
+    return True
+
+
+def untangled(dice: random.Random, vertices: int, width: int, height: int) -> Ring | None:
+    """Random points of the grid [0, width] x [0, height], joined to a simple ring by reversing
+    the stretch between two crossing edges until none is left (2-opt); None where that does not
+    succeed."""
+    ring: Ring = []
+    seen: set[Node] = set()
+    for _ in range(vertices):
+        node = (dice.randint(0, width), dice.randint(0, height))
+        if node not in seen:
+            seen.add(node)
+            ring.append(node)
+    n = len(ring)
+    if n < 3:
+        return None
+    for _ in range(4 * n):
+        found = False
+        for i in range(n - 2):
+            a, b = ring[i], ring[i + 1]
+            for j in range(i + 2, n if i else n - 1):
+                if segments_meet(a, b, ring[j], ring[(j + 1) % n]):
+                    ring[i + 1 : j + 1] = ring[i + 1 : j + 1][::-1]
+                    found = True
+                    break
+            if found:
+                break
+        if not found:
+            break
+    return ring if is_simple(ring) else None
+
+
+def on_grid_cells(dice: random.Random, side: int, most_vertices: int) -> Ring | None:
+    """The outline of a few grid cells grown at random, its corners cut or sheared on the grid; None
+    where the outline is not one simple ring or has too many vertices."""
+    start = (dice.randrange(side), dice.randrange(side))
+    cells = {start}
+    stretch = max(1, side // 4)
+    for _ in range(dice.randint(1, 6)):
+        x, y = dice.choice(sorted(cells))
+        dx, dy = dice.choice(((1, 0), (-1, 0), (0, 1), (0, -1)))
+        for step in range(1, dice.randint(1, stretch) + 1):
+            cell = (x + step * dx, y + step * dy)
+            if 0 <= cell[0] < side and 0 <= cell[1] < side:
+                cells.add(cell)
+    ring = _outline(cells)
+    if ring is None:
+        return None
+    if dice.random() < 0.6:
+        ring = [_moved(dice, node, side) if dice.random() < 0.3 else node for node in ring]
+    return ring if len(ring) <= most_vertices and is_simple(ring) else None
+
+
+def _moved(dice: random.Random, node: Node, side: int) -> Node:
+    x = min(side, max(0, node[0] + dice.randint(-1, 1)))
+    y = min(side, max(0, node[1] + dice.randint(-1, 1)))
+    return (x, y)
+
+
+def _outline(cells: set[Node]) -> Ring | None:
+    """The corners of the boundary of a set of cells; None where it is not one ring."""
+    following: dict[Node, Node] = {}
+    for x, y in sorted(cells):
+        sides = (
+            ((x, y - 1), (x, y), (x + 1, y)),
+            ((x + 1, y), (x + 1, y), (x + 1, y + 1)),
+            ((x, y + 1), (x + 1, y + 1), (x, y + 1)),
+            ((x - 1, y), (x, y + 1), (x, y)),
+        )
+        for neighbour, a, b in sides:
+            if neighbour not in cells:
+                if a in following:
+                    return None
+                following[a] = b
+    first = min(following)
+    ring = [first]
+    node = following[first]
+    while node != first:
+        ring.append(node)
+        node = following[node]
+    if len(ring) != len(following):
+        return None
+    n = len(ring)
+    return [ring[i] for i in range(n) if turn(ring[i - 1], ring[i], ring[(i + 1) % n]) != 0]
+
+
+def strictly_inside(inner: Ring, outer: Ring) -> bool:
+    """Every vertex of `inner` lies in the closed region of `outer`, and not all of them on its
+    rim."""
+    places = [_place(node, outer) for node in inner]
+    return min(places) >= 0 and max(places) > 0
+
+
+def _place(p: Node, ring: Ring) -> int:
+    """1 inside, 0 on the ring, -1 outside."""
+    inside = False
+    for a, b in zip(ring, ring[1:] + ring[:1], strict=True):
+        side = turn(a, b, p)
+        if side == 0 and _within(a, b, p):
+            return 0
+        if (a[1] > p[1]) != (b[1] > p[1]) and (side > 0) == (b[1] > a[1]):
+            inside = not inside
+    return 1 if inside else -1
+
+
+def rings_cross(first: Ring, second: Ring) -> bool:
+    """Some edges of the two rings cross properly or overlap; touching at points is allowed."""
+    return any(
+        segments_cross(a, b, c, d)
+        for a, b in zip(first, first[1:] + first[:1], strict=True)
+        for c, d in zip(second, second[1:] + second[:1], strict=True)
+    )

@@ -1,0 +1,149 @@
+"""The verdicts on all targets on one case."""
+
+from __future__ import annotations
+
+from minkref.fuzz.case import Case
+from minkref.fuzz.comparison import WitnessRefuted, decide, settle
+from minkref.fuzz.region import Region
+from minkref.fuzz.targets import Answer
+from minkref.fuzz.verdict import Outcome, Reason, Verdict, Witness
+
+TRUTHS = ("minkref:paper", "minkref:winding", "minkref:definition")
+REFEREE = "minkref:referee"  # the decision of single points; named only where it fails
+DOUBT = "the decision of a point is refuted by plain fractions"
+
+
+def judge(case: Case, answers: dict[str, Answer], targets: list[str]) -> list[Outcome]:
+    """One outcome for each of `targets`, and for each of our own routes that is refuted, selected
+    or not. The truth is a route that no witness refutes; where there is none, others are
+    undecided."""
+    outcomes = _judge(case, answers, {})
+    chosen = set(targets) | {
+        name for name, outcome in outcomes.items() if outcome.verdict is Verdict.WRONG
+    }
+    judged = [outcome for name, outcome in outcomes.items() if name in chosen]
+    doubted = [
+        outcome.message for outcome in outcomes.values() if outcome.message.startswith(DOUBT)
+    ]
+    if doubted:
+        judged.append(Outcome(REFEREE, Verdict.ERRORED, message=doubted[0]))
+    return judged
+
+
+def _judge(
+    case: Case, answers: dict[str, Answer], refuted: dict[str, tuple[Witness, list[Reason]]]
+) -> dict[str, Outcome]:
+    while True:
+        truth = next(
+            (
+                name
+                for name in TRUTHS
+                if name in answers and answers[name].region and name not in refuted
+            ),
+            None,
+        )
+        if truth is None:
+            message = "no route of the reference has an answer that stands"
+            return {
+                name: _refuted(name, answer, *refuted[name], None)
+                if name in refuted
+                else _undecided(name, answer, message)
+                for name, answer in answers.items()
+            }
+        outcomes = _against(case, answers, truth, refuted)
+        if outcomes is not None:
+            return outcomes
+
+
+def _against(
+    case: Case,
+    answers: dict[str, Answer],
+    truth: str,
+    refuted: dict[str, tuple[Witness, list[Reason]]],
+) -> dict[str, Outcome] | None:
+    """All outcomes with the result of `truth` taken as the sum; None where that itself is
+    refuted."""
+    expected = answers[truth].region
+    assert expected is not None
+    outcomes: dict[str, Outcome] = {}
+    for name, answer in answers.items():
+        try:
+            outcome = _one(case, name, answer, expected)
+        except WitnessRefuted as error:
+            outcome = _undecided(name, answer, f"{DOUBT}: {error}")
+        if isinstance(outcome, Outcome):
+            outcomes[name] = outcome
+        else:
+            reason = Reason.MISSING if outcome.in_truth else Reason.EXTRA
+            refuted[truth] = (outcome, [reason])
+            return None
+    return outcomes
+
+
+def _one(case: Case, name: str, answer: Answer, expected: Region) -> Outcome | Witness:
+    """The outcome for one target, or the witness that refutes the expected region."""
+    region = answer.region
+    if region is None:
+        return _without_answer(name, answer)
+    if region.digest == expected.digest:
+        return _same_set(case, name, answer, region)
+    settled = settle(case, expected, region)
+    if settled.truth is not None:
+        return settled.truth
+    if settled.claim is None:
+        return _undecided(name, answer, "no point tells the results apart")
+    reasons = settled.reasons
+    if region.overlap is not None:
+        reasons = [*reasons, Reason.SELF_INTERSECTING]
+    return _refuted(name, answer, settled.claim, reasons, expected)
+
+
+def _same_set(case: Case, name: str, answer: Answer, region: Region) -> Outcome:
+    """The right set of points; its rings may still be badly made."""
+    for point, reason in (
+        (region.degenerate, Reason.NOT_CLOSED),
+        (region.overlap, Reason.SELF_INTERSECTING),
+    ):
+        if point is not None:
+            return _refuted(name, answer, decide(case, point), [reason], region)
+    return Outcome(name, Verdict.PASS, seconds=answer.seconds, digest=region.digest)
+
+
+def _refuted(
+    name: str, answer: Answer, witness: Witness, reasons: list[Reason], expected: Region | None
+) -> Outcome:
+    region = answer.region
+    assert region is not None
+    return Outcome(
+        name,
+        Verdict.WRONG,
+        tuple(reasons),
+        seconds=answer.seconds,
+        witness=witness,
+        digest=region.digest,
+        expected_digest=expected.digest if expected else None,
+        got=region.json,
+    )
+
+
+def _without_answer(name: str, answer: Answer) -> Outcome:
+    return Outcome(
+        name,
+        answer.verdict or Verdict.ERRORED,
+        message=answer.message,
+        signal=answer.signal,
+        seconds=answer.seconds,
+    )
+
+
+def _undecided(name: str, answer: Answer, message: str) -> Outcome:
+    if answer.region is None:
+        return _without_answer(name, answer)
+    return Outcome(
+        name,
+        Verdict.UNDECIDED,
+        message=message,
+        seconds=answer.seconds,
+        digest=answer.region.digest,
+        got=answer.region.json,
+    )

@@ -1,0 +1,119 @@
+"""The differential run: cases through workers, verdicts into a matrix and a list of findings."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+from minkref.exits import ExitCode
+from minkref.fuzz.baseline import Baseline
+from minkref.fuzz.case_list import CaseList
+from minkref.fuzz.judgement import REFEREE
+from minkref.fuzz.pool import run_cases
+from minkref.fuzz.targets import Limits
+from minkref.fuzz.verdict import BROKEN, Outcome, Verdict
+from minkref.fuzz.worker import CaseResult
+
+
+@dataclass(frozen=True)
+class Finding:
+    """Whatever is neither a pass nor a skip, with the case it happened on."""
+
+    outcome: Outcome
+    case: CaseResult
+
+    @property
+    def kind(self) -> tuple[str, str, tuple[str, ...]]:
+        """Findings of one kind are shown once, by the smallest."""
+        return (self.outcome.target, str(self.outcome.verdict), self.outcome.kinds)
+
+    @property
+    def reproduce(self) -> str:
+        target = "" if self.outcome.target == REFEREE else f"{self.outcome.target} "
+        return f"minkref verify {target}--case {self.case.name.text}"
+
+
+@dataclass
+class Cell:
+    """One target on one group of cases."""
+
+    verdicts: Counter[str] = field(default_factory=Counter)
+    skips: Counter[str] = field(default_factory=Counter)
+    seconds: float = 0.0
+
+
+@dataclass
+class Run:
+    targets: list[str]
+    groups: list[str] = field(default_factory=list)
+    matrix: dict[tuple[str, str], Cell] = field(default_factory=dict)
+    findings: list[Finding] = field(default_factory=list)
+    cases: Counter[str] = field(default_factory=Counter)
+
+    def smallest(self) -> list[tuple[Finding, int]]:
+        """The smallest finding of each kind, with how many there are; the most serious first."""
+        counts = Counter(finding.kind for finding in self.findings)
+        best: dict[tuple[str, str, tuple[str, ...]], Finding] = {}
+        for finding in self.findings:
+            known = best.get(finding.kind)
+            if known is None or finding.case.size < known.case.size:
+                best[finding.kind] = finding
+        order = list(Verdict)
+        return sorted(
+            ((finding, counts[kind]) for kind, finding in best.items()),
+            key=lambda item: (order.index(item[0].outcome.verdict), item[0].kind),
+        )
+
+    def exit_code(self, strict: bool = False) -> ExitCode:
+        verdicts = {finding.outcome.verdict for finding in self.findings}
+        if Verdict.WRONG in verdicts:
+            return ExitCode.WRONG
+        if not sum(self.cases.values()) or not self._ran():
+            return ExitCode.USAGE
+        if verdicts & set(BROKEN):
+            return ExitCode.BROKEN
+        if strict and Verdict.UNDECIDED in verdicts:
+            return ExitCode.UNDECIDED
+        return ExitCode.ALL_WELL
+
+    def _ran(self) -> bool:
+        """Something other than skips happened."""
+        return any(
+            count
+            for cell in self.matrix.values()
+            for verdict, count in cell.verdicts.items()
+            if verdict != Verdict.SKIPPED
+        )
+
+
+def run(
+    cases: CaseList,
+    targets: list[str],
+    versions: dict[str, str | None],
+    baseline: Baseline,
+    limits: Limits,
+    jobs: int,
+    progress: Callable[[Run], None] = lambda _: None,
+) -> Run:
+    """Runs all cases. With `cases.pairs` given the verdicts do not depend on `jobs`."""
+    done = Run(list(targets))
+    for result in run_cases(cases, targets, limits, jobs):
+        group = result.name.group
+        if group not in done.groups:
+            done.groups.append(group)
+        done.cases[group] += 1
+        for outcome in result.outcomes:
+            judged = baseline.apply(outcome, versions.get(outcome.target))
+            cell = done.matrix.setdefault((outcome.target, group), Cell())
+            cell.verdicts[str(judged.verdict)] += 1
+            cell.seconds += judged.seconds
+            if judged.verdict is Verdict.SKIPPED:
+                cell.skips[judged.message] += 1
+            elif judged.verdict is not Verdict.PASS:
+                done.findings.append(Finding(judged, result))
+            if outcome.target not in done.targets:
+                done.targets.append(outcome.target)
+        progress(done)
+    done.findings.sort(key=lambda finding: (finding.outcome.target, finding.case.number))
+    return done

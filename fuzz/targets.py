@@ -1,0 +1,209 @@
+"""What can be tested: our own routes, the methods of CGAL, and Python callables."""
+
+from __future__ import annotations
+
+import importlib
+import json
+import subprocess
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+from minkref import _core
+from minkref.errors import Refusal
+from minkref.fuzz.case import Case
+from minkref.fuzz.cgal import CgalOracle
+from minkref.fuzz.cgal_executables import ABOUT, cgal_version, method_of_target, target_names
+from minkref.fuzz.region import Region, region_of_rings, region_of_sum
+from minkref.fuzz.verdict import Verdict
+from minkref.version import version
+
+ROUTES = {
+    "paper": "reduced convolution, orientable loops, nesting, collision detection",
+    "winding": "winding number of the full convolution of slit operands",
+    "definition": "union of the sums of all pairs of triangles",
+}
+# m n above which a slow target skips a case (the option --size-limit replaces it).
+SIZE_LIMITS = {"minkref:definition": 4_000}
+SLOW_CGAL_LIMIT = 10_000
+FAST_CGAL = ("cgal-reduced", "cgal-reduced-raw")
+
+
+@dataclass(frozen=True)
+class Limits:
+    """For one call of one target."""
+
+    seconds: float = 30.0
+    bytes: int = 4 << 30
+    size: int | None = None
+
+
+@dataclass
+class Answer:
+    """What a target said: a region, or a verdict that says why there is none."""
+
+    region: Region | None = None
+    verdict: Verdict | None = None
+    message: str = ""
+    signal: str | None = None
+    seconds: float = 0.0
+
+
+class Target(Protocol):
+    name: str
+
+    def sum(self, case: Case) -> Answer: ...
+
+    def close(self) -> None: ...
+
+
+@dataclass
+class ReferenceTarget:
+    name: str
+    route: str
+
+    def sum(self, case: Case) -> Answer:
+        try:
+            answer = _core.minkowski_sum(case.P, case.Q, case.scale, self.route, "rational")
+        except MemoryError as error:
+            return Answer(verdict=Verdict.OUT_OF_MEMORY, message=str(error))
+        except Exception as error:  # noqa: BLE001 a fault of the target, whatever it is
+            return Answer(verdict=Verdict.ERRORED, message=f"{type(error).__name__}: {error}")
+        return Answer(region_of_sum(answer), seconds=answer.seconds)
+
+    def close(self) -> None:
+        pass
+
+
+class CgalTarget:
+    """A method of CGAL, each call in a child process of the oracle's server."""
+
+    def __init__(self, name: str, limits: Limits) -> None:
+        self.name = name
+        method, raw = method_of_target(name)
+        self._oracle = CgalOracle(method, raw=raw, seconds=limits.seconds, bytes=limits.bytes)
+
+    def sum(self, case: Case) -> Answer:
+        answer = self._oracle.sum(case.scaled_P_json, case.Q_json)
+        if answer.status != "result":
+            return Answer(
+                verdict=Verdict(answer.status),
+                message=answer.reason or "",
+                signal=answer.signal,
+                seconds=answer.seconds or 0.0,
+            )
+        return answered(answer.rings_json or "", answer.seconds or 0.0)
+
+    def close(self) -> None:
+        self._oracle.close()
+
+
+class CallableTarget:
+    """`py:module:function`. The function takes sP and Q as dictionaries in the form of the
+    canonical JSON (not necessarily canonical) and returns their sum in the same form, its numbers
+    as texts `n` or `n/d`; None says that the case is outside its capabilities."""
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+        _, module, function = name.split(":", 2)
+        self._function: Callable[[Any, Any], Any] = getattr(
+            importlib.import_module(module), function
+        )
+
+    def sum(self, case: Case) -> Answer:
+        try:
+            result = self._function(json.loads(case.scaled_P_json), json.loads(case.Q_json))
+        except MemoryError as error:
+            return Answer(verdict=Verdict.OUT_OF_MEMORY, message=str(error))
+        except Exception as error:  # noqa: BLE001 a fault of the target, whatever it is
+            return Answer(verdict=Verdict.ERRORED, message=f"{type(error).__name__}: {error}")
+        if result is None:
+            return Answer(verdict=Verdict.SKIPPED, message="outside the capabilities of the target")
+        return answered(result, 0.0)
+
+    def close(self) -> None:
+        pass
+
+
+def answered(rings: Any, seconds: float) -> Answer:
+    """The answer of somebody else, put into canonical form."""
+    try:
+        value = json.loads(rings) if isinstance(rings, str) else rings
+        return Answer(region_of_rings(value), seconds=seconds)
+    except (ValueError, KeyError, TypeError) as error:
+        message = f"the answer is not a polygon set: {type(error).__name__}: {error}"
+        return Answer(verdict=Verdict.ERRORED, message=message, seconds=seconds)
+
+
+@dataclass(frozen=True)
+class TargetEntry:
+    name: str
+    version: str | None
+    about: str
+    available: bool
+    reason: str | None = None
+
+
+def list_targets() -> list[TargetEntry]:
+    """All that this machine could test; what is absent says how to get it."""
+    ours = [
+        TargetEntry(f"minkref:{route}", version(), about, True) for route, about in ROUTES.items()
+    ]
+    return ours + [_cgal_entry(name) for name in target_names()]
+
+
+def _cgal_entry(name: str) -> TargetEntry:
+    method, raw = method_of_target(name)
+    about = ABOUT[method] + (", holes as given" if raw else "")
+    try:
+        return TargetEntry(name, f"CGAL {cgal_version(method)}", about, True)
+    except (OSError, subprocess.SubprocessError, ValueError, KeyError) as error:
+        return TargetEntry(name, None, about, False, str(error))
+
+
+def select(names: list[str]) -> tuple[list[TargetEntry], list[TargetEntry]]:
+    """The targets to run, and those that are absent. Without names: all but the raw ones. A name
+    that is unknown or absent is refused."""
+    entries = {entry.name: entry for entry in list_targets()}
+    if not names:
+        wanted = [entry for entry in entries.values() if not entry.name.endswith("-raw")]
+        return [e for e in wanted if e.available], [e for e in wanted if not e.available]
+    chosen: list[TargetEntry] = []
+    for name in dict.fromkeys(names):
+        if name.startswith("py:"):
+            _check_callable(name)
+            chosen.append(TargetEntry(name, None, "a Python function", True))
+        elif name not in entries:
+            raise Refusal("there is no such target", name, "`minkref targets` lists them")
+        elif not entries[name].available:
+            raise Refusal(
+                f"this target is absent: {entries[name].reason}", name, "build it as said"
+            )
+        else:
+            chosen.append(entries[name])
+    return chosen, []
+
+
+def _check_callable(name: str) -> None:
+    mend = "write py:module:function, the module importable from here"
+    if name.count(":") != 2:
+        raise Refusal("this names no Python function", name, mend)
+    try:
+        CallableTarget(name)
+    except (ImportError, AttributeError, ValueError) as error:
+        raise Refusal(f"the function cannot be loaded: {error}", name, mend) from error
+
+
+def make_target(name: str, limits: Limits) -> Target:
+    if name.startswith("minkref:"):
+        return ReferenceTarget(name, name.removeprefix("minkref:"))
+    if name.startswith("py:"):
+        return CallableTarget(name)
+    return CgalTarget(name, limits)
+
+
+def size_limit(name: str, limits: Limits) -> int | None:
+    """m n above which the target skips a case; None where it takes any size."""
+    slow_cgal = name.startswith("cgal-") and name not in FAST_CGAL
+    default = SIZE_LIMITS.get(name, SLOW_CGAL_LIMIT if slow_cgal else None)
+    return limits.size if default is not None and limits.size is not None else default

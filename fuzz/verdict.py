@@ -1,0 +1,79 @@
+"""What is said about one target on one case: verdict, reasons, witness."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from enum import StrEnum
+from typing import Any
+
+
+class Verdict(StrEnum):
+    PASS = "pass"
+    WRONG = "wrong"
+    KNOWN = "known"  # listed by the baseline, whatever it was before
+    ERRORED = "errored"
+    CRASHED = "crashed"
+    TIMED_OUT = "timed-out"
+    OUT_OF_MEMORY = "out-of-memory"
+    UNDECIDED = "undecided"
+    SKIPPED = "skipped"
+
+
+BROKEN = (Verdict.CRASHED, Verdict.TIMED_OUT, Verdict.OUT_OF_MEMORY, Verdict.ERRORED)
+
+
+class Reason(StrEnum):
+    MISSING = "missing"  # a point of the sum is not in the result
+    EXTRA = "extra"  # a point of the result is not in the sum
+    HOLE_LOST = "hole-lost"  # a hole of the sum is filled
+    HOLE_INVENTED = "hole-invented"  # the result has a hole inside the sum
+    COMPONENT = "component"  # a component of the sum is absent, or one is invented
+    NOT_CLOSED = "not-closed"  # a ring of fewer than three vertices
+    SELF_INTERSECTING = "self-intersecting"  # rings overlap or cross, or turn the wrong way
+
+
+@dataclass(frozen=True)
+class Witness:
+    """A point that a reader can check by hand. Inside: scale p + q = point, p in P, q in Q.
+    Outside: P scaled does not meet the set of all point - q."""
+
+    point: tuple[str, str]
+    in_truth: bool
+    p: tuple[str, str] | None = None
+    q: tuple[str, str] | None = None
+
+    def document(self) -> dict[str, Any]:
+        return {
+            "point": list(self.point),
+            "in_truth": self.in_truth,
+            "p": list(self.p) if self.p else None,
+            "q": list(self.q) if self.q else None,
+        }
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """One target on one case. `got` is its canonical result as JSON text where it is not a pass."""
+
+    target: str
+    verdict: Verdict
+    reasons: tuple[Reason, ...] = ()
+    message: str = ""
+    signal: str | None = None
+    seconds: float = 0.0
+    witness: Witness | None = None
+    digest: str | None = None
+    expected_digest: str | None = None
+    got: str | None = None
+    was: Verdict | None = None  # the verdict that the baseline turned into `known`
+
+    @property
+    def kinds(self) -> tuple[str, ...]:
+        """What a baseline entry names: the reasons of a wrong result, else the verdict."""
+        verdict = self.was or self.verdict
+        if verdict is Verdict.WRONG:
+            return tuple(str(reason) for reason in self.reasons)
+        return (str(verdict),)
+
+    def known(self, message: str) -> Outcome:
+        return replace(self, verdict=Verdict.KNOWN, was=self.verdict, message=message)

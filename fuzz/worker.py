@@ -1,0 +1,131 @@
+"""One worker process of a run: takes cases from a pipe, runs the targets on each, judges,
+answers."""
+
+from __future__ import annotations
+
+import resource
+import signal
+import traceback
+from dataclasses import dataclass, field
+from multiprocessing.connection import Connection
+from typing import Any
+
+from minkref.fuzz import cgal
+from minkref.fuzz.case import Case, CaseName
+from minkref.fuzz.judgement import TRUTHS, judge
+from minkref.fuzz.targets import Answer, Limits, Target, make_target, size_limit
+from minkref.fuzz.verdict import Outcome, Verdict
+
+REST = 2 << 30  # bytes that a worker may need beside what one call of a target may take
+
+
+@dataclass
+class Job:
+    """One case for a worker. `lost` holds the targets that took a worker down with them before."""
+
+    number: int
+    name: CaseName
+    lost: dict[str, Outcome] = field(default_factory=dict)
+
+
+@dataclass
+class CaseResult:
+    """What a worker hands back on one case. Sets are texts, and only where something is amiss."""
+
+    number: int
+    name: CaseName
+    scale: str
+    outcomes: list[Outcome]
+    P_name: str
+    Q_name: str
+    size: tuple[int, int, str]
+    P: str | None = None
+    Q: str | None = None
+    expected: str | None = None
+
+
+def work(pipe: Connection, targets: list[str], limits: Limits) -> None:
+    """The loop of a worker. Before each step it says which target is about to run, so that the
+    parent knows whose fault the death of this process is."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    _limit_memory(limits.bytes + REST)
+    made: dict[str, Target] = {}
+    try:
+        while True:
+            job = pipe.recv()
+            if job is None:
+                return
+            try:
+                pipe.send(("done", _run(pipe, job, targets, limits, made)))
+            except (BrokenPipeError, EOFError):
+                return
+            except Exception as error:  # noqa: BLE001 the parent reports it as an internal error
+                pipe.send(("failed", f"{job.name.text}: {error}", traceback.format_exc()))
+    except (EOFError, OSError):
+        return
+    finally:
+        for target in made.values():
+            target.close()
+
+
+def _limit_memory(bytes_allowed: int) -> None:
+    _, hard = resource.getrlimit(resource.RLIMIT_AS)
+    if hard == resource.RLIM_INFINITY or bytes_allowed < hard:
+        resource.setrlimit(resource.RLIMIT_AS, (bytes_allowed, hard))
+
+
+def _run(
+    pipe: Connection, job: Job, targets: list[str], limits: Limits, made: dict[str, Target]
+) -> CaseResult:
+    pipe.send(("begin", "minkref:case"))
+    case = job.name.load()
+    answers: dict[str, Answer] = {}
+    for name in dict.fromkeys([*TRUTHS, *targets]):
+        if name in job.lost:
+            lost = job.lost[name]
+            answers[name] = Answer(
+                verdict=lost.verdict, message=lost.message, signal=lost.signal, seconds=lost.seconds
+            )
+            continue
+        if name not in targets and any(answer.region for answer in answers.values()):
+            continue  # one route of ours is truth enough until somebody disagrees
+        limit = size_limit(name, limits)
+        if limit is not None and case.vertex_pairs > limit:
+            message = f"{case.vertex_pairs:,} pairs of vertices, more than {limit:,} (--size-limit)"
+            answers[name] = Answer(verdict=Verdict.SKIPPED, message=message)
+            continue
+        pipe.send(("begin", name))
+        if name not in made:
+            made[name] = make_target(name, limits)
+        answers[name] = made[name].sum(case)
+    pipe.send(("begin", "minkref:referee"))
+    return _result(job, case, judge(case, answers, targets), answers)
+
+
+def _result(
+    job: Job, case: Case, outcomes: list[Outcome], answers: dict[str, Answer]
+) -> CaseResult:
+    result = CaseResult(
+        job.number, job.name, case.scale, outcomes, case.P_name, case.Q_name, case.size
+    )
+    if any(outcome.verdict not in (Verdict.PASS, Verdict.SKIPPED) for outcome in outcomes):
+        wrong = {outcome.target for outcome in outcomes if outcome.verdict is Verdict.WRONG}
+        result.P, result.Q = case.P_json, case.Q_json
+        result.expected = next(
+            (
+                answer.region.json
+                for name, answer in answers.items()
+                if name in TRUTHS and answer.region and name not in wrong
+            ),
+            None,
+        )
+    return result
+
+
+def wall_clock_limit(name: str, limits: Limits) -> float:
+    """Seconds after which the parent ends a worker that is still at `name`. The children of the
+    CGAL oracle have their own, tighter clock."""
+    grace: dict[str, Any] = {"minkref:case": 60.0, "minkref:referee": 120.0}
+    if name in grace:
+        return float(grace[name])
+    return limits.seconds + 2 * cgal.GRACE_SECONDS if name.startswith("cgal-") else limits.seconds

@@ -1,0 +1,13 @@
+// The extension module minkref._core.
+#include "python/core.hpp"
+
+NB_MODULE(_core, module) {
+  module.doc() = "The exact reference in the plane; numbers are strings, n or n/d.";
+  minkref::python::bind_errors(module);
+  minkref::python::bind_polygon_set(module);
+  minkref::python::bind_files(module);
+  minkref::python::bind_sum(module);
+  minkref::python::bind_convolution(module);
+  minkref::python::bind_comparison(module);
+  minkref::python::bind_evidence(module);
+}

@@ -1,0 +1,38 @@
+// The pieces of the extension module minkref._core. Exact numbers cross the border as strings, "n" or "n/d",
+// coordinates for drawing as doubles. Everything that computes releases the interpreter lock.
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "formats/reading.hpp"
+#include "reference/plane/polygon_set.hpp"
+
+namespace minkref::python {
+
+using ExactPoint = std::pair<std::string, std::string>;
+
+inline ExactPoint to_strings(const Point& point) {
+  return {to_string(point.x), to_string(point.y)};
+}
+
+/// What Python calls a PolygonSet: the set, whether it is known to be in canonical form (then it is not
+/// brought there again), and where its rings stood in the file that it was read from.
+struct Set {
+  PolygonSet value;
+  bool canonical = false;
+  std::vector<RingOrigin> origins = {};
+};
+
+void bind_errors(nanobind::module_& module);
+void bind_polygon_set(nanobind::module_& module);
+void bind_files(nanobind::module_& module);
+void bind_sum(nanobind::module_& module);
+void bind_convolution(nanobind::module_& module);
+void bind_comparison(nanobind::module_& module);
+void bind_evidence(nanobind::module_& module);
+
+}  // namespace minkref::python

@@ -1,0 +1,65 @@
+// The convolutions in Python.
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+#include <nanobind/stl/vector.h>
+
+#include <tuple>
+
+#include "python/core.hpp"
+#include "reference/plane/convolution.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace minkref::python {
+namespace {
+
+/// kind "S" or "T", sign, ring and index of the edge, ring and index of the vertex.
+using EdgeTuple =
+    std::tuple<std::string, int, std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t>;
+
+std::vector<EdgeTuple> tuples(const std::vector<ConvolutionEdge>& edges) {
+  std::vector<EdgeTuple> rows;
+  rows.reserve(edges.size());
+  for (const auto& edge : edges) {
+    rows.emplace_back(edge.kind == ConvolutionEdge::Kind::S ? "S" : "T", edge.sign, edge.edge.ring,
+                      edge.edge.index, edge.vertex.ring, edge.vertex.index);
+  }
+  return rows;
+}
+
+using SegmentTuple = std::tuple<double, double, double, double>;
+
+std::vector<SegmentTuple> segments(const Set& P, const Set& Q, const std::string& scale,
+                                   bool reduced) {
+  const Rational s = parse_rational(scale);
+  const auto edges =
+      reduced ? reduced_convolution(P.value, Q.value) : full_convolution(P.value, Q.value);
+  std::vector<SegmentTuple> rows;
+  rows.reserve(edges.size());
+  for (const auto& edge : edges) {
+    const Segment segment = at_scale(edge, P.value, Q.value, s);
+    rows.emplace_back(to_double(segment.start.x), to_double(segment.start.y),
+                      to_double(segment.end.x), to_double(segment.end.y));
+  }
+  return rows;
+}
+
+}  // namespace
+
+void bind_convolution(nb::module_& module) {
+  using Released = nb::call_guard<nb::gil_scoped_release>;
+  module.def(
+      "reduced_convolution",
+      [](const Set& P, const Set& Q) { return tuples(reduced_convolution(P.value, Q.value)); },
+      "P"_a, "Q"_a, Released(),
+      "Rows (kind, sign, edge ring, edge index, vertex ring, vertex index).");
+  module.def(
+      "full_convolution",
+      [](const Set& P, const Set& Q) { return tuples(full_convolution(P.value, Q.value)); }, "P"_a,
+      "Q"_a, Released(), "Rows (kind, sign, edge ring, edge index, vertex ring, vertex index).");
+  module.def("convolution_segments", segments, "P"_a, "Q"_a, "scale"_a, "reduced"_a, Released(),
+             "For drawing: rows x0, y0, x1, y1.");
+}
+
+}  // namespace minkref::python

@@ -1,0 +1,113 @@
+// PolygonSet in Python.
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+#include <nanobind/stl/vector.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "formats/json_text.hpp"
+#include "formats/read_json.hpp"
+#include "formats/refusal_place.hpp"
+#include "formats/write.hpp"
+#include "python/core.hpp"
+#include "reference/plane/canonical.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace minkref::python {
+namespace {
+
+using DrawnRing = std::vector<std::pair<double, double>>;
+
+DrawnRing drawn(const Ring& ring) {
+  DrawnRing points;
+  points.reserve(ring.size());
+  for (const auto& point : ring) points.emplace_back(to_double(point.x), to_double(point.y));
+  return points;
+}
+
+std::vector<std::vector<DrawnRing>> drawn_rings(const Set& set) {
+  std::vector<std::vector<DrawnRing>> polygons;
+  for (const auto& polygon : set.value.polygons) {
+    auto& rings = polygons.emplace_back();
+    rings.push_back(drawn(polygon.outer));
+    for (const auto& hole : polygon.holes) rings.push_back(drawn(hole));
+  }
+  return polygons;
+}
+
+std::tuple<double, double, double, double> bounding_box(const Set& set) {
+  const auto& polygons = set.value.polygons;
+  if (polygons.empty() || polygons[0].outer.empty()) {
+    throw std::invalid_argument("the empty set has no bounding box");
+  }
+  Point low = polygons[0].outer[0], high = low;
+  for (const auto& polygon : polygons) {
+    for (const auto& point : polygon.outer) {
+      low = {std::min(low.x, point.x), std::min(low.y, point.y)};
+      high = {std::max(high.x, point.x), std::max(high.y, point.y)};
+    }
+  }
+  return {to_double(low.x), to_double(low.y), to_double(high.x), to_double(high.y)};
+}
+
+std::string canonical_text(const Set& set) {
+  return canonical_json(set.canonical ? set.value : canonicalize(set.value).region);
+}
+
+/// The rings as they stand in the text: nothing is turned, nothing is validated.
+Set from_json(const std::string& text) {
+  const ReadLimits limits;
+  Input input("", limits);
+  const JsonText document(text, input);
+  SetBuilder builder(input);
+  read_json_set(document.root(), builder, JsonNumbers::any);
+  Reading reading = builder.finish_as_read();
+  return {std::move(reading.set), false, std::move(reading.origins)};
+}
+
+}  // namespace
+
+void bind_polygon_set(nb::module_& module) {
+  using Released = nb::call_guard<nb::gil_scoped_release>;
+  nb::class_<Set>(module, "PolygonSet", "A closed regular set bounded by polygons; exact.")
+      .def_static("from_json", from_json, "text"_a, Released(),
+                  "From {\"polygons\":[{\"outer\":ring,\"holes\":[...]}]}; nothing is validated.")
+      .def(
+          "to_json", [](const Set& set) { return write(set.value, Format::json); }, Released(),
+          "The rings as they are stored.")
+      .def("canonical_json", canonical_text, Released(), "Canonical JSON of the canonical form.")
+      .def(
+          "validate",
+          [](const Set& set, const std::string& source) {
+            validate_as_read(set.value, set.origins, source);
+          },
+          "source"_a = "", Released(), "Raises BadInput unless the set is regular closed.")
+      .def("rings", drawn_rings, "For drawing: per polygon its outer ring, then its holes.")
+      .def("bounding_box", bounding_box, "For drawing: xmin, ymin, xmax, ymax.")
+      .def(
+          "area", [](const Set& set) { return to_string(area(set.value)); }, Released(),
+          "The exact area.")
+      .def(
+          "scaled",
+          [](const Set& set, const std::string& factor) {
+            return Set{scaled(set.value, parse_rational(factor))};
+          },
+          "factor"_a, Released())
+      .def(
+          "translated",
+          [](const Set& set, const std::string& x, const std::string& y) {
+            return Set{translated(set.value, {parse_rational(x), parse_rational(y)})};
+          },
+          "x"_a, "y"_a, Released())
+      .def_prop_ro("vertices", [](const Set& set) { return set.value.vertices(); })
+      .def_prop_ro("ring_count", [](const Set& set) { return set.value.rings(); })
+      .def_prop_ro("is_empty", [](const Set& set) { return set.value.empty(); })
+      .def_prop_ro("is_point", [](const Set& set) { return set.value.is_point(); })
+      .def_prop_ro("is_segment", [](const Set& set) { return set.value.is_segment(); });
+}
+
+}  // namespace minkref::python

@@ -1,0 +1,231 @@
+"""`minkref sum P Q`: the static sum sP + Q, exact."""
+
+from __future__ import annotations
+
+import re
+import sys
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+from minkref import _core
+from minkref.documents import Stopwatch, as_text, check_writable, document, write_atomically
+from minkref.errors import Refusal, refusing
+from minkref.exact import approximate, digest, read_scale
+from minkref.operand import Operand, read_operand
+from minkref.options import Json, Schema
+from minkref.terminal import lines
+
+EXAMPLES = """Examples:
+
+minkref sum glyph1204 glyph275
+
+minkref sum disc1 cells1815 --scale 541/186 --json
+
+minkref sum P.wkt Q.geojson --scale 7/5 -o sum.svg
+
+minkref sum g1 g2 --arithmetic mpfr:53"""
+
+ROUTES = ("paper", "winding", "definition")
+OUTPUTS = {".wkt": "wkt", ".geojson": "geojson", ".poly": "poly", ".json": "json", ".svg": "svg"}
+_MPFR = re.compile(r"mpfr:(\d{1,7})", re.ASCII)
+FEWEST_BITS, MOST_BITS = 2, 1_000_000
+
+
+def command(
+    P: Annotated[str, typer.Argument(help="First operand, the scaled one: a file or a model.")],
+    Q: Annotated[str, typer.Argument(help="Second operand: a file or a model.")],
+    scale: Annotated[
+        str, typer.Option("--scale", help="Scale of P, exact: 3, 7/5, 0.25.", metavar="S")
+    ] = "1",
+    route: Annotated[
+        str, typer.Option("--route", help="How it is computed: paper, winding, definition.")
+    ] = "paper",
+    arithmetic: Annotated[
+        str,
+        typer.Option(
+            "--arithmetic",
+            help="rational (exact), interval, double or mpfr:BITS. All but the first report "
+            "what they got, beside what is true.",
+        ),
+    ] = "rational",
+    output: Annotated[
+        Path | None,
+        typer.Option(
+            "-o", help="Write the sum there: .wkt, .geojson, .poly, .json or .svg.", metavar="FILE"
+        ),
+    ] = None,
+    json: Json = False,
+    schema: Schema = False,
+) -> None:
+    """The Minkowski sum of P, scaled by S about the origin, and Q: exact, in canonical form."""
+    watch = Stopwatch()
+    exact_scale = read_scale(scale)
+    _check_route(route, arithmetic)
+    if output is not None:
+        _check_output(output)
+    first, second = read_operand(P), read_operand(Q)
+    result = compute(first, second, exact_scale, route, arithmetic)
+    region = result.pop("region")
+    if output is not None:
+        if region is None:
+            raise Refusal(
+                "the interval arithmetic could not certify the sum: there is nothing to write",
+                str(output),
+                "use --arithmetic rational",
+                "undecided-sign",
+            )
+        write_atomically(output, _core.write(region, OUTPUTS[output.suffix.lower()]))
+    value = document(
+        "sum",
+        watch,
+        P=first.name,
+        Q=second.name,
+        scale=exact_scale,
+        warnings=first.warnings + second.warnings,
+        output=str(output) if output else None,
+        **result,
+    )
+    if json:
+        sys.stdout.write(as_text(value))
+    else:
+        _print(value)
+
+
+def compute(P: Operand, Q: Operand, scale: str, route: str, arithmetic: str) -> dict[str, Any]:
+    """The fields of the document that describe the sum, and `region` (None where the interval
+    arithmetic gave up). For another arithmetic than rational, `exact` says what is true."""
+    import json
+
+    where = f"{P.name} and {Q.name}"
+    exact = arithmetic == "rational"
+    undecided = False
+    answer: _core.Sum | None = None
+    try:
+        answer = refusing(
+            where, lambda: _core.minkowski_sum(P.set, Q.set, scale, route, arithmetic)
+        )
+    except _core.UndecidedSign:
+        undecided = True
+    fields: dict[str, Any] = {
+        "route": route,
+        "arithmetic": arithmetic,
+        "undecided": undecided,
+        "compute_seconds": answer.seconds if answer else None,
+        **_description(answer),
+        "tight_passages": None,
+        "signs": _signs(answer.statistics) if answer else None,
+        "statistics": dict(answer.statistics) if answer else None,
+        "exact": None,
+    }
+    if not exact:
+        truth = refusing(
+            where, lambda: _core.minkowski_sum(P.set, Q.set, scale, "paper", "rational")
+        )
+        described = _description(truth)
+        fields["exact"] = {**described, "equal": described["digest"] == fields["digest"]}
+        del fields["exact"]["result"]
+    canonical = answer.region.canonical_json() if answer else None
+    fields["result"] = json.loads(canonical) if canonical else None
+    fields["region"] = answer.region if answer else None
+    return fields
+
+
+def _description(answer: _core.Sum | None) -> dict[str, Any]:
+    if answer is None:
+        names = ("digest", "area", "area_approximate", "components", "holes", "vertices", "result")
+        return dict.fromkeys(names)
+    area = answer.region.area()
+    return {
+        "digest": digest(answer.region.canonical_json()),
+        "area": area,
+        "area_approximate": approximate(area),
+        "components": answer.components,
+        "holes": answer.holes,
+        "vertices": answer.region.vertices,
+        "result": None,
+    }
+
+
+def _signs(statistics: dict[str, Any]) -> dict[str, Any]:
+    counts = {name: int(statistics[name]) for name in ("by_float", "by_integer", "by_rational")}
+    total = sum(counts.values())
+    shares = {name: count / total if total else 0.0 for name, count in counts.items()}
+    return {**counts, "total": total, "shares": shares}
+
+
+def _check_route(route: str, arithmetic: str) -> None:
+    if route not in ROUTES:
+        raise Refusal(
+            f"there is no route {route!r}", "--route", f"choose one of {', '.join(ROUTES)}"
+        )
+    mpfr = _MPFR.fullmatch(arithmetic)
+    if arithmetic not in ("rational", "interval", "double") and not mpfr:
+        raise Refusal(
+            f"there is no arithmetic {arithmetic!r}",
+            "--arithmetic",
+            "choose rational, interval, double or mpfr:BITS, for example mpfr:53",
+        )
+    if mpfr and not FEWEST_BITS <= int(mpfr[1]) <= MOST_BITS:
+        raise Refusal(
+            f"{mpfr[1]} bits are out of range",
+            "--arithmetic",
+            f"choose between {FEWEST_BITS} and {MOST_BITS} bits",
+        )
+    if arithmetic != "rational" and route != "paper":
+        raise Refusal(
+            f"the route {route} is exact only",
+            f"--route {route} --arithmetic {arithmetic}",
+            "leave out one of the two options",
+        )
+
+
+def _check_output(output: Path) -> None:
+    if output.suffix.lower() not in OUTPUTS:
+        raise Refusal(
+            f"the ending {output.suffix or '(none)'} names no format that can be written",
+            str(output),
+            f"choose one of {', '.join(OUTPUTS)}",
+        )
+    check_writable(output)
+
+
+def _print(value: dict[str, Any]) -> None:
+    rows = [
+        ("sum", f"{value['scale']} {value['P']} + {value['Q']}"),
+        ("route, arithmetic", f"{value['route']}, {value['arithmetic']}"),
+    ]
+    if value["undecided"]:
+        rows.append(("result", "undecided: the intervals could not certify a sign"))
+    else:
+        rows += _described(value)
+    exact = value["exact"]
+    if exact is not None:
+        rows.append(("exact", "the same set" if exact["equal"] else "another set:"))
+        if not exact["equal"]:
+            rows += [(f"  {name}", text) for name, text in _described(exact)]
+    rows.append(("tight passages", "not computed"))
+    signs = value["signs"]
+    if signs is not None and signs["total"]:
+        parts = (
+            f"{signs['shares'][name]:.2%} {name.replace('_', ' ')}"
+            for name in ("by_float", "by_integer", "by_rational")
+        )
+        rows.append(("signs", f"{signs['total']:,}: " + ", ".join(parts)))
+    rows.append(("seconds", f"{value['seconds']:.3f}"))
+    if value["output"]:
+        rows.append(("written", value["output"]))
+    sys.stdout.write(lines(rows))
+    for warning in value["warnings"]:
+        sys.stderr.write(f"warning: {warning}\n")
+
+
+def _described(value: dict[str, Any]) -> list[tuple[str, str]]:
+    area = value["area"]
+    exactly = area if len(area) <= 60 else f"({len(area):,} characters; --json prints it)"
+    return [
+        ("area", f"{value['area_approximate']:.10g} = {exactly}"),
+        ("components, holes", f"{value['components']}, {value['holes']}"),
+        ("vertices", f"{value['vertices']:,}"),
+        ("digest", value["digest"]),
+    ]

@@ -1,0 +1,50 @@
+"""`minkref targets`: what `verify` can test."""
+
+from __future__ import annotations
+
+import sys
+from typing import Any
+
+from rich.table import Table
+
+from minkref.documents import Stopwatch, as_text, document
+from minkref.fuzz.targets import list_targets
+from minkref.options import Json, Schema
+from minkref.terminal import console
+
+EXAMPLES = """Examples:
+
+minkref targets
+
+minkref targets --json"""
+
+
+def command(json: Json = False, schema: Schema = False) -> None:
+    """The implementations that `minkref verify` can test here, and how to get those that are
+    absent."""
+    watch = Stopwatch()
+    value = document("targets", watch, targets=[vars(target) for target in list_targets()])
+    if json:
+        sys.stdout.write(as_text(value))
+    else:
+        _print(value)
+
+
+def _print(value: dict[str, Any]) -> None:
+    table = Table(box=None, pad_edge=False)
+    for heading in ("target", "version", "what it is", "state"):
+        table.add_column(heading)
+    absent: dict[str, list[str]] = {}
+    for row in value["targets"]:
+        table.add_row(
+            row["name"],
+            row["version"] or "",
+            row["about"],
+            "ready" if row["available"] else "absent",
+        )
+        if not row["available"]:
+            absent.setdefault(row["reason"], []).append(row["name"])
+    out = console()
+    out.print(table)
+    for reason, names in absent.items():
+        out.print(f"{', '.join(names)}: {reason}", soft_wrap=True)

@@ -1,0 +1,96 @@
+"""What a command hands out: one JSON document on standard output, or a file written all at once."""
+
+from __future__ import annotations
+
+import json
+import os
+import resource
+import sys
+import tempfile
+import time
+from pathlib import Path
+from typing import Any
+
+from minkref.errors import Refusal
+from minkref.version import version
+
+
+def peak_bytes() -> int:
+    """The largest resident size of this process or of any child that ended."""
+    own = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    children = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
+    unit = 1 if sys.platform == "darwin" else 1024
+    return max(own, children) * unit
+
+
+class Stopwatch:
+    """Seconds since the command began."""
+
+    def __init__(self) -> None:
+        self._start = time.perf_counter()
+
+    def seconds(self) -> float:
+        return round(time.perf_counter() - self._start, 6)
+
+
+def document(command: str, watch: Stopwatch, **fields: Any) -> dict[str, Any]:
+    """A result of `command` with the fields that every document has."""
+    return {
+        "version": version(),
+        "command": command,
+        "seconds": watch.seconds(),
+        "peak_bytes": peak_bytes(),
+        **fields,
+    }
+
+
+def as_text(value: dict[str, Any]) -> str:
+    return json.dumps(value, ensure_ascii=False, allow_nan=False, indent=2) + "\n"
+
+
+def write_atomically(path: Path, text: str) -> None:
+    """Writes all of `text` or nothing: a temporary file beside `path`, then a rename."""
+    folder = path.parent
+    try:
+        handle, temporary = tempfile.mkstemp(dir=folder, prefix=f".{path.name}.")
+    except OSError as error:
+        raise _cannot_write(path, error) from error
+    try:
+        with os.fdopen(handle, "w", encoding="utf-8") as stream:
+            stream.write(text)
+        mask = os.umask(0)
+        os.umask(mask)
+        os.chmod(temporary, 0o666 & ~mask)
+        os.replace(temporary, path)
+    except OSError as error:
+        Path(temporary).unlink(missing_ok=True)
+        raise _cannot_write(path, error) from error
+
+
+def check_writable(path: Path) -> None:
+    """Refuses an output path that cannot be written, before any work is done."""
+    if path.is_dir():
+        raise Refusal("this is a folder", str(path), "name a file", "cannot-write")
+    if not path.parent.is_dir():
+        raise Refusal(
+            "the folder of the output file does not exist",
+            str(path),
+            f"create {path.parent} first",
+            "cannot-write",
+        )
+    if not os.access(path.parent, os.W_OK):
+        raise Refusal(
+            "the folder of the output file is not writable",
+            str(path),
+            "choose another place",
+            "cannot-write",
+        )
+
+
+def _cannot_write(path: Path, error: OSError) -> Refusal:
+    return Refusal(
+        f"the file cannot be written: {error.strerror}",
+        str(path),
+        "choose another place or free some space",
+        "cannot-write",
+    )

@@ -1,0 +1,61 @@
+"""What the command line refuses: what is wrong, where, and how to mend it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TypeVar
+
+from minkref import _core
+
+T = TypeVar("T")
+
+
+class Refusal(Exception):
+    """A wrong use or a bad input. `where` names the file, option or model; `mend` says what to
+    do."""
+
+    def __init__(self, what: str, where: str, mend: str, code: str = "usage") -> None:
+        super().__init__(f"{where}: {what}")
+        self.what = what
+        self.where = where
+        self.mend = mend
+        self.code = code
+
+    def document(self) -> dict[str, object]:
+        return {"code": self.code, "what": self.what, "where": self.where, "mend": self.mend}
+
+
+def refusal_of(error: _core.BadInput, source: str = "") -> Refusal:
+    """The refusal that a reader or the validation raised, with ring, vertices and coordinates."""
+    where = [str(getattr(error, "source", "") or source)]
+    line = getattr(error, "line", None)
+    ring = getattr(error, "ring", None)
+    vertices = list(getattr(error, "vertices", None) or [])
+    coordinates = list(getattr(error, "coordinates", None) or [])
+    if line is not None:
+        where.append(f"line {line}")
+    if ring is not None:
+        where.append(f"ring {ring}")
+    if vertices:
+        word = "vertex" if len(vertices) == 1 else "vertices"
+        where.append(f"{word} {', '.join(str(v) for v in vertices)}")
+    other = getattr(error, "other_ring", None)
+    if other is not None:
+        others = [str(v) for v in getattr(error, "other_vertices", None) or []]
+        where.append(f"and ring {other}" + (f", vertices {', '.join(others)}" if others else ""))
+    if coordinates:
+        where.append("at " + ", ".join(str(c) for c in coordinates))
+    return Refusal(
+        str(getattr(error, "problem", "") or error),
+        ", ".join(part for part in where if part),
+        str(getattr(error, "mend", "")),
+        str(getattr(error, "code", "bad-input")),
+    )
+
+
+def refusing(source: str, call: Callable[[], T]) -> T:
+    """The value of `call`; a BadInput of the reference becomes a Refusal about `source`."""
+    try:
+        return call()
+    except _core.BadInput as error:
+        raise refusal_of(error, source) from error

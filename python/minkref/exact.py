@@ -1,0 +1,88 @@
+"""Exact numbers as texts: scales read, sets written, digests taken. No float decides anything
+here."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import re
+from collections.abc import Iterable, Sequence
+from decimal import Context, Decimal
+from fractions import Fraction
+from typing import Any
+
+from minkref.errors import Refusal
+
+LONGEST_SCALE = 1000  # characters
+LARGEST_EXPONENT = 1000
+
+_DECIMAL = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)
+_FRACTION = re.compile(r"([+-]?\d+)/(\d+)", re.ASCII)
+
+
+def read_scale(text: str) -> str:
+    """The scale in lowest terms, `n` or `n/d`. Decimals and fractions are read as what they say.
+    Refuses what is not a finite positive number."""
+    where = f"--scale {text[:40]}{'...' if len(text) > 40 else ''}"
+    mend = "give a positive number, for example 1, 7/5, 0.25 or 541/186"
+    if len(text) > LONGEST_SCALE:
+        raise Refusal(f"the scale has more than {LONGEST_SCALE} characters", where, mend, "limit")
+    text = text.strip()
+    if text.lower().lstrip("+-") in ("nan", "inf", "infinity"):
+        raise Refusal("the scale is not a finite number", where, mend, "scale-not-finite")
+    if "," in text:
+        raise Refusal(
+            "the plane takes one scale, the same in x and y",
+            where,
+            "give one positive number",
+            "scale-not-uniform",
+        )
+    value = _read(text, where, mend)
+    if value == 0:
+        raise Refusal("the scale is zero: 0 P is a point", where, mend, "scale-zero")
+    if value < 0:
+        raise Refusal("the scale is negative", where, mend, "scale-negative")
+    return str(value)
+
+
+def _read(text: str, where: str, mend: str) -> Fraction:
+    fraction = _FRACTION.fullmatch(text)
+    if fraction:
+        if int(fraction[2]) == 0:
+            raise Refusal("the denominator is zero", where, mend, "scale-not-a-number")
+        return Fraction(int(fraction[1]), int(fraction[2]))
+    decimal = _DECIMAL.fullmatch(text)
+    if not decimal:
+        raise Refusal("the scale is not a number", where, mend, "scale-not-a-number")
+    if decimal[2] and abs(int(decimal[2][1:])) > LARGEST_EXPONENT:
+        raise Refusal(f"the exponent is beyond {LARGEST_EXPONENT}", where, mend, "limit")
+    return Fraction(text)
+
+
+def approximate(number: str) -> float:
+    """The double next to an exact number `n` or `n/d` of any length, for display only."""
+    context = Context(prec=40, Emax=10**9, Emin=-(10**9))
+    numerator, _, denominator = number.partition("/")
+    return float(context.divide(Decimal(numerator), Decimal(denominator or "1")))
+
+
+def set_json(polygons: Iterable[tuple[Sequence[Any], Iterable[Sequence[Any]]]]) -> str:
+    """JSON text of a polygon set from (outer ring, holes) with coordinates that print exactly."""
+    return json.dumps(
+        {
+            "polygons": [
+                {"holes": [_ring(hole) for hole in holes], "outer": _ring(outer)}
+                for outer, holes in polygons
+            ]
+        },
+        separators=(",", ":"),
+    )
+
+
+def _ring(ring: Sequence[Any]) -> list[list[str]]:
+    return [[str(x), str(y)] for x, y in ring]
+
+
+def digest(canonical_json: str) -> str:
+    """SHA-256 of the canonical JSON: equal iff the sets are equal (docs/definitions.md)."""
+    return hashlib.sha256(canonical_json.encode("utf-8")).hexdigest()

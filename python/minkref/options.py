@@ -1,0 +1,31 @@
+"""Options that several commands have in common."""
+
+from __future__ import annotations
+
+import sys
+from typing import Annotated
+
+import typer
+
+from minkref.schemas import schema_text
+
+
+def _print_schema(context: typer.Context, wanted: bool) -> None:
+    if wanted:
+        sys.stdout.write(schema_text(str(context.info_name)))
+        raise typer.Exit
+
+
+Json = Annotated[
+    bool,
+    typer.Option("--json", help="Print one JSON document, and nothing else, on standard output."),
+]
+Schema = Annotated[
+    bool,
+    typer.Option(
+        "--schema",
+        callback=_print_schema,
+        is_eager=True,
+        help="Print the JSON schema of what --json prints.",
+    ),
+]

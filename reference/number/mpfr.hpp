@@ -1,0 +1,103 @@
+// Floating-point numbers of a precision in bits chosen at run time, value by value: MPFR.
+//
+// The paper computes with such numbers (Behar & Lien 2012, Sec. 4.2.2). They round, so they decide
+// nothing here: they show what this arithmetic answers. Each value carries its precision; no state
+// of the process (MPFR's default precision, exponent range or rounding mode) is read or written.
+// Results are those of IEEE 754 arithmetic with that many bits of significand, rounded to nearest,
+// ties to even, as long as they stay in the exponent range of the IEEE format: MPFR's own is far
+// larger.
+#pragma once
+
+#include <mpfr.h>
+
+#include <compare>
+#include <concepts>
+#include <cstdint>
+#include <string>
+
+#include "reference/number/rational.hpp"
+
+namespace minkref {
+
+class Mpfr {
+ public:
+  /// Bits of significand that one value may have.
+  static constexpr long largest_precision = 1L << 24;
+
+  /// Zero, at the smallest precision: it never lowers or raises the precision of a result.
+  Mpfr() : Mpfr(0) {}
+
+  /// The integer, exactly, at the smallest precision that holds it: a literal beside a value of
+  /// more bits takes that value's precision. (1 / 3 between two literals has two bits: avoid it.)
+  template <std::integral T>
+  Mpfr(T value)  // NOLINT: implicit, since it is exact
+      : Mpfr(Integral{value < T{0}, value < T{0} ? 0 - static_cast<std::uint64_t>(value)
+                                                 : static_cast<std::uint64_t>(value)}) {}
+
+  Mpfr(double) = delete;  // would be cut to an integer: give a precision
+
+  /// The double or rational, rounded to nearest. Throws BadInput (code "precision") or
+  /// LimitExceeded (code "precision-too-large") unless 1 <= precision <= largest_precision.
+  Mpfr(double value, long precision);
+  Mpfr(const Rational& value, long precision);
+
+  Mpfr(const Mpfr& other);
+  Mpfr(Mpfr&& other) noexcept;
+  Mpfr& operator=(const Mpfr& other);  ///< takes over the precision too
+  Mpfr& operator=(Mpfr&& other) noexcept;
+  ~Mpfr() { mpfr_clear(value_); }
+
+  long precision() const { return mpfr_get_prec(value_); }
+
+  friend Mpfr operator-(const Mpfr& a);
+  // Rounded to nearest at the larger precision of the two. Division by zero gives an infinity or
+  // NaN.
+  friend Mpfr operator+(const Mpfr& a, const Mpfr& b);
+  friend Mpfr operator-(const Mpfr& a, const Mpfr& b);
+  friend Mpfr operator*(const Mpfr& a, const Mpfr& b);
+  friend Mpfr operator/(const Mpfr& a, const Mpfr& b);
+  Mpfr& operator+=(const Mpfr& other) { return *this = *this + other; }
+  Mpfr& operator-=(const Mpfr& other) { return *this = *this - other; }
+  Mpfr& operator*=(const Mpfr& other) { return *this = *this * other; }
+  Mpfr& operator/=(const Mpfr& other) { return *this = *this / other; }
+
+  /// Comparison of values; precisions do not matter. Exact.
+  friend bool operator==(const Mpfr& a, const Mpfr& b) {
+    return mpfr_equal_p(a.value_, b.value_) != 0;
+  }
+  friend std::partial_ordering operator<=>(const Mpfr& a, const Mpfr& b);
+
+  /// The sign of the rounded value; throws UndecidedSign for NaN.
+  friend int sign(const Mpfr& value);
+
+  /// The nearest double.
+  friend double approximate(const Mpfr& value) { return mpfr_get_d(value.value_, MPFR_RNDN); }
+
+  /// The exact value. Throws BadInput (code "not-a-number") for NaN and infinity, LimitExceeded
+  /// (code "exponent-too-large") beyond 2^(+-2^24).
+  friend Rational exact(const Mpfr& value);
+
+ private:
+  struct Bits {
+    long count;
+  };
+  struct Integral {
+    bool negative;
+    std::uint64_t magnitude;
+  };
+  explicit Mpfr(Integral value);
+  explicit Mpfr(Bits precision) { mpfr_init2(value_, precision.count); }
+
+  mpfr_t value_;
+};
+
+Mpfr operator-(const Mpfr& a);
+Mpfr operator+(const Mpfr& a, const Mpfr& b);
+Mpfr operator-(const Mpfr& a, const Mpfr& b);
+Mpfr operator*(const Mpfr& a, const Mpfr& b);
+Mpfr operator/(const Mpfr& a, const Mpfr& b);
+std::partial_ordering operator<=>(const Mpfr& a, const Mpfr& b);
+int sign(const Mpfr& value);
+Rational exact(const Mpfr& value);
+
+}  // namespace minkref

@@ -1,0 +1,20 @@
+// One interior point of every face of the arrangement of the reduced convolution.
+#pragma once
+
+#include <vector>
+
+#include "reference/plane/polygon_set.hpp"
+
+namespace minkref {
+
+struct FacePoint {
+  Point point;  ///< in real coordinates, exact
+  bool in_sum;  ///< what the paper's route holds of the face
+};
+
+/// For checking the paper's route face by face against another judge: every bounded face of the
+/// arrangement at this scale, in no particular order. Throws as minkowski_sum does. Exact. The cost
+/// of the route plus O(size) a face.
+std::vector<FacePoint> face_points(const PolygonSet& P, const PolygonSet& Q, const Rational& scale);
+
+}  // namespace minkref

@@ -1,0 +1,20 @@
+// How the float filter of the grid kernel fares on turns that are hard to decide.
+#pragma once
+
+#include <cstdint>
+
+namespace minkref {
+
+struct FilterTrial {
+  std::uint64_t trials = 0;
+  std::uint64_t by_filter = 0;      ///< certified by the float filter
+  std::uint64_t filter_wrong = 0;   ///< of those, how many exact integers contradict (must be 0)
+  std::uint64_t handed_on = 0;      ///< decided by exact integers
+  std::uint64_t doubles_wrong = 0;  ///< of those, how many a plain double determinant gets wrong
+};
+
+/// Random pairs of vectors of up to 60 bits, three quarters of them nearly or exactly parallel;
+/// every sign is checked by exact integers. The same seed gives the same trial on every machine.
+FilterTrial filter_trial(std::uint64_t seed, std::uint64_t count);
+
+}  // namespace minkref

@@ -1,0 +1,196 @@
+#include <algorithm>
+#include <array>
+
+#include "reference/error.hpp"
+#include "reference/plane/box_tree.hpp"
+#include "reference/plane/location.hpp"
+#include "reference/plane/simply_connected.hpp"
+#include "reference/plane/witness.hpp"
+
+namespace minkref {
+namespace {
+
+/// A triangle, or the segment or point that an operand is.
+using Piece = std::vector<FilteredPoint>;
+
+std::vector<Piece> pieces_of(const PolygonSet& set) {
+  std::vector<Piece> pieces;
+  if (set.is_point() || set.is_segment()) pieces.push_back(filtered_ring(set.polygons[0].outer));
+  for (const Triangle& t : triangulate(set))
+    pieces.push_back(filtered_ring(Ring(t.begin(), t.end())));
+  return pieces;
+}
+
+Box box_of(const Piece& piece) {
+  Box box;
+  for (const FilteredPoint& p : piece)
+    box.add({below(p.x()), below(p.y()), above(p.x()), above(p.y())});
+  return box;
+}
+
+BoxTree tree_of(const std::vector<Piece>& pieces) {
+  std::vector<Box> boxes;
+  for (const Piece& piece : pieces) boxes.push_back(box_of(piece));
+  return BoxTree(std::move(boxes));
+}
+
+/// The point reflection x - u keeps the orientation.
+Piece reflected(const Piece& piece, const Point& x) {
+  Piece result;
+  for (const FilteredPoint& u : piece)
+    result.emplace_back(Point{x.x - u.exact().x, x.y - u.exact().y});
+  return result;
+}
+
+/// How two convex pieces meet, by the lines of the edges of `a` alone.
+Contact by_edges(const Piece& a, const Piece& b) {
+  Contact contact = Contact::overlapping;
+  for (std::size_t i = 0; a.size() > 1 && i < a.size(); ++i) {
+    int most = -1;
+    for (const FilteredPoint& p : b)
+      most = std::max(most, orientation(a[i], a[(i + 1) % a.size()], p));
+    if (most < 0) return Contact::empty;
+    if (most == 0) contact = Contact::touching;
+  }
+  return contact;
+}
+
+/// Separation by an edge line of one of the two is all there is for convex pieces in the plane.
+Contact meet(const Piece& a, const Piece& b) { return std::min(by_edges(a, b), by_edges(b, a)); }
+
+/// The part of a convex polygon on the left of the line through a and b, closed.
+std::vector<Point> clipped(const std::vector<Point>& polygon, const Point& a, const Point& b) {
+  const auto height = [&](const Point& p) -> Rational {
+    return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+  };
+  std::vector<Point> result;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+    const Rational hp = height(p), hq = height(q);
+    if (sign(hp) >= 0) result.push_back(p);
+    if (sign(hp) * sign(hq) < 0) {
+      const Rational t = hp / (hp - hq);
+      result.push_back({p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)});
+    }
+  }
+  return result;
+}
+
+/// The mean of the vertices of the intersection: in its interior if it has one.
+Point common_point(const Piece& a, const Piece& b) {
+  std::vector<Point> common;
+  for (const FilteredPoint& p : a) common.push_back(p.exact());
+  for (std::size_t i = 0; b.size() > 1 && i < b.size(); ++i) {
+    common = clipped(common, b[i].exact(), b[(i + 1) % b.size()].exact());
+  }
+  if (b.size() == 1) return b[0].exact();
+  if (b.size() == 2) {
+    // Both directions leave the line of b; its ends are cut by the mean of what lies between them.
+    common = {b[0].exact(), b[1].exact()};
+    for (std::size_t i = 0; a.size() > 1 && i < a.size(); ++i) {
+      common = clipped(common, a[i].exact(), a[(i + 1) % a.size()].exact());
+    }
+  }
+  Point mean{0, 0};
+  for (const Point& p : common) mean = {mean.x + p.x, mean.y + p.y};
+  const Rational n = common.size();
+  return {mean.x / n, mean.y / n};
+}
+
+/// Whether the relative interior of a point or segment meets the interior of a region, by cutting
+/// it at the boundary.
+bool meets_interior(const Piece& piece, const PolygonSet& region) {
+  if (piece.size() == 1) return locate(region, piece[0].exact()) == Location::inside;
+  const Point &a = piece[0].exact(), &b = piece[1].exact();
+  const Rational dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
+  std::vector<Rational> cuts{Rational(0), Rational(1)};
+  const auto add_ring = [&](const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point &c = ring[i], &d = ring[(i + 1) % ring.size()];
+      const Rational ex = d.x - c.x, ey = d.y - c.y, det = dx * ey - dy * ex;
+      // A cut too many does no harm: the line of the edge, or the foot of its start.
+      cuts.push_back(sign(det) != 0 ? Rational(((c.x - a.x) * ey - (c.y - a.y) * ex) / det)
+                                    : Rational(((c.x - a.x) * dx + (c.y - a.y) * dy) / square));
+    }
+  };
+  for (const Polygon& polygon : region.polygons) {
+    add_ring(polygon.outer);
+    for (const Ring& hole : polygon.holes) add_ring(hole);
+  }
+  std::sort(cuts.begin(), cuts.end());
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    if (cuts[i] < 0 || cuts[i + 1] > 1 || cuts[i] == cuts[i + 1]) continue;
+    const Rational t = (cuts[i] + cuts[i + 1]) / 2;
+    if (locate(region, {a.x + t * dx, a.y + t * dy}) == Location::inside) return true;
+  }
+  return false;
+}
+
+PolygonSet reflected(const PolygonSet& set, const Point& x) {
+  return translated(scaled(set, -1), x);
+}
+
+}  // namespace
+
+struct Membership::Impl {
+  PolygonSet P, Q;
+  Rational scale;
+  std::vector<Piece> p, q;
+  BoxTree p_tree, q_tree;
+
+  Witness decide(const Point& x) const {
+    Witness result;
+    result.point = x;
+    const FilteredPoint at(x);
+    const Box box{below(at.x()), below(at.y()), above(at.x()), above(at.y())};
+    std::optional<std::pair<std::uint32_t, std::uint32_t>> found;
+    p_tree.pairs_with(
+        q_tree, [&](const Box& a, const Box& b) { return a.overlaps(minkref::reflected(b, box)); },
+        [&](std::uint32_t i, std::uint32_t j) {
+          const Contact contact = meet(p[i], reflected(q[j], x));
+          if (contact > result.contact) {
+            result.contact = contact;
+            found = {i, j};
+          }
+          return contact == Contact::overlapping;
+        });
+    if (!found) return result;
+    const Point point = common_point(p[found->first], reflected(q[found->second], x));
+    result.p = Point{point.x / scale, point.y / scale};
+    result.q = Point{x.x - point.x, x.y - point.y};
+    // A point or segment along an inner edge of the triangulation only touches triangles.
+    if (!P.is_region()) {
+      result.contact =
+          meets_interior(p[0], reflected(Q, x)) ? Contact::overlapping : Contact::touching;
+    } else if (!Q.is_region()) {
+      result.contact =
+          meets_interior(reflected(q[0], x), P) ? Contact::overlapping : Contact::touching;
+    }
+    return result;
+  }
+};
+
+Membership::Membership(const PolygonSet& P, const PolygonSet& Q, const Rational& scale)
+    : impl_(std::make_unique<Impl>()) {
+  if (sign(scale) <= 0) {
+    throw BadInput("bad-scale", "the scale " + to_string(scale) + " is not greater than zero",
+                   "give a scale s > 0");
+  }
+  impl_->P = scaled(P, scale);
+  impl_->Q = Q;
+  impl_->scale = scale;
+  impl_->p = pieces_of(impl_->P);
+  impl_->q = pieces_of(Q);
+  impl_->p_tree = tree_of(impl_->p);
+  impl_->q_tree = tree_of(impl_->q);
+}
+Membership::~Membership() = default;
+Membership::Membership(Membership&&) noexcept = default;
+
+Witness Membership::decide(const Point& x) const { return impl_->decide(x); }
+
+Witness decide(const PolygonSet& P, const PolygonSet& Q, const Rational& scale, const Point& x) {
+  return Membership(P, Q, scale).decide(x);
+}
+
+}  // namespace minkref

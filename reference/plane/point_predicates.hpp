@@ -1,0 +1,38 @@
+// Signs for points with rational coordinates, behind a float filter.
+#pragma once
+
+#include "reference/number/rational.hpp"
+#include "reference/plane/polygon_set.hpp"
+
+namespace minkref {
+
+/// A rational point with the nearest doubles.
+class FilteredPoint {
+ public:
+  FilteredPoint() = default;
+  explicit FilteredPoint(const Point& point)
+      : exact_(point), x_(to_double(point.x)), y_(to_double(point.y)) {}
+  const Point& exact() const { return exact_; }
+  double x() const { return x_; }
+  double y() const { return y_; }
+
+ private:
+  Point exact_;
+  double x_ = 0, y_ = 0;
+};
+
+/// The sign of (b - a) x (c - a). Exact.
+int orientation(const FilteredPoint& a, const FilteredPoint& b, const FilteredPoint& c);
+
+/// The sign of (b - a) x (d - c). Exact.
+int turn(const FilteredPoint& a, const FilteredPoint& b, const FilteredPoint& c,
+         const FilteredPoint& d);
+
+/// The signs of a.x - b.x and a.y - b.y. Exact.
+int compare_x(const FilteredPoint& a, const FilteredPoint& b);
+int compare_y(const FilteredPoint& a, const FilteredPoint& b);
+/// Lexicographic, x first. Exact.
+int compare_xy(const FilteredPoint& a, const FilteredPoint& b);
+int compare_xy(const Point& a, const Point& b);
+
+}  // namespace minkref

@@ -1,0 +1,62 @@
+#include "reference/plane/sum.hpp"
+
+#include "reference/error.hpp"
+#include "reference/plane/boundary_graph.hpp"
+#include "reference/plane/routes.hpp"
+
+namespace minkref {
+namespace {
+
+BoundaryGraph exact_route(const PolygonSet& P, const PolygonSet& Q, Route route,
+                          Statistics& statistics) {
+  switch (route) {
+    case Route::paper:
+      return paper_route(P, Q, statistics);
+    case Route::winding:
+      return winding_route(P, Q, statistics);
+    case Route::definition:
+      return definition_route(P, Q, statistics);
+  }
+  throw Error("minkowski_sum: no such route");
+}
+
+}  // namespace
+
+void refuse_bad_operands(const PolygonSet& P, const PolygonSet& Q, const Rational& scale) {
+  if (sign(scale) <= 0) {
+    throw BadInput("bad-scale", "the scale " + to_string(scale) + " is not greater than zero",
+                   "give a scale s > 0");
+  }
+  const auto degenerate = [](const PolygonSet& set) { return set.is_point() || set.is_segment(); };
+  if (degenerate(P) && degenerate(Q)) {
+    throw BadInput("degenerate-operands", "both operands are points or segments",
+                   "make one of them a polygon set (or the empty set)");
+  }
+}
+
+Sum minkowski_sum(const PolygonSet& P, const PolygonSet& Q, const Rational& scale, Route route,
+                  const std::string& arithmetic) {
+  refuse_bad_operands(P, Q, scale);
+  Sum sum;
+  if (P.empty() || Q.empty()) return sum;
+  Canonical canonical;
+  if (arithmetic == "rational") {
+    canonical = canonical_form(exact_route(scaled(P, scale), Q, route, sum.statistics));
+    if (!canonical.well_formed)
+      throw std::logic_error("minkowski_sum: the boundary is not well formed");
+  } else if (route == Route::paper) {
+    canonical = paper_route_in(arithmetic, P, Q, scale, sum.statistics);
+  } else {
+    throw BadInput("route-and-arithmetic",
+                   "arithmetic " + arithmetic + " is offered for the paper's route only",
+                   "leave the route away, or use rational arithmetic");
+  }
+  sum.region = std::move(canonical.region);
+  sum.components = canonical.components;
+  sum.holes = canonical.holes;
+  return sum;
+}
+
+Rational area(const Sum& sum) { return area(sum.region); }
+
+}  // namespace minkref

@@ -1,0 +1,285 @@
+// What is refused as an operand, with the place at fault.
+#include <algorithm>
+#include <optional>
+
+#include "reference/error.hpp"
+#include "reference/plane/box_tree.hpp"
+#include "reference/plane/location.hpp"
+#include "reference/plane/polygon_set.hpp"
+
+namespace minkref {
+namespace {
+
+std::string text(const Point& p) {
+  // A coordinate of thousands of digits would drown the message.
+  const auto shortened = [](std::string s) { return s.size() <= 60 ? s : s.substr(0, 57) + "..."; };
+  std::string result = "(";
+  return result.append(shortened(to_string(p.x)))
+      .append(", ")
+      .append(shortened(to_string(p.y)))
+      .append(")");
+}
+
+struct RingInSet {
+  const Ring* ring;
+  bool outer;
+  std::size_t polygon;
+};
+
+class Validator {
+ public:
+  explicit Validator(const PolygonSet& set) : set_(set) {
+    for (std::size_t p = 0; p < set.polygons.size(); ++p) {
+      rings_.push_back({&set.polygons[p].outer, true, p});
+      for (const Ring& hole : set.polygons[p].holes) rings_.push_back({&hole, false, p});
+    }
+  }
+
+  void run() {
+    for (std::size_t r = 0; r < rings_.size(); ++r) check_vertices(r);
+    if (!set_.is_region()) return;
+    for (std::size_t r = 0; r < rings_.size(); ++r)
+      filtered_.push_back(filtered_ring(*rings_[r].ring));
+    for (std::size_t r = 0; r < rings_.size(); ++r) check_extent(r);
+    check_contacts();
+    for (std::size_t r = 0; r < rings_.size(); ++r) check_orientation(r);
+    check_nesting();
+  }
+
+ private:
+  struct Edge {
+    std::size_t ring, index;
+  };
+
+  Place place(std::size_t ring, std::vector<std::size_t> vertices) const {
+    Place result;
+    result.ring = ring;
+    for (const std::size_t v : vertices)
+      result.coordinates.push_back(text((*rings_[ring].ring)[v]));
+    result.vertices = std::move(vertices);
+    return result;
+  }
+  Place place(std::size_t ring, std::vector<std::size_t> vertices, std::size_t other_ring,
+              std::vector<std::size_t> other_vertices) const {
+    Place result = place(ring, std::move(vertices));
+    for (const std::size_t v : other_vertices) {
+      result.coordinates.push_back(text((*rings_[other_ring].ring)[v]));
+    }
+    result.other_ring = other_ring;
+    result.other_vertices = std::move(other_vertices);
+    return result;
+  }
+  std::size_t size(std::size_t ring) const { return rings_[ring].ring->size(); }
+  std::size_t following(Edge e) const { return (e.index + 1) % size(e.ring); }
+  const FilteredPoint& start(Edge e) const { return filtered_[e.ring][e.index]; }
+  const FilteredPoint& end(Edge e) const { return filtered_[e.ring][following(e)]; }
+
+  void check_vertices(std::size_t r) const {
+    const Ring& ring = *rings_[r].ring;
+    const bool degenerate = set_.is_point() || set_.is_segment();
+    if (ring.empty() || (ring.size() < 3 && (!degenerate || rings_.size() > 1))) {
+      std::vector<std::size_t> all(ring.size());
+      for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
+      throw BadInput("too-few-vertices", "a ring has " + std::to_string(ring.size()) + " vertices",
+                     "give at least three, or a single point or segment as the whole operand",
+                     place(r, std::move(all)));
+    }
+    for (std::size_t i = 0; ring.size() > 1 && i < ring.size(); ++i) {
+      const std::size_t next = (i + 1) % ring.size();
+      if (ring[i] == ring[next]) {
+        throw BadInput("zero-length-edge", "two consecutive vertices are equal",
+                       "remove one of them", place(r, {i, next}));
+      }
+    }
+  }
+
+  /// Not all vertices on one line.
+  void check_extent(std::size_t r) const {
+    const FilteredRing& ring = filtered_[r];
+    for (std::size_t i = 2; i < ring.size(); ++i) {
+      if (orientation(ring[0], ring[1], ring[i]) != 0) return;
+    }
+    throw BadInput("zero-area", "all vertices of a ring lie on one line",
+                   "remove the ring, or give a segment by its two ends", place(r, {0, 1, 2}));
+  }
+
+  void check_contacts() const {
+    std::vector<Edge> edges;
+    std::vector<Box> boxes;
+    for (std::size_t r = 0; r < rings_.size(); ++r) {
+      for (std::size_t i = 0; i < size(r); ++i) {
+        const Edge e{r, i};
+        edges.push_back(e);
+        Box box{start(e).x(), start(e).y(), start(e).x(), start(e).y()};
+        box.add({end(e).x(), end(e).y(), end(e).x(), end(e).y()});
+        boxes.push_back(box);  // rounding is monotone: what overlaps exactly overlaps here
+      }
+    }
+    // The first fault in the order of the input is the one that is named.
+    std::optional<std::pair<std::size_t, std::size_t>> first;
+    BoxTree(std::move(boxes)).pairs([&](std::uint32_t i, std::uint32_t j) {
+      const std::pair<std::size_t, std::size_t> pair = std::minmax<std::size_t>(i, j);
+      if ((!first || pair < *first) && refusal(edges[pair.first], edges[pair.second])) first = pair;
+    });
+    if (first) throw *refusal(edges[first->first], edges[first->second]);
+  }
+
+  /// What is wrong with the way two edges meet, if anything.
+  std::optional<BadInput> refusal(Edge a, Edge b) const {
+    const bool same = a.ring == b.ring;
+    const auto self = [&](const char* problem) {
+      return BadInput("self-intersection", problem,
+                      "make the ring simple: split it where it meets itself, or move a vertex",
+                      place(a.ring, {a.index, following(a), b.index, following(b)}));
+    };
+    const auto between = [&](const char* code, const char* problem, const char* mend) {
+      return BadInput(code, problem, mend,
+                      place(a.ring, {a.index, following(a)}, b.ring, {b.index, following(b)}));
+    };
+    const int b0 = orientation(start(a), end(a), start(b)),
+              b1 = orientation(start(a), end(a), end(b));
+    if (b0 == 0 && b1 == 0) {
+      // One line: compare the ranges along it.
+      auto [alow, ahigh] = range(a);
+      auto [blow, bhigh] = range(b);
+      const FilteredPoint& low = compare_xy(*alow, *blow) > 0 ? *alow : *blow;
+      const FilteredPoint& high = compare_xy(*ahigh, *bhigh) < 0 ? *ahigh : *bhigh;
+      const int gap = compare_xy(low, high);
+      if (gap < 0) {
+        if (same) return self("two edges of a ring overlap");
+        return between("overlapping-rings", "two rings overlap along an edge",
+                       "rings may touch at single points only: merge the two or move one");
+      }
+      if (gap > 0 || (same && adjacent(a, b))) return std::nullopt;
+      if (same) return self("a ring touches itself");
+      return crossing_at(a, b, low) ? std::optional(crossed(a, b)) : std::nullopt;
+    }
+    const int a0 = orientation(start(b), end(b), start(a)),
+              a1 = orientation(start(b), end(b), end(a));
+    if (b0 * b1 > 0 || a0 * a1 > 0) return std::nullopt;
+    if (same) {
+      if (adjacent(a, b)) return std::nullopt;  // they meet in their common vertex only
+      return self(b0 * b1 < 0 && a0 * a1 < 0 ? "two edges of a ring cross"
+                                             : "a ring touches itself");
+    }
+    if (b0 * b1 < 0 && a0 * a1 < 0) return crossed(a, b);
+    const FilteredPoint& at = b0 == 0 ? start(b) : b1 == 0 ? end(b) : a0 == 0 ? start(a) : end(a);
+    return crossing_at(a, b, at) ? std::optional(crossed(a, b)) : std::nullopt;
+  }
+
+  BadInput crossed(Edge a, Edge b) const {
+    return {"crossing-rings", "two rings cross",
+            "rings may touch at single points only: make one lie on one side of the other",
+            place(a.ring, {a.index, following(a)}, b.ring, {b.index, following(b)})};
+  }
+
+  bool adjacent(Edge a, Edge b) const { return following(a) == b.index || following(b) == a.index; }
+
+  std::pair<const FilteredPoint*, const FilteredPoint*> range(Edge e) const {
+    return compare_xy(start(e), end(e)) < 0 ? std::pair(&start(e), &end(e))
+                                            : std::pair(&end(e), &start(e));
+  }
+
+  /// The far ends of the two rays in which a ring leaves a point of edge e.
+  std::pair<const FilteredPoint*, const FilteredPoint*> rays(Edge e,
+                                                             const FilteredPoint& at) const {
+    const std::size_t n = size(e.ring);
+    const FilteredRing& ring = filtered_[e.ring];
+    if (compare_xy(at, start(e)) == 0) return {&ring[(e.index + n - 1) % n], &end(e)};
+    if (compare_xy(at, end(e)) == 0) return {&start(e), &ring[(e.index + 2) % n]};
+    return {&start(e), &end(e)};
+  }
+
+  /// Whether two rings that touch at a point pass through each other there: the rays of one
+  /// separate those of the other.
+  bool crossing_at(Edge a, Edge b, const FilteredPoint& at) const {
+    const auto [a_in, a_out] = rays(a, at);
+    const auto [b_in, b_out] = rays(b, at);
+    const auto left_of_a = [&, from = a_out, to = a_in](const FilteredPoint& p) {
+      const int wedge = orientation(at, *from, *to);
+      const int after = orientation(at, *from, p), before = orientation(at, p, *to);
+      if (wedge > 0) return after > 0 && before > 0;
+      if (wedge < 0) return after > 0 || before > 0;
+      return after > 0;
+    };
+    // Where rays coincide two edges overlap: that fault is named by its own pair of edges.
+    for (const FilteredPoint* p : {a_in, a_out}) {
+      for (const FilteredPoint* q : {b_in, b_out}) {
+        const bool one_side = compare_xy(at, *p) * compare_xy(at, *q) > 0;
+        if (one_side && orientation(at, *p, *q) == 0) return false;
+      }
+    }
+    return left_of_a(*b_in) != left_of_a(*b_out);
+  }
+
+  void check_orientation(std::size_t r) const {
+    const int turn = sign(doubled_area(*rings_[r].ring));
+    if (rings_[r].outer ? turn > 0 : turn < 0) return;
+    throw BadInput(
+        "wrong-orientation",
+        rings_[r].outer ? "an outer ring runs clockwise" : "a hole runs counter-clockwise",
+        "reverse the ring: outer rings run counter-clockwise, holes clockwise",
+        place(r, {0, 1, 2}));
+  }
+
+  /// For rings that do not cross: whether `inner` lies inside `outer` (touching allowed).
+  bool within(std::size_t inner, std::size_t outer) const {
+    const FilteredRing& ring = filtered_[inner];
+    for (const FilteredPoint& p : ring) {
+      const Location location = locate(filtered_[outer], p);
+      if (location != Location::boundary) return location == Location::inside;
+    }
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point &a = ring[i].exact(), &b = ring[(i + 1) % ring.size()].exact();
+      const FilteredPoint middle(Point{(a.x + b.x) / 2, (a.y + b.y) / 2});
+      const Location location = locate(filtered_[outer], middle);
+      if (location != Location::boundary) return location == Location::inside;
+    }
+    return false;  // not reached: the rings would overlap
+  }
+
+  void check_nesting() const {
+    std::vector<std::size_t> outers;
+    for (std::size_t r = 0; r < rings_.size(); ++r) {
+      if (rings_[r].outer) outers.push_back(r);
+    }
+    for (std::size_t r = 0; r < rings_.size(); ++r) {
+      if (rings_[r].outer) continue;
+      const std::size_t outer = outers[rings_[r].polygon];
+      if (!within(r, outer)) {
+        throw BadInput("hole-outside", "a hole does not lie inside its outer ring",
+                       "give the hole to the polygon that it lies in", place(r, {0}, outer, {}));
+      }
+      for (std::size_t other = outer + 1; other < r; ++other) {
+        if (within(r, other) || within(other, r)) {
+          throw BadInput("overlapping-rings", "one hole lies inside another",
+                         "remove the inner one, or make it a polygon of its own",
+                         place(r, {0}, other, {0}));
+        }
+      }
+    }
+    for (const std::size_t p : outers) {
+      for (const std::size_t q : outers) {
+        if (p == q || !within(q, p)) continue;
+        bool in_hole = false;
+        for (std::size_t h = p + 1; h < rings_.size() && !rings_[h].outer && !in_hole; ++h) {
+          in_hole = within(q, h);
+        }
+        if (!in_hole) {
+          throw BadInput("overlapping-polygons", "two polygons overlap",
+                         "unite them, or cut a hole for the inner one", place(q, {0}, p, {0}));
+        }
+      }
+    }
+  }
+
+  const PolygonSet& set_;
+  std::vector<RingInSet> rings_;
+  std::vector<FilteredRing> filtered_;
+};
+
+}  // namespace
+
+void validate(const PolygonSet& set) { Validator(set).run(); }
+
+}  // namespace minkref

@@ -1,0 +1,1 @@
+"""What people look at: the conformance report and the evidence."""

@@ -1,0 +1,1 @@
+"""The conformance report: verdicts, pictures, and a page for each kind of finding."""

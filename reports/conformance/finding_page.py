@@ -1,0 +1,76 @@
+"""What the report shows of one kind of finding: its smallest case, drawn, with witness and
+program."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from minkref import _core
+from minkref.commands.verify_output import describe
+from minkref.exact import approximate
+from minkref.fuzz.region import minus
+from minkref.fuzz.runner import Finding
+from minkref.reports.conformance.drawing import Layer, bounds, picture
+from minkref.reports.conformance.program import Program, program
+
+
+@dataclass(frozen=True)
+class FindingPage:
+    name: str
+    verdict: str
+    lines: list[str]
+    pictures: list[tuple[str, str]]
+    program: Program | None
+
+
+def finding_page(finding: Finding, count: int) -> FindingPage:
+    outcome = finding.outcome
+    kinds = "-".join(outcome.kinds)
+    name = f"{outcome.target}-{kinds}".replace(":", "-")
+    return FindingPage(
+        name,
+        str(outcome.verdict),
+        describe(finding, count),
+        _pictures(finding),
+        program(finding, name),
+    )
+
+
+def _pictures(finding: Finding) -> list[tuple[str, str]]:
+    case, outcome = finding.case, finding.outcome
+    if case.P is None or case.Q is None:
+        return []
+    P, Q = _core.PolygonSet.from_json(case.P), _core.PolygonSet.from_json(case.Q)
+    scale = "" if case.scale == "1" else f" (to be scaled by {case.scale})"
+    shown = [
+        (f"P{scale}", picture([Layer("first", P.rings())], "P")),
+        ("Q", picture([Layer("second", Q.rings())], "Q")),
+    ]
+    if case.expected is None:
+        return shown
+    mark = []
+    if outcome.witness:
+        x, y = outcome.witness.point
+        mark = [Layer("witness", point=(approximate(x), approximate(y)))]
+    expected = Layer("sum", _rings(case.expected))
+    layers = [("expected", [expected])]
+    if outcome.got is not None:
+        got = Layer("got", _rings(outcome.got))
+        missing = Layer("missing", minus(case.expected, outcome.got).rings())
+        extra = Layer("extra", minus(outcome.got, case.expected).rings())
+        layers += [
+            (f"got from {outcome.target}", [got]),
+            (
+                "difference: missing red, extra orange",
+                [Layer("faint", expected.polygons), missing, extra],
+            ),
+        ]
+    box = bounds([layer for _, group in layers for layer in group])
+    return shown + [
+        (caption, picture([*group, *mark], caption, box=box)) for caption, group in layers
+    ]
+
+
+def _rings(canonical: str) -> list[list[list[tuple[float, float]]]]:
+    rings: list[list[list[tuple[float, float]]]] = _core.PolygonSet.from_json(canonical).rings()
+    return rings

@@ -1,0 +1,58 @@
+"""The verdicts as JUnit XML: a suite for each target, a test case for each group of cases."""
+
+from __future__ import annotations
+
+import xml.etree.ElementTree as ElementTree
+
+from minkref.commands.verify_output import cell_text, describe
+from minkref.fuzz.runner import Cell, Finding, Run
+from minkref.fuzz.verdict import BROKEN, Verdict
+
+
+def junit(run: Run) -> str:
+    """`wrong` is a failure, a broken target an error, `known` and `undecided` are system output."""
+    root = ElementTree.Element("testsuites", name="minkref verify")
+    for target in run.targets:
+        suite = ElementTree.SubElement(root, "testsuite", name=target)
+        counts = {"tests": 0, "failures": 0, "errors": 0, "skipped": 0}
+        for group in run.groups:
+            cell = run.matrix.get((target, group))
+            if cell is not None:
+                found = [
+                    (finding, count)
+                    for finding, count in run.smallest()
+                    if finding.outcome.target == target and finding.case.name.group == group
+                ]
+                _test_case(suite, target, group, cell, found, counts)
+        for name, count in counts.items():
+            suite.set(name, str(count))
+    ElementTree.indent(root)
+    return ElementTree.tostring(root, encoding="unicode", xml_declaration=True) + "\n"
+
+
+def _test_case(
+    suite: ElementTree.Element,
+    target: str,
+    group: str,
+    cell: Cell,
+    found: list[tuple[Finding, int]],
+    counts: dict[str, int],
+) -> None:
+    test = ElementTree.SubElement(
+        suite, "testcase", classname=target, name=group, time=f"{cell.seconds:.3f}"
+    )
+    counts["tests"] += 1
+    summary = cell_text(cell).replace("\n", ", ")
+    text = "\n".join([summary, *(line for item in found for line in describe(*item))])
+    broken = [verdict for verdict in BROKEN if cell.verdicts[verdict]]
+    if cell.verdicts[Verdict.WRONG]:
+        counts["failures"] += 1
+        ElementTree.SubElement(test, "failure", message=summary, type="wrong").text = text
+    elif broken:
+        counts["errors"] += 1
+        ElementTree.SubElement(test, "error", message=summary, type=str(broken[0])).text = text
+    elif set(cell.verdicts) <= {Verdict.SKIPPED}:
+        counts["skipped"] += 1
+        ElementTree.SubElement(test, "skipped", message="; ".join(cell.skips))
+    else:
+        ElementTree.SubElement(test, "system-out").text = text

@@ -1,0 +1,47 @@
+"""The pictures of the real pairs: operands, reduced convolution, sum."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from minkref import _core
+from minkref.fuzz.case import CaseName
+from minkref.fuzz.case_list import REAL_PAIRS
+from minkref.model_catalogue import all_models, or_look_alike
+from minkref.reports.conformance.drawing import Layer, picture
+
+
+@dataclass(frozen=True)
+class Showcase:
+    title: str
+    text: str
+    pictures: list[tuple[str, str]]  # caption, SVG
+
+
+def showcases() -> list[Showcase]:
+    """One for each real pair that is present, at scale 1."""
+    known = all_models()
+    pairs = [(or_look_alike(P, known), or_look_alike(Q, known)) for P, Q in REAL_PAIRS]
+    return [show(P, Q) for P, Q in pairs if P in known and Q in known]
+
+
+def show(P: str, Q: str) -> Showcase:
+    case = CaseName(f"{P}+{Q}@1", "").load()
+    answer = _core.minkowski_sum(case.P, case.Q, "1")
+    segments = _core.convolution_segments(case.P, case.Q, "1", True)
+    sizes = answer.statistics
+    text = (
+        f"{case.P.vertices:,} and {case.Q.vertices:,} vertices; reduced convolution "
+        f"{sizes['s_edges']:,} S-edges and {sizes['t_edges']:,} T-edges; sum "
+        f"{answer.region.vertices:,} vertices, {answer.components} component"
+        f"{'' if answer.components == 1 else 's'}, {answer.holes} hole"
+        f"{'' if answer.holes == 1 else 's'}; {answer.seconds:.3f} s by the paper's route."
+    )
+    captions = [
+        (P, [Layer("first", case.P.rings())]),
+        (Q, [Layer("second", case.Q.rings())]),
+        ("reduced convolution", [Layer("convolution", segments=segments)]),
+        (f"{P} + {Q}", [Layer("sum", answer.region.rings())]),
+    ]
+    pictures = [(caption, picture(layers, caption)) for caption, layers in captions]
+    return Showcase(f"{P} + {Q}", text, pictures)

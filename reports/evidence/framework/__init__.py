@@ -1,0 +1,1 @@
+"""What the evidence scripts share: what a part is, where results are kept, how they are shown."""

@@ -1,0 +1,47 @@
+"""Answers of several targets on one case, and the verdicts on them."""
+
+from __future__ import annotations
+
+from minkref.fuzz.case import Case
+from minkref.fuzz.judgement import judge
+from minkref.fuzz.targets import Limits, Target, list_targets, make_target
+from minkref.fuzz.verdict import Outcome
+from minkref.reports.evidence.framework.part import Findings
+
+
+class Bench:
+    """Targets kept open over many cases (a server for each method of CGAL)."""
+
+    def __init__(self, targets: list[str], seconds: float = 60.0, gigabytes: int = 4) -> None:
+        limits = Limits(seconds=seconds, bytes=gigabytes << 30)
+        self._targets: dict[str, Target] = {name: make_target(name, limits) for name in targets}
+
+    def verdicts(self, case: Case) -> dict[str, Outcome]:
+        """By target. A wrong result carries a witness, checked in plain fractions."""
+        answers = {name: target.sum(case) for name, target in self._targets.items()}
+        return {outcome.target: outcome for outcome in judge(case, answers, list(answers))}
+
+    def close(self) -> None:
+        for target in self._targets.values():
+            target.close()
+
+    def __enter__(self) -> Bench:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+
+def available_cgal(findings: Findings, *wanted: str) -> list[str]:
+    """Those of the named CGAL targets that this machine has; a missed target for each other."""
+    entries = {entry.name: entry for entry in list_targets()}
+    found = []
+    for name in wanted:
+        entry = entries.get(name)
+        if entry is not None and entry.available:
+            found.append(name)
+            findings.figures["cgal_version"] = entry.version
+        else:
+            reason = entry.reason if entry is not None else "no such target"
+            findings.target(name, False, "available", reason)
+    return found

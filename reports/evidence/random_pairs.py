@@ -1,0 +1,135 @@
+"""Seeded random pairs: our three routes, and every method of CGAL, faults with witnesses."""
+
+from __future__ import annotations
+
+import json
+import multiprocessing
+from collections import Counter
+from typing import Any
+
+from minkref.fuzz.case import Case, CaseName
+from minkref.fuzz.targets import list_targets
+from minkref.fuzz.verdict import Outcome, Verdict
+from minkref.fuzz.witness import holds
+from minkref.reports.evidence.framework.comparing import Bench
+from minkref.reports.evidence.framework.part import CGAL, COMPARISON, READERS, REFERENCE, Findings
+
+SUBJECT = (
+    "10,000 seeded random pairs (grids 4 x 4 to 12 x 12, up to 12 vertices, up to 3 holes, at "
+    "least 3,000 without holes): three routes agree on all; wrong results of CGAL have witnesses."
+)
+MINUTES = (20, 1.5)
+DEPENDS = (*REFERENCE, *READERS, *COMPARISON, *CGAL)
+
+SEED = 2012
+PAIRS, QUICK_PAIRS = 10_000, 500
+ROUTES = ("minkref:paper", "minkref:winding", "minkref:definition")
+PROCESSES = 2
+BATCH = 50
+
+
+def shape(case: Case) -> dict[str, int]:
+    """What the pair is made of: holes, the most vertices of an outer ring, the extent."""
+    polygons = [p for text in (case.P_json, case.Q_json) for p in json.loads(text)["polygons"]]
+    outers = [polygon["outer"] for polygon in polygons]
+    sides = [
+        max(int(v[axis]) for v in ring) - min(int(v[axis]) for v in ring)
+        for ring in outers
+        for axis in (0, 1)
+    ]
+    return {
+        "holes": sum(len(polygon["holes"]) for polygon in polygons),
+        "most holes": max(len(polygon["holes"]) for polygon in polygons),
+        "most vertices": max(map(len, outers)),
+        "extent": max(sides),
+    }
+
+
+def fault(case: Case, outcome: Outcome) -> dict[str, Any]:
+    """A disagreement, with its witness checked once more by plain fractions."""
+    proven = outcome.witness is not None and holds(
+        case.P_json, case.Q_json, case.scale, outcome.witness
+    )
+    return {
+        "case": case.name.text,
+        "target": outcome.target,
+        "verdict": str(outcome.verdict),
+        "reasons": [str(reason) for reason in outcome.reasons],
+        "witness": outcome.witness.document() if outcome.witness else None,
+        "proven": proven,
+        "message": outcome.message,
+    }
+
+
+def work(job: tuple[int, int, list[str]]) -> dict[str, Any]:
+    """One batch of pairs in a worker process."""
+    first, last, targets = job
+    tally: Counter[str] = Counter()
+    faults = []
+    agreed = hole_free = 0
+    most: dict[str, int] = {}
+    with Bench(targets, seconds=20) as bench:
+        for index in range(first, last):
+            case = CaseName(f"random:{SEED}:{index}", "random").load()
+            form = shape(case)
+            hole_free += form["holes"] == 0
+            most = {key: max(value, most.get(key, 0)) for key, value in form.items()}
+            verdicts = bench.verdicts(case)
+            agreed += all(verdicts[route].verdict is Verdict.PASS for route in ROUTES)
+            for name, outcome in verdicts.items():
+                tally[f"{name} {outcome.verdict}"] += 1
+                if outcome.verdict not in (Verdict.PASS, Verdict.SKIPPED):
+                    faults.append(fault(case, outcome))
+    return {"tally": tally, "faults": faults, "agreed": agreed, "free": hole_free, "most": most}
+
+
+def run(quick: bool) -> Findings:
+    findings = Findings()
+    pairs = QUICK_PAIRS if quick else PAIRS
+    entries = [entry for entry in list_targets() if entry.name.startswith("cgal-")]
+    cgal = [entry.name for entry in entries if entry.available and not entry.name.endswith("-raw")]
+    if not cgal:
+        findings.target("methods of CGAL", False, "at least 1", 0)
+    for entry in entries:
+        if entry.available:
+            findings.figures["cgal_version"] = entry.version
+    jobs = [(k, min(k + BATCH, pairs), [*ROUTES, *cgal]) for k in range(0, pairs, BATCH)]
+    tally: Counter[str] = Counter()
+    faults: list[dict[str, Any]] = []
+    agreed = hole_free = done = 0
+    most: dict[str, int] = {}
+    with multiprocessing.get_context("spawn").Pool(PROCESSES) as pool:
+        for batch in pool.imap_unordered(work, jobs):
+            tally.update(batch["tally"])
+            faults += batch["faults"]
+            agreed, hole_free = agreed + batch["agreed"], hole_free + batch["free"]
+            most = {key: max(value, most.get(key, 0)) for key, value in batch["most"].items()}
+            done += BATCH
+            print(f"{min(done, pairs)} of {pairs} pairs, {len(faults)} faults", flush=True)
+    faults.sort(key=lambda fault: (int(fault["case"].rpartition(":")[2]), fault["target"]))
+    wrong = [fault for fault in faults if fault["verdict"] == "wrong"]
+    kinds = Counter(f"{f['target']} {', '.join(f['reasons']) or f['verdict']}" for f in faults)
+    findings.figures |= {
+        "seed": SEED,
+        "pairs": pairs,
+        "pairs without holes": hole_free,
+        "largest": {key: value for key, value in most.items() if key != "holes"},
+        "tally": dict(sorted(tally.items())),
+        "kinds of fault": dict(sorted(kinds.items())),
+        "first faults": faults[:40],
+    }
+    findings.law("pairs on which the three routes agree", agreed == pairs, pairs, agreed)
+    proven = sum(fault["proven"] for fault in wrong)
+    findings.law(
+        "wrong results with a witness that holds", proven == len(wrong), len(wrong), proven
+    )
+    undecided = sum(fault["verdict"] == "undecided" for fault in faults)
+    findings.law("disagreements left undecided", undecided == 0, 0, undecided)
+    least = pairs * 3 // 10
+    findings.target("pairs without holes", hole_free >= least, f"at least {least}", hole_free)
+    bounds = most["most vertices"] <= 12 and most["most holes"] <= 3 and most["extent"] <= 12
+    reached = f"{most['most vertices']}, {most['most holes']}, {most['extent']}"
+    findings.law("most vertices, holes, extent", bounds, "at most 12, 3, 12", reached)
+    for line, count in sorted(kinds.items()):
+        findings.note(f"{line}: {count}")
+    return findings

@@ -1,0 +1,136 @@
+"""Bad input through the command line: refused with a place and a mend, nothing written."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from minkref.reports.evidence.framework.part import COMPARISON, READERS, REFERENCE, Findings
+
+SUBJECT = (
+    "Bad input in the plane: every kind of refusal exits 2, names file, ring, vertices and "
+    "coordinates where there are such, says how to mend it, and leaves the output file unwritten."
+)
+MINUTES = (0.5, 0.5)
+DEPENDS = (*REFERENCE, *READERS, *COMPARISON, "python/minkref/**/*.py")
+
+
+@dataclass(frozen=True)
+class Bad:
+    """`places`: what the refusal has to name beside the file (words of the message)."""
+
+    title: str
+    file: str
+    text: str
+    codes: tuple[str, ...]
+    places: tuple[str, ...] = ()
+    scale: str = "1"
+
+
+GEOMETRY = ("ring", "(")  # the ring, and coordinates
+BOX = "(0 0, 9 0, 9 9, 0 9, 0 0)"
+
+
+def _case(ring: str) -> str:
+    square = '[["0","0"],["1","0"],["1","1"],["0","1"]]'
+    return (
+        '{"schema":"case-v1","id":"bad","dimension":2,"scales":["1"],'
+        f'"P":{{"polygons":[{{"outer":{ring},"holes":[]}}]}},'
+        f'"Q":{{"polygons":[{{"outer":{square},"holes":[]}}]}}}}'
+    )
+
+
+BAD = [
+    Bad("self-intersection", "a.wkt", "POLYGON ((0 0, 4 4, 4 0, 0 6, 0 0))",
+        ("self-intersection",), GEOMETRY),
+    Bad("zero-length edge", "b.wkt", "POLYGON ((0 0, 4 0, 4 0, 4 4, 0 0))",
+        ("zero-length-edge",), GEOMETRY),
+    Bad("fewer than three vertices", "c.poly", "1\n2 out\n0 0\n1 1\n",
+        ("too-few-vertices",), ("ring",)),
+    Bad("zero area", "d.wkt", "POLYGON ((0 0, 2 0, 4 0, 0 0))",
+        ("zero-area", "self-intersection"), GEOMETRY),
+    Bad("wrong orientation in a case", "e.json", _case('[["0","0"],["0","1"],["1","0"]]'),
+        ("wrong-orientation",), GEOMETRY),
+    Bad("hole outside its outer ring", "f.wkt", f"POLYGON ({BOX}, (20 1, 21 1, 20 2, 20 1))",
+        ("hole-outside",), GEOMETRY),
+    Bad("rings that overlap along an edge", "g.wkt", f"POLYGON ({BOX}, (0 2, 3 3, 0 4, 0 2))",
+        ("overlapping-rings",), GEOMETRY),
+    Bad("rings that cross", "h.wkt", f"POLYGON ({BOX}, (5 5, 12 6, 5 7, 5 5))",
+        ("crossing-rings",), GEOMETRY),
+    Bad("polygons that overlap", "i.wkt",
+        f"MULTIPOLYGON (({BOX}), ((2 2, 4 2, 4 4, 2 4, 2 2)))",
+        ("overlapping-polygons",), GEOMETRY),
+    Bad("NaN", "j.wkt", "POLYGON ((0 0, NaN 0, 4 4, 0 0))", ("not-a-number", "syntax")),
+    Bad("infinity", "k.poly", "1\n3 out\n0 0\ninf 0\n1 1\n", ("not-a-number", "syntax")),
+    Bad("NaN in JSON", "l.geojson",
+        '{"type":"Polygon","coordinates":[[[0,0],[NaN,0],[1,1],[0,0]]]}',
+        ("not-a-number", "syntax")),
+    Bad("a number of a million digits", "m.wkt", f"POLYGON ((0 0, {'7' * 10**6} 0, 4 4, 0 0))",
+        ("number-too-long", "too-many-digits")),
+    Bad("an exponent of a billion", "n.geojson",
+        '{"type":"Polygon","coordinates":[[[0,0],[1e1000000000,0],[1,1],[0,0]]]}',
+        ("exponent-too-large",)),
+    Bad("a truncated file (WKT)", "o.wkt", "POLYGON ((0 0, 4 0, 4", ("truncated", "syntax")),
+    Bad("a truncated file (GeoJSON)", "p.geojson", '{"type":"Polygon","coordinates":[[[0,0],[1,',
+        ("truncated", "syntax")),
+    Bad("a truncated file (poly)", "q.poly", "1\n4 out\n0 0\n1 0\n1 1\n", ("truncated", "syntax")),
+    Bad("deep nesting", "r.json", "[" * 10**6, ("too-deep",)),
+    Bad("an empty file", "s.wkt", "", ("empty-file", "truncated")),
+    Bad("a zero denominator", "t.json", _case('[["0","0"],["1/0","0"],["1","1"]]'),
+        ("zero-denominator",)),
+    Bad("scale zero", "u.wkt", f"POLYGON ({BOX})", ("scale-zero",), scale="0"),
+    Bad("a negative scale", "v.wkt", f"POLYGON ({BOX})", ("scale-negative",), scale="-1/2"),
+    Bad("a scale that is no number", "w.wkt", f"POLYGON ({BOX})",
+        ("scale-not-finite", "scale-not-a-number"), scale="nan"),
+]  # fmt: skip
+
+
+def attempt(bad: Bad, folder: Path) -> dict[str, Any]:
+    """Runs `minkref sum` on the bad input; what is wrong with its refusal, if anything."""
+    path, out = folder / bad.file, folder / f"{bad.file}.out.wkt"
+    path.write_text(bad.text, encoding="utf-8")
+    command = [sys.executable, "-m", "minkref", "sum", str(path), "g3", f"--scale={bad.scale}"]
+    done = subprocess.run(
+        [*command, "--json", "-o", str(out)], capture_output=True, text=True, timeout=60
+    )
+    faults = []
+    if done.returncode != 2:
+        faults.append(f"exit code {done.returncode}")
+    if out.exists():
+        faults.append("something was written")
+    try:
+        error = json.loads(done.stdout)["error"]
+    except (ValueError, KeyError):
+        error = {"code": "", "where": "", "what": done.stdout[:200], "mend": ""}
+        faults.append("no document with an error")
+    if error["code"] not in bad.codes:
+        faults.append(f"code {error['code']!r}")
+    if not error["mend"]:
+        faults.append("no mend")
+    told = f"{error['where']} {error['what']}"
+    wanted = bad.places if bad.scale != "1" else (bad.file, *bad.places)
+    faults += [f"{word!r} is not named" for word in wanted if word not in told]
+    if len(told) > 2000:
+        faults.append("a message of more than 2000 characters")
+    return {"title": bad.title, "code": error["code"], "message": told[:300], "faults": faults}
+
+
+def run(quick: bool) -> Findings:
+    findings = Findings()
+    with tempfile.TemporaryDirectory() as name, ThreadPoolExecutor(2) as pool:
+        rows = list(pool.map(lambda bad: attempt(bad, Path(name)), BAD))
+    for row in rows:
+        print(row, flush=True)
+    good = sum(not row["faults"] for row in rows)
+    findings.figures["refusals"] = rows
+    findings.law("refused as they should be", good == len(BAD), len(BAD), good)
+    for row in rows:
+        if row["faults"]:
+            findings.note(f"{row['title']}: {'; '.join(row['faults'])}")
+    return findings

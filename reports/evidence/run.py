@@ -1,0 +1,101 @@
+#!/usr/bin/env python3
+"""Runs the evidence: `make evidence [ONLY="NAME ..."] [QUICK=1]`.
+
+Finished parts are kept in build/evidence and left alone until the files that they depend on change.
+Exit code 0: all that ran is met or missed (a missed target is recorded); 1: a law does not hold, or
+a script broke down; 2: wrong usage.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+import time
+from pathlib import Path
+
+if sys.path and Path(sys.path[0]) == Path(__file__).resolve().parent:
+    del sys.path[0]  # the scripts here are named by their subjects, not to be imported by name
+
+from minkref.reports.evidence.framework import child, store, table
+from minkref.reports.evidence.framework.part import Part, load, names
+from rich.console import Console
+from rich.status import Status as Spinner
+
+
+def arguments() -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog="make evidence", description=__doc__)
+    parser.add_argument("only", nargs="*", metavar="NAME", help="parts to run (default: all)")
+    parser.add_argument("--quick", action="store_true", help="smaller counts, marked as such")
+    parser.add_argument("--again", action="store_true", help="run also what is kept")
+    parser.add_argument("--list", action="store_true", help="name the parts and stop")
+    parser.add_argument("--child", metavar="NAME", help=argparse.SUPPRESS)
+    options = parser.parse_args()
+    options.quick = options.quick or os.environ.get("QUICK", "") not in ("", "0")
+    return options
+
+
+def run_part(console: Console, part: Part, quick: bool) -> table.Document:
+    minutes = part.quick_minutes if quick and part.quick_minutes is not None else part.minutes
+    line = f"{part.name}, some {minutes:g} minutes"
+    began = time.monotonic()
+    if not console.is_terminal:
+        console.print(line)
+        return child.run_in_child(part, quick, lambda: None)
+    with Spinner(line, console=console) as spinner:
+        return child.run_in_child(
+            part, quick, lambda: spinner.update(f"{line}: {(time.monotonic() - began) / 60:.1f}")
+        )
+
+
+def write_summary(parts: list[Part], quick: bool) -> None:
+    """Of all parts: results that stand for this code, and why there is none of the others."""
+    documents, absent = [], {}
+    for part in parts:
+        document = store.kept(part, quick) or store.read(part.name, quick)
+        if document is None:
+            full_only = quick and part.quick_minutes is None
+            absent[part.name] = "full run only" if full_only else "not run"
+        elif document["dependencies"] != store.dependency_hash(part):
+            absent[part.name] = f"its code changed since {document['date']}"
+        else:
+            documents.append(document)
+    path = store.FOLDER / "summary-quick.md" if quick else store.SCRIPTS / "SUMMARY.md"
+    path.write_text(table.markdown(documents, absent, quick), encoding="utf-8")
+
+
+def main() -> int:
+    options = arguments()
+    if options.child:
+        return child.run_here(options.child, options.quick)
+    console = Console(stderr=False)
+    unknown = [name for name in options.only if name not in names()]
+    if unknown:
+        console.print(f"no such part: {', '.join(unknown)}; there are: {', '.join(names())}")
+        return 2
+    every = [load(name) for name in names()]
+    if options.list:
+        for part in every:
+            console.print(f"{part.name}: {part.subject}", highlight=False)
+        return 0
+    documents, absent = [], []
+    for part in every:
+        if options.only and part.name not in options.only:
+            continue
+        if options.quick and part.quick_minutes is None:
+            absent.append(part.name)
+            continue
+        document = None if options.again else store.kept(part, options.quick)
+        if document is not None:
+            console.print(f"{part.name}: kept, {document['status']}, {document['date']}")
+        else:
+            document = run_part(console, part, options.quick)
+            console.print(f"{part.name}: {document['status']}, {document['seconds']:.1f} s")
+        documents.append(document)
+    table.show(console, documents, absent)
+    write_summary(every, options.quick)
+    return 1 if any(document["status"] == "failed" for document in documents) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

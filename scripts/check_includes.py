@@ -1,0 +1,123 @@
+"""The rule of independence: a cross-check is worth what its two sides do not share.
+
+check_includes.py [ROOT]: prints one line for each include or import that breaks the rule, exits
+1 if there is one. The rules are the tables below; docs/definitions.md gives the reasons.
+"""
+
+from __future__ import annotations
+
+import ast
+import re
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.MULTILINE)
+FOREIGN = ("CGAL/", "nlohmann/")
+ROOMS = ("reference", "formats", "certify", "oracle", "degeneracies", "fuzz", "reports", "python")
+
+# Room: the rooms of ours that it may include, and the foreign libraries of FOREIGN that it may use.
+MAY_INCLUDE: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
+    "reference": (("reference",), ()),
+    "formats": (("formats", "reference"), ("nlohmann/",)),
+    "certify": (("certify", "formats", "reference"), ("nlohmann/",)),
+    "python": (("python", "formats", "reference"), ()),
+    "fuzz": (("fuzz", "formats", "reference"), ("nlohmann/",)),
+    "oracle": (("oracle",), FOREIGN),
+}
+# Folder: what its Python may not import. "standard library" lets nothing else through but itself.
+NO_IMPORT = {"oracle": ("minkref", "fuzz", "reports")}
+STANDARD_LIBRARY_ONLY = ("oracle/slow", "oracle/checker")
+# Words that do not occur in a build file of the room, comments aside.
+NO_LINK = {"reference": ("CGAL", "nlohmann", "minkref::formats")}
+
+
+def room_of_test(path: Path) -> str:
+    """tests/oracle may see the oracle; no other test may."""
+    return "oracle" if path.parts[1] == "oracle" else "tests"
+
+
+def includes(text: str) -> Iterator[tuple[int, str]]:
+    for found in INCLUDE.finditer(text):
+        yield text.count("\n", 0, found.start()) + 1, found[2]
+
+
+def room_named(include: str) -> str | None:
+    """The room that an include path leads to, also through `../`."""
+    parts = [part for part in include.split("/") if part not in ("", ".", "..")]
+    return parts[0] if len(parts) > 1 and parts[0] in ROOMS else None
+
+
+def check_cpp(root: Path) -> Iterator[str]:
+    for path in sorted((*root.rglob("*.cpp"), *root.rglob("*.hpp"), *root.rglob("*.h"))):
+        relative = path.relative_to(root)
+        room = relative.parts[0]
+        if room not in (*MAY_INCLUDE, "tests"):
+            continue
+        if room == "tests":
+            room = room_of_test(relative)
+        own, foreign = MAY_INCLUDE.get(
+            room, (tuple(r for r in ROOMS if r != "oracle"), ("nlohmann/",))
+        )
+        for line, include in includes(path.read_text(encoding="utf-8")):
+            target = room_named(include)
+            if ".." in include.split("/"):
+                yield f"{relative}:{line}: {include}: includes are written from the root"
+            elif target is not None and target not in own:
+                yield f"{relative}:{line}: {room} may not include {include}"
+            elif include.startswith(FOREIGN) and not include.startswith(foreign):
+                yield f"{relative}:{line}: {room} may not use {include}"
+
+
+def imports(tree: ast.AST) -> Iterator[tuple[int, str, int]]:
+    """Line, dotted name, level (0 for an absolute import)."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            for alias in node.names:
+                yield node.lineno, alias.name, 0
+        elif isinstance(node, ast.ImportFrom):
+            yield node.lineno, node.module or "", node.level
+
+
+def check_python(root: Path) -> Iterator[str]:
+    for path in sorted(root.rglob("*.py")):
+        relative = path.relative_to(root)
+        room = relative.parts[0]
+        if room not in ROOMS:
+            continue
+        alone = next((f for f in STANDARD_LIBRARY_ONLY if relative.is_relative_to(f)), None)
+        for line, name, level in imports(ast.parse(path.read_text(encoding="utf-8"))):
+            first = name.split(".")[0]
+            if level == 0 and first in NO_IMPORT.get(room, ()):
+                yield f"{relative}:{line}: {room} may not import {name}"
+            elif room != "oracle" and level == 0 and first == "oracle":
+                yield f"{relative}:{line}: nobody imports the oracle: {name}"
+            elif alone and level == 0 and first not in sys.stdlib_module_names:
+                if not name.startswith(alone.replace("/", ".")):
+                    yield f"{relative}:{line}: {alone} imports the standard library only: {name}"
+
+
+def check_build_files(root: Path) -> Iterator[str]:
+    for room, words in NO_LINK.items():
+        for path in sorted((root / room).rglob("CMakeLists.txt")):
+            for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+                for word in words:
+                    if word in line.split("#")[0]:
+                        yield f"{path.relative_to(root)}:{number}: {room} may not use {word}"
+
+
+def faults(root: Path) -> list[str]:
+    return [*check_cpp(root), *check_python(root), *check_build_files(root)]
+
+
+def main() -> int:
+    root = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).resolve().parents[1]
+    found = faults(root)
+    for fault in found:
+        print(fault)
+    print(f"independence: {len(found)} faults" if found else "independence: the rule is kept")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

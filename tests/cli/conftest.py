@@ -1,0 +1,50 @@
+"""The command line, run in this process."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from minkref.cli import run
+
+
+@dataclass
+class Ran:
+    code: int
+    out: str
+    err: str
+
+    @property
+    def json(self) -> Any:
+        return json.loads(self.out)
+
+
+Minkref = Callable[..., Ran]
+
+
+@pytest.fixture
+def minkref(capsys: pytest.CaptureFixture[str]) -> Minkref:
+    def call(*arguments: str | Path) -> Ran:
+        code = run([str(argument) for argument in arguments])
+        captured = capsys.readouterr()
+        return Ran(code, captured.out, captured.err)
+
+    return call
+
+
+def wkt_square(x: int, y: int, side: int) -> str:
+    return f"POLYGON(({x} {y},{x + side} {y},{x + side} {y + side},{x} {y + side},{x} {y}))"
+
+
+@pytest.fixture
+def squares(tmp_path: Path) -> tuple[Path, Path]:
+    """A square of side 2 and one of side 1."""
+    first, second = tmp_path / "two.wkt", tmp_path / "one.wkt"
+    first.write_text(wkt_square(0, 0, 2), encoding="utf-8")
+    second.write_text(wkt_square(0, 0, 1), encoding="utf-8")
+    return first, second

@@ -1,0 +1,115 @@
+"""The program as a whole: version, help, schemas, internal errors, pipes."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+
+import minkref as package
+from minkref.schemas import schema
+
+Minkref = Callable[..., Any]
+COMMANDS = ("sum", "verify", "models", "targets")
+
+
+def program(*arguments: str, **options: Any) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, "-m", "minkref", *arguments], capture_output=True, text=True, **options
+    )
+
+
+def test_version_is_that_of_the_package(minkref: Minkref) -> None:
+    ran = minkref("--version")
+    assert (ran.code, ran.out) == (0, f"minkref {package.__version__}\n")
+
+
+def test_no_command_shows_the_help_and_exits_2(minkref: Minkref) -> None:
+    ran = minkref()
+    assert ran.code == 2
+    assert all(command in ran.out + ran.err for command in COMMANDS)
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_help_of_every_command_has_examples(minkref: Minkref, command: str) -> None:
+    ran = minkref(command, "--help")
+    assert ran.code == 0
+    assert "Examples" in ran.out
+    assert f"minkref {command}" in ran.out
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+def test_schema_is_printed_without_operands_and_is_a_schema(minkref: Minkref, command: str) -> None:
+    ran = minkref(command, "--schema")
+    assert ran.code == 0
+    jsonschema.Draft202012Validator.check_schema(ran.json)
+    assert ran.json == schema(command)
+    assert ran.json["properties"]["command"] == {"const": command}
+    assert {"version", "command", "seconds", "peak_bytes"} <= set(ran.json["required"])
+
+
+@pytest.mark.parametrize("command", ["models", "targets"])
+def test_lists_follow_their_schemas(minkref: Minkref, command: str) -> None:
+    ran = minkref(command, "--json")
+    assert (ran.code, ran.err) == (0, "")
+    jsonschema.validate(ran.json, schema(command))
+
+
+def test_targets_name_our_routes_and_all_methods_of_cgal(minkref: Minkref) -> None:
+    rows = {row["name"]: row for row in minkref("targets", "--json").json["targets"]}
+    for route in ("paper", "winding", "definition"):
+        assert rows[f"minkref:{route}"]["available"]
+    for method in ("reduced", "full", "vertical", "triangulation", "ssab", "optimal", "greene"):
+        row = rows[f"cgal-{method}"]
+        assert row["available"] or "cmake --build" in row["reason"]
+
+
+def test_absent_target_names_the_command_that_builds_it(
+    minkref: Minkref, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from minkref.fuzz import cgal_executables
+
+    monkeypatch.setattr(cgal_executables, "search_folders", lambda: [tmp_path])
+    ran = minkref("verify", "cgal-reduced", "--pairs", "1")
+    assert ran.code == 2
+    assert "cmake --build" in ran.err
+
+
+def test_internal_error_is_short_and_exits_70(
+    minkref: Minkref, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from minkref.commands import models
+
+    def broken() -> None:
+        raise RuntimeError("a fault of ours")
+
+    monkeypatch.setattr(models, "all_models", broken)
+    ran = minkref("models")
+    assert ran.code == 70
+    assert "a fault of ours" in ran.err
+    assert "Traceback" not in ran.err
+    ran = minkref("models", "--debug")
+    assert ran.code == 70
+    assert "Traceback" in ran.err
+
+
+def test_module_and_pipe_give_the_json_and_nothing_else() -> None:
+    ran = program("sum", "g1", "g3", "--json")
+    assert (ran.returncode, ran.stderr) == (0, "")
+    assert json.loads(ran.stdout)["command"] == "sum"
+
+
+def test_closed_pipe_is_no_error() -> None:
+    ran = subprocess.run(
+        f"{sys.executable} -m minkref sum --schema | head -c 1",
+        shell=True,
+        capture_output=True,
+        text=True,
+    )
+    assert (ran.stdout, ran.stderr) == ("{", "")

@@ -1,0 +1,75 @@
+"""Models by name: shipped ones, and those of the folder MINKREF_MODELS."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+Minkref = Callable[..., Any]
+SHIPPED = {
+    "glyph1204": (1204, 0),
+    "glyph275": (275, 0),
+    "cells1815": (1815, 18),
+    "g1": (30, 0),
+    "g2": (34, 0),
+    "g3": (24, 0),
+    "g4": (43, 0),
+    "dog145": (145, 0),
+    "disc1": (32, 0),
+    "disc5": (32, 0),
+}
+PAPER = {"monkey": (1204, 0), "bird": (275, 0), "neuron": (1815, 18)}
+
+
+def test_shipped_models_have_the_sizes_that_their_names_promise(
+    minkref: Minkref, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delenv("MINKREF_MODELS", raising=False)
+    value = minkref("models", "--json").json
+    assert {row["name"]: (row["vertices"], row["holes"]) for row in value["models"]} == SHIPPED
+    assert {row["name"] for row in value["absent"]} == set(PAPER)
+
+
+def test_absent_model_of_the_paper_names_its_look_alike(
+    minkref: Minkref, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delenv("MINKREF_MODELS", raising=False)
+    ran = minkref("sum", "monkey", "bird")
+    assert ran.code == 2
+    assert "MINKREF_MODELS" in ran.err
+    assert "glyph1204" in ran.err
+
+
+def test_folder_of_models_adds_names_and_replaces_none(
+    minkref: Minkref, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    triangle = "1\n3 out\n0 0\n1 0\n0 1\n"
+    for name in ("bird.poly", "mine.poly", "g1.poly"):
+        (tmp_path / name).write_text(triangle, encoding="utf-8")
+    monkeypatch.setenv("MINKREF_MODELS", str(tmp_path))
+    value = minkref("models", "--json").json
+    rows = {row["name"]: row for row in value["models"]}
+    assert rows["bird"]["origin"] == rows["mine"]["origin"] == "MINKREF_MODELS"
+    assert rows["g1"]["vertices"] == 30
+    assert {row["name"] for row in value["absent"]} == {"monkey", "neuron"}
+    assert minkref("sum", "bird", "mine", "--json").json["area"] == "2"
+
+
+def test_folder_that_does_not_exist_is_refused(
+    minkref: Minkref, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("MINKREF_MODELS", str(tmp_path / "absent"))
+    ran = minkref("models")
+    assert ran.code == 2
+    assert "does not exist" in ran.err
+
+
+@pytest.mark.skipif(not os.environ.get("MINKREF_MODELS"), reason="MINKREF_MODELS not set")
+def test_models_of_the_paper_have_its_sizes(minkref: Minkref) -> None:
+    rows = {row["name"]: row for row in minkref("models", "--json").json["models"]}
+    for name, size in PAPER.items():
+        assert (rows[name]["vertices"], rows[name]["holes"]) == size

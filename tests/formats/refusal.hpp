@@ -1,0 +1,47 @@
+// What a test asks of a refusal.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "formats/read.hpp"
+#include "reference/error.hpp"
+
+namespace minkref {
+
+/// The refusal that `act` throws; a test failure where it throws none or something else.
+template <class Act>
+BadInput refusal_of(Act act) {
+  try {
+    act();
+  } catch (const BadInput& e) {
+    // Every refusal says what is wrong and how to mend it, shortly.
+    EXPECT_FALSE(e.problem().empty());
+    EXPECT_FALSE(e.mend().empty());
+    EXPECT_LT(std::string_view(e.what()).size(), 1000U);
+    return e;
+  } catch (const std::exception& e) {
+    ADD_FAILURE() << "not a refusal: " << e.what();
+    return {"none", "", ""};
+  }
+  ADD_FAILURE() << "nothing was refused";
+  return {"none", "", ""};
+}
+
+inline BadInput refusal_of_text(std::string_view text, Format format,
+                                const ReadLimits& limits = {}) {
+  const BadInput refused = refusal_of([&] { read_valid_text(text, format, "input", limits); });
+  EXPECT_TRUE(refused.place().source.starts_with("input")) << refused.what();
+  return refused;
+}
+
+inline std::string code_of(std::string_view text, Format format, const ReadLimits& limits = {}) {
+  return refusal_of_text(text, format, limits).code();
+}
+
+inline Point point(const char* x, const char* y) { return {parse_rational(x), parse_rational(y)}; }
+
+}  // namespace minkref

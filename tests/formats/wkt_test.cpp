@@ -1,0 +1,107 @@
+#include "tests/formats/refusal.hpp"
+
+namespace minkref {
+namespace {
+
+PolygonSet wkt(std::string_view text) { return read_valid_text(text, Format::wkt, "input").set; }
+std::string code(std::string_view text) { return code_of(text, Format::wkt); }
+
+TEST(Wkt, APolygonWithAHoleKeepsItsVerticesInOrder) {
+  const PolygonSet set = wkt("POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0), (1 1, 1 2, 2 1, 1 1))");
+  const Ring outer = {point("0", "0"), point("9", "0"), point("9", "9"), point("0", "9")};
+  const Ring hole = {point("1", "1"), point("1", "2"), point("2", "1")};
+  EXPECT_EQ(set, (PolygonSet{{{outer, {hole}}}}));
+}
+
+TEST(Wkt, WordsMayBeInAnyCaseAndSpaceAnywhere) {
+  const PolygonSet set =
+      wkt("\r\n mUltiPolygon\t( ( (0 0,1 0 ,0 1, 0 0) ),\r\n((5 5,6 5,5 6,5 5)))\n");
+  EXPECT_EQ(set.polygons.size(), 2U);
+  EXPECT_EQ(set.vertices(), 6U);
+}
+
+TEST(Wkt, RingsAreTurnedAsTheirRoleDemands) {
+  const PolygonSet set = wkt("POLYGON((0 0,0 9,9 9,9 0,0 0),(1 1,2 1,1 2,1 1))");
+  EXPECT_GT(doubled_area(set.polygons[0].outer), 0);
+  EXPECT_LT(doubled_area(set.polygons[0].holes[0]), 0);
+}
+
+TEST(Wkt, EveryEmptyGeometryIsTheEmptySet) {
+  for (const char* text : {"POLYGON EMPTY", "polygon empty", "MULTIPOLYGON EMPTY", "POINT EMPTY",
+                           "LINESTRING EMPTY", "GEOMETRYCOLLECTION EMPTY",
+                           "MULTIPOLYGON (EMPTY, EMPTY)", "GEOMETRYCOLLECTION (POINT EMPTY)"}) {
+    EXPECT_TRUE(wkt(text).empty()) << text;
+  }
+}
+
+TEST(Wkt, APointAndASegmentAreOperands) {
+  EXPECT_TRUE(wkt("POINT (1 2)").is_point());
+  EXPECT_TRUE(wkt("LINESTRING (1 2, 3 4)").is_segment());
+}
+
+TEST(Wkt, ACollectionOfPolygonsIsOneSet) {
+  const PolygonSet set =
+      wkt("GEOMETRYCOLLECTION (POLYGON ((0 0, 1 0, 0 1, 0 0)), GEOMETRYCOLLECTION (MULTIPOLYGON "
+          "(((5 5, 6 5, 5 6, 5 5)), ((8 8, 9 8, 8 9, 8 8)))))");
+  EXPECT_EQ(set.polygons.size(), 3U);
+}
+
+TEST(Wkt, ZAndMAreRefused) {
+  for (const char* text :
+       {"POINT Z (1 2 3)", "POINTZ (1 2 3)", "POLYGON M ((0 0 1, 1 0 1, 0 1 1, 0 0 1))",
+        "POINT ZM (1 2 3 4)", "POINT (1 2 3)", "POLYGON Z EMPTY"}) {
+    EXPECT_EQ(code(text), "three-dimensional") << text;
+  }
+}
+
+TEST(Wkt, OtherGeometriesAreRefused) {
+  EXPECT_EQ(code("LINESTRING (0 0, 1 0, 1 1)"), "not-a-segment");
+  EXPECT_EQ(code("LINESTRING (0 0)"), "not-a-segment");
+  EXPECT_EQ(code("MULTIPOINT ((0 0))"), "unsupported-geometry");
+  EXPECT_EQ(code("CURVEPOLYGON EMPTY"), "unsupported-geometry");
+  EXPECT_EQ(code("SRID=4326;POINT (0 0)"), "unsupported-geometry");
+}
+
+TEST(Wkt, APointBesideOtherPartsIsRefused) {
+  EXPECT_EQ(code("GEOMETRYCOLLECTION (POINT (0 0), POINT (1 1))"), "mixed-operand");
+  EXPECT_EQ(code("GEOMETRYCOLLECTION (POLYGON ((0 0, 1 0, 0 1, 0 0)), LINESTRING (1 1, 2 2))"),
+            "mixed-operand");
+}
+
+TEST(Wkt, AnOpenRingIsRefusedWithBothEnds) {
+  const BadInput refused = refusal_of_text("POLYGON ((0 0,\n 1 0,\n 1 1,\n 0 1/2))", Format::wkt);
+  EXPECT_EQ(refused.code(), "ring-not-closed");
+  EXPECT_EQ(refused.place().line, 4U);
+  EXPECT_EQ(refused.place().vertices, (std::vector<std::size_t>{0, 3}));
+  EXPECT_EQ(refused.place().coordinates, (std::vector<std::string>{"(0, 0)", "(0, 1/2)"}));
+}
+
+TEST(Wkt, ARingOfFewerThanThreeVerticesIsNoSegmentInDisguise) {
+  EXPECT_EQ(code("POLYGON ((0 0, 1 1, 0 0))"), "too-few-vertices");
+  EXPECT_EQ(code("POLYGON ((0 0))"), "too-few-vertices");
+  EXPECT_EQ(code("POLYGON ((0 0, 9 0, 0 9, 0 0), (1 1, 2 2, 1 1))"), "too-few-vertices");
+}
+
+TEST(Wkt, TextAfterTheGeometryIsRefused) {
+  EXPECT_EQ(code("POINT (1 2) POINT (3 4)"), "trailing-text");
+  EXPECT_EQ(code("POINT (1 2));"), "trailing-text");
+}
+
+TEST(Wkt, ABadNumberIsRefusedWithRingVertexAndLine) {
+  const BadInput refused =
+      refusal_of_text("POLYGON ((0 0, 9 0, 0 9, 0 0),\n(1 1, 2 1,\n1 two, 1 1))", Format::wkt);
+  EXPECT_EQ(refused.code(), "not-a-number");
+  EXPECT_EQ(refused.place().line, 3U);
+  EXPECT_EQ(refused.place().ring, 1U);
+  EXPECT_EQ(refused.place().vertices, (std::vector<std::size_t>{2}));
+}
+
+TEST(Wkt, WrongGrammarIsRefused) {
+  for (const char* text : {"POLYGON (0 0, 1 0, 1 1, 0 0)", "POLYGON 0", "42", "POINT (1, 2)",
+                           "POLYGON ((0 0, 1 0,, 1 1, 0 0))", "(POINT (1 2))", "POINT ((1 2))"}) {
+    EXPECT_EQ(code(text), "syntax") << text;
+  }
+}
+
+}  // namespace
+}  // namespace minkref

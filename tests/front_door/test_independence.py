@@ -1,0 +1,76 @@
+"""The include check finds every way to break the rule of independence."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+CHECK = ROOT / "scripts" / "check_includes.py"
+
+
+def run(root: Path) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, str(CHECK), str(root)], capture_output=True, text=True, check=False
+    )
+
+
+def test_the_repository_keeps_the_rule() -> None:
+    done = run(ROOT)
+    assert done.returncode == 0, done.stdout
+
+
+@pytest.mark.parametrize(
+    ("file", "line"),
+    [
+        ("reference/plane/sum.cpp", "#include <CGAL/minkowski_sum_2.h>"),
+        ("reference/plane/sum.cpp", "#include <nlohmann/json.hpp>"),
+        ("reference/plane/sum.cpp", '#include "formats/read.hpp"'),
+        ("reference/plane/sum.hpp", '  #  include "../../formats/read.hpp"'),
+        ("formats/read.cpp", "#include <CGAL/Polygon_2.h>"),
+        ("oracle/cgal/full.cpp", '#include "reference/plane/sum.hpp"'),
+        ("oracle/cgal/full.cpp", '#include "formats/read.hpp"'),
+        ("formats/read.cpp", '#include "oracle/cgal/polygon.hpp"'),
+        ("python/core.cpp", '#include "oracle/cgal/polygon.hpp"'),
+        ("tests/plane/sum.cpp", '#include "oracle/cgal/polygon.hpp"'),
+        ("tests/plane/sum.cpp", "#include <CGAL/Polygon_2.h>"),
+        ("oracle/slow/sum.py", "from minkref.fuzz import case"),
+        ("oracle/slow/sum.py", "import minkref"),
+        ("oracle/slow/sum.py", "def f():\n    import gmpy2"),
+        ("fuzz/runner.py", "from oracle.slow import sum"),
+        ("reference/CMakeLists.txt", "find_package(CGAL)"),
+    ],
+)
+def test_a_broken_rule_is_named_with_its_file_and_line(
+    tmp_path: Path, file: str, line: str
+) -> None:
+    path = tmp_path / file
+    path.parent.mkdir(parents=True)
+    path.write_text(f"\n{line}\n", encoding="utf-8")
+    done = run(tmp_path)
+    assert done.returncode == 1, done.stdout
+    expected = 2 + line.count("\n")
+    assert done.stdout.startswith(f"{file}:{expected}: "), done.stdout
+
+
+@pytest.mark.parametrize(
+    ("file", "line"),
+    [
+        ("reference/plane/sum.cpp", '#include "reference/error.hpp"'),
+        ("reference/plane/sum.cpp", "#include <Eigen/Core>"),
+        ("formats/read.cpp", "#include <nlohmann/json.hpp>"),
+        ("oracle/cgal/full.cpp", "#include <CGAL/minkowski_sum_2.h>"),
+        ("oracle/slow/sum.py", "from fractions import Fraction"),
+        ("oracle/slow/sum.py", "from oracle.slow.rings import area"),
+        ("reference/CMakeLists.txt", "# never CGAL"),
+    ],
+)
+def test_what_the_rule_allows_passes(tmp_path: Path, file: str, line: str) -> None:
+    path = tmp_path / file
+    path.parent.mkdir(parents=True)
+    path.write_text(line + "\n", encoding="utf-8")
+    done = run(tmp_path)
+    assert done.returncode == 0, done.stdout

@@ -1,0 +1,46 @@
+"""Runs of the differential runner, in process, with the faulty targets at hand."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from minkref.fuzz.baseline import Baseline
+from minkref.fuzz.case_list import CaseList
+from minkref.fuzz.runner import Run, run
+from minkref.fuzz.targets import Limits
+
+SEED = 20
+
+
+@pytest.fixture
+def faulty_sums(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Makes `py:faulty_sums:NAME` importable, here and in the workers."""
+    monkeypatch.syspath_prepend(str(Path(__file__).parent))
+
+
+@pytest.fixture
+def verify(faulty_sums: None) -> Callable[..., Run]:
+    def call(
+        *targets: str,
+        pairs: int = 12,
+        baseline: Baseline = Baseline(),  # noqa: B008 immutable
+        jobs: int = 1,
+        named: tuple[str, ...] = (),
+        call_seconds: float = 30.0,
+        versions: dict[str, Any] | None = None,
+    ) -> Run:
+        print(f"seed {SEED}")
+        return run(
+            CaseList(SEED, pairs, named=named, models=False),
+            list(targets),
+            versions or {},
+            baseline,
+            Limits(seconds=call_seconds),
+            jobs,
+        )
+
+    return call

@@ -1,0 +1,94 @@
+"""Sums with one deliberate fault each, as targets `py:faulty_sums:NAME` of the tests."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import time
+from fractions import Fraction
+from typing import Any
+
+from minkref import _core
+
+Set = dict[str, Any]
+
+
+def right(P: Set, Q: Set) -> Set:
+    first, second = (_core.PolygonSet.from_json(json.dumps(operand)) for operand in (P, Q))
+    value: Set = json.loads(_core.minkowski_sum(first, second, "1").region.canonical_json())
+    return value
+
+
+def loses_holes(P: Set, Q: Set) -> Set:
+    result = right(P, Q)
+    for polygon in result["polygons"]:
+        polygon["holes"] = []
+    return result
+
+
+def shifted(P: Set, Q: Set) -> Set:
+    result = right(P, Q)
+    for polygon in result["polygons"]:
+        for ring in (polygon["outer"], *polygon["holes"]):
+            for point in ring:
+                point[0] = str(Fraction(point[0]) + Fraction(1, 1000))
+    return result
+
+
+def invents_a_component(P: Set, Q: Set) -> Set:
+    result = right(P, Q)
+    far = [["1000", "0"], ["1001", "0"], ["1000", "1"]]
+    result["polygons"].append({"outer": far, "holes": []})
+    return result
+
+
+def nothing(P: Set, Q: Set) -> Set:
+    return {"polygons": []}
+
+
+def covers_twice(P: Set, Q: Set) -> Set:
+    result = right(P, Q)
+    result["polygons"] *= 2
+    return result
+
+
+def leaves_a_stub(P: Set, Q: Set) -> Set:
+    result = right(P, Q)
+    start = result["polygons"][0]["outer"][0]
+    result["polygons"].append({"outer": [start, start], "holes": []})
+    return result
+
+
+def dies(P: Set, Q: Set) -> Set:
+    os.kill(os.getpid(), signal.SIGSEGV)
+    return right(P, Q)
+
+
+def leaves(P: Set, Q: Set) -> Set:
+    os._exit(3)
+
+
+def hangs(P: Set, Q: Set) -> Set:
+    time.sleep(3600)
+    return right(P, Q)
+
+
+def raises(P: Set, Q: Set) -> Set:
+    raise RuntimeError("this never works")
+
+
+def exhausts_memory(P: Set, Q: Set) -> Set:
+    raise MemoryError
+
+
+def speaks_nonsense(P: Set, Q: Set) -> Any:
+    return {"polygons": [{"outer": "a square"}]}
+
+
+def answers_in_floats(P: Set, Q: Set) -> Any:
+    return {"polygons": [{"outer": [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], "holes": []}]}
+
+
+def declines(P: Set, Q: Set) -> None:
+    return None

@@ -1,0 +1,165 @@
+"""`minkref verify` as a command: document, report, JUnit, exit codes."""
+
+from __future__ import annotations
+
+import json
+import re
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+
+from minkref.cli import run
+from minkref.schemas import schema
+
+WRONG = "py:faulty_sums:loses_holes"
+FEW = ("--pairs", "150", "--no-models")
+
+
+@pytest.fixture
+def minkref(faulty_sums: None, capsys: pytest.CaptureFixture[str]) -> Any:
+    def call(*arguments: str | Path) -> tuple[int, str, str]:
+        code = run(["verify", *(str(argument) for argument in arguments)])
+        captured = capsys.readouterr()
+        return code, captured.out, captured.err
+
+    return call
+
+
+def test_document_follows_its_schema_and_findings_carry_their_case(minkref: Any) -> None:
+    code, out, err = minkref("minkref:paper", WRONG, *FEW, "--json")
+    assert (code, err) == (1, "")
+    value = json.loads(out)
+    jsonschema.validate(value, schema("verify"))
+    assert value["exit_code"] == 1
+    finding = value["findings"][0]
+    assert finding["target"] == WRONG
+    assert finding["reasons"] == ["hole-lost"]
+    assert finding["witness"]["in_truth"] is False
+    assert finding["P"]["set"]["polygons"]
+    code, out, _ = minkref(*finding["reproduce"].split()[2:], "--json")
+    assert code == 1
+    assert json.loads(out)["findings"][0]["witness"] == finding["witness"]
+
+
+def test_table_shows_verdicts_witness_and_the_line_that_reproduces(minkref: Any) -> None:
+    code, out, err = minkref("minkref:paper", WRONG, *FEW)
+    assert (code, err) == (1, "")
+    for text in (
+        "150 pass",
+        "wrong: hole-lost",
+        "witness (",
+        "is outside the sum",
+        "--case random:1:",
+    ):
+        assert text in out
+
+
+def test_all_well_exits_0(minkref: Any) -> None:
+    code, out, _ = minkref("minkref:paper", "minkref:winding", "--pairs", "20", "--no-models")
+    assert code == 0
+    assert "40 pass" in out
+
+
+def test_crash_exits_3_and_with_a_wrong_1(minkref: Any) -> None:
+    dies = "py:faulty_sums:dies"
+    few = ("--pairs", "2", "--no-models")
+    assert minkref("minkref:paper", dies, *few)[0] == 3
+    assert minkref("py:faulty_sums:nothing", dies, *few)[0] == 1
+
+
+def test_baseline_file_makes_a_fault_known(minkref: Any, tmp_path: Path) -> None:
+    path = tmp_path / "baseline.json"
+    entry = {"target": WRONG, "version": "*", "kind": "hole-lost", "reason": "a fault that we made"}
+    path.write_text(json.dumps({"baseline": "baseline-v1", "entries": [entry]}), encoding="utf-8")
+    code, out, _ = minkref("minkref:paper", WRONG, *FEW, "--baseline", path)
+    assert code == 0
+    assert "known (was wrong): hole-lost" in out
+    assert "a fault that we made" in out
+    assert "witness (" in out
+
+
+def test_report_is_one_self_contained_page(minkref: Any, tmp_path: Path) -> None:
+    code, out, _ = minkref("minkref:paper", WRONG, *FEW, "--report", tmp_path / "report", "--json")
+    assert code == 1
+    page = Path(json.loads(out)["report"])
+    html = page.read_text(encoding="utf-8")
+    assert not re.search(r'(src|href)="(https?:)?//', html)
+    assert "<script" not in html
+    assert html.count("<svg") >= 5
+    finding = json.loads(out)["findings"][0]
+    for text in (WRONG, "hole-lost", finding["reproduce"].split("--case")[0], 'class="extra"'):
+        assert text in html
+    assert "glyph1204 + glyph275" in html or "monkey + bird" in html
+
+
+def test_junit_counts_failures_errors_and_skips(minkref: Any, tmp_path: Path) -> None:
+    path = tmp_path / "junit.xml"
+    minkref(
+        "minkref:paper",
+        "py:faulty_sums:nothing",
+        "py:faulty_sums:raises",
+        "py:faulty_sums:declines",
+        "--pairs",
+        "3",
+        "--no-models",
+        "--junit",
+        path,
+    )
+    suites = {suite.get("name"): suite for suite in ElementTree.parse(path).getroot()}
+    found = {
+        name: tuple(suite.get(key) for key in ("tests", "failures", "errors", "skipped"))
+        for name, suite in suites.items()
+    }
+    assert found == {
+        "minkref:paper": ("1", "0", "0", "0"),
+        "py:faulty_sums:nothing": ("1", "1", "0", "0"),
+        "py:faulty_sums:raises": ("1", "0", "1", "0"),
+        "py:faulty_sums:declines": ("1", "0", "0", "1"),
+    }
+
+
+def test_run_ends_in_its_time(minkref: Any) -> None:
+    import time
+
+    start = time.monotonic()
+    code, out, _ = minkref("minkref:paper", "--seconds", "1", "--no-models", "--json")
+    assert code == 0
+    assert 1 <= time.monotonic() - start < 20
+    assert json.loads(out)["groups"][0]["cases"] > 10
+
+
+def test_slow_target_skips_large_cases_and_says_so(minkref: Any) -> None:
+    code, out, _ = minkref(
+        "minkref:definition", "--case", "glyph275+dog145@1", "--size-limit", "100"
+    )
+    assert code == 2
+    code, out, _ = minkref(
+        "minkref:definition", "minkref:paper", "--case", "g1+g2@1", "--size-limit", "100", "--json"
+    )
+    assert code == 0
+    (row,) = (row for row in json.loads(out)["matrix"] if row["target"] == "minkref:definition")
+    assert row["verdicts"] == {"skipped": 1}
+    assert "--size-limit" in next(iter(row["skips"]))
+
+
+def test_real_pairs_run_at_five_scales_or_name_the_look_alike(
+    minkref: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from minkref.fuzz.case_list import CaseList
+
+    monkeypatch.delenv("MINKREF_MODELS", raising=False)
+    cases = CaseList(pairs=0)
+    names = [case.text for case in cases]
+    for pair in ("disc1+cells1815", "disc5+cells1815", "glyph1204+glyph275"):
+        assert [name.split("@")[1] for name in names if name.startswith(f"{pair}@")] == [
+            "1/3",
+            "1",
+            "7/5",
+            "541/186",
+            "9",
+        ]
+    assert len(cases.notes) == 3
+    assert all("in its place" in note for note in cases.notes)

@@ -1,0 +1,150 @@
+"""Runs against targets with deliberate faults: verdicts, exit codes, baseline, determinism."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from minkref.exits import ExitCode
+from minkref.fuzz.baseline import Baseline, Entry
+from minkref.fuzz.runner import Run
+from minkref.fuzz.verdict import Reason, Verdict
+from minkref.fuzz.witness import holds
+
+Verify = Callable[..., Run]
+
+
+def counts(run: Run, target: str) -> dict[str, int]:
+    return dict(run.matrix[(target, run.groups[0])].verdicts)
+
+
+def test_right_target_and_all_routes_pass(verify: Verify) -> None:
+    names = ["minkref:paper", "minkref:winding", "minkref:definition", "py:faulty_sums:right"]
+    run = verify(*names, pairs=40)
+    assert run.findings == []
+    assert run.exit_code() is ExitCode.ALL_WELL
+    assert all(counts(run, name) == {"pass": 40} for name in names)
+
+
+@pytest.mark.parametrize(
+    ("fault", "reason"),
+    [
+        ("shifted", Reason.MISSING),
+        ("invents_a_component", Reason.COMPONENT),
+        ("nothing", Reason.COMPONENT),
+        ("covers_twice", Reason.SELF_INTERSECTING),
+        ("leaves_a_stub", Reason.NOT_CLOSED),
+    ],
+)
+def test_wrong_target_is_wrong_with_a_witness_that_holds(
+    verify: Verify, fault: str, reason: Reason
+) -> None:
+    run = verify(f"py:faulty_sums:{fault}")
+    assert run.exit_code() is ExitCode.WRONG
+    assert len(run.findings) == 12
+    for finding in run.findings:
+        assert finding.outcome.verdict is Verdict.WRONG
+        assert reason in finding.outcome.reasons
+        assert finding.outcome.witness is not None
+        assert finding.case.P and finding.case.Q
+        assert holds(finding.case.P, finding.case.Q, finding.case.scale, finding.outcome.witness)
+
+
+def test_lost_hole_is_found_named_and_reproduced(verify: Verify) -> None:
+    run = verify("py:faulty_sums:loses_holes", pairs=300, jobs=2)
+    assert run.findings, "no sum among the 300 has a hole"
+    assert {finding.outcome.reasons for finding in run.findings} == {(Reason.HOLE_LOST,)}
+    ((smallest, count),) = run.smallest()
+    assert count == len(run.findings)
+    assert all(smallest.case.size <= finding.case.size for finding in run.findings)
+    again = verify("py:faulty_sums:loses_holes", named=(smallest.case.name.text,))
+    assert again.findings[0].outcome.witness == smallest.outcome.witness
+    assert smallest.reproduce.endswith(f"--case {smallest.case.name.text}")
+
+
+@pytest.mark.parametrize(
+    ("fault", "verdict", "message"),
+    [
+        ("raises", Verdict.ERRORED, "this never works"),
+        ("speaks_nonsense", Verdict.ERRORED, "not a polygon set"),
+        ("answers_in_floats", Verdict.ERRORED, "exact numbers"),
+        ("exhausts_memory", Verdict.OUT_OF_MEMORY, ""),
+        ("dies", Verdict.CRASHED, "SIGSEGV"),
+        ("leaves", Verdict.CRASHED, "exit code 3"),
+        ("hangs", Verdict.TIMED_OUT, "no answer in 1 s"),
+    ],
+)
+def test_broken_target_is_charged_and_others_are_not(
+    verify: Verify, fault: str, verdict: Verdict, message: str
+) -> None:
+    broken, right = f"py:faulty_sums:{fault}", "py:faulty_sums:right"
+    run = verify(broken, right, pairs=2, call_seconds=1.0)
+    assert counts(run, broken) == {str(verdict): 2}
+    assert counts(run, right) == {"pass": 2}
+    assert message in run.findings[0].outcome.message
+    assert run.exit_code() is ExitCode.BROKEN
+
+
+def test_target_that_declines_everything_leaves_nothing_run(verify: Verify) -> None:
+    run = verify("py:faulty_sums:declines")
+    assert counts(run, "py:faulty_sums:declines") == {"skipped": 12}
+    assert run.exit_code() is ExitCode.USAGE
+
+
+def test_baseline_turns_a_wrong_into_known_and_the_exit_code_into_0(verify: Verify) -> None:
+    target = "py:faulty_sums:nothing"
+    baseline = Baseline((Entry(target, "1.2*", "component", "it never answers"),))
+    run = verify(target, baseline=baseline, versions={target: "1.2.3"})
+    assert counts(run, target) == {"known": 12}
+    assert run.exit_code() is ExitCode.ALL_WELL
+    outcome = run.findings[0].outcome
+    assert (outcome.was, outcome.message) == (Verdict.WRONG, "it never answers")
+    assert outcome.witness is not None
+
+
+@pytest.mark.parametrize(
+    "entry",
+    [
+        Entry("py:faulty_sums:other", "1.2.3", "component", "r"),
+        Entry("py:faulty_sums:nothing", "1.2.4", "component", "r"),
+        Entry("py:faulty_sums:nothing", "1.2.3", "extra", "r"),
+        Entry("py:faulty_sums:nothing", "1.2.3", "crashed", "r"),
+    ],
+)
+def test_baseline_of_another_target_version_or_fault_excuses_nothing(
+    verify: Verify, entry: Entry
+) -> None:
+    target = "py:faulty_sums:nothing"
+    run = verify(target, pairs=2, baseline=Baseline((entry,)), versions={target: "1.2.3"})
+    assert run.exit_code() is ExitCode.WRONG
+
+
+def test_baseline_that_lists_one_of_two_reasons_excuses_nothing(verify: Verify) -> None:
+    target = "py:faulty_sums:shifted"
+    baseline = Baseline((Entry(target, "*", "missing", "r"),))
+    assert verify(target, pairs=2, baseline=baseline).exit_code() is ExitCode.WRONG
+
+
+def test_baseline_excuses_a_crash(verify: Verify) -> None:
+    target = "py:faulty_sums:dies"
+    baseline = Baseline((Entry(target, "*", "crashed", "a known crash"),))
+    run = verify(target, "minkref:paper", pairs=2, baseline=baseline)
+    assert counts(run, target) == {"known": 2}
+    assert run.exit_code() is ExitCode.ALL_WELL
+
+
+def facts(run: Run) -> Any:
+    return [
+        (f.outcome.target, f.outcome.verdict, f.outcome.reasons, f.outcome.witness, f.case.name)
+        for f in run.findings
+    ]
+
+
+def test_findings_do_not_depend_on_the_number_of_workers(verify: Verify) -> None:
+    names = ["minkref:paper", "py:faulty_sums:shifted", "py:faulty_sums:loses_holes"]
+    one, two = (verify(*names, pairs=60, jobs=jobs) for jobs in (1, 2))
+    assert facts(one) == facts(two)
+    assert [f.kind for f, _ in one.smallest()] == [f.kind for f, _ in two.smallest()]
+    assert one.cases == two.cases
