@@ -1,5 +1,6 @@
-// The pieces of the extension module minkref._core. Exact numbers cross the border as strings, "n" or "n/d",
-// coordinates for drawing as doubles. Everything that computes releases the interpreter lock.
+// The pieces of the extension module minkref._core. Exact numbers cross the border as strings, "n"
+// or "n/d", coordinates for drawing as doubles. Everything that computes releases the interpreter
+// lock.
 #pragma once
 
 #include <nanobind/nanobind.h>
@@ -15,12 +16,15 @@ namespace minkref::python {
 
 using ExactPoint = std::pair<std::string, std::string>;
 
+/// A dictionary of named fields.
+using Fields = nanobind::typed<nanobind::dict, nanobind::str, nanobind::any>;
+
 inline ExactPoint to_strings(const Point& point) {
   return {to_string(point.x), to_string(point.y)};
 }
 
-/// What Python calls a PolygonSet: the set, whether it is known to be in canonical form (then it is not
-/// brought there again), and where its rings stood in the file that it was read from.
+/// What Python calls a PolygonSet: the set, whether it is known to be in canonical form (then it is
+/// not brought there again), and where its rings stood in the file that it was read from.
 struct Set {
   PolygonSet value;
   bool canonical = false;

@@ -35,28 +35,29 @@ const char* word(Contact contact) {
   return contact == Contact::touching ? "touching" : "overlapping";
 }
 
-nb::dict decision(const Set& P, const Set& Q, const std::string& scale, const std::string& x,
-                  const std::string& y) {
+Fields decision(const Set& P, const Set& Q, const std::string& scale, const std::string& x,
+                const std::string& y) {
   Witness witness;
   {
     nb::gil_scoped_release released;
-    witness = decide(P.value, Q.value, parse_rational(scale), {parse_rational(x), parse_rational(y)});
+    witness =
+        decide(P.value, Q.value, parse_rational(scale), {parse_rational(x), parse_rational(y)});
   }
-  nb::dict fields;
+  Fields fields;
   fields["contact"] = word(witness.contact);
   fields["p"] = list_of(witness.p);
   fields["q"] = list_of(witness.q);
   return fields;
 }
 
-std::optional<nb::dict> difference_point(const Set& first, const Set& second) {
+std::optional<Fields> difference_point(const Set& first, const Set& second) {
   std::optional<Difference> found;
   {
     nb::gil_scoped_release released;
     found = difference(first.value, second.value);
   }
   if (!found) return std::nullopt;
-  nb::dict fields;
+  Fields fields;
   fields["point"] = list_of(found->point);
   fields["in_first"] = found->in_first;
   return fields;
@@ -65,10 +66,12 @@ std::optional<nb::dict> difference_point(const Set& first, const Set& second) {
 }  // namespace
 
 void bind_comparison(nb::module_& module) {
-  module.def("canonicalize", canonical, "set"_a, nb::call_guard<nb::gil_scoped_release>(),
-             "Canonical form, components, holes, and whether the rings' winding numbers are 0 and 1.");
-  module.def("decide", decision, "P"_a, "Q"_a, "scale"_a, "x"_a, "y"_a,
-             "sP against x - Q by pairs of triangles: contact (empty, touching, overlapping), p, q.");
+  module.def(
+      "canonicalize", canonical, "set"_a, nb::call_guard<nb::gil_scoped_release>(),
+      "Canonical form, components, holes, and whether the rings' winding numbers are 0 and 1.");
+  module.def(
+      "decide", decision, "P"_a, "Q"_a, "scale"_a, "x"_a, "y"_a,
+      "sP against x - Q by pairs of triangles: contact (empty, touching, overlapping), p, q.");
   module.def("difference", difference_point, "first"_a, "second"_a,
              "An interior point of the symmetric difference, or None where the sets are equal.");
 }

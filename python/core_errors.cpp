@@ -54,13 +54,15 @@ void translate(const std::exception_ptr& pointer, void*) {
 }  // namespace
 
 void bind_errors(nb::module_& module) {
-  bad_input = new_type(module, "BadInput",
-                       "An input that is refused. Attributes: code, problem, mend, source, line, ring, "
-                       "vertices, coordinates, other_ring, other_vertices.",
-                       PyExc_ValueError);
+  bad_input =
+      new_type(module, "BadInput",
+               "An input that is refused. Attributes: code, problem, mend, source, line, ring, "
+               "vertices, coordinates, other_ring, other_vertices.",
+               PyExc_ValueError);
   limit_exceeded = new_type(module, "LimitExceeded", "A stated limit was reached.", bad_input);
-  undecided_sign = new_type(module, "UndecidedSign",
-                            "A certifying arithmetic could not prove a sign.", PyExc_ArithmeticError);
+  undecided_sign =
+      new_type(module, "UndecidedSign", "A certifying arithmetic could not prove a sign.",
+               PyExc_ArithmeticError);
   nb::register_exception_translator(translate);
 }
 

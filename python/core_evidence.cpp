@@ -39,9 +39,9 @@ std::vector<std::string> decide_many(const Set& P, const Set& Q, const std::stri
   return contacts;
 }
 
-nb::dict trial_of_filter(std::uint64_t seed, std::uint64_t count) {
+Fields trial_of_filter(std::uint64_t seed, std::uint64_t count) {
   const FilterTrial trial = filter_trial(seed, count);
-  nb::dict fields;
+  Fields fields;
   fields["trials"] = trial.trials;
   fields["by_filter"] = trial.by_filter;
   fields["filter_wrong"] = trial.filter_wrong;

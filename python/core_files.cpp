@@ -30,7 +30,8 @@ void bind_files(nb::module_& module) {
         last_warnings.clear();
         return keep(read_file(path));
       },
-      "path"_a, Released(), "Reads an operand, exact; the format by the extension. Raises BadInput.");
+      "path"_a, Released(),
+      "Reads an operand, exact; the format by the extension. Raises BadInput.");
   module.def(
       "read_text",
       [](const std::string& text, const std::string& format, const std::string& source) {

@@ -77,8 +77,13 @@ void bind_polygon_set(nb::module_& module) {
       .def_static("from_json", from_json, "text"_a, Released(),
                   "From {\"polygons\":[{\"outer\":ring,\"holes\":[...]}]}; nothing is validated.")
       .def(
-          "to_json", [](const Set& set) { return write(set.value, Format::json); }, Released(),
-          "The rings as they are stored.")
+          "to_json",
+          [](const Set& set) {
+            std::string text = write(set.value, Format::json);
+            while (text.ends_with('\n')) text.pop_back();
+            return text;
+          },
+          Released(), "The rings as they are stored.")
       .def("canonical_json", canonical_text, Released(), "Canonical JSON of the canonical form.")
       .def(
           "validate",

@@ -37,13 +37,16 @@ TimedSum timed_sum(const Set& P, const Set& Q, const std::string& scale, const s
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   // Only exact arithmetic is known to give a canonical form.
   const bool canonical = arithmetic == "rational" || arithmetic == "interval";
-  return {{std::move(sum.region), canonical}, sum.components,           sum.holes,
-          seconds.count(),                    std::move(sum.statistics)};
+  return {{std::move(sum.region), canonical},
+          sum.components,
+          sum.holes,
+          seconds.count(),
+          std::move(sum.statistics)};
 }
 
-nb::dict statistics(const TimedSum& sum) {
+Fields statistics(const TimedSum& sum) {
   const Statistics& counted = sum.statistics;
-  nb::dict fields;
+  Fields fields;
   fields["by_float"] = counted.by_float;
   fields["by_integer"] = counted.by_integer;
   fields["by_rational"] = counted.by_rational;

@@ -107,11 +107,12 @@ def hundred_scales(findings: Findings, cgal: list[str], quick: bool) -> None:
         f"disc1 and disc5 at {len(scales)} seeded scales: agree, or a hole lost by a witness",
         proven == 2 * len(scales), 2 * len(scales), proven,
     )  # fmt: skip
-    version = str(findings.figures.get("cgal_version", ""))
-    wanted = "at least 1" if version.startswith("5.5") else "0 in a version with the fault mended"
     lost = tally["hole lost"]
-    met = lost >= 1 if version.startswith("5.5") else lost == 0
-    findings.target(f"sums of which CGAL {version} lost a hole", met, wanted, lost)
+    version = str(findings.figures["cgal_version"])
+    if "5.5" not in version:
+        findings.target(f"sums of which {version} lost a hole", lost == 0, "0, as mended", lost)
+    elif not quick:
+        findings.target(f"sums of which {version} lost a hole", lost >= 1, "at least 1", lost)
 
 
 def run(quick: bool) -> Findings:
