@@ -160,7 +160,7 @@ def _outline(cells: set[Node]) -> Ring | None:
     return [ring[i] for i in range(n) if turn(ring[i - 1], ring[i], ring[(i + 1) % n]) != 0]
 
 
-def strictly_inside(inner: Ring, outer: Ring) -> bool:
+def inside(inner: Ring, outer: Ring) -> bool:
     """Every vertex of `inner` lies in the closed region of `outer`, and not all of them on its
     rim."""
     places = [_place(node, outer) for node in inner]
@@ -169,14 +169,23 @@ def strictly_inside(inner: Ring, outer: Ring) -> bool:
 
 def _place(p: Node, ring: Ring) -> int:
     """1 inside, 0 on the ring, -1 outside."""
-    inside = False
+    within = False
     for a, b in zip(ring, ring[1:] + ring[:1], strict=True):
         side = turn(a, b, p)
         if side == 0 and _within(a, b, p):
             return 0
         if (a[1] > p[1]) != (b[1] > p[1]) and (side > 0) == (b[1] > a[1]):
-            inside = not inside
-    return 1 if inside else -1
+            within = not within
+    return 1 if within else -1
+
+
+def rings_meet(first: Ring, second: Ring) -> bool:
+    """The two rings share a point."""
+    return any(
+        segments_meet(a, b, c, d)
+        for a, b in zip(first, first[1:] + first[:1], strict=True)
+        for c, d in zip(second, second[1:] + second[:1], strict=True)
+    )
 
 
 def rings_cross(first: Ring, second: Ring) -> bool:

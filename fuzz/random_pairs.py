@@ -21,7 +21,8 @@ from minkref.fuzz.integer_rings import (
     is_simple,
     on_grid_cells,
     rings_cross,
-    strictly_inside,
+    rings_meet,
+    inside,
     untangled,
 )
 
@@ -67,21 +68,24 @@ def random_pair(seed: int, index: int) -> Pair:
     scale = "1"
     if index >= GROWTH and index % 4 == 3:
         scale = dice.choice(OTHER_SCALES)
+    if dice.random() < 0.25:
+        P, Q = Q, P
     return Pair(seed, index, grid, P, Q, scale)
 
 
 def random_operand(dice: random.Random, grid: int, most_holes: int, small: bool = False) -> str:
     """A polygon with up to `most_holes` holes inside a random window of the grid, as JSON text."""
+    touching = dice.random() < 0.2  # holes may touch the outer ring and each other at points
     patience = 4  # with outer rings that leave no room for a hole
     while True:
-        side = dice.randint(2, grid) if small and dice.random() < 0.7 else grid
+        side = _side(dice, grid) if small else grid
         x, y = dice.randint(0, grid - side), dice.randint(0, grid - side)
         roomy = most_holes > 0 and dice.random() < 0.5
         outer = (_cut_box if roomy else dice.choice(_OUTER))(dice, side)
         if outer is None:
             continue
         outer = counter_clockwise([(a + x, b + y) for a, b in outer])
-        holes = random_holes(dice, outer, most_holes)
+        holes = random_holes(dice, outer, most_holes, touching)
         if most_holes and not holes and patience:
             patience -= 1
             continue
@@ -93,8 +97,18 @@ def random_operand(dice: random.Random, grid: int, most_holes: int, small: bool 
         return text
 
 
-def random_holes(dice: random.Random, outer: Ring, most: int) -> list[Ring]:
-    """Disjoint simple rings inside `outer` (counter-clockwise), some of them as large as fits."""
+def _side(dice: random.Random, grid: int) -> int:
+    """Of the window of a second operand: often so small that holes of the first one survive."""
+    kind = dice.random()
+    if kind < 0.5:
+        return dice.randint(1, max(1, grid // 4))
+    return dice.randint(2, grid) if kind < 0.85 else grid
+
+
+def random_holes(dice: random.Random, outer: Ring, most: int, touching: bool) -> list[Ring]:
+    """Simple rings inside `outer` (counter-clockwise) with disjoint interiors, some of them as
+    large as fits; apart from all others, or else perhaps `touching` them at points."""
+    meet = rings_cross if touching else rings_meet
     holes: list[Ring] = []
     if most == 0:
         return holes
@@ -104,19 +118,22 @@ def random_holes(dice: random.Random, outer: Ring, most: int) -> list[Ring]:
     for attempt in range(6 * wanted):
         if len(holes) == wanted:
             break
-        largest = max(1, (right - left) * (3 if attempt < wanted else 1) // 4)
-        width, height = dice.randint(1, largest), dice.randint(1, largest)
-        if left + width >= right or low + height >= high:
+        width, height = right - left - 2, high - low - 2
+        x, y = left + 1, low + 1
+        if attempt > 2 or dice.random() < 0.3:
+            width = dice.randint(1, max(1, (right - left) // 2))
+            height = dice.randint(1, max(1, (high - low) // 2))
+            x, y = dice.randint(left, right - width), dice.randint(low, high - height)
+        if min(width, height) < 1:
             continue
-        x, y = dice.randint(left, right - width), dice.randint(low, high - height)
         ring = untangled(dice, dice.randint(3, 6), width, height)
         if ring is None:
             continue
         hole = counter_clockwise([(a + x, b + y) for a, b in ring])
-        if not strictly_inside(hole, outer) or rings_cross(hole, outer):
+        if not inside(hole, outer) or meet(hole, outer):
             continue
         if any(
-            rings_cross(hole, other) or strictly_inside(hole, other) or strictly_inside(other, hole)
+            meet(hole, other) or inside(hole, other) or inside(other, hole)
             for other in holes
         ):
             continue

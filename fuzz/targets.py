@@ -156,7 +156,7 @@ def _cgal_entry(name: str) -> TargetEntry:
     method, raw = method_of_target(name)
     about = ABOUT[method] + (", holes as given" if raw else "")
     try:
-        return TargetEntry(name, f"CGAL {cgal_version(method)}", about, True)
+        return TargetEntry(name, cgal_version(method), about, True)
     except (OSError, subprocess.SubprocessError, ValueError, KeyError) as error:
         return TargetEntry(name, None, about, False, str(error))
 

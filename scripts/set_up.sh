@@ -35,7 +35,8 @@ if ! fresh environment "$key" || [[ ! -x .venv/bin/python ]]; then
   say "making .venv with $python"
   rm -f build/stamps/environment
   "$python" -m venv --clear .venv
-  .venv/bin/python -m pip install --quiet --disable-pip-version-check -r requirements.txt
+  .venv/bin/python -m pip install --quiet --disable-pip-version-check -r requirements.txt ||
+    { say "pip could not install the packages of requirements.txt" >&2; exit 2; }
   echo "$key" >build/stamps/environment
 fi
 [[ $last == environment ]] && exit 0

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "reference/plane/exact_frame.hpp"
+#include "reference/plane/exact_arrangement.hpp"
 #include "reference/plane/interior_point.hpp"
 #include "reference/plane/location.hpp"
 #include "reference/plane/winding_route.hpp"

@@ -2,7 +2,7 @@
 
 #include "reference/error.hpp"
 #include "reference/plane/convolution_arrangement.hpp"
-#include "reference/plane/exact_frame.hpp"
+#include "reference/plane/exact_arrangement.hpp"
 #include "reference/plane/paper_route.hpp"
 #include "reference/plane/sum.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "reference/plane/arrangement.hpp"
 #include "reference/plane/collision.hpp"
-#include "reference/plane/exact_frame.hpp"
+#include "reference/plane/exact_arrangement.hpp"
 #include "reference/plane/interior_point.hpp"
 
 namespace minkref {

@@ -2,7 +2,7 @@
 #include <charconv>
 
 #include "reference/plane/convolution_arrangement.hpp"
-#include "reference/plane/exact_frame.hpp"
+#include "reference/plane/exact_arrangement.hpp"
 #include "reference/plane/face_boundary.hpp"
 #include "reference/plane/paper_route.hpp"
 #include "reference/plane/routes.hpp"

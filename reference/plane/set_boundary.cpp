@@ -1,6 +1,6 @@
 #include "reference/plane/set_boundary.hpp"
 
-#include "reference/plane/exact_frame.hpp"
+#include "reference/plane/exact_arrangement.hpp"
 #include "reference/plane/face_boundary.hpp"
 #include "reference/plane/winding_route.hpp"
 

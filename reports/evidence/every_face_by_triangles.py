@@ -17,7 +17,7 @@ SUBJECT = (
     "triangles: the sum has exactly the faces whose points overlap. In full also the five scales, "
     "and the discs with the neuron."
 )
-MINUTES = (2, 0.3)
+MINUTES = (1, 0.2)
 DEPENDS = (*REFERENCE, *READERS, *MODELS, "fuzz/witness.py")
 
 MOST_SPOT_CHECKS = 5  # decisions of each kind checked again in plain Python fractions

@@ -11,7 +11,7 @@ SUBJECT = (
     "Sign decisions that the float filter handed on and that plain doubles get wrong: at least "
     "1,000, and none that the filter decided wrongly."
 )
-MINUTES = (0.5, 0.2)
+MINUTES = (0.1, 0.1)
 DEPENDS = REFERENCE
 
 WANTED = 1000

@@ -17,9 +17,21 @@ SUBJECT = (
     "make evidence QUICK=1 succeed; times of the first and of the second call."
 )
 MINUTES = (45, None)
-DEPENDS = ("**/CMakeLists.txt", "Makefile", "scripts/*", "requirements.txt", "pyproject.toml",
-           "reference/**/*.?pp", "formats/*.?pp", "oracle/**/*.?pp", "python/**/*.?p*",
-           "fuzz/*.py", "tests/**/*.?p*", "reports/**/*.py")  # fmt: skip
+DEPENDS = (
+    "Makefile",
+    "CMakeLists.txt",
+    "CMakePresets.json",
+    "requirements.txt",
+    "pyproject.toml",
+    "cmake/*",
+    "scripts/*",
+    *(
+        f"{room}/**/{glob}"
+        for room in ("reference", "formats", "oracle", "python", "fuzz", "tests", "reports")
+        for glob in ("*.py", "*.cpp", "*.hpp", "CMakeLists.txt")
+        if any(ROOT.glob(f"{room}/**/{glob}"))
+    ),
+)
 
 RUN_LIMIT = 300.0  # seconds of `make run` when all is built
 

@@ -11,7 +11,7 @@ from minkref.reports.evidence.framework.operands import operand, tell_absent
 from minkref.reports.evidence.framework.part import MODELS, READERS, REFERENCE, Findings
 
 SUBJECT = "monkey + bird at scale 1: 770 vertices in all rings, 2 holes, area 11958.2536..."
-MINUTES = (0.2, 0.2)
+MINUTES = (0.1, 0.1)
 DEPENDS = (*REFERENCE, *READERS, *MODELS)
 
 

@@ -60,7 +60,7 @@ def write_summary(parts: list[Part], quick: bool) -> None:
             absent[part.name] = f"its code changed since {document['date']}"
         else:
             documents.append(document)
-    path = store.FOLDER / "summary-quick.md" if quick else store.SCRIPTS / "SUMMARY.md"
+    path = store.FOLDER / "summary-quick.md" if quick else store.SCRIPTS_FOLDER / "SUMMARY.md"
     path.write_text(table.markdown(documents, absent, quick), encoding="utf-8")
 
 

@@ -14,7 +14,7 @@ SUBJECT = (
     "The same sums through all four scalar types (rational, interval, double, mpfr at 53 and at "
     "256 bits): what each answers beside the exact result."
 )
-MINUTES = (1, 0.5)
+MINUTES = (0.1, 0.1)
 DEPENDS = (*REFERENCE, *READERS, *MODELS)
 
 ARITHMETICS = ("rational", "interval", "double", "mpfr:53", "mpfr:256")

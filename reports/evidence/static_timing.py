@@ -25,7 +25,7 @@ SUBJECT = (
     "Static sum by route paper against CGAL's reduced convolution, side by side: seconds of the "
     "computation alone, both from parsed operands, both in a fresh child process."
 )
-MINUTES = (0.5, 0.2)
+MINUTES = (0.3, 0.2)
 DEPENDS = (*REFERENCE, *READERS, *MODELS, *COMPARISON, *CGAL)
 
 REPETITIONS, QUICK_REPETITIONS = 7, 3

@@ -119,15 +119,17 @@ def test_shares_of_the_signs_add_up(minkref: Minkref) -> None:
 
 
 @pytest.mark.parametrize("ending", ["wkt", "geojson", "poly", "json"])
-def test_written_file_is_read_back_as_the_same_set(
-    minkref: Minkref, tmp_path: Path, ending: str
+def test_written_file_is_read_back_as_the_same_set_where_it_says_so(
+    minkref: Minkref, squares: tuple[Path, Path], tmp_path: Path, ending: str
 ) -> None:
-    output = tmp_path / f"sum.{ending}"
-    ran = minkref("sum", "g1", "g3", "--json", "-o", output)
-    assert ran.code == 0
-    assert ran.json["output"] == str(output)
-    text = _core.read_file(str(output)).canonical_json()
-    assert hashlib.sha256(text.encode()).hexdigest() == ran.json["digest"]
+    for scale in ("1/4", "1/3"):
+        output = tmp_path / f"sum.{ending}"
+        ran = minkref("sum", *squares, "--scale", scale, "--json", "-o", output)
+        assert (ran.code, ran.json["output"]) == (0, str(output))
+        assert ran.json["output_exact"] == (scale == "1/4" or ending == "json")
+        text = _core.read_file(str(output)).canonical_json()
+        same = hashlib.sha256(text.encode()).hexdigest() == ran.json["digest"]
+        assert same == ran.json["output_exact"]
 
 
 def test_svg_is_well_formed_xml(minkref: Minkref, tmp_path: Path) -> None:

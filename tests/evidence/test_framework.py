@@ -18,7 +18,7 @@ from minkref.reports.evidence.framework.part import Findings, Part, Status, load
 def folders(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """Results, scripts and code in a folder of the test's own."""
     monkeypatch.setattr(store, "FOLDER", tmp_path / "evidence")
-    monkeypatch.setattr(store, "SCRIPTS", tmp_path / "scripts")
+    monkeypatch.setattr(store, "SCRIPTS_FOLDER", tmp_path / "scripts")
     monkeypatch.setattr(store, "ROOT", tmp_path)
     (tmp_path / "scripts").mkdir()
     (tmp_path / "code.cpp").write_text("1")

@@ -67,6 +67,7 @@ def command(
     first, second = read_operand(P), read_operand(Q)
     result = compute(first, second, exact_scale, route, arithmetic)
     region = result.pop("region")
+    exactly: bool | None = None
     if output is not None:
         if region is None:
             raise Refusal(
@@ -75,7 +76,9 @@ def command(
                 "use --arithmetic rational",
                 "undecided-sign",
             )
-        write_atomically(output, _core.write(region, OUTPUTS[output.suffix.lower()]))
+        form = OUTPUTS[output.suffix.lower()]
+        write_atomically(output, refusing(str(output), lambda: _core.write(region, form)))
+        exactly = _core.writes_exactly(region, form)
     value = document(
         "sum",
         watch,
@@ -84,6 +87,7 @@ def command(
         scale=exact_scale,
         warnings=first.warnings + second.warnings,
         output=str(output) if output else None,
+        output_exact=exactly,
         **result,
     )
     if json:
@@ -214,7 +218,8 @@ def _print(value: dict[str, Any]) -> None:
         rows.append(("signs", f"{signs['total']:,}: " + ", ".join(parts)))
     rows.append(("seconds", f"{value['seconds']:.3f}"))
     if value["output"]:
-        rows.append(("written", value["output"]))
+        rounded = "" if value["output_exact"] else " (rounded; .json is exact)"
+        rows.append(("written", value["output"] + rounded))
     sys.stdout.write(lines(rows))
     for warning in value["warnings"]:
         sys.stderr.write(f"warning: {warning}\n")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import sys
 from types import TracebackType
 from typing import Any
@@ -163,13 +164,12 @@ def cell_text(cell: Cell | None) -> str:
 
 
 def _skips(run: Run) -> dict[str, list[str]]:
-    """Why cases were skipped, with numbers left out, and by whom."""
+    """Why cases were skipped, with names and numbers of single cases left out, and by whom."""
     found: dict[str, list[str]] = {}
     for (target, _), cell in run.matrix.items():
         for message in cell.skips:
-            general = message
-            if message.endswith("(--size-limit)"):
-                general = "more pairs of vertices than a slow target takes (--size-limit)"
+            general = re.sub(r"^[PQ]: ", "", message)
+            general = re.sub(r"\d[\d,]*", "n", general)
             names = found.setdefault(general, [])
             if target not in names:
                 names.append(target)

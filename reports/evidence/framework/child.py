@@ -14,7 +14,6 @@ import time
 import traceback
 from collections.abc import Callable
 from dataclasses import asdict
-from pathlib import Path
 from typing import Any
 
 from minkref.reports.evidence.framework import store
@@ -33,7 +32,7 @@ def run_in_child(part: Part, quick: bool, tick: Callable[[], None]) -> dict[str,
     A child that crashes or exceeds its time leaves a result `failed` that says so."""
     store.FOLDER.mkdir(parents=True, exist_ok=True)
     store.result_path(part.name, quick).unlink(missing_ok=True)
-    command = [sys.executable, str(Path(store.SCRIPTS) / "run.py"), "--child", part.name]
+    command = [sys.executable, str(store.SCRIPTS_FOLDER / "run.py"), "--child", part.name]
     command += ["--quick"] if quick else []
     began = time.monotonic()
     with open(store.log_path(part.name), "w", encoding="utf-8") as log:

@@ -10,6 +10,7 @@ from typing import Any
 
 from minkref.reports.evidence.framework.part import SCRIPTS, Part
 
+SCRIPTS_FOLDER = SCRIPTS
 ROOT = SCRIPTS.parents[1]
 FOLDER = ROOT / "build" / "evidence"
 PAPER_FILES = ("nazca_monkey.poly", "bird.poly", "neuron.poly")
@@ -28,7 +29,8 @@ def dependency_hash(part: Part) -> str:
     """SHA-256 over names and contents of the files that the part's globs name, of its own script,
     and of the paper's models where MINKREF_MODELS provides them."""
     files = {path for glob in part.depends for path in ROOT.glob(glob) if path.is_file()}
-    files |= set((SCRIPTS / "framework").glob("*.py")) | {SCRIPTS / f"{part.name}.py"}
+    files |= set((SCRIPTS_FOLDER / "framework").glob("*.py"))
+    files.add(SCRIPTS_FOLDER / f"{part.name}.py")
     files = {path for path in files if path.is_file()}
     total = hashlib.sha256()
     for path in sorted(files):

@@ -1,0 +1,7 @@
+#include "reference/plane/exact_arrangement.hpp"
+
+namespace minkref {
+
+template class Arrangement<PlainKernel<Rational>>;
+
+}  // namespace minkref

@@ -1,0 +1,68 @@
+// Three routes that share as little as they can have one answer.
+#include <gtest/gtest.h>
+
+#include "reference/plane/face_points.hpp"
+#include "reference/plane/sum.hpp"
+#include "tests/plane/contact_by_edges.hpp"
+#include "tests/plane/random_cases.hpp"
+
+namespace minkref::testing {
+namespace {
+
+std::string disagreement(const Case& c) {
+  const Sum paper = minkowski_sum(c.P, c.Q, c.scale, Route::paper);
+  for (const Route route : {Route::winding, Route::definition}) {
+    const std::string name = route == Route::winding ? "winding: " : "definition: ";
+    const Sum other = minkowski_sum(c.P, c.Q, c.scale, route);
+    if (other.region != paper.region) return name + unequal(paper.region, other.region);
+    if (other.components != paper.components) return name + "components differ";
+    if (other.holes != paper.holes) return name + "holes differ";
+  }
+  return "";
+}
+
+TEST(Routes, AgreeOnRandomPairs) {
+  MINKREF_SEEDED(random, 200);
+  expect_law(random, 250, disagreement);
+}
+
+TEST(Routes, AgreeOnPiecesOfLattices) {
+  MINKREF_SEEDED(random, 201);
+  const auto make = [](Source& r) {
+    return Case{random_mesh_region(r, 3), random_mesh_region(r, 2), random_scale(r)};
+  };
+  expect_law(random, 150, make, disagreement);
+}
+
+TEST(Routes, AgreeOnPointsAndSegments) {
+  MINKREF_SEEDED(random, 202);
+  const auto make = [](Source& r) {
+    const Point a{r.between(-3, 3), r.between(-3, 3)};
+    const Point b = a + Point{r.between(-2, 2), r.between(1, 2)};
+    const PolygonSet thin = r.coin() ? segment_set(a, b) : point_set(a.x, a.y);
+    const PolygonSet wide = random_region(r);
+    return r.coin() ? Case{thin, wide, random_scale(r)} : Case{wide, thin, random_scale(r)};
+  };
+  expect_law(random, 150, make, disagreement);
+}
+
+TEST(Routes, EveryFaceOfTheArrangementIsDecidedRightly) {
+  MINKREF_SEEDED(random, 203);
+  const auto make = [](Source& r) {
+    return Case{random_region(r, 2), random_region(r, 2), random_scale(r)};
+  };
+  expect_law(random, 12, make, [](const Case& c) -> std::string {
+    const PolygonSet region = minkowski_sum(c.P, c.Q, c.scale).region;
+    for (const FacePoint& face : face_points(c.P, c.Q, c.scale)) {
+      const std::string at = " at " + text(face.point);
+      const Contact truth = contact_at(c.P, c.Q, c.scale, face.point);
+      if (face.in_sum != (truth != Contact::empty)) return "a face is wrong" + at;
+      const Where place = where(region, face.point);
+      if (face.in_sum != (place == Where::inside)) return "the region is not its faces" + at;
+    }
+    return "";
+  });
+}
+
+}  // namespace
+}  // namespace minkref::testing
