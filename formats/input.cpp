@@ -70,8 +70,7 @@ void Input::count_vertex(const Place& place) {
 }
 
 void Input::warn(std::size_t line, const std::string& text) {
-  constexpr std::size_t most = 100;
-  if (warnings_.size() >= most) {
+  if (!keeps_warnings()) {
     ++more_warnings_;
     return;
   }

@@ -38,7 +38,8 @@ class Input {
   /// Charges one vertex.
   void count_vertex(const Place& place);
 
-  /// Keeps the first hundred warnings and counts the rest.
+  /// Keeps the first hundred warnings and counts the rest: the text of those need not be made.
+  bool keeps_warnings() const { return warnings_.size() < 100; }
   void warn(std::size_t line, const std::string& text);
   std::vector<std::string> take_warnings();
 

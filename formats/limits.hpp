@@ -16,7 +16,7 @@ struct ReadLimits {
   std::size_t vertices = 1'000'000;           ///< over all rings of a file
   std::size_t json_values = 16'000'000;       ///< values and member names in a JSON text
   std::size_t number_bytes = std::size_t{256} << 20;  ///< memory of all numbers, written out
-  std::size_t containment_steps = 50'000'000;  ///< edges visited to find the outer ring of a hole
+  std::size_t containment_steps = 10'000'000;  ///< edges visited to find the outer ring of a hole
 };
 
 }  // namespace minkref

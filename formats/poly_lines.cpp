@@ -19,9 +19,13 @@ void append_token(std::string_view token, PolyLine& line, Input& input) {
   const std::size_t cut = token.rfind('.');
   line.tokens.push_back(token.substr(0, cut));
   line.tokens.push_back(token.substr(cut));
-  input.warn(line.number, in_quotes(token) + " has two decimal points: read as " +
-                              in_quotes(token.substr(0, cut)) + " and " +
-                              in_quotes(token.substr(cut)));
+  if (!input.keeps_warnings()) {
+    input.warn(line.number, "");
+    return;
+  }
+  const std::string first = in_quotes(token.substr(0, cut)), second = in_quotes(token.substr(cut));
+  input.warn(line.number,
+             in_quotes(token) + " has two decimal points: read as " + first + " and " + second);
 }
 
 }  // namespace

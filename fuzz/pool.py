@@ -86,7 +86,10 @@ def run_cases(
                     busy.remove(worker)
                     workers.remove(worker)
                     worker.kill()
-                    job.lost[result.target] = result
+                    if result.verdict is Verdict.TIMED_OUT and result.target not in job.overdue:
+                        job.overdue.add(result.target)  # perhaps the machine stood still: once more
+                    else:
+                        job.lost[result.target] = result
                     fresh = _Worker(targets, limits)
                     workers.append(fresh)
                     busy.append(fresh)
@@ -142,7 +145,8 @@ def _died(worker: _Worker) -> Outcome:
 
 def _overdue(worker: _Worker, limits: Limits) -> Outcome:
     seconds = wall_clock_limit(worker.step, limits)
-    _own_step(worker, f"no end after {seconds:g} s")
+    if worker.job and worker.step in worker.job.overdue:
+        _own_step(worker, f"no end after {seconds:g} s")
     return Outcome(
         worker.step, Verdict.TIMED_OUT, message=f"no answer in {seconds:g} s", seconds=seconds
     )

@@ -18,11 +18,11 @@ from minkref.exact import set_json
 from minkref.fuzz.integer_rings import (
     Ring,
     counter_clockwise,
+    inside,
     is_simple,
     on_grid_cells,
     rings_cross,
     rings_meet,
-    inside,
     untangled,
 )
 
@@ -132,10 +132,7 @@ def random_holes(dice: random.Random, outer: Ring, most: int, touching: bool) ->
         hole = counter_clockwise([(a + x, b + y) for a, b in ring])
         if not inside(hole, outer) or meet(hole, outer):
             continue
-        if any(
-            meet(hole, other) or inside(hole, other) or inside(other, hole)
-            for other in holes
-        ):
+        if any(meet(hole, other) or inside(hole, other) or inside(other, hole) for other in holes):
             continue
         holes.append(hole)
     return holes

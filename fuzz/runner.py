@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -31,7 +32,7 @@ class Finding:
     @property
     def reproduce(self) -> str:
         target = "" if self.outcome.target == REFEREE else f"{self.outcome.target} "
-        return f"minkref verify {target}--case {self.case.name.text}"
+        return f"minkref verify {target}--case {shlex.quote(self.case.name.text)}"
 
 
 @dataclass

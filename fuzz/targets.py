@@ -24,7 +24,7 @@ ROUTES = {
     "definition": "union of the sums of all pairs of triangles",
 }
 # m n above which a slow target skips a case (the option --size-limit replaces it).
-SIZE_LIMITS = {"minkref:definition": 4_000}
+SIZE_LIMITS = {"minkref:definition": 7_000}
 SLOW_CGAL_LIMIT = 10_000
 FAST_CGAL = ("cgal-reduced", "cgal-reduced-raw")
 

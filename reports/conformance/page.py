@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import Any
 
 from jinja2 import Environment, StrictUndefined
-
 from minkref.commands.verify_output import cell_text, conclusion
 from minkref.documents import write_atomically
 from minkref.fuzz.runner import Run

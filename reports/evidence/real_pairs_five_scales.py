@@ -91,7 +91,7 @@ def seeded_scales(count: int) -> list[str]:
     return [str(Fraction(dice.randint(100, 10_000), 1000)) for _ in range(count)]
 
 
-def hundred_scales(findings: Findings, cgal: list[str], quick: bool) -> None:
+def hundred_scales(findings: Findings, cgal: list[str], quick: bool, real: bool) -> None:
     scales = seeded_scales(10 if quick else 100)
     tally: dict[str, Counter[str]] = {name: Counter() for name in cgal}
     examples = []
@@ -124,15 +124,16 @@ def hundred_scales(findings: Findings, cgal: list[str], quick: bool) -> None:
     lost = sum(counter["hole lost"] for counter in tally.values())
     if "5.5" not in version:
         findings.target(f"sums of which {version} lost a hole", lost == 0, "0, as mended", lost)
-    else:
+    elif real:
         findings.target(f"sums of which {version} lost a hole", lost >= 1, "at least 1", lost)
 
 
 def run(quick: bool) -> Findings:
     findings = Findings()
-    tell_absent(findings, "monkey", "bird", "neuron")
+    real = tell_absent(findings, "neuron")
+    tell_absent(findings, "monkey", "bird")
     cgal = available_cgal(findings, CGAL_REDUCED, RAW)
     five_scales(findings, cgal)
     if cgal:
-        hundred_scales(findings, cgal, quick)
+        hundred_scales(findings, cgal, quick, real)
     return findings

@@ -10,9 +10,8 @@ from pathlib import Path
 from typing import Any
 
 import jsonschema
-import pytest
-
 import minkref as package
+import pytest
 from minkref.schemas import schema
 
 Minkref = Callable[..., Any]

@@ -11,7 +11,6 @@ from typing import Any
 
 import jsonschema
 import pytest
-
 from minkref import _core
 from minkref.schemas import schema
 

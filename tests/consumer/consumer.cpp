@@ -1,4 +1,5 @@
-// The sum of two unit squares at scale 3 is a square of side 4, by every route of the installed library.
+// The sum of two unit squares at scale 3 is a square of side 4, by every route of the installed
+// library.
 #include <iostream>
 
 #include "reference/plane/canonical.hpp"

@@ -61,8 +61,8 @@ TEST(Canonical, DiamondTouchingAllFourSidesLeavesFourTriangles) {
 
 TEST(Canonical, HolePinchedAtAPointIsTwoHolesAndTwoRings) {
   // A bow tie of two triangles, as one polygon's two holes that touch in (3,3).
-  const PolygonSet two = region(rectangle(0, 0, 6, 6),
-                                {{{1, 2}, {1, 4}, {3, 3}}, {{5, 4}, {5, 2}, {3, 3}}});
+  const PolygonSet two =
+      region(rectangle(0, 0, 6, 6), {{{1, 2}, {1, 4}, {3, 3}}, {{5, 4}, {5, 2}, {3, 3}}});
   ASSERT_NO_THROW(validate(two));
   const Canonical form = canonicalize(two);
   EXPECT_EQ(form.components, 1U);
@@ -87,8 +87,9 @@ TEST(Canonical, AComponentThatTouchesItselfIsAnOuterRingWithAHole) {
 TEST(Canonical, TwoHolesThatTouchTwiceCutOutAnIsland) {
   // Two U-shaped holes whose tips meet in two points: what is between them is a component of its
   // own, and the complement has two bounded components.
-  const PolygonSet set = region(rectangle(0, 0, 10, 10), {{{2, 5}, {2, 2}, {8, 2}, {8, 5}, {6, 4}, {4, 4}},
-                                                          {{2, 5}, {4, 6}, {6, 6}, {8, 5}, {8, 8}, {2, 8}}});
+  const PolygonSet set =
+      region(rectangle(0, 0, 10, 10), {{{2, 5}, {2, 2}, {8, 2}, {8, 5}, {6, 4}, {4, 4}},
+                                       {{2, 5}, {4, 6}, {6, 6}, {8, 5}, {8, 8}, {2, 8}}});
   ASSERT_NO_THROW(validate(set));
   const Canonical form = canonicalize(set);
   EXPECT_EQ(form.components, 2U);
@@ -135,7 +136,9 @@ TEST(Canonical, RingsStartAtTheLeastVertexAndAreSorted) {
         if (is_straight(ring, i)) fault = "straight vertex";
       }
     });
-    const auto by_outer = [&](const Polygon& a, const Polygon& b) { return less(a.outer, b.outer); };
+    const auto by_outer = [&](const Polygon& a, const Polygon& b) {
+      return less(a.outer, b.outer);
+    };
     if (!std::is_sorted(set.polygons.begin(), set.polygons.end(), by_outer)) fault = "order";
     return fault;
   });

@@ -30,9 +30,9 @@ TEST(CriticalScale, SquareThatFitsAHoleExactlyClosesIt) {
   // The frame a little larger, or smaller.
   const Rational e = Rational(1) / Rational(Integer(1) << 90);
   const Rational low = 1 + (1 + e), high = 2 * (1 + e);
-  expect_sum(region(rectangle(0, 0, 4 * (1 + e) + 1, 4 * (1 + e) + 1),
-                    {rectangle(low, low, high, high)}),
-             1, 1, frame, square, 1 + e);
+  expect_sum(
+      region(rectangle(0, 0, 4 * (1 + e) + 1, 4 * (1 + e) + 1), {rectangle(low, low, high, high)}),
+      1, 1, frame, square, 1 + e);
   expect_sum(box(0, 0, 5 - 4 * e, 5 - 4 * e), 1, 0, frame, square, 1 - e);
 }
 
@@ -50,8 +50,7 @@ TEST(CriticalScale, SquareInACorridorOfItsWidthLeavesNoHole) {
 TEST(CriticalScale, OpenSlotOfTheWidthOfTheOtherOperandFillsUp) {
   // [0,3]^2 less the slot (1,2)x(1,3]: left, right and bottom bars sum to [0,2]x[0,4], [2,4]x[0,4]
   // and [0,4]x[0,2], together [0,4]^2.
-  const PolygonSet fork =
-      region({{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}});
+  const PolygonSet fork = region({{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}});
   const PolygonSet square = box(0, 0, 1, 1);
   expect_sum(box(0, 0, 4, 4), 1, 0, fork, square);
   EXPECT_EQ(decide(fork, square, 1, {2, 3}).contact, Contact::touching);
@@ -62,8 +61,18 @@ TEST(CriticalScale, OpenSlotOfTheWidthOfTheOtherOperandFillsUp) {
 TEST(CriticalScale, RingWithAGapOfTheWidthOfTheOtherOperandClosesToAHole) {
   // [0,5]^2 less (1,4)^2 less the gap [4,5]x(2,3): the bars of the ring sum to all of [0,6]^2 but
   // (2,4)^2, and what passes the gap is of height 0.
-  const PolygonSet ring = region({{0, 0}, {5, 0}, {5, 2}, {4, 2}, {4, 1}, {1, 1},
-                                  {1, 4}, {4, 4}, {4, 3}, {5, 3}, {5, 5}, {0, 5}});
+  const PolygonSet ring = region({{0, 0},
+                                  {5, 0},
+                                  {5, 2},
+                                  {4, 2},
+                                  {4, 1},
+                                  {1, 1},
+                                  {1, 4},
+                                  {4, 4},
+                                  {4, 3},
+                                  {5, 3},
+                                  {5, 5},
+                                  {0, 5}});
   const PolygonSet square = box(0, 0, 1, 1);
   expect_sum(region(rectangle(0, 0, 6, 6), {rectangle(2, 2, 4, 4)}), 1, 1, ring, square);
   EXPECT_EQ(decide(ring, square, 1, {5, 3}).contact, Contact::touching);
@@ -86,8 +95,7 @@ TEST(CriticalScale, TriangularHoleDiesWhereThreeEdgesMeetInAPoint) {
   //   max over P of n.p = 127, 110, 135     (at (-3,-2), (1,3), (4,-1); sum 372)
   // so s* = 1082/372 = 541/186, and the hole is there for s < s*.
   const PolygonSet P = region({{-3, -2}, {4, -1}, {1, 3}});
-  const PolygonSet Q =
-      region(rectangle(-40, -40, 40, 40), {{{0, 20}, {17, -11}, {-19, -9}}});
+  const PolygonSet Q = region(rectangle(-40, -40, 40, 40), {{{0, 20}, {17, -11}, {-19, -9}}});
   const Rational critical(541, 186), tiny = Rational(1) / Rational(Integer(1) << 40);
   for (const Route route : routes) {
     EXPECT_EQ(minkowski_sum(P, Q, critical - tiny, route).holes, 1U);
@@ -115,16 +123,15 @@ TEST(CriticalScale, TriangularHoleDiesWhereThreeEdgesMeetInAPoint) {
   EXPECT_EQ(decide(P, Q, critical + tiny, x).contact, Contact::overlapping);
 }
 
-TEST(CriticalScale, HoleThatPinchesInTwoIsTwoHolesFromThatScaleOn) {
-  // An hourglass (0,0)(6,0)(4,3)(6,6)(0,6)(2,3) as a hole, waist 2 at height 3, and a square of
-  // side t: it passes the waist iff t < 2 - 2 t/3 (the waist at height t/2 off the middle is wider
-  // by 2 t/3, but the square's reach counts at the waist itself: its side must be below 2).
+TEST(CriticalScale, HoleSplitsInTwoWhereItsWaistBecomesTooNarrow) {
+  // The hole is an hourglass of waist 2, so of waist 2s after scaling. The unit square, wherever it
+  // straddles the waist, has a width of 2s to itself: it passes iff 2s > 1. At s = 1/2 the hole is
+  // of height 3 and of width 3 at top and bottom, with room for the square on either side.
   const PolygonSet frame =
       region(rectangle(-9, -9, 15, 15), {{{0, 0}, {6, 0}, {4, 3}, {6, 6}, {0, 6}, {2, 3}}});
   const PolygonSet unit = box(0, 0, 1, 1);
   const Rational tiny = Rational(1) / Rational(Integer(1) << 50);
   for (const Route route : routes) {
-    // t = 1 / s with the frame scaled: the hole's waist is 2 s, the square's side 1.
     const Sum wide = minkowski_sum(frame, unit, Rational(1, 2) + tiny, route);
     const Sum tight = minkowski_sum(frame, unit, Rational(1, 2), route);
     const Sum narrow = minkowski_sum(frame, unit, Rational(1, 2) - tiny, route);

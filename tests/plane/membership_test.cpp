@@ -10,8 +10,9 @@ namespace minkref::testing {
 namespace {
 
 const char* name(Contact contact) {
-  return contact == Contact::empty ? "empty" : contact == Contact::touching ? "touching"
-                                                                            : "overlapping";
+  return contact == Contact::empty      ? "empty"
+         : contact == Contact::touching ? "touching"
+                                        : "overlapping";
 }
 
 bool holds(const PolygonSet& set, const Point& x) {
@@ -46,7 +47,8 @@ std::vector<Point> trial_points(Source& random, const Case& c, const PolygonSet&
     trial.push_back(any(sum));
     trial.push_back(any(sum) + Point{Rational(random.between(-3, 3), 1 << random.between(0, 40)),
                                      Rational(random.between(-3, 3), 7)});
-    trial.push_back({Rational(random.between(-200, 400), 13), Rational(random.between(-200, 400), 11)});
+    trial.push_back(
+        {Rational(random.between(-200, 400), 13), Rational(random.between(-200, 400), 11)});
   }
   return trial;
 }

@@ -29,8 +29,8 @@ void expect_membership_on_a_grid(const PolygonSet& P, const PolygonSet& Q, const
 
 TEST(PublishedFaults, HoleIsLostByAPointTakenOutsideItsFace) {  // CGAL 5830
   // |[0,20]^2 + triangle| = 400 + 20 + 20 + 1/2; the hole is of area 19/8.
-  const PolygonSet P = region(rectangle(0, 0, 20, 20),
-                              {{{6, 12}, {7, 16}, {11, 16}, {9, 14}, {8, 14}, {7, 12}}});
+  const PolygonSet P =
+      region(rectangle(0, 0, 20, 20), {{{6, 12}, {7, 16}, {11, 16}, {9, 14}, {8, 14}, {7, 12}}});
   const PolygonSet Q = region({{1, 1}, {0, 1}, {0, 0}});
   for (const Sum& sum : by_all_routes(P, Q)) {
     EXPECT_EQ(area(sum), Rational(3505, 8));  // 438.125
@@ -41,9 +41,8 @@ TEST(PublishedFaults, HoleIsLostByAPointTakenOutsideItsFace) {  // CGAL 5830
 }
 
 TEST(PublishedFaults, HolesTooSmallToSurvive) {  // CGAL 5839
-  const PolygonSet P =
-      region(rectangle(0, 0, 13, 9),
-             {rectangle(2, 1, 6, 4), rectangle(7, 2, 8, 4), rectangle(10, 2, 11, 4)});
+  const PolygonSet P = region(rectangle(0, 0, 13, 9), {rectangle(2, 1, 6, 4), rectangle(7, 2, 8, 4),
+                                                       rectangle(10, 2, 11, 4)});
   for (const Sum& sum : by_all_routes(P, box(0, 0, 3, 3))) {
     EXPECT_EQ(text(sum.region), text(box(0, 0, 16, 12)));
     EXPECT_EQ(sum.holes, 0U);

@@ -108,8 +108,16 @@ inline int repetitions(int count) {
 }
 
 inline Rational random_scale(Source& random) {
-  static const Rational scales[] = {1, 1, 1, 2, Rational(1, 2), Rational(1, 3), Rational(3, 2),
-                                    3, Rational(7, 5), Rational(541, 186)};
+  static const Rational scales[] = {1,
+                                    1,
+                                    1,
+                                    2,
+                                    Rational(1, 2),
+                                    Rational(1, 3),
+                                    Rational(3, 2),
+                                    3,
+                                    Rational(7, 5),
+                                    Rational(541, 186)};
   return scales[random.below(std::size(scales))];
 }
 

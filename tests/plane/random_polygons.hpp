@@ -232,8 +232,10 @@ inline void punch_holes(Source& random, PolygonSet& set, int attempts, int size)
   for (int i = 0; i < attempts; ++i) {
     Ring hole;
     const int x = random.between(0, size), y = random.between(0, size), reach = size / 3 + 1;
+    const int parts = random.between(1, 2);
     for (int k = random.between(3, 4); k > 0; --k) {
-      hole.push_back({x + random.between(0, reach), y + random.between(0, reach)});
+      hole.push_back({x + Rational(random.between(0, reach), parts),
+                      y + Rational(random.between(0, reach), parts)});
     }
     PolygonSet with = set;
     with.polygons[random.below(with.polygons.size())].holes.push_back(std::move(hole));
@@ -273,7 +275,7 @@ inline PolygonSet random_convex_polygon(Source& random, int points = 7, int size
   }
 }
 
-/// Any of the kinds above.
+/// Any of the kinds above; about one in eight has holes.
 inline PolygonSet random_region(Source& random, int most_cells = 3) {
   switch (random.below(6)) {
     case 0:
@@ -282,7 +284,7 @@ inline PolygonSet random_region(Source& random, int most_cells = 3) {
     case 2: {
       const int size = random.between(4, 12);
       PolygonSet set = random_simple_polygon(random, random.between(3, 4 * most_cells), size);
-      if (random.coin()) punch_holes(random, set, 12, size);
+      if (random.below(3) != 0) punch_holes(random, set, 25, size);
       return set;
     }
     default:

@@ -20,9 +20,7 @@ inline Point operator*(const Rational& s, const Point& p) {
 inline Rational cross(const Point& u, const Point& v) { return u.x * v.y - u.y * v.x; }
 inline Rational dot(const Point& u, const Point& v) { return u.x * v.x + u.y * v.y; }
 inline Point midpoint(const Point& a, const Point& b) { return Rational(1, 2) * (a + b); }
-inline bool less_xy(const Point& a, const Point& b) {
-  return a.x != b.x ? a.x < b.x : a.y < b.y;
-}
+inline bool less_xy(const Point& a, const Point& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
 
 inline bool on_segment(const Point& x, const Point& a, const Point& b) {
   return sign(cross(b - a, x - a)) == 0 && sign(dot(x - a, x - b)) <= 0;

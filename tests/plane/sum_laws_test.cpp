@@ -51,9 +51,8 @@ TEST(SumLaws, TranslationOfEitherOperandTranslatesTheSum) {
 
 TEST(SumLaws, Commutativity) {
   MINKREF_SEEDED(random, 102);
-  expect_law(random, 150, [](const Case& c) {
-    return unequal(sum(c.P, c.Q, 1), sum(c.Q, c.P, 1));
-  });
+  expect_law(random, 150,
+             [](const Case& c) { return unequal(sum(c.P, c.Q, 1), sum(c.Q, c.P, 1)); });
 }
 
 TEST(SumLaws, ScalingPIsScalingTheSumOfPAndTheShrunkQ) {

@@ -7,13 +7,13 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-
 from minkref.fuzz.baseline import Baseline
 from minkref.fuzz.case_list import CaseList
 from minkref.fuzz.runner import Run, run
 from minkref.fuzz.targets import Limits
 
 SEED = 20
+NO_BASELINE = Baseline()
 
 
 @pytest.fixture
@@ -27,7 +27,7 @@ def verify(faulty_sums: None) -> Callable[..., Run]:
     def call(
         *targets: str,
         pairs: int = 12,
-        baseline: Baseline = Baseline(),  # noqa: B008 immutable
+        baseline: Baseline = NO_BASELINE,
         jobs: int = 1,
         named: tuple[str, ...] = (),
         call_seconds: float = 30.0,

@@ -10,12 +10,11 @@ from typing import Any
 
 import jsonschema
 import pytest
-
 from minkref.cli import run
 from minkref.schemas import schema
 
 WRONG = "py:faulty_sums:loses_holes"
-FEW = ("--pairs", "150", "--no-models")
+FEW = ("--pairs", "500", "--no-models")
 
 
 @pytest.fixture
@@ -48,7 +47,7 @@ def test_table_shows_verdicts_witness_and_the_line_that_reproduces(minkref: Any)
     code, out, err = minkref("minkref:paper", WRONG, *FEW)
     assert (code, err) == (1, "")
     for text in (
-        "150 pass",
+        "500 pass",
         "wrong: hole-lost",
         "witness (",
         "is outside the sum",

@@ -7,7 +7,6 @@ from fractions import Fraction
 from typing import Any
 
 import pytest
-
 from minkref import _core
 from minkref.fuzz.case import Case, CaseName
 from minkref.fuzz.comparison import settle

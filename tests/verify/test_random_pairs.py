@@ -10,7 +10,6 @@ import sys
 from typing import Any
 
 import pytest
-
 from minkref import _core
 from minkref.fuzz.random_pairs import GROWTH, Pair, random_pair
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 
 import pytest
-
 from minkref.fuzz.verdict import Witness
 from minkref.fuzz.witness import holds
 

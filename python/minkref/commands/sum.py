@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Annotated, Any
 
 import typer
+
 from minkref import _core
 from minkref.documents import Stopwatch, as_text, check_writable, document, write_atomically
 from minkref.errors import Refusal, refusing

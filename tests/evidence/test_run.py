@@ -1,0 +1,113 @@
+"""`make evidence` itself: exit codes, what is run, and which summary is written."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import pytest
+
+pytest.importorskip("minkref._core", reason="the extension module is not built")
+
+from minkref.reports.evidence import run
+from minkref.reports.evidence.framework import child, store
+from minkref.reports.evidence.framework.part import Findings, Part
+
+
+def findings(quick: bool) -> Findings:
+    found = Findings()
+    found.law("one is one", True, 1, 1)
+    return found
+
+
+class Stage:
+    """Two parts, the second without a quick form, and what their runs give."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self.ran: list[str] = []
+        self.outcome: dict[str, str] = {}
+        self.parts = {
+            "first": Part("first", "The first subject.", 1.0, 0.1, (), findings),
+            "second": Part("second", "The second subject.", 1.0, None, (), findings),
+        }
+
+    def run_in_child(self, part: Part, quick: bool, tick: object) -> dict[str, object]:
+        self.ran.append(part.name)
+        found = part.run(quick)
+        outcome = self.outcome.get(part.name, "met")
+        if outcome == "missed":
+            found.target("speed", False, 1, 2)
+        error = "RuntimeError: broke down" if outcome == "error" else ""
+        document = child.document_of(part, quick, found, 1.0, error)
+        store.write(document)
+        return document
+
+
+@pytest.fixture
+def stage(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Stage:
+    made = Stage(tmp_path)
+    monkeypatch.setattr(store, "FOLDER", tmp_path / "evidence")
+    monkeypatch.setattr(store, "SCRIPTS_FOLDER", tmp_path)
+    monkeypatch.setattr(run, "names", lambda: sorted(made.parts))
+    monkeypatch.setattr(run, "load", made.parts.__getitem__)
+    monkeypatch.setattr(child, "run_in_child", made.run_in_child)
+    monkeypatch.delenv("QUICK", raising=False)
+    return made
+
+
+def call(monkeypatch: pytest.MonkeyPatch, *arguments: str) -> int:
+    monkeypatch.setattr(sys, "argv", ["run.py", *arguments])
+    return run.main()
+
+
+def test_missed_target_does_not_fail_the_run(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
+    stage.outcome["first"] = "missed"
+    assert call(monkeypatch) == 0
+    assert "| [first](#first) | missed |" in (stage.folder / "SUMMARY.md").read_text()
+
+
+def test_error_fails_the_run_and_the_other_parts_run(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    stage.outcome["first"] = "error"
+    assert call(monkeypatch) == 1
+    assert stage.ran == ["first", "second"]
+    assert "Broke down: `RuntimeError: broke down`" in (stage.folder / "SUMMARY.md").read_text()
+
+
+def test_finished_parts_are_not_run_again_but_failed_ones_are(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    stage.outcome["first"] = "error"
+    assert call(monkeypatch) == 1
+    stage.outcome.clear()
+    assert call(monkeypatch) == 0
+    assert stage.ran == ["first", "second", "first"]
+
+
+def test_quick_run_writes_no_committed_summary(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("QUICK", "1")
+    assert call(monkeypatch) == 0
+    assert stage.ran == ["first"]
+    assert not (stage.folder / "SUMMARY.md").exists()
+    text = (stage.folder / "evidence" / "summary-quick.md").read_text()
+    assert "met (quick)" in text
+    assert "| second | full run only |" in text
+
+
+def test_only_named_parts_are_run_and_the_summary_keeps_the_others(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert call(monkeypatch, "second") == 0
+    assert call(monkeypatch, "first") == 0
+    assert stage.ran == ["second", "first"]
+    text = (stage.folder / "SUMMARY.md").read_text()
+    assert "| [first](#first) | met |" in text and "| [second](#second) | met |" in text
+
+
+def test_unknown_part_is_wrong_usage(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert call(monkeypatch, "third") == 2
+    assert stage.ran == []

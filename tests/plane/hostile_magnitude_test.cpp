@@ -1,0 +1,85 @@
+// Numbers far beyond doubles, and numbers of unlike magnitude.
+#include <gtest/gtest.h>
+
+#include "reference/plane/sum.hpp"
+#include "reference/plane/witness.hpp"
+#include "tests/plane/random_cases.hpp"
+
+namespace minkref::testing {
+namespace {
+
+const Integer huge = Integer(1) << 4000;
+
+std::vector<Rational> magnitudes() {
+  return {Rational(huge), Rational(Integer(1), huge), Rational(Integer(1) << 1023),
+          Rational(Integer(1), Integer(1) << 1074), Rational((Integer(1) << 1024) - 1)};
+}
+
+TEST(HostileMagnitude, SumsAreExactBeyondTheRangeOfDoubles) {
+  MINKREF_SEEDED(random, 2100);
+  expect_law(random, 15, [](const Case& c) -> std::string {
+    const PolygonSet sum = minkowski_sum(c.P, c.Q, c.scale).region;
+    for (const Rational& m : magnitudes()) {
+      for (const Route route : {Route::paper, Route::winding, Route::definition}) {
+        const std::string fault =
+            unequal(stretched(sum, m),
+                    minkowski_sum(stretched(c.P, m), stretched(c.Q, m), c.scale, route).region);
+        if (!fault.empty()) return fault;
+      }
+    }
+    return "";
+  });
+}
+
+TEST(HostileMagnitude, OneOperandHugeTheOtherTiny) {
+  const Rational big(huge), small = 1 / big;
+  for (const Route route : {Route::paper, Route::winding, Route::definition}) {
+    EXPECT_EQ(minkowski_sum(box(0, 0, big, big), box(0, 0, small, small), 1, route).region,
+              box(0, 0, big + small, big + small));
+    EXPECT_EQ(minkowski_sum(box(0, 0, 1, 1), box(0, 0, small, small), big, route).region,
+              box(0, 0, big + small, big + small));
+    EXPECT_EQ(minkowski_sum(box(0, 0, big, 1), box(0, 0, 1, big), 1, route).region,
+              box(0, 0, big + 1, big + 1));
+  }
+}
+
+TEST(HostileMagnitude, AHoleSmallerThanAnyDoubleIsKeptAndClosedExactly) {
+  const Rational e(Integer(1), huge);
+  const PolygonSet frame = region(rectangle(0, 0, 4, 4), {rectangle(1, 1, 1 + 2 * e, 1 + 2 * e)});
+  for (const Route route : {Route::paper, Route::winding, Route::definition}) {
+    EXPECT_EQ(minkowski_sum(frame, box(0, 0, e, e), 1, route).holes, 1U);
+    EXPECT_EQ(minkowski_sum(frame, box(0, 0, 2 * e, 2 * e), 1, route).holes, 0U);
+  }
+  EXPECT_EQ(decide(frame, box(0, 0, 2 * e, 2 * e), 1, {1 + 2 * e, 1 + 2 * e}).contact,
+            Contact::touching);
+}
+
+TEST(HostileMagnitude, NearlyParallelEdges) {
+  // Directions that differ by one unit in 2^200: no filter of doubles can tell them apart.
+  const Rational w(Integer(1) << 200);
+  const PolygonSet P = region({{0, 0}, {w, 1}, {w, 2}}), Q = region({{0, 0}, {w + 1, 1}, {w, 3}});
+  std::vector<Point> sums;
+  for (const Point& p : P.polygons[0].outer) {
+    for (const Point& q : Q.polygons[0].outer) sums.push_back(p + q);
+  }
+  for (const Route route : {Route::paper, Route::winding, Route::definition}) {
+    EXPECT_EQ(text(minkowski_sum(P, Q, 1, route).region), text(region(convex_hull(sums))));
+  }
+}
+
+TEST(HostileMagnitude, OtherArithmeticsAnswerOrThrowAnErrorOfOurs) {
+  const PolygonSet L = region({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 2}, {0, 2}});
+  for (const char* name : {"double", "mpfr:53", "mpfr:256", "interval"}) {
+    for (const Rational& m : magnitudes()) {
+      try {
+        const Sum sum = minkowski_sum(stretched(L, m), box(0, 0, 1, 1), 1, Route::paper, name);
+        EXPECT_LE(sum.holes, 10U);
+      } catch (const Error&) {
+        SUCCEED();
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace minkref::testing
