@@ -14,7 +14,7 @@ STYLE = (
     ".sum{fill:#cfe3d4;stroke:#1e6b3a;stroke-width:.6}"
     "text{font:13px sans-serif;fill:#333}</style>"
 )
-PANE, HEIGHT = 340, 400
+PANE, HEIGHT = 340, 508
 #: of disc, cells, convolution and sum the disc is left out: it is a speck beside the rest
 PANES = (1, 2, 3)
 

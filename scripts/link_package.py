@@ -70,7 +70,8 @@ def write_command(command: Path, entry: str) -> None:
     module, function = entry.split(":")
     command.write_text(
         f"#!{sys.executable}\nimport sys\n\nfrom {module} import {function}\n\n"
-        f"sys.exit({function}())\n",
+        # The guard lets worker processes import the command's module without running it.
+        f'if __name__ == "__main__":\n    sys.exit({function}())\n',
         encoding="utf-8",
     )
     command.chmod(0o755)
