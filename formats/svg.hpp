@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/plane/convolution.hpp"
+#include "reference/plane/convolution/convolution.hpp"
 #include "reference/plane/polygon_set.hpp"
 
 namespace minkref {

@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include "python/core.hpp"
-#include "reference/plane/canonical.hpp"
+#include "reference/plane/boundary/canonical.hpp"
 #include "reference/plane/witness.hpp"
 
 namespace nb = nanobind;

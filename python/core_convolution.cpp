@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "python/core.hpp"
-#include "reference/plane/convolution.hpp"
+#include "reference/plane/convolution/convolution.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;

@@ -7,8 +7,8 @@
 #include <tuple>
 
 #include "python/core.hpp"
-#include "reference/plane/face_points.hpp"
 #include "reference/plane/filter_trial.hpp"
+#include "reference/plane/routes/face_points.hpp"
 #include "reference/plane/witness.hpp"
 
 namespace nb = nanobind;

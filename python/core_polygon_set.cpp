@@ -12,7 +12,7 @@
 #include "formats/refusal_place.hpp"
 #include "formats/write.hpp"
 #include "python/core.hpp"
-#include "reference/plane/canonical.hpp"
+#include "reference/plane/boundary/canonical.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;

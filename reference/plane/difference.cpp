@@ -1,9 +1,9 @@
 #include <algorithm>
 
-#include "reference/plane/exact_arrangement.hpp"
-#include "reference/plane/interior_point.hpp"
+#include "reference/plane/arrangement/exact_arrangement.hpp"
+#include "reference/plane/arrangement/interior_point.hpp"
+#include "reference/plane/arrangement/winding_numbers.hpp"
 #include "reference/plane/location.hpp"
-#include "reference/plane/winding_route.hpp"
 #include "reference/plane/witness.hpp"
 
 namespace minkref {

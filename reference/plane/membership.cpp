@@ -2,9 +2,9 @@
 #include <array>
 
 #include "reference/error.hpp"
-#include "reference/plane/box_tree.hpp"
+#include "reference/plane/arrangement/box_tree.hpp"
 #include "reference/plane/location.hpp"
-#include "reference/plane/simply_connected.hpp"
+#include "reference/plane/routes/simply_connected.hpp"
 #include "reference/plane/witness.hpp"
 
 namespace minkref {

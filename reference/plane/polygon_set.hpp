@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,12 @@ struct PolygonSet {
   std::size_t vertices() const;  ///< over all rings
   std::size_t rings() const;
   friend bool operator==(const PolygonSet&, const PolygonSet&) = default;
+};
+
+/// A vertex of an operand: ring number (outer, holes, outer, holes, ...) and index within the ring.
+struct VertexId {
+  std::uint32_t ring = 0, index = 0;
+  friend bool operator==(const VertexId&, const VertexId&) = default;
 };
 
 /// Refuses what is not regular closed (docs/definitions.md, "Polygon set"): rings are numbered in

@@ -1,8 +1,8 @@
 #include "reference/plane/sum.hpp"
 
 #include "reference/error.hpp"
-#include "reference/plane/boundary_graph.hpp"
-#include "reference/plane/routes.hpp"
+#include "reference/plane/boundary/boundary_graph.hpp"
+#include "reference/plane/routes/routes.hpp"
 
 namespace minkref {
 namespace {

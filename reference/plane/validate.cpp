@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "reference/error.hpp"
-#include "reference/plane/box_tree.hpp"
+#include "reference/plane/arrangement/box_tree.hpp"
 #include "reference/plane/location.hpp"
 #include "reference/plane/polygon_set.hpp"
 

@@ -2,7 +2,7 @@
 // library.
 #include <iostream>
 
-#include "reference/plane/canonical.hpp"
+#include "reference/plane/boundary/canonical.hpp"
 #include "reference/plane/sum.hpp"
 
 int main() {

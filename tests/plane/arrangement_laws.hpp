@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "reference/plane/arrangement.hpp"
+#include "reference/plane/arrangement/arrangement.hpp"
 #include "reference/plane/kernel/plain_kernel.hpp"
 #include "tests/plane/contact_by_edges.hpp"
 

@@ -1,7 +1,7 @@
 // Walks along the boundary of a set given as a graph.
 #include <gtest/gtest.h>
 
-#include "reference/plane/boundary_graph.hpp"
+#include "reference/plane/boundary/boundary_graph.hpp"
 #include "tests/plane/contact_by_edges.hpp"
 #include "tests/plane/random_cases.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <tuple>
 
-#include "reference/plane/convolution.hpp"
+#include "reference/plane/convolution/convolution.hpp"
 #include "tests/plane/ray_casting.hpp"
 
 namespace minkref::testing {

@@ -1,12 +1,12 @@
 // The convolution and the reduced convolution: which edges, and what they cover
 // (Behar & Lien 2012, Sec. 3).
-#include "reference/plane/convolution.hpp"
+#include "reference/plane/convolution/convolution.hpp"
 
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "reference/plane/simply_connected.hpp"
+#include "reference/plane/routes/simply_connected.hpp"
 #include "reference/plane/sum.hpp"
 #include "tests/plane/contact_by_edges.hpp"
 #include "tests/plane/convolution_rule.hpp"

@@ -1,7 +1,7 @@
 // Three routes that share as little as they can have one answer.
 #include <gtest/gtest.h>
 
-#include "reference/plane/face_points.hpp"
+#include "reference/plane/routes/face_points.hpp"
 #include "reference/plane/sum.hpp"
 #include "tests/plane/contact_by_edges.hpp"
 #include "tests/plane/random_cases.hpp"

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "reference/plane/canonical.hpp"
+#include "reference/plane/boundary/canonical.hpp"
 #include "reference/plane/polygon_set.hpp"
 
 namespace minkref::testing {

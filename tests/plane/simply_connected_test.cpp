@@ -1,5 +1,5 @@
 // Sets cut along slits, and triangulated.
-#include "reference/plane/simply_connected.hpp"
+#include "reference/plane/routes/simply_connected.hpp"
 
 #include <gtest/gtest.h>
 

@@ -20,7 +20,7 @@
 #include <concepts>
 #include <cstdint>
 
-#include "reference/plane/box.hpp"
+#include "reference/plane/kernel/box.hpp"
 
 namespace minkref {
 

@@ -1,0 +1,125 @@
+// Arrangement: cutting segments at their contacts, merging what coincides, ordering edges around
+// nodes.
+#pragma once
+
+#include "reference/plane/arrangement/arrangement.hpp"
+
+namespace minkref {
+
+template <class K>
+void Arrangement<K>::subdivide() {
+  const auto representative = coincident_vertices(kernel_, vertices_);
+  for (IndexedSegment& s : segments_) s = {representative[s.from], representative[s.to]};
+  // Degenerate segments keep their index (callers know segments by it) but take no part.
+  std::vector<IndexedSegment> proper;
+  std::vector<std::uint32_t> name;
+  for (std::uint32_t i = 0; i < segments_.size(); ++i) {
+    if (segments_[i].from == segments_[i].to) continue;
+    proper.push_back(segments_[i]);
+    name.push_back(i);
+  }
+  SegmentContacts<K> meeting(kernel_, vertices_, proper);
+  auto& contacts = meeting.contacts();
+  directions_.resize(segments_.size());
+  for (std::uint32_t i = 0; i < proper.size(); ++i) directions_[name[i]] = meeting.directions()[i];
+
+  // Contacts by segment (counting sort), then by position; contacts at one position are one point.
+  std::vector<std::uint32_t> first(proper.size() + 1, 0);
+  for (const auto& contact : contacts) ++first[contact.segment + 1];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<std::uint32_t> order(contacts.size());
+  {
+    std::vector<std::uint32_t> place(first.begin(), first.end());
+    for (std::uint32_t c = 0; c < contacts.size(); ++c) order[place[contacts[c].segment]++] = c;
+  }
+  parent_.resize(vertices_.size() + meeting.crossings().size());
+  std::iota(parent_.begin(), parent_.end(), 0U);
+  for (std::size_t i = 0; i < proper.size(); ++i) {
+    const auto begin = order.begin() + first[i], end = order.begin() + first[i + 1];
+    std::stable_sort(begin, end, [&](std::uint32_t a, std::uint32_t b) {
+      return kernel_.compare(contacts[a].position, contacts[b].position) < 0;
+    });
+    for (auto c = begin; c != end && c + 1 != end; ++c) {
+      if (find(contacts[c[0]].point) == find(contacts[c[1]].point)) continue;
+      if (kernel_.compare(contacts[c[0]].position, contacts[c[1]].position) != 0) continue;
+      const std::uint32_t a = find(contacts[c[0]].point), b = find(contacts[c[1]].point);
+      parent_[std::max(a, b)] = std::min(a, b);  // a vertex represents before a crossing does
+    }
+  }
+
+  // Nodes are numbered as they are met along the segments.
+  std::vector<std::uint32_t> number(parent_.size(), none);
+  const auto node_of = [&](std::uint32_t point) {
+    const std::uint32_t root = find(point);
+    if (number[root] != none) return number[root];
+    number[root] = static_cast<std::uint32_t>(nodes_.size());
+    if (root < vertices_.size()) {
+      nodes_.push_back(kernel_.node(vertices_[root]));
+      provenance_.push_back({none, none, root});
+    } else {
+      const auto& crossing = meeting.crossings()[root - vertices_.size()];
+      const std::uint32_t a = name[crossing.first], b = name[crossing.second];
+      const Vector w(vertices_[segments_[b].from] - vertices_[segments_[a].from]);
+      nodes_.push_back(kernel_.node(vertices_[segments_[a].from], directions_[a],
+                                    kernel_.intersection(w, directions_[a], directions_[b])));
+      provenance_.push_back({a, b, none});
+    }
+    return number[root];
+  };
+  struct Piece {
+    std::uint32_t low, high;
+    Cover cover;
+  };
+  std::vector<Piece> pieces;
+  pieces.reserve(proper.size() + contacts.size());
+  for (std::uint32_t i = 0; i < proper.size(); ++i) {
+    std::uint32_t previous = node_of(proper[i].from);
+    const auto cut = [&](std::uint32_t point) {
+      const std::uint32_t n = node_of(point);
+      if (n == previous) return;
+      pieces.push_back({std::min(previous, n), std::max(previous, n), {name[i], previous < n}});
+      previous = n;
+    };
+    for (std::uint32_t c = first[i]; c < first[i + 1]; ++c) cut(contacts[order[c]].point);
+    cut(proper[i].to);
+  }
+  // Pieces between the same two nodes are one sub-edge.
+  std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
+    return a.low != b.low ? a.low < b.low : a.high < b.high;
+  });
+  covers_.reserve(pieces.size());
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (i == 0 || pieces[i].low != pieces[i - 1].low || pieces[i].high != pieces[i - 1].high) {
+      first_cover_.push_back(static_cast<std::uint32_t>(covers_.size()));
+      origin_.push_back(pieces[i].low);
+      origin_.push_back(pieces[i].high);
+    }
+    covers_.push_back(pieces[i].cover);
+  }
+  first_cover_.push_back(static_cast<std::uint32_t>(covers_.size()));
+}
+
+template <class K>
+void Arrangement<K>::link() {
+  first_leaving_.assign(nodes_.size() + 1, 0);
+  for (const std::uint32_t n : origin_) ++first_leaving_[n + 1];
+  std::partial_sum(first_leaving_.begin(), first_leaving_.end(), first_leaving_.begin());
+  leaving_.resize(origin_.size());
+  {
+    std::vector<std::uint32_t> place(first_leaving_.begin(), first_leaving_.end());
+    for (std::uint32_t h = 0; h < origin_.size(); ++h) leaving_[place[origin_[h]]++] = h;
+  }
+  next_.resize(origin_.size());
+  for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
+    const auto begin = leaving_.begin() + first_leaving_[n];
+    const auto end = leaving_.begin() + first_leaving_[n + 1];
+    std::stable_sort(begin, end, [&](std::uint32_t g, std::uint32_t h) {
+      return angle_less(kernel_, direction(g), direction(h));
+    });
+    // After arriving by the twin of a leaving half-edge, the face on the left continues with its
+    // clockwise neighbour.
+    for (auto h = begin; h != end; ++h) next_[*h ^ 1U] = h == begin ? *(end - 1) : *(h - 1);
+  }
+}
+
+}  // namespace minkref

@@ -1,0 +1,13 @@
+// The arrangement over the exact kernels, compiled once for each of them.
+#pragma once
+
+#include "reference/plane/arrangement/arrangement.hpp"
+#include "reference/plane/kernel/exact_frame.hpp"
+
+namespace minkref {
+
+extern template class Arrangement<GridKernel<Grid64>>;
+extern template class Arrangement<GridKernel<Grid256>>;
+extern template class Arrangement<PlainKernel<Rational>>;
+
+}  // namespace minkref

@@ -1,0 +1,38 @@
+// Winding numbers of the faces about closed curves given by signed segments.
+#pragma once
+
+#include <vector>
+
+#include "reference/plane/arrangement/arrangement.hpp"
+
+namespace minkref {
+
+/// The winding number of every face: the signed count of segments crossed on the way in from the
+/// unbounded face. `sign_of_segment(i)` is the multiplicity of segment i. Exact. O(size of the
+/// arrangement).
+template <class K, class Sign>
+std::vector<int> winding_numbers(const Arrangement<K>& arrangement, Sign&& sign_of_segment) {
+  std::vector<int> winding(arrangement.face_count(), 0);
+  std::vector<bool> known(arrangement.face_count(), false);
+  std::vector<std::uint32_t> queue{0};
+  known[0] = true;
+  while (!queue.empty()) {
+    const std::uint32_t face = queue.back();
+    queue.pop_back();
+    arrangement.for_each_half_edge(face, [&](std::uint32_t h) {
+      const std::uint32_t other = arrangement.face(h ^ 1U);
+      if (known[other]) return;
+      int step = 0;  // from the left of h to its right
+      for (auto cover = arrangement.covers_begin(h); cover != arrangement.covers_end(h); ++cover) {
+        step += arrangement.runs_with(h, *cover) ? -sign_of_segment(cover->segment)
+                                                 : sign_of_segment(cover->segment);
+      }
+      known[other] = true;
+      winding[other] = winding[face] + step;
+      queue.push_back(other);
+    });
+  }
+  return winding;
+}
+
+}  // namespace minkref

@@ -1,0 +1,44 @@
+// The boundary of a closed regular set as a graph, and its canonical form.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "reference/plane/boundary/canonical.hpp"
+#include "reference/plane/polygon_set.hpp"
+
+namespace minkref {
+
+/// Directed straight edges with the interior of the set on their left and its exterior on their
+/// right. Edges meet only at points; two edges that leave a point have different directions; no two
+/// points are equal.
+struct BoundaryGraph {
+  std::vector<Point> points;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;  ///< from, to
+};
+
+/// A closed walk along the boundary of one connected component of the interior. The pairing of
+/// edges at a point is that of the wedges of the interior, so a walk passes a point once for each
+/// of the wedges it bounds there.
+struct Walk {
+  std::vector<std::uint32_t> points;
+  bool encloses = false;  ///< the outer boundary of its component (else the boundary of holes)
+  std::uint32_t component = 0;  ///< components are numbered from 0
+};
+
+struct Walks {
+  std::vector<Walk> walks;
+  std::size_t components = 0;  ///< connected components of the interior
+  std::size_t holes = 0;       ///< bounded connected components of the complement
+};
+
+/// All walks, each with the component that it bounds. Exact. O(n log n + h n) for h walks that
+/// enclose nothing.
+Walks boundary_walks(const BoundaryGraph& graph);
+
+/// docs/definitions.md, "Canonical form": walks split into simple rings at repeated points,
+/// collinear vertices merged, rings rotated and sorted. Exact.
+Canonical canonical_form(const BoundaryGraph& graph);
+
+}  // namespace minkref

@@ -1,0 +1,197 @@
+// Closed walks along a boundary, the component of the interior that each bounds, and the holes of
+// the set.
+#include <algorithm>
+#include <functional>
+#include <numeric>
+
+#include "reference/plane/boundary/boundary_graph.hpp"
+#include "reference/plane/point_predicates.hpp"
+
+namespace minkref {
+namespace {
+
+constexpr std::uint32_t none = 0xffffffffU;
+
+class WalkFinder {
+ public:
+  explicit WalkFinder(const BoundaryGraph& graph) : graph_(graph) {
+    points_.reserve(graph.points.size());
+    for (const Point& point : graph.points) points_.emplace_back(point);
+    order_rays();
+  }
+
+  Walks find() {
+    Walks result;
+    const Cycles interior = cycles(true);
+    std::vector<std::uint32_t> walk_of(graph_.edges.size());
+    for (std::uint32_t w = 0; w < interior.first.size(); ++w) {
+      Walk& walk = result.walks.emplace_back();
+      std::uint32_t e = interior.first[w];
+      do {
+        walk.points.push_back(graph_.edges[e].first);
+        walk_of[e] = w;
+        e = interior.next[e];
+      } while (e != interior.first[w]);
+      walk.encloses = !opens_to_the_left(interior, w, true);
+    }
+    assign_components(result, interior, walk_of);
+    const Cycles exterior = cycles(false);
+    for (std::uint32_t w = 0; w < exterior.first.size(); ++w) {
+      result.holes += !opens_to_the_left(exterior, w, false);
+    }
+    return result;
+  }
+
+ private:
+  /// An edge seen from one of its ends.
+  struct Ray {
+    std::uint32_t edge;
+    bool leaving;
+  };
+  struct Cycles {
+    std::vector<std::uint32_t> next;   ///< edge after each edge
+    std::vector<std::uint32_t> first;  ///< an edge of each cycle
+    std::vector<std::uint32_t> least;  ///< its lexicographically least point
+  };
+
+  const FilteredPoint& far_end(const Ray& ray) const {
+    const auto& edge = graph_.edges[ray.edge];
+    return points_[ray.leaving ? edge.second : edge.first];
+  }
+
+  /// Rays around each point, counter-clockwise from the angle of -180 degrees.
+  void order_rays() {
+    first_ray_.assign(points_.size() + 1, 0);
+    for (const auto& [from, to] : graph_.edges) ++first_ray_[from + 1], ++first_ray_[to + 1];
+    std::partial_sum(first_ray_.begin(), first_ray_.end(), first_ray_.begin());
+    rays_.resize(2 * graph_.edges.size());
+    std::vector<std::uint32_t> place(first_ray_.begin(), first_ray_.end());
+    for (std::uint32_t e = 0; e < graph_.edges.size(); ++e) {
+      rays_[place[graph_.edges[e].first]++] = {e, true};
+      rays_[place[graph_.edges[e].second]++] = {e, false};
+    }
+    for (std::uint32_t p = 0; p < points_.size(); ++p) {
+      const FilteredPoint& at = points_[p];
+      const auto half = [&](const Ray& ray) {
+        const int y = compare_y(far_end(ray), at);
+        return y < 0 || (y == 0 && compare_x(far_end(ray), at) < 0) ? 0 : 1;
+      };
+      std::stable_sort(rays_.begin() + first_ray_[p], rays_.begin() + first_ray_[p + 1],
+                       [&](const Ray& a, const Ray& b) {
+                         const int ha = half(a), hb = half(b);
+                         return ha != hb ? ha < hb : orientation(at, far_end(a), far_end(b)) > 0;
+                       });
+    }
+  }
+
+  /// Pairs each arriving edge with the leaving one across a wedge of the interior (the next ray
+  /// clockwise) or of the exterior (the next ray counter-clockwise).
+  Cycles cycles(bool interior) const {
+    Cycles result;
+    result.next.assign(graph_.edges.size(), none);
+    for (std::uint32_t p = 0; p < points_.size(); ++p) {
+      const std::uint32_t begin = first_ray_[p], count = first_ray_[p + 1] - begin;
+      for (std::uint32_t i = 0; i < count; ++i) {
+        if (rays_[begin + i].leaving) continue;
+        for (std::uint32_t step = 1; step < count; ++step) {
+          const std::uint32_t j = interior ? (i + count - step) % count : (i + step) % count;
+          if (!rays_[begin + j].leaving) continue;
+          result.next[rays_[begin + i].edge] = rays_[begin + j].edge;
+          break;
+        }
+      }
+    }
+    std::vector<bool> seen(graph_.edges.size(), false);
+    for (std::uint32_t first = 0; first < graph_.edges.size(); ++first) {
+      if (seen[first]) continue;
+      std::uint32_t least = graph_.edges[first].first, e = first;
+      while (!seen[e]) {
+        seen[e] = true;
+        const std::uint32_t p = graph_.edges[e].first;
+        if (p != least && compare_xy(points_[p], points_[least]) < 0) least = p;
+        e = result.next[e];
+      }
+      result.first.push_back(first);
+      result.least.push_back(least);
+    }
+    return result;
+  }
+
+  /// Whether some wedge of the cycle at its least point contains the direction to the left: then
+  /// what the cycle bounds lies outside of it.
+  bool opens_to_the_left(const Cycles& cycles, std::uint32_t cycle, bool interior) const {
+    const std::uint32_t p = cycles.least[cycle];
+    const std::uint32_t begin = first_ray_[p], count = first_ray_[p + 1] - begin;
+    std::uint32_t e = cycles.first[cycle];
+    do {
+      const std::uint32_t out = cycles.next[e];
+      if (graph_.edges[out].first == p) {
+        std::uint32_t i_in = 0, i_out = 0;
+        for (std::uint32_t i = 0; i < count; ++i) {
+          if (rays_[begin + i].edge == e && !rays_[begin + i].leaving) i_in = i;
+          if (rays_[begin + i].edge == out && rays_[begin + i].leaving) i_out = i;
+        }
+        // The wedge runs counter-clockwise from `out` to `in` (interior) or from `in` to `out`; at
+        // the least point every ray of the cycle points to the right, so it holds the left iff its
+        // first ray is last in order of angle.
+        if (interior ? i_out > i_in : i_in > i_out) return true;
+      }
+      e = out;
+    } while (e != cycles.first[cycle]);
+    return false;
+  }
+
+  void assign_components(Walks& result, const Cycles& interior,
+                         const std::vector<std::uint32_t>& walk_of) const {
+    std::vector<std::uint32_t> order(result.walks.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return compare_xy(points_[interior.least[a]], points_[interior.least[b]]) < 0;
+    });
+    for (const std::uint32_t w : order) {
+      Walk& walk = result.walks[w];
+      if (walk.encloses) {
+        walk.component = static_cast<std::uint32_t>(result.components++);
+        continue;
+      }
+      const std::uint32_t edge = nearest_to_the_left(interior.least[w]);
+      walk.component = edge == none ? 0 : result.walks[walk_of[edge]].component;
+    }
+  }
+
+  /// The edge that a ray to the left, just above the point, meets first; edges at the point itself
+  /// do not count.
+  std::uint32_t nearest_to_the_left(std::uint32_t p) const {
+    std::uint32_t nearest = none;
+    for (std::uint32_t e = 0; e < graph_.edges.size(); ++e) {
+      const auto [from, to] = graph_.edges[e];
+      if (from == p || to == p) continue;
+      // The component is on the right of an edge that runs downwards.
+      if (compare_y(points_[to], points_[p]) > 0 || compare_y(points_[p], points_[from]) >= 0)
+        continue;
+      if (orientation(points_[to], points_[from], points_[p]) >= 0) continue;
+      if (nearest == none || is_right_of(e, nearest)) nearest = e;
+    }
+    return nearest;
+  }
+
+  /// For two edges that run downwards across one height.
+  bool is_right_of(std::uint32_t g, std::uint32_t h) const {
+    const FilteredPoint &g0 = points_[graph_.edges[g].second], &g1 = points_[graph_.edges[g].first];
+    const FilteredPoint &h0 = points_[graph_.edges[h].second], &h1 = points_[graph_.edges[h].first];
+    if (graph_.edges[g].second == graph_.edges[h].second) return orientation(h0, h1, g1) < 0;
+    if (compare_y(g0, h0) >= 0) return orientation(h0, h1, g0) < 0;
+    return orientation(g0, g1, h0) > 0;
+  }
+
+  const BoundaryGraph& graph_;
+  std::vector<FilteredPoint> points_;
+  std::vector<std::uint32_t> first_ray_;
+  std::vector<Ray> rays_;
+};
+
+}  // namespace
+
+Walks boundary_walks(const BoundaryGraph& graph) { return WalkFinder(graph).find(); }
+
+}  // namespace minkref

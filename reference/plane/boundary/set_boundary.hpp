@@ -1,0 +1,17 @@
+// The boundary of the set that rings describe, whatever way they overlap.
+#pragma once
+
+#include "reference/plane/boundary/boundary_graph.hpp"
+
+namespace minkref {
+
+struct SetBoundary {
+  BoundaryGraph graph;
+  bool well_formed = true;  ///< every winding number is 0 or 1
+};
+
+/// The boundary of the set of points with a positive winding number with respect to the rings.
+/// Exact.
+SetBoundary set_boundary(const PolygonSet& rings);
+
+}  // namespace minkref

@@ -1,7 +1,0 @@
-#include "reference/plane/exact_arrangement.hpp"
-
-namespace minkref {
-
-template class Arrangement<PlainKernel<Rational>>;
-
-}  // namespace minkref

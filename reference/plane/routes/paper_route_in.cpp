@@ -1,0 +1,126 @@
+// The paper's route in arithmetics other than rational: what they answer.
+#include <charconv>
+
+#include "reference/plane/arrangement/exact_arrangement.hpp"
+#include "reference/plane/boundary/face_boundary.hpp"
+#include "reference/plane/routes/convolution_arrangement.hpp"
+#include "reference/plane/routes/paper_route.hpp"
+#include "reference/plane/routes/routes.hpp"
+
+namespace minkref {
+namespace {
+
+Rational exact_value(double value) { return from_double(value); }
+Rational exact_value(const Mpfr& value) { return exact(value); }
+
+/// The boundary as closed walks, followed in the arrangement itself: they close whatever the
+/// coordinates say.
+template <class K, class Position>
+PolygonSet boundary_rings(const Arrangement<K>& arrangement, const std::vector<bool>& inside,
+                          Position&& position) {
+  const auto on_boundary = [&](std::uint32_t h) {
+    return inside[arrangement.face(h)] && !inside[arrangement.face(h ^ 1U)];
+  };
+  PolygonSet rings;
+  std::vector<bool> seen(arrangement.half_edge_count(), false);
+  for (std::uint32_t first = 0; first < arrangement.half_edge_count(); ++first) {
+    if (seen[first] || !on_boundary(first)) continue;
+    Ring ring;
+    std::uint32_t h = first;
+    do {
+      seen[h] = true;
+      ring.push_back(position(arrangement.origin(h)));
+      h = arrangement.next(h);
+      while (!on_boundary(h)) h = arrangement.next(h ^ 1U);
+    } while (h != first);
+    rings.polygons.push_back({std::move(ring), {}});
+  }
+  return rings;
+}
+
+template <class T>
+auto scaled_frame(const PolygonSet& P, const PolygonSet& Q, const Rational& scale,
+                  const Arithmetic<T>& arithmetic) {
+  ScalarFrame<T> frame{
+      {}, scalar_operand<T>(P, arithmetic), scalar_operand<T>(Q, arithmetic), arithmetic};
+  const T s = arithmetic(scale);
+  for (auto& ring : frame.P.rings) {
+    for (auto& v : ring) v = Vector2<T>(T(v.x() * s), T(v.y() * s));
+  }
+  return frame;
+}
+
+template <class T, class Finish>
+auto run(const PolygonSet& P, const PolygonSet& Q, const Rational& scale,
+         const Arithmetic<T>& arithmetic, Statistics& statistics, Finish&& finish) {
+  const ScalarFrame<T> frame = scaled_frame(P, Q, scale, arithmetic);
+  statistics.kernel = frame.name();
+  const auto built = convolution_arrangement(frame.kernel, frame.P, frame.Q, false, statistics);
+  const auto inside = faces_of_sum(built.arrangement, connected(P) && connected(Q),
+                                   PlainFaceCollision<T>(frame.kernel, frame.P, frame.Q),
+                                   statistics.orientable_faces);
+  (std::is_same_v<T, Rational> ? statistics.by_rational : statistics.by_float) +=
+      frame.kernel.counts.by_rational;
+  return finish(built, inside);
+}
+
+/// Every sign is certified, so the structure is right and the positions follow exactly from the
+/// nodes' parents.
+Canonical interval_route(const PolygonSet& P, const PolygonSet& Q, const Rational& scale,
+                         Statistics& statistics) {
+  return run<Interval>(P, Q, scale, {}, statistics, [&](const auto& built, const auto& inside) {
+    const auto exact_p = scalar_operand<Rational>(scaled(P, scale), {});
+    const auto exact_q = scalar_operand<Rational>(Q, {});
+    const auto exact =
+        convolution_segments<PlainKernel<Rational>>(built.convolution.edges, exact_p, exact_q);
+    const PlainKernel<Rational> kernel;
+    const auto start = [&](std::uint32_t i) { return exact.vertices[exact.segments[i].from]; };
+    const auto direction = [&](std::uint32_t i) {
+      return Vector2<Rational>(exact.vertices[exact.segments[i].to] - start(i));
+    };
+    return canonical_form(face_boundary(built.arrangement, inside, [&](std::uint32_t n) -> Point {
+      const auto& from = built.arrangement.provenance(n);
+      if (from.vertex != Arrangement<PlainKernel<Interval>>::none) {
+        const auto& v = exact.vertices[from.vertex];
+        return {v.x(), v.y()};
+      }
+      const auto d = direction(from.first);
+      const Vector2<Rational> w(start(from.second) - start(from.first));
+      const auto v =
+          kernel.node(start(from.first), d, kernel.intersection(w, d, direction(from.second)));
+      return {v.x(), v.y()};
+    }));
+  });
+}
+
+template <class T>
+Canonical rounding_route(const PolygonSet& P, const PolygonSet& Q, const Rational& scale,
+                         const Arithmetic<T>& arithmetic, Statistics& statistics) {
+  return run<T>(P, Q, scale, arithmetic, statistics, [&](const auto& built, const auto& inside) {
+    return canonicalize(boundary_rings(built.arrangement, inside, [&](std::uint32_t n) -> Point {
+      const auto& v = built.arrangement.node(n);
+      return {exact_value(v.x()), exact_value(v.y())};
+    }));
+  });
+}
+
+}  // namespace
+
+Canonical paper_route_in(const std::string& arithmetic, const PolygonSet& P, const PolygonSet& Q,
+                         const Rational& scale, Statistics& statistics) {
+  if (arithmetic == "interval") return interval_route(P, Q, scale, statistics);
+  if (arithmetic == "double") return rounding_route<double>(P, Q, scale, {}, statistics);
+  const std::string prefix = "mpfr:";
+  if (arithmetic.starts_with(prefix)) {
+    long bits = 0;
+    const char* end = arithmetic.data() + arithmetic.size();
+    const auto [stop, error] = std::from_chars(arithmetic.data() + prefix.size(), end, bits);
+    if (error == std::errc{} && stop == end && bits >= 2 && bits <= 1'000'000) {
+      return rounding_route<Mpfr>(P, Q, scale, Arithmetic<Mpfr>(bits), statistics);
+    }
+  }
+  throw BadInput("unknown-arithmetic", "there is no arithmetic called \"" + arithmetic + "\"",
+                 "use rational, interval, double or mpfr:BITS with 2 to 1000000 bits");
+}
+
+}  // namespace minkref

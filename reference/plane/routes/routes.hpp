@@ -1,0 +1,24 @@
+// The three routes to the sum, each in a translation unit of its own. P is already scaled.
+#pragma once
+
+#include "reference/plane/boundary/boundary_graph.hpp"
+#include "reference/plane/sum.hpp"
+
+namespace minkref {
+
+/// Reduced convolution and collision detection, exact.
+BoundaryGraph paper_route(const PolygonSet& P, const PolygonSet& Q, Statistics& statistics);
+
+/// The paper's route in another arithmetic: "interval" (certified, or UndecidedSign), "double",
+/// "mpfr:BITS". The scale enters the computation itself. The result is what that arithmetic
+/// answers, put into canonical form exactly.
+Canonical paper_route_in(const std::string& arithmetic, const PolygonSet& P, const PolygonSet& Q,
+                         const Rational& scale, Statistics& statistics);
+
+/// Full signed convolution of operands cut to be simply connected, exact.
+BoundaryGraph winding_route(const PolygonSet& P, const PolygonSet& Q, Statistics& statistics);
+
+/// Union of the sums of all pairs of triangles, exact.
+BoundaryGraph definition_route(const PolygonSet& P, const PolygonSet& Q, Statistics& statistics);
+
+}  // namespace minkref
