@@ -45,7 +45,8 @@ def run(quick: bool) -> Findings:
         "statistics": answer.statistics,
     }
     findings.law("collinear vertices left", straight == 0, 0, straight)
-    findings.law("area by plain fractions", Fraction(area) == doubled / 2, "equal", "compared")
+    same = Fraction(area) == doubled / 2
+    findings.law("area and area by plain fractions", same, "equal", "equal" if same else "unequal")
     findings.law("rings less outer ones are the holes", len(rings) - answer.components
                  == answer.holes, len(rings) - answer.components, answer.holes)  # fmt: skip
     if real:
