@@ -8,6 +8,7 @@
 #include <CGAL/version.h>
 
 #include <chrono>
+#include <cmath>
 #include <sstream>
 #include <type_traits>
 
@@ -23,7 +24,8 @@ using ExactNumber = std::decay_t<decltype(CGAL::exact(std::declval<Kernel::FT>()
 /// The same number. A double that holds it exactly spares the kernel a rational.
 inline Kernel::FT to_cgal(const mpq_class& value) {
   const double approximate = value.get_d();
-  if (value == approximate) return Kernel::FT(approximate);
+  // GMP takes no infinity.
+  if (std::isfinite(approximate) && value == approximate) return Kernel::FT(approximate);
   if constexpr (std::is_constructible_v<ExactNumber, const __mpq_struct*>) {
     return Kernel::FT(ExactNumber(value.get_mpq_t()));
   } else {  // CGAL built on a rational type other than GMP's

@@ -1,15 +1,19 @@
 #include "reference/plane/point_predicates.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace minkref {
 namespace {
 
-// Coordinates are off by at most half an ulp; a subnormal one by at most 2^-1075.
 constexpr double unit = 1.0 / 9007199254740992.0;  // 2^-53
 constexpr double tiny = 1e-290;  // below it underflow may spoil a bound: not decided
 
-double coordinate_error(double a, double b) { return unit * (std::abs(a) + std::abs(b)); }
+/// Coordinates are off by at most half an ulp: relatively, or by 2^-1075 where they are subnormal,
+/// which counts beside a partner of 2^1000.
+double coordinate_error(double a, double b) {
+  return unit * (std::abs(a) + std::abs(b)) + 2 * std::numeric_limits<double>::denorm_min();
+}
 
 /// The sign of u x v; components off by at most eu, ev besides the rounding of the subtraction. 0:
 /// not decided.

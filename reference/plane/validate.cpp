@@ -38,8 +38,13 @@ class Validator {
   void run() {
     for (std::size_t r = 0; r < rings_.size(); ++r) check_vertices(r);
     if (!set_.is_region()) return;
-    for (std::size_t r = 0; r < rings_.size(); ++r)
-      filtered_.push_back(filtered_ring(*rings_[r].ring));
+    for (const RingInSet& ring : rings_) {
+      filtered_.push_back(filtered_ring(*ring.ring));
+      // Rounding is monotone: where rings overlap the boxes of their doubles do.
+      Box box;
+      for (const FilteredPoint& p : filtered_.back()) box.add({p.x(), p.y(), p.x(), p.y()});
+      boxes_.push_back(box);
+    }
     for (std::size_t r = 0; r < rings_.size(); ++r) check_extent(r);
     check_contacts();
     for (std::size_t r = 0; r < rings_.size(); ++r) check_orientation(r);
@@ -239,43 +244,56 @@ class Validator {
   }
 
   void check_nesting() const {
-    std::vector<std::size_t> outers;
     for (std::size_t r = 0; r < rings_.size(); ++r) {
-      if (rings_[r].outer) outers.push_back(r);
+      if (rings_[r].outer || within(r, outer_of(r))) continue;
+      throw BadInput("hole-outside", "a hole does not lie inside its outer ring",
+                     "give the hole to the polygon that it lies in",
+                     place(r, {0}, outer_of(r), {}));
     }
-    for (std::size_t r = 0; r < rings_.size(); ++r) {
-      if (rings_[r].outer) continue;
-      const std::size_t outer = outers[rings_[r].polygon];
-      if (!within(r, outer)) {
-        throw BadInput("hole-outside", "a hole does not lie inside its outer ring",
-                       "give the hole to the polygon that it lies in", place(r, {0}, outer, {}));
-      }
-      for (std::size_t other = outer + 1; other < r; ++other) {
-        if (within(r, other) || within(other, r)) {
-          throw BadInput("overlapping-rings", "one hole lies inside another",
-                         "remove the inner one, or make it a polygon of its own",
-                         place(r, {0}, other, {0}));
-        }
-      }
-    }
-    for (const std::size_t p : outers) {
-      for (const std::size_t q : outers) {
-        if (p == q || !within(q, p)) continue;
-        bool in_hole = false;
-        for (std::size_t h = p + 1; h < rings_.size() && !rings_[h].outer && !in_hole; ++h) {
-          in_hole = within(q, h);
-        }
-        if (!in_hole) {
-          throw BadInput("overlapping-polygons", "two polygons overlap",
-                         "unite them, or cut a hole for the inner one", place(q, {0}, p, {0}));
-        }
+    for (const auto& [r, other] : rings_with_common_box()) {
+      if (rings_[r].outer && rings_[other].outer) {
+        check_apart(r, other);
+        check_apart(other, r);
+      } else if (!rings_[r].outer && !rings_[other].outer &&
+                 rings_[r].polygon == rings_[other].polygon) {
+        if (!within(r, other) && !within(other, r)) continue;
+        throw BadInput("overlapping-rings", "one hole lies inside another",
+                       "remove the inner one, or make it a polygon of its own",
+                       place(other, {0}, r, {0}));
       }
     }
+  }
+
+  /// An outer ring within another one must lie in a hole of that polygon.
+  void check_apart(std::size_t inner, std::size_t outer) const {
+    if (!within(inner, outer)) return;
+    for (std::size_t h = outer + 1; h < rings_.size() && !rings_[h].outer; ++h) {
+      if (boxes_[inner].overlaps(boxes_[h]) && within(inner, h)) return;
+    }
+    throw BadInput("overlapping-polygons", "two polygons overlap",
+                   "unite them, or cut a hole for the inner one", place(inner, {0}, outer, {0}));
+  }
+
+  std::size_t outer_of(std::size_t r) const {
+    while (!rings_[r].outer) --r;
+    return r;
+  }
+
+  /// Pairs in ascending order, so that the fault that is named does not depend on the search.
+  std::vector<std::pair<std::size_t, std::size_t>> rings_with_common_box() const {
+    std::vector<std::pair<std::size_t, std::size_t>> result;
+    BoxTree(boxes_).pairs([&](std::uint32_t i, std::uint32_t j) {
+      // Holes and their outer ring: looked at already, and the most of the pairs.
+      if (rings_[i].outer == rings_[j].outer) result.emplace_back(std::min(i, j), std::max(i, j));
+    });
+    std::sort(result.begin(), result.end());
+    return result;
   }
 
   const PolygonSet& set_;
   std::vector<RingInSet> rings_;
   std::vector<FilteredRing> filtered_;
+  std::vector<Box> boxes_;
 };
 
 }  // namespace

@@ -58,6 +58,12 @@ def test_numbers_of_hundreds_of_digits_are_not_rounded(oracle, polygon, method):
     ]
 
 
+def test_numbers_beyond_the_range_of_doubles_pass_the_border(oracle, polygon):
+    big = 10**320
+    P = polygon(box(0, 0, big, big))
+    assert rings(oracle("full").sum(P, polygon(SQUARE))) == [box(0, 0, big + 1, big + 1)]
+
+
 @pytest.mark.parametrize("method", METHOD_GROUPS)
 def test_non_convex_operands_leave_a_hole(oracle, polygon, method):
     # A 10 x 10 frame cut open by a slot of width 1, closed again by a square of side 2.
