@@ -19,7 +19,9 @@ def test_pip_install_gives_a_working_command(tmp_path: Path) -> None:
     venv.create(tmp_path / "clean", with_pip=True)
     binary = tmp_path / "clean" / "bin"
     # The flags of the checkout's own build, so that ccache can answer.
-    settings = ["-C", "cmake.define.MINKREF_WERROR=ON", "-C", f"build-dir={tmp_path / 'build'}"]
+    # (Spelt out: the pip of Debian 12 does not know -C.)
+    values = ["cmake.define.MINKREF_WERROR=ON", f"build-dir={tmp_path / 'build'}"]
+    settings = [f"--config-settings={value}" for value in values]
     subprocess.run(
         [str(binary / "python"), "-m", "pip", "install", "--quiet", *settings, str(ROOT)],
         check=True,
