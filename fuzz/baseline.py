@@ -9,10 +9,11 @@ from fnmatch import fnmatchcase
 from pathlib import Path
 from typing import Any
 
-from minkref.errors import Refusal
-from minkref.fuzz.verdict import Outcome, Verdict
+from minkref.errors import Refusal, cut
+from minkref.fuzz.verdict import BROKEN, Outcome, Reason, Verdict
 
 _FIELDS = ("target", "version", "kind", "reason")
+KINDS = tuple(str(kind) for kind in (*Reason, *BROKEN))
 
 
 @dataclass(frozen=True)
@@ -60,8 +61,8 @@ def read_baseline(path: Path) -> Baseline:
         raise Refusal(
             f"the baseline cannot be read: {error.strerror}", str(path), "check the path"
         ) from error
-    except ValueError as error:
-        raise Refusal(f"the baseline is not JSON: {error}", str(path), mend) from error
+    except (ValueError, RecursionError) as error:
+        raise Refusal(f"the baseline is not JSON: {cut(str(error))}", str(path), mend) from error
     if not isinstance(value, dict) or value.get("baseline") != "baseline-v1":
         raise Refusal("this is no baseline of version 1", str(path), mend)
     entries = value.get("entries")
@@ -72,4 +73,10 @@ def read_baseline(path: Path) -> Baseline:
             not isinstance(entry.get(field), str) or not entry[field] for field in _FIELDS
         ):
             raise Refusal(f"entry {number} lacks one of {', '.join(_FIELDS)}", str(path), mend)
+        if entry["kind"] not in KINDS:
+            raise Refusal(
+                f"entry {number} has the kind {entry['kind'][:40]!r}, which nothing has",
+                str(path),
+                f"choose one of {', '.join(KINDS)}",
+            )
     return Baseline(tuple(Entry(*(entry[field] for field in _FIELDS)) for entry in entries))

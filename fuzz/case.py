@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from functools import cached_property
-from pathlib import Path
 
 from minkref import _core
 from minkref.errors import Refusal
 from minkref.exact import read_scale
 from minkref.fuzz.random_pairs import random_pair
 from minkref.model_catalogue import all_models
-from minkref.operand import read_operand
+from minkref.operand import is_file, read_operand
+
+_RANDOM = re.compile(r"random:(-?[0-9]+):([0-9]+)")
 
 
 @dataclass(frozen=True)
@@ -63,8 +65,8 @@ class Case:
 
 
 def _load_random(name: CaseName) -> Case:
-    parts = name.text.split(":")
-    if len(parts) != 3 or not (parts[1].lstrip("-").isdecimal() and parts[2].isdecimal()):
+    parts = _RANDOM.fullmatch(name.text)
+    if parts is None:
         raise Refusal(
             "this names no random pair",
             f"--case {name.text}",
@@ -82,7 +84,7 @@ def _load_named(name: CaseName) -> Case:
     known = all_models()
     for k in (k for k, letter in enumerate(operands) if letter == "+"):
         first, second = operands[:k], operands[k + 1 :]
-        if all(part in known or Path(part).is_file() for part in (first, second)):
+        if all(part in known or is_file(part) for part in (first, second)):
             P, Q = read_operand(first), read_operand(second)
             return Case(name, P.set, Q.set, read_scale(scale), P.name, Q.name)
     raise Refusal(

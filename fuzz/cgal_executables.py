@@ -10,6 +10,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from minkref.errors import Refusal
+
 BUILD_COMMAND = "cmake --preset release && cmake --build --preset release --target minkref_cgal"
 METHOD_GROUPS = {
     "reduced": "reduced",
@@ -46,6 +48,25 @@ def search_folders() -> list[Path]:
     checkouts = dict.fromkeys([Path(__file__).resolve().parents[1], Path(sys.prefix).parent])
     folders += [checkout / "build" / "release" / "oracle" / "cgal" for checkout in checkouts]
     return folders
+
+
+def refuse_wrong_folder() -> None:
+    """Refuses a MINKREF_CGAL that is no folder with executables of the oracle."""
+    given = os.environ.get("MINKREF_CGAL")
+    if not given:
+        return
+    folder = Path(given)
+    what = "there is no such folder"
+    if folder.is_dir():
+        if any((folder / f"minkref-cgal-{group}").is_file() for group in METHOD_GROUPS.values()):
+            return
+        what = "the folder holds no executable of the CGAL oracle"
+    raise Refusal(
+        what,
+        f"MINKREF_CGAL={given}",
+        "name the folder that holds minkref-cgal-reduced, or unset it",
+        "no-such-folder",
+    )
 
 
 def find_executable(method: str) -> Path:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from minkref.errors import cut
 from minkref.fuzz.case import Case
 from minkref.fuzz.comparison import WitnessRefuted, decide, settle
 from minkref.fuzz.region import Region
@@ -130,7 +131,7 @@ def _without_answer(name: str, answer: Answer) -> Outcome:
     return Outcome(
         name,
         answer.verdict or Verdict.ERRORED,
-        message=answer.message,
+        message=cut(answer.message),
         signal=answer.signal,
         seconds=answer.seconds,
     )

@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import multiprocessing
+import pickle
 import signal
 import time
 from collections.abc import Iterable, Iterator
 from multiprocessing.connection import Connection, wait
 from typing import Any
 
+from minkref.fuzz import child
 from minkref.fuzz.case import CaseName
 from minkref.fuzz.targets import Limits
 from minkref.fuzz.verdict import Outcome, Verdict
-from minkref.fuzz.worker import CaseResult, Job, wall_clock_limit, work
+from minkref.fuzz.worker import CaseResult, Job, work
+
+START_SECONDS = 60.0  # for the start of a worker, and until it reads its job
 
 
 class InternalError(Exception):
@@ -28,15 +32,18 @@ class _Worker:
         self.process.start()
         theirs.close()
         self.job: Job | None = None
-        self.step = "minkref:case"
-        self.since = time.monotonic()
+        self.begin("minkref:case", START_SECONDS)
 
-    def begin(self, step: str) -> None:
-        self.step, self.since = step, time.monotonic()
+    def begin(self, step: str, seconds: float) -> None:
+        self.step, self.seconds, self.since = step, seconds, time.monotonic()
+
+    @property
+    def remaining(self) -> float:
+        return self.since + self.seconds - time.monotonic()
 
     def give(self, job: Job) -> None:
         self.job = job
-        self.begin("minkref:case")
+        self.begin("minkref:case", START_SECONDS)
         self.pipe.send(job)
 
     def end(self) -> None:
@@ -48,9 +55,7 @@ class _Worker:
         self.kill()
 
     def kill(self) -> None:
-        if self.process.is_alive():
-            self.process.kill()
-        self.process.join()
+        child.end(self.process)
         self.pipe.close()
 
 
@@ -64,13 +69,13 @@ def run_cases(
     try:
         busy = [worker for worker in workers if _next(worker, queue)]
         while busy:
-            tick = min(_remaining(worker, limits) for worker in busy)
+            tick = min(worker.remaining for worker in busy)
             ready = wait([worker.pipe for worker in busy], timeout=max(0.0, tick))
             for worker in list(busy):
                 if worker.pipe in ready:
                     result = _read(worker)
-                elif _remaining(worker, limits) <= 0:
-                    result = _overdue(worker, limits)
+                elif worker.remaining <= 0:
+                    result = _overdue(worker)
                 else:
                     continue
                 if result is None:
@@ -110,17 +115,13 @@ def _next(worker: _Worker, queue: Iterator[Job]) -> bool:
     return True
 
 
-def _remaining(worker: _Worker, limits: Limits) -> float:
-    return worker.since + wall_clock_limit(worker.step, limits) - time.monotonic()
-
-
 def _read(worker: _Worker) -> CaseResult | Outcome | None:
     try:
         message: tuple[Any, ...] = worker.pipe.recv()
-    except (EOFError, OSError):
+    except (EOFError, OSError, pickle.UnpicklingError):
         return _died(worker)
     if message[0] == "begin":
-        worker.begin(message[1])
+        worker.begin(message[1], message[2])
         return None
     if message[0] == "done":
         result: CaseResult = message[1]
@@ -129,7 +130,8 @@ def _read(worker: _Worker) -> CaseResult | Outcome | None:
 
 
 def _died(worker: _Worker) -> Outcome:
-    worker.process.join()
+    worker.process.join(5)
+    child.end(worker.process)  # it may have closed its pipe and live on
     code = worker.process.exitcode or 0
     name = signal.Signals(-code).name if code < 0 else None
     how = name or f"exit code {code}"
@@ -143,8 +145,8 @@ def _died(worker: _Worker) -> Outcome:
     )
 
 
-def _overdue(worker: _Worker, limits: Limits) -> Outcome:
-    seconds = wall_clock_limit(worker.step, limits)
+def _overdue(worker: _Worker) -> Outcome:
+    seconds = worker.seconds
     if worker.job and worker.step in worker.job.overdue:
         _own_step(worker, f"no end after {seconds:g} s")
     return Outcome(

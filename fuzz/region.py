@@ -4,18 +4,21 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass
+from fractions import Fraction
+from itertools import pairwise
 from typing import Any
 
 from minkref import _core
 from minkref.exact import digest
 
-Rings = list[list[list[str]]]
+Ring = list[list[str]]
+Polygon = dict[str, Any]  # "outer": a ring, "holes": rings
 
 
 @dataclass
 class Region:
-    """Canonical form of one result. `degenerate` is a vertex of a ring of fewer than three
-    vertices, `overlap` a point where the rings' winding number is neither 0 nor 1."""
+    """Canonical form of one result. `degenerate` is a vertex of a ring whose vertices
+    lie on one line, `overlap` a point where the rings' winding number is neither 0 nor 1."""
 
     set: _core.PolygonSet
     json: str
@@ -32,37 +35,99 @@ def region_of_sum(answer: _core.Sum) -> Region:
     return Region(answer.region, text, digest(text), answer.components, answer.holes)
 
 
-def region_of_rings(rings: dict[str, Any]) -> Region:
-    """The result of somebody else: any rings, in any order. Raises ValueError or KeyError where
-    it is not in the form of a polygon set."""
-    degenerate: tuple[str, str] | None = None
-    polygons = []
-    for polygon in rings["polygons"]:
-        outer, holes = polygon["outer"], polygon.get("holes", [])
-        for ring in (outer, *holes):
-            _check_form(ring)
-            if len(ring) < 3:
-                degenerate = (str(ring[0][0]), str(ring[0][1]))
-        if len(outer) >= 3:
-            polygons.append({"outer": outer, "holes": [hole for hole in holes if len(hole) >= 3]})
-    given = _core.PolygonSet.from_json(json.dumps({"polygons": polygons}))
+def region_of_rings(rings: Any, turned: bool = False) -> Region:
+    """The result of somebody else: any rings, in any order. Raises what `rings` raises, ValueError
+    or KeyError where it is not in the form of a polygon set."""
+    return region_of_polygons(plain_polygons(rings), turned)
+
+
+def region_of_polygons(polygons: list[Polygon], turned: bool) -> Region:
+    """The region of plain polygons. With `turned` outer rings are made to run counter-clockwise and
+    holes clockwise; without, a ring that runs the wrong way counts as it runs."""
+    flat: list[Ring] = []
+    kept: list[Polygon] = []
+    for polygon in _read_back(polygons, flat):
+        outer = polygon["outer"]
+        holes: list[Ring] = []
+        for hole in polygon["holes"]:
+            (flat if _is_flat(hole) else holes).append(hole)
+        if _is_flat(outer):
+            flat.append(outer)
+        else:
+            kept.append(_turned(outer, holes) if turned else {"outer": outer, "holes": holes})
+    given = _core.PolygonSet.from_json(json.dumps({"polygons": kept}))
     canonical, components, holes_count, well_formed = _core.canonicalize(given)
     text = canonical.canonical_json()
-    overlap = None if well_formed else _overlap(polygons, json.loads(text)["polygons"])
+    overlap = None if well_formed else _overlap(kept, json.loads(text)["polygons"])
+    degenerate = (flat[0][0][0], flat[0][0][1]) if flat else None
     return Region(canonical, text, digest(text), components, holes_count, degenerate, overlap)
 
 
-def _check_form(ring: Any) -> None:
-    """Refuses (ValueError) what is not a list of points with numbers as texts or integers."""
-    if not isinstance(ring, list) or not ring:
+def plain_polygons(value: Any) -> list[Polygon]:
+    """A copy in lists and texts of what somebody else made, which may raise anything."""
+    return [
+        {
+            "outer": _plain_ring(polygon["outer"]),
+            "holes": [_plain_ring(hole) for hole in polygon.get("holes", [])],
+        }
+        for polygon in value["polygons"]
+    ]
+
+
+def _plain_ring(ring: Any) -> Ring:
+    if not isinstance(ring, list | tuple) or not ring:
         raise ValueError("a ring is not a list of points")
-    for point in ring:
-        if (
-            not isinstance(point, list | tuple)
-            or len(point) != 2
-            or not all(isinstance(number, str | int) for number in point)
-        ):
-            raise ValueError("a point is not a pair of exact numbers")
+    return [_plain_point(point) for point in ring]
+
+
+def _plain_point(point: Any) -> list[str]:
+    if not isinstance(point, list | tuple) or len(point) != 2:
+        raise ValueError("a point is not a pair of exact numbers")
+    return [_plain_number(number) for number in point]
+
+
+def _plain_number(number: Any) -> str:
+    if isinstance(number, str):
+        return "".join(number)
+    if isinstance(number, int) and not isinstance(number, bool):
+        return int.__repr__(number)
+    raise ValueError("a point is not a pair of exact numbers")
+
+
+def _read_back(polygons: list[Polygon], short: list[Ring]) -> list[Polygon]:
+    """The polygons with numbers as the reference writes them, within its limits. Rings of fewer
+    than three vertices, which it does not take, go to `short`."""
+    taken = []
+    for polygon in polygons:
+        rings = [polygon["outer"], *polygon["holes"]]
+        short += [ring for ring in rings if len(ring) < 3]
+        if len(polygon["outer"]) >= 3:
+            holes = [hole for hole in polygon["holes"] if len(hole) >= 3]
+            taken.append({"outer": polygon["outer"], "holes": holes})
+    text = _core.PolygonSet.from_json(json.dumps({"polygons": taken})).to_json()
+    read: list[Polygon] = json.loads(text)["polygons"]
+    return read
+
+
+def _is_flat(ring: Ring) -> bool:
+    """All vertices lie on one line."""
+    (ax, ay), *others = ((Fraction(x), Fraction(y)) for x, y in ring)
+    across = next(((x - ax, y - ay) for x, y in others if (x, y) != (ax, ay)), None)
+    if across is None:
+        return True
+    return all(across[0] * (y - ay) == across[1] * (x - ax) for x, y in others)
+
+
+def _turned(outer: Ring, holes: list[Ring]) -> Polygon:
+    return {
+        "outer": outer if _turns_left(outer) else outer[::-1],
+        "holes": [hole[::-1] if _turns_left(hole) else hole for hole in holes],
+    }
+
+
+def _turns_left(ring: Ring) -> bool:
+    points = [(Fraction(x), Fraction(y)) for x, y in ring]
+    return sum(a[0] * b[1] - a[1] * b[0] for a, b in pairwise([*points, points[0]])) > 0
 
 
 def minus(first: str, second: str) -> _core.PolygonSet:
@@ -74,7 +139,7 @@ def minus(first: str, second: str) -> _core.PolygonSet:
 def _minus(first: list[dict[str, Any]], second: list[dict[str, Any]]) -> _core.PolygonSet:
     if not first:
         return _core.PolygonSet.from_json('{"polygons":[]}')
-    removed: list[Rings] = [polygon["outer"][::-1] for polygon in second]
+    removed: list[Ring] = [polygon["outer"][::-1] for polygon in second]
     given_back = [hole[::-1] for polygon in second for hole in polygon["holes"]]
     polygons = [dict(polygon) for polygon in first]
     polygons[0]["holes"] = [*polygons[0].get("holes", []), *removed]

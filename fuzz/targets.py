@@ -7,14 +7,20 @@ import json
 import subprocess
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any, Protocol, cast
 
 from minkref import _core
-from minkref.errors import Refusal
+from minkref.errors import Refusal, message_of
 from minkref.fuzz.case import Case
 from minkref.fuzz.cgal import CgalOracle
-from minkref.fuzz.cgal_executables import ABOUT, cgal_version, method_of_target, target_names
-from minkref.fuzz.region import Region, region_of_rings, region_of_sum
+from minkref.fuzz.cgal_executables import (
+    ABOUT,
+    cgal_version,
+    method_of_target,
+    refuse_wrong_folder,
+    target_names,
+)
+from minkref.fuzz.region import Region, plain_polygons, region_of_polygons, region_of_sum
 from minkref.fuzz.verdict import Verdict
 from minkref.version import version
 
@@ -26,6 +32,7 @@ ROUTES = {
 # m n above which a slow target skips a case (the option --size-limit replaces it).
 SIZE_LIMITS = {"minkref:definition": 7_000}
 SLOW_CGAL_LIMIT = 10_000
+LOAD_SECONDS = 60.0  # at least, for the import of the module of a `py:` target
 FAST_CGAL = ("cgal-reduced", "cgal-reduced-raw")
 
 
@@ -68,7 +75,7 @@ class ReferenceTarget:
         except MemoryError as error:
             return Answer(verdict=Verdict.OUT_OF_MEMORY, message=str(error))
         except Exception as error:  # noqa: BLE001 a fault of the target, whatever it is
-            return Answer(verdict=Verdict.ERRORED, message=f"{type(error).__name__}: {error}")
+            return Answer(verdict=Verdict.ERRORED, message=message_of(error))
         return Answer(region_of_sum(answer), seconds=answer.seconds)
 
     def close(self) -> None:
@@ -101,38 +108,69 @@ class CgalTarget:
 class CallableTarget:
     """`py:module:function`. The function takes sP and Q as dictionaries in the form of the
     canonical JSON (not necessarily canonical) and returns their sum in the same form, its numbers
-    as texts `n` or `n/d`; None says that the case is outside its capabilities."""
+    as texts `n` or `n/d` or as int, its rings running either way; None says that the case is
+    outside its capabilities."""
 
     def __init__(self, name: str) -> None:
         self.name = name
-        _, module, function = name.split(":", 2)
-        self._function: Callable[[Any, Any], Any] = getattr(
-            importlib.import_module(module), function
-        )
+        self._function = load_function(name)
 
     def sum(self, case: Case) -> Answer:
         try:
             result = self._function(json.loads(case.scaled_P_json), json.loads(case.Q_json))
         except MemoryError as error:
-            return Answer(verdict=Verdict.OUT_OF_MEMORY, message=str(error))
-        except Exception as error:  # noqa: BLE001 a fault of the target, whatever it is
-            return Answer(verdict=Verdict.ERRORED, message=f"{type(error).__name__}: {error}")
+            return Answer(verdict=Verdict.OUT_OF_MEMORY, message=message_of(error))
+        except BaseException as error:  # noqa: BLE001 a fault of the target, whatever it is
+            return Answer(verdict=Verdict.ERRORED, message=message_of(error))
         if result is None:
             return Answer(verdict=Verdict.SKIPPED, message="outside the capabilities of the target")
-        return answered(result, 0.0)
+        return answered(result, 0.0, turned=True)
 
     def close(self) -> None:
         pass
 
 
-def answered(rings: Any, seconds: float) -> Answer:
-    """The answer of somebody else, put into canonical form."""
+@dataclass
+class _UnloadableTarget:
+    """A function that could be loaded before the run, and now cannot."""
+
+    name: str
+    message: str
+
+    def sum(self, case: Case) -> Answer:
+        return Answer(verdict=Verdict.ERRORED, message=self.message)
+
+    def close(self) -> None:
+        pass
+
+
+def load_function(name: str) -> Callable[[Any, Any], Any]:
+    """The function of `py:module:function`. Raises what the import of the module raises."""
+    _, module, function = name.split(":", 2)
+    loaded = getattr(importlib.import_module(module), function)
+    if not callable(loaded):
+        raise TypeError(f"{function} is no function")
+    return cast(Callable[[Any, Any], Any], loaded)
+
+
+def answered(rings: Any, seconds: float, turned: bool = False) -> Answer:
+    """The answer of somebody else, put into canonical form. `turned`: its rings may run either way
+    and are turned as their role demands."""
     try:
-        value = json.loads(rings) if isinstance(rings, str) else rings
-        return Answer(region_of_rings(value), seconds=seconds)
-    except (ValueError, KeyError, TypeError) as error:
-        message = f"the answer is not a polygon set: {type(error).__name__}: {error}"
-        return Answer(verdict=Verdict.ERRORED, message=message, seconds=seconds)
+        plain = plain_polygons(json.loads(rings) if isinstance(rings, str) else rings)
+    except MemoryError as error:
+        return Answer(verdict=Verdict.OUT_OF_MEMORY, message=message_of(error), seconds=seconds)
+    except Exception as error:  # noqa: BLE001 the objects of somebody else may do anything
+        return _no_set(error, seconds)
+    try:
+        return Answer(region_of_polygons(plain, turned), seconds=seconds)
+    except ValueError as error:
+        return _no_set(error, seconds)
+
+
+def _no_set(error: Exception, seconds: float) -> Answer:
+    message = f"the answer is not a polygon set: {message_of(error)}"
+    return Answer(verdict=Verdict.ERRORED, message=message, seconds=seconds)
 
 
 @dataclass(frozen=True)
@@ -146,6 +184,7 @@ class TargetEntry:
 
 def list_targets() -> list[TargetEntry]:
     """All that this machine could test; what is absent says how to get it."""
+    refuse_wrong_folder()
     ours = [
         TargetEntry(f"minkref:{route}", version(), about, True) for route, about in ROUTES.items()
     ]
@@ -161,9 +200,14 @@ def _cgal_entry(name: str) -> TargetEntry:
         return TargetEntry(name, None, about, False, str(error))
 
 
-def select(names: list[str]) -> tuple[list[TargetEntry], list[TargetEntry]]:
+def select(
+    names: list[str], load_seconds: float = LOAD_SECONDS
+) -> tuple[list[TargetEntry], list[TargetEntry]]:
     """The targets to run, and those that are absent. Without names: all but the raw ones. A name
-    that is unknown or absent is refused."""
+    that is unknown or absent is refused, as is a `py:` target that is not loaded in
+    `load_seconds`."""
+    from minkref.fuzz.callable_check import refuse_unless_callable
+
     entries = {entry.name: entry for entry in list_targets()}
     if not names:
         wanted = [entry for entry in entries.values() if not entry.name.endswith("-raw")]
@@ -171,7 +215,7 @@ def select(names: list[str]) -> tuple[list[TargetEntry], list[TargetEntry]]:
     chosen: list[TargetEntry] = []
     for name in dict.fromkeys(names):
         if name.startswith("py:"):
-            _check_callable(name)
+            refuse_unless_callable(name, load_seconds)
             chosen.append(TargetEntry(name, None, "a Python function", True))
         elif name not in entries:
             raise Refusal("there is no such target", name, "`minkref targets` lists them")
@@ -184,22 +228,19 @@ def select(names: list[str]) -> tuple[list[TargetEntry], list[TargetEntry]]:
     return chosen, []
 
 
-def _check_callable(name: str) -> None:
-    mend = "write py:module:function, the module importable from here"
-    if name.count(":") != 2:
-        raise Refusal("this names no Python function", name, mend)
-    try:
-        CallableTarget(name)
-    except (ImportError, AttributeError, ValueError) as error:
-        raise Refusal(f"the function cannot be loaded: {error}", name, mend) from error
-
-
 def make_target(name: str, limits: Limits) -> Target:
     if name.startswith("minkref:"):
         return ReferenceTarget(name, name.removeprefix("minkref:"))
     if name.startswith("py:"):
-        return CallableTarget(name)
+        return _callable_target(name)
     return CgalTarget(name, limits)
+
+
+def _callable_target(name: str) -> Target:
+    try:
+        return CallableTarget(name)
+    except BaseException as error:  # noqa: BLE001 a module may do anything on import
+        return _UnloadableTarget(name, message_of(error))
 
 
 def size_limit(name: str, limits: Limits) -> int | None:

@@ -6,6 +6,8 @@ from dataclasses import dataclass, replace
 from enum import StrEnum
 from typing import Any
 
+from minkref.errors import cut
+
 
 class Verdict(StrEnum):
     PASS = "pass"
@@ -28,8 +30,8 @@ class Reason(StrEnum):
     HOLE_LOST = "hole-lost"  # a hole of the sum is filled
     HOLE_INVENTED = "hole-invented"  # the result has a hole inside the sum
     COMPONENT = "component"  # a component of the sum is absent, or one is invented
-    NOT_CLOSED = "not-closed"  # a ring of fewer than three vertices
-    SELF_INTERSECTING = "self-intersecting"  # rings overlap or cross, or turn the wrong way
+    NOT_CLOSED = "not-closed"  # a ring whose vertices lie on one line
+    SELF_INTERSECTING = "self-intersecting"  # rings overlap or cross; of CGAL: run the wrong way
 
 
 @dataclass(frozen=True)
@@ -76,4 +78,4 @@ class Outcome:
         return (str(verdict),)
 
     def known(self, message: str) -> Outcome:
-        return replace(self, verdict=Verdict.KNOWN, was=self.verdict, message=message)
+        return replace(self, verdict=Verdict.KNOWN, was=self.verdict, message=cut(message))

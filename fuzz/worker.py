@@ -4,16 +4,15 @@ answers."""
 from __future__ import annotations
 
 import resource
-import signal
 import traceback
 from dataclasses import dataclass, field
 from multiprocessing.connection import Connection
 from typing import Any
 
-from minkref.fuzz import cgal
+from minkref.fuzz import cgal, child
 from minkref.fuzz.case import Case, CaseName
 from minkref.fuzz.judgement import TRUTHS, judge
-from minkref.fuzz.targets import Answer, Limits, Target, make_target, size_limit
+from minkref.fuzz.targets import LOAD_SECONDS, Answer, Limits, Target, make_target, size_limit
 from minkref.fuzz.verdict import Outcome, Verdict
 
 REST = 2 << 30  # bytes that a worker may need beside what one call of a target may take
@@ -47,9 +46,9 @@ class CaseResult:
 
 
 def work(pipe: Connection, targets: list[str], limits: Limits) -> None:
-    """The loop of a worker. Before each step it says which target is about to run, so that the
-    parent knows whose fault the death of this process is."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    """The loop of a worker. Before each step it says which target is about to run, and how long it
+    may, so that the parent knows whose fault the death of this process is."""
+    child.begin()
     _limit_memory(limits.bytes + REST)
     made: dict[str, Target] = {}
     try:
@@ -79,7 +78,7 @@ def _limit_memory(bytes_allowed: int) -> None:
 def _run(
     pipe: Connection, job: Job, targets: list[str], limits: Limits, made: dict[str, Target]
 ) -> CaseResult:
-    pipe.send(("begin", "minkref:case"))
+    _begin(pipe, "minkref:case", limits)
     case = job.name.load()
     answers: dict[str, Answer] = {}
     for name in dict.fromkeys([*TRUTHS, *targets]):
@@ -96,15 +95,20 @@ def _run(
             message = f"{case.vertex_pairs:,} pairs of vertices, more than {limit:,} (--size-limit)"
             answers[name] = Answer(verdict=Verdict.SKIPPED, message=message)
             continue
-        pipe.send(("begin", name))
         if name not in made:
+            pipe.send(("begin", name, load_limit(limits)))
             made[name] = make_target(name, limits)
+        _begin(pipe, name, limits)
         answers[name] = made[name].sum(case)
         if answers[name].verdict is Verdict.TIMED_OUT:  # a machine may stand still: once more
-            pipe.send(("begin", name))
+            _begin(pipe, name, limits)
             answers[name] = made[name].sum(case)
-    pipe.send(("begin", "minkref:referee"))
+    _begin(pipe, "minkref:referee", limits)
     return _result(job, case, judge(case, answers, targets), answers)
+
+
+def _begin(pipe: Connection, step: str, limits: Limits) -> None:
+    pipe.send(("begin", step, wall_clock_limit(step, limits)))
 
 
 def _result(
@@ -125,6 +129,11 @@ def _result(
             None,
         )
     return result
+
+
+def load_limit(limits: Limits) -> float:
+    """Seconds for the import of the module of a `py:` target, which is no call of it."""
+    return max(LOAD_SECONDS, limits.seconds)
 
 
 def wall_clock_limit(name: str, limits: Limits) -> float:

@@ -1,5 +1,61 @@
-"""minkref: the exact reference for Minkowski sums under scaling (Behar & Lien 2012)."""
+"""minkref: the exact reference for Minkowski sums under scaling (Behar & Lien 2012).
+
+import minkref
+P = minkref.read_file("P.wkt")
+result = minkref.minkowski_sum(P, minkref.read_file("Q.wkt"), "7/5")
+print(result.region.area(), minkref.write(result.region, "wkt"))
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
 
 from minkref.version import version
 
+if TYPE_CHECKING:
+    from minkref.api import (
+        BadInput,
+        LimitExceeded,
+        PolygonSet,
+        Refusal,
+        Sum,
+        UndecidedSign,
+        decide,
+        difference,
+        minkowski_sum,
+        read_file,
+        read_text,
+        write,
+    )
+
 __version__ = version()
+
+__all__ = [
+    "BadInput",
+    "LimitExceeded",
+    "PolygonSet",
+    "Refusal",
+    "Sum",
+    "UndecidedSign",
+    "decide",
+    "difference",
+    "minkowski_sum",
+    "read_file",
+    "read_text",
+    "version",
+    "write",
+]
+
+
+def __getattr__(name: str) -> Any:
+    """Loads the extension module at the first use of what it gives, so that the command can say
+    that it is not built."""
+    if name not in __all__:
+        raise AttributeError(f"module 'minkref' has no attribute {name!r}")
+    from minkref import api
+
+    return getattr(api, name)
+
+
+def __dir__() -> list[str]:
+    return sorted([*globals(), *__all__])

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import json
-import os
 import sys
 import traceback
 from collections.abc import Sequence
@@ -12,7 +10,9 @@ from typing import Annotated, NoReturn
 import typer
 from typer.exceptions import TyperException
 
+from minkref import streams
 from minkref.exits import ExitCode
+from minkref.signals import Ended
 from minkref.version import version
 
 REPORT = "run again with --debug and report the traceback"
@@ -24,8 +24,12 @@ app = typer.Typer(
     rich_markup_mode="rich",
     pretty_exceptions_enable=False,
     help="The exact reference and verification suite for Minkowski sums under scaling.",
-    epilog="Exit codes: 0 all well; 1 something is proven wrong; 2 wrong usage or bad input; "
-    "3 an implementation crashed or hung; 4 undecided (--strict); 70 an internal error.",
+    epilog="Examples:\n\nminkref sum disc1 cells1815 --scale 7/5 -o sum.svg\n\n"
+    "minkref verify cgal-reduced --pairs 1000 --report build/report\n\n"
+    "minkref models\n\n"
+    "Exit codes: 0 all well; 1 something is proven wrong; 2 wrong usage or bad input; "
+    "3 an implementation crashed or hung; 4 undecided (--strict); 70 an internal error; "
+    "141 the reader of standard output has gone.",
 )
 
 
@@ -60,7 +64,8 @@ def _register() -> None:
 
 
 def run(arguments: Sequence[str]) -> int:
-    """Runs one command and returns its exit code. Raises nothing but KeyboardInterrupt."""
+    """Runs one command and returns its exit code. Raises nothing but KeyboardInterrupt, and
+    OutputLost where standard output takes nothing more."""
     debug = "--debug" in arguments
     rest = [argument for argument in arguments if argument != "--debug"]
     try:
@@ -68,11 +73,14 @@ def run(arguments: Sequence[str]) -> int:
     except ImportError as error:
         built = "build the extension module with `make run`"
         return _internal(error, debug, built if "_core" in str(error) else REPORT)
+    sys.set_int_max_str_digits(0)  # exact numbers have as many digits as they need
     try:
         if not app.registered_commands:
             _register()
         result = app(rest, prog_name="minkref", standalone_mode=False)
         return int(result or 0)
+    except streams.OutputLost:
+        raise
     except Refusal as refusal:
         return _refuse(refusal.document(), rest)
     except TyperException as error:
@@ -81,9 +89,8 @@ def run(arguments: Sequence[str]) -> int:
         return _refuse(_usage(error), rest)
     except typer.Abort:
         return 130
-    except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return ExitCode.ALL_WELL
+    except Ended as ended:
+        return 128 + ended.number
     except Exception as error:  # noqa: BLE001 the border of the program
         return _internal(error, debug, REPORT)
 
@@ -100,13 +107,13 @@ def _usage(error: TyperException) -> dict[str, object]:
 
 
 def _refuse(error: dict[str, object], arguments: Sequence[str]) -> int:
+    from minkref.documents import as_text
+    from minkref.errors import refusal_text
+
+    sys.stderr.write(refusal_text(error))
     if "--json" in arguments:
         command = next((a for a in arguments if not a.startswith("-")), "")
-        value = {"version": version(), "command": command, "error": error}
-        sys.stdout.write(json.dumps(value, ensure_ascii=False, indent=2) + "\n")
-    sys.stderr.write(f"minkref: {error['where']}: {error['what']}\n")
-    if error["mend"]:
-        sys.stderr.write(f"  mend: {error['mend']}\n")
+        sys.stdout.write(as_text({"version": version(), "command": command, "error": error}))
     return ExitCode.USAGE
 
 
@@ -121,4 +128,22 @@ def _internal(error: Exception, debug: bool, mend: str) -> int:
 
 def main() -> NoReturn:
     """The entry point of the command `minkref`."""
-    sys.exit(run(sys.argv[1:]))
+    streams.guard()
+    try:
+        code = run(sys.argv[1:])
+        sys.stdout.flush()
+    except streams.OutputLost as lost:
+        streams.give_up_output()
+        code = _lost(lost)
+    except KeyboardInterrupt:
+        code = 130
+    sys.exit(code)
+
+
+def _lost(lost: streams.OutputLost) -> int:
+    """The exit code where the result could not be written out."""
+    if lost.reader_has_gone:
+        return ExitCode.BROKEN_PIPE
+    sys.stderr.write(f"minkref: cannot write to standard output: {lost}\n")
+    sys.stderr.write("  mend: give it an open file with room, or use -o, --junit or --report\n")
+    return ExitCode.USAGE

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import resource
 import sys
 import tempfile
@@ -13,6 +14,8 @@ from typing import Any
 
 from minkref.errors import Refusal
 from minkref.version import version
+
+_SURROGATE = re.compile("[\ud800-\udfff]")
 
 
 def peak_bytes() -> int:
@@ -45,30 +48,42 @@ def document(command: str, watch: Stopwatch, **fields: Any) -> dict[str, Any]:
 
 
 def as_text(value: dict[str, Any]) -> str:
-    return json.dumps(value, ensure_ascii=False, allow_nan=False, indent=2) + "\n"
+    """JSON text of a document. File names that are not UTF-8 have their bytes as lone surrogates,
+    which JSON can say in escapes only."""
+    unicode = (sys.stdout.encoding or "").lower().replace("-", "") == "utf8"
+    text = json.dumps(value, ensure_ascii=not unicode, allow_nan=False, indent=2) + "\n"
+    return _SURROGATE.sub(lambda found: f"\\u{ord(found[0]):04x}", text)
 
 
 def write_atomically(path: Path, text: str) -> None:
-    """Writes all of `text` or nothing: a temporary file beside `path`, then a rename."""
-    folder = path.parent
+    """Writes all of `text` or nothing: a temporary file beside `path`, then a rename. Where `path`
+    is a symbolic link, the file that it points to is replaced."""
+    path = _followed(path)
     try:
-        handle, temporary = tempfile.mkstemp(dir=folder, prefix=f".{path.name}.")
+        handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=".minkref-")
     except OSError as error:
-        raise _cannot_write(path, error) from error
+        raise Refusal(
+            f"no file can be made in {path.parent}: {error.strerror}",
+            str(path),
+            "choose another place",
+            "cannot-write",
+        ) from error
     try:
-        with os.fdopen(handle, "w", encoding="utf-8") as stream:
+        with os.fdopen(handle, "w", encoding="utf-8", errors="backslashreplace") as stream:
             stream.write(text)
         mask = os.umask(0)
         os.umask(mask)
         os.chmod(temporary, 0o666 & ~mask)
         os.replace(temporary, path)
     except OSError as error:
-        Path(temporary).unlink(missing_ok=True)
         raise _cannot_write(path, error) from error
+    finally:
+        Path(temporary).unlink(missing_ok=True)
 
 
 def check_writable(path: Path) -> None:
     """Refuses an output path that cannot be written, before any work is done."""
+    path = _followed(path)
     if path.is_dir():
         raise Refusal("this is a folder", str(path), "name a file", "cannot-write")
     if not path.parent.is_dir():
@@ -85,6 +100,10 @@ def check_writable(path: Path) -> None:
             "choose another place",
             "cannot-write",
         )
+
+
+def _followed(path: Path) -> Path:
+    return Path(os.path.realpath(path))
 
 
 def _cannot_write(path: Path, error: OSError) -> Refusal:

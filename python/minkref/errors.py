@@ -6,8 +6,11 @@ from collections.abc import Callable
 from typing import TypeVar
 
 from minkref import _core
+from minkref.terminal import shown
 
 T = TypeVar("T")
+
+LONGEST_MESSAGE = 2000  # characters that are kept of what somebody else says
 
 
 class Refusal(Exception):
@@ -23,6 +26,26 @@ class Refusal(Exception):
 
     def document(self) -> dict[str, object]:
         return {"code": self.code, "what": self.what, "where": self.where, "mend": self.mend}
+
+
+def refusal_text(error: dict[str, object]) -> str:
+    """The refusal for people; `error` is its document."""
+    text = f"minkref: {shown(str(error['where']))}: {shown(str(error['what']))}\n"
+    return text + (f"  mend: {shown(str(error['mend']))}\n" if error["mend"] else "")
+
+
+def message_of(error: BaseException) -> str:
+    """`Type: text` of an exception of somebody else's code, whatever that does."""
+    name = type(error).__name__
+    try:
+        return cut(f"{name}: {error}")
+    except BaseException:  # noqa: BLE001 its own __str__ raises
+        return f"{name} (its text cannot be had)"
+
+
+def cut(text: str) -> str:
+    """At most LONGEST_MESSAGE characters of the text."""
+    return text if len(text) <= LONGEST_MESSAGE else text[: LONGEST_MESSAGE - 3] + "..."
 
 
 def refusal_of(error: _core.BadInput, source: str = "") -> Refusal:

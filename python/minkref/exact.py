@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import math
 import re
 from collections.abc import Iterable, Sequence
 from decimal import Context, Decimal
@@ -64,6 +65,22 @@ def approximate(number: str) -> float:
     context = Context(prec=40, Emax=10**9, Emin=-(10**9))
     numerator, _, denominator = number.partition("/")
     return float(context.divide(Decimal(numerator), Decimal(denominator or "1")))
+
+
+def in_double_range(number: str) -> float | None:
+    """The double next to an exact number; None where that is infinite, or zero and the number is
+    not."""
+    value = approximate(number)
+    return None if math.isinf(value) or (value == 0 and number != "0") else value
+
+
+def scientific(number: str) -> str:
+    """An exact number rounded to seven digits, of any size: 1.234567e2000."""
+    numerator, _, denominator = number.partition("/")
+    value = Context(prec=7, Emax=10**9, Emin=-(10**9)).divide(
+        Decimal(numerator), Decimal(denominator or "1")
+    )
+    return f"{value:.6e}".replace("e+", "e")
 
 
 def set_json(polygons: Iterable[tuple[Sequence[Any], Iterable[Sequence[Any]]]]) -> str:

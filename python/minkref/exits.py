@@ -13,3 +13,4 @@ class ExitCode(IntEnum):
     BROKEN = 3  # an implementation crashed, hung or broke the protocol; nothing was proven wrong
     UNDECIDED = 4  # `verify --strict` only
     INTERNAL = 70  # an error of ours
+    BROKEN_PIPE = 141  # the reader of standard output has gone; as a shell shows SIGPIPE

@@ -67,10 +67,22 @@ def extra_models() -> list[Model]:
         if (folder / file).is_file()
     ]
     named = {model.path.name for model in found}
-    for path in sorted(folder.iterdir()):
+    for path in _files(folder):
         if path.suffix in (".poly", ".wkt", ".geojson") and path.name not in named:
             found.append(Model(path.stem, path, VARIABLE, ""))
     return found
+
+
+def _files(folder: Path) -> list[Path]:
+    try:
+        return sorted(folder.iterdir())
+    except OSError as error:
+        raise Refusal(
+            f"the folder of models cannot be read: {error.strerror}",
+            f"{VARIABLE}={folder}",
+            "name a folder that you may read, or unset it",
+            "no-such-folder",
+        ) from error
 
 
 def all_models() -> dict[str, Model]:

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import difflib
+import os
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from minkref import _core
 from minkref.errors import Refusal, refusing
 from minkref.model_catalogue import PAPER_MODELS, VARIABLE, all_models
+from minkref.terminal import shown
 
 FORMATS = (".wkt", ".geojson", ".poly", ".json")
+LONGEST_FILE = 64 << 20  # bytes; that of formats/limits.hpp
 
 
 @dataclass(frozen=True)
@@ -23,14 +26,15 @@ class Operand:
 
 def read_operand(name: str) -> Operand:
     """A file wins over a model of the same name. Refuses what does not exist or is not valid."""
+    if not name:
+        raise Refusal("the name is empty", "operand", "name a file or a model", "no-such-file")
     path = Path(name)
-    if path.is_file():
+    if is_file(name):
         return _read(name, path)
     models = all_models()
     if name in models:
         return _read(name, models[name].path)
-    if path.is_dir():
-        raise Refusal("this is a folder", name, "name a file or a model", "not-a-file")
+    _refuse_special(name, path)
     if path.suffix in FORMATS or len(path.parts) > 1:
         raise Refusal("there is no such file", name, "check the path", "no-such-file")
     if name in {paper for paper, *_ in PAPER_MODELS}:
@@ -51,8 +55,70 @@ def read_operand(name: str) -> Operand:
     )
 
 
+def is_file(name: str) -> bool:
+    """A file that can be read as an operand: a regular one, a pipe with an ending that names its
+    format, or one operand of a case (`case.json#Q`)."""
+    path = Path(name)
+    if "\0" in name:
+        return False
+    if name.endswith(("#P", "#Q")) and Path(name[:-2]).is_file():
+        return True
+    return path.is_file() or (path.suffix.lower() in FORMATS and path.is_fifo())
+
+
+def read_set(path: Path) -> tuple[_core.PolygonSet, list[str]]:
+    """The set in a file, not validated, and the warnings of its reader."""
+    source = str(path)
+    if is_utf8(source):
+        read = refusing(source, lambda: _core.read_file(source))
+    else:
+        text, form = _whole_text(path), path.suffix.lower().removeprefix(".")
+        read = refusing(shown(source), lambda: _core.read_text(text, form, shown(source)))
+    return read, list(_core.warnings())
+
+
 def _read(name: str, path: Path) -> Operand:
-    operand = refusing(str(path), lambda: _core.read_file(str(path)))
-    warnings = list(_core.warnings())
-    refusing(str(path), lambda: operand.validate(str(path)))
+    operand, warnings = read_set(path)
+    source = shown(str(path))
+    refusing(source, lambda: operand.validate(source))
     return Operand(name, str(path), operand, warnings)
+
+
+def _refuse_special(name: str, path: Path) -> None:
+    if "\0" in name or not path.exists():
+        return
+    if path.is_dir():
+        raise Refusal("this is a folder", name, "name a file or a model", "not-a-file")
+    raise Refusal(
+        "this is not a regular file",
+        name,
+        f"write it to a file first whose ending names the format: {', '.join(FORMATS)}",
+        "not-a-file",
+    )
+
+
+def _whole_text(path: Path) -> str:
+    """The text of a file whose name is not UTF-8, which C++ does not take."""
+    name = shown(str(path))
+    try:
+        with path.open("rb") as stream:
+            read = stream.read(LONGEST_FILE + 1)
+    except OSError as error:
+        what = f"the file cannot be read: {error.strerror}"
+        raise Refusal(what, name, "name a file that you may read", "cannot-read") from error
+    if len(read) > LONGEST_FILE:
+        what = f"the text is longer than {LONGEST_FILE} bytes"
+        raise Refusal(what, name, "split the input", "file-too-large")
+    try:
+        return read.decode("utf-8")
+    except UnicodeDecodeError as error:
+        what = f"the text is not UTF-8: {error.reason} at byte {error.start}"
+        raise Refusal(what, name, "save the file as UTF-8", "not-utf8") from error
+
+
+def is_utf8(name: str) -> bool:
+    try:
+        os.fsencode(name).decode("utf-8")
+    except UnicodeDecodeError:
+        return False
+    return True

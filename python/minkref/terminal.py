@@ -8,11 +8,22 @@ PIPE_WIDTH = 200
 
 
 def console() -> Console:
-    plain = Console(highlight=False)
-    return plain if plain.is_terminal else Console(highlight=False, width=PIPE_WIDTH)
+    """Texts are shown as they are: brackets are no markup."""
+    plain = Console(highlight=False, markup=False, emoji=False)
+    if plain.is_terminal:
+        return plain
+    return Console(highlight=False, markup=False, emoji=False, width=PIPE_WIDTH)
 
 
 def lines(rows: list[tuple[str, str]]) -> str:
     """Names and values in two columns, never cut off."""
     width = max(len(name) for name, _ in rows)
-    return "".join(f"{name:<{width}}  {value}".rstrip() + "\n" for name, value in rows)
+    return "".join(f"{name:<{width}}  {shown(value)}".rstrip() + "\n" for name, value in rows)
+
+
+def shown(text: str) -> str:
+    """The text in one line: what a terminal would obey, and bytes that are no text, escaped."""
+    return "".join(
+        letter if letter.isprintable() else letter.encode("unicode_escape").decode("ascii")
+        for letter in text
+    )

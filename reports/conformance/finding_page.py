@@ -3,6 +3,7 @@ program."""
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 from minkref import _core
@@ -50,8 +51,9 @@ def _pictures(finding: Finding) -> list[tuple[str, str]]:
         return shown
     mark = []
     if outcome.witness:
-        x, y = outcome.witness.point
-        mark = [Layer("witness", point=(approximate(x), approximate(y)))]
+        x, y = (approximate(number) for number in outcome.witness.point)
+        if math.isfinite(x) and math.isfinite(y):
+            mark = [Layer("witness", point=(x, y))]
     expected = Layer("sum", _rings(case.expected))
     layers = [("expected", [expected])]
     if outcome.got is not None:

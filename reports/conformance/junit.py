@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import re
 import xml.etree.ElementTree as ElementTree
 
 from minkref.commands.verify_output import cell_text, describe
+from minkref.errors import cut
 from minkref.fuzz.runner import Cell, Finding, Run
 from minkref.fuzz.verdict import BROKEN, Verdict
+
+_FORBIDDEN = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
 def junit(run: Run) -> str:
@@ -26,8 +30,22 @@ def junit(run: Run) -> str:
                 _test_case(suite, target, group, cell, found, counts)
         for name, count in counts.items():
             suite.set(name, str(count))
+    for element in root.iter():
+        _make_legal(element)
     ElementTree.indent(root)
     return ElementTree.tostring(root, encoding="unicode", xml_declaration=True) + "\n"
+
+
+def _make_legal(element: ElementTree.Element) -> None:
+    """Escapes what XML 1.0 cannot say."""
+    if element.text:
+        element.text = _legal(element.text)
+    for name, value in element.items():
+        element.set(name, _legal(value))
+
+
+def _legal(text: str) -> str:
+    return _FORBIDDEN.sub(lambda found: ascii(found[0])[1:-1], text)
 
 
 def _test_case(
@@ -53,6 +71,6 @@ def _test_case(
         ElementTree.SubElement(test, "error", message=summary, type=str(broken[0])).text = text
     elif set(cell.verdicts) <= {Verdict.SKIPPED}:
         counts["skipped"] += 1
-        ElementTree.SubElement(test, "skipped", message="; ".join(cell.skips))
+        ElementTree.SubElement(test, "skipped", message=cut("; ".join(cell.skips)))
     else:
         ElementTree.SubElement(test, "system-out").text = text

@@ -9,9 +9,11 @@ from typing import Any
 from jinja2 import Environment, StrictUndefined
 from minkref.commands.verify_output import cell_text, conclusion
 from minkref.documents import write_atomically
+from minkref.errors import cut
 from minkref.fuzz.runner import Run
 from minkref.reports.conformance.finding_page import finding_page
 from minkref.reports.conformance.showcase import showcases
+from minkref.terminal import shown
 
 
 def write_report(folder: Path, run: Run, value: dict[str, Any]) -> Path:
@@ -65,5 +67,5 @@ def _cell(run: Run, target: str, group: str) -> dict[str, Any]:
         "lines": cell_text(cell).split("\n"),
         "worst": worst,
         "seconds": cell.seconds if cell else 0.0,
-        "skips": "; ".join(cell.skips) if cell else "",
+        "skips": shown(cut("; ".join(cell.skips))) if cell else "",
     }

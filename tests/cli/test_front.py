@@ -12,7 +12,7 @@ from typing import Any
 import jsonschema
 import minkref as package
 import pytest
-from minkref.schemas import schema
+from minkref.schemas import result_schema, schema
 
 Minkref = Callable[..., Any]
 COMMANDS = ("sum", "verify", "models", "targets")
@@ -33,6 +33,7 @@ def test_no_command_shows_the_help_and_exits_2(minkref: Minkref) -> None:
     ran = minkref()
     assert ran.code == 2
     assert all(command in ran.out + ran.err for command in COMMANDS)
+    assert "Examples" in minkref("--help").out
 
 
 @pytest.mark.parametrize("command", COMMANDS)
@@ -49,8 +50,9 @@ def test_schema_is_printed_without_operands_and_is_a_schema(minkref: Minkref, co
     assert ran.code == 0
     jsonschema.Draft202012Validator.check_schema(ran.json)
     assert ran.json == schema(command)
-    assert ran.json["properties"]["command"] == {"const": command}
-    assert {"version", "command", "seconds", "peak_bytes"} <= set(ran.json["required"])
+    result = result_schema(command)
+    assert result["properties"]["command"] == {"const": command}
+    assert {"version", "command", "seconds", "peak_bytes"} <= set(result["required"])
 
 
 @pytest.mark.parametrize("command", ["models", "targets"])

@@ -8,7 +8,7 @@ from typing import Any
 
 import jsonschema
 import pytest
-from minkref.schemas import schema
+from minkref.schemas import error_schema
 
 Minkref = Callable[..., Any]
 
@@ -30,6 +30,7 @@ MISUSES = [
     (["sum", "g1", "g2", "--arithmetic", "decimal"], "no arithmetic"),
     (["sum", "g1", "g2", "--arithmetic", "mpfr:0"], "bits"),
     (["sum", "g1", "g2", "--arithmetic", "mpfr:"], "no arithmetic"),
+    (["sum", "g1", "g2", "--arithmetic", "mpfr:1000000000"], "out of range"),
     (["sum", "g1", "g2", "--arithmetic", "double", "--route", "winding"], "exact only"),
     (["sum", "g1", "g2", "-o", "sum.stl"], "no format"),
     (["sum", "g1", "g2", "-o", "no/such/folder/sum.wkt"], "does not exist"),
@@ -45,6 +46,10 @@ MISUSES = [
     (["verify", "--pairs", "-1"], "too small"),
     (["verify", "--pairs", "many"], "--pairs"),
     (["verify", "--jobs", "0"], "too small"),
+    (["verify", "--call-memory", "99999999999999"], "too large"),
+    (["verify", "--case", "random:\u0663:1"], "names no random pair"),
+    (["verify", "--report", "/dev/null"], "needs a folder"),
+    (["sum", "g1", "g2", "-o", "/proc/sum.wkt"], "no file can be made"),
     (["verify", "--seconds", "nan"], "too small"),
     (["verify", "--call-seconds", "0"], "out of range"),
     (["verify", "--case", "random:1"], "names no random pair"),
@@ -78,7 +83,7 @@ def test_misuse_exits_2_and_says_what_where_and_how_to_mend(
 def test_refusal_with_json_is_one_document_too(minkref: Minkref, arguments: list[str]) -> None:
     ran = minkref(*arguments, "--json")
     assert ran.code == 2
-    jsonschema.validate(ran.json, schema("error"))
+    jsonschema.validate(ran.json, error_schema())
     assert ran.json["command"] == arguments[0]
 
 
@@ -138,6 +143,9 @@ def test_folder_is_refused_as_operand_and_as_output(minkref: Minkref, tmp_path: 
         '{"baseline": "baseline-v9", "entries": []}',
         '{"baseline": "baseline-v1"}',
         '{"baseline": "baseline-v1", "entries": [{"target": "cgal-full"}]}',
+        '{"baseline": "baseline-v1", "entries": [{"target": "*", "version": "*",'
+        ' "kind": "typo", "reason": "r"}]}',
+        "[" * 100_000,
     ],
 )
 def test_bad_baseline_is_refused(minkref: Minkref, tmp_path: Path, text: str) -> None:
@@ -146,3 +154,13 @@ def test_bad_baseline_is_refused(minkref: Minkref, tmp_path: Path, text: str) ->
     ran = minkref("verify", "minkref:paper", "--pairs", "1", "--baseline", path)
     assert ran.code == 2
     assert "baseline" in ran.err
+
+
+def test_folder_of_executables_that_does_not_exist_is_refused(
+    minkref: Minkref, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for folder in (tmp_path, tmp_path / "absent"):
+        monkeypatch.setenv("MINKREF_CGAL", str(folder))
+        ran = minkref("targets")
+        assert ran.code == 2
+        assert "MINKREF_CGAL" in ran.err

@@ -102,3 +102,58 @@ def answers_in_floats(P: Set, Q: Set) -> Any:
 
 def declines(P: Set, Q: Set) -> None:
     return None
+
+
+class Mute(Exception):
+    def __str__(self) -> str:
+        raise ValueError("no text")
+
+
+def raises_what_has_no_text(P: Set, Q: Set) -> Set:
+    raise Mute
+
+
+class Spiteful(dict[str, Any]):
+    def __getitem__(self, key: str) -> Any:
+        raise AttributeError(key)
+
+
+def answers_with_a_spiteful_object(P: Set, Q: Set) -> Set:
+    return Spiteful()
+
+
+def exits(P: Set, Q: Set) -> Set:
+    raise SystemExit(0)
+
+
+def raises_control_characters(P: Set, Q: Set) -> Set:
+    raise RuntimeError("\x1b[31m\x00" + "x" * 100_000)
+
+
+def prints(P: Set, Q: Set) -> Set:
+    print("printed by the target", flush=True)
+    os.write(1, b"written by the target\n")
+    return right(P, Q)
+
+
+def runs_the_other_way(P: Set, Q: Set) -> Set:
+    result = right(P, Q)
+    for polygon in result["polygons"]:
+        polygon["outer"].reverse()
+        polygon["holes"] = [hole[::-1] for hole in polygon["holes"]]
+    return result
+
+
+def adds_a_flat_ring(P: Set, Q: Set) -> Set:
+    result = right(P, Q)
+    flat = [["0", "0"], ["1", "1"], ["2", "2"]]
+    result["polygons"].append({"outer": flat, "holes": []})
+    return result
+
+
+def answers_in_long_numbers(P: Set, Q: Set) -> Set:
+    long = 10**5000
+    return {"polygons": [{"outer": [[long, 0], [long + 1, 0], [long, 1]], "holes": []}]}
+
+
+not_callable = 3

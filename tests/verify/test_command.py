@@ -120,6 +120,44 @@ def test_junit_counts_failures_errors_and_skips(minkref: Any, tmp_path: Path) ->
     }
 
 
+def test_nothing_run_is_one_document(minkref: Any) -> None:
+    code, out, err = minkref("py:faulty_sums:declines", "--pairs", "2", "--no-models", "--json")
+    assert (code, json.loads(out)["exit_code"]) == (2, 2)
+    assert "nothing was run" in err
+
+
+@pytest.mark.parametrize(
+    ("target", "message"),
+    [
+        ("py:exits_on_import:f", "SystemExit"),
+        ("py:faulty_sums:not_callable", "no function"),
+        ("py:faulty_sums:absent", "AttributeError"),
+    ],
+)
+def test_function_that_cannot_be_loaded_is_refused(minkref: Any, target: str, message: str) -> None:
+    code, _, err = minkref(target, "--pairs", "1", "--no-models")
+    assert code == 2
+    assert message in err
+
+
+def test_what_a_target_prints_is_not_in_the_document(
+    faulty_sums: None, capfd: pytest.CaptureFixture[str]
+) -> None:
+    code = run(["verify", "py:faulty_sums:prints", "--pairs", "2", "--no-models", "--json"])
+    captured = capfd.readouterr()
+    assert (code, json.loads(captured.out)["exit_code"]) == (0, 0)
+    assert "written by the target" in captured.err
+
+
+def test_messages_are_cut_and_legal_in_xml(minkref: Any, tmp_path: Path) -> None:
+    target, path = "py:faulty_sums:raises_control_characters", tmp_path / "junit.xml"
+    code, out, _ = minkref(target, "--pairs", "1", "--no-models", "--json", "--junit", path)
+    assert code == 3
+    assert len(json.loads(out)["findings"][0]["message"]) <= 2000
+    ElementTree.parse(path)
+    assert path.stat().st_size < 5000
+
+
 def test_run_ends_in_its_time(minkref: Any) -> None:
     import time
 

@@ -36,6 +36,8 @@ def test_right_target_and_all_routes_pass(verify: Verify) -> None:
         ("nothing", Reason.COMPONENT),
         ("covers_twice", Reason.SELF_INTERSECTING),
         ("leaves_a_stub", Reason.NOT_CLOSED),
+        ("adds_a_flat_ring", Reason.NOT_CLOSED),
+        ("answers_in_long_numbers", Reason.EXTRA),
     ],
 )
 def test_wrong_target_is_wrong_with_a_witness_that_holds(
@@ -50,6 +52,16 @@ def test_wrong_target_is_wrong_with_a_witness_that_holds(
         assert finding.outcome.witness is not None
         assert finding.case.P and finding.case.Q
         assert holds(finding.case.P, finding.case.Q, finding.case.scale, finding.outcome.witness)
+
+
+def test_rings_of_a_python_target_may_run_either_way(verify: Verify) -> None:
+    run = verify("py:faulty_sums:runs_the_other_way", pairs=40)
+    assert run.findings == []
+
+
+def test_import_is_no_part_of_a_call(verify: Verify) -> None:
+    run = verify("py:slow_to_import:right", pairs=2, call_seconds=1.0)
+    assert run.findings == []
 
 
 def test_lost_hole_is_found_named_and_reproduced(verify: Verify) -> None:
@@ -71,6 +83,9 @@ def test_lost_hole_is_found_named_and_reproduced(verify: Verify) -> None:
         ("speaks_nonsense", Verdict.ERRORED, "not a polygon set"),
         ("answers_in_floats", Verdict.ERRORED, "exact numbers"),
         ("exhausts_memory", Verdict.OUT_OF_MEMORY, ""),
+        ("raises_what_has_no_text", Verdict.ERRORED, "Mute"),
+        ("answers_with_a_spiteful_object", Verdict.ERRORED, "not a polygon set"),
+        ("exits", Verdict.ERRORED, "SystemExit"),
         ("dies", Verdict.CRASHED, "SIGSEGV"),
         ("leaves", Verdict.CRASHED, "exit code 3"),
         ("hangs", Verdict.TIMED_OUT, "no answer in 1 s"),

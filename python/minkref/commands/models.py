@@ -8,12 +8,12 @@ from typing import Any
 
 from rich.table import Table
 
-from minkref import _core
 from minkref.documents import Stopwatch, as_text, document
-from minkref.errors import refusing
+from minkref.errors import Refusal
 from minkref.model_catalogue import PAPER_MODELS, VARIABLE, Model, all_models
+from minkref.operand import read_set
 from minkref.options import Json, Schema
-from minkref.terminal import console
+from minkref.terminal import console, shown
 
 EXAMPLES = """Examples:
 
@@ -26,14 +26,22 @@ def command(json: Json = False, schema: Schema = False) -> None:
     """The models that can be named instead of a file, with their sizes."""
     watch = Stopwatch()
     models = all_models()
-    rows = [_row(model) for model in sorted(models.values(), key=lambda m: (m.origin, m.name))]
+    rows: list[dict[str, Any]] = []
+    unreadable: list[dict[str, str]] = []
+    for model in sorted(models.values(), key=lambda m: (m.origin, m.name)):
+        try:
+            rows.append(_row(model))
+        except Refusal as refusal:
+            unreadable.append({"name": model.name, "file": str(model.path), "why": refusal.what})
     absent = [
         {"name": name, "look_alike": alike}
         for name, _, alike, _ in PAPER_MODELS
         if name not in models
     ]
     folder = os.environ.get(VARIABLE) or None
-    value = document("models", watch, folder=folder, models=rows, absent=absent)
+    value = document(
+        "models", watch, folder=folder, models=rows, unreadable=unreadable, absent=absent
+    )
     if json:
         sys.stdout.write(as_text(value))
     else:
@@ -41,7 +49,7 @@ def command(json: Json = False, schema: Schema = False) -> None:
 
 
 def _row(model: Model) -> dict[str, Any]:
-    read = refusing(str(model.path), lambda: _core.read_file(str(model.path)))
+    read, _ = read_set(model.path)
     polygons = len(read.rings())
     return {
         "name": model.name,
@@ -59,10 +67,16 @@ def _print(value: dict[str, Any]) -> None:
         table.add_column(heading, justify="right" if heading in ("vertices", "holes") else "left")
     for row in value["models"]:
         table.add_row(
-            row["name"], f"{row['vertices']:,}", str(row["holes"]), row["origin"], row["about"]
+            shown(row["name"]),
+            f"{row['vertices']:,}",
+            str(row["holes"]),
+            row["origin"],
+            row["about"],
         )
     out = console()
     out.print(table)
+    for row in value["unreadable"]:
+        out.print(f"{shown(row['file'])} cannot be read: {shown(row['why'])}", soft_wrap=True)
     for row in value["absent"]:
         out.print(
             f"{row['name']} is absent ({VARIABLE} does not hold it); "

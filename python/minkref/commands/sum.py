@@ -12,10 +12,11 @@ import typer
 from minkref import _core
 from minkref.documents import Stopwatch, as_text, check_writable, document, write_atomically
 from minkref.errors import Refusal, refusing
-from minkref.exact import approximate, digest, read_scale
+from minkref.exact import digest, in_double_range, read_scale, scientific
 from minkref.operand import Operand, read_operand
 from minkref.options import Json, Schema
-from minkref.terminal import lines
+from minkref.signals import interruptible
+from minkref.terminal import lines, shown
 
 EXAMPLES = """Examples:
 
@@ -29,7 +30,7 @@ minkref sum g1 g2 --arithmetic mpfr:53"""
 
 ROUTES = ("paper", "winding", "definition")
 OUTPUTS = {".wkt": "wkt", ".geojson": "geojson", ".poly": "poly", ".json": "json", ".svg": "svg"}
-_MPFR = re.compile(r"mpfr:(\d{1,7})", re.ASCII)
+_MPFR = re.compile(r"mpfr:(\d+)", re.ASCII)
 FEWEST_BITS, MOST_BITS = 2, 1_000_000
 
 
@@ -65,21 +66,13 @@ def command(
     _check_route(route, arithmetic)
     if output is not None:
         _check_output(output)
-    first, second = read_operand(P), read_operand(Q)
-    result = compute(first, second, exact_scale, route, arithmetic)
-    region = result.pop("region")
-    exactly: bool | None = None
-    if output is not None:
-        if region is None:
-            raise Refusal(
-                "the interval arithmetic could not certify the sum: there is nothing to write",
-                str(output),
-                "use --arithmetic rational",
-                "undecided-sign",
-            )
-        form = OUTPUTS[output.suffix.lower()]
-        write_atomically(output, refusing(str(output), lambda: _core.write(region, form)))
-        exactly = _core.writes_exactly(region, form)
+    with interruptible():
+        first, second = read_operand(P), read_operand(Q)
+        result = compute(first, second, exact_scale, route, arithmetic)
+        region = result.pop("region")
+        written = _written(region, output) if output is not None else None
+    if output is not None and written is not None:
+        write_atomically(output, written[0])
     value = document(
         "sum",
         watch,
@@ -88,7 +81,7 @@ def command(
         scale=exact_scale,
         warnings=first.warnings + second.warnings,
         output=str(output) if output else None,
-        output_exact=exactly,
+        output_exact=written[1] if written else None,
         **result,
     )
     if json:
@@ -97,9 +90,23 @@ def command(
         _print(value)
 
 
+def _written(region: _core.PolygonSet | None, output: Path) -> tuple[str, bool]:
+    """The text of the output file, and whether it is exact."""
+    if region is None:
+        raise Refusal(
+            "the arithmetic could not decide a sign: there is nothing to write",
+            str(output),
+            "use --arithmetic rational",
+            "undecided-sign",
+        )
+    form = OUTPUTS[output.suffix.lower()]
+    text = refusing(str(output), lambda: _core.write(region, form))
+    return text, _core.writes_exactly(region, form)
+
+
 def compute(P: Operand, Q: Operand, scale: str, route: str, arithmetic: str) -> dict[str, Any]:
-    """The fields of the document that describe the sum, and `region` (None where the interval
-    arithmetic gave up). For another arithmetic than rational, `exact` says what is true."""
+    """The fields of the document that describe the sum, and `region` (None where the arithmetic
+    could not decide a sign). For another arithmetic than rational, `exact` says what is true."""
     import json
 
     where = f"{P.name} and {Q.name}"
@@ -128,7 +135,8 @@ def compute(P: Operand, Q: Operand, scale: str, route: str, arithmetic: str) -> 
             where, lambda: _core.minkowski_sum(P.set, Q.set, scale, "paper", "rational")
         )
         described = _description(truth)
-        fields["exact"] = {**described, "equal": described["digest"] == fields["digest"]}
+        equal = described["digest"] == fields["digest"] if answer else None
+        fields["exact"] = {**described, "equal": equal}
         del fields["exact"]["result"]
     canonical = answer.region.canonical_json() if answer else None
     fields["result"] = json.loads(canonical) if canonical else None
@@ -144,7 +152,7 @@ def _description(answer: _core.Sum | None) -> dict[str, Any]:
     return {
         "digest": digest(answer.region.canonical_json()),
         "area": area,
-        "area_approximate": approximate(area),
+        "area_approximate": in_double_range(area),
         "components": answer.components,
         "holes": answer.holes,
         "vertices": answer.region.vertices,
@@ -167,13 +175,13 @@ def _check_route(route: str, arithmetic: str) -> None:
     mpfr = _MPFR.fullmatch(arithmetic)
     if arithmetic not in ("rational", "interval", "double") and not mpfr:
         raise Refusal(
-            f"there is no arithmetic {arithmetic!r}",
+            f"there is no arithmetic {arithmetic[:40]!r}",
             "--arithmetic",
             "choose rational, interval, double or mpfr:BITS, for example mpfr:53",
         )
-    if mpfr and not FEWEST_BITS <= int(mpfr[1]) <= MOST_BITS:
+    if mpfr and not (len(mpfr[1]) <= 20 and FEWEST_BITS <= int(mpfr[1]) <= MOST_BITS):
         raise Refusal(
-            f"{mpfr[1]} bits are out of range",
+            f"{mpfr[1][:20]} bits are out of range",
             "--arithmetic",
             f"choose between {FEWEST_BITS} and {MOST_BITS} bits",
         )
@@ -201,36 +209,50 @@ def _print(value: dict[str, Any]) -> None:
         ("route, arithmetic", f"{value['route']}, {value['arithmetic']}"),
     ]
     if value["undecided"]:
-        rows.append(("result", "undecided: the intervals could not certify a sign"))
+        rows.append(("result", f"undecided: {_why_undecided(value['arithmetic'])}"))
     else:
         rows += _described(value)
     exact = value["exact"]
     if exact is not None:
-        rows.append(("exact", "the same set" if exact["equal"] else "another set:"))
+        words = {True: "the same set", False: "another set:", None: "the true sum:"}
+        rows.append(("exact", words[exact["equal"]]))
         if not exact["equal"]:
             rows += [(f"  {name}", text) for name, text in _described(exact)]
     rows.append(("tight passages", "not computed"))
     signs = value["signs"]
     if signs is not None and signs["total"]:
-        parts = (
-            f"{signs['shares'][name]:.2%} {name.replace('_', ' ')}"
-            for name in ("by_float", "by_integer", "by_rational")
-        )
-        rows.append(("signs", f"{signs['total']:,}: " + ", ".join(parts)))
+        rows.append(("signs", f"{signs['total']:,}: {_deciders(signs, value['arithmetic'])}"))
     rows.append(("seconds", f"{value['seconds']:.3f}"))
     if value["output"]:
         rounded = "" if value["output_exact"] else " (rounded; .json is exact)"
         rows.append(("written", value["output"] + rounded))
     sys.stdout.write(lines(rows))
     for warning in value["warnings"]:
-        sys.stderr.write(f"warning: {warning}\n")
+        sys.stderr.write(f"warning: {shown(warning)}\n")
+
+
+def _why_undecided(arithmetic: str) -> str:
+    if arithmetic == "interval":
+        return "the intervals could not certify a sign"
+    return f"in the arithmetic {arithmetic} a value overflowed to what is not a number"
+
+
+def _deciders(signs: dict[str, Any], arithmetic: str) -> str:
+    if arithmetic != "rational":
+        return f"all by {arithmetic}"
+    return ", ".join(
+        f"{signs['shares'][name]:.2%} {name.replace('_', ' ')}"
+        for name in ("by_float", "by_integer", "by_rational")
+    )
 
 
 def _described(value: dict[str, Any]) -> list[tuple[str, str]]:
     area = value["area"]
     exactly = area if len(area) <= 60 else f"({len(area):,} characters; --json prints it)"
+    near = value["area_approximate"]
+    rounded = scientific(area) if near is None else f"{near:.10g}"
     return [
-        ("area", f"{value['area_approximate']:.10g} = {exactly}"),
+        ("area", f"{rounded} = {exactly}"),
         ("components, holes", f"{value['components']}, {value['holes']}"),
         ("vertices", f"{value['vertices']:,}"),
         ("digest", value["digest"]),

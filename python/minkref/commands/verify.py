@@ -12,16 +12,21 @@ import typer
 
 from minkref.commands.verify_output import ProgressLine, document_of, print_tables
 from minkref.documents import Stopwatch, as_text, check_writable, write_atomically
-from minkref.errors import Refusal
+from minkref.errors import Refusal, refusal_text
 from minkref.exits import ExitCode
 from minkref.fuzz.baseline import Baseline, read_baseline
 from minkref.fuzz.case import CaseName
 from minkref.fuzz.case_list import CaseList
 from minkref.fuzz.runner import run
 from minkref.fuzz.targets import Limits, select
+from minkref.fuzz.worker import load_limit
 from minkref.options import Json, Schema
 from minkref.reports.conformance.junit import junit
 from minkref.reports.conformance.page import write_report
+from minkref.signals import ending_in_order
+
+MOST_JOBS = 1024
+MOST_MEMORY = 1 << 24  # MiB
 
 EXAMPLES = """Examples:
 
@@ -34,6 +39,13 @@ minkref verify --baseline fuzz/baseline.json --seconds 60 --json
 minkref verify cgal-reduced --case random:1:42 --case disc1+cells1815@7/5
 
 minkref verify py:my_module:my_sum --junit junit.xml"""
+
+
+NOTHING_RUN: dict[str, object] = {
+    "where": "minkref verify",
+    "what": "nothing was run: every target skipped every case, or there was no case",
+    "mend": "choose other targets or cases, or raise --pairs, --seconds or --size-limit",
+}
 
 
 def command(
@@ -104,15 +116,15 @@ def command(
     if report is not None:
         _make_folder(report)
     listed = read_baseline(baseline) if baseline is not None else Baseline()
-    chosen, absent = select(targets or [])
+    limits = Limits(call_seconds, call_memory << 20, size_limit)
+    chosen, absent = select(targets or [], load_limit(limits))
     for text in case or []:
         CaseName(text, "named").load()
     cases = CaseList(seed, pairs, seconds, tuple(case or ()), models)
-    limits = Limits(call_seconds, call_memory << 20, size_limit)
     workers = jobs or os.cpu_count() or 1
     names = [entry.name for entry in chosen]
     versions = {entry.name: entry.version for entry in chosen}
-    with ProgressLine(cases.count) as line:
+    with ending_in_order(), ProgressLine(cases.count) as line:
         done = run(cases, names, versions, listed, limits, workers, line.show)
     code = done.exit_code(strict)
     value = document_of(done, chosen, absent, cases, watch, code)
@@ -126,12 +138,7 @@ def command(
     else:
         print_tables(done, value)
     if code is ExitCode.USAGE:
-        raise Refusal(
-            "nothing was run: every target skipped every case, or there was no case",
-            "minkref verify",
-            "choose other targets or cases, or raise --pairs, --seconds or --size-limit",
-            "nothing-selected",
-        )
+        sys.stderr.write(refusal_text(NOTHING_RUN))
     if code:
         raise typer.Exit(int(code))
 
@@ -144,15 +151,17 @@ def _check(
     call_memory: int,
     size_limit: int | None,
 ) -> None:
-    for option, value, least in (
-        ("--seconds", seconds, 0),
-        ("--pairs", pairs, 0),
-        ("--jobs", jobs, 1),
-        ("--call-memory", call_memory, 16),
-        ("--size-limit", size_limit, 1),
+    for option, value, least, most in (
+        ("--seconds", seconds, 0, None),
+        ("--pairs", pairs, 0, None),
+        ("--jobs", jobs, 1, MOST_JOBS),
+        ("--call-memory", call_memory, 16, MOST_MEMORY),
+        ("--size-limit", size_limit, 1, None),
     ):
         if value is not None and not value >= least:
             raise Refusal(f"{value} is too small", option, f"give at least {least}")
+        if value is not None and most is not None and value > most:
+            raise Refusal(f"{value} is too large", option, f"give at most {most}")
     if not 0 < call_seconds <= 86_400:
         raise Refusal(
             f"{call_seconds} is out of range", "--call-seconds", "give 0 to 86400 seconds"
@@ -162,6 +171,12 @@ def _check(
 def _make_folder(folder: Path) -> None:
     try:
         folder.mkdir(parents=True, exist_ok=True)
+    except FileExistsError as error:
+        raise Refusal(
+            "this is a file, and the report needs a folder",
+            str(folder),
+            "name a folder that exists or is to be made",
+        ) from error
     except OSError as error:
         raise Refusal(
             f"the folder cannot be made: {error.strerror}", str(folder), "choose another place"

@@ -18,7 +18,7 @@ from minkref.fuzz.case_list import CaseList
 from minkref.fuzz.runner import Cell, Finding, Run
 from minkref.fuzz.targets import TargetEntry
 from minkref.fuzz.verdict import Verdict
-from minkref.terminal import console
+from minkref.terminal import console, shown
 
 SMALL = 400  # vertices up to which a finding carries its operands in full
 
@@ -125,11 +125,11 @@ def print_tables(run: Run, value: dict[str, Any]) -> None:
     for row in value["absent"]:
         absent.setdefault(row["reason"], []).append(row["name"])
     for reason, names in absent.items():
-        out.print(f"skipped ({', '.join(names)}): {reason}", soft_wrap=True)
+        out.print(shown(f"skipped ({', '.join(names)}): {reason}"), soft_wrap=True)
     for note in value["notes"]:
         out.print(note, soft_wrap=True)
     for reason, names in _skips(run).items():
-        out.print(f"skipped ({', '.join(names)}): {reason}", soft_wrap=True)
+        out.print(shown(f"skipped ({', '.join(names)}): {reason}"), soft_wrap=True)
     for finding, count in run.smallest():
         out.print()
         for line in describe(finding, count):
@@ -137,7 +137,7 @@ def print_tables(run: Run, value: dict[str, Any]) -> None:
     out.print()
     out.print(conclusion(run), soft_wrap=True)
     if value["report"]:
-        out.print(f"report: {value['report']}", soft_wrap=True)
+        out.print(shown(f"report: {value['report']}"), soft_wrap=True)
     out.print(f"{value['seconds']:.1f} s, {value['peak_bytes'] / 2**20:,.0f} MiB at most")
 
 
@@ -150,7 +150,7 @@ def _matrix(run: Run) -> Table:
     for target in run.targets:
         cells = [run.matrix.get((target, group)) for group in run.groups]
         seconds = sum(cell.seconds for cell in cells if cell)
-        table.add_row(target, *(cell_text(cell) for cell in cells), f"{seconds:.2f}")
+        table.add_row(shown(target), *(cell_text(cell) for cell in cells), f"{seconds:.2f}")
     return table
 
 
@@ -180,7 +180,7 @@ def _skips(run: Run) -> dict[str, list[str]]:
 
 
 def describe(finding: Finding, count: int) -> list[str]:
-    """The lines about one kind of finding."""
+    """The lines about one kind of finding, without control characters."""
     outcome, case = finding.outcome, finding.case
     times = "once" if count == 1 else f"{count:,} times, here the smallest"
     was = f" (was {outcome.was})" if outcome.was else ""
@@ -204,7 +204,7 @@ def describe(finding: Finding, count: int) -> list[str]:
                 f"  witness {point} is outside the sum: the scaled P does not meet the point less Q"
             )
     lines.append(f"  {finding.reproduce}")
-    return lines
+    return [shown(line) for line in lines]
 
 
 def conclusion(run: Run) -> str:

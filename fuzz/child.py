@@ -1,0 +1,32 @@
+"""What every process that runs somebody else's code does first, and how it is ended."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import signal
+import sys
+from multiprocessing.context import SpawnProcess
+
+from minkref.signals import end_with_parent, kill_group
+
+
+def begin() -> None:
+    """Makes this process the leader of a session that ends with its parent. What it prints goes to
+    standard error: standard output belongs to the document of the command."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    os.setsid()
+    parent = multiprocessing.parent_process()
+    if parent is not None and parent.pid is not None:
+        end_with_parent(parent.pid)
+    os.dup2(2, 1)
+    sys.set_int_max_str_digits(0)
+
+
+def end(process: SpawnProcess) -> None:
+    """Kills the process with all that it started, and waits for it."""
+    if process.pid is not None:
+        kill_group(process.pid)
+    if process.is_alive():  # it did not come to lead a session yet
+        process.kill()
+    process.join()

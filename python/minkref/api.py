@@ -1,0 +1,100 @@
+"""The Python interface: exact sets, their sums, and what tells two sets apart.
+
+Numbers are texts, `n` or `n/d`. What is refused raises BadInput, with the attributes code, problem,
+mend, source, line, ring, vertices and coordinates. Source: docs/definitions.md.
+"""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Any
+
+from minkref import _core
+from minkref.errors import Refusal
+from minkref.operand import is_utf8, read_set
+
+BadInput = _core.BadInput
+LimitExceeded = _core.LimitExceeded
+PolygonSet = _core.PolygonSet
+Sum = _core.Sum
+UndecidedSign = _core.UndecidedSign
+
+__all__ = [
+    "BadInput",
+    "LimitExceeded",
+    "PolygonSet",
+    "Refusal",
+    "Sum",
+    "UndecidedSign",
+    "decide",
+    "difference",
+    "minkowski_sum",
+    "read_file",
+    "read_text",
+    "write",
+]
+
+
+def minkowski_sum(
+    P: PolygonSet,
+    Q: PolygonSet,
+    scale: str | int = 1,
+    route: str = "paper",
+    arithmetic: str = "rational",
+) -> Sum:
+    """The Minkowski sum of P, scaled by `scale` > 0 about the origin, and Q.
+
+    Exact and in canonical form with the arithmetic `rational`; `interval` is exact or raises
+    UndecidedSign; `double` and `mpfr:BITS` may be wrong, and raise UndecidedSign where a value is
+    no number. The routes `paper`, `winding` and `definition` give the same set; the other
+    arithmetics go with `paper` only. Both operands are validated first. The route `paper` takes
+    O((N + k) log N), N the size of the reduced convolution, k its crossings. Raises BadInput for an
+    operand, scale, route or arithmetic that is none. Behar & Lien, "Dynamic
+    Minkowski Sums Under Scaling", 2012, Sec. 3."""
+    _validate(P=P, Q=Q)
+    return _core.minkowski_sum(P, Q, str(scale), route, arithmetic)
+
+
+def read_file(path: str | os.PathLike[str]) -> PolygonSet:
+    """The polygon set in a file, exactly as its text says; the format by the ending (`.wkt`,
+    `.geojson`, `.poly`, `.json`). Not validated. Linear in the length of the file. Raises BadInput
+    (Refusal for a file whose name is not UTF-8). docs/formats.md."""
+    name = os.fspath(path)
+    return _core.read_file(name) if is_utf8(name) else read_set(Path(name))[0]
+
+
+def read_text(text: str, format: str, source: str = "") -> PolygonSet:
+    """The polygon set in a text in `wkt`, `geojson`, `poly`, `json` or `case`, exactly as it says;
+    `source` names it in refusals. Not validated. Linear in the length. Raises BadInput.
+    docs/formats.md."""
+    return _core.read_text(text, format, source)
+
+
+def write(set: PolygonSet, format: str) -> str:
+    """The text of a set in `wkt`, `geojson`, `poly`, `json` or `svg`. `json` is exact; the others
+    know decimals only and round other numbers to doubles. Linear. Raises BadInput for another
+    format, and for a set that the format cannot hold. docs/formats.md."""
+    return _core.write(set, format)
+
+
+def decide(P: PolygonSet, Q: PolygonSet, scale: str | int, x: str, y: str) -> dict[str, Any]:
+    """Whether the point (x, y) lies in scale P + Q, exactly and from the definition: `contact`
+    says how scale P and the point less Q meet (`empty`, `touching`, `overlapping`), and `p`, `q`
+    give scale p + q = (x, y) where they do. O(mn) pairs of triangles, after the validation of both
+    operands. Raises BadInput. docs/definitions.md."""
+    _validate(P=P, Q=Q)
+    return _core.decide(P, Q, str(scale), x, y)
+
+
+def difference(first: PolygonSet, second: PolygonSet) -> dict[str, Any] | None:
+    """An interior point of the symmetric difference (`point`) and which of the sets holds it; None
+    where the sets are equal. Exact. The time of a winding number arrangement of both boundaries,
+    after the validation of both. Raises BadInput. docs/definitions.md."""
+    _validate(first=first, second=second)
+    return _core.difference(first, second)
+
+
+def _validate(**operands: PolygonSet) -> None:
+    for name, operand in operands.items():
+        operand.validate(name)

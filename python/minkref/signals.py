@@ -1,0 +1,74 @@
+"""Signals: how the command and its worker processes end when they are told to."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import signal
+import sys
+import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
+from types import FrameType
+from typing import NoReturn
+
+PR_SET_PDEATHSIG = 1
+
+
+class Ended(BaseException):
+    """The process was told to end by the signal `number`."""
+
+    def __init__(self, number: int) -> None:
+        super().__init__(signal.Signals(number).name)
+        self.number = number
+
+
+@contextmanager
+def interruptible() -> Iterator[None]:
+    """Ctrl-C ends the process at once, also while C++ computes. Only where there is nothing to
+    clean up."""
+    if not _may_handle(signal.SIGINT):
+        yield
+        return
+    before = signal.signal(signal.SIGINT, signal.SIG_DFL)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
+@contextmanager
+def ending_in_order() -> Iterator[None]:
+    """SIGTERM and SIGHUP raise Ended, so that worker processes and temporary files are removed."""
+    numbers = [n for n in (signal.SIGTERM, signal.SIGHUP) if _may_handle(n)]
+    before = {number: signal.signal(number, _raise_ended) for number in numbers}
+    try:
+        yield
+    finally:
+        for number, handler in before.items():
+            signal.signal(number, handler)
+
+
+def end_with_parent(parent: int) -> None:
+    """This process is killed when the process `parent`, which started it, dies (Linux)."""
+    if sys.platform == "linux":
+        ctypes.CDLL(None, use_errno=True).prctl(PR_SET_PDEATHSIG, signal.SIGKILL, 0, 0, 0)
+        if os.getppid() != parent:  # it died before it could be watched
+            os._exit(1)
+
+
+def kill_group(leader: int) -> None:
+    """Kills a process that leads a session, with all that it started."""
+    try:
+        os.killpg(leader, signal.SIGKILL)
+    except (ProcessLookupError, PermissionError):
+        pass
+
+
+def _raise_ended(number: int, _: FrameType | None) -> NoReturn:
+    raise Ended(number)
+
+
+def _may_handle(number: int) -> bool:
+    here = threading.current_thread() is threading.main_thread()
+    return here and signal.getsignal(number) not in (signal.SIG_IGN, None)

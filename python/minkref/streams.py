@@ -1,0 +1,80 @@
+"""The standard streams of the command: a write that fails is one kind of exception, whoever
+writes."""
+
+from __future__ import annotations
+
+import errno
+import io
+import os
+import sys
+
+STANDARD = ((0, os.O_RDONLY), (1, os.O_RDONLY), (2, os.O_WRONLY))
+
+
+class OutputLost(Exception):
+    """Standard output takes nothing more."""
+
+    def __init__(self, error: OSError) -> None:
+        super().__init__(error.strerror or str(error))
+        self.reader_has_gone = error.errno == errno.EPIPE
+
+
+class _Output(io.FileIO):
+    def write(self, data: object) -> int:
+        try:
+            return super().write(data)  # type: ignore[arg-type]
+        except OSError as error:
+            raise OutputLost(error) from error
+
+
+class _Errors(io.FileIO):
+    """What standard error cannot take is dropped: there is nowhere left to say so."""
+
+    def write(self, data: object) -> int:
+        try:
+            return super().write(data)  # type: ignore[arg-type]
+        except OSError:
+            return memoryview(data).nbytes  # type: ignore[arg-type]
+
+
+def guard() -> None:
+    """Replaces sys.stdout and sys.stderr. A stream that is closed gets a descriptor that cannot
+    hold a file of ours by accident; writing to it fails. No name fails to be written for its
+    letters."""
+    for descriptor, mode in STANDARD:
+        if _is_closed(descriptor):
+            _point(descriptor, mode)
+    sys.stdout = _text(_Output(1, "w", closefd=False), sys.stdout)
+    sys.stderr = _text(_Errors(2, "w", closefd=False), sys.stderr)
+
+
+def give_up_output() -> None:
+    """Sends what is still to be written nowhere."""
+    _point(1, os.O_WRONLY)
+    sys.stdout.flush()
+
+
+def _is_closed(descriptor: int) -> bool:
+    try:
+        os.fstat(descriptor)
+    except OSError:
+        return True
+    return False
+
+
+def _point(descriptor: int, mode: int) -> None:
+    nowhere = os.open(os.devnull, mode)
+    if nowhere != descriptor:
+        os.dup2(nowhere, descriptor)
+        os.close(nowhere)
+    else:
+        os.set_inheritable(descriptor, True)
+
+
+def _text(raw: io.FileIO, before: object) -> io.TextIOWrapper:
+    return io.TextIOWrapper(
+        io.BufferedWriter(raw),
+        encoding=getattr(before, "encoding", None) or "utf-8",
+        errors="backslashreplace",
+        line_buffering=raw.isatty() or raw.fileno() == 2,
+    )

@@ -1,0 +1,58 @@
+"""Standard streams that are closed, full, or of another encoding; signals."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+
+MINKREF = f"{sys.executable} -m minkref"
+
+
+def shell(line: str, **environment: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        ["bash", "-c", line], capture_output=True, text=True, env={**os.environ, **environment}
+    )
+
+
+@pytest.mark.parametrize(
+    "command", ["sum g1 g3", "models", "--help", "verify minkref:paper --pairs 1 --no-models"]
+)
+def test_closed_pipe_exits_141_as_by_sigpipe(command: str) -> None:
+    ran = shell(f"{MINKREF} {command} | true; exit ${{PIPESTATUS[0]}}")
+    assert (ran.returncode, ran.stderr) == (141, "")
+
+
+@pytest.mark.parametrize("to", [">&-", ">/dev/full"])
+def test_output_that_takes_nothing_exits_2_and_says_so(to: str) -> None:
+    ran = shell(f"{MINKREF} sum g1 g3 {to}")
+    assert ran.returncode == 2
+    assert "cannot write to standard output" in ran.stderr
+
+
+@pytest.mark.parametrize("to", ["2>&-", "2>/dev/full"])
+def test_refusal_that_nobody_can_read_still_exits_2(to: str) -> None:
+    assert shell(f"{MINKREF} sum absent.wkt g3 {to}").returncode == 2
+
+
+@pytest.mark.parametrize("encoding", ["ascii:strict", "utf-8:strict"])
+def test_names_that_the_stream_cannot_say_are_escaped(encoding: str) -> None:
+    ran = shell(f"{MINKREF} sum $'\\xff\\u00f1.wkt' g3 --json", PYTHONIOENCODING=encoding)
+    assert ran.returncode == 2
+    assert json.loads(ran.stdout)["error"]["code"] == "no-such-file"
+
+
+def test_interrupt_ends_a_sum_that_computes() -> None:
+    command = [sys.executable, "-m", "minkref", "sum", "glyph1204", "cells1815"]
+    with subprocess.Popen([*command, "--route", "definition"]) as process:
+        time.sleep(2)
+        process.send_signal(signal.SIGINT)
+        try:
+            assert process.wait(10) == -signal.SIGINT
+        finally:
+            process.kill()
