@@ -35,6 +35,13 @@ def lives(process: int) -> bool:
     return text.rpartition(")")[2].split()[0] != "Z"
 
 
+def heed_signals() -> None:
+    """A background job of a shell is started deaf to SIGINT, and nohup's to SIGHUP; both are
+    inherited."""
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, signal.SIG_DFL)
+
+
 @pytest.mark.parametrize(
     ("number", "code"),
     [
@@ -46,13 +53,19 @@ def lives(process: int) -> bool:
 )
 def test_workers_end_with_the_command(number: int, code: int) -> None:
     command = [sys.executable, "-m", "minkref", "verify", "minkref:paper", "--seconds", "60"]
+    command += ["--jobs", "2", "--no-models"]
     quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
-    with subprocess.Popen([*command, "--jobs", "2", "--no-models"], **quiet) as process:
-        time.sleep(3)
+    with subprocess.Popen(command, preexec_fn=heed_signals, **quiet) as process:
+        deadline = time.monotonic() + 30
+        workers: list[int] = []
+        while len(workers) < 2 and time.monotonic() < deadline:
+            time.sleep(0.1)
+            workers = children(process.pid)
+        time.sleep(1)  # into their work
         workers = children(process.pid)
         assert len(workers) >= 2
         os.kill(process.pid, number)
-        assert process.wait(15) == code
+        assert process.wait(30) == code
     deadline = time.monotonic() + 5
     while any(map(lives, workers)) and time.monotonic() < deadline:
         time.sleep(0.1)
