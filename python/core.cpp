@@ -8,6 +8,7 @@ NB_MODULE(_core, module) {
   minkref::python::bind_files(module);
   minkref::python::bind_sum(module);
   minkref::python::bind_convolution(module);
+  minkref::python::bind_events(module);
   minkref::python::bind_comparison(module);
   minkref::python::bind_evidence(module);
 }

@@ -6,10 +6,12 @@
 #include <nanobind/nanobind.h>
 
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "formats/reading.hpp"
+#include "reference/plane/convolution/convolution.hpp"
 #include "reference/plane/polygon_set.hpp"
 
 namespace minkref::python {
@@ -31,11 +33,17 @@ struct Set {
   std::vector<RingOrigin> origins = {};
 };
 
+/// kind "S" or "T", sign, ring and index of the edge, ring and index of the vertex.
+using EdgeRow =
+    std::tuple<std::string, int, std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t>;
+std::vector<EdgeRow> convolution_rows(const std::vector<ConvolutionEdge>& edges);
+
 void bind_errors(nanobind::module_& module);
 void bind_polygon_set(nanobind::module_& module);
 void bind_files(nanobind::module_& module);
 void bind_sum(nanobind::module_& module);
 void bind_convolution(nanobind::module_& module);
+void bind_events(nanobind::module_& module);
 void bind_comparison(nanobind::module_& module);
 void bind_evidence(nanobind::module_& module);
 

@@ -12,14 +12,9 @@ namespace nb = nanobind;
 using namespace nb::literals;
 
 namespace minkref::python {
-namespace {
 
-/// kind "S" or "T", sign, ring and index of the edge, ring and index of the vertex.
-using EdgeTuple =
-    std::tuple<std::string, int, std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t>;
-
-std::vector<EdgeTuple> tuples(const std::vector<ConvolutionEdge>& edges) {
-  std::vector<EdgeTuple> rows;
+std::vector<EdgeRow> convolution_rows(const std::vector<ConvolutionEdge>& edges) {
+  std::vector<EdgeRow> rows;
   rows.reserve(edges.size());
   for (const auto& edge : edges) {
     rows.emplace_back(edge.kind == ConvolutionEdge::Kind::S ? "S" : "T", edge.sign, edge.edge.ring,
@@ -27,6 +22,8 @@ std::vector<EdgeTuple> tuples(const std::vector<ConvolutionEdge>& edges) {
   }
   return rows;
 }
+
+namespace {
 
 using SegmentTuple = std::tuple<double, double, double, double>;
 
@@ -51,13 +48,18 @@ void bind_convolution(nb::module_& module) {
   using Released = nb::call_guard<nb::gil_scoped_release>;
   module.def(
       "reduced_convolution",
-      [](const Set& P, const Set& Q) { return tuples(reduced_convolution(P.value, Q.value)); },
+      [](const Set& P, const Set& Q) {
+        return convolution_rows(reduced_convolution(P.value, Q.value));
+      },
       "P"_a, "Q"_a, Released(),
       "Rows (kind, sign, edge ring, edge index, vertex ring, vertex index).");
   module.def(
       "full_convolution",
-      [](const Set& P, const Set& Q) { return tuples(full_convolution(P.value, Q.value)); }, "P"_a,
-      "Q"_a, Released(), "Rows (kind, sign, edge ring, edge index, vertex ring, vertex index).");
+      [](const Set& P, const Set& Q) {
+        return convolution_rows(full_convolution(P.value, Q.value));
+      },
+      "P"_a, "Q"_a, Released(),
+      "Rows (kind, sign, edge ring, edge index, vertex ring, vertex index).");
   module.def("convolution_segments", segments, "P"_a, "Q"_a, "scale"_a, "reduced"_a, Released(),
              "For drawing: rows x0, y0, x1, y1.");
 }

@@ -55,9 +55,10 @@ def _root(
 
 
 def _register() -> None:
-    from minkref.commands import models, sum, targets, verify
+    from minkref.commands import events, models, sum, targets, verify
 
     app.command("sum", epilog=sum.EXAMPLES)(sum.command)
+    app.command("events", epilog=events.EXAMPLES)(events.command)
     app.command("verify", epilog=verify.EXAMPLES)(verify.command)
     app.command("models", epilog=models.EXAMPLES)(models.command)
     app.command("targets", epilog=targets.EXAMPLES)(targets.command)

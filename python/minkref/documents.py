@@ -9,6 +9,7 @@ import resource
 import sys
 import tempfile
 import time
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -55,9 +56,22 @@ def as_text(value: dict[str, Any]) -> str:
     return _SURROGATE.sub(lambda found: f"\\u{ord(found[0]):04x}", text)
 
 
-def write_atomically(path: Path, text: str) -> None:
-    """Writes all of `text` or nothing: a temporary file beside `path`, then a rename. Where `path`
-    is a symbolic link, the file that it points to is replaced."""
+def listing(value: dict[str, Any], name: str, items: Iterable[Any]) -> Iterator[str]:
+    """The pieces of the JSON text of a document with a last field `name`, a list too long to be
+    held in memory: one item a line."""
+    empty = "[]\n}\n"
+    yield as_text({**value, name: []}).removesuffix(empty)
+    first = True
+    for item in items:
+        yield ("[\n" if first else ",\n") + json.dumps(item)
+        first = False
+    yield empty if first else "\n]\n}\n"
+
+
+def write_atomically(path: Path, text: str | Iterable[str]) -> None:
+    """Writes all of `text`, given whole or piece by piece, or nothing: a temporary file beside
+    `path`, then a rename. Where `path` is a symbolic link, the file that it points to is
+    replaced."""
     path = _followed(path)
     try:
         handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=".minkref-")
@@ -70,7 +84,7 @@ def write_atomically(path: Path, text: str) -> None:
         ) from error
     try:
         with os.fdopen(handle, "w", encoding="utf-8", errors="backslashreplace") as stream:
-            stream.write(text)
+            stream.writelines([text] if isinstance(text, str) else text)
         mask = os.umask(0)
         os.umask(mask)
         os.chmod(temporary, 0o666 & ~mask)

@@ -21,10 +21,10 @@ _DECIMAL = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)
 _FRACTION = re.compile(r"([+-]?\d+)/(\d+)", re.ASCII)
 
 
-def read_scale(text: str) -> str:
+def read_scale(text: str, option: str = "--scale") -> str:
     """The scale in lowest terms, `n` or `n/d`. Decimals and fractions are read as what they say.
     Refuses what is not a finite positive number."""
-    where = f"--scale {text[:40]}{'...' if len(text) > 40 else ''}"
+    where = f"{option} {text[:40]}{'...' if len(text) > 40 else ''}"
     mend = "give a positive number, for example 1, 7/5, 0.25 or 541/186"
     if len(text) > LONGEST_SCALE:
         raise Refusal(f"the scale has more than {LONGEST_SCALE} characters", where, mend, "limit")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import sys
 from pathlib import Path
 from typing import Annotated, Any
@@ -10,6 +9,7 @@ from typing import Annotated, Any
 import typer
 
 from minkref import _core
+from minkref.arithmetic import check_arithmetic
 from minkref.documents import Stopwatch, as_text, check_writable, document, write_atomically
 from minkref.errors import Refusal, refusing
 from minkref.exact import digest, in_double_range, read_scale, scientific
@@ -30,8 +30,6 @@ minkref sum g1 g2 --arithmetic mpfr:53"""
 
 ROUTES = ("paper", "winding", "definition")
 OUTPUTS = {".wkt": "wkt", ".geojson": "geojson", ".poly": "poly", ".json": "json", ".svg": "svg"}
-_MPFR = re.compile(r"mpfr:(\d+)", re.ASCII)
-FEWEST_BITS, MOST_BITS = 2, 1_000_000
 
 
 def command(
@@ -172,19 +170,7 @@ def _check_route(route: str, arithmetic: str) -> None:
         raise Refusal(
             f"there is no route {route!r}", "--route", f"choose one of {', '.join(ROUTES)}"
         )
-    mpfr = _MPFR.fullmatch(arithmetic)
-    if arithmetic not in ("rational", "interval", "double") and not mpfr:
-        raise Refusal(
-            f"there is no arithmetic {arithmetic[:40]!r}",
-            "--arithmetic",
-            "choose rational, interval, double or mpfr:BITS, for example mpfr:53",
-        )
-    if mpfr and not (len(mpfr[1]) <= 20 and FEWEST_BITS <= int(mpfr[1]) <= MOST_BITS):
-        raise Refusal(
-            f"{mpfr[1][:20]} bits are out of range",
-            "--arithmetic",
-            f"choose between {FEWEST_BITS} and {MOST_BITS} bits",
-        )
+    check_arithmetic(arithmetic)
     if arithmetic != "rational" and route != "paper":
         raise Refusal(
             f"the route {route} is exact only",

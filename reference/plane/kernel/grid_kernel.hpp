@@ -75,7 +75,7 @@ class GridKernel {
   using Huge = typename Grid::Huge;
   using Vector = GridVector<Coordinate>;
 
-  /// t = num / den, den > 0; `value` is off by at most 4 * 2^-51 relatively.
+  /// t = num / den, den > 0; `value` is off by at most 9 * 2^-53 relatively.
   struct Parameter {
     double value = 0;
     Wide num = 0, den = 1;
@@ -96,6 +96,7 @@ class GridKernel {
   explicit GridKernel(double magnitude = 0) : node_error(16 * filter_bound * (magnitude + 1)) {}
 
   int sign(const Coordinate& value) const { return sign_of(value); }
+  int sign(const Wide& value) const { return sign_of(value); }
   int compare(const Coordinate& a, const Coordinate& b) const { return (a > b) - (a < b); }
 
   int turn(const Vector& u, const Vector& v) const {
@@ -111,6 +112,10 @@ class GridKernel {
 
   static Wide cross(const Vector& u, const Vector& v) {
     return Wide(u.x()) * Wide(v.y()) - Wide(u.y()) * Wide(v.x());
+  }
+
+  static Wide dot(const Vector& u, const Vector& v) {
+    return Wide(u.x()) * Wide(v.x()) + Wide(u.y()) * Wide(v.y());
   }
 
   Parameter intersection(const Vector& w, const Vector& d, const Vector& e) const {
@@ -131,6 +136,22 @@ class GridKernel {
     if (difference < -bound) return ++counts.by_float, -1;
     ++counts.by_integer;
     return sign_of(Huge(Huge(a.num) * Huge(b.den) - Huge(b.num) * Huge(a.den)));
+  }
+
+  static double approximation(const Parameter& t) { return t.value; }
+  static Rational exact(const Parameter& t) {
+    return Rational(grid_integer(t.num), grid_integer(t.den));
+  }
+
+  /// The sign of slope * t + value.
+  int sign_of_linear(const Wide& slope, const Wide& value, const Parameter& t) const {
+    const double product = grid_double(slope) * t.value, constant = grid_double(value);
+    const double sum = product + constant;
+    const double bound = (std::abs(product) + std::abs(constant)) * filter_bound;
+    if (sum > bound) return ++counts.by_float, 1;
+    if (sum < -bound) return ++counts.by_float, -1;
+    ++counts.by_integer;
+    return sign_of(Huge(Huge(slope) * Huge(t.num) + Huge(value) * Huge(t.den)));
   }
 
   Node node(const Vector& vertex) const {

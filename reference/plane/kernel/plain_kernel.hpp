@@ -32,6 +32,7 @@ class PlainKernel {
   using Coordinate = T;
   using Vector = Vector2<T>;
   using Parameter = T;
+  using Wide = T;
   using Node = Vector2<T>;
   using Query = Vector2<T>;
 
@@ -40,8 +41,14 @@ class PlainKernel {
     return minkref::sign(value);
   }
   int compare(const T& a, const T& b) const { return sign(T(a - b)); }
-  int turn(const Vector& u, const Vector& v) const {
-    return sign(T(u.x() * v.y() - u.y() * v.x()));
+  int turn(const Vector& u, const Vector& v) const { return sign(cross(u, v)); }
+
+  static T cross(const Vector& u, const Vector& v) { return T(u.x() * v.y() - u.y() * v.x()); }
+  static T dot(const Vector& u, const Vector& v) { return T(u.x() * v.x() + u.y() * v.y()); }
+  static Parameter parameter(const T& num, const T& den) { return T(num / den); }
+  static double approximation(const Parameter& t) { return approximate(t); }
+  int sign_of_linear(const T& slope, const T& value, const Parameter& t) const {
+    return sign(T(slope * t + value));
   }
 
   /// Behar & Lien 2012, Observation 1, in its corrected form: r = (w x e) / (d x e).

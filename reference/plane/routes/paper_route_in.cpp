@@ -1,8 +1,7 @@
 // The paper's route in arithmetics other than rational: what they answer.
-#include <charconv>
-
 #include "reference/plane/arrangement/exact_arrangement.hpp"
 #include "reference/plane/boundary/face_boundary.hpp"
+#include "reference/plane/kernel/arithmetic_name.hpp"
 #include "reference/plane/routes/convolution_arrangement.hpp"
 #include "reference/plane/routes/paper_route.hpp"
 #include "reference/plane/routes/routes.hpp"
@@ -110,17 +109,7 @@ Canonical paper_route_in(const std::string& arithmetic, const PolygonSet& P, con
                          const Rational& scale, Statistics& statistics) {
   if (arithmetic == "interval") return interval_route(P, Q, scale, statistics);
   if (arithmetic == "double") return rounding_route<double>(P, Q, scale, {}, statistics);
-  const std::string prefix = "mpfr:";
-  if (arithmetic.starts_with(prefix)) {
-    long bits = 0;
-    const char* end = arithmetic.data() + arithmetic.size();
-    const auto [stop, error] = std::from_chars(arithmetic.data() + prefix.size(), end, bits);
-    if (error == std::errc{} && stop == end && bits >= 2 && bits <= 1'000'000) {
-      return rounding_route<Mpfr>(P, Q, scale, Arithmetic<Mpfr>(bits), statistics);
-    }
-  }
-  throw BadInput("unknown-arithmetic", "there is no arithmetic called \"" + arithmetic + "\"",
-                 "use rational, interval, double or mpfr:BITS with 2 to 1000000 bits");
+  return rounding_route<Mpfr>(P, Q, scale, Arithmetic<Mpfr>(*mpfr_bits(arithmetic)), statistics);
 }
 
 }  // namespace minkref

@@ -1,0 +1,276 @@
+// Critical scales in Python.
+#include <nanobind/stl/array.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+#include <nanobind/stl/vector.h>
+
+#include <array>
+#include <chrono>
+#include <optional>
+#include <tuple>
+
+#include "python/core.hpp"
+#include "reference/error.hpp"
+#include "reference/plane/critical/event_places.hpp"
+#include "reference/plane/critical/parallel_pair.hpp"
+#include "reference/plane/critical/precision_trial.hpp"
+#include "reference/plane/kernel/grid_kernel.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace minkref::python {
+namespace {
+
+/// Pair events and the operands that they belong to.
+struct Events {
+  PairEvents value;
+  PolygonSet P, Q;
+  double seconds = 0;
+};
+
+Form form_named(const std::string& name) {
+  if (name == "corrected") return Form::corrected;
+  if (name == "printed") return Form::printed;
+  throw BadInput("unknown-form", "there is no form called \"" + name + "\"",
+                 "use corrected or printed");
+}
+
+EventKind kind_named(const std::string& name) {
+  if (name == "pair") return EventKind::pair;
+  if (name == "parallel") return EventKind::parallel;
+  if (name == "both") return EventKind::both;
+  throw BadInput("unknown-kind", "there is no kind of events called \"" + name + "\"",
+                 "use pair, parallel or both");
+}
+
+Events find(const Set& P, const Set& Q, const std::optional<std::string>& from,
+            const std::optional<std::string>& to, const std::string& kind,
+            const std::string& form) {
+  ScaleWindow window;
+  if (from) window.from = parse_rational(*from);
+  if (to) window.to = parse_rational(*to);
+  const auto start = std::chrono::steady_clock::now();
+  PairEvents events = pair_events(P.value, Q.value, window, kind_named(kind), form_named(form));
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  return {std::move(events), P.value, Q.value, taken.count()};
+}
+
+const char* name(Change change) {
+  switch (change) {
+    case Change::birth:
+      return "birth";
+    case Change::death:
+      return "death";
+    case Change::touch:
+      return "touch";
+    case Change::overlap:
+      return "overlap";
+  }
+  return "";
+}
+
+/// scale, rank, change, parallel, a, b, at, to.
+using Row = std::tuple<std::string, std::uint32_t, std::string, bool, std::uint32_t, std::uint32_t,
+                       ExactPoint, std::optional<ExactPoint>>;
+
+std::vector<Row> rows(const Events& events, std::size_t first, std::size_t last) {
+  const auto places = event_places(events.value, first, last, events.P, events.Q);
+  std::vector<Row> result;
+  result.reserve(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const PairEvent& event = events.value.events[first + i];
+    const EventPlace& place = places[i];
+    result.emplace_back(to_string(place.scale), event.rank, name(event.change), event.parallel,
+                        event.a, event.b, to_strings(place.at),
+                        place.to ? std::optional(to_strings(*place.to)) : std::nullopt);
+  }
+  return result;
+}
+
+using Columns = nb::typed<nb::dict, nb::str, nb::bytes>;
+
+template <class T, class Get>
+nb::bytes column(const PairEvents& events, Get&& get) {
+  std::vector<T> values;
+  values.reserve(events.events.size());
+  for (const PairEvent& event : events.events) values.push_back(get(event));
+  return nb::bytes(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+}
+
+Columns columns(const Events& events) {
+  const PairEvents& value = events.value;
+  Columns result;
+  result["scale"] = column<double>(value, [](const PairEvent& e) { return e.approximate; });
+  result["rank"] = column<std::uint32_t>(value, [](const PairEvent& e) { return e.rank; });
+  result["a"] = column<std::uint32_t>(value, [](const PairEvent& e) { return e.a; });
+  result["b"] = column<std::uint32_t>(value, [](const PairEvent& e) { return e.b; });
+  result["change"] = column<std::uint8_t>(
+      value, [](const PairEvent& e) { return static_cast<std::uint8_t>(e.change); });
+  result["parallel"] =
+      column<std::uint8_t>(value, [](const PairEvent& e) { return std::uint8_t{e.parallel}; });
+  return result;
+}
+
+/// The texts of the exact scales by rank: where each begins (one more than there are), and all.
+std::pair<nb::bytes, nb::bytes> scale_texts(const Events& events) {
+  std::vector<std::int64_t> begins{0};
+  std::string texts;
+  {
+    const nb::gil_scoped_release released;
+    for (const Rational& scale : critical_scales(events.value, events.P, events.Q)) {
+      texts += to_string(scale);
+      begins.push_back(static_cast<std::int64_t>(texts.size()));
+    }
+  }
+  return {
+      nb::bytes(reinterpret_cast<const char*>(begins.data()), begins.size() * sizeof(std::int64_t)),
+      nb::bytes(texts.data(), texts.size())};
+}
+
+Fields counts(const Events& events) {
+  const PairEvents& value = events.value;
+  Fields fields;
+  fields["count"] = value.events.size();
+  fields["distinct"] = value.distinct;
+  fields["pairs"] = value.pairs;
+  fields["filtered_pairs"] = value.filtered_pairs;
+  fields["intersecting_pairs"] = value.intersecting_pairs;
+  fields["always_meeting_pairs"] = value.always_meeting_pairs;
+  fields["touching_pairs"] = value.touching_pairs;
+  fields["parallel_pairs"] = value.parallel_pairs;
+  fields["s_edges"] = value.statistics.s_edges;
+  fields["t_edges"] = value.statistics.t_edges;
+  fields["kernel"] = value.statistics.kernel;
+  fields["by_float"] = value.statistics.by_float;
+  fields["by_integer"] = value.statistics.by_integer;
+  fields["by_rational"] = value.statistics.by_rational;
+  return fields;
+}
+
+Fields trial(const Set& P, const Set& Q, const std::string& arithmetic, const std::string& form) {
+  PrecisionTrial result;
+  {
+    const nb::gil_scoped_release released;
+    result = precision_trial(P.value, Q.value, arithmetic, form_named(form));
+  }
+  Fields fields;
+  fields["pairs"] = result.pairs;
+  fields["undecided_pairs"] = result.undecided_pairs;
+  fields["roots"] = result.roots;
+  fields["false_inconsistent"] = result.false_inconsistent;
+  fields["false_identity"] = result.false_identity;
+  fields["invented_roots"] = result.invented_roots;
+  fields["events"] = result.events;
+  fields["missed"] = result.missed;
+  fields["invented"] = result.invented;
+  fields["misplaced"] = result.misplaced;
+  fields["inversions"] = result.inversions;
+  fields["merged"] = result.merged;
+  fields["all_right"] = result.all_right();
+  return fields;
+}
+
+Fields forms(const Set& P, const Set& Q) {
+  FormComparison result;
+  {
+    const nb::gil_scoped_release released;
+    result = compare_forms(P.value, Q.value);
+  }
+  Fields fields;
+  fields["intersecting"] = result.intersecting;
+  fields["touching"] = result.touching;
+  fields["printed_right"] = result.printed_right;
+  fields["printed_right_by_roots"] = result.printed_right_by_roots;
+  fields["printed_empty"] = result.printed_empty;
+  fields["printed_invented"] = result.printed_invented;
+  return fields;
+}
+
+/// kind "S" or "T", then p, q and d of the edge: x and y each.
+using EdgeNumbers = std::tuple<std::string, std::array<std::int64_t, 6>>;
+/// "meeting" or, for parallel edges, "never", "once" or "always"; whether it is empty; its bounds.
+using IntervalRow =
+    std::tuple<std::string, bool, std::optional<std::string>, std::optional<std::string>>;
+
+std::vector<IntervalRow> pair_intervals(
+    const std::vector<std::pair<EdgeNumbers, EdgeNumbers>>& pairs) {
+  using K = GridKernel<Grid64>;
+  const K kernel;
+  const auto edge = [](const EdgeNumbers& numbers) {
+    const auto& [kind, n] = numbers;
+    for (const std::int64_t value : n) {
+      if (value >= std::int64_t{1} << 58 || value <= -(std::int64_t{1} << 58)) {
+        throw BadInput("too-large", "a coordinate has more than 58 bits", "give smaller ones");
+      }
+    }
+    return MovingEdge<K::Vector>{kind == "S" ? ConvolutionEdge::Kind::S : ConvolutionEdge::Kind::T,
+                                 {n[0], n[1]},
+                                 {n[2], n[3]},
+                                 {n[4], n[5]}};
+  };
+  const auto text = [](const std::optional<ScaleInterval<K>::Bound>& bound) {
+    return bound ? std::optional(to_string(K::exact(bound->scale))) : std::nullopt;
+  };
+  const auto row = [&](std::string what, const ScaleInterval<K>& interval) -> IntervalRow {
+    if (interval.empty) return {std::move(what), true, std::nullopt, std::nullopt};
+    return {std::move(what), false, text(interval.lower), text(interval.upper)};
+  };
+  std::vector<IntervalRow> result;
+  result.reserve(pairs.size());
+  for (const auto& [first, second] : pairs) {
+    const auto a = edge(first), b = edge(second);
+    const auto conditions = pair_conditions(kernel, a, b);
+    if (conditions.turn != 0) {
+      result.push_back(
+          row("meeting", intersection_of_half_lines<K>(kernel, conditions.half_lines)));
+      continue;
+    }
+    using Lines = ParallelPair<K>::Lines;
+    const ParallelPair<K> parallel = parallel_pair(kernel, a, b);
+    if (parallel.lines == Lines::one_line_always) {
+      result.push_back(row("always", parallel.interval));
+    } else if (parallel.lines == Lines::one_line_at_one_scale &&
+               parallel.meeting != Meeting::never) {
+      const auto scale = to_string(K::exact(parallel.scale));
+      result.emplace_back("once", false, scale, scale);
+    } else {
+      result.emplace_back("never", true, std::nullopt, std::nullopt);
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+void bind_events(nb::module_& module) {
+  using Released = nb::call_guard<nb::gil_scoped_release>;
+  nb::class_<Events>(module, "PairEvents", "The pair and parallel events of sP + Q, sorted.")
+      .def_ro("seconds", &Events::seconds)
+      .def("__len__", [](const Events& events) { return events.value.events.size(); })
+      .def("counts", counts, "Counts of pairs, events and signs.")
+      .def(
+          "edges", [](const Events& events) { return convolution_rows(events.value.edges); },
+          Released(), "The edges that events name by their index: rows as reduced_convolution's.")
+      .def("rows", rows, "first"_a, "last"_a, Released(),
+           "Events first to last - 1: (scale, rank, change, parallel, a, b, at, to), exact.")
+      .def("columns", columns,
+           "All events as little-endian columns: scale (doubles), rank, a, b "
+           "(32 bits), change (0 birth, 1 death, 2 touch, 3 overlap), parallel.")
+      .def("scale_texts", scale_texts,
+           "The exact scale of every rank: where each text begins (64 bits), all texts.");
+  module.def("pair_events", find, "P"_a, "Q"_a, "from_scale"_a = nb::none(),
+             "to_scale"_a = nb::none(), "kind"_a = "both", "form"_a = "corrected", Released(),
+             "All scales at which two edges of the reduced convolution start or stop meeting.");
+  module.def("pair_intervals", pair_intervals, "pairs"_a, Released(),
+             "When two edges meet: for pairs of (kind, (px, py, qx, qy, dx, dy)), an edge from "
+             "s p + q along d, rows (case, empty, lower, upper).");
+  module.def("precision_trial", trial, "P"_a, "Q"_a, "arithmetic"_a, "form"_a,
+             "The paper's way to the pair events in an arithmetic, against the exact ones.");
+  module.def("compare_forms", forms, "P"_a, "Q"_a,
+             "The printed interval of every pair against the corrected one.");
+}
+
+}  // namespace minkref::python

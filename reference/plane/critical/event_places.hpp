@@ -1,0 +1,21 @@
+// The exact scale of events, and where they happen.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "reference/plane/critical/pair_events.hpp"
+
+namespace minkref {
+
+struct EventPlace {
+  Rational scale;
+  Point at;                 ///< where the edges meet at that scale
+  std::optional<Point> to;  ///< parallel edges that share a segment there: its other end
+};
+
+/// Of the events first to last - 1. Exact. Some 10 us an event.
+std::vector<EventPlace> event_places(const PairEvents& events, std::size_t first, std::size_t last,
+                                     const PolygonSet& P, const PolygonSet& Q);
+
+}  // namespace minkref

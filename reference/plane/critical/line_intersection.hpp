@@ -1,0 +1,50 @@
+// Where the lines of two convolution edges meet, at one scale and as a function of it.
+#pragma once
+
+#include "reference/number/eigen.hpp"
+#include "reference/plane/critical/form.hpp"
+#include "reference/plane/critical/moving_edge.hpp"
+
+namespace minkref {
+
+template <class T>
+T cross(const Vector2<T>& u, const Vector2<T>& v) {
+  return T(u.x() * v.y() - u.y() * v.x());
+}
+
+/// Behar & Lien 2012, Observation 1: the parameter r at which a0 + r v lies on the line b0 + t w,
+/// where u = a0 - b0. The printed numerator v_y u_x - v_x u_x is not the right one:
+/// docs/definitions.md, "Printed and corrected". The lines must not be parallel. As exact as T.
+template <class T>
+T observation_1(const Vector2<T>& v, const Vector2<T>& w, const Vector2<T>& u, Form form) {
+  const T numerator = form == Form::printed ? T(v.y() * u.x() - v.x() * u.x()) : cross<T>(w, u);
+  return T(numerator / cross<T>(v, w));
+}
+
+/// A point that moves along a line with the scale: x(s) = x0 + (s - 1) sigma (Behar & Lien 2012,
+/// Sec. 4.2).
+template <class T>
+struct MovingPoint {
+  Vector2<T> x0, sigma;
+  Vector2<T> at(const T& scale) const { return Vector2<T>(x0 + sigma * T(scale - T(1))); }
+};
+
+/// The intersection of the lines of a and b at a scale. As exact as T.
+template <class T>
+Vector2<T> intersection_at(const MovingEdge<Vector2<T>>& a, const MovingEdge<Vector2<T>>& b,
+                           const T& scale) {
+  const Vector2<T> a0 = at(start_of(a), scale), b0 = at(start_of(b), scale);
+  const Vector2<T> v(at(end_of(a), scale) - a0), w(at(end_of(b), scale) - b0);
+  const T r = observation_1<T>(v, w, Vector2<T>(a0 - b0), Form::corrected);
+  return Vector2<T>(a0 + v * r);
+}
+
+/// The same for all scales, from x0 = x(1) and sigma = x(2) - x(1) (Behar & Lien 2012, Sec. 4.2):
+/// exact in exact arithmetic, since both lines move parallel to themselves, linearly in s.
+template <class T>
+MovingPoint<T> line_intersection(const MovingEdge<Vector2<T>>& a, const MovingEdge<Vector2<T>>& b) {
+  const Vector2<T> x0 = intersection_at<T>(a, b, T(1));
+  return {x0, Vector2<T>(intersection_at<T>(a, b, T(2)) - x0)};
+}
+
+}  // namespace minkref

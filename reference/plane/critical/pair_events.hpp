@@ -1,0 +1,77 @@
+// All scales at which two edges of the reduced convolution start or stop meeting (Behar & Lien
+// 2012, Sec. 4.2.3), exact and sorted.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "reference/plane/critical/form.hpp"
+#include "reference/plane/critical/pair_conditions.hpp"
+#include "reference/plane/sum.hpp"
+
+namespace minkref {
+
+/// What happens at a critical scale, as s grows.
+enum class Change : std::uint8_t {
+  birth,    ///< the edges start to meet
+  death,    ///< they stop
+  touch,    ///< they meet in one point, at this scale only
+  overlap,  ///< parallel edges share a segment, at this scale only
+};
+
+/// One critical scale of the pair of edges a < b: `critical_scales(...)[rank]`.
+struct PairEvent {
+  double approximate = 0;  ///< the scale; for drawing and first looks
+  std::uint32_t a = 0, b = 0;
+  std::uint32_t rank = 0;  ///< events of equal scale have equal rank; ranks count from 0
+  Change change = Change::birth;
+  bool parallel = false;       ///< the edges are parallel
+  std::uint8_t half_line = 0;  ///< which condition holds with equality
+};
+
+/// Which events are wanted.
+enum class EventKind : std::uint8_t { pair, parallel, both };
+
+/// A closed window of scales; without a bound it is open towards 0 or infinity.
+struct ScaleWindow {
+  std::optional<Rational> from, to;
+};
+
+struct PairEvents {
+  std::vector<ConvolutionEdge> edges;  ///< S-edges first
+  std::vector<PairEvent> events;       ///< sorted by scale, then a, then b
+  std::size_t distinct = 0;            ///< different scales
+  std::uint64_t pairs = 0;             ///< looked at: all
+  /// Pairs that meet within the window: on an interval, in one scale; of parallel ones.
+  std::uint64_t intersecting_pairs = 0, touching_pairs = 0, parallel_pairs = 0;
+  std::uint64_t always_meeting_pairs = 0;  ///< of the intersecting ones: at every scale
+  std::uint64_t filtered_pairs = 0;        ///< the float filter proved that they never meet
+  Statistics statistics;                   ///< signs of the exact stage
+};
+
+/// All events of a kind within the window; the counts of pairs are those of both kinds. `form`: the
+/// printed rule of Sec. 4.2.3 is applied to pairs that are not parallel; it answers wrongly
+/// (docs/definitions.md, "Printed and corrected"). Exact. O(N^2 + k log k) for N edges and k
+/// events; memory O(N + k). Operands must have passed `validate`.
+PairEvents pair_events(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window = {},
+                       EventKind kind = EventKind::both, Form form = Form::corrected);
+
+/// The printed interval against the corrected one, on exact roots, over all pairs that are not
+/// parallel.
+struct FormComparison {
+  std::uint64_t intersecting = 0, touching = 0;  ///< in truth: on an interval, at one scale only
+  std::uint64_t printed_right = 0;               ///< of the intersecting pairs: the same interval
+  std::uint64_t printed_right_by_roots = 0;      ///< of those: each of the four solves has a root
+  std::uint64_t printed_empty = 0;               ///< of the intersecting pairs: none
+  std::uint64_t printed_invented = 0;            ///< an interval for edges that never meet
+};
+
+/// Exact. O(N^2).
+FormComparison compare_forms(const PolygonSet& P, const PolygonSet& Q);
+
+/// The exact scales, one for each rank, ascending. Some 1 us each.
+std::vector<Rational> critical_scales(const PairEvents& events, const PolygonSet& P,
+                                      const PolygonSet& Q);
+
+}  // namespace minkref

@@ -1,0 +1,67 @@
+// Solving s alpha = beta for the scale (Behar & Lien 2012, Sec. 4.2.1 and 4.2.2).
+#pragma once
+
+#include <cmath>
+
+#include "reference/number/eigen.hpp"
+#include "reference/number/scalar.hpp"
+#include "reference/plane/critical/form.hpp"
+
+namespace minkref {
+
+enum class Solution {
+  root,          ///< one scale
+  inconsistent,  ///< none
+  identity,      ///< every scale
+};
+
+template <class T>
+struct ScaleSolution {
+  Solution kind = Solution::inconsistent;
+  T scale = T(0);  ///< where `kind` is root; of any sign
+};
+
+template <class T, int D>
+using ScaleVector = Eigen::Matrix<T, D, 1>;
+
+/// As printed: D equations in one unknown, "no solution for s if the system is inconsistent". The
+/// component of alpha that is largest gives s, the others must agree, by equality in T. In rounding
+/// arithmetic they seldom do. Throws UndecidedSign where T cannot tell.
+template <class T, int D>
+ScaleSolution<T> solve_by_consistency(const ScaleVector<T, D>& alpha,
+                                      const ScaleVector<T, D>& beta) {
+  int pivot = 0;
+  for (int i = 1; i < D; ++i) {
+    if (std::abs(approximate(alpha[i])) > std::abs(approximate(alpha[pivot]))) pivot = i;
+  }
+  if (sign(alpha[pivot]) == 0) {
+    for (int i = 0; i < D; ++i) {
+      if (sign(alpha[i]) != 0 || sign(beta[i]) != 0) return {};
+    }
+    return {Solution::identity, T(0)};
+  }
+  const T scale = T(beta[pivot] / alpha[pivot]);
+  for (int i = 0; i < D; ++i) {
+    if (i != pivot && sign(T(scale * alpha[i] - beta[i])) != 0) return {};
+  }
+  return {Solution::root, scale};
+}
+
+/// As corrected: alpha and beta are multiples of `direction` (of the edge to which the end point
+/// belongs), so the system is the one equation s (direction . alpha) = direction . beta.
+template <class T, int D>
+ScaleSolution<T> solve_along(const ScaleVector<T, D>& direction, const ScaleVector<T, D>& alpha,
+                             const ScaleVector<T, D>& beta) {
+  const T slope = direction.dot(alpha), value = direction.dot(beta);
+  if (sign(slope) != 0) return {Solution::root, T(value / slope)};
+  return {sign(value) == 0 ? Solution::identity : Solution::inconsistent, T(0)};
+}
+
+template <class T, int D>
+ScaleSolution<T> solve_scale(const ScaleVector<T, D>& direction, const ScaleVector<T, D>& alpha,
+                             const ScaleVector<T, D>& beta, Form form) {
+  return form == Form::printed ? solve_by_consistency<T, D>(alpha, beta)
+                               : solve_along<T, D>(direction, alpha, beta);
+}
+
+}  // namespace minkref
