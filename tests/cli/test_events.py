@@ -114,3 +114,21 @@ def test_an_arithmetic_reports_what_it_got_beside_what_is_true(minkref: Minkref)
     trial = value["trial"]
     assert trial["events"] == value["count"]
     assert trial["missed"] + trial["invented"] > 0
+
+
+def test_the_least_precision_of_a_case(minkref: Minkref, tmp_path: Path) -> None:
+    # No end of an edge stays on the line of another but at common ends; coordinates are integers.
+    for name, ring in (("P", "0 0,7 1,3 5,0 0"), ("Q", "0 0,5 -2,4 6,0 0")):
+        (tmp_path / f"{name}.wkt").write_text(f"POLYGON(({ring}))", encoding="utf-8")
+    operands = (tmp_path / "P.wkt", tmp_path / "Q.wkt")
+    found = minkref("events", *operands, "--least-precision", "--json").json["least_precision"]
+    bits = found["bits"]
+    assert 2 <= bits <= found["most_tried"]
+    enough = minkref("events", *operands, "--arithmetic", f"mpfr:{bits}", "--json").json["trial"]
+    assert enough["all_right"]
+
+
+def test_no_precision_is_enough_where_edges_only_touch(minkref: Minkref) -> None:
+    ran = minkref("events", "g1", "g2", "--least-precision", "--json").json
+    assert ran["touching_pairs"] > 0
+    assert ran["least_precision"]["bits"] is None

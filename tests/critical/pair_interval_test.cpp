@@ -30,10 +30,12 @@ Scales printed(const PairOfEdges& pair, Form solves = Form::printed) {
   return printed_interval<Rational>(
       end_scales<Rational>(end_conditions<Rational>(pair.a, pair.b), solves));
 }
-Scales by_half_lines(const PairOfEdges& pair) {
+Scales by_half_lines(const PairOfEdges& pair, Form form = Form::corrected) {
   const K kernel;
   const auto conditions = pair_conditions<K>(kernel, pair.a, pair.b);
-  const auto interval = intersection_of_half_lines<K>(kernel, conditions.half_lines);
+  const auto interval = form == Form::printed
+                            ? printed_rule<K>(kernel, conditions.half_lines)
+                            : intersection_of_half_lines<K>(kernel, conditions.half_lines);
   Scales result{interval.empty, {}, {}};
   if (interval.empty) return result;
   if (interval.lower) result.lower = interval.lower->scale;
@@ -182,6 +184,7 @@ TEST(PairInterval, BothWaysToTheCorrectedOneAgreeWithOrientationSigns) {
       if (K::cross(pair.a.d, pair.b.d) == 0) continue;
       const Scales scales = corrected(pair);
       EXPECT_EQ(text(scales), text(by_half_lines(pair))) << text(pair);
+      EXPECT_EQ(text(printed(pair)), text(by_half_lines(pair, Form::printed))) << text(pair);
       expect_truth(scales, pair);
       ++(scales.empty ? empty : scales.lower && scales.lower == scales.upper ? point : interval);
     }

@@ -23,7 +23,8 @@ from minkref.documents import (
 from minkref.errors import Refusal, refusing
 from minkref.event_table import write_parquet
 from minkref.exact import approximate, read_scale
-from minkref.operand import read_operand
+from minkref.fuzz.least_precision import MOST_BITS, least_precision
+from minkref.operand import Operand, read_operand
 from minkref.options import Json, Schema
 from minkref.terminal import console, lines, shown
 
@@ -77,6 +78,14 @@ def command(
             "the paper's method fares in them, beside what is true.",
         ),
     ] = "rational",
+    least: Annotated[
+        bool,
+        typer.Option(
+            "--least-precision",
+            help="Also find the fewest bits of mpfr at which the paper's method gets every event "
+            "right (slow).",
+        ),
+    ] = False,
     output: Annotated[
         Path | None,
         typer.Option("-o", help="Write all events there: .json or .parquet.", metavar="FILE"),
@@ -118,6 +127,7 @@ def command(
         "kernel": counts.pop("kernel"),
         **counts,
         "trial": trial,
+        "least_precision": _least(first, second, form) if least else None,
     }
     if output is not None and output.suffix.lower() == ".parquet":
         write_parquet(found, output)
@@ -131,6 +141,11 @@ def command(
         sys.stdout.write(as_text(document("events", watch, **fields, events=None)))
     else:
         _print(document("events", watch, **fields), found)
+
+
+def _least(P: Operand, Q: Operand, form: str) -> dict[str, int | None]:
+    bits = refusing(f"{P.name} and {Q.name}", lambda: least_precision(P.set, Q.set, form))
+    return {"bits": bits, "most_tried": MOST_BITS}
 
 
 def event_list(found: _core.PairEvents) -> Iterator[dict[str, Any]]:
@@ -217,6 +232,8 @@ def _print(value: dict[str, Any], found: _core.PairEvents) -> None:
     rows += [("events", f"{value['count']:,} at {value['distinct']:,} scales")]
     if total:
         rows += [("signs", f"{total:,}: {signs['by_float'] / total:.2%} by float")]
+    if value["least_precision"] is not None:
+        rows += [("least precision", _least_text(value["least_precision"]))]
     rows += [("seconds", f"{value['seconds']:.3f}")]
     if value["output"]:
         rows += [("written", value["output"])]
@@ -227,6 +244,12 @@ def _print(value: dict[str, Any], found: _core.PairEvents) -> None:
         _print_first(found)
     for warning in value["warnings"]:
         sys.stderr.write(f"warning: {shown(warning)}\n")
+
+
+def _least_text(found: dict[str, int | None]) -> str:
+    if found["bits"] is not None:
+        return f"{found['bits']} bits: the paper's method gets every event right"
+    return f"none up to {found['most_tried']:,} bits: some events only exact arithmetic can tell"
 
 
 def _trial_rows(arithmetic: str, trial: dict[str, Any]) -> list[tuple[str, str]]:
