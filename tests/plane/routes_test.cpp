@@ -46,17 +46,6 @@ TEST(Routes, AgreeOnPointsAndSegments) {
   expect_law(random, 150, make, disagreement);
 }
 
-/// Each vertex moved by at most 2 units of 2^-bits; rings that share a vertex still do.
-PolygonSet shaken(Source& random, const PolygonSet& set, int bits) {
-  const Rational unit(Integer(1), Integer(1) << bits);
-  const int a = random.between(1, 97), b = random.between(1, 97);
-  return mapped(set, [&](const Point& p) {
-    const Rational hash = a * p.x + b * p.y;
-    const int code = Integer(numerator(hash) % 25).convert_to<int>();
-    return Point{Rational(p.x + unit * (code / 5 - 2)), Rational(p.y + unit * (code % 5 - 2))};
-  });
-}
-
 TEST(Routes, AgreeOnNearlyDegeneratePairs) {
   // Coincidences of lattice pieces missed by a hair: faces far thinner than doubles can tell.
   MINKREF_SEEDED(random, 204);
