@@ -10,9 +10,6 @@
 #else
 #define MINKREF_CLONES
 #endif
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wpsabi"  // vectors pass between inlined functions only
-#endif
 
 namespace minkref {
 namespace {
