@@ -44,7 +44,9 @@ void bind_files(nanobind::module_& module);
 void bind_sum(nanobind::module_& module);
 void bind_convolution(nanobind::module_& module);
 void bind_events(nanobind::module_& module);
+void bind_dynamic(nanobind::module_& module);
 void bind_comparison(nanobind::module_& module);
 void bind_evidence(nanobind::module_& module);
+void bind_search(nanobind::module_& module);
 
 }  // namespace minkref::python

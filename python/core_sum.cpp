@@ -1,9 +1,17 @@
 // The static sum in Python.
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+#include <nanobind/stl/vector.h>
 
 #include <chrono>
+#include <optional>
+#include <utility>
+#include <vector>
 
 #include "python/core.hpp"
+#include "python/core_timed_sum.hpp"
 #include "reference/error.hpp"
 #include "reference/plane/sum.hpp"
 
@@ -13,12 +21,19 @@ using namespace nb::literals;
 namespace minkref::python {
 namespace {
 
-struct TimedSum {
-  Set region;
-  std::size_t components = 0, holes = 0;
-  double seconds = 0;
-  Statistics statistics;
-};
+/// Points, and for each segment between them the rows of the edges in contact.
+using PassageRow = std::pair<std::vector<ExactPoint>, std::vector<std::vector<EdgeRow>>>;
+
+std::vector<PassageRow> passage_rows(const std::vector<TightPassage>& passages) {
+  std::vector<PassageRow> rows;
+  rows.reserve(passages.size());
+  for (const TightPassage& passage : passages) {
+    auto& [points, contacts] = rows.emplace_back();
+    for (const Point& point : passage.points) points.push_back(to_strings(point));
+    for (const auto& edges : passage.contacts) contacts.push_back(convolution_rows(edges));
+  }
+  return rows;
+}
 
 Route route_named(const std::string& name) {
   if (name == "paper") return Route::paper;
@@ -29,11 +44,12 @@ Route route_named(const std::string& name) {
 }
 
 TimedSum timed_sum(const Set& P, const Set& Q, const std::string& scale, const std::string& route,
-                   const std::string& arithmetic) {
+                   const std::string& arithmetic, bool with_passages) {
   const Rational s = parse_rational(scale);
   const Route way = route_named(route);
   const auto start = std::chrono::steady_clock::now();
-  Sum sum = minkowski_sum(P.value, Q.value, s, way, arithmetic);
+  Sum sum = minkowski_sum(P.value, Q.value, s, way, arithmetic,
+                          with_passages ? Passages::find : Passages::leave);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   // Only exact arithmetic is known to give a canonical form.
   const bool canonical = arithmetic == "rational" || arithmetic == "interval";
@@ -41,7 +57,8 @@ TimedSum timed_sum(const Set& P, const Set& Q, const std::string& scale, const s
           sum.components,
           sum.holes,
           seconds.count(),
-          std::move(sum.statistics)};
+          std::move(sum.statistics),
+          std::move(sum.tight_passages)};
 }
 
 Fields statistics(const TimedSum& sum) {
@@ -67,11 +84,27 @@ void bind_sum(nb::module_& module) {
       .def_ro("components", &TimedSum::components)
       .def_ro("holes", &TimedSum::holes)
       .def_ro("seconds", &TimedSum::seconds, "Of the computation, without conversions.")
-      .def_prop_ro("statistics", statistics);
+      .def_prop_ro("statistics", statistics)
+      .def_prop_ro(
+          "tight_passages",
+          [](const TimedSum& sum) {
+            return sum.tight_passages ? std::optional(passage_rows(*sum.tight_passages))
+                                      : std::nullopt;
+          },
+          "As the function's; None unless asked for and rational.");
   module.def("minkowski_sum", timed_sum, "P"_a, "Q"_a, "scale"_a, "route"_a = "paper",
-             "arithmetic"_a = "rational", nb::call_guard<nb::gil_scoped_release>(),
+             "arithmetic"_a = "rational", "tight_passages"_a = false,
+             nb::call_guard<nb::gil_scoped_release>(),
              "sP + Q. Routes: paper, winding, definition. Arithmetics: rational, interval, double, "
              "mpfr:BITS. Raises BadInput, UndecidedSign.");
+  module.def(
+      "tight_passages",
+      [](const Set& P, const Set& Q, const std::string& scale) {
+        return passage_rows(tight_passages(P.value, Q.value, parse_rational(scale)));
+      },
+      "P"_a, "Q"_a, "scale"_a, nb::call_guard<nb::gil_scoped_release>(),
+      "What the sum of the interiors misses inside of sP + Q: (points, contacts), contacts being "
+      "rows as reduced_convolution's for each segment.");
 }
 
 }  // namespace minkref::python

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
         minkowski_sum,
         read_file,
         read_text,
+        tight_passages,
         write,
     )
 
@@ -42,6 +43,7 @@ __all__ = [
     "minkowski_sum",
     "read_file",
     "read_text",
+    "tight_passages",
     "version",
     "write",
 ]

@@ -13,6 +13,7 @@ from typing import Any
 from minkref import _core
 from minkref.errors import Refusal
 from minkref.operand import is_utf8, read_set
+from minkref.parents import passages_of
 
 BadInput = _core.BadInput
 LimitExceeded = _core.LimitExceeded
@@ -32,6 +33,7 @@ __all__ = [
     "minkowski_sum",
     "read_file",
     "read_text",
+    "tight_passages",
     "write",
 ]
 
@@ -54,6 +56,17 @@ def minkowski_sum(
     Minkowski Sums Under Scaling", 2012, Sec. 3."""
     _validate(P=P, Q=Q)
     return _core.minkowski_sum(P, Q, str(scale), route, arithmetic)
+
+
+def tight_passages(P: PolygonSet, Q: PolygonSet, scale: str | int = 1) -> list[dict[str, Any]]:
+    """The points and polylines inside of the sum of P, scaled by `scale` > 0 about the origin, and
+    Q that the sum of their interiors misses: `points`, and for each segment the features in
+    `contacts`, as `minkref sum --json` has them. Exact, in canonical order. Both operands are
+    validated first. The time of the arrangement of the reduced convolution and of one decision for
+    each of its parts where shapes may touch from all sides. Raises BadInput. docs/definitions.md,
+    "Tight passages"."""
+    _validate(P=P, Q=Q)
+    return passages_of(_core.tight_passages(P, Q, str(scale)))
 
 
 def read_file(path: str | os.PathLike[str]) -> PolygonSet:

@@ -16,6 +16,7 @@ from typing import Any
 from minkref.errors import Refusal
 from minkref.version import version
 
+TEMPORARY = ".minkref-"  # what names of files begin with that are being written
 _SURROGATE = re.compile("[\ud800-\udfff]")
 
 
@@ -74,7 +75,7 @@ def write_atomically(path: Path, text: str | Iterable[str]) -> None:
     replaced."""
     path = _followed(path)
     try:
-        handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=".minkref-")
+        handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=TEMPORARY)
     except OSError as error:
         raise Refusal(
             f"no file can be made in {path.parent}: {error.strerror}",

@@ -4,6 +4,7 @@
 #include "reference/error.hpp"
 #include "reference/plane/arrangement/box_tree.hpp"
 #include "reference/plane/location.hpp"
+#include "reference/plane/overlap_filter.hpp"
 #include "reference/plane/routes/simply_connected.hpp"
 #include "reference/plane/witness.hpp"
 
@@ -136,13 +137,29 @@ struct Membership::Impl {
   PolygonSet P, Q;
   Rational scale;
   std::vector<Piece> p, q;
+  std::vector<NearTriangle> near_p, near_q;  ///< none for a point or a segment
   BoxTree p_tree, q_tree;
+
+  static Box box_around(const FilteredPoint& at) {
+    return {below(at.x()), below(at.y()), above(at.x()), above(at.y())};
+  }
+
+  /// Whether doubles find two triangles whose interiors meet.
+  bool certainly_overlap(const Point& x) const {
+    if (near_p.empty()) return false;
+    const FilteredPoint at(x);
+    const Box box = box_around(at);
+    return p_tree.pairs_with(
+        q_tree, [&](const Box& a, const Box& b) { return a.overlaps(minkref::reflected(b, box)); },
+        [&](std::uint32_t i, std::uint32_t j) {
+          return minkref::certainly_overlap(near_p[i], near_q[j], at);
+        });
+  }
 
   Witness decide(const Point& x) const {
     Witness result;
     result.point = x;
-    const FilteredPoint at(x);
-    const Box box{below(at.x()), below(at.y()), above(at.x()), above(at.y())};
+    const Box box = box_around(FilteredPoint(x));
     std::optional<std::pair<std::uint32_t, std::uint32_t>> found;
     p_tree.pairs_with(
         q_tree, [&](const Box& a, const Box& b) { return a.overlaps(minkref::reflected(b, box)); },
@@ -181,6 +198,10 @@ Membership::Membership(const PolygonSet& P, const PolygonSet& Q, const Rational&
   impl_->scale = scale;
   impl_->p = pieces_of(impl_->P);
   impl_->q = pieces_of(Q);
+  if (impl_->P.is_region() && Q.is_region()) {
+    for (const Piece& triangle : impl_->p) impl_->near_p.emplace_back(triangle);
+    for (const Piece& triangle : impl_->q) impl_->near_q.emplace_back(triangle);
+  }
   impl_->p_tree = tree_of(impl_->p);
   impl_->q_tree = tree_of(impl_->q);
 }
@@ -188,6 +209,10 @@ Membership::~Membership() = default;
 Membership::Membership(Membership&&) noexcept = default;
 
 Witness Membership::decide(const Point& x) const { return impl_->decide(x); }
+
+Contact Membership::contact(const Point& x) const {
+  return impl_->certainly_overlap(x) ? Contact::overlapping : impl_->decide(x).contact;
+}
 
 Witness decide(const PolygonSet& P, const PolygonSet& Q, const Rational& scale, const Point& x) {
   return Membership(P, Q, scale).decide(x);

@@ -7,15 +7,16 @@
 namespace minkref {
 namespace {
 
-BoundaryGraph exact_route(const PolygonSet& P, const PolygonSet& Q, Route route,
-                          Statistics& statistics) {
+BoundaryGraph exact_route(const PolygonSet& P, const PolygonSet& Q, Route route, Sum& sum) {
+  std::vector<TightPassage>* passages = sum.tight_passages ? &*sum.tight_passages : nullptr;
+  if (passages != nullptr && route != Route::paper) *passages = tight_passages(P, Q, 1);
   switch (route) {
     case Route::paper:
-      return paper_route(P, Q, statistics);
+      return paper_route(P, Q, sum.statistics, passages);
     case Route::winding:
-      return winding_route(P, Q, statistics);
+      return winding_route(P, Q, sum.statistics);
     case Route::definition:
-      return definition_route(P, Q, statistics);
+      return definition_route(P, Q, sum.statistics);
   }
   throw Error("minkowski_sum: no such route");
 }
@@ -35,13 +36,14 @@ void refuse_bad_operands(const PolygonSet& P, const PolygonSet& Q, const Rationa
 }
 
 Sum minkowski_sum(const PolygonSet& P, const PolygonSet& Q, const Rational& scale, Route route,
-                  const std::string& arithmetic) {
+                  const std::string& arithmetic, Passages passages) {
   refuse_bad_operands(P, Q, scale);
   Sum sum;
+  if (passages == Passages::find && arithmetic == "rational") sum.tight_passages.emplace();
   if (P.empty() || Q.empty()) return sum;
   Canonical canonical;
   if (arithmetic == "rational") {
-    canonical = canonical_form(exact_route(scaled(P, scale), Q, route, sum.statistics));
+    canonical = canonical_form(exact_route(scaled(P, scale), Q, route, sum));
     if (!canonical.well_formed)
       throw std::logic_error("minkowski_sum: the boundary is not well formed");
   } else if (route == Route::paper) {

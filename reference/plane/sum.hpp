@@ -6,6 +6,7 @@
 #include <string>
 
 #include "reference/plane/polygon_set.hpp"
+#include "reference/plane/tight_passages.hpp"
 
 namespace minkref {
 
@@ -14,6 +15,10 @@ enum class Route {
   winding,     ///< full signed convolution of operands cut to be simply connected
   definition,  ///< union of the sums of all pairs of triangles
 };
+
+/// Whether minkowski_sum also finds the tight passages. The paper's route has their arrangement at
+/// hand; for the other routes it is built.
+enum class Passages { leave, find };
 
 /// How signs were decided (all counts since the call began).
 struct Statistics {
@@ -31,6 +36,8 @@ struct Sum {
   std::size_t components = 0;
   std::size_t holes = 0;  ///< bounded components of the complement
   Statistics statistics;
+  /// Where they were asked for and the arithmetic is "rational": only exact ones mean anything.
+  std::optional<std::vector<TightPassage>> tight_passages;
 };
 
 /// `sP + Q` at a rational scale s > 0 (docs/definitions.md, "Sum"). `arithmetic`: "rational"
@@ -40,7 +47,8 @@ struct Sum {
 /// 0 and for two operands that are both a point or a segment. Cost: paper O((N + k) log N), N the
 /// size of the reduced convolution.
 Sum minkowski_sum(const PolygonSet& P, const PolygonSet& Q, const Rational& scale,
-                  Route route = Route::paper, const std::string& arithmetic = "rational");
+                  Route route = Route::paper, const std::string& arithmetic = "rational",
+                  Passages passages = Passages::leave);
 
 /// The refusals of minkowski_sum: a scale that is not positive, two operands without area.
 void refuse_bad_operands(const PolygonSet& P, const PolygonSet& Q, const Rational& scale);

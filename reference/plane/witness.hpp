@@ -29,6 +29,10 @@ class Membership {
   /// Exact. O(mn) pairs of triangles at worst; boxes discard most.
   Witness decide(const Point& x) const;
 
+  /// The contact that decide(x) finds, without p and q. Exact: doubles tell most overlaps, with a
+  /// proof.
+  Contact contact(const Point& x) const;
+
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;

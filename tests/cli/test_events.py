@@ -87,7 +87,7 @@ def test_parquet_and_json_hold_the_same_events(minkref: Minkref, tmp_path: Path)
         (["--from", "0"], "zero"),
         (["--from", "2", "--to", "1"], "empty"),
         (["--to", "x"], "not a number"),
-        (["--kind", "triple"], "kind"),
+        (["--kind", "quadruple"], "kind"),
         (["--form", "other"], "form"),
         (["--arithmetic", "float"], "arithmetic"),
         (["-o", "events.csv"], "ending"),

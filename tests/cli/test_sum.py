@@ -56,12 +56,32 @@ def test_document_follows_the_published_schema(
         jsonschema.validate(ran.json, schema("sum"))
 
 
-def test_tight_passages_are_null_since_they_are_not_computed(
+FRAME = "POLYGON((0 0,4 0,4 4,0 4,0 0),(1 1,1 2,2 2,2 1,1 1))"
+
+
+@pytest.mark.parametrize("route", ["paper", "winding", "definition"])
+def test_peg_that_fits_a_hole_exactly_is_a_tight_passage_with_what_it_touches(
+    minkref: Minkref, tmp_path: Path, squares: tuple[Path, Path], route: str
+) -> None:
+    frame = tmp_path / "frame.wkt"
+    frame.write_text(FRAME, encoding="utf-8")
+    value = minkref("sum", frame, squares[1], "--route", route, "--json").json
+    jsonschema.validate(value, schema("sum"))
+    # Each side of the hole at the vertex of the peg that comes first along it.
+    sides = [((1, 0), (0, 2)), ((1, 1), (0, 1)), ((1, 2), (0, 0)), ((1, 3), (0, 3))]
+    contacts = [{"kind": "S", "edge": list(edge), "vertex": list(vertex)} for edge, vertex in sides]
+    assert value["tight_passages"] == [{"points": [["2", "2"]], "contacts": [contacts]}]
+    assert "1 point" in minkref("sum", frame, squares[1]).out
+
+
+def test_tight_passages_are_null_for_another_arithmetic_than_rational(
     minkref: Minkref, squares: tuple[Path, Path]
 ) -> None:
-    value = minkref("sum", *squares, "--json").json
-    assert value["tight_passages"] is None
-    assert "not computed" in result_schema("sum")["properties"]["tight_passages"]["description"]
+    assert minkref("sum", *squares, "--json").json["tight_passages"] == []
+    for arithmetic in ("interval", "double", "mpfr:53"):
+        value = minkref("sum", *squares, "--arithmetic", arithmetic, "--json").json
+        assert value["tight_passages"] is None
+    assert "null" in result_schema("sum")["properties"]["tight_passages"]["description"]
 
 
 @pytest.mark.parametrize(
@@ -158,7 +178,7 @@ def test_table_for_people_names_area_holes_and_digest(
     ran = minkref("sum", *squares)
     digest = minkref("sum", *squares, "--json").json["digest"]
     assert ran.code == 0
-    for text in ("9 = 9", "components, holes", digest, "not computed"):
+    for text in ("9 = 9", "components, holes", digest, "tight passages     none"):
         assert text in ran.out
 
 

@@ -51,6 +51,8 @@ def test_pip_install_gives_a_working_command(tmp_path: Path) -> None:
         env=clean,
     )
     assert Path(where.stdout.strip()).is_relative_to(tmp_path / "clean")
+    assert "view.html" in minkref_command("view", "g1", "g2")
+    assert (tmp_path / "view.html").stat().st_size > 10_000
     here = subprocess.run(
         [str(Path(sys.executable).parent / "minkref"), "sum", "g1", "g2", "--json"],
         check=True,

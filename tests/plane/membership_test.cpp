@@ -63,6 +63,7 @@ std::string membership_fault(Source& random, const Case& c) {
     if (witness.contact != truth) {
       return std::string(name(truth)) + " was called " + name(witness.contact) + at;
     }
+    if (membership.contact(x) != truth) return "another contact without p and q" + at;
     const std::string wrong = wrong_witness(c, witness, x);
     if (!wrong.empty()) return wrong + at;
     const Where place = where(sum, x);

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
-from rich.console import Console
 
 from minkref import _core
 from minkref.arithmetic import check_arithmetic
@@ -21,6 +19,7 @@ from minkref.documents import (
     write_atomically,
 )
 from minkref.errors import Refusal, refusing
+from minkref.event_lists import EventList, PairEventList, find_events, stream
 from minkref.event_table import write_parquet
 from minkref.exact import approximate, read_scale
 from minkref.fuzz.least_precision import MOST_BITS, least_precision
@@ -36,15 +35,18 @@ minkref events g1 g2 --from 1/2 --to 2 --json
 
 minkref events glyph1204 glyph275 -o events.parquet
 
-minkref events g1 g2 --kind parallel
+minkref events g1 g2 --kind arrangement --from 1 --to 3/2 -o events.json
+
+minkref events disc1 cells1815 --kind topology --from 1/10 --to 10
 
 minkref events g1 g2 --form printed --arithmetic mpfr:53"""
 
-KINDS = ("pair", "parallel")
+KINDS = ("pair", "parallel", "triple", "arrangement", "boundary", "topology")
+PAIR_KINDS = ("pair", "parallel")
 FORMS = ("corrected", "printed")
 OUTPUTS = (".json", ".parquet")
 SHOWN = 10  # events that people see
-CHUNK = 32768  # events at a time
+LIVES = 24  # holes and components whose lives people see
 
 
 def command(
@@ -63,7 +65,11 @@ def command(
         typer.Option(
             "--kind",
             help="pair: two edges of the convolution start or stop meeting. "
-            "parallel: two parallel edges come to lie on one line.",
+            "parallel: two parallel edges come to lie on one line. "
+            "triple: three edges pass through one point. "
+            "arrangement: all three. "
+            "boundary: the vertices of the sum's boundary or their order change. "
+            "topology: a hole or component is born, dies, merges, splits or touches itself.",
         ),
     ] = "pair",
     form: Annotated[
@@ -102,15 +108,19 @@ def command(
     ]
     first, second = read_operand(P), read_operand(Q)
     where = f"{first.name} and {second.name}"
-    found = refusing(
-        where, lambda: _core.pair_events(first.set, second.set, window[0], window[1], kind, form)
+    found = refusing(where, lambda: find_events(first.set, second.set, window, kind, form))
+    pairs = (
+        found.found
+        if isinstance(found, PairEventList)
+        else refusing(where, lambda: _core.pair_events(first.set, second.set, window[0], window[1]))
     )
     trial: dict[str, Any] | None = None
     if arithmetic != "rational":
         trial = dict(
             refusing(where, lambda: _core.precision_trial(first.set, second.set, arithmetic, form))
         )
-    counts = dict(found.counts())
+    counts = dict(pairs.counts())
+    counts.update(count=len(found), distinct=found.distinct)
     fields: dict[str, Any] = {
         "P": first.name,
         "Q": second.name,
@@ -128,15 +138,17 @@ def command(
         **counts,
         "trial": trial,
         "least_precision": _least(first, second, form) if least else None,
+        **found.features(),
     }
     if output is not None and output.suffix.lower() == ".parquet":
-        write_parquet(found, output)
+        assert isinstance(found, PairEventList)  # by _check
+        write_parquet(found.found, output)
     elif output is not None:
         value = document("events", watch, **fields)
-        write_atomically(output, listing(value, "events", event_list(found)))
+        write_atomically(output, listing(value, "events", stream(found)))
     if json and output is None:
         value = document("events", watch, **fields)
-        sys.stdout.writelines(listing(value, "events", event_list(found)))
+        sys.stdout.writelines(listing(value, "events", stream(found)))
     elif json:
         sys.stdout.write(as_text(document("events", watch, **fields, events=None)))
     else:
@@ -146,38 +158,6 @@ def command(
 def _least(P: Operand, Q: Operand, form: str) -> dict[str, int | None]:
     bits = refusing(f"{P.name} and {Q.name}", lambda: least_precision(P.set, Q.set, form))
     return {"bits": bits, "most_tried": MOST_BITS}
-
-
-def event_list(found: _core.PairEvents) -> Iterator[dict[str, Any]]:
-    """Every event as the published schema has it; progress on a terminal."""
-    from rich.progress import Progress
-
-    edges = [_edge(row) for row in found.edges()]
-    with Progress(
-        console=Console(stderr=True), transient=True, disable=not sys.stderr.isatty()
-    ) as progress:
-        task = progress.add_task("events", total=len(found))
-        for first in range(0, len(found), CHUNK):
-            yield from (_event(row, edges) for row in found.rows(first, first + CHUNK))
-            progress.update(task, completed=first + CHUNK)
-
-
-def _edge(row: tuple[Any, ...]) -> dict[str, Any]:
-    kind, _, edge_ring, edge, vertex_ring, vertex = row
-    return {"kind": kind, "edge": [edge_ring, edge], "vertex": [vertex_ring, vertex]}
-
-
-def _event(row: tuple[Any, ...], edges: list[dict[str, Any]]) -> dict[str, Any]:
-    scale, rank, change, parallel, a, b, at, to = row
-    return {
-        "s": scale,
-        "rank": rank,
-        "kind": "parallel" if parallel else "pair",
-        "change": change,
-        "parents": [edges[a], edges[b]],
-        "at": list(at),
-        "to": list(to) if to else None,
-    }
 
 
 def _check(kind: str, form: str, arithmetic: str, output: Path | None) -> None:
@@ -194,8 +174,16 @@ def _check(kind: str, form: str, arithmetic: str, output: Path | None) -> None:
             f"--kind {kind} --arithmetic {arithmetic}",
             "leave out one of the two options",
         )
+    if form != "corrected" and kind not in PAIR_KINDS:
+        raise Refusal(
+            "the printed form has pair and parallel events only",
+            f"--kind {kind} --form {form}",
+            "leave out one of the two options",
+        )
     if output is None:
         return
+    if output.suffix.lower() == ".parquet" and kind not in PAIR_KINDS:
+        raise Refusal(f"{kind} events are not written as Parquet", str(output), "name a .json file")
     if output.suffix.lower() not in OUTPUTS:
         raise Refusal(
             f"the ending {output.suffix or '(none)'} names no format that can be written",
@@ -205,7 +193,7 @@ def _check(kind: str, form: str, arithmetic: str, output: Path | None) -> None:
     check_writable(output)
 
 
-def _print(value: dict[str, Any], found: _core.PairEvents) -> None:
+def _print(value: dict[str, Any], found: EventList) -> None:
     window = f"[{value['from'] or '0'}, {value['to'] or 'oo'}]"
     if value["from"] is None:
         window = "(" + window[1:]
@@ -227,7 +215,7 @@ def _print(value: dict[str, Any], found: _core.PairEvents) -> None:
                 f"every scale; {value['touching_pairs']:,} more only touch",
             )
         ]
-    else:
+    elif value["kind"] == "parallel":
         rows += [("on one line", f"{value['parallel_pairs']:,}")]
     rows += [("events", f"{value['count']:,} at {value['distinct']:,} scales")]
     if total:
@@ -265,18 +253,59 @@ def _trial_rows(arithmetic: str, trial: dict[str, Any]) -> list[tuple[str, str]]
     ]
 
 
-def _print_first(found: _core.PairEvents) -> None:
+def _print_first(found: EventList) -> None:
     from rich.table import Table
 
     if len(found) == 0:
         return
-    table = Table("s", "about", "change", "edges", "at")
-    edges = found.edges()
-    for scale, _, change, _, a, b, at, _ in found.rows(0, SHOWN):
-        where = ", ".join(f"{approximate(x):.6g}" for x in at)
-        kinds = f"{edges[a][0]} {a}, {edges[b][0]} {b}"
-        table.add_row(scale, f"{approximate(scale):.6g}", change, kinds, f"({where})")
+    events = found.events(0, SHOWN)
+    topology = events[0]["kind"] == "topology"
+    table = Table("s", "about", "change", "before, after" if topology else "edges", "at")
+    for event in events:
+        where = ", ".join(f"{approximate(x):.6g}" for x in event["at"])
+        what = _features_text(event) if topology else _edges_text(event["parents"])
+        change = f"{event['feature']}: {event['change']}" if topology else event["change"]
+        table.add_row(event["s"], f"{approximate(event['s']):.6g}", change, what, f"({where})")
     sys.stdout.write("\n")
     console().print(table)
     if len(found) > SHOWN:
         sys.stdout.write(f"{len(found) - SHOWN:,} more: --json or -o FILE gives all\n")
+    for name, lives in found.features().items():
+        if lives:
+            _print_lives(name, lives)
+
+
+def _edges_text(edges: list[dict[str, Any]]) -> str:
+    def place(at: list[int]) -> str:
+        return f"{at[0]}.{at[1]}"
+
+    texts = [f"{e['kind']} {place(e['edge'])} at {place(e['vertex'])}" for e in edges[:3]]
+    return ", ".join([*texts, "..."] if len(edges) > 3 else texts)
+
+
+def _features_text(event: dict[str, Any]) -> str:
+    def names(features: list[int]) -> str:
+        outside = event["feature"] == "hole"
+        return ", ".join("outside" if outside and f == 0 else str(f) for f in features) or "-"
+
+    return f"{names(event['before'])} to {names(event['after'])}"
+
+
+def _print_lives(name: str, lives: list[dict[str, Any]]) -> None:
+    """The scales between which each hole or component lives."""
+    from rich.table import Table
+
+    table = Table(name[:-1], "from", "to")
+    for life in lives[:LIVES]:
+        ends = [life["birth"], life["death"]]
+        table.add_row(
+            str(life["id"]),
+            *(
+                f"{which} of the window" if end is None else f"{end}, about {approximate(end):.6g}"
+                for end, which in zip(ends, ("begin", "end"), strict=True)
+            ),
+        )
+    sys.stdout.write("\n")
+    console().print(table)
+    if len(lives) > LIVES:
+        sys.stdout.write(f"{len(lives) - LIVES:,} more {name}\n")

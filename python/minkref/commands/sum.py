@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+import time
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -15,6 +16,7 @@ from minkref.errors import Refusal, refusing
 from minkref.exact import digest, in_double_range, read_scale, scientific
 from minkref.operand import Operand, read_operand
 from minkref.options import Json, Schema
+from minkref.parents import PassageRows, passages_of
 from minkref.signals import interruptible
 from minkref.terminal import lines, shown
 
@@ -28,7 +30,8 @@ minkref sum P.wkt Q.geojson --scale 7/5 -o sum.svg
 
 minkref sum g1 g2 --arithmetic mpfr:53"""
 
-ROUTES = ("paper", "winding", "definition")
+ROUTES = ("paper", "winding", "definition", "dynamic")
+SHOWN = 5  # tight passages that people see
 OUTPUTS = {".wkt": "wkt", ".geojson": "geojson", ".poly": "poly", ".json": "json", ".svg": "svg"}
 
 
@@ -39,7 +42,7 @@ def command(
         str, typer.Option("--scale", help="Scale of P, exact: 3, 7/5, 0.25.", metavar="S")
     ] = "1",
     route: Annotated[
-        str, typer.Option("--route", help="How it is computed: paper, winding, definition.")
+        str, typer.Option("--route", help=f"How it is computed: {', '.join(ROUTES)}.")
     ] = "paper",
     arithmetic: Annotated[
         str,
@@ -58,7 +61,8 @@ def command(
     json: Json = False,
     schema: Schema = False,
 ) -> None:
-    """The Minkowski sum of P, scaled by S about the origin, and Q: exact, in canonical form."""
+    """The Minkowski sum of P, scaled by S about the origin, and Q: exact, in canonical form, and
+    its tight passages."""
     watch = Stopwatch()
     exact_scale = read_scale(scale)
     _check_route(route, arithmetic)
@@ -111,20 +115,26 @@ def compute(P: Operand, Q: Operand, scale: str, route: str, arithmetic: str) -> 
     exact = arithmetic == "rational"
     undecided = False
     answer: _core.Sum | None = None
+    seconds: float | None = None
+    passages: PassageRows | None = None
     try:
-        answer = refusing(
-            where, lambda: _core.minkowski_sum(P.set, Q.set, scale, route, arithmetic)
-        )
+        if route == "dynamic":
+            answer, passages, seconds = refusing(where, lambda: _dynamic(P, Q, scale))
+        else:
+            answer = refusing(
+                where, lambda: _core.minkowski_sum(P.set, Q.set, scale, route, arithmetic, exact)
+            )
+            passages, seconds = answer.tight_passages, answer.seconds
     except _core.UndecidedSign:
         undecided = True
     fields: dict[str, Any] = {
         "route": route,
         "arithmetic": arithmetic,
         "undecided": undecided,
-        "compute_seconds": answer.seconds if answer else None,
+        "compute_seconds": seconds,
         **_description(answer),
-        "tight_passages": None,
-        "signs": _signs(answer.statistics) if answer else None,
+        "tight_passages": None if passages is None else passages_of(passages),
+        "signs": _signs(answer.statistics) if answer and route != "dynamic" else None,
         "statistics": dict(answer.statistics) if answer else None,
         "exact": None,
     }
@@ -140,6 +150,17 @@ def compute(P: Operand, Q: Operand, scale: str, route: str, arithmetic: str) -> 
     fields["result"] = json.loads(canonical) if canonical else None
     fields["region"] = answer.region if answer else None
     return fields
+
+
+def _dynamic(P: Operand, Q: Operand, scale: str) -> tuple[_core.Sum, PassageRows, float]:
+    """By dynamic update, over a window that is this scale only. The passages are not kept while the
+    scale changes: they are those of the static arrangement."""
+    start = time.perf_counter()
+    moving = _core.DynamicSum(P.set, Q.set, scale, scale)
+    moving.move_to(scale)
+    answer = moving.sum()
+    passages = _core.tight_passages(P.set, Q.set, scale)
+    return answer, passages, time.perf_counter() - start
 
 
 def _description(answer: _core.Sum | None) -> dict[str, Any]:
@@ -204,7 +225,7 @@ def _print(value: dict[str, Any]) -> None:
         rows.append(("exact", words[exact["equal"]]))
         if not exact["equal"]:
             rows += [(f"  {name}", text) for name, text in _described(exact)]
-    rows.append(("tight passages", "not computed"))
+    rows += _passage_rows(value["tight_passages"])
     signs = value["signs"]
     if signs is not None and signs["total"]:
         rows.append(("signs", f"{signs['total']:,}: {_deciders(signs, value['arithmetic'])}"))
@@ -215,6 +236,26 @@ def _print(value: dict[str, Any]) -> None:
     sys.stdout.write(lines(rows))
     for warning in value["warnings"]:
         sys.stderr.write(f"warning: {shown(warning)}\n")
+
+
+def _passage_rows(passages: list[dict[str, Any]] | None) -> list[tuple[str, str]]:
+    if passages is None:
+        return [("tight passages", "with --arithmetic rational only")]
+    if not passages:
+        return [("tight passages", "none")]
+    points = sum(len(passage["points"]) == 1 for passage in passages)
+    counts = (_counted(points, "point"), _counted(len(passages) - points, "polyline"))
+    rows = [("tight passages", ", ".join(filter(None, counts)))]
+    for passage in passages[:SHOWN]:
+        where = " ".join(f"({x}, {y})" for x, y in passage["points"])
+        rows.append(("", where if len(where) <= 200 else f"{where[:200]}..."))
+    if len(passages) > SHOWN:
+        rows.append(("", f"and {len(passages) - SHOWN} more; --json prints them"))
+    return rows
+
+
+def _counted(count: int, word: str) -> str:
+    return f"{count:,} {word}{'s' if count > 1 else ''}" if count else ""
 
 
 def _why_undecided(arithmetic: str) -> str:

@@ -38,9 +38,14 @@ EventPlace common_part(const Edge& a, const Edge& b, const Rational& scale) {
 
 std::vector<EventPlace> event_places(const PairEvents& events, std::size_t first, std::size_t last,
                                      const PolygonSet& P, const PolygonSet& Q) {
+  return event_places(events, first, last,
+                      moving_edges<Vector>(events.edges, scalar_operand<Rational>(P, {}),
+                                           scalar_operand<Rational>(Q, {})));
+}
+
+std::vector<EventPlace> event_places(const PairEvents& events, std::size_t first, std::size_t last,
+                                     const std::vector<Edge>& edges) {
   const PlainKernel<Rational> kernel;
-  const auto edges = moving_edges<Vector>(events.edges, scalar_operand<Rational>(P, {}),
-                                          scalar_operand<Rational>(Q, {}));
   std::vector<EventPlace> result;
   for (std::size_t i = first; i < std::min(last, events.events.size()); ++i) {
     const PairEvent& event = events.events[i];

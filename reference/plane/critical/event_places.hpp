@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "reference/plane/critical/moving_edge.hpp"
 #include "reference/plane/critical/pair_events.hpp"
 
 namespace minkref {
@@ -17,5 +18,8 @@ struct EventPlace {
 /// Of the events first to last - 1. Exact. Some 10 us an event.
 std::vector<EventPlace> event_places(const PairEvents& events, std::size_t first, std::size_t last,
                                      const PolygonSet& P, const PolygonSet& Q);
+/// The same; `edges`: those of `events`, over rationals.
+std::vector<EventPlace> event_places(const PairEvents& events, std::size_t first, std::size_t last,
+                                     const std::vector<RationalEdge>& edges);
 
 }  // namespace minkref

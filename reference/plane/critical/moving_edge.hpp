@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include "reference/number/eigen.hpp"
+#include "reference/number/rational.hpp"
 #include "reference/plane/convolution/convolution.hpp"
 #include "reference/plane/kernel/operand.hpp"
 
@@ -63,5 +65,7 @@ std::vector<MovingEdge<V>> moving_edges(const std::vector<ConvolutionEdge>& edge
   }
   return result;
 }
+
+using RationalEdge = MovingEdge<Vector2<Rational>>;
 
 }  // namespace minkref

@@ -58,12 +58,14 @@ template <class K>
 class Search {
  public:
   Search(const K& kernel, std::vector<MovingEdge<typename K::Vector>> edges,
-         const ScaleWindow& window, EventKind kind, Form form, PairEvents& result)
+         const ScaleWindow& window, EventKind kind, Form form, bool keep_meeting,
+         PairEvents& result)
       : kernel_(kernel),
         edges_(std::move(edges)),
         window_(window),
         kind_(kind),
         form_(form),
+        keep_meeting_(keep_meeting),
         result_(result) {}
 
   void run() {
@@ -114,6 +116,7 @@ class Search {
                               ? intersection_of_half_lines<K>(kernel_, conditions.half_lines)
                               : printed_rule(kernel_, conditions.half_lines);
     if (!meets_window(interval)) return;
+    keep(a, b, MeetingPair::Kind::crossing);
     if (interval.is_point(kernel_)) {
       ++result_.touching_pairs;
       add(a, b, *interval.lower, Change::touch, false);
@@ -130,16 +133,22 @@ class Search {
     if (pair.lines == Lines::one_line_at_one_scale) {
       if (pair.meeting == Meeting::never || outside(pair.scale)) return;
       ++result_.parallel_pairs;
+      keep(a, b, MeetingPair::Kind::one_line_at_a_scale);
       add(a, b, {0, pair.scale},
           pair.meeting == Meeting::touching ? Change::touch : Change::overlap, true);
     } else if (pair.lines == Lines::one_line_always && meets_window(pair.interval)) {
       ++result_.parallel_pairs;
+      keep(a, b, MeetingPair::Kind::one_line_always);
       if (pair.interval.is_point(kernel_)) {
         add(a, b, *pair.interval.lower, Change::touch, true);
       } else {
         add_ends(a, b, pair.interval, true);
       }
     }
+  }
+
+  void keep(std::uint32_t a, std::uint32_t b, MeetingPair::Kind kind) {
+    if (keep_meeting_) result_.meeting.push_back({a, b, kind});
   }
 
   bool outside(const Parameter& t) const {
@@ -211,8 +220,11 @@ class Search {
   Window<K> window_;
   EventKind kind_;
   Form form_;
+  bool keep_meeting_;
   PairEvents& result_;
 };
+
+}  // namespace
 
 void refuse_bad_window(const ScaleWindow& window) {
   const auto refuse = [](const std::string& problem) {
@@ -229,10 +241,8 @@ void refuse_bad_window(const ScaleWindow& window) {
   }
 }
 
-}  // namespace
-
 PairEvents pair_events(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window,
-                       EventKind kind, Form form) {
+                       EventKind kind, Form form, bool keep_meeting) {
   refuse_bad_operands(P, Q, 1);
   refuse_bad_window(window);
   PairEvents result;
@@ -241,7 +251,7 @@ PairEvents pair_events(const PolygonSet& P, const PolygonSet& Q, const ScaleWind
     using K = typename std::decay_t<decltype(frame)>::K;
     result.edges = convolution_edges(frame.kernel, frame.P, frame.Q, false);
     Search<K>(frame.kernel, moving_edges(result.edges, frame.P, frame.Q), window, kind, form,
-              result)
+              keep_meeting, result)
         .run();
     result.statistics.kernel = frame.name();
     add_counts(result.statistics, frame.kernel.counts);

@@ -38,11 +38,23 @@ struct ScaleWindow {
   std::optional<Rational> from, to;
 };
 
+/// Edges a < b that meet within a window.
+struct MeetingPair {
+  std::uint32_t a = 0, b = 0;
+  enum class Kind : std::uint8_t {
+    crossing,            ///< not parallel
+    one_line_always,     ///< parallel, on one line at every scale
+    one_line_at_a_scale  ///< parallel, on one line at one scale
+  } kind = Kind::crossing;
+};
+
 struct PairEvents {
   std::vector<ConvolutionEdge> edges;  ///< S-edges first
   std::vector<PairEvent> events;       ///< sorted by scale, then a, then b
-  std::size_t distinct = 0;            ///< different scales
-  std::uint64_t pairs = 0;             ///< looked at: all
+  /// Only if asked for: all pairs that meet within the window, sorted by a, then b.
+  std::vector<MeetingPair> meeting;
+  std::size_t distinct = 0;  ///< different scales
+  std::uint64_t pairs = 0;   ///< looked at: all
   /// Pairs that meet within the window: on an interval, in one scale; of parallel ones.
   std::uint64_t intersecting_pairs = 0, touching_pairs = 0, parallel_pairs = 0;
   std::uint64_t always_meeting_pairs = 0;  ///< of the intersecting ones: at every scale
@@ -55,7 +67,11 @@ struct PairEvents {
 /// (docs/definitions.md, "Printed and corrected"). Exact. O(N^2 + k log k) for N edges and k
 /// events; memory O(N + k). Operands must have passed `validate`.
 PairEvents pair_events(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window = {},
-                       EventKind kind = EventKind::both, Form form = Form::corrected);
+                       EventKind kind = EventKind::both, Form form = Form::corrected,
+                       bool keep_meeting = false);
+
+/// Throws BadInput ("bad-window") where a bound is not positive or the window is empty.
+void refuse_bad_window(const ScaleWindow& window);
 
 /// The printed interval against the corrected one, on exact roots, over all pairs that are not
 /// parallel.

@@ -4,36 +4,24 @@
 #include <cmath>
 #include <limits>
 
-// Wider registers where the machine has them; the operations, and so the results, are the same.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__gnu_linux__)
-#define MINKREF_CLONES __attribute__((target_clones("default", "avx2")))
-#else
-#define MINKREF_CLONES
-#endif
+#include "reference/plane/kernel/double_block.hpp"
 
 namespace minkref {
 namespace {
 
-constexpr std::size_t width = 4;
-using Block = double __attribute__((vector_size(8 * width)));
-using Unaligned = double __attribute__((vector_size(8 * width), aligned(8)));
-using Mask = std::int64_t __attribute__((vector_size(8 * width)));
+constexpr std::size_t width = block_width;
+using Mask = BlockMask;
 
 struct Row {
   double px, py, qx, qy, dx, dy;
 };
-
-inline __attribute__((always_inline)) Block load(const double* from) {
-  return *reinterpret_cast<const Unaligned*>(from);
-}
 
 /// What is left of the scales: (lower, upper).
 struct Range {
   Block lower, upper;
 };
 
-inline __attribute__((always_inline)) void restrict_to(Range& range, Block slope, Block value,
-                                                       double error) {
+MINKREF_INLINE void restrict_to(Range& range, Block slope, Block value, double error) {
   const Block zero = {}, infinity = zero + std::numeric_limits<double>::infinity();
   const Mask rises = slope > error, falls = slope < -error;
   const Block num = rises ? -value - error : value + error;
@@ -45,16 +33,15 @@ inline __attribute__((always_inline)) void restrict_to(Range& range, Block slope
 }
 
 template <bool AIsS, bool BIsS>
-inline __attribute__((always_inline)) std::size_t survivors(const Row& a, const EdgeColumns& b,
-                                                            std::uint32_t first, double error,
-                                                            std::uint32_t* out) {
+MINKREF_INLINE std::size_t survivors(const Row& a, const EdgeColumns& b, std::uint32_t first,
+                                     double error, std::uint32_t* out) {
   std::size_t count = 0;
   // Rounding of the quotients is below 2^-50 of them.
   const double slack = 1 + 0x1p-48;
   for (std::size_t j = first; j < b.size; j += width) {
-    const Block dx = load(&b.dx[j]), dy = load(&b.dy[j]);
-    const Block px = load(&b.px[j]) - a.px, py = load(&b.py[j]) - a.py;
-    const Block qx = load(&b.qx[j]) - a.qx, qy = load(&b.qy[j]) - a.qy;
+    const Block dx = load_block(&b.dx[j]), dy = load_block(&b.dy[j]);
+    const Block px = load_block(&b.px[j]) - a.px, py = load_block(&b.py[j]) - a.py;
+    const Block qx = load_block(&b.qx[j]) - a.qx, qy = load_block(&b.qy[j]) - a.qy;
     const Block turn = a.dx * dy - a.dy * dx;
     const Mask right = turn < 0;
     const auto turned = [&](Block value)

@@ -2,21 +2,31 @@
 
 #include "reference/plane/arrangement/exact_arrangement.hpp"
 #include "reference/plane/boundary/face_boundary.hpp"
+#include "reference/plane/passages/passages_of_arrangement.hpp"
+#include "reference/plane/passages/wedge_walks.hpp"
 #include "reference/plane/routes/convolution_arrangement.hpp"
 #include "reference/plane/routes/routes.hpp"
 
 namespace minkref {
-BoundaryGraph paper_route(const PolygonSet& P, const PolygonSet& Q, Statistics& statistics) {
+BoundaryGraph paper_route(const PolygonSet& P, const PolygonSet& Q, Statistics& statistics,
+                          std::vector<TightPassage>* passages) {
   return on_exact_frame(P, Q, [&](const auto& frame) {
     statistics.kernel = frame.name();
-    const auto [convolution, arrangement] =
-        convolution_arrangement(frame.kernel, frame.P, frame.Q, false, statistics);
-    const auto inside = faces_of_sum(arrangement, connected(P) && connected(Q),
+    const auto built = convolution_arrangement(frame.kernel, frame.P, frame.Q, false, statistics);
+    const auto inside = faces_of_sum(built.arrangement, connected(P) && connected(Q),
                                      face_collision(frame), statistics.orientable_faces);
-    const auto& nodes = arrangement;
-    BoundaryGraph graph = face_boundary(
-        arrangement, inside, [&](std::uint32_t n) { return position(frame, nodes.node(n)); });
+    BoundaryGraph graph = face_boundary(built.arrangement, inside, [&](std::uint32_t n) {
+      return position(frame, built.arrangement.node(n));
+    });
     add_counts(statistics, frame.kernel.counts);
+    if (passages != nullptr) {
+      // Where rings touch the passages are in another convolution than the boundary of the sum.
+      const bool apart = !wedge_walks(P) && !wedge_walks(Q);
+      *passages = apart ? passages_along(tight_graph_of_arrangement(
+                              frame, built.arrangement, built.convolution.edges, P, Q,
+                              [&](std::uint32_t face) -> bool { return inside[face]; }))
+                        : tight_passages(P, Q, 1);
+    }
     return graph;
   });
 }

@@ -88,20 +88,28 @@ PlainFaceCollision<T> face_collision(const ScalarFrame<T>& frame) {
   return {frame.kernel, frame.P, frame.Q};
 }
 
-/// Which faces of the arrangement of the reduced convolution lie in the sum. `meets(arrangement,
-/// face)` decides one by collision detection and is asked only for faces that could be outside.
-/// With `connected` operands a face with boundary inside it is not (proper nesting: the complement
-/// of a connected set has connected boundaries).
+/// Whether a face of the arrangement of the reduced convolution lies in the sum.
+/// `meets(arrangement, face)` decides one by collision detection and is asked only for faces that
+/// could be outside. With `connected` operands a face with boundary inside it is not (proper
+/// nesting: the complement of a connected set has connected boundaries).
+template <class K, class Meets>
+bool face_in_sum(const Arrangement<K>& arrangement, std::uint32_t face, bool connected,
+                 Meets&& meets, std::size_t& asked) {
+  if (face == 0) return false;
+  if (connected && arrangement.cycles(face).size() > 1) return true;
+  if (!orientable(arrangement, face)) return true;
+  ++asked;
+  return meets(arrangement, face);
+}
+
+/// face_in_sum of every face.
 template <class K, class Meets>
 std::vector<bool> faces_of_sum(const Arrangement<K>& arrangement, bool connected, Meets&& meets,
                                std::size_t& asked) {
-  std::vector<bool> inside(arrangement.face_count(), true);
-  inside[0] = false;
-  for (std::uint32_t face = 1; face < arrangement.face_count(); ++face) {
-    if (connected && arrangement.cycles(face).size() > 1) continue;
-    if (!orientable(arrangement, face)) continue;
-    ++asked;
-    inside[face] = meets(arrangement, face);
+  std::vector<bool> inside;
+  inside.reserve(arrangement.face_count());
+  for (std::uint32_t face = 0; face < arrangement.face_count(); ++face) {
+    inside.push_back(face_in_sum(arrangement, face, connected, meets, asked));
   }
   return inside;
 }

@@ -6,8 +6,10 @@
 
 namespace minkref {
 
-/// Reduced convolution and collision detection, exact.
-BoundaryGraph paper_route(const PolygonSet& P, const PolygonSet& Q, Statistics& statistics);
+/// Reduced convolution and collision detection, exact. Finds the tight passages in the same
+/// arrangement where they are asked for.
+BoundaryGraph paper_route(const PolygonSet& P, const PolygonSet& Q, Statistics& statistics,
+                          std::vector<TightPassage>* passages = nullptr);
 
 /// The paper's route in another arithmetic: "interval" (certified, or UndecidedSign), "double",
 /// "mpfr:BITS". The scale enters the computation itself. The result is what that arithmetic

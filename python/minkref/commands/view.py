@@ -1,0 +1,146 @@
+"""`minkref view P Q`: the sum over a window of scales as a page with a slider."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from fractions import Fraction
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+from rich.console import Console
+
+from minkref.documents import Stopwatch, as_text, check_writable, document, write_atomically
+from minkref.errors import Refusal, refusing
+from minkref.exact import approximate, read_scale
+from minkref.operand import read_operand
+from minkref.options import Json, Schema
+from minkref.signals import interruptible
+from minkref.terminal import lines, shown
+from minkref.view.picture import Progress, Window, picture
+from minkref.view.write_page import page
+
+EXAMPLES = """Examples:
+
+minkref view disc1 cells1815
+
+minkref view g1 g2 --from 1/2 --to 2 -o g1-g2.html
+
+minkref view P.wkt Q.geojson --json"""
+
+ENDINGS = (".html", ".htm")
+
+
+def command(
+    P: Annotated[str, typer.Argument(help="First operand, the scaled one: a file or a model.")],
+    Q: Annotated[str, typer.Argument(help="Second operand: a file or a model.")],
+    from_scale: Annotated[
+        str, typer.Option("--from", help="Begin of the window of scales, in it.", metavar="A")
+    ] = "1/10",
+    to_scale: Annotated[
+        str, typer.Option("--to", help="End of the window, in it.", metavar="B")
+    ] = "10",
+    output: Annotated[
+        Path, typer.Option("-o", help="The page to write: .html.", metavar="FILE")
+    ] = Path("view.html"),
+    json: Json = False,
+    schema: Schema = False,
+) -> None:
+    """One HTML page, which needs nothing else, with a slider over the scale: the sum, its
+    convolution, and the holes from birth to death."""
+    watch = Stopwatch()
+    window = _window(from_scale, to_scale)
+    if output.suffix.lower() not in ENDINGS:
+        raise Refusal(
+            f"the ending {output.suffix or '(none)'} is not that of a page",
+            str(output),
+            "name a file that ends in .html",
+        )
+    check_writable(output)
+    first, second = read_operand(P), read_operand(Q)
+    with interruptible(), _progress() as progress:
+        data = refusing(
+            f"{first.name} and {second.name}",
+            lambda: picture(first.set, second.set, window, progress),
+        )
+        text = page(first.name, second.name, data)
+    write_atomically(output, text)
+    value = document(
+        "view",
+        watch,
+        P=first.name,
+        Q=second.name,
+        **{"from": window.first, "to": window.last},
+        warnings=first.warnings + second.warnings,
+        output=str(output),
+        bytes=output.stat().st_size,
+        **_counts(data),
+    )
+    if json:
+        sys.stdout.write(as_text(value))
+    else:
+        _print(value)
+
+
+def _window(from_scale: str, to_scale: str) -> Window:
+    window = Window(read_scale(from_scale, "--from"), read_scale(to_scale, "--to"))
+    if Fraction(window.first) >= Fraction(window.last):
+        raise Refusal(
+            f"the window from {window.first} to {window.last} has no length",
+            "--from, --to",
+            "give a beginning that is smaller than the end",
+            "empty-window",
+        )
+    return window
+
+
+@contextmanager
+def _progress() -> Iterator[Progress]:
+    """A bar on a terminal, nothing elsewhere."""
+    from rich.progress import Progress as Bar
+
+    with Bar(console=Console(stderr=True), transient=True, disable=not sys.stderr.isatty()) as bar:
+        bar.console.show_cursor(True)  # Ctrl-C ends the process at once
+        task = bar.add_task("events", total=None)
+
+        def progress(done: int, total: int) -> None:
+            bar.update(task, description="rings", completed=done, total=total)
+
+        yield progress
+
+
+def _counts(data: dict[str, Any]) -> dict[str, Any]:
+    changes = [state for state in data["states"] if state]
+    return {
+        "segments": {kind: len(data[kind]) // 2 for kind in ("S", "T")},
+        "boundary_events": len(data["scales"]),
+        "topology_events": len(data["topology"]),
+        "holes": sum(life is not None for life in data["holes"][1:]),
+        "components": sum(life is not None for life in data["components"]),
+        "tracks": len(data["tracks"]) // 4,
+        "splices": sum(len(ring) - 4 for state in changes for ring in state[1:]),
+    }
+
+
+def _print(value: dict[str, Any]) -> None:
+    window = f"[{value['from']}, {value['to']}]"
+    if Fraction(value["from"]).denominator > 10**6 or Fraction(value["to"]).denominator > 10**6:
+        window += f", about [{approximate(value['from']):.6g}, {approximate(value['to']):.6g}]"
+    segments = value["segments"]
+    rows = [
+        ("sP + Q", f"{value['P']} + {value['Q']}"),
+        ("window", window),
+        ("edges", f"{segments['S']:,} S, {segments['T']:,} T"),
+        ("boundary events", f"{value['boundary_events']:,}"),
+        ("topology events", f"{value['topology_events']:,}"),
+        ("holes ever", f"{value['holes']:,}"),
+        ("components ever", f"{value['components']:,}"),
+        ("vertices ever", f"{value['tracks']:,}"),
+        ("seconds", f"{value['seconds']:.3f}"),
+        ("written", f"{value['output']}, {value['bytes']:,} bytes"),
+    ]
+    sys.stdout.write(lines(rows))
+    for warning in value["warnings"]:
+        sys.stderr.write(f"warning: {shown(warning)}\n")

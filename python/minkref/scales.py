@@ -1,0 +1,64 @@
+"""Lists of scales: evenly spaced, or from a file."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from pathlib import Path
+
+from minkref.errors import Refusal
+from minkref.exact import read_scale
+from minkref.operand import LONGEST_FILE
+from minkref.terminal import shown
+
+MOST_SCALES = 1_000_000
+
+
+def evenly_spaced(first: str, last: str, count: int) -> list[str]:
+    """`count` scales from `first` to `last`, both included (for one, `first` only), exact."""
+    if count == 1:
+        return [first]
+    begin, end = Fraction(first), Fraction(last)
+    return [str(begin + (end - begin) * i / (count - 1)) for i in range(count)]
+
+
+def read_scales(path: Path) -> list[str]:
+    """The scales in a file, one a line, in its order. What follows a # is a comment; lines may be
+    blank. Refuses by file and line."""
+    name = shown(str(path))
+    scales: list[str] = []
+    for number, line in enumerate(_text(path, name).splitlines(), start=1):
+        scale = line.partition("#")[0].strip()
+        if not scale:
+            continue
+        if len(scales) == MOST_SCALES:
+            mend = "split the file"
+            raise Refusal(f"there are more than {MOST_SCALES:,} scales", name, mend, "limit")
+        try:
+            scales.append(read_scale(scale, "the scale"))
+        except Refusal as refusal:
+            where = f"{name}, line {number}, {shown(refusal.where)}"
+            raise Refusal(refusal.what, where, refusal.mend, refusal.code) from refusal
+    if not scales:
+        raise Refusal("there is no scale in the file", name, "write one a line", "no-scales")
+    return scales
+
+
+def _text(path: Path, name: str) -> str:
+    mend = "name a text file with one scale a line"
+    if path.is_dir():
+        raise Refusal("this is a folder", name, mend, "not-a-file")
+    try:
+        with path.open("rb") as stream:
+            read = stream.read(LONGEST_FILE + 1)
+    except (OSError, ValueError) as error:
+        what = getattr(error, "strerror", None) or str(error)
+        code = "no-such-file" if isinstance(error, FileNotFoundError) else "cannot-read"
+        raise Refusal(f"the file cannot be read: {what}", name, mend, code) from error
+    if len(read) > LONGEST_FILE:
+        what = f"the text is longer than {LONGEST_FILE} bytes"
+        raise Refusal(what, name, "split the file", "file-too-large")
+    try:
+        return read.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        what = f"the text is not UTF-8: {error.reason} at byte {error.start}"
+        raise Refusal(what, name, mend, "not-utf8") from error

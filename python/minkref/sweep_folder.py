@@ -1,0 +1,71 @@
+"""The folder that a sweep writes: a file for each scale, and an index of them."""
+
+from __future__ import annotations
+
+import os
+import re
+from pathlib import Path
+
+from minkref.documents import TEMPORARY, check_writable, write_atomically
+from minkref.errors import Refusal
+from minkref.terminal import shown
+
+INDEX = "index.json"
+FORMATS = ("json", "wkt", "geojson", "poly", "svg")
+_OURS = re.compile(
+    rf"sum-[0-9]{{4,}}\.({'|'.join(FORMATS)})|{re.escape(INDEX)}|{re.escape(TEMPORARY)}.*", re.ASCII
+)
+
+
+class SweepFolder:
+    """Every file in it is whole: written beside, then renamed. Nothing is touched before the first
+    file is written; then an earlier sweep in the folder is removed."""
+
+    def __init__(self, path: Path, form: str) -> None:
+        """Refuses a folder that cannot be written, or that holds anything but a sweep."""
+        self.path = path
+        self._form = form
+        self._begun = False
+        if path.exists() and not path.is_dir():
+            raise Refusal("this is not a folder", str(path), "name a folder", "cannot-write")
+        if not path.exists():
+            check_writable(path)
+            return
+        check_writable(path / INDEX)
+        foreign = sorted(name for name in self._names() if not _OURS.fullmatch(name))
+        if foreign:
+            count = f" and {len(foreign) - 1:,} more" if len(foreign) > 1 else ""
+            raise Refusal(
+                f"the folder holds files of others: {shown(foreign[0])}{count}",
+                str(path),
+                "name an empty folder, a new one, or one that holds nothing but an earlier sweep",
+                "folder-not-empty",
+            )
+
+    def name(self, number: int) -> str:
+        """Of the file of a scale; they are numbered from 1."""
+        return f"sum-{number:04}.{self._form}"
+
+    def write(self, name: str, text: str) -> None:
+        self._begin()
+        write_atomically(self.path / name, text)
+
+    def _names(self) -> list[str]:
+        try:
+            return os.listdir(self.path)
+        except OSError as error:
+            what = f"the folder cannot be read: {error.strerror}"
+            raise Refusal(what, str(self.path), "choose another place", "cannot-write") from error
+
+    def _begin(self) -> None:
+        if self._begun:
+            return
+        try:
+            self.path.mkdir(exist_ok=True)
+            for name in self._names():
+                if _OURS.fullmatch(name):
+                    (self.path / name).unlink()
+        except OSError as error:
+            what = f"the folder cannot be written: {error.strerror}"
+            raise Refusal(what, str(self.path), "choose another place", "cannot-write") from error
+        self._begun = True

@@ -1,0 +1,248 @@
+// The page: one scale, and what follows from it.
+let scale = clampScale(windowFirst < 1 && windowLast > 1 ? 1 : Math.sqrt(windowFirst * windowLast));
+let atEvent = -1;    // the boundary event at whose scale the page stands
+let chosen = null;   // {feature, id}
+let asked = false;
+
+function moveTo(s, event = -1, place = null) {
+  if (!Number.isFinite(s)) return;
+  scale = clampScale(s);
+  atEvent = event;
+  drawing.place = place;
+  if (!asked) { asked = true; requestAnimationFrame(() => { asked = false; show(); }); }
+}
+
+const placeOf = (event) => data.places.slice(2 * event, 2 * event + 2);
+const goToEvent = (event) => { if (isInside(event)) moveTo(data.about[event], event, placeOf(event)); };
+const nextEvent = () => (atEvent >= 0 ? atEvent + 1 : placeAfter(data.about, scale));
+function previousEvent() {
+  if (atEvent >= 0) return atEvent - 1;
+  let event = placeAfter(data.about, scale) - 1;
+  while (event >= 0 && data.about[event] >= scale) --event;
+  return event;
+}
+
+function tellSituation() {
+  const box = element("situation"), rings = [...timeline.at(scale).values()];
+  const corners = rings.reduce((sum, ring) => sum + ring.vertices.length, 0);
+  const holes = new Set(rings.filter((ring) => ring.isHole).map((ring) => ring.hole)).size;
+  const components = new Set(rings.map((ring) => ring.component)).size;
+  box.replaceChildren();
+  if (atEvent >= 0) {
+    const kind = kindNames[data.kinds[atEvent]];
+    const changes = data.topology.filter((row) => row[0] === atEvent);
+    box.append(`Boundary event ${(atEvent + 1).toLocaleString("en")} of ${data.scales.length.toLocaleString("en")}`);
+    if (!changes.length) box.append(`: ${kind} of vertices.`);
+    changes.forEach((row) => {
+      const word = document.createElement("b");
+      word.className = word.textContent = row[2];
+      box.append(" · ", word, ": ");
+      tellChange(box, row);
+    });
+  } else if (rings.length) {
+    box.append(`${several(corners, "vertex", "vertices")}, ${several(components, "component")}, ${several(holes, "hole")}`);
+  }
+}
+
+function showChosen() {
+  const box = element("chosen");
+  box.replaceChildren();
+  if (!chosen) { box.append("Point at a hole or a bar to see when it is born and when it dies; click to keep it."); return; }
+  const { feature, id } = chosen, life = lives[feature][id];
+  const name = document.createElement("b");
+  name.append(swatch(feature, id), featureName(feature, id));
+  box.append(name, " ");
+  for (const [event, text] of [[life[0], bornText(life, true)], [life[1], diedText(life, true)]]) {
+    const line = document.createElement("div");
+    if (isInside(event)) {
+      const button = document.createElement("button");
+      button.textContent = text;
+      button.addEventListener("click", () => goToEvent(event));
+      line.append(button);
+    } else {
+      line.textContent = text;
+    }
+    box.append(line);
+  }
+}
+
+function show() {
+  if (element("follow").checked) drawing.fit(scale);
+  drawing.draw(scale, chosen);
+  drawInputs(scale);
+  strip.show(scale);
+  barcode.show(scale, chosen);
+  eventList.show(scale, atEvent);
+  element("slider").value = shareOf(scale);
+  const field = element("scale");
+  if (document.activeElement !== field || !field.classList.contains("bad")) {
+    field.value = atEvent >= 0 ? data.scales[atEvent] : short(scale, 8);
+    field.classList.remove("bad");
+    field.style.width = `${Math.min(Math.max(field.value.length + 3, 14), 72)}ch`;
+    field.title = atEvent >= 0 ? field.value : "A number or a fraction: 0.25, 7/5";
+  }
+  element("about").textContent = atEvent >= 0 && data.scales[atEvent] !== short(scale) ? `≈ ${short(scale, 9)}` : "";
+  element("previous").disabled = !isInside(previousEvent());
+  element("next").disabled = !isInside(nextEvent());
+  tellSituation();
+}
+
+function choose(feature, id) {
+  chosen = chosen && chosen.feature === feature && chosen.id === id ? null : { feature, id };
+  if (chosen) {
+    const life = lives[feature][id];
+    const born = isInside(life[0]) ? data.about[life[0]] : windowFirst;
+    const died = isInside(life[1]) ? data.about[life[1]] : windowLast;
+    barcode.reveal(feature, id);
+    if (!(scale > born && scale < died)) moveTo(Math.sqrt(born * died));
+  }
+  showChosen();
+  show();
+}
+
+function layOut() {
+  strip.draw();
+  barcode.draw(choose);
+  show();
+}
+
+function step(share) { moveTo(scaleAt(shareOf(scale) + share)); }
+
+const keys = {
+  ArrowLeft: (event) => step(event.shiftKey ? -0.0005 : -0.005),
+  ArrowRight: (event) => step(event.shiftKey ? 0.0005 : 0.005),
+  PageDown: () => goToEvent(previousEvent()),
+  PageUp: () => goToEvent(nextEvent()),
+  Home: () => moveTo(windowFirst),
+  End: () => moveTo(windowLast),
+  Escape: () => { if (chosen) choose(chosen.feature, chosen.id); },
+};
+
+function listen() {
+  element("slider").addEventListener("input", (event) => moveTo(scaleAt(Number(event.target.value))));
+  element("previous").addEventListener("click", () => goToEvent(previousEvent()));
+  element("next").addEventListener("click", () => goToEvent(nextEvent()));
+  element("fit").addEventListener("click", () => { drawing.fit(scale); show(); });
+  for (const id of ["show-S", "show-T", "follow"]) element(id).addEventListener("change", show);
+  const field = element("scale");
+  field.addEventListener("change", () => {
+    const event = data.scales.indexOf(field.value.trim());
+    const s = scaleOf(field.value);
+    field.classList.toggle("bad", event < 0 && !(s >= windowFirst && s <= windowLast));
+    if (field.classList.contains("bad")) return;
+    if (event >= 0) goToEvent(event); else moveTo(s);
+  });
+  addEventListener("keydown", (event) => {
+    if (event.target === field || event.ctrlKey || event.metaKey || event.altKey || !keys[event.key]) return;
+    if (["barcode", "events"].includes(event.target.id) && event.key !== "Escape" && !event.key.startsWith("Arrow")) return;
+    event.preventDefault();
+    keys[event.key](event);
+  });
+  listenToStrip();
+  listenToPicture();
+  addEventListener("resize", layOut);
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+    style = getComputedStyle(document.documentElement);
+    eventList.fill(goToTopology);
+    showChosen();
+    layOut();
+  });
+}
+
+function listenToStrip() {
+  const x = (event) => event.clientX - strip.svg.getBoundingClientRect().left;
+  let dragged = false;
+  strip.svg.addEventListener("pointerdown", (event) => {
+    dragged = false;
+    strip.svg.setPointerCapture(event.pointerId);
+    const near = strip.eventNear(x(event), 4);
+    if (near >= 0) goToEvent(near); else moveTo(strip.scaleAt(x(event)));
+  });
+  strip.svg.addEventListener("pointermove", (event) => {
+    if (event.buttons & 1) {
+      if (Math.abs(event.movementX) > 0) dragged = true;
+      if (dragged) moveTo(strip.scaleAt(x(event)));
+      return;
+    }
+    const near = strip.eventNear(x(event), 4);
+    tip(near < 0 ? `s = ${short(strip.scaleAt(x(event)), 4)}` : `boundary event ${near + 1}: ${exactAndAbout(near)}`, event);
+  });
+  strip.svg.addEventListener("pointerleave", () => tip(""));
+}
+
+function listenToPicture() {
+  const canvas = drawing.canvas;
+  const at = (event) => {
+    const box = canvas.getBoundingClientRect();
+    return [event.clientX - box.left, event.clientY - box.top];
+  };
+  let start = null, moved = false;
+  canvas.addEventListener("pointerdown", (event) => {
+    start = { at: at(event), view: { ...drawing.view } };
+    moved = false;
+    canvas.setPointerCapture(event.pointerId);
+  });
+  canvas.addEventListener("pointermove", (event) => {
+    const [x, y] = at(event);
+    if (start && event.buttons & 1) {
+      const dx = x - start.at[0], dy = y - start.at[1];
+      moved = moved || Math.hypot(dx, dy) > 3;
+      if (!moved) return;
+      element("follow").checked = false;
+      drawing.view = { ...start.view, x: start.view.x - dx / start.view.unit, y: start.view.y + dy / start.view.unit };
+      show();
+      return;
+    }
+    const id = drawing.holeAt(x, y);
+    canvas.style.cursor = id === null ? "grab" : "pointer";
+    tip(id === null ? "" : describe("h", id), event);
+  });
+  canvas.addEventListener("pointerup", (event) => {
+    const id = moved ? null : drawing.holeAt(...at(event));
+    start = null;
+    if (id !== null) choose("h", id);
+  });
+  canvas.addEventListener("pointerleave", () => tip(""));
+  canvas.addEventListener("wheel", (event) => {
+    event.preventDefault();
+    element("follow").checked = false;
+    const [x, y] = at(event), factor = Math.exp(-event.deltaY * 0.0015), view = drawing.view;
+    const dx = x - canvas.clientWidth / 2, dy = y - canvas.clientHeight / 2;
+    drawing.view = {
+      unit: view.unit * factor,
+      x: view.x + (dx / view.unit) * (1 - 1 / factor),
+      y: view.y - (dy / view.unit) * (1 - 1 / factor),
+    };
+    show();
+  }, { passive: false });
+}
+
+function goToTopology(event, place, [, feature, change, before, after]) {
+  moveTo(data.about[event], event, place);
+  const ids = (change === "birth" ? after : before).filter((id) => feature === "c" || id > 0);
+  chosen = ids.length ? { feature, id: ids[0] } : chosen;
+  showChosen();
+  if (chosen) barcode.reveal(chosen.feature, chosen.id);
+}
+
+element("count-S").textContent = (data.S.length / 2).toLocaleString("en");
+element("count-T").textContent = (data.T.length / 2).toLocaleString("en");
+barcode.collect();
+if (barcode.rows.some((row) => row.feature === "c")) element("features").textContent = "Holes and components (C) from birth to death";
+element("counts").textContent = [
+  `s from ${data.window[0][0]} to ${data.window[1][0]}`, several(data.scales.length, "boundary event"),
+  several(data.topology.length, "topology event"), several(data.holes.slice(1).filter(Boolean).length, "hole"),
+  several(data.components.filter(Boolean).length, "component"),
+].join(" · ");
+eventList.fill(goToTopology);
+showChosen();
+listen();
+layOut();
+
+// For tests and scripts.
+window.minkref = {
+  rings: canonicalPolygons,
+  moveTo,
+  get scale() { return scale; },
+  events: data.scales,
+};

@@ -1,0 +1,42 @@
+// Scales of events that have been found.
+#include "reference/plane/dynamic/arrangement_events.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "reference/plane/kernel/grid_kernel.hpp"
+
+namespace minkref {
+
+Rational ArrangementEvents::exact(std::uint32_t group) const {
+  const Source& source = source_[group];
+  return source.kind == Source::Kind::moment
+             ? moments_->exact(source.index)
+             : triple_scale(triples_[source.index], moving_, table_);
+}
+
+const PairEvent* ArrangementEvents::pair_event_at(std::uint32_t group) const {
+  const Source& source = source_[group];
+  return source.kind == Source::Kind::moment ? moments_->event(source.index) : nullptr;
+}
+
+const TripleEvent* ArrangementEvents::triple_event_at(std::uint32_t group) const {
+  const Source& source = source_[group];
+  return source.kind == Source::Kind::triple ? &triples_[source.index] : nullptr;
+}
+
+ArrangementEvents::Location ArrangementEvents::locate(const Rational& scale) const {
+  const double value = to_double(scale);
+  const double reach = 4 * std::abs(value) * filter_bound + 1e-300;
+  auto at = static_cast<std::uint32_t>(
+      std::lower_bound(approximate_.begin(), approximate_.end(), value - reach) -
+      approximate_.begin());
+  for (; at < groups() && !(approximate_[at] > value + reach); ++at) {
+    const Rational here = exact(at);
+    if (here == scale) return {at, true};
+    if (here > scale) return {at, false};
+  }
+  return {at, false};
+}
+
+}  // namespace minkref

@@ -1,0 +1,175 @@
+#include "reference/plane/dynamic/boundary_regions.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <unordered_map>
+
+namespace minkref {
+namespace {
+
+constexpr std::uint32_t none = 0xffffffffU;
+
+/// Cycles as polygons at one scale.
+class CyclesAtScale {
+ public:
+  CyclesAtScale(const BoundaryStates& states, const std::vector<BoundaryLink>& links,
+                const Rational& scale) {
+    for (const BoundaryLink& link : links) {
+      from_.push_back(states.tracks()[link.from].at(scale));
+      to_.push_back(states.tracks()[link.to].at(scale));
+    }
+  }
+
+  /// Whether a cycle winds around the middle of a link that is not part of it.
+  bool around(const BoundaryCycles& cycles, std::uint32_t cycle, std::uint32_t link) const {
+    const Point m{(from_[link].x + to_[link].x) / 2, (from_[link].y + to_[link].y) / 2};
+    bool inside = false;
+    std::uint32_t k = cycles.cycles[cycle].first;
+    do {
+      const Point &a = from_[k], &b = to_[k];
+      if ((a.y <= m.y) != (b.y <= m.y)) {
+        const Rational side = (b.x - a.x) * (m.y - a.y) - (b.y - a.y) * (m.x - a.x);
+        if ((sign(side) > 0) == (b.y > a.y)) inside = !inside;
+      }
+      k = cycles.next[k];
+    } while (k != cycles.cycles[cycle].first);
+    return inside;
+  }
+
+  Rational magnitude(const BoundaryCycles& cycles, std::uint32_t cycle) const {
+    Rational doubled = 0;
+    std::uint32_t k = cycles.cycles[cycle].first;
+    do {
+      doubled += from_[k].x * to_[k].y - from_[k].y * to_[k].x;
+      k = cycles.next[k];
+    } while (k != cycles.cycles[cycle].first);
+    return abs(doubled);
+  }
+
+ private:
+  std::vector<Point> from_, to_;
+};
+
+/// Regions by their enclosing cycles (`left`: those that turn to the left); each other cycle
+/// belongs to the smallest one around it, or to region `outermost`.
+struct Regions {
+  std::vector<std::uint32_t> of_cycle;
+  std::uint32_t count = 0;
+};
+
+Regions regions_of(const BoundaryCycles& cycles, bool left, std::uint32_t first_name,
+                   std::uint32_t outermost, bool only_one, const CyclesAtScale* at_scale) {
+  Regions regions;
+  regions.of_cycle.assign(cycles.cycles.size(), outermost);
+  std::vector<std::uint32_t> enclosing;
+  for (std::uint32_t c = 0; c < cycles.cycles.size(); ++c) {
+    if (cycles.cycles[c].left != left) continue;
+    regions.of_cycle[c] = first_name + regions.count++;
+    enclosing.push_back(c);
+  }
+  for (std::uint32_t c = 0; c < cycles.cycles.size(); ++c) {
+    if (cycles.cycles[c].left == left) continue;
+    if (only_one) continue;
+    std::uint32_t best = none;
+    Rational size;
+    for (const std::uint32_t e : enclosing) {
+      if (!at_scale->around(cycles, e, cycles.cycles[c].first)) continue;
+      const Rational own = at_scale->magnitude(cycles, e);
+      if (best == none || own < size) {
+        best = e;
+        size = own;
+      }
+    }
+    if (best != none) regions.of_cycle[c] = regions.of_cycle[best];
+  }
+  return regions;
+}
+
+}  // namespace
+
+BoundaryRegions boundary_regions(const BoundaryStates& states, BoundaryState state,
+                                 CycleFinder& finder, const Rational& scale) {
+  BoundaryRegions result;
+  result.place = finder.remove_duplicates(state.links);
+  result.links = std::move(state.links);
+  result.walks = finder.find(result.links, true);
+  const BoundaryCycles& interior = result.walks;
+  result.pinches = finder.pinches();
+  const BoundaryCycles exterior = finder.find(result.links, false);
+  const auto enclosing = std::count_if(interior.cycles.begin(), interior.cycles.end(),
+                                       [](const auto& c) { return c.left; });
+  std::optional<CyclesAtScale> at_scale;
+  if (enclosing > 1) at_scale.emplace(states, result.links, scale);
+  const bool one = enclosing <= 1;
+  const CyclesAtScale* geometry = at_scale ? &*at_scale : nullptr;
+  const Regions components = regions_of(interior, true, 0, 0, one, geometry);
+  const Regions holes = regions_of(exterior, false, 1, 0, one, geometry);
+  result.components = components.count;
+  result.holes = holes.count;
+  const std::size_t n = result.links.size();
+  result.hole.resize(n);
+  result.component.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    result.hole[i] = holes.of_cycle[exterior.cycle[i]];
+    result.component[i] = components.of_cycle[interior.cycle[i]];
+  }
+
+  // Straight edges: from corner to corner.
+  const auto corner = [&](std::uint32_t i) {
+    return !finder.same_direction(result.links[i].edge, result.links[interior.next[i]].edge);
+  };
+  for (const auto& cycle : interior.cycles) {
+    std::uint32_t first = cycle.first;
+    while (!corner(first)) first = interior.next[first];
+    std::uint32_t vertex = result.links[first].to, i = first;
+    do {
+      i = interior.next[i];
+      if (!corner(i)) continue;
+      result.edges.emplace_back(vertex, result.links[i].to);
+      vertex = result.links[i].to;
+    } while (i != first);
+  }
+  std::sort(result.edges.begin(), result.edges.end());
+  return result;
+}
+
+std::vector<BoundaryRing> boundary_rings(const BoundaryRegions& regions,
+                                         const CycleFinder& finder) {
+  std::vector<BoundaryRing> rings;
+  const auto& links = regions.links;
+  const auto add = [&](const std::vector<std::uint32_t>& ring) {  // links in a row
+    BoundaryRing result;
+    int turns = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const BoundaryLink &in = links[ring[i]], &out = links[ring[(i + 1) % ring.size()]];
+      if (!finder.same_direction(in.edge, out.edge)) result.vertices.push_back(in.to);
+      turns += finder.half_turns(in.edge, out.edge);
+    }
+    result.is_hole = turns < 0;
+    result.component = regions.component[ring.front()];
+    result.hole = regions.hole[ring.front()];
+    rings.push_back(std::move(result));
+  };
+  for (const auto& cycle : regions.walks.cycles) {
+    // A walk that comes back to a point has closed a ring.
+    std::vector<std::uint32_t> walk;
+    std::unordered_map<std::uint32_t, std::size_t> place;  // of the link that leaves a point
+    std::uint32_t k = cycle.first;
+    do {
+      place[links[k].from] = walk.size();
+      walk.push_back(k);
+      const auto back = place.find(links[k].to);
+      if (back != place.end()) {
+        const auto from = walk.begin() + static_cast<std::ptrdiff_t>(back->second);
+        const std::vector<std::uint32_t> ring(from, walk.end());
+        for (const std::uint32_t link : ring) place.erase(links[link].from);
+        walk.erase(from, walk.end());
+        add(ring);
+      }
+      k = regions.walks.next[k];
+    } while (k != cycle.first);
+  }
+  return rings;
+}
+
+}  // namespace minkref

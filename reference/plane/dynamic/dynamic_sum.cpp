@@ -1,0 +1,48 @@
+#include "reference/plane/dynamic/dynamic_sum.hpp"
+
+#include "reference/error.hpp"
+
+namespace minkref {
+
+ScaleWindow opened(const ScaleWindow& closed) {
+  const Rational room(1, 1024);
+  ScaleWindow result;
+  if (closed.from) result.from = *closed.from * (1 - room);
+  if (closed.to) result.to = *closed.to * (1 + room);
+  return result;
+}
+
+DynamicSum::DynamicSum(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window)
+    : window_(window) {
+  refuse_bad_operands(P, Q, 1);
+  refuse_bad_window(window);
+  if (P.empty() || Q.empty()) return;
+  states_ = std::make_shared<const BoundaryStates>(arrangement_timeline(P, Q, opened(window)));
+  arrangement_.emplace(states_);
+}
+
+StepReport DynamicSum::move_to(const Rational& scale) {
+  if (sign(scale) <= 0 || (window_.from && scale < *window_.from) ||
+      (window_.to && scale > *window_.to)) {
+    throw BadInput("outside-window", "the scale " + to_string(scale) + " is outside the window",
+                   "give a scale within it, or a wider window");
+  }
+  return empty() ? StepReport{} : arrangement_->move_to(scale);
+}
+
+Sum DynamicSum::sum() {
+  Sum sum;
+  if (empty()) return sum;
+  Canonical canonical = canonical_form(arrangement_->boundary());
+  sum.region = std::move(canonical.region);
+  sum.components = canonical.components;
+  sum.holes = canonical.holes;
+  const PairEvents& pairs = states_->timeline().events->pairs();
+  sum.statistics.kernel = pairs.statistics.kernel;
+  sum.statistics.s_edges = pairs.statistics.s_edges;
+  sum.statistics.t_edges = pairs.statistics.t_edges;
+  sum.statistics.nodes = arrangement_->node_count();
+  return sum;
+}
+
+}  // namespace minkref

@@ -1,0 +1,41 @@
+// sP + Q over a window of scales: built once, then any scale, and every event.
+#pragma once
+
+#include <optional>
+
+#include "reference/plane/dynamic/dynamic_arrangement.hpp"
+#include "reference/plane/dynamic/topology_timeline.hpp"
+#include "reference/plane/sum.hpp"
+
+namespace minkref {
+
+/// The open window that holds a closed one with a little room on either side, so that events at its
+/// ends have both their sides.
+ScaleWindow opened(const ScaleWindow& closed);
+
+/// The dynamic sum of Behar & Lien 2012, Sec. 4.2.4.
+class DynamicSum {
+ public:
+  /// Finds all events of a closed window of scales (open towards 0 or infinity where a bound is
+  /// none). Throws BadInput for a bad window or operands. Cost: arrangement_timeline.
+  DynamicSum(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window);
+
+  /// Whether an operand is empty, and with it every sum.
+  bool empty() const { return states_ == nullptr; }
+  const ScaleWindow& window() const { return window_; }
+  const BoundaryStates& states() const { return *states_; }
+  DynamicArrangement& arrangement() { return *arrangement_; }
+
+  /// Moves to a scale of the window; throws BadInput ("outside-window") otherwise. Exact. O(events
+  /// crossed).
+  StepReport move_to(const Rational& scale);
+  /// The sum where it stands, in canonical form. Exact. O(b log b) for a boundary of b edges.
+  Sum sum();
+
+ private:
+  ScaleWindow window_;
+  std::shared_ptr<const BoundaryStates> states_;
+  std::optional<DynamicArrangement> arrangement_;
+};
+
+}  // namespace minkref

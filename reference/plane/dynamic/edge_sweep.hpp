@@ -1,0 +1,32 @@
+// Sweeps the scales along one convolution edge.
+#pragma once
+
+#include <memory>
+
+#include "reference/plane/dynamic/arrangement_events.hpp"
+#include "reference/plane/dynamic/edge_history.hpp"
+#include "reference/plane/dynamic/interior_test.hpp"
+#include "reference/plane/dynamic/node_arithmetic.hpp"
+
+namespace minkref {
+
+/// The order of the nodes along an edge is that of their positions, which are linear in the scale;
+/// it changes at events only. A sub-edge that exists between two events is on the boundary at all
+/// scales between them or at none, since the arrangement of the reduced convolution contains the
+/// boundary; one that goes on across an event (with positive length at its scale) keeps its status.
+/// So collision detection is asked once for each sub-edge that is born with length zero.
+class EdgeSweep {
+ public:
+  EdgeSweep(const PolygonSet& P, const PolygonSet& Q, const ArrangementEvents& events);
+  ~EdgeSweep();
+
+  /// Appends to `history`; edges in ascending order. Exact. O(k + e l) for k nodes, e events and
+  /// l nodes at a time.
+  void sweep(std::uint32_t edge, EdgeHistory& history);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace minkref

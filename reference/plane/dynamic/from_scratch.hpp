@@ -1,0 +1,15 @@
+// The dynamic arrangement and sum held against those computed from scratch.
+#pragma once
+
+#include <string>
+
+#include "reference/plane/dynamic/dynamic_sum.hpp"
+
+namespace minkref {
+
+/// What differs between the arrangement and the sum where `dynamic` stands and the static ones of
+/// the same operands at that scale: the exact points on every edge and their order; the canonical
+/// form, components and holes. Empty where nothing does. Exact. O((N + k) log N).
+std::string difference_from_scratch(DynamicSum& dynamic, const PolygonSet& P, const PolygonSet& Q);
+
+}  // namespace minkref

@@ -1,0 +1,25 @@
+#include "reference/plane/dynamic/node_track.hpp"
+
+#include "reference/plane/dynamic/edge_history.hpp"
+#include "reference/plane/kernel/plain_kernel.hpp"
+
+namespace minkref {
+
+Track node_track(const ArrangementEvents& events, std::uint32_t edge, std::uint32_t node) {
+  const RationalEdge& e = events.moving()[edge];
+  PositionAlong<Rational> position;
+  if (node == end_of_edge) {
+    (e.is_s() ? position.slope : position.value) = 1;
+  } else if (node != start_of_edge) {
+    const EdgeNode& n = events.table().nodes[node];
+    // Of edges that are on one line at one scale only, the end point itself, not its projection.
+    if (n.kind == EdgeNode::Kind::start_of_other) return node_track(events, n.other, start_of_edge);
+    if (n.kind == EdgeNode::Kind::end_of_other) return node_track(events, n.other, end_of_edge);
+    position = node_position(PlainKernel<Rational>{}, events.moving(), edge, n);
+  }
+  const Rational value = position.value / position.den, slope = position.slope / position.den;
+  return {{Rational(e.q.x() + e.d.x() * value), Rational(e.q.y() + e.d.y() * value)},
+          {Rational(e.p.x() + e.d.x() * slope), Rational(e.p.y() + e.d.y() * slope)}};
+}
+
+}  // namespace minkref

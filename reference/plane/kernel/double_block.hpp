@@ -1,0 +1,27 @@
+// Four doubles at a time, and functions compiled once more for wider registers. The operations, and
+// so the results, are the same on every machine.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__gnu_linux__)
+#define MINKREF_CLONES __attribute__((target_clones("default", "avx2")))
+#else
+#define MINKREF_CLONES
+#endif
+#define MINKREF_INLINE inline __attribute__((always_inline))
+
+namespace minkref {
+
+inline constexpr std::size_t block_width = 4;
+using Block = double __attribute__((vector_size(8 * block_width)));
+using BlockMask = std::int64_t __attribute__((vector_size(8 * block_width)));
+
+MINKREF_INLINE Block load_block(const double* from) {
+  using Unaligned = double __attribute__((vector_size(8 * block_width), aligned(8)));
+  return *reinterpret_cast<const Unaligned*>(from);
+}
+
+}  // namespace minkref

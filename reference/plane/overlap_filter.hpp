@@ -1,0 +1,25 @@
+// Two triangles whose interiors meet for certain, told in doubles.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "reference/plane/point_predicates.hpp"
+
+namespace minkref {
+
+/// The vertices of a triangle as the nearest doubles, with a bound on their absolute values.
+struct NearTriangle {
+  std::array<double, 3> x{}, y{};
+  double magnitude = 0;
+
+  NearTriangle() = default;
+  explicit NearTriangle(const std::vector<FilteredPoint>& triangle);
+};
+
+/// Whether the interior of `a` meets that of `at` - `b`: true is certain, false says nothing.
+/// Both triangles run counter-clockwise. Source: the separating axis theorem; the bound on the
+/// rounding of a turn is proven in the source.
+bool certainly_overlap(const NearTriangle& a, const NearTriangle& b, const FilteredPoint& at);
+
+}  // namespace minkref

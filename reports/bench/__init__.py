@@ -1,0 +1,1 @@
+"""Benchmarks of the dynamic update: what `minkref bench` runs, and the evidence."""

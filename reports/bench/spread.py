@@ -1,0 +1,30 @@
+"""Times of many runs, as what is printed of them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from statistics import fmean, median, quantiles
+
+
+@dataclass(frozen=True)
+class Spread:
+    count: int
+    mean: float
+    lower: float  # quartiles
+    median: float
+    upper: float
+
+
+def spread(values: Sequence[float]) -> Spread:
+    """Of at least one value."""
+    ordered = sorted(values)
+    if len(ordered) == 1:
+        return Spread(1, ordered[0], ordered[0], ordered[0], ordered[0])
+    lower, _, upper = quantiles(ordered, n=4, method="inclusive")
+    return Spread(len(ordered), fmean(ordered), lower, median(ordered), upper)
+
+
+def least(passes: Sequence[Sequence[float]]) -> list[float]:
+    """The least time of each run over several passes."""
+    return [min(times) for times in zip(*passes, strict=True)]

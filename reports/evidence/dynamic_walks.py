@@ -1,0 +1,111 @@
+"""Random walks of the dynamic sum, held against the static one after each step."""
+
+from __future__ import annotations
+
+import multiprocessing
+import random
+from collections import Counter
+from fractions import Fraction
+from typing import Any
+
+from minkref import _core
+from minkref.exact import set_json
+from minkref.fuzz.integer_rings import Ring, counter_clockwise, untangled
+from minkref.fuzz.random_pairs import random_holes
+from minkref.reports.evidence.framework.part import REFERENCE, Findings
+
+SUBJECT = (
+    "1,000 random walks of 30 steps in both directions, a third of the stops on scales of pair, "
+    "parallel and triple events; operands of 8 to 40 vertices, half with holes: after each step "
+    "arrangement and sum are the static ones."
+)
+MINUTES = (6, 0.5)
+DEPENDS = (*REFERENCE, "fuzz/integer_rings.py", "fuzz/random_pairs.py")
+
+SEED = 2012
+WALKS, QUICK_WALKS, STEPS = 1000, 16, 30
+PROCESSES = 2
+KINDS = ("pair", "parallel", "triple")
+
+
+def operand(dice: random.Random, holes: bool) -> tuple[str, int]:
+    """A polygon of 8 to 40 vertices on a grid, as JSON text, and its number of vertices."""
+    while True:
+        grid = dice.choice((8, 12, 20))
+        outer: Ring | None = None
+        while outer is None:
+            outer = untangled(dice, dice.randint(8, 24 if holes else 40), grid, grid)
+        outer = counter_clockwise(outer)
+        inner = random_holes(dice, outer, 3, dice.random() < 0.3) if holes else []
+        count = len(outer) + sum(map(len, inner))
+        if (holes and not inner) or not 8 <= count <= 40:
+            continue
+        dx, dy = dice.randint(-grid, 0), dice.randint(-grid, 0)
+        shifted = [
+            [(x + dx, y + dy) for x, y in ring] for ring in (outer, *(h[::-1] for h in inner))
+        ]
+        text = set_json([(shifted[0], shifted[1:])])
+        try:
+            _core.PolygonSet.from_json(text).validate("random operand")
+        except _core.BadInput:
+            continue
+        return text, count
+
+
+def walk(index: int) -> dict[str, Any]:
+    dice = random.Random(f"minkref walk {SEED} {index}")
+    holes = index % 2 == 1
+    (first, m), (second, n) = operand(dice, holes), operand(dice, holes and dice.random() < 0.5)
+    P, Q = _core.PolygonSet.from_json(first), _core.PolygonSet.from_json(second)
+    dynamic = _core.DynamicSum(P, Q)
+    scales: dict[str, list[str]] = {kind: [] for kind in KINDS}
+    for scale, kinds in dynamic.event_scales():
+        for kind in kinds:
+            scales[kind].append(scale)
+    tally: Counter[str] = Counter(vertices=m + n, holes=holes)
+    up = Fraction(0)
+    for step in range(STEPS):
+        scale = str(Fraction(dice.randint(1, 400), dice.randint(1, 120)))
+        kind = KINDS[dice.randrange(3)]
+        if step % 3 == 0 and not scales[kind]:
+            kind = "pair"
+        if step % 3 == 0 and scales[kind]:
+            scale = dice.choice(scales[kind])
+            tally[kind] += 1
+        tally["down" if Fraction(scale) < up else "up"] += 1
+        up = Fraction(scale)
+        report = dynamic.move_to(scale)
+        for name in ("insertions", "deletions", "swaps"):
+            tally[name] += report[name]
+        wrong = dynamic.difference_from_scratch()
+        if wrong:
+            return {"tally": tally, "fault": {"walk": index, "P": first, "Q": second, "at": wrong}}
+    return {"tally": tally, "fault": None}
+
+
+def run(quick: bool) -> Findings:
+    findings = Findings()
+    walks = QUICK_WALKS if quick else WALKS
+    total: Counter[str] = Counter()
+    faults = []
+    with multiprocessing.get_context("spawn").Pool(PROCESSES) as pool:
+        for done, result in enumerate(pool.imap_unordered(walk, range(walks)), 1):
+            total.update(result["tally"])
+            if result["fault"]:
+                faults.append(result["fault"])
+            if done % 20 == 0:
+                print(f"{done} of {walks} walks, {len(faults)} faults", flush=True)
+    steps = total["up"] + total["down"]
+    at_events = sum(total[kind] for kind in KINDS)
+    findings.figures |= {"seed": SEED, "walks": walks, **total, "faults": faults[:5]}
+    findings.law("walks that leave the static arrangement or sum", not faults, 0, len(faults))
+    findings.law("steps", steps >= walks * STEPS, walks * STEPS, steps)
+    findings.law("stops on events", 3 * at_events >= steps, "a third", f"{at_events} of {steps}")
+    reached = ", ".join(f"{kind} {total[kind]}" for kind in KINDS)
+    findings.target("of each kind", all(total[kind] for kind in KINDS), "some", reached)
+    findings.target(
+        "in both directions", min(total["up"], total["down"]) > steps // 4, "a quarter at least",
+        f"{total['up']} up, {total['down']} down",
+    )  # fmt: skip
+    findings.law("walks with holes", 2 * total["holes"] >= walks - 1, "half", total["holes"])
+    return findings

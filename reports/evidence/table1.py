@@ -1,0 +1,67 @@
+"""Table 1 of Behar & Lien 2012: dynamic update against finding the same afresh."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from minkref.reports.bench import table1
+from minkref.reports.bench.baselines import ABOUT, CGAL, CONTACTS, PAIRWISE, STATIC
+from minkref.reports.bench.table1 import PAPER_MEAN, Table1
+from minkref.reports.evidence.framework import part
+from minkref.reports.evidence.framework.part import Findings
+
+SUBJECT = (
+    "Dynamic update at random re-scalings out of 0.1, ..., 10 against finding the same afresh: all "
+    "intersections (by all pairs of edges in plain doubles, as the paper measures, and by our "
+    "exact search), and the whole sum (by route paper and by CGAL)."
+)
+MINUTES = (5, 0.4)
+DEPENDS = (
+    *part.REFERENCE,
+    *part.READERS,
+    *part.MODELS,
+    *part.COMPARISON,
+    *part.CGAL,
+    "reports/bench/*.py",
+)
+SEED = 1
+
+
+def run(quick: bool) -> Findings:
+    findings = Findings()
+    table = table1.run(quick, SEED, lambda text: print(text, flush=True), lambda: None)
+    for note in table.notes:
+        findings.note(note)
+    findings.law("sums after the update that differ from the static ones", not table.wrong, 0,
+                 ", ".join(table.wrong) or 0)  # fmt: skip
+    reached = table.mean_ratio(PAIRWISE)
+    findings.target(
+        "mean ratio over the 25 pairs, against all pairs of edges in doubles",
+        reached is not None and reached >= PAPER_MEAN,
+        f"at least the paper's {PAPER_MEAN}",
+        "not all pairs were timed" if reached is None else f"{reached:.2f}",
+    )
+    for baseline in (CONTACTS, STATIC, CGAL):
+        mean = table.mean_ratio(baseline)
+        if mean is not None:
+            findings.note(f"mean ratio over the 25 pairs against {ABOUT[baseline]}: {mean:.2f}")
+    for row in table.rows:
+        if not row["small"]:
+            findings.note(_sentence(row))
+    findings.note(f"{table.rescalings} re-scalings of each pair, seed {SEED}; ratios of means")
+    findings.figures = _figures(table)
+    return findings
+
+
+def _sentence(row: dict[str, Any]) -> str:
+    pays = f"pays from {row['break_even']:,} on" if row["break_even"] is not None else "never pays"
+    spread = row["ratios"]
+    return (
+        f"{row['name']}, {row['measure']}, against {row['baseline']}: {row['ratio']:.2f} (median "
+        f"{spread['median']:.2f}, quartiles {spread['lower']:.2f} and {spread['upper']:.2f}), "
+        f"{row['rescalings_timed']} re-scalings timed; {pays}"
+    )
+
+
+def _figures(table: Table1) -> dict[str, Any]:
+    return {"seed": table.seed, "pairs": table.pairs, "rows": table.rows}

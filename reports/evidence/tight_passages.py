@@ -1,0 +1,58 @@
+"""Hand-made cases of tight passages, their random laws, and what they cost."""
+
+from __future__ import annotations
+
+import re
+import statistics
+import subprocess
+import sys
+import time
+
+from minkref import _core
+from minkref.reports.evidence.framework.operands import operand, tell_absent
+from minkref.reports.evidence.framework.part import MODELS, READERS, REFERENCE, Findings
+from minkref.reports.evidence.framework.store import ROOT
+
+SUBJECT = (
+    "Tight passages: more than 20 hand-made cases with their expected result, empty beside the "
+    "critical scale where they must be; the share of a sum's time that they take."
+)
+MINUTES = (0.5, 0.3)
+DEPENDS = (*REFERENCE, *READERS, *MODELS, "tests/plane/*tight*")
+
+LEAST = 20
+REPEATS = 9
+
+
+def run(quick: bool) -> Findings:
+    findings = Findings()
+    command = [
+        sys.executable,
+        "-m",
+        "pytest",
+        "-q",
+        "-p",
+        "no:xdist",
+        "tests/plane/test_tight_passages.py",
+    ]
+    ran = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
+    tail = ran.stdout.strip().splitlines()[-1] if ran.stdout.strip() else ran.stderr[-200:]
+    found = re.search(r"(\d+) passed", tail)
+    passed = int(found[1]) if found else 0
+    findings.law("hand-made cases and their checks: pytest", ran.returncode == 0, "all pass", tail)
+    findings.target("of them", passed >= LEAST, f"at least {LEAST}", passed)
+    P, Q = operand("monkey"), operand("bird")
+    shares = []
+    for _ in range(REPEATS):
+        seconds = []
+        for with_passages in (False, True):
+            began = time.perf_counter()
+            _core.minkowski_sum(P.set, Q.set, "1", "paper", "rational", with_passages)
+            seconds.append(time.perf_counter() - began)
+        shares.append(seconds[1] / seconds[0])
+    low, median, high = statistics.quantiles(shares, n=4)
+    findings.figures["with passages to without"] = [round(x, 3) for x in (low, median, high)]
+    findings.target(f"{P.name} + {Q.name}: seconds with passages to without", median < 1.5,
+                    "under 1.5", f"{median:.2f} ({low:.2f} to {high:.2f})")  # fmt: skip
+    tell_absent(findings, "monkey", "bird")
+    return findings

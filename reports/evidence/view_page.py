@@ -1,0 +1,134 @@
+"""The page of `minkref view`: its size, and the rings that it draws against the sum."""
+
+from __future__ import annotations
+
+import json
+import math
+import random
+import tempfile
+import time
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+from minkref import _core
+from minkref.documents import write_atomically
+from minkref.reports.evidence.framework.browser import PACKAGES, absent, browser
+from minkref.reports.evidence.framework.operands import operand, tell_absent
+from minkref.reports.evidence.framework.part import MODELS, READERS, REFERENCE, Findings
+from minkref.view.picture import Window, picture
+from minkref.view.write_page import page
+
+SUBJECT = (
+    "The page of disc1 + neuron over [1/10, 10]: at most 10 MB; in headless Chromium its rings at "
+    "50 random scales are those of the sum, in canonical order; a mark for each boundary event."
+)
+MINUTES = (1, 0.5)
+DEPENDS = (
+    *REFERENCE,
+    *READERS,
+    *MODELS,
+    "python/minkref/view/*.py",
+    "python/minkref/view/page/*",
+    "python/minkref/commands/view.py",
+)
+
+SEED = 2012
+SCALES, QUICK_SCALES = 50, 10
+MOST_BYTES = 10_000_000
+CLOSE = 1e-9  # diagonals of the sum
+RINGS = """return arguments[0].map(
+    (s) => window.minkref.rings(s).map((polygon) => [polygon.outer, ...polygon.holes]))"""
+MARKS = "return document.getElementById('marks').getAttribute('d').split('M').length - 1"
+Polygons = list[list[list[list[float]]]]
+
+
+def run(quick: bool) -> Findings:
+    findings = Findings()
+    P, Q = operand("disc1"), operand("neuron")
+    tell_absent(findings, "disc1", "neuron")
+    began = time.perf_counter()
+    data = picture(P.set, Q.set, Window("1/10", "10"), lambda done, total: None)
+    text = page(P.name, Q.name, data)
+    seconds = time.perf_counter() - began
+    size = len(text.encode("utf-8"))
+    findings.figures |= {
+        "pair": f"{P.name} + {Q.name}",
+        "bytes": size,
+        "seconds to make": round(seconds, 2),
+        "boundary events": len(data["scales"]),
+        "topology events": len(data["topology"]),
+        "tracks": len(data["tracks"]) // 4,
+        "holes": len(data["holes"]) - 1,
+    }
+    findings.target("bytes of the page", size <= MOST_BYTES, f"at most {MOST_BYTES:,}", f"{size:,}")
+    count = QUICK_SCALES if quick else SCALES
+    reason = absent()
+    if reason is not None:
+        findings.note(f"install {' and '.join(PACKAGES)}, then run this part with --again")
+        findings.target(f"rings at {count} scales in Chromium", False, "looked at", reason)
+        return findings
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder, "view.html")
+        write_atomically(path, text)
+        _look(findings, path, data, (P.set, Q.set), count)
+    return findings
+
+
+def _look(
+    findings: Findings,
+    path: Path,
+    data: dict[str, Any],
+    operands: tuple[_core.PolygonSet, _core.PolygonSet],
+    count: int,
+) -> None:
+    dice = random.Random(SEED)
+    scales = [math.exp(dice.uniform(math.log(0.1), math.log(10.0))) for _ in range(count)]
+    with browser() as window:
+        began = time.perf_counter()
+        window.open(path)
+        marks = window.run(MARKS)
+        findings.figures["seconds to open"] = round(time.perf_counter() - began, 2)
+        began = time.perf_counter()
+        drawn = window.run(RINGS, scales)
+        per_scale = (time.perf_counter() - began) / count
+        findings.figures["milliseconds a scale"] = round(1000 * per_scale, 1)
+        messages = window.messages()
+    differences = [
+        _difference(got, _truth(operands, scale)) for scale, got in zip(scales, drawn, strict=True)
+    ]
+    alike = sum(difference < CLOSE for difference in differences)
+    findings.law("scales whose rings are those of the sum", alike == count, count, alike)
+    findings.figures["greatest difference, in diagonals"] = max(differences)
+    events = len(data["scales"])
+    findings.law("marks, one for each boundary event", marks == events, events, marks)
+    findings.law("errors of the page", not messages, 0, len(messages))
+
+
+def _truth(operands: tuple[_core.PolygonSet, _core.PolygonSet], scale: float) -> Polygons:
+    exact = _core.minkowski_sum(*operands, str(Fraction(scale)))
+    return [
+        [
+            [[float(Fraction(x)), float(Fraction(y))] for x, y in ring]
+            for ring in (polygon["outer"], *polygon["holes"])
+        ]
+        for polygon in json.loads(exact.region.canonical_json())["polygons"]
+    ]
+
+
+def _difference(got: Polygons, wanted: Polygons) -> float:
+    """The greatest distance of a vertex from its place, in diagonals; infinite if the polygons,
+    rings or numbers of vertices are others."""
+
+    def sizes(polygons: Polygons) -> list[list[int]]:
+        return [[len(ring) for ring in polygon] for polygon in polygons]
+
+    def points(polygons: Polygons) -> list[list[float]]:
+        return [point for polygon in polygons for ring in polygon for point in ring]
+
+    if sizes(got) != sizes(wanted):
+        return math.inf
+    true = points(wanted)
+    sides = [max(p[i] for p in true) - min(p[i] for p in true) for i in (0, 1)]
+    farthest = max(math.dist(p, q) for p, q in zip(points(got), true, strict=True))
+    return farthest / math.hypot(*sides)

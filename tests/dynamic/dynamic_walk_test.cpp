@@ -1,0 +1,171 @@
+// The law of the dynamic sum: a step leads to what is there when one starts from scratch.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "reference/error.hpp"
+#include "reference/plane/dynamic/from_scratch.hpp"
+#include "tests/plane/random_cases.hpp"
+
+namespace minkref::testing {
+namespace {
+
+/// A scale within the window, every third one that of an event.
+Rational some_scale(Source& random, const DynamicSum& dynamic) {
+  const ArrangementEvents& events = *dynamic.states().timeline().events;
+  const ScaleWindow& window = dynamic.window();
+  for (;;) {
+    Rational s(1 + static_cast<long>(random.below(600)), 1 + static_cast<long>(random.below(200)));
+    if (events.groups() > 0 && random.below(3) == 0) {
+      s = events.exact(static_cast<std::uint32_t>(random.below(events.groups())));
+    } else if (window.from && window.to) {
+      s = *window.from + (*window.to - *window.from) * Rational(1 + random.below(998), 1000);
+    }
+    if (window.from && s < *window.from) continue;
+    if (window.to && s > *window.to) continue;
+    return s;
+  }
+}
+
+TEST(DynamicWalk, AStepLeadsToTheStaticArrangementAndSum) {
+  MINKREF_SEEDED(random, 400);
+  std::size_t at_events = 0, stops = 0;
+  expect_law(random, 120, [&](const Case& c) -> std::string {
+    ScaleWindow window;
+    if (c.scale == 2) window = {Rational(1, 2), Rational(3)};
+    DynamicSum dynamic(c.P, c.Q, window);
+    Source walk(17);
+    for (int step = 0; step < 12; ++step) {
+      dynamic.move_to(some_scale(walk, dynamic));
+      ++stops;
+      at_events += dynamic.arrangement().at_event();
+      const std::string wrong = difference_from_scratch(dynamic, c.P, c.Q);
+      if (!wrong.empty()) return wrong;
+    }
+    return "";
+  });
+  EXPECT_GT(at_events, stops / 6);
+}
+
+TEST(DynamicWalk, AStepAndItsReverseCancel) {
+  MINKREF_SEEDED(random, 401);
+  expect_law(random, 60, [](const Case& c) -> std::string {
+    DynamicSum dynamic(c.P, c.Q, {});
+    Source walk(5);
+    DynamicArrangement& arrangement = dynamic.arrangement();
+    const Rational from = some_scale(walk, dynamic), to = some_scale(walk, dynamic);
+    dynamic.move_to(from);
+    std::vector<std::vector<std::uint32_t>> before;
+    for (std::uint32_t e = 0; e < dynamic.states().timeline().events->edges().size(); ++e) {
+      const auto along = arrangement.nodes(e);
+      before.emplace_back(along.begin(), along.end());
+    }
+    const StepReport there = dynamic.move_to(to), back = dynamic.move_to(from);
+    if (there.insertions != back.deletions || there.deletions != back.insertions ||
+        there.swaps != back.swaps) {
+      return "the way back is not the way there";
+    }
+    for (std::uint32_t e = 0; e < before.size(); ++e) {
+      const auto along = arrangement.nodes(e);
+      if (!std::equal(along.begin(), along.end(), before[e].begin(), before[e].end())) {
+        return "another order on edge " + std::to_string(e);
+      }
+    }
+    return "";
+  });
+}
+
+TEST(DynamicWalk, InsertionsDeletionsAndSwapsAreTheEventsCrossed) {
+  MINKREF_SEEDED(random, 402);
+  std::uint64_t swaps = 0;
+  expect_law(random, 80, [&](const Case& c) -> std::string {
+    DynamicSum dynamic(c.P, c.Q, {});
+    const ArrangementEvents& events = *dynamic.states().timeline().events;
+    Source walk(23);
+    const Rational from = some_scale(walk, dynamic), to = some_scale(walk, dynamic);
+    dynamic.move_to(from);
+    const StepReport report = dynamic.move_to(to);
+    // A node is inserted on the way up where its first scale is crossed or reached, and deleted
+    // where its last one is crossed or left; the other way round on the way down.
+    const auto reached = [](const Rational& s, const Rational& from_, const Rational& to_) {
+      return from_ < to_ ? from_ < s && s <= to_ : to_ <= s && s < from_;
+    };
+    const auto left = [](const Rational& s, const Rational& from_, const Rational& to_) {
+      return from_ < to_ ? from_ <= s && s < to_ : to_ < s && s <= from_;
+    };
+    const bool up = from < to;
+    std::uint64_t insertions = 0, deletions = 0, expected_swaps = 0;
+    for (const EdgeNode& node : events.table().nodes) {
+      const std::uint32_t first = up ? node.from : node.to, last = up ? node.to : node.from;
+      insertions += first != EdgeNode::always && reached(events.exact(first), from, to);
+      deletions += last != EdgeNode::always && left(events.exact(last), from, to);
+    }
+    for (std::size_t t = 0; t < events.triples().size(); ++t) {
+      const Rational s = events.exact(events.group_of_triple(t));
+      // Nodes of one place may be in either order at the scale itself; above it they are swapped.
+      const bool crossed = up ? from <= s && s < to : to <= s && s < from;
+      if (crossed) {
+        for (int bit = 0; bit < 3; ++bit) expected_swaps += events.triples()[t].swaps >> bit & 1;
+      }
+    }
+    if (from == to) insertions = deletions = expected_swaps = 0;
+    swaps += report.swaps;
+    if (report.insertions != insertions) return "insertions";
+    if (report.deletions != deletions) return "deletions";
+    if (report.swaps < expected_swaps) return "swaps";
+    return "";
+  });
+  EXPECT_GT(swaps, 100U);
+}
+
+TEST(DynamicWalk, RefusesScalesOutsideTheWindow) {
+  const PolygonSet P = box(0, 0, 1, 1), Q = box(0, 0, 2, 3);
+  DynamicSum dynamic(P, Q, {Rational(1), Rational(2)});
+  EXPECT_THROW(dynamic.move_to(Rational(1, 2)), BadInput);
+  EXPECT_THROW(dynamic.move_to(3), BadInput);
+  EXPECT_THROW(dynamic.move_to(-1), BadInput);
+  dynamic.move_to(1);
+  EXPECT_EQ(dynamic.sum().region, minkowski_sum(P, Q, 1).region);
+  dynamic.move_to(2);
+  EXPECT_EQ(dynamic.sum().region, minkowski_sum(P, Q, 2).region);
+}
+
+TEST(DynamicWalk, TakesPointsSegmentsAndTheEmptySet) {
+  const PolygonSet Q = region(rectangle(0, 0, 9, 9), {rectangle(2, 2, 5, 4)});
+  const std::vector<PolygonSet> operands{point_set(1, 2), segment_set({0, 0}, {1, 1}),
+                                         segment_set({0, 0}, {2, 0})};
+  for (const PolygonSet& P : operands) {
+    DynamicSum first(P, Q, {}), second(Q, P, {});
+    for (const Rational& s :
+         {Rational(1, 3), Rational(1), Rational(3, 2), Rational(2), Rational(7)}) {
+      first.move_to(s);
+      EXPECT_EQ(first.sum().region, minkowski_sum(P, Q, s).region) << text(P) << " at " << s;
+      second.move_to(s);
+      EXPECT_EQ(second.sum().region, minkowski_sum(Q, P, s).region) << text(P) << " at " << s;
+    }
+  }
+  DynamicSum empty({}, Q, {});
+  empty.move_to(2);
+  EXPECT_TRUE(empty.sum().region.empty());
+}
+
+TEST(DynamicWalk, StandsHugeAndTinyNumbers) {
+  const Rational huge = parse_rational("1e200"), tiny = parse_rational("1e-200");
+  MINKREF_SEEDED(random, 403);
+  expect_law(random, 10, [&](const Case& c) -> std::string {
+    for (const Rational& factor : {huge, tiny}) {
+      const PolygonSet P = scaled(c.P, factor);
+      DynamicSum dynamic(P, c.Q, {});
+      const ArrangementEvents& events = *dynamic.states().timeline().events;
+      for (std::uint32_t g = 0; g < std::min<std::size_t>(events.groups(), 5); ++g) {
+        dynamic.move_to(events.exact(g));
+        const std::string wrong = difference_from_scratch(dynamic, P, c.Q);
+        if (!wrong.empty()) return wrong;
+      }
+    }
+    return "";
+  });
+}
+
+}  // namespace
+}  // namespace minkref::testing

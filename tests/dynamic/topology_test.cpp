@@ -1,0 +1,181 @@
+// Holes and components through the scales.
+#include <gtest/gtest.h>
+
+#include "reference/plane/dynamic/dynamic_sum.hpp"
+#include "tests/plane/random_cases.hpp"
+
+namespace minkref::testing {
+namespace {
+
+struct Numbers {
+  std::size_t holes = 0, components = 0, vertices = 0;
+};
+
+Numbers numbers_at(const PolygonSet& P, const PolygonSet& Q, const Rational& s) {
+  const Sum sum = minkowski_sum(P, Q, s);
+  return {sum.holes, sum.components, sum.region.vertices()};
+}
+
+/// What differs from the static sums between all arrangement events, and at each of them.
+std::string wrong_counts(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window) {
+  const DynamicSum dynamic(P, Q, window);
+  const ArrangementEvents& events = *dynamic.states().timeline().events;
+  const TopologyTimeline timeline = topology_timeline(dynamic.states());
+  const auto& counts = timeline.counts;
+  std::size_t state = 0;
+  for (std::uint32_t i = 0; i <= events.groups(); ++i) {
+    const Rational low = i > 0 ? events.exact(i - 1) : events.window().from.value_or(0);
+    const Rational high =
+        i < events.groups() ? events.exact(i) : events.window().to.value_or(2 * low + 1);
+    while (state + 1 < counts.size() && counts[state + 1].interval <= i) ++state;
+    const auto& mine = counts[state];
+    const Numbers between = numbers_at(P, Q, (low + high) / 2);
+    if (between.holes != mine.holes || between.components != mine.components) {
+      return "between " + to_string(low) + " and " + to_string(high);
+    }
+    if (i == 0) continue;
+    const bool begins = mine.interval == i;
+    const Numbers at = numbers_at(P, Q, low);
+    if (at.holes != (begins ? mine.holes_at : mine.holes) ||
+        at.components != (begins ? mine.components_at : mine.components)) {
+      return "at " + to_string(low);
+    }
+  }
+  return "";
+}
+
+/// Whether the lives of the features add up to the counts, and the events tell every birth and
+/// death.
+std::string wrong_lives(const PolygonSet& P, const PolygonSet& Q) {
+  const DynamicSum dynamic(P, Q, {});
+  const TopologyTimeline timeline = topology_timeline(dynamic.states());
+  const auto alive = [](const Feature& f, std::uint32_t interval) {
+    return (!f.born || *f.born < interval) && (!f.died || *f.died >= interval);
+  };
+  for (const auto& count : timeline.counts) {
+    std::size_t holes = 0, components = 0;
+    for (std::size_t h = 1; h < timeline.holes.size(); ++h) {
+      holes += alive(timeline.holes[h], count.interval);
+    }
+    for (const Feature& f : timeline.components) components += alive(f, count.interval);
+    if (holes != count.holes || components != count.components) return "lives and counts differ";
+  }
+  for (const TopologyEvent& event : timeline.topology) {
+    const auto& features = event.kind == FeatureKind::hole ? timeline.holes : timeline.components;
+    for (const std::uint32_t f : event.before) {
+      if (!alive(features[f], event.group)) return "an event of a feature that is not there before";
+    }
+    for (const std::uint32_t f : event.after) {
+      if (!alive(features[f], event.group + 1)) return "... that is not there after";
+    }
+  }
+  std::size_t told = 0, ends = 0;
+  for (const auto* features : {&timeline.holes, &timeline.components}) {
+    for (const Feature& f : *features) ends += f.born.has_value() + f.died.has_value();
+  }
+  for (const TopologyEvent& e : timeline.topology) {
+    const std::size_t before = e.before.size(), after = e.after.size();
+    told += std::max(before, after) - std::min(before, after);
+  }
+  return told == ends ? "" : "births and deaths without an event";
+}
+
+TEST(Topology, IsConstantBetweenEventsAndRightAtEach) {
+  MINKREF_SEEDED(random, 420);
+  expect_law(random, 60, [](const Case& c) { return wrong_counts(c.P, c.Q, {}); });
+}
+
+TEST(Topology, OfAWindowIsThatOfAllScales) {
+  MINKREF_SEEDED(random, 421);
+  expect_law(random, 30,
+             [](const Case& c) { return wrong_counts(c.P, c.Q, {Rational(1, 2), Rational(2)}); });
+}
+
+TEST(Topology, LivesAddUp) {
+  MINKREF_SEEDED(random, 422);
+  expect_law(random, 60, [](const Case& c) { return wrong_lives(c.P, c.Q); });
+}
+
+/// The only topology event of holes at a scale.
+TopologyEvent event_at(const DynamicSum& dynamic, const TopologyTimeline& timeline,
+                       const Rational& s) {
+  const auto at = dynamic.states().timeline().events->locate(s);
+  EXPECT_TRUE(at.at);
+  std::vector<TopologyEvent> found;
+  for (const TopologyEvent& e : timeline.topology) {
+    if (e.group == at.before && e.kind == FeatureKind::hole) found.push_back(e);
+  }
+  EXPECT_EQ(found.size(), 1U);
+  return found.empty() ? TopologyEvent{} : found.front();
+}
+
+TEST(Topology, ATriangularHoleDiesWhereNoPairEventIs) {
+  const PolygonSet P = region({{-3, -2}, {4, -1}, {1, 3}});
+  const PolygonSet Q = region(rectangle(-40, -40, 40, 40), {{{0, 20}, {17, -11}, {-19, -9}}});
+  const Rational s(541, 186);
+  const DynamicSum dynamic(P, Q, {});
+  const TopologyTimeline timeline = topology_timeline(dynamic.states());
+  const TopologyEvent event = event_at(dynamic, timeline, s);
+  EXPECT_EQ(event.change, TopologyEvent::Change::death);
+  EXPECT_EQ(event.before, std::vector<std::uint32_t>{1});
+  EXPECT_TRUE(event.after.empty());
+  const Rational little = Rational(1) / Rational(Integer(1) << 60);
+  EXPECT_EQ(numbers_at(P, Q, s - little).holes, 1U);
+  EXPECT_EQ(numbers_at(P, Q, s).holes, 0U);
+  EXPECT_EQ(numbers_at(P, Q, s + little).holes, 0U);
+  EXPECT_EQ(wrong_counts(P, Q, {}), "");
+}
+
+TEST(Topology, ASlabCloses) {
+  // A hole of width 2 under a square of side s: it closes to a segment at s = 2.
+  const PolygonSet P = box(0, 0, 1, 1);
+  const PolygonSet Q = region(rectangle(0, 0, 20, 9), {rectangle(3, 3, 13, 5)});
+  const DynamicSum dynamic(P, Q, {});
+  const TopologyTimeline timeline = topology_timeline(dynamic.states());
+  const TopologyEvent event = event_at(dynamic, timeline, 2);
+  EXPECT_EQ(event.change, TopologyEvent::Change::death);
+  EXPECT_EQ(numbers_at(P, Q, 2).holes, 0U);
+  EXPECT_EQ(wrong_counts(P, Q, {}), "");
+}
+
+TEST(Topology, AHoleSplitsAtAWaist) {
+  // An hourglass: two chambers of side 8 and a channel of width 2 between them.
+  const Ring hourglass{{2, 2},   {10, 2},  {10, 5}, {14, 5}, {14, 2},  {22, 2},
+                       {22, 10}, {14, 10}, {14, 7}, {10, 7}, {10, 10}, {2, 10}};
+  const PolygonSet P = box(0, 0, 1, 1), Q = region(rectangle(0, 0, 24, 12), {hourglass});
+  const DynamicSum dynamic(P, Q, {});
+  const TopologyTimeline timeline = topology_timeline(dynamic.states());
+  const TopologyEvent event = event_at(dynamic, timeline, 2);
+  EXPECT_EQ(event.change, TopologyEvent::Change::split);
+  EXPECT_EQ(event.before, std::vector<std::uint32_t>{1});
+  EXPECT_EQ(event.after, (std::vector<std::uint32_t>{1, 2}));
+  EXPECT_EQ(wrong_counts(P, Q, {}), "");
+}
+
+TEST(Topology, ComponentsMerge) {
+  // Squares of side s at distance 6: they touch along an edge where s + 1 = 6.
+  const PolygonSet P = box(0, 0, 1, 1);
+  const PolygonSet Q = together(box(0, 0, 1, 1), box(6, 0, 7, 1));
+  const DynamicSum dynamic(P, Q, {});
+  const TopologyTimeline timeline = topology_timeline(dynamic.states());
+  ASSERT_EQ(timeline.components.size(), 2U);
+  ASSERT_EQ(timeline.topology.size(), 1U);
+  const TopologyEvent& event = timeline.topology.front();
+  EXPECT_EQ(event.kind, FeatureKind::component);
+  EXPECT_EQ(event.change, TopologyEvent::Change::merge);
+  EXPECT_EQ(event.before, (std::vector<std::uint32_t>{0, 1}));
+  EXPECT_EQ(dynamic.states().timeline().events->exact(event.group), 5);
+  EXPECT_EQ(wrong_counts(P, Q, {}), "");
+}
+
+TEST(Topology, AnIslandMergesWithTheShore) {
+  // A component inside a hole of another one: it grows until it touches.
+  const PolygonSet P = box(0, 0, 1, 1);
+  const PolygonSet Q =
+      together(region(rectangle(0, 0, 30, 30), {rectangle(5, 5, 25, 25)}), box(14, 14, 16, 17));
+  EXPECT_EQ(wrong_counts(P, Q, {}), "");
+  EXPECT_EQ(wrong_lives(P, Q), "");
+}
+
+}  // namespace
+}  // namespace minkref::testing

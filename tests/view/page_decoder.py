@@ -1,0 +1,120 @@
+"""A reader of the page's data of its own: what docs/command-line.md says of it, and no more."""
+
+from __future__ import annotations
+
+import json
+import math
+import random
+import re
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+from minkref import _core
+
+Point = tuple[float, float]
+Polygons = list[list[list[Point]]]  # per polygon its outer ring, then its holes
+
+
+def data_of(page: str) -> dict[str, Any]:
+    """The data in the text of a page."""
+    found = re.search(r'<script id="data" type="application/json">(.*?)</script>', page, re.S)
+    assert found
+    value: dict[str, Any] = json.loads(found[1])
+    return value
+
+
+class Decoder:
+    def __init__(self, data: dict[str, Any]) -> None:
+        self.data = data
+
+    def rings(self, state: int) -> dict[int, tuple[bool, int, int, list[int]]]:
+        """By slot: whether it is a hole's, component, hole, vertices as tracks."""
+        rings: dict[int, tuple[bool, int, int, list[int]]] = {}
+        for change in self.data["states"][: state + 1]:
+            if not change:
+                continue
+            for slot in change[0]:
+                del rings[slot]
+            for slot, is_hole, component, hole, *splices in change[1:]:
+                vertices = list(rings[slot][3]) if slot in rings else []
+                for at, removed, *added in splices:
+                    assert at + removed <= len(vertices)
+                    vertices = vertices[:at] + added + vertices[at + removed :]
+                rings[slot] = (bool(is_hole), component, hole, vertices)
+        return rings
+
+    def state_at(self, scale: float) -> int:
+        return sum(about <= scale for about in self.data["about"])
+
+    def point(self, track: int, scale: float) -> Point:
+        def coordinate(axis: int) -> float:
+            r, m = self.data["tracks"][4 * track + 2 * axis : 4 * track + 2 * axis + 2]
+            centre: float = self.data["centres"].get(str(2 * track + axis), 0.0)
+            value: float = r + m * (scale - centre)
+            return value
+
+        return coordinate(0), coordinate(1)
+
+    def polygons(self, scale: float) -> Polygons:
+        """The sum in canonical order."""
+        outer: dict[int, list[Point]] = {}
+        holes: dict[int, list[list[Point]]] = {}
+        for is_hole, component, _, vertices in self.rings(self.state_at(scale)).values():
+            points = [self.point(track, scale) for track in vertices]
+            least = points.index(min(points))
+            ring = points[least:] + points[:least]
+            if is_hole:
+                holes.setdefault(component, []).append(ring)
+            else:
+                assert component not in outer
+                outer[component] = ring
+        return sorted([ring, *sorted(holes.get(c, []))] for c, ring in outer.items())
+
+
+def true_polygons(P: _core.PolygonSet, Q: _core.PolygonSet, scale: float) -> Polygons:
+    """Of `minkref sum` at exactly this double."""
+    text = _core.minkowski_sum(P, Q, str(Fraction(scale))).region.canonical_json()
+    return [
+        [
+            [(float(Fraction(x)), float(Fraction(y))) for x, y in ring]
+            for ring in (polygon["outer"], *polygon["holes"])
+        ]
+        for polygon in json.loads(text)["polygons"]
+    ]
+
+
+def difference(got: Any, wanted: Polygons) -> float:
+    """The greatest distance of a vertex from where it should be, in diagonals of the sum; infinite
+    if the rings are others."""
+    if [[len(ring) for ring in polygon] for polygon in got] != [
+        [len(ring) for ring in polygon] for polygon in wanted
+    ]:
+        return math.inf
+    pairs = [
+        (p, q)
+        for one, other in zip(got, wanted, strict=True)
+        for ring, true_ring in zip(one, other, strict=True)
+        for p, q in zip(ring, true_ring, strict=True)
+    ]
+    points = [q for _, q in pairs]
+    if not points:
+        return 0.0
+    sides = [max(q[i] for q in points) - min(q[i] for q in points) for i in (0, 1)]
+    return max(math.dist(p, q) for p, q in pairs) / (math.hypot(*sides) or 1.0)
+
+
+def scales(count: int, seed: int, first: float = 0.1, last: float = 10.0) -> list[float]:
+    """Spread evenly over the logarithm of the scale."""
+    dice = random.Random(seed)
+    low, high = math.log(first), math.log(last)
+    return [min(max(math.exp(dice.uniform(low, high)), first), last) for _ in range(count)]
+
+
+def page_of(folder: Path, P: str, Q: str, *options: str) -> Path:
+    """The page that the command writes."""
+    from minkref.cli import run
+
+    path = folder / "view.html"
+    assert run(["view", P, Q, "-o", str(path), *options]) == 0
+    return path
