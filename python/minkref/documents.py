@@ -6,8 +6,8 @@ import json
 import os
 import re
 import resource
+import secrets
 import sys
-import tempfile
 import time
 from collections.abc import Iterable, Iterator
 from pathlib import Path
@@ -74,26 +74,25 @@ def write_atomically(path: Path, text: str | Iterable[str]) -> None:
     `path`, then a rename. Where `path` is a symbolic link, the file that it points to is
     replaced."""
     path = _followed(path)
+    # Named before it is made: a signal at any moment finds it to be removed.
+    temporary = path.parent / f"{TEMPORARY}{secrets.token_hex(8)}"
     try:
-        handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=TEMPORARY)
-    except OSError as error:
-        raise Refusal(
-            f"no file can be made in {path.parent}: {error.strerror}",
-            str(path),
-            "choose another place",
-            "cannot-write",
-        ) from error
-    try:
-        with os.fdopen(handle, "w", encoding="utf-8", errors="backslashreplace") as stream:
+        try:
+            stream = temporary.open("x", encoding="utf-8", errors="backslashreplace")
+        except OSError as error:
+            raise Refusal(
+                f"no file can be made in {path.parent}: {error.strerror}",
+                str(path),
+                "choose another place",
+                "cannot-write",
+            ) from error
+        with stream:
             stream.writelines([text] if isinstance(text, str) else text)
-        mask = os.umask(0)
-        os.umask(mask)
-        os.chmod(temporary, 0o666 & ~mask)
         os.replace(temporary, path)
     except OSError as error:
         raise _cannot_write(path, error) from error
     finally:
-        Path(temporary).unlink(missing_ok=True)
+        temporary.unlink(missing_ok=True)
 
 
 def check_writable(path: Path) -> None:

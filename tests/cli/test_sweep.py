@@ -184,17 +184,23 @@ def test_table_for_people_and_silence_of_progress_in_a_pipe() -> None:
 def test_interrupted_sweep_leaves_whole_files_and_no_index(
     tmp_path: Path, number: signal.Signals
 ) -> None:
+    def heed_interrupts() -> None:  # a background job of a shell is started deaf to them
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
+
     folder = tmp_path / "sums"
     process = subprocess.Popen(
         [sys.executable, "-m", "minkref", "sweep", "g1", "g2", "--from", "1", "--to", "2",
          "--steps", "100000", "-o", folder],
-        stderr=subprocess.PIPE,
+        stderr=subprocess.PIPE, preexec_fn=heed_interrupts,
     )  # fmt: skip
-    until = time.monotonic() + 60
-    while not (folder / "sum-0003.json").exists() and time.monotonic() < until:
-        time.sleep(0.01)
-    process.send_signal(number)
-    _, errors = process.communicate(timeout=60)
+    try:
+        until = time.monotonic() + 60
+        while not (folder / "sum-0003.json").exists() and time.monotonic() < until:
+            time.sleep(0.01)
+        process.send_signal(number)
+        _, errors = process.communicate(timeout=60)
+    finally:
+        process.kill()
     assert (process.returncode, errors) == (128 + number, b"")
     files = sorted(folder.iterdir())
     assert len(files) >= 3
