@@ -10,6 +10,7 @@ import secrets
 import sys
 import time
 from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -69,16 +70,16 @@ def listing(value: dict[str, Any], name: str, items: Iterable[Any]) -> Iterator[
     yield empty if first else "\n]\n}\n"
 
 
-def write_atomically(path: Path, text: str | Iterable[str]) -> None:
-    """Writes all of `text`, given whole or piece by piece, or nothing: a temporary file beside
-    `path`, then a rename. Where `path` is a symbolic link, the file that it points to is
-    replaced."""
+@contextmanager
+def replacing(path: Path) -> Iterator[Path]:
+    """A new empty file beside `path` to write to; it takes the place of `path` once all is written,
+    or is removed. Where `path` is a symbolic link, the file that it points to is replaced."""
     path = _followed(path)
     # Named before it is made: a signal at any moment finds it to be removed.
     temporary = path.parent / f"{TEMPORARY}{secrets.token_hex(8)}"
     try:
         try:
-            stream = temporary.open("x", encoding="utf-8", errors="backslashreplace")
+            temporary.touch(exist_ok=False)
         except OSError as error:
             raise Refusal(
                 f"no file can be made in {path.parent}: {error.strerror}",
@@ -86,13 +87,21 @@ def write_atomically(path: Path, text: str | Iterable[str]) -> None:
                 "choose another place",
                 "cannot-write",
             ) from error
-        with stream:
-            stream.writelines([text] if isinstance(text, str) else text)
+        yield temporary
         os.replace(temporary, path)
     except OSError as error:
         raise _cannot_write(path, error) from error
     finally:
         temporary.unlink(missing_ok=True)
+
+
+def write_atomically(path: Path, text: str | Iterable[str]) -> None:
+    """Writes all of `text`, given whole or piece by piece, or nothing."""
+    with (
+        replacing(path) as temporary,
+        temporary.open("w", encoding="utf-8", errors="backslashreplace") as stream,
+    ):
+        stream.writelines([text] if isinstance(text, str) else text)
 
 
 def check_writable(path: Path) -> None:

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import os
-import tempfile
 from pathlib import Path
 from typing import Any
 
 from minkref import _core
+from minkref.documents import replacing
 from minkref.errors import Refusal
 
 CHANGES = ("birth", "death", "touch", "overlap")
@@ -27,23 +26,8 @@ def write_parquet(found: _core.PairEvents, path: Path) -> None:
             "pip install 'minkref[parquet]', or name a .json file",
             "no-pyarrow",
         ) from error
-    handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=".minkref-")
-    os.close(handle)
-    try:
+    with replacing(path) as temporary:
         pyarrow.parquet.write_table(_table(found), temporary)
-        mask = os.umask(0)
-        os.umask(mask)
-        os.chmod(temporary, 0o666 & ~mask)
-        os.replace(temporary, os.path.realpath(path))
-    except OSError as error:
-        raise Refusal(
-            f"the file cannot be written: {error.strerror}",
-            str(path),
-            "choose another place or free some space",
-            "cannot-write",
-        ) from error
-    finally:
-        Path(temporary).unlink(missing_ok=True)
 
 
 def _table(found: _core.PairEvents) -> Any:
