@@ -2,9 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <set>
+#include <tuple>
 
 #include "reference/error.hpp"
 #include "reference/plane/dynamic/from_scratch.hpp"
+#include "reference/plane/kernel/plain_kernel.hpp"
 #include "tests/plane/random_cases.hpp"
 
 namespace minkref::testing {
@@ -75,6 +78,56 @@ TEST(DynamicWalk, AStepAndItsReverseCancel) {
   });
 }
 
+/// From one scale to another. At the scale of an event nodes may be in one place; a node is there
+/// from its first scale to its last, both included.
+struct Way {
+  Rational from, to;
+
+  bool up() const { return from < to; }
+  bool reaches(const Rational& s) const { return up() ? from < s && s <= to : to <= s && s < from; }
+  bool leaves(const Rational& s) const { return up() ? from <= s && s < to : to < s && s <= from; }
+  /// Two nodes in one place are in their order below until the scale is left upwards.
+  bool swaps_at(const Rational& s) const {
+    return up() ? from <= s && s < to : to <= s && s < from;
+  }
+};
+
+/// Whether a node is there below and above a scale.
+bool stays(const ArrangementEvents& events, const EdgeNode& node, const Rational& s) {
+  return (node.from == EdgeNode::always || events.exact(node.from) < s) &&
+         (node.to == EdgeNode::always || events.exact(node.to) > s);
+}
+
+/// Pairs of nodes of one edge that pass each other on the way, from their tracks alone; and triples
+/// of edges of which two do so along the third. (Two edges on the line of the third, of one length
+/// at the scale, pass with both ends at once.)
+struct Passings {
+  std::uint64_t nodes = 0, triples = 0;
+};
+Passings passings(const ArrangementEvents& events, const Way& way) {
+  Passings result;
+  const NodeTable& table = events.table();
+  for (std::uint32_t e = 0; e < events.edges().size(); ++e) {
+    std::set<std::tuple<std::uint32_t, std::uint32_t, Rational>> others;
+    for (std::uint32_t n = table.begin(e); n < table.end(e); ++n) {
+      for (std::uint32_t m = table.begin(e); m < n; ++m) {
+        const EdgeNode &x = table.nodes[n], &y = table.nodes[m];
+        const PlainKernel<Rational> kernel;
+        const auto a = node_position(kernel, events.moving(), e, x);
+        const auto b = node_position(kernel, events.moving(), e, y);
+        const Rational slope = a.slope * b.den - b.slope * a.den;
+        if (slope == 0) continue;
+        const Rational s = (b.value * a.den - a.value * b.den) / slope;
+        if (s <= 0 || !way.swaps_at(s) || !stays(events, x, s) || !stays(events, y, s)) continue;
+        ++result.nodes;
+        others.emplace(std::min(x.other, y.other), std::max(x.other, y.other), s);
+      }
+    }
+    result.triples += others.size();
+  }
+  return result;
+}
+
 TEST(DynamicWalk, InsertionsDeletionsAndSwapsAreTheEventsCrossed) {
   MINKREF_SEEDED(random, 402);
   std::uint64_t swaps = 0;
@@ -82,37 +135,29 @@ TEST(DynamicWalk, InsertionsDeletionsAndSwapsAreTheEventsCrossed) {
     DynamicSum dynamic(c.P, c.Q, {});
     const ArrangementEvents& events = *dynamic.states().timeline().events;
     Source walk(23);
-    const Rational from = some_scale(walk, dynamic), to = some_scale(walk, dynamic);
-    dynamic.move_to(from);
-    const StepReport report = dynamic.move_to(to);
-    // A node is inserted on the way up where its first scale is crossed or reached, and deleted
-    // where its last one is crossed or left; the other way round on the way down.
-    const auto reached = [](const Rational& s, const Rational& from_, const Rational& to_) {
-      return from_ < to_ ? from_ < s && s <= to_ : to_ <= s && s < from_;
-    };
-    const auto left = [](const Rational& s, const Rational& from_, const Rational& to_) {
-      return from_ < to_ ? from_ <= s && s < to_ : to_ < s && s <= from_;
-    };
-    const bool up = from < to;
-    std::uint64_t insertions = 0, deletions = 0, expected_swaps = 0;
-    for (const EdgeNode& node : events.table().nodes) {
-      const std::uint32_t first = up ? node.from : node.to, last = up ? node.to : node.from;
-      insertions += first != EdgeNode::always && reached(events.exact(first), from, to);
-      deletions += last != EdgeNode::always && left(events.exact(last), from, to);
-    }
-    for (std::size_t t = 0; t < events.triples().size(); ++t) {
-      const Rational s = events.exact(events.group_of_triple(t));
-      // Nodes of one place may be in either order at the scale itself; above it they are swapped.
-      const bool crossed = up ? from <= s && s < to : to <= s && s < from;
-      if (crossed) {
-        for (int bit = 0; bit < 3; ++bit) expected_swaps += events.triples()[t].swaps >> bit & 1;
+    for (int step = 0; step < 6; ++step) {
+      const Way way{dynamic.arrangement().scale(), some_scale(walk, dynamic)};
+      const StepReport report = dynamic.move_to(way.to);
+      // The first scale lies just above the beginning of the window, which no event precedes.
+      if (step == 0) continue;
+      std::uint64_t insertions = 0, deletions = 0, triples = 0;
+      for (const EdgeNode& node : events.table().nodes) {
+        const std::uint32_t first = way.up() ? node.from : node.to;
+        const std::uint32_t last = way.up() ? node.to : node.from;
+        insertions += first != EdgeNode::always && way.reaches(events.exact(first));
+        deletions += last != EdgeNode::always && way.leaves(events.exact(last));
       }
+      for (std::size_t t = 0; t < events.triples().size(); ++t) {
+        if (!way.swaps_at(events.exact(events.group_of_triple(t)))) continue;
+        for (int bit = 0; bit < 3; ++bit) triples += events.triples()[t].swaps >> bit & 1;
+      }
+      const Passings expected = passings(events, way);
+      swaps += report.swaps;
+      if (report.insertions != insertions) return "insertions";
+      if (report.deletions != deletions) return "deletions";
+      if (report.swaps != expected.nodes) return "swaps";
+      if (expected.triples != triples) return "triple events";
     }
-    if (from == to) insertions = deletions = expected_swaps = 0;
-    swaps += report.swaps;
-    if (report.insertions != insertions) return "insertions";
-    if (report.deletions != deletions) return "deletions";
-    if (report.swaps < expected_swaps) return "swaps";
     return "";
   });
   EXPECT_GT(swaps, 100U);

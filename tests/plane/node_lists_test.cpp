@@ -28,6 +28,7 @@ std::vector<Lists> walked(const ArrangementTimeline& timeline) {
           list.erase(at);
           break;
         case NodeChange::Kind::swap:
+        case NodeChange::Kind::settling:
           EXPECT_EQ(*at, change.node);
           std::swap(at[0], at[1]);
           break;
@@ -46,7 +47,7 @@ ChangeCounts counted(const ArrangementTimeline& timeline, std::uint32_t from, st
     const bool comes = (kind == NodeChange::Kind::insertion) == (from < to);
     if (kind == NodeChange::Kind::swap) {
       ++counts.swaps;
-    } else {
+    } else if (kind != NodeChange::Kind::settling) {
       ++(comes ? counts.insertions : counts.deletions);
     }
   }

@@ -18,7 +18,8 @@ struct NodeChange {
   enum class Kind : std::uint8_t {
     insertion,  ///< of `node`, at `rank` among the edge's nodes
     deletion,   ///< of `node`, from `rank`
-    swap        ///< of `node`, at `rank`, with the next one
+    swap,       ///< of `node`, at `rank`, with the next one; both are there below and above
+    settling    ///< a swap of nodes in one place, one of which has arrived in this group
   };
   std::uint32_t step = 0;
   std::uint32_t edge = 0, node = 0, rank = 0;

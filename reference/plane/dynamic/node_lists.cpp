@@ -126,7 +126,7 @@ void NodeLists::walk(std::uint32_t place) {
   const bool up = place_ < place;
   const auto apply = [&](const PackedChange& change) {
     const Kind kind = change.kind();
-    if (kind == Kind::swap) {
+    if (kind == Kind::swap || kind == Kind::settling) {
       std::uint32_t* at =
           slots_.data() + first_slot_[timeline_.edge_of_node[change.node]] + change.rank();
       std::swap(at[0], at[1]);

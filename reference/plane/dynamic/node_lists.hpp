@@ -7,7 +7,8 @@
 
 namespace minkref {
 
-/// How often nodes were inserted, deleted and swapped with a neighbour.
+/// How often nodes were inserted, deleted and swapped with a neighbour; a node that has just come
+/// is not swapped but settles among those in its place.
 struct ChangeCounts {
   std::uint64_t insertions = 0, deletions = 0, swaps = 0;
 };

@@ -1,0 +1,137 @@
+#include "reference/plane/dynamic/sub_edge_status.hpp"
+
+#include <cmath>
+
+#include "reference/plane/kernel/grid_kernel.hpp"
+#include "reference/plane/kernel/plain_kernel.hpp"
+
+namespace minkref {
+namespace {
+
+constexpr std::uint32_t always = EdgeNode::always;
+using V = Vector2<Rational>;
+
+}  // namespace
+
+SubEdgeStatus::SubEdgeStatus(const PolygonSet& P, const PolygonSet& Q,
+                             const ArrangementEvents& events, const SweptEdge& swept)
+    : events_(events),
+      swept_(swept),
+      interior_(P, Q),
+      always_on_one_line_(events.edges().size(), [&](auto&& add) {
+        for (const MeetingPair& pair : events.pairs().meeting) {
+          if (pair.kind != MeetingPair::Kind::one_line_always) continue;
+          add(pair.a, pair.b);
+          add(pair.b, pair.a);
+        }
+      }) {
+  for (const RationalEdge& e : events.moving()) {
+    doubles_.push_back({to_double(e.p.x()), to_double(e.p.y()), to_double(e.q.x()),
+                        to_double(e.q.y()), to_double(e.d.x()), to_double(e.d.y())});
+  }
+}
+
+SampleScale SubEdgeStatus::scale_between(std::uint32_t low, std::uint32_t high) const {
+  const ScaleWindow& window = events_.window();
+  const double from = low != always ? events_.approximate(low)
+                      : window.from ? to_double(*window.from)
+                                    : 0.0;
+  const double to = high != always ? events_.approximate(high)
+                    : window.to    ? to_double(*window.to)
+                                   : 2 * from + 1;
+  const double room = to - from, error = (from + to) * 4 * filter_bound;
+  if (room > 64 * error && std::isfinite(to) && room > 1e-290) {
+    // As few bits as the room allows.
+    const int exponent = std::ilogb(room) - 2;
+    const double unit = std::ldexp(1.0, exponent);
+    const double middle = std::round((from + room / 2) / unit) * unit;
+    if (middle > from + error && middle < to - error) return {from_double(middle), middle};
+  }
+  const auto exact_end = [&](std::uint32_t group, const std::optional<Rational>& bound,
+                             const Rational& otherwise) {
+    return group != always ? events_.exact(group) : bound ? *bound : otherwise;
+  };
+  const Rational lower = exact_end(low, window.from, 0);
+  const Rational upper = exact_end(high, window.to, 2 * lower + 1);
+  const Rational middle = (lower + upper) / 2;
+  return {middle, to_double(middle)};
+}
+
+SubEdgeStatus::Place SubEdgeStatus::place(double along, double along_terms, double s) const {
+  const DoubleEdge& e = doubles_[swept_.edge()];
+  const double terms =
+      std::max(std::abs(e.px) * s + std::abs(e.qx), std::abs(e.py) * s + std::abs(e.qy)) +
+      std::max(std::abs(e.dx), std::abs(e.dy)) * along_terms;
+  return {e.px * s + e.qx + e.dx * along, e.py * s + e.qy + e.dy * along, terms * 0x1p-46 + 1e-300};
+}
+
+/// Whether the sub-edge just after (or before) a node runs on the left of the edge that crosses
+/// there, where everything is inside the sum. False if doubles cannot tell.
+bool SubEdgeStatus::certainly_left(std::uint32_t local, bool after, double s) const {
+  if (local >= swept_.count() || swept_.node(local).kind != EdgeNode::Kind::crossing) return false;
+  const std::uint32_t other = swept_.node(local).other;
+  const DoubleEdge &e = doubles_[swept_.edge()], &f = doubles_[other];
+  const double left = f.dx * e.dy, right = f.dy * e.dx;
+  const double bound = (std::abs(left) + std::abs(right)) * 0x1p-48 + 1e-300;
+  if (after ? !(left - right > bound) : !(left - right < -bound)) return false;
+  // Not at an end of the other edge, beyond which it has no left side.
+  const Place x = place(swept_.near(local, s), swept_.terms(local, s), s);
+  const double length = events_.moving()[other].is_s() ? s : 1.0;
+  const double ax = f.px * s + f.qx, ay = f.py * s + f.qy;
+  const double bx = ax + f.dx * length, by = ay + f.dy * length;
+  const double error =
+      x.error + (std::abs(f.px) * s + std::abs(f.qx) + std::abs(f.py) * s + std::abs(f.qy) +
+                 std::abs(f.dx) * length + std::abs(f.dy) * length) *
+                    0x1p-46;
+  const auto apart = [&](double ux, double uy) {
+    return std::abs(x.x - ux) > error || std::abs(x.y - uy) > error;
+  };
+  return apart(ax, ay) && apart(bx, by);
+}
+
+/// Whether an edge on this line in the other direction runs along a point of this edge.
+bool SubEdgeStatus::covered_against(const Point& x, const Rational& scale,
+                                    std::uint32_t other) const {
+  const RationalEdge& f = events_.moving()[other];
+  return minkref::sign(PlainKernel<Rational>::dot(swept_.moving().d, f.d)) < 0 &&
+         covered(x, scale, other);
+}
+
+bool SubEdgeStatus::covered(const Point& x, const Rational& scale, std::uint32_t other) const {
+  const RationalEdge &e = swept_.moving(), &f = events_.moving()[other];
+  const V a = minkref::at(start_of(f), scale), b = minkref::at(end_of(f), scale);
+  const Rational along = e.d.x() * x.x + e.d.y() * x.y, from = e.d.dot(a), to = e.d.dot(b);
+  return along > std::min(from, to) && along < std::max(from, to);
+}
+
+Status SubEdgeStatus::at(std::uint32_t x, std::uint32_t y, const SampleScale& sample,
+                         const std::vector<std::uint32_t>& overlaps) {
+  const double s = sample.approximate;
+  const Place near = place((swept_.near(x, s) + swept_.near(y, s)) / 2,
+                           swept_.terms(x, s) + swept_.terms(y, s), s);
+  if (interior_.certainly_inside(near.x, near.y, near.error, s)) {
+    ++decided_by_doubles;
+    return Status::interior;
+  }
+  ++decided_exactly;
+  const Point point = swept_.middle(x, y, sample.scale);
+  if (interior_.inside(point, sample.scale)) return Status::interior;
+  const auto against = [&](std::uint32_t other) {
+    return covered_against(point, sample.scale, other);
+  };
+  const std::span<const std::uint32_t> one_line = always_on_one_line_.of(swept_.edge());
+  const bool tight = std::any_of(one_line.begin(), one_line.end(), against) ||
+                     std::any_of(overlaps.begin(), overlaps.end(), against);
+  return tight ? Status::tight : Status::boundary;
+}
+
+Status SubEdgeStatus::between(std::uint32_t x, std::uint32_t y, std::uint32_t low,
+                              std::uint32_t high) {
+  const SampleScale sample = scale_between(low, high);
+  if (certainly_left(x, true, sample.approximate) || certainly_left(y, false, sample.approximate)) {
+    return Status::interior;
+  }
+  return at(x, y, sample);
+}
+
+}  // namespace minkref
