@@ -23,6 +23,8 @@ METHOD_GROUPS = {
     "hertel-mehlhorn": "decomposition",
     "greene": "decomposition",
 }
+SWEPT_SOLID = "swept-solid"  # not a sum: heights of the vertices of the solid that the sum sweeps
+GROUPS = {**METHOD_GROUPS, SWEPT_SOLID: "swept"}
 METHODS_WITH_HOLES = ("reduced", "vertical", "triangulation")
 ABOUT = {
     "reduced": "CGAL, reduced convolution",
@@ -71,7 +73,7 @@ def refuse_wrong_folder() -> None:
 
 def find_executable(method: str) -> Path:
     """The server that knows `method`. OracleNotFoundError names the command that builds it."""
-    name = f"minkref-cgal-{METHOD_GROUPS[method]}"
+    name = f"minkref-cgal-{GROUPS[method]}"
     for folder in search_folders():
         candidate = folder / name
         if candidate.is_file() and os.access(candidate, os.X_OK):

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from multiprocessing.connection import Connection
 from typing import Any
 
-from minkref.fuzz import cgal, child
+from minkref.fuzz import cgal_server, child
 from minkref.fuzz.case import Case, CaseName
 from minkref.fuzz.judgement import TRUTHS, judge
 from minkref.fuzz.targets import LOAD_SECONDS, Answer, Limits, Target, make_target, size_limit
@@ -142,4 +142,4 @@ def wall_clock_limit(name: str, limits: Limits) -> float:
     grace: dict[str, Any] = {"minkref:case": 60.0, "minkref:referee": 120.0}
     if name in grace:
         return float(grace[name])
-    return limits.seconds + 2 * cgal.GRACE_SECONDS if name.startswith("cgal-") else limits.seconds
+    return limits.seconds + (2 * cgal_server.GRACE_SECONDS if name.startswith("cgal-") else 0)

@@ -10,6 +10,8 @@ bool is_digits(std::string_view text) {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
+}  // namespace
+
 mpq_class read_number(const nlohmann::json& value, const std::string& name) {
   if (!value.is_string())
     throw BadOperand(name + ": a coordinate is not a string: " + value.dump());
@@ -27,6 +29,8 @@ mpq_class read_number(const nlohmann::json& value, const std::string& name) {
   number.canonicalize();
   return number;
 }
+
+namespace {
 
 Ring read_ring(const nlohmann::json& value, const std::string& name) {
   if (!value.is_array()) throw BadOperand(name + ": a ring is not an array");

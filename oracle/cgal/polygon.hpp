@@ -31,6 +31,9 @@ struct BadOperand : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// A number "n" or "n/d". `name` stands in the message of the BadOperand that it throws.
+mpq_class read_number(const nlohmann::json& value, const std::string& name);
+
 /// Reads {"polygons":[{"outer":[["x","y"],...],"holes":[...]},...]}, numbers as strings "n" or
 /// "n/d". Exact. `name` stands in the message of the BadOperand that it throws.
 std::vector<Polygon> read_polygons(const nlohmann::json& value, const std::string& name);

@@ -12,20 +12,22 @@ namespace minkref::cgal_oracle {
 struct Request {
   nlohmann::json id;
   std::string method;
-  bool raw = false;
   Limits limits;
-  nlohmann::json p, q;
+  nlohmann::json value;  ///< all of it
 };
 
 /// Throws BadOperand or nlohmann::json::exception where it is not one. `id` is kept as far as it
 /// was read, so that the refusal can name it.
 void read_request(const std::string& line, Request& request);
 
-/// What the child does: reads the operands, asks CGAL, and returns {"status":..., ...} as text.
-/// status is result, skipped or errored; only std::bad_alloc is thrown.
+/// A member of the request, null where it has none. Never copied: hostile input nests deeply.
+const nlohmann::json& member(const Request& request, const char* name);
+
+/// The child's answer as text: of a self-test or of the service; status errored where it throws
+/// (only std::bad_alloc is thrown).
 std::string answer(const Request& request);
 
-/// Whether `method` is one of this executable's, or a self-test.
-bool has_method(const std::string& method);
+/// {"status": status, "reason": reason}.
+nlohmann::json refusal(const char* status, const std::string& reason);
 
 }  // namespace minkref::cgal_oracle

@@ -9,8 +9,8 @@
 #include <string_view>
 
 #include "oracle/cgal/child.hpp"
-#include "oracle/cgal/method.hpp"
 #include "oracle/cgal/request.hpp"
+#include "oracle/cgal/service.hpp"
 
 namespace minkref::cgal_oracle {
 namespace {
@@ -18,16 +18,6 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kLongestLine = std::size_t{256} << 20;
-
-json description() {
-  json names = json::array();
-  json with_holes = json::array();
-  for (const Method& method : methods()) {
-    names.push_back(method.name);
-    if (method.holes) with_holes.push_back(method.name);
-  }
-  return {{"cgal", cgal_version()}, {"methods", names}, {"methods_with_holes", with_holes}};
-}
 
 json of_answer(const Outcome& outcome) {
   json value = json::parse(outcome.text, nullptr, false);

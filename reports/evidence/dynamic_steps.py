@@ -14,7 +14,7 @@ SUBJECT = (
     "deletions and swaps are the nodes that come, go and pass each other by their exact tracks, "
     "and the triple events crossed."
 )
-MINUTES = (0.5, 0.2)
+MINUTES = (0.5, 0.1)
 DEPENDS = (*REFERENCE, "tests/dynamic/*", "tests/plane/random_cases.hpp")
 
 BUILD = Path(__file__).resolve().parents[2] / "build" / "release" / "tests" / "dynamic"

@@ -18,7 +18,7 @@ SUBJECT = (
     "sorted: counts, seconds and memory on one core; the number of meeting pairs at single scales, "
     "by orientation signs in plain Python."
 )
-MINUTES = (2, 0.4)
+MINUTES = (0.3, 0.1)
 DEPENDS = (*REFERENCE, *READERS, *MODELS)
 
 #: pairs that meet on an interval, births and deaths, those of SS, ST and TT pairs

@@ -18,7 +18,7 @@ SUBJECT = (
     "libFuzzer (clang, address and undefined behaviour sanitizers) on every parser, 5 minutes "
     "each: no finding left."
 )
-MINUTES = (18, 3.5)
+MINUTES = (18, 2.3)
 DEPENDS = (*READERS, "reference/number/*.?pp", "reference/error.?pp", "tests/fuzzing/**/*")
 
 SECONDS, QUICK_SECONDS = 300, 10

@@ -19,7 +19,7 @@ SUBJECT = (
     "corrected: solves falsely called inconsistent, events missed, invented, misplaced, out of "
     "order."
 )
-MINUTES = (12, 0.5)
+MINUTES = (20, 0.1)
 DEPENDS = (*REFERENCE, *READERS, *MODELS, *COMPARISON)
 
 ARITHMETICS = ("mpfr:24", "mpfr:53", "mpfr:113", "mpfr:256", "double", "interval")

@@ -19,7 +19,7 @@ SUBJECT = (
     "10,000 seeded random pairs (grids 4 x 4 to 12 x 12, up to 12 vertices, up to 3 holes, at "
     "least 3,000 without holes): three routes agree on all; wrong results of CGAL have witnesses."
 )
-MINUTES = (3, 0.2)
+MINUTES = (3, 0.1)
 DEPENDS = (*REFERENCE, *READERS, *COMPARISON, *CGAL)
 
 SEED = 2012

@@ -17,7 +17,7 @@ SUBJECT = (
     "Bad input in the plane: every kind of refusal exits 2, names file, ring, vertices and "
     "coordinates where there are such, says how to mend it, and leaves the output file unwritten."
 )
-MINUTES = (0.3, 0.3)
+MINUTES = (0.3, 0.1)
 DEPENDS = (*REFERENCE, *READERS, *COMPARISON, "python/minkref/**/*.py")
 
 

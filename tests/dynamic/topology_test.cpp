@@ -119,6 +119,10 @@ TEST(Topology, ATriangularHoleDiesWhereNoPairEventIs) {
   EXPECT_EQ(event.change, TopologyEvent::Change::death);
   EXPECT_EQ(event.before, std::vector<std::uint32_t>{1});
   EXPECT_TRUE(event.after.empty());
+  // The three sides of the hole, each with the vertex of P that slides along it.
+  ASSERT_EQ(timeline.boundary.size(), 1U);
+  EXPECT_EQ(timeline.boundary[0].edges.size(), 3U);
+  EXPECT_EQ(timeline.boundary[0].place, (Point{Rational(-59, 186), Rational(-107, 93)}));
   const Rational little = Rational(1) / Rational(Integer(1) << 60);
   EXPECT_EQ(numbers_at(P, Q, s - little).holes, 1U);
   EXPECT_EQ(numbers_at(P, Q, s).holes, 0U);

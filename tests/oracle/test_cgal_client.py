@@ -9,7 +9,7 @@ import stat
 import sys
 
 import pytest
-from minkref.fuzz import cgal
+from minkref.fuzz import cgal, cgal_server
 
 UNIT = {"polygons": [{"outer": [["0", "0"], ["1", "0"], ["0", "1"]], "holes": []}]}
 
@@ -66,7 +66,7 @@ def test_a_crash_names_its_signal(oracle, executable):
 def test_a_server_that_breaks_the_protocol_is_an_answer_and_no_exception(
     impostor, monkeypatch, code
 ):
-    monkeypatch.setattr(cgal, "GRACE_SECONDS", 1.0)
+    monkeypatch.setattr(cgal_server, "GRACE_SECONDS", 1.0)
     with cgal.CgalOracle("reduced", impostor(code), seconds=0.5) as adder:
         answer = adder.sum(UNIT, UNIT)
     assert answer.status == "errored" and "minkref-cgal-reduced" in answer.reason

@@ -325,6 +325,10 @@ class TimelineBuilder {
         }
       }
     }
+    // A ring that vanishes or appears in a point leaves no such node.
+    for (const auto& list : {states_.end_with(group), states_.begin_with(group + 1)}) {
+      for (const std::uint32_t s : list) edges.insert(states_.timeline().sub_edges[s].edge);
+    }
     event.edges.assign(edges.begin(), edges.end());
     const auto place = block_place(group, scale);
     if (place) {

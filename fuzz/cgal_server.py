@@ -1,0 +1,132 @@
+"""A server of the CGAL oracle: JSON lines to and from an executable of oracle/cgal.
+
+Each request is answered by a child process of the server's; the server itself is started at the
+first request, and anew where it has died. Nothing that CGAL does to its own process reaches this
+one.
+"""
+
+from __future__ import annotations
+
+import itertools
+import json
+import os
+import selectors
+import subprocess
+import time
+from pathlib import Path
+from types import TracebackType
+from typing import Any, Self
+
+# What a server may take beyond the time limit of a call, to end its child and to answer.
+GRACE_SECONDS = 20.0
+STATUSES = ("result", "skipped", "crashed", "timed-out", "out-of-memory", "errored")
+
+
+class CgalServer:
+    """Holds a server. For one thread. `seconds` (on the clock) and `bytes` (of address space) limit
+    each request."""
+
+    _server: subprocess.Popen[bytes] | None = None
+
+    def __init__(self, executable: Path, seconds: float = 60.0, bytes: int = 4 << 30) -> None:
+        self.executable = executable
+        self._limits = {"seconds": seconds, "bytes": bytes}
+        self._ids = itertools.count(1)
+
+    def ask(
+        self, method: str, operands: dict[str, str | dict[str, Any]], **members: Any
+    ) -> dict[str, Any]:
+        """The answer, as oracle/cgal/README.md gives its members. Operands are JSON texts or
+        objects {"polygons":[{"outer":[["x","y"],...],"holes":[...]}]}. Every failure of CGAL or of
+        the server is an answer with a `status` and a `reason`; OSError where no server starts."""
+        number = next(self._ids)
+        head = json.dumps({"id": number, "method": method, **members, **self._limits})
+        tail = "".join(f', "{name}": {_one_line(value)}' for name, value in operands.items())
+        request = f"{head[:-1]}{tail}}}\n".encode()
+        try:
+            self._send(request)
+        except BrokenPipeError:  # it died since the last call
+            self.close()
+            self._send(request)
+        line = self._receive()
+        if line is None:
+            return self.lost("the server gave no answer in time")
+        if not line.endswith(b"\n"):
+            return self.lost("the server ended without an answer")
+        try:
+            value: dict[str, Any] = json.loads(line)
+            if value["id"] == number and value["status"] in STATUSES:
+                return value
+            return self.lost("the server's answer is not that of the protocol")
+        except (ValueError, KeyError, TypeError) as error:
+            return self.lost(f"the server's answer is not that of the protocol: {error}")
+
+    def lost(self, reason: str) -> dict[str, Any]:
+        """The answer where the server gave none that can be used; it is ended."""
+        self.close()
+        return {"status": "errored", "reason": f"{self.executable.name}: {reason}"}
+
+    def close(self) -> None:
+        """Ends the server. The next call starts another."""
+        server, self._server = self._server, None
+        if server is None:
+            return
+        if server.poll() is None:
+            server.kill()
+        for stream in (server.stdin, server.stdout):
+            try:
+                if stream:
+                    stream.close()
+            except BrokenPipeError:
+                pass
+        server.wait()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    def _start(self) -> subprocess.Popen[bytes]:
+        return subprocess.Popen(
+            [str(self.executable)],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            bufsize=0,
+        )
+
+    def _send(self, request: bytes) -> None:
+        if self._server is not None and self._server.poll() is not None:
+            self.close()
+        if self._server is None:
+            self._server = self._start()
+        assert self._server.stdin is not None
+        view = memoryview(request)
+        while view:
+            view = view[self._server.stdin.write(view) :]
+
+    def _receive(self) -> bytes | None:
+        """A line; what there is of it where the server ended; None where it took too long."""
+        assert self._server is not None and self._server.stdout is not None
+        deadline = time.monotonic() + self._limits["seconds"] + GRACE_SECONDS
+        pieces: list[bytes] = []
+        with selectors.DefaultSelector() as selector:
+            selector.register(self._server.stdout, selectors.EVENT_READ)
+            while not pieces or not pieces[-1].endswith(b"\n"):
+                if not selector.select(max(0.0, deadline - time.monotonic())):
+                    return None
+                piece = os.read(self._server.stdout.fileno(), 1 << 20)
+                if not piece:
+                    break
+                pieces.append(piece)
+        return b"".join(pieces)
+
+
+def _one_line(operand: str | dict[str, Any]) -> str:
+    return " ".join(operand.splitlines()) if isinstance(operand, str) else json.dumps(operand)
