@@ -20,6 +20,7 @@ from minkref.fuzz.cgal_executables import (
     refuse_wrong_folder,
     target_names,
 )
+from minkref.fuzz.judges import checks
 from minkref.fuzz.region import Region, plain_polygons, region_of_polygons, region_of_sum
 from minkref.fuzz.verdict import Verdict
 from minkref.version import version
@@ -188,7 +189,13 @@ def list_targets() -> list[TargetEntry]:
     ours = [
         TargetEntry(f"minkref:{route}", version(), about, True) for route, about in ROUTES.items()
     ]
-    return ours + [_cgal_entry(name) for name in target_names()]
+    judged = [TargetEntry(checks.ALL, version(), "the reference before every judge", True)]
+    for name, (_, about) in checks.MODULES.items():
+        reason = checks.absence(name)
+        judged.append(
+            TargetEntry(f"{checks.PREFIX}{name}", version(), about, reason is None, reason)
+        )
+    return ours + judged + [_cgal_entry(name) for name in target_names()]
 
 
 def _cgal_entry(name: str) -> TargetEntry:
@@ -203,16 +210,32 @@ def _cgal_entry(name: str) -> TargetEntry:
 def select(
     names: list[str], load_seconds: float = LOAD_SECONDS
 ) -> tuple[list[TargetEntry], list[TargetEntry]]:
-    """The targets to run, and those that are absent. Without names: all but the raw ones. A name
+    """The targets to run, and those that are absent. Without names: all but the raw ones and the
+    judges; `minkref` stands for every judge. A name
     that is unknown or absent is refused, as is a `py:` target that is not loaded in
     `load_seconds`."""
     from minkref.fuzz.callable_check import refuse_unless_callable
 
     entries = {entry.name: entry for entry in list_targets()}
     if not names:
-        wanted = [entry for entry in entries.values() if not entry.name.endswith("-raw")]
+        wanted = [
+            entry
+            for entry in entries.values()
+            if not entry.name.endswith("-raw")
+            and entry.name != checks.ALL
+            and not entry.name.startswith(checks.PREFIX)
+        ]
         return [e for e in wanted if e.available], [e for e in wanted if not e.available]
     chosen: list[TargetEntry] = []
+    absent: list[TargetEntry] = []
+    if checks.ALL in names:
+        judges = [entries[name] for name in checks.names()]
+        absent = [entry for entry in judges if not entry.available]
+        names = [
+            each
+            for name in names
+            for each in ([e.name for e in judges if e.available] if name == checks.ALL else [name])
+        ]
     for name in dict.fromkeys(names):
         if name.startswith("py:"):
             refuse_unless_callable(name, load_seconds)
@@ -225,7 +248,7 @@ def select(
             )
         else:
             chosen.append(entries[name])
-    return chosen, []
+    return chosen, absent
 
 
 def make_target(name: str, limits: Limits) -> Target:

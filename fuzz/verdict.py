@@ -32,6 +32,13 @@ class Reason(StrEnum):
     COMPONENT = "component"  # a component of the sum is absent, or one is invented
     NOT_CLOSED = "not-closed"  # a ring whose vertices lie on one line
     SELF_INTERSECTING = "self-intersecting"  # rings overlap or cross; of CGAL: run the wrong way
+    NOT_CANONICAL = "not-canonical"  # the right set, other rings than the canonical ones
+    EVENT_MISSED = "event-missed"
+    EVENT_INVENTED = "event-invented"
+    EVENT_MISPLACED = "event-misplaced"  # another change, another place, other features
+    STATE_DRIFT = "state-drift"  # a state reached by update is not the one that is there
+    PASSAGE_MISSED = "passage-missed"  # a tight passage
+    PASSAGE_INVENTED = "passage-invented"
 
 
 @dataclass(frozen=True)

@@ -12,9 +12,11 @@ from typing import Any
 from minkref.fuzz import cgal_server, child
 from minkref.fuzz.case import Case, CaseName
 from minkref.fuzz.judgement import TRUTHS, judge
+from minkref.fuzz.judges.checks import PREFIX, Check
 from minkref.fuzz.targets import LOAD_SECONDS, Answer, Limits, Target, make_target, size_limit
 from minkref.fuzz.verdict import Outcome, Verdict
 
+JUDGE_SECONDS = 600.0  # for one judge on one case: slow by design
 REST = 2 << 30  # bytes that a worker may need beside what one call of a target may take
 
 
@@ -50,7 +52,7 @@ def work(pipe: Connection, targets: list[str], limits: Limits) -> None:
     may, so that the parent knows whose fault the death of this process is."""
     child.begin()
     _limit_memory(limits.bytes + REST)
-    made: dict[str, Target] = {}
+    made: dict[str, Target | Check] = {}
     try:
         while True:
             job = pipe.recv()
@@ -76,10 +78,14 @@ def _limit_memory(bytes_allowed: int) -> None:
 
 
 def _run(
-    pipe: Connection, job: Job, targets: list[str], limits: Limits, made: dict[str, Target]
+    pipe: Connection, job: Job, targets: list[str], limits: Limits, made: dict[str, Target | Check]
 ) -> CaseResult:
     _begin(pipe, "minkref:case", limits)
     case = job.name.load()
+    ruled = [_rule(pipe, job, case, name, limits, made) for name in targets if is_check(name)]
+    targets = [name for name in targets if not is_check(name)]
+    if not targets:
+        return _result(job, case, ruled, {})
     answers: dict[str, Answer] = {}
     for name in dict.fromkeys([*TRUTHS, *targets]):
         if name in job.lost:
@@ -98,13 +104,39 @@ def _run(
         if name not in made:
             pipe.send(("begin", name, load_limit(limits)))
             made[name] = make_target(name, limits)
+        target = made[name]
+        assert not isinstance(target, Check)
         _begin(pipe, name, limits)
-        answers[name] = made[name].sum(case)
+        answers[name] = target.sum(case)
         if answers[name].verdict is Verdict.TIMED_OUT:  # a machine may stand still: once more
             _begin(pipe, name, limits)
-            answers[name] = made[name].sum(case)
+            answers[name] = target.sum(case)
     _begin(pipe, "minkref:referee", limits)
-    return _result(job, case, judge(case, answers, targets), answers)
+    return _result(job, case, [*ruled, *judge(case, answers, targets)], answers)
+
+
+def _rule(
+    pipe: Connection,
+    job: Job,
+    case: Case,
+    name: str,
+    limits: Limits,
+    made: dict[str, Target | Check],
+) -> Outcome:
+    """The reference before one judge."""
+    if name in job.lost:
+        return job.lost[name]
+    pipe.send(("begin", name, load_limit(limits)))
+    if name not in made:
+        made[name] = Check(name)
+    check = made[name]
+    assert isinstance(check, Check)
+    _begin(pipe, name, limits)
+    return check.rule(case)
+
+
+def is_check(name: str) -> bool:
+    return name.startswith(PREFIX)
 
 
 def _begin(pipe: Connection, step: str, limits: Limits) -> None:
@@ -142,4 +174,6 @@ def wall_clock_limit(name: str, limits: Limits) -> float:
     grace: dict[str, Any] = {"minkref:case": 60.0, "minkref:referee": 120.0}
     if name in grace:
         return float(grace[name])
+    if is_check(name):
+        return JUDGE_SECONDS
     return limits.seconds + (2 * cgal_server.GRACE_SECONDS if name.startswith("cgal-") else 0)

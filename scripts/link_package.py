@@ -4,6 +4,9 @@ The package is spread over the rooms of the repository (the table in pyproject.t
 build/package/minkref holds a link to each piece and to the extension module of build/release; a
 path file in .venv names build/package. Command, metadata and CGAL executables go beside the
 interpreter.
+
+link_package.py BUILD: only the links, in BUILD/package, with the extension module of BUILD. With
+PYTHONPATH=BUILD/package it comes before that of build/release.
 """
 
 from __future__ import annotations
@@ -34,7 +37,7 @@ def set_links(folder: Path, wanted: dict[Path, Path]) -> None:
             where.symlink_to(target)
 
 
-def rooms_of_package(rooms: dict[str, str]) -> dict[Path, Path]:
+def rooms_of_package(rooms: dict[str, str], build: Path = BUILD) -> dict[Path, Path]:
     """A link for each entry of the package's own folder, each room, and the extension module."""
     wanted: dict[Path, Path] = {}
     for name, folder in rooms.items():
@@ -44,7 +47,7 @@ def rooms_of_package(rooms: dict[str, str]) -> dict[Path, Path]:
         for entry in (ROOT / folder).iterdir():
             if entry.name != "__pycache__":
                 wanted[Path(name, entry.name)] = entry
-        for built in (BUILD / "python").glob("_core*"):
+        for built in (build / "python").glob("_core*"):
             if built.suffix in (".so", ".pyi"):
                 wanted[Path(name, built.name)] = built
     return wanted
@@ -88,8 +91,14 @@ def link_oracle(scripts: Path) -> None:
 
 def main() -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    rooms = project["tool"]["scikit-build"]["wheel"]["packages"]
+    if len(sys.argv) > 1:
+        build = Path(sys.argv[1]).resolve()
+        (build / "package").mkdir(parents=True, exist_ok=True)
+        set_links(build / "package", rooms_of_package(rooms, build))
+        return
     PACKAGE.mkdir(parents=True, exist_ok=True)
-    set_links(PACKAGE, rooms_of_package(project["tool"]["scikit-build"]["wheel"]["packages"]))
+    set_links(PACKAGE, rooms_of_package(rooms))
     write_metadata(Path(sysconfig.get_path("purelib")), project["project"])
     scripts = Path(sysconfig.get_path("scripts"))
     for name, entry in project["project"]["scripts"].items():

@@ -7,6 +7,7 @@ import os
 import re
 import resource
 import secrets
+import stat
 import sys
 import time
 from collections.abc import Iterable, Iterator
@@ -15,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 from minkref.errors import Refusal
+from minkref.signals import ending_in_order
 from minkref.version import version
 
 TEMPORARY = ".minkref-"  # what names of files begin with that are being written
@@ -73,26 +75,34 @@ def listing(value: dict[str, Any], name: str, items: Iterable[Any]) -> Iterator[
 @contextmanager
 def replacing(path: Path) -> Iterator[Path]:
     """A new empty file beside `path` to write to; it takes the place of `path` once all is written,
-    or is removed. Where `path` is a symbolic link, the file that it points to is replaced."""
+    or is removed, also where a signal ends the process. Where `path` is a symbolic link, the file
+    that it points to is replaced. A pipe or device is written to itself."""
     path = _followed(path)
+    if _is_stream(path):
+        try:
+            yield path
+        except OSError as error:
+            raise _cannot_write(path, error) from error
+        return
     # Named before it is made: a signal at any moment finds it to be removed.
     temporary = path.parent / f"{TEMPORARY}{secrets.token_hex(8)}"
-    try:
+    with ending_in_order():
         try:
-            temporary.touch(exist_ok=False)
+            try:
+                temporary.touch(exist_ok=False)
+            except OSError as error:
+                raise Refusal(
+                    f"no file can be made in {path.parent}: {error.strerror}",
+                    str(path),
+                    "choose another place",
+                    "cannot-write",
+                ) from error
+            yield temporary
+            os.replace(temporary, path)
         except OSError as error:
-            raise Refusal(
-                f"no file can be made in {path.parent}: {error.strerror}",
-                str(path),
-                "choose another place",
-                "cannot-write",
-            ) from error
-        yield temporary
-        os.replace(temporary, path)
-    except OSError as error:
-        raise _cannot_write(path, error) from error
-    finally:
-        temporary.unlink(missing_ok=True)
+            raise _cannot_write(path, error) from error
+        finally:
+            temporary.unlink(missing_ok=True)
 
 
 def write_atomically(path: Path, text: str | Iterable[str]) -> None:
@@ -109,6 +119,12 @@ def check_writable(path: Path) -> None:
     path = _followed(path)
     if path.is_dir():
         raise Refusal("this is a folder", str(path), "name a file", "cannot-write")
+    if path.is_symlink():
+        raise Refusal(
+            "this symbolic link leads back to itself", str(path), "name a file", "cannot-write"
+        )
+    if _is_stream(path):
+        return
     if not path.parent.is_dir():
         raise Refusal(
             "the folder of the output file does not exist",
@@ -125,8 +141,34 @@ def check_writable(path: Path) -> None:
         )
 
 
+def check_spares(path: Path, sources: Iterable[str]) -> None:
+    """Refuses an output path that is the file of an operand."""
+    for source in sources:
+        name = source.removesuffix("#P").removesuffix("#Q")
+        try:
+            same = os.path.samefile(path, name)
+        except OSError:  # one of them does not exist
+            continue
+        if same:
+            raise Refusal(
+                "this is the file of an operand, which would be lost",
+                str(path),
+                "write to another file",
+                "cannot-write",
+            )
+
+
 def _followed(path: Path) -> Path:
     return Path(os.path.realpath(path))
+
+
+def _is_stream(path: Path) -> bool:
+    """A pipe or a device, such as /dev/stdout."""
+    try:
+        mode = path.stat().st_mode
+    except OSError:
+        return False
+    return stat.S_ISFIFO(mode) or stat.S_ISCHR(mode)
 
 
 def _cannot_write(path: Path, error: OSError) -> Refusal:

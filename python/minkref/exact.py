@@ -56,7 +56,12 @@ def _read(text: str, where: str, mend: str) -> Fraction:
     if not decimal:
         raise Refusal("the scale is not a number", where, mend, "scale-not-a-number")
     if decimal[2] and abs(int(decimal[2][1:])) > LARGEST_EXPONENT:
-        raise Refusal(f"the exponent is beyond {LARGEST_EXPONENT}", where, mend, "limit")
+        raise Refusal(
+            f"the exponent is beyond {LARGEST_EXPONENT}",
+            where,
+            f"give a number between 1e-{LARGEST_EXPONENT} and 1e{LARGEST_EXPONENT}",
+            "limit",
+        )
     return Fraction(text)
 
 

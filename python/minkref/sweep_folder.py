@@ -1,9 +1,15 @@
-"""The folder that a sweep writes: a file for each scale, and an index of them."""
+"""The folder that a sweep writes: a file for each scale, and an index of them.
+
+A folder is known to be that of a sweep by its index, or, while the sweep is not done, by the file
+`.minkref-sweep`.
+"""
 
 from __future__ import annotations
 
+import json
 import os
 import re
+from collections.abc import Iterable
 from pathlib import Path
 
 from minkref.documents import TEMPORARY, check_writable, write_atomically
@@ -11,6 +17,7 @@ from minkref.errors import Refusal
 from minkref.terminal import shown
 
 INDEX = "index.json"
+UNFINISHED = f"{TEMPORARY}sweep"
 FORMATS = ("json", "wkt", "geojson", "poly", "svg")
 _OURS = re.compile(
     rf"sum-[0-9]{{4,}}\.({'|'.join(FORMATS)})|{re.escape(INDEX)}|{re.escape(TEMPORARY)}.*", re.ASCII
@@ -32,7 +39,13 @@ class SweepFolder:
             check_writable(path)
             return
         check_writable(path / INDEX)
-        foreign = sorted(name for name in self._names() if not _OURS.fullmatch(name))
+        names = self._names()
+        known = _is_sweep(path)
+        foreign = sorted(
+            name
+            for name in names
+            if not known or not _OURS.fullmatch(name) or not (path / name).is_file()
+        )
         if foreign:
             count = f" and {len(foreign) - 1:,} more" if len(foreign) > 1 else ""
             raise Refusal(
@@ -42,6 +55,22 @@ class SweepFolder:
                 "folder-not-empty",
             )
 
+    def check_spares(self, sources: Iterable[str]) -> None:
+        """Refuses to replace an earlier sweep that holds an operand."""
+        for source in sources:
+            file = Path(source.removesuffix("#P").removesuffix("#Q"))
+            if (
+                self.path.is_dir()
+                and file.exists()
+                and file.resolve().parent == self.path.resolve()
+            ):
+                raise Refusal(
+                    f"the folder holds the operand {shown(file.name)}, which would be lost",
+                    str(self.path),
+                    "name another folder",
+                    "folder-not-empty",
+                )
+
     def name(self, number: int) -> str:
         """Of the file of a scale; they are numbered from 1."""
         return f"sum-{number:04}.{self._form}"
@@ -49,6 +78,8 @@ class SweepFolder:
     def write(self, name: str, text: str) -> None:
         self._begin()
         write_atomically(self.path / name, text)
+        if name == INDEX:
+            (self.path / UNFINISHED).unlink(missing_ok=True)
 
     def _names(self) -> list[str]:
         try:
@@ -61,11 +92,23 @@ class SweepFolder:
         if self._begun:
             return
         try:
-            self.path.mkdir(exist_ok=True)
+            Path(os.path.realpath(self.path)).mkdir(exist_ok=True)
+            (self.path / UNFINISHED).touch()
             for name in self._names():
-                if _OURS.fullmatch(name):
+                if _OURS.fullmatch(name) and name != UNFINISHED:
                     (self.path / name).unlink()
         except OSError as error:
             what = f"the folder cannot be written: {error.strerror}"
             raise Refusal(what, str(self.path), "choose another place", "cannot-write") from error
         self._begun = True
+
+
+def _is_sweep(path: Path) -> bool:
+    """Whether a sweep has written to a folder."""
+    if (path / UNFINISHED).is_file():
+        return True
+    try:
+        index = json.loads((path / INDEX).read_bytes())
+    except (OSError, ValueError, RecursionError):
+        return False
+    return isinstance(index, dict) and index.get("command") == "sweep" and "version" in index

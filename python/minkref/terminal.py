@@ -27,3 +27,8 @@ def shown(text: str) -> str:
         letter if letter.isprintable() else letter.encode("unicode_escape").decode("ascii")
         for letter in text
     )
+
+
+def counted(number: int, noun: str) -> str:
+    """`1 scale`, `1,200 scales`."""
+    return f"{number:,} {noun}{'' if number == 1 else 's'}"

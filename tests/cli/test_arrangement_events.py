@@ -114,6 +114,7 @@ def test_an_empty_operand_has_no_events(minkref: Minkref, tmp_path: Path) -> Non
         ["--kind", "boundary", "-o", "events.parquet"],
         ["--kind", "triple", "--from", "3", "--to", "2"],
         ["--kind", "topology", "--from", "0"],
+        ["--kind", "topology", "--least-precision"],
     ],
 )
 def test_refuses(minkref: Minkref, tmp_path: Path, extra: list[str]) -> None:

@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 import pytest
 
@@ -61,3 +62,26 @@ def test_interrupt_ends_a_sum_that_computes() -> None:
             assert process.wait(30) == -signal.SIGINT
         finally:
             process.kill()
+
+
+@pytest.mark.parametrize("ending", ["json", "parquet"])
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP, signal.SIGINT])
+def test_a_signal_leaves_no_file_that_is_half_written(
+    tmp_path: Path, ending: str, number: signal.Signals
+) -> None:
+    def heed_interrupts() -> None:  # a background job of a shell is started deaf to them
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+    command = [sys.executable, "-m", "minkref", "events", "glyph275", "glyph275"]
+    command += ["-o", str(tmp_path / f"events.{ending}")]
+    with subprocess.Popen(command, preexec_fn=heed_interrupts) as process:
+        try:
+            until = time.monotonic() + 60
+            while not any(tmp_path.iterdir()) and time.monotonic() < until:
+                time.sleep(0.005)
+            assert process.poll() is None
+            process.send_signal(number)
+            assert process.wait(30) == 128 + number
+        finally:
+            process.kill()
+    assert not list(tmp_path.iterdir())

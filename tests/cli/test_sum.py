@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import hashlib
 import json
+import os
+import subprocess
 from collections.abc import Callable
 from fractions import Fraction
 from pathlib import Path
@@ -170,6 +172,39 @@ def test_written_file_has_the_usual_rights_and_leaves_nothing_beside(
     plain = folder / "plain"
     plain.touch()
     assert (folder / "sum.wkt").stat().st_mode == plain.stat().st_mode
+
+
+@pytest.mark.parametrize("command", ["sum", "events"])
+@pytest.mark.parametrize("position", [0, 1])
+def test_the_file_of_an_operand_is_not_overwritten(
+    minkref: Minkref, tmp_path: Path, command: str, position: int
+) -> None:
+    file = tmp_path / "P.json"
+    file.write_text('{"polygons":[{"outer":[["0","0"],["1","0"],["0","1"]]}]}', encoding="utf-8")
+    link = tmp_path / "link.json"
+    link.symlink_to(file)
+    before = file.read_bytes()
+    operands = [file, "g1"] if position == 0 else ["g1", file]
+    for target in (file, link):
+        ran = minkref(command, *operands, "-o", target)
+        assert ran.code == 2 and "operand" in ran.err
+        assert file.read_bytes() == before
+
+
+def test_a_link_to_itself_is_refused_and_stays(minkref: Minkref, tmp_path: Path) -> None:
+    link = tmp_path / "loop.json"
+    link.symlink_to(link)
+    assert minkref("sum", "g1", "g2", "-o", link).code == 2
+    assert link.is_symlink()
+
+
+def test_a_pipe_is_written_to_and_stays_a_pipe(minkref: Minkref, tmp_path: Path) -> None:
+    pipe = tmp_path / "pipe.wkt"
+    os.mkfifo(pipe)
+    with subprocess.Popen(["cat", pipe], stdout=subprocess.PIPE, text=True) as reader:
+        assert minkref("sum", "g1", "g2", "-o", pipe).code == 0
+        read, _ = reader.communicate(timeout=30)
+    assert read.startswith("POLYGON") and pipe.is_fifo()
 
 
 def test_table_for_people_names_area_holes_and_digest(

@@ -155,7 +155,8 @@ def test_file_without_scales_or_text_is_refused(
         ["--from", "1", "--to", "2", "--steps", "0"],
         ["--from", "1", "--to", "2", "--steps", "10000000"],
         ["--from", "0", "--to", "2", "--steps", "3"],
-        ["--from", "1", "--to", "2", "--steps", "3", "--format", "pdf"],
+        ["--from", "1", "--to", "2", "--steps", "3", "--format", "pdf", "-o", "sums"],
+        ["--from", "1", "--to", "2", "--steps", "3", "--format", "svg"],
         ["--from", "1", "--to", "2", "--steps", "3", "-o", "no/such/folder"],
         ["--scales", "no-such-file"],
         ["--scales", "."],
@@ -202,11 +203,16 @@ def test_interrupted_sweep_leaves_whole_files_and_no_index(
     finally:
         process.kill()
     assert (process.returncode, errors) == (128 + number, b"")
-    files = sorted(folder.iterdir())
+    mark, *files = sorted(folder.iterdir())
+    assert mark.name == ".minkref-sweep"
     assert len(files) >= 3
     for count, path in enumerate(files, start=1):
         assert path.name == f"sum-{count:04}.json"
         assert _core.read_file(str(path)).vertices > 0
+    # The next sweep knows the folder by the mark, and replaces what is there.
+    command = ["sweep", "g1", "g2", "--from", "1", "--steps", "1", "-o", str(folder)]
+    subprocess.run([sys.executable, "-m", "minkref", *command], check=True, capture_output=True)
+    assert sorted(path.name for path in folder.iterdir()) == ["index.json", "sum-0001.json"]
 
 
 @pytest.mark.parametrize("index", range(12))
@@ -242,3 +248,39 @@ def test_models_by_the_route_dynamic_and_by_paper(minkref: Minkref, scale: str) 
         assert (one["digest"], one["tight_passages"]) == (other["digest"], other["tight_passages"])
     assert other["signs"] is None
     assert Fraction(other["area"]) > 0
+
+
+@pytest.mark.parametrize(
+    "files",
+    [
+        {"index.json": '{"name": "a site"}', "sum-0001.json": "precious"},
+        {"index.json": '{"name": "a site"}'},
+        {"sum-0001.json": "precious"},
+        {"index.json": '{"command": "sweep"}'},
+        {"sum-0001.json/inside": "precious"},
+    ],
+    ids=str,
+)
+def test_files_of_others_survive_whatever_they_are_called(
+    minkref: Minkref, tmp_path: Path, files: dict[str, str]
+) -> None:
+    for name, text in files.items():
+        path = tmp_path / "sums" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+    ran = minkref("sweep", "g1", "g2", "--from", "1", "--steps", "1", "-o", tmp_path / "sums")
+    assert ran.code == 2 and "files of others" in ran.err
+    for name, text in files.items():
+        assert (tmp_path / "sums" / name).read_text(encoding="utf-8") == text
+
+
+def test_an_operand_in_the_folder_survives(minkref: Minkref, tmp_path: Path) -> None:
+    folder = tmp_path / "sums"
+    once = ("--from", "1", "--steps", "1", "-o", folder)
+    assert minkref("sweep", "g1", "g2", *once).code == 0
+    operand = folder / "sum-0001.json"
+    before = operand.read_bytes()
+    ran = minkref("sweep", operand, "g2", *once)
+    assert ran.code == 2 and "operand" in ran.err
+    assert operand.read_bytes() == before
+    assert minkref("sweep", "g1", "g2", *once).code == 0

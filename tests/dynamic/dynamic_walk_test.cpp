@@ -7,6 +7,7 @@
 
 #include "reference/error.hpp"
 #include "reference/plane/dynamic/from_scratch.hpp"
+#include "reference/plane/dynamic/topology_timeline.hpp"
 #include "reference/plane/kernel/plain_kernel.hpp"
 #include "tests/plane/random_cases.hpp"
 
@@ -192,6 +193,55 @@ TEST(DynamicWalk, TakesPointsSegmentsAndTheEmptySet) {
   DynamicSum empty({}, Q, {});
   empty.move_to(2);
   EXPECT_TRUE(empty.sum().region.empty());
+}
+
+TEST(DynamicWalk, TakesRingsThatTouchAnEdgeWithAPointOrASegment) {
+  // Nothing widens the edge that is touched: its left is not all in the sum.
+  const std::vector<PolygonSet> sets{
+      region(rectangle(0, 0, 4, 4), {Ring{{0, 2}, {1, 3}, {2, 2}, {1, 1}}}),
+      region(rectangle(0, 0, 4, 4), {Ring{{0, 2}, {2, 4}, {4, 2}, {2, 0}}}),
+      region(rectangle(0, 0, 9, 9),
+             {Ring{{1, 1}, {1, 3}, {3, 3}, {3, 1}}, Ring{{2, 3}, {1, 5}, {3, 5}}})};
+  const std::vector<PolygonSet> thin{point_set(0, 0), point_set(2, -1), segment_set({0, 0}, {0, 1}),
+                                     segment_set({0, 0}, {1, 0}), segment_set({0, 0}, {1, 1})};
+  for (const PolygonSet& Q : sets) {
+    for (const PolygonSet& P : thin) {
+      for (const auto& [a, b] : {std::pair{P, Q}, std::pair{Q, P}}) {
+        DynamicSum dynamic(a, b, {});
+        EXPECT_NO_THROW(topology_timeline(dynamic.states())) << text(a) << text(b);
+        for (const Rational& s : {Rational(1, 8), Rational(1), Rational(3, 2), Rational(5)}) {
+          dynamic.move_to(s);
+          EXPECT_EQ(difference_from_scratch(dynamic, a, b), "") << text(a) << text(b);
+        }
+      }
+    }
+  }
+}
+
+TEST(DynamicWalk, OfAPointOrASegmentLeadsToTheStaticSumToo) {
+  MINKREF_SEEDED(random, 404);
+  std::size_t stops = 0;
+  const auto make = [](Source& source) -> Case {
+    const auto number = [&] { return Rational(static_cast<long>(source.below(7)) - 3); };
+    const Point a{number(), number()};
+    const Point b{a.x + 1 + static_cast<long>(source.below(3)), number()};
+    const PolygonSet thin = source.below(3) == 0 ? point_set(a.x, a.y) : segment_set(a, b);
+    const PolygonSet wide = random_region(source);
+    return source.below(2) == 0 ? Case{thin, wide, 1} : Case{wide, thin, 1};
+  };
+  expect_law(random, 150, make, [&](const Case& c) -> std::string {
+    DynamicSum dynamic(c.P, c.Q, {});
+    topology_timeline(dynamic.states());
+    Source walk(31);
+    for (int step = 0; step < 6; ++step) {
+      dynamic.move_to(some_scale(walk, dynamic));
+      ++stops;
+      const std::string wrong = difference_from_scratch(dynamic, c.P, c.Q);
+      if (!wrong.empty()) return wrong;
+    }
+    return "";
+  });
+  EXPECT_GT(stops, 800U);
 }
 
 TEST(DynamicWalk, StandsHugeAndTinyNumbers) {

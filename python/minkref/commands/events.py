@@ -13,6 +13,7 @@ from minkref.arithmetic import check_arithmetic
 from minkref.documents import (
     Stopwatch,
     as_text,
+    check_spares,
     check_writable,
     document,
     listing,
@@ -25,7 +26,7 @@ from minkref.exact import approximate, read_scale
 from minkref.fuzz.least_precision import MOST_BITS, least_precision
 from minkref.operand import Operand, read_operand
 from minkref.options import Json, Schema
-from minkref.terminal import console, lines, shown
+from minkref.terminal import console, counted, lines, shown
 
 EXAMPLES = """Examples:
 
@@ -101,12 +102,14 @@ def command(
 ) -> None:
     """All scales at which edges of the reduced convolution start or stop meeting: exact, sorted."""
     watch = Stopwatch()
-    _check(kind, form, arithmetic, output)
+    _check(kind, form, arithmetic, least, output)
     window = [
         read_scale(scale, option) if scale is not None else None
         for scale, option in ((from_scale, "--from"), (to_scale, "--to"))
     ]
     first, second = read_operand(P), read_operand(Q)
+    if output is not None:
+        check_spares(output, [first.source, second.source])
     where = f"{first.name} and {second.name}"
     found = refusing(where, lambda: find_events(first.set, second.set, window, kind, form))
     pairs = (
@@ -160,7 +163,7 @@ def _least(P: Operand, Q: Operand, form: str) -> dict[str, int | None]:
     return {"bits": bits, "most_tried": MOST_BITS}
 
 
-def _check(kind: str, form: str, arithmetic: str, output: Path | None) -> None:
+def _check(kind: str, form: str, arithmetic: str, least: bool, output: Path | None) -> None:
     if kind not in KINDS:
         raise Refusal(
             f"there is no kind {kind!r} of events", "--kind", f"choose one of {', '.join(KINDS)}"
@@ -172,6 +175,12 @@ def _check(kind: str, form: str, arithmetic: str, output: Path | None) -> None:
         raise Refusal(
             "other arithmetics are tried on pair events",
             f"--kind {kind} --arithmetic {arithmetic}",
+            "leave out one of the two options",
+        )
+    if least and kind != "pair":
+        raise Refusal(
+            "the least precision is that of pair events",
+            f"--kind {kind} --least-precision",
             "leave out one of the two options",
         )
     if form != "corrected" and kind not in PAIR_KINDS:
@@ -217,7 +226,8 @@ def _print(value: dict[str, Any], found: EventList) -> None:
         ]
     elif value["kind"] == "parallel":
         rows += [("on one line", f"{value['parallel_pairs']:,}")]
-    rows += [("events", f"{value['count']:,} at {value['distinct']:,} scales")]
+    scales = counted(value["distinct"], "scale")
+    rows += [("events", f"{value['count']:,} at {scales}")]
     if total:
         rows += [("signs", f"{total:,}: {signs['by_float'] / total:.2%} by float")]
     if value["least_precision"] is not None:

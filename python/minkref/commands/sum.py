@@ -11,7 +11,14 @@ import typer
 
 from minkref import _core
 from minkref.arithmetic import check_arithmetic
-from minkref.documents import Stopwatch, as_text, check_writable, document, write_atomically
+from minkref.documents import (
+    Stopwatch,
+    as_text,
+    check_spares,
+    check_writable,
+    document,
+    write_atomically,
+)
 from minkref.errors import Refusal, refusing
 from minkref.exact import digest, in_double_range, read_scale, scientific
 from minkref.operand import Operand, read_operand
@@ -70,9 +77,11 @@ def command(
         _check_output(output)
     with interruptible():
         first, second = read_operand(P), read_operand(Q)
+        if output is not None:
+            check_spares(output, [first.source, second.source])
         result = compute(first, second, exact_scale, route, arithmetic)
         region = result.pop("region")
-        written = _written(region, output) if output is not None else None
+    written = _written(region, output) if output is not None else None
     if output is not None and written is not None:
         write_atomically(output, written[0])
     value = document(

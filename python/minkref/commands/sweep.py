@@ -20,7 +20,7 @@ from minkref.progress import progress
 from minkref.scales import MOST_SCALES, evenly_spaced, read_scales
 from minkref.signals import ending_in_order, interruptible
 from minkref.sweep_folder import FORMATS, INDEX, SweepFolder
-from minkref.terminal import console, lines, shown
+from minkref.terminal import console, counted, lines, shown
 
 EXAMPLES = """Examples:
 
@@ -64,8 +64,9 @@ def command(
         typer.Option("-o", help=f"Write a file for each scale, and {INDEX}.", metavar="DIR"),
     ] = None,
     form: Annotated[
-        str, typer.Option("--format", help=f"Of these files: {', '.join(FORMATS)}.")
-    ] = "json",
+        str | None,
+        typer.Option("--format", help=f"Of these files: {', '.join(FORMATS)}; json by default."),
+    ] = None,
     json: Json = False,
     schema: Schema = False,
 ) -> None:
@@ -73,8 +74,15 @@ def command(
     each sum is got from the one before by dynamic update. Exact, in canonical form."""
     watch = Stopwatch()
     scales = _scales(from_scale, to_scale, steps, scales_file)
+    if form is not None and output is None:
+        raise Refusal(
+            "there are no files without -o", f"--format {form}", "add -o DIR, or leave out --format"
+        )
+    form = form or "json"
     folder = _folder(output, form)
     first, second = read_operand(P), read_operand(Q)
+    if folder is not None:
+        folder.check_spares([first.source, second.source])
     with ending_in_order(), progress(len(scales)) as line:
         line.now("finding all events")
         moving = dynamic_sum(first, second, scales)
@@ -161,9 +169,11 @@ def _scales(first: str | None, last: str | None, steps: int | None, file: Path |
             )
         return read_scales(file)
     if first is None or steps is None or (last is None and steps != 1):
+        needed = (("--from", first), ("--to", last), ("--steps", steps))
+        missing = ", ".join(option for option, value in needed if value is None)
         raise Refusal(
-            "it is not said which scales",
-            " ".join(given) or "minkref sweep",
+            f"it is not said which scales: {missing} missing",
+            f"minkref sweep {' '.join(given)}".rstrip(),
             "give --from A --to B --steps N, or --scales FILE",
         )
     if not 1 <= steps <= MOST_SCALES:
@@ -203,7 +213,7 @@ def _print(value: dict[str, Any]) -> None:
     out = console()
     out.print(table)
     summary = [
-        ("sweep", f"{value['P']} + {value['Q']}, {len(value['rows']):,} scales"),
+        ("sweep", f"{value['P']} + {value['Q']}, {counted(len(value['rows']), 'scale')}"),
         ("all events", f"{value['preprocessing_seconds']:.3f} s"),
         ("seconds", f"{value['seconds']:.3f}"),
     ]

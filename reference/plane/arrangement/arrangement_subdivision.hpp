@@ -2,6 +2,7 @@
 // nodes.
 #pragma once
 
+#include "reference/fault.hpp"
 #include "reference/plane/arrangement/arrangement.hpp"
 
 namespace minkref {
@@ -42,6 +43,7 @@ void Arrangement<K>::subdivide() {
     for (auto c = begin; c != end && c + 1 != end; ++c) {
       if (find(contacts[c[0]].point) == find(contacts[c[1]].point)) continue;
       if (kernel_.compare(contacts[c[0]].position, contacts[c[1]].position) != 0) continue;
+      if (planted(Fault::concurrent_crossings_apart)) continue;
       const std::uint32_t a = find(contacts[c[0]].point), b = find(contacts[c[1]].point);
       parent_[std::max(a, b)] = std::min(a, b);  // a vertex represents before a crossing does
     }

@@ -4,6 +4,7 @@
 #include <functional>
 #include <numeric>
 
+#include "reference/fault.hpp"
 #include "reference/plane/boundary/boundary_graph.hpp"
 #include "reference/plane/point_predicates.hpp"
 
@@ -22,7 +23,7 @@ class WalkFinder {
 
   Walks find() {
     Walks result;
-    const Cycles interior = cycles(true);
+    const Cycles interior = cycles(!planted(Fault::pinch_paired_across));
     std::vector<std::uint32_t> walk_of(graph_.edges.size());
     for (std::uint32_t w = 0; w < interior.first.size(); ++w) {
       Walk& walk = result.walks.emplace_back();
@@ -39,6 +40,7 @@ class WalkFinder {
     for (std::uint32_t w = 0; w < exterior.first.size(); ++w) {
       result.holes += !opens_to_the_left(exterior, w, false);
     }
+    if (planted(Fault::holes_as_rings)) result.holes = result.walks.size() - result.components;
     return result;
   }
 
@@ -155,7 +157,9 @@ class WalkFinder {
         continue;
       }
       const std::uint32_t edge = nearest_to_the_left(interior.least[w]);
-      walk.component = edge == none ? 0 : result.walks[walk_of[edge]].component;
+      walk.component = edge == none || planted(Fault::hole_in_first_polygon)
+                           ? 0
+                           : result.walks[walk_of[edge]].component;
     }
   }
 

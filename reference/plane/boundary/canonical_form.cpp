@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "reference/fault.hpp"
 #include "reference/plane/boundary/boundary_graph.hpp"
 #include "reference/plane/point_predicates.hpp"
 
@@ -15,7 +16,7 @@ std::vector<std::vector<std::uint32_t>> simple_rings(const std::vector<std::uint
   std::unordered_map<std::uint32_t, std::size_t> position;
   for (const std::uint32_t point : walk) {
     const auto found = position.find(point);
-    if (found != position.end()) {
+    if (found != position.end() && !planted(Fault::pinch_not_split)) {
       auto& ring =
           rings.emplace_back(open.begin() + static_cast<std::ptrdiff_t>(found->second), open.end());
       for (const std::uint32_t p : ring) position.erase(p);
@@ -52,7 +53,8 @@ class RingBuilder {
       // The rings are simple, so a vertex on the line of its neighbours in the ring lies between
       // them.
       if (orientation(points_[indices[(i + n - 1) % n]], points_[indices[i]],
-                      points_[indices[(i + 1) % n]]) != 0) {
+                      points_[indices[(i + 1) % n]]) != 0 ||
+          planted(Fault::collinear_vertex_kept)) {
         kept.push_back(indices[i]);
       }
     }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "reference/fault.hpp"
 #include "reference/plane/convolution/convolution.hpp"
 #include "reference/plane/kernel/direction_order.hpp"
 #include "reference/plane/kernel/operand.hpp"
@@ -32,7 +33,7 @@ std::vector<DirectedEdge<K>> edges_by_angle(const K& kernel,
   for (std::uint32_t r = 0; r < operand.rings.size(); ++r) {
     const auto& ring = operand.rings[r];
     if (ring.size() < 2) continue;  // a point has no edges
-    for (std::uint32_t i = 0; i < ring.size(); ++i) {
+    for (std::uint32_t i = planted(Fault::last_edge_forgotten) ? 1 : 0; i < ring.size(); ++i) {
       edges.push_back({typename K::Vector(ring[(i + 1) % ring.size()] - ring[i]), {r, i}});
     }
   }
@@ -92,9 +93,15 @@ void compatible_pairs(const K& kernel, const std::vector<detail::DirectedEdge<K>
       if (turn > 0 || reversal) {
         detail::edges_in_turn(kernel, edges_of_x, in, out, ends,
                               [&](const auto& edge) { report(edge.start, vertex, 1); });
-      } else if (turn < 0 && full) {
+      } else if (turn < 0 && (full || planted(Fault::reflex_vertices_kept))) {
         detail::edges_in_turn(kernel, edges_of_x, out, in, ends,
                               [&](const auto& edge) { report(edge.start, vertex, -1); });
+      } else if (turn == 0 && planted(Fault::straight_vertices_kept)) {
+        for (const auto& edge : edges_of_x) {
+          if (kernel.turn(in, edge.direction) == 0 && same_way(kernel, in, edge.direction)) {
+            report(edge.start, vertex, 1);
+          }
+        }
       }
     }
   }
@@ -113,8 +120,10 @@ std::vector<ConvolutionEdge> convolution_edges(const K& kernel,
   };
   compatible_pairs(kernel, detail::edges_by_angle(kernel, P), Q, TurnEnds::first_included, full,
                    add(ConvolutionEdge::Kind::S));
-  compatible_pairs(kernel, detail::edges_by_angle(kernel, Q), P, TurnEnds::last_included, full,
-                   add(ConvolutionEdge::Kind::T));
+  compatible_pairs(
+      kernel, detail::edges_by_angle(kernel, Q), P,
+      planted(Fault::turn_ends_alike) ? TurnEnds::first_included : TurnEnds::last_included, full,
+      add(ConvolutionEdge::Kind::T));
   return result;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "reference/fault.hpp"
 #include "reference/plane/critical/moving_edge.hpp"
 
 namespace minkref {
@@ -46,7 +47,9 @@ PairConditions<typename K::Wide> pair_conditions(const K& kernel,
     return s_edge ? HalfLine<W>{W(c - along.slope), W(-along.value)}
                   : HalfLine<W>{W(-along.slope), W(c - along.value)};
   };
-  result.half_lines = {A, rest(A, a.is_s()), B, rest(B, b.is_s())};
+  const bool exchanged = planted(Fault::length_of_other_edge);
+  result.half_lines = {A, rest(A, (exchanged ? b : a).is_s()), B,
+                       rest(B, (exchanged ? a : b).is_s())};
   return result;
 }
 

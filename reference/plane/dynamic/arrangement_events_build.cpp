@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/fault.hpp"
 #include "reference/plane/critical/event_scale.hpp"
 #include "reference/plane/critical/parallel_pair.hpp"
 #include "reference/plane/dynamic/arrangement_events.hpp"
@@ -197,7 +198,10 @@ void ArrangementEvents::order() {
       std::stable_sort(run.begin(), run.end(),
                        [](const auto& x, const auto& y) { return x.first < y.first; });
       for (std::size_t i = 0; i < run.size(); ++i) {
-        if (i == 0 || run[i - 1].first != run[i].first) open(run[i].second);
+        const bool equal =
+            !planted(Fault::equal_scales_apart) &&
+            (planted(Fault::near_scales_together) || (i > 0 && run[i - 1].first == run[i].first));
+        if (i == 0 || !equal) open(run[i].second);
         assign(run[i].second);
       }
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "reference/error.hpp"
+#include "reference/fault.hpp"
 
 namespace minkref {
 namespace {
@@ -35,7 +36,7 @@ StepReport DynamicArrangement::move_to(const Rational& scale) {
   const std::uint32_t target = 2 * location.before + (location.at ? 1 : 0);
   const std::size_t before = lists_.size();
   const ChangeCounts counts = lists_.move_to(target);
-  scale_ = scale;
+  if (place != target || !planted(Fault::stale_position)) scale_ = scale;
   StepReport report;
   report.insertions = counts.insertions;
   report.deletions = counts.deletions;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "reference/fault.hpp"
 #include "reference/plane/dynamic/edge_happenings.hpp"
 #include "reference/plane/dynamic/sub_edge_status.hpp"
 #include "reference/plane/dynamic/swept_edge.hpp"
@@ -235,6 +236,7 @@ struct EdgeSweep::Impl {
         same = same && g.old_status[stretches[k].before] == g.old_status[stretches[first].before];
       }
       if (first == k && edge.same_track(list[j], list[j + 1])) continue;
+      same = same || planted(Fault::status_carried);
       status[j] = first == k || !same || overlapped
                       ? decide.between(list[j], list[j + 1], g.group, g.next)
                       : g.old_status[stretches[first].before];
@@ -278,7 +280,7 @@ struct EdgeSweep::Impl {
                                        {events.exact(g.group), events.approximate(g.group)},
                                        g.overlaps) == Status::boundary
                            : was && is;
-      if (!now) continue;
+      if (!now || planted(Fault::boundary_piece_at_event_lost)) continue;
       out->at_groups.push_back({g.group, edge.edge(), edge.name(stretch.from),
                                 edge.name(stretch.to), g.old_sub_edge[stretch.before],
                                 sub_edge[stretch.after]});

@@ -143,6 +143,10 @@ bool InteriorTest::certainly_inside(double x, double y, double error, double sca
       });
 }
 
+bool InteriorTest::in_closed_sum(const Point& x, const Rational& scale) const {
+  return Membership(impl_->P, impl_->Q, scale).contact(x) != Contact::empty;
+}
+
 bool InteriorTest::inside(const Point& x, const Rational& scale) const {
   if (!impl_->regions) {
     return Membership(impl_->P, impl_->Q, scale).decide(x).contact == Contact::overlapping;

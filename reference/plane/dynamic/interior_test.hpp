@@ -20,6 +20,9 @@ class InteriorTest {
   /// Exact. O(mn) pairs of triangles at worst; boxes discard most.
   bool inside(const Point& x, const Rational& scale) const;
 
+  /// Whether a point lies in the sum of the closed sets. Exact. O(mn) pairs of triangles.
+  bool in_closed_sum(const Point& x, const Rational& scale) const;
+
   /// True only if every point within `error` of (x, y), in both coordinates, is certainly inside
   /// at every scale within a relative 2^-50 of `scale`. In doubles; about 1 us.
   bool certainly_inside(double x, double y, double error, double scale) const;

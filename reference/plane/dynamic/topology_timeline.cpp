@@ -7,6 +7,7 @@
 #include <span>
 #include <unordered_map>
 
+#include "reference/fault.hpp"
 #include "reference/plane/dynamic/boundary_regions.hpp"
 
 namespace minkref {
@@ -202,7 +203,7 @@ class TimelineBuilder {
     for (auto& [root, members] : clusters) {
       if (members.before.size() == 1 && members.after.size() == 1) {
         names[members.after[0]] = old[members.before[0]];
-        if (members.at.size() == 1) continue;
+        if (members.at.size() == 1 || planted(Fault::touch_overlooked)) continue;
         changed = true;
         result_.topology.push_back({group,
                                     kind,
@@ -262,6 +263,7 @@ class TimelineBuilder {
     std::stable_sort(after.begin(), after.end(), [&](std::uint32_t x, std::uint32_t y) {
       const bool outside_x = kind == FeatureKind::hole && x == 0;
       const bool outside_y = kind == FeatureKind::hole && y == 0;
+      if (planted(Fault::smallest_part_goes_on)) std::swap(x, y);
       return outside_x != outside_y ? outside_x : size[x] > size[y];
     });
   }

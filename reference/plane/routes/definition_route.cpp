@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "reference/fault.hpp"
 #include "reference/plane/kernel/exact_frame.hpp"
 #include "reference/plane/point_predicates.hpp"
 #include "reference/plane/routes/convolution_arrangement.hpp"
@@ -21,6 +22,7 @@ PolygonSet as_triangles(const PolygonSet& set) {
   PolygonSet result;
   for (const Triangle& t : triangulate(set))
     result.polygons.push_back({Ring(t.begin(), t.end()), {}});
+  if (planted(Fault::triangle_forgotten) && result.polygons.size() > 1) result.polygons.pop_back();
   return result;
 }
 

@@ -1,0 +1,1 @@
+"""The reference before judges that share no code with it (oracle/)."""

@@ -1,0 +1,34 @@
+"""Boundary events against the heights of the vertices of the swept solid."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from minkref import _core
+from minkref.fuzz.case import Case
+from minkref.fuzz.judges.ruling import Ruling
+from minkref.fuzz.swept_solid import MOST_PAIRS, SweptSolid
+from minkref.fuzz.verdict import Reason
+
+# Between fractions with primes that no event of small integer operands has.
+LOW, HIGH = "101/1009", "1009/101"
+
+
+def judge(case: Case, solid: SweptSolid) -> Ruling:
+    """The scales of `--kind boundary`, route dynamic, in one window."""
+    answer = solid.vertices(case.P_json, case.Q_json, LOW, HIGH)
+    if answer.vertices is None:
+        # CGAL's failures are no verdict on the reference.
+        reason = answer.reason or answer.status
+        too_many = f"more than {MOST_PAIRS} pairs of triangles"
+        return Ruling(skipped=too_many if "pairs of triangles" in reason else reason)
+    ruling = Ruling()
+    dynamic = _core.DynamicSum(case.P, case.Q, LOW, HIGH)
+    events = {Fraction(s) for s, *_ in dynamic.boundary_events()} - {Fraction(LOW), Fraction(HIGH)}
+    heights = {vertex.s for vertex in answer.vertices}
+    ruling.compare(
+        "scales of boundary events, less those of both",
+        sorted(map(str, events - heights)), sorted(map(str, heights - events)),
+        Reason.EVENT_INVENTED if events - heights else Reason.EVENT_MISSED,
+    )  # fmt: skip
+    return ruling

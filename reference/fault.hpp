@@ -1,0 +1,72 @@
+// Faults that a test build can put into the reference, to see which check catches each
+// (reports/faults). In every other build they do not exist.
+#pragma once
+
+#include <cstdint>
+
+namespace minkref {
+
+// X(name, what is wrong).
+#define MINKREF_FAULTS_IN_REFERENCE(X)                                                        \
+  X(turn_ends_alike, "both sides of the convolution take the turn [in, out)")                 \
+  X(reflex_vertices_kept, "the reduced convolution takes reflex vertices")                    \
+  X(straight_vertices_kept,                                                                   \
+    "the convolution takes straight vertices, at edges of their direction")                   \
+  X(last_edge_forgotten, "the last edge of each ring has no part in the convolution")         \
+  X(hole_orientation_ignored, "holes are walked counter-clockwise")                           \
+  X(end_on_segment_missed, "an end point on another segment is no node of the arrangement")   \
+  X(overlap_cut_on_one_side, "of two overlapping segments only the first is cut")             \
+  X(concurrent_crossings_apart, "crossings at one point of a segment are distinct nodes")     \
+  X(filter_bound_too_small, "the sign of a turn is what doubles say")                         \
+  X(grid_too_narrow, "64-bit integers where 256 bits are needed")                             \
+  X(orientability_ignored, "every face but the unbounded one lies in the sum")                \
+  X(collision_skipped, "every orientable face lies outside of the sum")                       \
+  X(nesting_of_disconnected,                                                                  \
+    "faces with boundary inside lie in the sum also for operands in pieces")                  \
+  X(containment_forgotten, "P inside x - Q is not seen")                                      \
+  X(overlap_on_line_missed, "collision of edges on one line is not seen")                     \
+  X(winding_unsigned, "reflex pairs count +1 in the winding number")                          \
+  X(slits_forgotten, "holes are not joined to their outer ring by slits")                     \
+  X(triangle_forgotten, "the last triangle of an operand has no part in its definition")      \
+  X(pinch_not_split, "a walk is not split at a repeated vertex")                              \
+  X(pinch_paired_across, "at a pinch, edges are paired across the exterior")                  \
+  X(collinear_vertex_kept, "vertices on a straight edge stay in the canonical form")          \
+  X(hole_in_first_polygon, "a hole belongs to the first component")                           \
+  X(holes_as_rings, "holes are counted as rings, not as components of the complement")        \
+  X(length_of_other_edge, "the ends of a pair of edges are taken at each other's scale")      \
+  X(printed_interval, "the paper's printed interval for the corrected one")                   \
+  X(first_lower_bound_only, "of two lower bounds of an interval the first counts")            \
+  X(touching_pairs_dropped, "edges that meet at one scale only have no event")                \
+  X(parallel_overlap_dropped, "parallel edges that come to overlap have no event")            \
+  X(containment_on_line_missed, "of edges on one line, one within the other has no event")    \
+  X(triple_of_s_edges_skipped, "three S-edges have no triple event")                          \
+  X(swap_on_one_edge_only, "a triple event swaps nodes along the first of its edges only")    \
+  X(equal_scales_apart, "events of one scale are groups of their own")                        \
+  X(near_scales_together, "events that doubles cannot tell apart are one group")              \
+  X(order_not_updated, "a step down does not undo swaps")                                     \
+  X(stale_position, "nodes stay where they are until the next event")                         \
+  X(status_carried, "a sub-edge made of several keeps the status of the first")               \
+  X(tight_taken_for_boundary, "a sub-edge in contact on both sides counts as boundary")       \
+  X(boundary_piece_at_event_lost, "pieces of the boundary at the scale of an event are lost") \
+  X(smallest_part_goes_on, "where a hole splits, its smallest part keeps its name")           \
+  X(touch_overlooked, "a hole in several parts at one scale only is no event")                \
+  X(tight_points_missed, "tight points on no tight segment are missed")                       \
+  X(tight_unproved, "any sub-edge with edges both ways is tight")                             \
+  X(wedges_forgotten, "tight passages from the rings as given, not wedge by wedge")           \
+  X(polylines_cut, "a tight polyline ends at each of its points")                             \
+  X(touching_is_apart, "a point of contact does not belong to the sum")
+
+enum class Fault : std::uint8_t {
+#define MINKREF_FAULT_NAME(name, what) name,
+  MINKREF_FAULTS_IN_REFERENCE(MINKREF_FAULT_NAME)
+#undef MINKREF_FAULT_NAME
+};
+
+#ifdef MINKREF_FAULTS
+/// Whether the environment variable MINKREF_FAULT names this fault.
+bool planted(Fault fault);
+#else
+constexpr bool planted(Fault) { return false; }
+#endif
+
+}  // namespace minkref
