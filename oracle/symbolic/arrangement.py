@@ -1,0 +1,40 @@
+"""All arrangement events of a set of moving segments: every pair, every triple. Brute force."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import combinations
+
+from .moving import MovingSegment, parallel
+from .pairs import Event, pair_events
+from .parallels import parallel_events
+from .triples import triple_events
+
+
+@dataclass(frozen=True, slots=True)
+class ArrangementEvent:
+    """An event of the segments of these indices, ascending; `kind` pair, parallel or triple."""
+
+    kind: str
+    segments: tuple[int, ...]
+    event: Event
+
+
+def pairwise_events(segments: Sequence[MovingSegment]) -> list[ArrangementEvent]:
+    """The pair and parallel events of all pairs, swaps of end points among them. O(n^2), exact."""
+    found = []
+    for (i, a), (j, b) in combinations(enumerate(segments), 2):
+        kind = "parallel" if parallel(a, b) else "pair"
+        events = parallel_events(a, b) if kind == "parallel" else pair_events(a, b)
+        found += [ArrangementEvent(kind, (i, j), event) for event in events]
+    return found
+
+
+def threefold_events(segments: Sequence[MovingSegment]) -> list[ArrangementEvent]:
+    """The triple events of all triples. O(n^3), exact."""
+    return [
+        ArrangementEvent("triple", which, event)
+        for which in combinations(range(len(segments)), 3)
+        for event in triple_events((segments[which[0]], segments[which[1]], segments[which[2]]))
+    ]
