@@ -9,12 +9,13 @@ from itertools import combinations
 from .moving import MovingSegment, parallel
 from .pairs import Event, pair_events
 from .parallels import parallel_events
-from .triples import triple_events
+from .triples import ends_passed, triple_events
 
 
 @dataclass(frozen=True, slots=True)
 class ArrangementEvent:
-    """An event of the segments of these indices, ascending; `kind` pair, parallel or triple."""
+    """An event of the segments of these indices, ascending; `kind` pair, parallel, triple, or end:
+    a third segment passes an end of one of two that share a segment at all scales nearby."""
 
     kind: str
     segments: tuple[int, ...]
@@ -32,9 +33,11 @@ def pairwise_events(segments: Sequence[MovingSegment]) -> list[ArrangementEvent]
 
 
 def threefold_events(segments: Sequence[MovingSegment]) -> list[ArrangementEvent]:
-    """The triple events of all triples. O(n^3), exact."""
-    return [
-        ArrangementEvent("triple", which, event)
-        for which in combinations(range(len(segments)), 3)
-        for event in triple_events((segments[which[0]], segments[which[1]], segments[which[2]]))
-    ]
+    """The triple events of all triples, and those of kind `end`. O(n^3), exact."""
+    found = []
+    for which in combinations(range(len(segments)), 3):
+        triple = (segments[which[0]], segments[which[1]], segments[which[2]])
+        found += [ArrangementEvent("triple", which, event) for event in triple_events(triple)]
+        passed = dict.fromkeys(event for event, _ in ends_passed(triple))
+        found += [ArrangementEvent("end", which, event) for event in passed]
+    return found

@@ -63,6 +63,45 @@ def triple_events(triple: Triple) -> list[Event]:
     return list(dict.fromkeys(event for event, _ in swaps(triple)))
 
 
+def ends_passed(triple: Triple) -> Iterator[tuple[Event, int]]:
+    """Where one segment passes an end of another that lies on the line of the third: both meet the
+    third just below and just above, the one at a point, the other along a segment, and the point
+    goes past an end of that segment. With each event the place of the third.
+
+    The order of a point and a segment that it enters is a matter of words, so this is kept apart
+    from `swaps`. Contact of the first two begins or ends there. Ascending; exact."""
+    for third, (one, other) in ((0, (1, 2)), (1, (0, 2)), (2, (0, 1))):
+        along = triple[third]
+        if parallel(triple[one], along) == parallel(triple[other], along):
+            continue
+        level, crossing = sorted(
+            (triple[one], triple[other]), key=lambda segment: not parallel(segment, along)
+        )
+        marks, inner = cells(turning_points(triple))
+        for i, mark in enumerate(marks):
+            below, there, above = (
+                places_past_ends(level, crossing, along, s) for s in (inner[i], mark, inner[i + 1])
+            )
+            for end in range(min(len(below), len(there), len(above))):
+                if there[end] == 0 and below[end] * above[end] < 0:
+                    shared = common(crossing.at(mark), along.at(mark))
+                    assert shared is not None  # `there` is not empty
+                    yield Event(mark, "swap", shared[0]), third
+
+
+def places_past_ends(
+    level: MovingSegment, crossing: MovingSegment, along: MovingSegment, s: Rational
+) -> list[Rational]:
+    """How far the crossing is past the first and past the second end of what the parallel segment
+    and `along` share; nothing unless both meet it."""
+    lain, crossed = common(level.at(s), along.at(s)), common(crossing.at(s), along.at(s))
+    if lain is None or crossed is None:
+        return []
+    d, x = along.direction(), crossed[0]
+    # `common` gives the ends in lexicographic order, the same at every scale.
+    return [(x[0] - end[0]) * d[0] + (x[1] - end[1]) * d[1] for end in lain]
+
+
 def order_along(triple: Triple, third: int, s: Rational) -> int:
     """1, -1 or 0: whether the first of the two others meets segment `third` further along, nearer,
     or at the same point; 0 too unless each meets it in one point at scale s."""

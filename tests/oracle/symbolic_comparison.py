@@ -28,6 +28,8 @@ from symbolic_operands import Rings, random_operand
 TYPES = ("SS", "ST", "TT")
 SIZES = (1, 2, 2, 3, 4, 60)
 LONGEST = 26  # segments: all triples of more would take too long
+# minkref takes the end of a segment on the line of another for a meeting, at which order counts.
+LISTED_AS = {"end": "triple"}
 Row = tuple[str, str, str, frozenset[tuple[str, int, int, int, int]], frozenset[tuple[str, ...]]]
 """Scale, kind, change, parents and where: a point, or both ends of a segment in either order."""
 
@@ -84,7 +86,7 @@ def symbolic_rows(edges: list[ConvolutionEdge], found: list[ArrangementEvent]) -
     return Counter(
         (
             text(each.event.s),
-            each.kind,
+            LISTED_AS.get(each.kind, each.kind),
             each.event.change,
             frozenset(edges[i].parents for i in each.segments),
             frozenset(tuple(point_text(x)) for x in (each.event.at, each.event.to) if x),
@@ -134,9 +136,9 @@ def compare_operands(P: Rings, P_set: Any, Q: Rings, Q_set: Any, table: Table) -
     for a, b in combinations(segments, 2):
         table.pairs[a.kind + b.kind] += 1
         table.degenerate[a.kind + b.kind] += is_degenerate(a, b)
-    ours = symbolic_rows(edges, pairwise_events(segments) + threefold_events(segments))
-    for row in ours.elements():
-        table.events[f"{row[1]} {row[2]}"] += 1
+    found = pairwise_events(segments) + threefold_events(segments)
+    ours = symbolic_rows(edges, found)
+    table.events.update(f"{each.kind} {each.event.change}" for each in found)
     events = _core.ArrangementEvents(P_set, Q_set)
     listed = {
         "convolution": (
