@@ -19,7 +19,7 @@ CONDITIONS = ("t=0", "t=1", "u=0", "u=1")
 
 
 def data_symbols(letter: str) -> tuple[Any, ...]:
-    return sp.symbols([f"{letter}{i}" for i in range(6)])
+    return tuple(sp.symbols([f"{letter}{i}" for i in range(6)]))
 
 
 def moving_point(kind: str, data: tuple[Any, ...], t: Any) -> Any:

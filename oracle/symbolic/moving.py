@@ -27,7 +27,7 @@ class MovingSegment:
     def __post_init__(self) -> None:
         if self.kind not in KINDS or len(self.data) != 6:
             raise ValueError("a moving segment has the kind S or T and six coordinates")
-        if self.direction() == (0, 0):
+        if not any(self.direction()):
             raise ValueError("the parent edge of a moving segment has length zero")
 
     def direction(self) -> Point:

@@ -7,12 +7,13 @@ whose operations mpq shares.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from fractions import Fraction as Rational
 else:
-    from gmpy2 import mpq as Rational
+    from gmpy2 import mpq as Rational  # noqa: N812
 
 __all__ = ["Rational", "cells", "rational", "rationals", "text"]
 
@@ -47,5 +48,5 @@ def cells(candidates: Iterable[Rational]) -> tuple[Sequence[Rational], Sequence[
     marks = sorted({mark for mark in candidates if mark > 0})
     if not marks:
         return marks, [Rational(1)]
-    between = [(low + high) / 2 for low, high in zip(marks, marks[1:], strict=False)]
+    between = [(low + high) / 2 for low, high in pairwise(marks)]
     return marks, [marks[0] / 2, *between, marks[-1] + 1]

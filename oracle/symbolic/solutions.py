@@ -57,9 +57,9 @@ def read(path: Path = FILE) -> dict[str, Any]:
     try:
         document = json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
-        raise SolutionsError(f"{path.name}: {error}; make it by `python3 -m symbolic derive`") from (
-            error
-        )
+        raise SolutionsError(
+            f"{path.name}: {error}; make it by `python3 -m symbolic derive`"
+        ) from (error)
     if document.get("version") != VERSION or document.get("code") != code_digest():
         raise SolutionsError(
             f"{path.name} is of another version of the derivation; make it again by"

@@ -19,7 +19,7 @@ def on(point: Point, segment: Segment) -> bool:
     """Whether the point lies on the closed segment: on its line, and between its ends."""
     a, b = segment
     along, off = minus(b, a), minus(point, a)
-    if along == (0, 0):
+    if not any(along):
         return point == a
     reach = along[0] * off[0] + along[1] * off[1]
     return cross(along, off) == 0 and 0 <= reach <= along[0] ** 2 + along[1] ** 2

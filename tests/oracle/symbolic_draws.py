@@ -7,7 +7,16 @@ import random
 from symbolic.moving import MovingSegment, s_edge, t_edge
 
 Vector = tuple[int, int]
-RELATIONS = ("free", "free", "parallel", "one line", "shared corner", "end on line")
+RELATIONS = (
+    "free",
+    "free",
+    "parallel",
+    "one line",
+    "shared corner",
+    "end on line",
+    "through a point",
+    "through a point",
+)
 
 
 def vector(rng: random.Random, size: int, nonzero: bool = False) -> Vector:
@@ -26,12 +35,20 @@ def build(kind: str, p: Vector, q: Vector, d: Vector) -> MovingSegment:
     return s_edge(p, add(p, d), q) if kind == "S" else t_edge(p, q, add(q, d))
 
 
-def draw_rows(rng: random.Random, count: int, size: int) -> tuple[list[tuple[Vector, ...]], str]:
+def draw_rows(rng: random.Random, kinds: str, size: int) -> tuple[list[tuple[Vector, ...]], str]:
     """Rows (p, q, d) of segments, and the relation of all to the first."""
     relation = rng.choice(RELATIONS)
     rows = [(vector(rng, size), vector(rng, size), vector(rng, size, nonzero=True))]
     p, q, d = rows[0]
-    for _ in range(count - 1):
+    if relation == "through a point":
+        # All middles come to one point at one scale.
+        s, x = rng.randint(1, 3), vector(rng, size)
+        for kind in kinds:
+            p, d = vector(rng, size), vector(rng, size, nonzero=True)
+            q = add(x, add((s * p[0], s * p[1]), d, s if kind == "S" else 1), -1)
+            rows.append((p, q, (2 * d[0], 2 * d[1])))
+        return rows[1:], relation
+    for _ in kinds[1:]:
         p2, q2, d2 = vector(rng, size), vector(rng, size), vector(rng, size, nonzero=True)
         along = rng.choice([-2, -1, 1, 2])
         if relation in ("parallel", "one line"):
@@ -47,5 +64,5 @@ def draw_rows(rng: random.Random, count: int, size: int) -> tuple[list[tuple[Vec
 
 
 def draw(rng: random.Random, kinds: str, size: int = 6) -> tuple[list[MovingSegment], str]:
-    rows, relation = draw_rows(rng, len(kinds), size)
+    rows, relation = draw_rows(rng, kinds, size)
     return [build(kind, *row) for kind, row in zip(kinds, rows, strict=True)], relation

@@ -115,8 +115,10 @@ def test_a_scan_over_scales_finds_no_other_contact() -> None:
         found = contact_set(a, b)
         for _ in range(60):
             s = Rational(rng.randint(1, 400), rng.choice([1, 7, 30, 400]))
-            inside = found is not None and (found.low or 0) <= s and (
-                found.high is None or s <= found.high
+            inside = (
+                found is not None
+                and (found.low or 0) <= s
+                and (found.high is None or s <= found.high)
             )
             assert (common(a.at(s), b.at(s)) is not None) == inside
 

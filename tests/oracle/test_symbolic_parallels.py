@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from itertools import pairwise
 from typing import Any
 
 from symbolic.moving import MovingSegment, s_edge, t_edge
@@ -69,8 +70,8 @@ def test_events_of_parallel_segments_are_where_contact_changes() -> None:
         if relation not in ("parallel", "one line"):
             continue
         found, limits = contact_set(a, b), [e.s for e in parallel_events(a, b)]
-        ordered = sorted({Rational(0), *limits}) + [max(limits, default=Rational(0)) + 9]
-        for low, high in zip(ordered, ordered[1:], strict=False):
+        ordered = [*sorted({Rational(0), *limits}), max(limits, default=Rational(0)) + 9]
+        for low, high in pairwise(ordered):
             inside = [low + (high - low) * k / 7 for k in range(1, 7)]
             assert len({common(a.at(s), b.at(s)) is not None for s in inside}) == 1
             if always_on_one_line(a, b):

@@ -94,8 +94,7 @@ def test_exchanging_the_operands_inverts_the_scales_of_triples() -> None:
     seen = 0
     for a, b, c in drawn(400):
         expected = [
-            Event(1 / e.s, "swap", (e.at[0] / e.s, e.at[1] / e.s))
-            for e in triple_events((a, b, c))
+            Event(1 / e.s, "swap", (e.at[0] / e.s, e.at[1] / e.s)) for e in triple_events((a, b, c))
         ]
         seen += len(expected)
         assert triple_events((exchanged(a), exchanged(b), exchanged(c))) == expected[::-1]
