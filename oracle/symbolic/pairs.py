@@ -42,9 +42,10 @@ class Event:
     to: Point | None = None
 
 
-def end_conditions(first: MovingSegment, second: MovingSegment) -> list[Rational]:
-    """The scales at which an end of one segment comes to the line of the other. Exact."""
-    kinds, data = first.kind + second.kind, first.data + second.data
+def end_conditions(kinds: str, data: tuple[Rational, ...]) -> list[Rational]:
+    """The scales at which an end of one segment comes to the line of the other. Exact.
+
+    `kinds` and `data` are those of both segments, which may have length zero."""
     return [
         scale
         for condition in CONDITIONS
@@ -52,9 +53,8 @@ def end_conditions(first: MovingSegment, second: MovingSegment) -> list[Rational
     ]
 
 
-def end_meetings(first: MovingSegment, second: MovingSegment) -> list[Rational]:
+def end_meetings(kinds: str, data: tuple[Rational, ...]) -> list[Rational]:
     """For parallel segments: the scales at which ends are level with each other. Exact."""
-    kinds, data = first.kind + second.kind, first.data + second.data
     return [
         scale
         for t, u in product((0, 1), repeat=2)
@@ -64,8 +64,9 @@ def end_meetings(first: MovingSegment, second: MovingSegment) -> list[Rational]:
 
 def candidates(first: MovingSegment, second: MovingSegment) -> list[Rational]:
     """Scales among which are all at which the contact of two segments can begin or end."""
-    found = end_conditions(first, second)
-    return found + end_meetings(first, second) if parallel(first, second) else found
+    kinds, data = first.kind + second.kind, first.data + second.data
+    found = end_conditions(kinds, data)
+    return found + end_meetings(kinds, data) if parallel(first, second) else found
 
 
 def intervals(marks: list[Rational], member: Callable[[Rational], bool]) -> Iterator[Interval]:

@@ -44,7 +44,7 @@ def parallel_events(first: MovingSegment, second: MovingSegment) -> list[Event]:
 def passings(first: MovingSegment, second: MovingSegment) -> list[Event]:
     """For segments always on one line: where an end of the one passes an end of the other, both
     sharing a point just below and just above. One event for each such point."""
-    marks, inner = cells(end_meetings(first, second))
+    marks, inner = cells(end_meetings(first.kind + second.kind, first.data + second.data))
     found = []
     for i, mark in enumerate(marks):
         below, above = inner[i], inner[i + 1]
