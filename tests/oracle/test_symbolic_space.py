@@ -127,8 +127,10 @@ def test_a_scan_finds_no_other_contact_of_edges() -> None:
         met += found is not None
         limits = [x for x in (found.low, found.high) if x is not None] if found else []
         for s in [*limits, *(Rational(rng.randint(1, 24), rng.choice([1, 2, 3])) for _ in "12345")]:
-            inside = found is not None and (found.low or 0) <= s and (
-                found.high is None or s <= found.high
+            inside = (
+                found is not None
+                and (found.low or 0) <= s
+                and (found.high is None or s <= found.high)
             )
             assert (shared(a.at(s), b.at(s)) is not None) == inside
     assert met > 60

@@ -1,0 +1,271 @@
+"""A disc swept along a polygon: algebraic scales, checked against the definition of the contact."""
+
+from __future__ import annotations
+
+import random
+from itertools import combinations, pairwise, product
+from typing import Any
+
+import sympy as sp
+from mpmath import mp, mpf
+from symbolic import solutions
+from symbolic.disc import (
+    Arc,
+    Offset,
+    arcs,
+    eliminated_polynomial,
+    offsets,
+    three_circles,
+    three_lines,
+)
+from symbolic.disc_contact import adjacent, pair_disc_events, polygon_events
+from symbolic.moving import cross
+from symbolic.radicals import Radical, number, square_root
+from symbolic.rational import Rational
+from symbolic.standing import minus
+from symbolic_operands import star
+
+SEED = 1729
+SLOT = [(0, 0), (12, 0), (12, 6), (8, 6), (8, 2), (4, 2), (4, 6), (0, 6)]
+mp.dps = 60
+
+
+def random_ring(rng: random.Random, size: int, corners: int) -> list[tuple[int, int]]:
+    """A star with the middle inside; simple, for its angles are different."""
+    while True:
+        ring = star(rng, size, corners)
+        around = [*ring[1:], ring[0]]
+        if len(ring) > 3 and all(cross(a, b) > 0 for a, b in zip(ring, around, strict=True)):
+            return ring
+
+
+def decimal(x: Radical) -> Any:
+    return sum(
+        (mpf(int(c.numerator)) / int(c.denominator) * mp.sqrt(m) for m, c in x.terms), mpf(0)
+    )
+
+
+def value_at(polynomial: list[int] | tuple[int, ...], x: Radical) -> Radical:
+    found = number(0)
+    for coefficient in polynomial:
+        found = found * x + coefficient
+    return found
+
+
+def test_walls_of_a_slot_meet_where_the_disc_fills_it() -> None:
+    """Walls at distance 4: offset edges face each other on one line at s r = 2."""
+    events = polygon_events(SLOT, Rational(1))
+    scales = {event.scale.value for event in events}
+    assert number(2) in scales
+    facing = [e for e in events if e.scale.value == number(2) and e.name == "end on line"]
+    assert facing and all(e.scale.polynomial == (1, -2) for e in facing)
+    halved = polygon_events(SLOT, Rational(2))
+    assert [e.scale.value for e in halved] == [(e.scale.value or number(0)) / 2 for e in events]
+
+
+def test_circles_of_two_prongs_touch_at_half_their_distance() -> None:
+    prongs = [(0, 0), (9, 0), (7, 5), (5, 1), (3, 2), (1, 6)]
+    a, b = (arc for arc in arcs(prongs) if arc.centre[1] > 4)
+    (event,) = [e for e in pair_disc_events(a, b, Rational(1)) if e.name == "circles"]
+    assert event.scale.polynomial == (4, 0, -37)  # s = sqrt(6^2 + 1) / 2
+    assert event.scale.interval is not None and event.scale.interval[0] < event.scale.interval[1]
+
+
+def test_degrees_are_those_stated_and_reached() -> None:
+    kept = solutions.read()
+    stated = {n: x["degree"] for n, x in kept.items() if n.startswith("disc ")}
+    assert stated == {
+        "disc end on line": 4,
+        "disc end on circle": 2,
+        "disc circle on line": 2,
+        "disc circles": 2,
+        "disc three lines": 8,
+        "disc three circles": 2,
+    }
+    # Edges of squared length 5, 10 and 13, no products of which are squares.
+    edges = [
+        Offset(p, minus((-d[0], -d[1]), (-p[0], -p[1])))
+        for p, d in (((0, 0), (2, 1)), ((9, 2), (-1, 3)), ((3, 7), (-2, -3)))
+    ]
+    found = three_lines(edges[0], edges[1], edges[2], Rational(1))
+    mirrored = [Offset(e.q, e.p) for e in edges]
+    inside = three_lines(mirrored[0], mirrored[1], mirrored[2], Rational(1))
+    assert {found.case, inside.case} == {"once", "never"}
+    root = found if found.case == "once" else inside
+    assert len(root.polynomial) == 1 + 8
+
+
+def test_minimal_polynomials_are_those_of_sympy() -> None:
+    x = sp.Symbol("x")
+    for a, b, c in ((2, 3, 0), (5, 5, 1), (8, 18, 0), (2, 3, 6), (12, 27, 3)):
+        ours = square_root(Rational(a)) + square_root(Rational(b)) * 3 - square_root(Rational(c, 7))
+        value = sp.sqrt(a) + 3 * sp.sqrt(b) - sp.sqrt(sp.Rational(c, 7))
+        expected = sp.Poly(sp.minimal_polynomial(value, x), x).all_coeffs()
+        assert ours.minimal_polynomial() == [int(k) for k in expected]
+
+
+def test_radicals_obey_the_laws_of_a_field() -> None:
+    print(f"seed {SEED}")
+    rng = random.Random(SEED)
+
+    def drawn() -> Radical:
+        roots = (square_root(Rational(rng.randint(0, 30), rng.randint(1, 9))) for _ in range(3))
+        return sum((x * rng.randint(-3, 3) for x in roots), number(rng.randint(-4, 4)))
+
+    for _ in range(150):
+        a, b, c = drawn(), drawn(), drawn()
+        assert (a + b) * c == a * c + b * c
+        assert (a - a).sign() == 0
+        if b.terms:
+            assert a / b * b == a
+        low, high = a.isolated()
+        assert low <= high and a.sign() == (decimal(a) > 0) - (decimal(a) < 0)
+        assert (a - low).sign() >= 0 and (number(high) - a).sign() >= 0
+
+
+def test_scales_are_roots_of_their_polynomials_and_isolated() -> None:
+    """The minimal polynomial vanishes, exactly; it has one root in the interval (Sturm); and it
+    divides the polynomial from which the lengths were eliminated."""
+    print(f"seed {SEED}")
+    rng = random.Random(SEED)
+    x = sp.Symbol("x")
+    seen: dict[int, int] = {}
+    for _ in range(500):
+        ring = random_ring(rng, rng.choice([3, 8, 30]), 6)
+        # Run the other way the disc is in the polygon, and its offset edges close in.
+        e = rng.sample(offsets(rng.choice([ring, ring[::-1]])), 3)
+        v, w = minus(e[1].p, e[0].p), minus(e[2].p, e[0].p)
+        found = three_lines(e[0], e[1], e[2], Rational(1))
+        if found.value is None or found.interval is None:
+            continue
+        degree = len(found.polynomial) - 1
+        seen[degree] = seen.get(degree, 0) + 1
+        assert value_at(found.polynomial, found.value).sign() == 0
+        minimal = sp.Poly([*found.polynomial], x)
+        low, high = (sp.Rational(int(q.numerator), int(q.denominator)) for q in found.interval)
+        assert minimal.count_roots(low, high) == 1
+        general = eliminated_polynomial(
+            "three lines", Rational(1), d=e[0].edge, e=e[1].edge, f=e[2].edge, v=v, w=w
+        )
+        whole = sp.Poly([sp.Rational(int(q.numerator), int(q.denominator)) for q in general], x)
+        assert whole.rem(minimal).is_zero
+    assert seen.get(8, 0) > 10 and seen.get(4, 0) > 5, seen
+
+
+def test_three_circles_pass_through_one_point_at_the_circumradius() -> None:
+    print(f"seed {SEED}")
+    rng = random.Random(SEED)
+    for _ in range(60):
+        found = arcs(random_ring(rng, 8, 7))
+        if len(found) < 3:
+            continue
+        a, b, c = rng.sample(found, 3)
+        scale = three_circles(a, b, c, Rational(2))
+        twice = abs(cross(minus(b.centre, a.centre), minus(c.centre, a.centre)))
+        sides = [minus(u.centre, v.centre) for u, v in ((a, b), (b, c), (c, a))]
+        product_of_squares = Rational(1)
+        for side in sides:
+            product_of_squares *= side[0] ** 2 + side[1] ** 2
+        if twice == 0:
+            assert scale.case == "never"
+            continue
+        assert scale.value is not None
+        # The product of the sides is four times the area times the circumradius.
+        assert (scale.value * 2) ** 2 == number(product_of_squares / (2 * twice) ** 2)
+
+
+def place(x: Any, feature: Any, s: Any) -> tuple[Any, Any]:
+    """A point of an edge, offset by s, in 60 digits."""
+    e = [mpf(int(k)) for k in feature.edge]
+    length = mp.hypot(*e)
+    return mpf(int(x[0])) + s * e[1] / length, mpf(int(x[1])) - s * e[0] / length
+
+
+def crossings(a: Any, b: Any, s: Any) -> int:
+    """How many points two features share at a scale that is no event, in 60 digits."""
+    if isinstance(a, Arc) and isinstance(b, Offset):
+        a, b = b, a
+    centres = [[mpf(int(k)) for k in x.centre] for x in (a, b) if isinstance(x, Arc)]
+    if isinstance(a, Offset):
+        p, q = place(a.p, a, s), place(a.q, a, s)
+        d = (q[0] - p[0], q[1] - p[1])
+    if isinstance(b, Offset):
+        u, v = place(b.p, b, s), place(b.q, b, s)
+        e = (v[0] - u[0], v[1] - u[1])
+        below = cross(d, e)
+        if below == 0:
+            return 0
+        off = (u[0] - p[0], u[1] - p[1])
+        return int(0 < cross(off, e) / below < 1 and 0 < cross(off, d) / below < 1)
+    if len(centres) == 1:
+        c = centres[0]
+        off = (p[0] - c[0], p[1] - c[1])
+        half = d[0] * off[0] + d[1] * off[1]
+        square, rest = d[0] ** 2 + d[1] ** 2, off[0] ** 2 + off[1] ** 2 - s**2
+        root = half**2 - square * rest
+        if root < 0:
+            return 0
+        times = [(-half + sign * mp.sqrt(root)) / square for sign in (1, -1)]
+        return sum(0 < t < 1 and within(b, off[0] + t * d[0], off[1] + t * d[1]) for t in times)
+    (c, f) = centres
+    w = (f[0] - c[0], f[1] - c[1])
+    square = w[0] ** 2 + w[1] ** 2
+    if square > 4 * s**2:
+        return 0
+    height = mp.sqrt((s**2 - square / 4) / square)
+    found = [(w[0] / 2 - k * w[1], w[1] / 2 + k * w[0]) for k in (height, -height)]
+    return sum(within(a, *x) and within(b, x[0] - w[0], x[1] - w[1]) for x in found)
+
+
+def within(arc: Arc, x: Any, y: Any) -> bool:
+    (a, b), (c, d) = ([mpf(int(k)) for k in e.edge] for e in (arc.before, arc.after))
+    return bool(b * y + a * x > 0 and -x * c - y * d > 0)
+
+
+def test_a_scan_over_scales_finds_no_other_event() -> None:
+    """Between neighbouring scales at which features touch, the number of points that two features
+    share stays what it is. Pairs that touch at every scale (on one line) are counted, and few."""
+    print(f"seed {SEED}")
+    rng = random.Random(SEED)
+    changes = level = pairs = 0
+    for _ in range(14):
+        ring = random_ring(rng, 6, 6)
+        features = [*offsets(ring), *arcs(ring)]
+        for a, b in combinations(features, 2):
+            if adjacent(a, b):
+                continue
+            events = pair_disc_events(a, b, Rational(1))
+            if any(e.scale.case == "always" for e in events):
+                level += 1
+                continue
+            pairs += 1
+            marks = sorted({decimal(e.scale.value) for e in events if e.meet and e.scale.value})
+            limits = [mpf(0), *marks, (marks[-1] if marks else mpf(1)) * 2 + 30]
+            counts = []
+            for low, high in pairwise(limits):
+                scan = [low + (high - low) * k / mpf("17.03") for k in range(1, 18)]
+                here = {crossings(a, b, s) for s in scan}
+                assert len(here) == 1, (ring, a, b, marks)
+                counts.append(here.pop())
+            changes += sum(x != y for x, y in pairwise(counts))
+    assert changes > 30 and 10 * level < pairs
+
+
+def test_scales_satisfy_the_definition_in_sixty_digits() -> None:
+    """The distance of the end from the line or the circle, and of the circle from the line or the
+    other circle, is the radius up to rounding."""
+    print(f"seed {SEED}")
+    rng = random.Random(SEED)
+    for _ in range(6):
+        ring = random_ring(rng, 6, 6)
+        for a, b in product(arcs(ring), offsets(ring)):
+            for event in pair_disc_events(a, b, Rational(1, 3)):
+                if event.scale.value is None or event.at is None:
+                    continue
+                radius = decimal(event.scale.value) / 3
+                x, y = (decimal(k) for k in event.at)
+                p, e = ([mpf(int(k)) for k in v] for v in (b.p, b.edge))
+                from_line = ((x - p[0]) * e[1] - (y - p[1]) * e[0]) / mp.hypot(*e)
+                from_centre = mp.hypot(x - int(a.centre[0]), y - int(a.centre[1]))
+                assert abs(from_line - radius) < mpf(10) ** -50
+                assert abs(from_centre - radius) < mpf(10) ** -50
