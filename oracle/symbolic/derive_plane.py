@@ -33,24 +33,22 @@ def direction(kind: str, data: tuple[Any, ...]) -> Any:
     return b - a if kind == "S" else c - b
 
 
-def linear_in_s(polynomial: Any) -> dict[str, Any]:
-    """The factor of a polynomial in s that can have positive roots, solved; states its degree.
+def power_of_s(polynomials: list[Any]) -> int:
+    """The highest power of s that divides all of them."""
+    return int(min(min(m[0] for m in sp.Poly(p, s).monoms()) for p in polynomials))
 
-    Factors that are powers of s have none. Raises ArithmeticError unless one factor with s is left,
-    of degree 1, and no other factor holds data: then `denominator` s = `numerator`."""
-    constant, factors = sp.factor_list(sp.expand(polynomial))
-    power, left = 0, sp.Integer(constant)
-    for factor, exponent in factors:
-        if factor == s:
-            power = exponent
-        else:
-            left *= factor**exponent
-    in_s = sp.Poly(left, s)
+
+def linear_in_s(polynomial: Any) -> dict[str, Any]:
+    """A polynomial that is linear in s but for a power of s, which has no positive root, solved:
+    `denominator` s = `numerator`. Raises ArithmeticError for another degree than 1."""
+    expanded = sp.expand(polynomial)
+    power = power_of_s([expanded])
+    in_s = sp.Poly(sp.expand(expanded / s**power), s)
     if in_s.degree() != 1:
         raise ArithmeticError(f"degree {in_s.degree()} in s where 1 was expected")
     slope, offset = in_s.all_coeffs()
     return {
-        "power_of_s": int(power),
+        "power_of_s": power,
         "degree": 1,
         "numerator": str(sp.expand(-offset)),
         "denominator": str(sp.expand(slope)),
@@ -69,8 +67,9 @@ def end_on_line(kinds: str, condition: str) -> dict[str, Any]:
     # The segment of the other unknown has a length, so the normal equation always has a solution.
     side, data = (kinds[1], B) if other == u else (kinds[0], A)
     along = direction(side, data)
-    unknown = sp.together(sp.solve(sp.expand(gap.dot(along)), other)[0])
-    above, below = sp.fraction(sp.cancel(unknown))
+    slope, offset = sp.Poly(sp.expand(gap.dot(along)), other).all_coeffs()
+    power = power_of_s([slope, offset])
+    above, below = -offset / s**power, slope / s**power
     solved["other"] = {"numerator": str(sp.expand(above)), "denominator": str(sp.expand(below))}
     return solved
 

@@ -12,7 +12,7 @@ from typing import Any
 
 import sympy as sp
 
-from .derive_plane import linear_in_s, s
+from .derive_plane import linear_in_s, power_of_s, s
 
 FACETS = ("fv", "vf", "ee")
 
@@ -39,11 +39,6 @@ def moving_line(kind: str, data: tuple[Any, ...]) -> tuple[Any, Any]:
         return s * w + y, s * (x - w) + z - y
     w, x, y = (sp.Matrix(data[i : i + 3]) for i in (0, 3, 6))
     return (s * w + y, x - w) if kind == "S" else (s * w + x, y - x)
-
-
-def power_of_s(polynomials: list[Any]) -> int:
-    """The highest power of s that divides all of them."""
-    return int(min(min(m[0] for m in sp.Poly(p, s).monoms()) for p in polynomials))
 
 
 def plane(kind: str) -> dict[str, Any]:

@@ -100,6 +100,14 @@ def solution(name: str, letters: str) -> Solution:
     return compiled((found["numerator"], found["denominator"]), arguments)
 
 
+def branch(numerator: Rational, denominator: Rational) -> tuple[str, Rational | None]:
+    """The solutions s > 0 of denominator s = numerator: once, and where; always; or never."""
+    if denominator == 0:
+        return ("always" if numerator == 0 else "never"), None
+    s = numerator / denominator
+    return ("once", s) if s > 0 else ("never", None)
+
+
 def root(numerator: Rational, denominator: Rational) -> list[Rational]:
     """The isolated solutions of denominator s = numerator: none if the denominator is zero,
     whether no scale solves it (numerator not zero) or all do."""

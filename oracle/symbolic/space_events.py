@@ -11,7 +11,7 @@ from typing import Any
 
 from .pairs import Interval, end_conditions, end_meetings, intervals
 from .rational import Rational
-from .solutions import all_solutions, compiled, root
+from .solutions import all_solutions, branch, compiled, root
 from .space_moving import (
     MovingFacet,
     SpaceSegment,
@@ -42,16 +42,9 @@ def function(name: str, sizes: tuple[int, ...]) -> Any:
     return compiled(texts, arguments)
 
 
-def solved(numerator: Rational, denominator: Rational) -> tuple[str, Rational | None]:
-    if denominator == 0:
-        return ("always" if numerator == 0 else "never"), None
-    s = numerator / denominator
-    return ("once", s) if s > 0 else ("never", None)
-
-
 def vertex_event(facet: MovingFacet, vertex: SpaceVertex) -> Coming:
     """When a moving vertex lies in the plane of a facet; `meet`: in the facet. Exact."""
-    case, s = solved(*function("vertex in plane", (5, 6))(*facet.plane(), *vertex.p, *vertex.q))
+    case, s = branch(*function("vertex in plane", (5, 6))(*facet.plane(), *vertex.p, *vertex.q))
     if s is None:
         return Coming(case)
     at = vertex.at(s)
@@ -69,7 +62,7 @@ def plane_event(first: MovingFacet, second: MovingFacet) -> Coming:
         raise ValueError("the planes are not parallel")
     a, b = first.plane(), second.plane()
     ratio = dot(a[:3], a[:3]) / dot(a[:3], b[:3])
-    case, s = solved(*function("parallel planes", (2, 2))(*a[3:], ratio * b[3], ratio * b[4]))
+    case, s = branch(*function("parallel planes", (2, 2))(*a[3:], ratio * b[3], ratio * b[4]))
     if s is None:
         return Coming(case)
     return Coming(case, s, polygons_meet(first.corners(s), second.corners(s)))
@@ -83,7 +76,7 @@ def four_event(facets: Sequence[MovingFacet]) -> Coming:
     free = [t for t in TRIPLES if dot(cross(planes[t[0]][:3], planes[t[1]][:3]), planes[t[2]][:3])]
     if len(planes) != 4 or not free:
         raise ValueError("four facets with normals in all directions are asked for")
-    case, s = solved(*function("four planes", (5, 5, 5, 5))(*(x for p in planes for x in p)))
+    case, s = branch(*function("four planes", (5, 5, 5, 5))(*(x for p in planes for x in p)))
     if s is None:
         return Coming(case)
     at = common_point([planes[i] for i in free[0]], s)

@@ -27,7 +27,7 @@ from symbolic_operands import Rings, random_operand
 
 TYPES = ("SS", "ST", "TT")
 SIZES = (1, 2, 2, 3, 4, 60)
-LONGEST = 26  # segments: all triples of more would take too long
+LONGEST = 40  # segments: all triples of more would take too long
 # minkref takes the end of a segment on the line of another for a meeting, at which order counts.
 LISTED_AS = {"end": "triple"}
 Row = tuple[str, str, str, frozenset[tuple[str, int, int, int, int]], frozenset[tuple[str, ...]]]

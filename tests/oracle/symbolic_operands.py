@@ -32,6 +32,15 @@ def stairs(rng: random.Random, size: int) -> list[Corner]:
     return [(0, 0), (x, 0), (x, v), (u, v), (u, y), (0, y)]
 
 
+def comb(rng: random.Random, size: int) -> list[Corner]:
+    """Two teeth as high as each other, up or down: edges that lie on one line."""
+    x = [0]
+    for _ in range(3):
+        x.append(x[-1] + rng.randint(1, size + 1))
+    ring = [(0, 0), (x[3], 0), (x[3], 2), (x[2], 2), (x[2], 1), (x[1], 1), (x[1], 2), (0, 2)]
+    return ring if rng.random() < 0.5 else [(-a, -b) for a, b in ring]
+
+
 def framed(rng: random.Random, size: int) -> Rings:
     """A square with a star for a hole."""
     far = size + rng.randint(1, 2)
@@ -40,11 +49,13 @@ def framed(rng: random.Random, size: int) -> Rings:
 
 
 def random_rings(rng: random.Random, size: int) -> Rings:
-    shape = rng.randrange(5)
+    shape = rng.randrange(6)
     if shape == 0:
         return [stairs(rng, size)]
     if shape == 1:
         return framed(rng, size)
+    if shape == 2:
+        return [comb(rng, size)]
     return [star(rng, size, rng.randint(3, 6))]
 
 

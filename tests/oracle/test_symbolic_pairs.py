@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import random
+from collections import Counter
 
 import pytest
-from symbolic.moving import MovingSegment, parallel, s_edge, t_edge
-from symbolic.pairs import Event, Interval, contact_set, pair_events
+from symbolic.moving import MovingSegment, cross, parallel, s_edge, t_edge
+from symbolic.pairs import CONDITIONS, Event, Interval, contact_set, pair_events
 from symbolic.rational import Rational, rationals
-from symbolic.standing import common
+from symbolic.solutions import branch, solution
+from symbolic.standing import common, minus
 from symbolic_draws import draw
 
 SEED = 4711
@@ -121,6 +123,24 @@ def test_a_scan_over_scales_finds_no_other_contact() -> None:
                 and (found.high is None or s <= found.high)
             )
             assert (common(a.at(s), b.at(s)) is not None) == inside
+
+
+def test_branches_of_the_conditions_are_those_of_the_definition() -> None:
+    """once: the end is on the line there and nowhere else; always; never."""
+    seen: Counter[str] = Counter()
+    for a, b in drawn(400):
+        for condition in CONDITIONS:
+            case, s = branch(
+                *solution(f"pair {a.kind}{b.kind} {condition}", "ab")(*a.data, *b.data)
+            )
+            seen[case] += 1
+            moving, line = (a, b) if condition[0] == "t" else (b, a)
+            for scale in [Rational(k, 7) for k in (1, 5, 9, 40)] + ([s] if s is not None else []):
+                start, end = line.at(scale)
+                off = minus(moving.at(scale)[int(condition[2])], start)
+                expected = case == "always" or scale == s
+                assert (cross(minus(end, start), off) == 0) == expected
+    assert min(seen["once"], seen["always"], seen["never"]) > 50
 
 
 def test_parallel_pairs_and_segments_without_length_are_refused() -> None:
