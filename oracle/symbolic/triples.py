@@ -7,13 +7,13 @@ do begin and end there, or where two of the segments start or stop to meet.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import combinations
+from itertools import combinations, product
 
 from .moving import MovingSegment, Point, parallel
 from .pairs import Event, Interval, candidates, intervals
 from .rational import Rational, cells
 from .solutions import root, solution
-from .standing import Common, common, common_to_three
+from .standing import Common, common, common_to_three, minus
 
 Triple = tuple[MovingSegment, MovingSegment, MovingSegment]
 
@@ -64,42 +64,45 @@ def triple_events(triple: Triple) -> list[Event]:
 
 
 def ends_passed(triple: Triple) -> Iterator[tuple[Event, int]]:
-    """Where one segment passes an end of another that lies on the line of the third: both meet the
-    third just below and just above, the one at a point, the other along a segment, and the point
-    goes past an end of that segment. With each event the place of the third.
+    """Where two segments pass each other along the third, one or both of them being on its line
+    at all scales: both meet the third just below, at and just above the scale, those on its line
+    along a segment, and an end of that segment passes the other's place or end. With each event
+    the place of the third.
 
     The order of a point and a segment that it enters is a matter of words, so this is kept apart
-    from `swaps`. Contact of the first two begins or ends there. Ascending; exact."""
+    from `swaps`. Contact of the first two begins or ends there, or they have a swap of their own.
+    Ascending for each third; exact."""
     for third, (one, other) in ((0, (1, 2)), (1, (0, 2)), (2, (0, 1))):
-        along = triple[third]
-        if parallel(triple[one], along) == parallel(triple[other], along):
+        first, second, along = triple[one], triple[other], triple[third]
+        if not (parallel(first, along) or parallel(second, along)):
             continue
-        level, crossing = sorted(
-            (triple[one], triple[other]), key=lambda segment: not parallel(segment, along)
-        )
         marks, inner = cells(turning_points(triple))
         for i, mark in enumerate(marks):
-            below, there, above = (
-                places_past_ends(level, crossing, along, s) for s in (inner[i], mark, inner[i + 1])
-            )
-            for end in range(min(len(below), len(there), len(above))):
-                if there[end] == 0 and below[end] * above[end] < 0:
-                    shared = common(crossing.at(mark), along.at(mark))
-                    assert shared is not None  # `there` is not empty
-                    yield Event(mark, "swap", shared[0]), third
+            sides = [inner[i], mark, inner[i + 1]]
+            a, b = ([reach(x, along, s) for s in sides] for x in (first, second))
+            if not all(a) or not all(b):
+                continue
+            # The ends are in one order along the third at every scale.
+            for m, n in product((0, 1), repeat=2):
+                below, there, above = (x[m] - y[n] for x, y in zip(a, b, strict=True))
+                if there == 0 and below * above < 0:
+                    yield Event(mark, "swap", place(along, a[1][m], mark)), third
 
 
-def places_past_ends(
-    level: MovingSegment, crossing: MovingSegment, along: MovingSegment, s: Rational
-) -> list[Rational]:
-    """How far the crossing is past the first and past the second end of what the parallel segment
-    and `along` share; nothing unless both meet it."""
-    lain, crossed = common(level.at(s), along.at(s)), common(crossing.at(s), along.at(s))
-    if lain is None or crossed is None:
+def reach(segment: MovingSegment, along: MovingSegment, s: Rational) -> list[Rational]:
+    """Both ends of what a segment shares with another, as parameters on the other; or nothing."""
+    shared = common(segment.at(s), along.at(s))
+    if shared is None:
         return []
-    d, x = along.direction(), crossed[0]
-    # `common` gives the ends in lexicographic order, the same at every scale.
-    return [(x[0] - end[0]) * d[0] + (x[1] - end[1]) * d[1] for end in lain]
+    start, end = along.at(s)
+    d = minus(end, start)
+    found = [minus(x, start) for x in shared]
+    return [(x[0] * d[0] + x[1] * d[1]) / (d[0] * d[0] + d[1] * d[1]) for x in found]
+
+
+def place(along: MovingSegment, t: Rational, s: Rational) -> Point:
+    start, end = along.at(s)
+    return start[0] + t * (end[0] - start[0]), start[1] + t * (end[1] - start[1])
 
 
 def order_along(triple: Triple, third: int, s: Rational) -> int:

@@ -17,21 +17,25 @@ from math import comb
 from typing import Any
 
 from minkref import _core
-from symbolic.arrangement import ArrangementEvent, pairwise_events, threefold_events
-from symbolic.convolution import ConvolutionEdge, reduced_convolution
-from symbolic.moving import MovingSegment, parallel, point_text
+from symbolic.arrangement import pairwise_events, threefold_events
+from symbolic.convolution import reduced_convolution
+from symbolic.moving import MovingSegment, parallel
 from symbolic.pairs import CONDITIONS, candidates
-from symbolic.rational import rationals, text
+from symbolic.rational import rationals
 from symbolic.solutions import solution
 from symbolic_operands import Rings, random_operand
+from symbolic_rows import (
+    minkref_rows,
+    pair_search_rows,
+    parents_of,
+    show,
+    symbolic_rows,
+    unmatched,
+)
 
 TYPES = ("SS", "ST", "TT")
 SIZES = (1, 2, 2, 3, 4, 60)
 LONGEST = 40  # segments: all triples of more would take too long
-# minkref takes the end of a segment on the line of another for a meeting, at which order counts.
-LISTED_AS = {"end": "triple"}
-Row = tuple[str, str, str, frozenset[tuple[str, int, int, int, int]], frozenset[tuple[str, ...]]]
-"""Scale, kind, change, parents and where: a point, or both ends of a segment in either order."""
 
 
 @dataclass
@@ -57,6 +61,7 @@ class Table:
     pairs: Counter[str] = field(default_factory=Counter)
     degenerate: Counter[str] = field(default_factory=Counter)
     triples: int = 0
+    several_places: int = 0
     events: Counter[str] = field(default_factory=Counter)
     left_out_too_long: int = 0
     differences: int = 0
@@ -82,46 +87,6 @@ def is_degenerate(a: MovingSegment, b: MovingSegment) -> bool:
     return len(set(candidates(a, b))) < len(CONDITIONS)
 
 
-def symbolic_rows(edges: list[ConvolutionEdge], found: list[ArrangementEvent]) -> Counter[Row]:
-    return Counter(
-        (
-            text(each.event.s),
-            LISTED_AS.get(each.kind, each.kind),
-            each.event.change,
-            frozenset(edges[i].parents for i in each.segments),
-            frozenset(tuple(point_text(x)) for x in (each.event.at, each.event.to) if x),
-        )
-        for each in found
-    )
-
-
-def parents_of(row: tuple[str, int, int, int, int, int]) -> tuple[str, int, int, int, int]:
-    return row[0], *row[2:]
-
-
-def minkref_rows(events: Any, which: list[int]) -> Counter[Row]:
-    edges = [parents_of(row) for row in events.edges()]
-    return Counter(
-        (s, kind, change, frozenset(edges[i] for i in members), frozenset({at, to or at}))
-        for s, kind, change, members, at, to in events.rows(which)
-    )
-
-
-def pair_search_rows(found: Any) -> Counter[Row]:
-    """Those of the search that knows pair and parallel events only."""
-    edges = [parents_of(row) for row in found.edges()]
-    return Counter(
-        (
-            s,
-            "parallel" if level else "pair",
-            change,
-            frozenset((edges[a], edges[b])),
-            frozenset({at, to or at}),
-        )
-        for s, _, change, level, a, b, at, to in found.rows(0, len(found))
-    )
-
-
 def compare_operands(P: Rings, P_set: Any, Q: Rings, Q_set: Any, table: Table) -> None:
     """Adds one operand pair to the table."""
     exact = [[[rationals(corner) for corner in ring] for ring in rings] for rings in (P, Q)]
@@ -140,28 +105,19 @@ def compare_operands(P: Rings, P_set: Any, Q: Rings, Q_set: Any, table: Table) -
     ours = symbolic_rows(edges, found)
     table.events.update(f"{each.kind} {each.event.change}" for each in found)
     events = _core.ArrangementEvents(P_set, Q_set)
-    listed = {
-        "convolution": (
-            Counter(edge.parents for edge in edges),
-            Counter(parents_of(row) for row in _core.reduced_convolution(P_set, Q_set)),
-        ),
-        "arrangement": (ours, minkref_rows(events, events.of_kind("arrangement"))),
-        "pair search": (
-            Counter({r: n for r, n in ours.items() if r[1] != "triple" and r[2] != "swap"}),
-            pair_search_rows(_core.pair_events(P_set, Q_set)),
-        ),
+    table.several_places += sum(count > 1 for count in Counter(row[:4] for row in ours).values())
+    known = Counter({row: n for row, n in ours.items() if row[1] != "triple" and row[2] != "swap"})
+    mine = Counter(edge.parents for edge in edges)
+    theirs = Counter(parents_of(row) for row in _core.reduced_convolution(P_set, Q_set))
+    listed: dict[str, tuple[list[Any], list[Any]]] = {
+        "convolution": (list((mine - theirs).elements()), list((theirs - mine).elements())),
+        "arrangement": unmatched(ours, minkref_rows(events, events.of_kind("arrangement"))),
+        "pair search": unmatched(known, pair_search_rows(_core.pair_events(P_set, Q_set))),
     }
-    for what, (mine, theirs) in listed.items():
-        extra, missing = list((mine - theirs).elements()), list((theirs - mine).elements())
+    for what, (extra, missing) in listed.items():
         if extra or missing:
-            difference = Difference(
-                P, Q, sorted(map(show, extra))[:20], sorted(map(show, missing))[:20]
-            )
-            table.note(what, difference)
-
-
-def show(row: Any) -> str:
-    return " ".join(str(sorted(x) if isinstance(x, frozenset) else x) for x in row)
+            shown = sorted(map(show, extra))[:20], sorted(map(show, missing))[:20]
+            table.note(what, Difference(P, Q, *shown))
 
 
 def compare(seed: int, pairs: int, triples: int) -> Table:

@@ -79,6 +79,15 @@ def test_a_crossing_that_passes_an_end_on_a_common_line_is_no_swap_of_edges() ->
     assert meeting_scales((a, b, c)) == [Interval(Rational(2), Rational(8))]
 
 
+def test_ends_that_pass_on_a_common_line_are_told_for_the_third_too() -> None:
+    """[0,2] and [5-s,6-s] on [-9,9]: they meet from 3 to 6, ends are level at 4 and at 5."""
+    a, b = t_edge((0, 0), (0, 0), (2, 0)), t_edge((-1, 0), (5, 0), (6, 0))
+    c = t_edge((0, 0), (-9, 0), (9, 0))
+    assert triple_events((a, b, c)) == []
+    along_c = [(str(e.s), str(e.at[0])) for e, third in ends_passed((a, b, c)) if third == 2]
+    assert along_c == [("3", "2"), ("4", "2"), ("5", "0"), ("6", "0")]
+
+
 def test_events_do_not_depend_on_the_order_of_the_segments() -> None:
     for triple in drawn(120):
         for a, b, c in permutations(triple):
