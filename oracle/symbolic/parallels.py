@@ -34,11 +34,9 @@ def parallel_events(first: MovingSegment, second: MovingSegment) -> list[Event]:
     if not always_on_one_line(first, second):
         events = bounds(found, first, second)
         return [Event(e.s, "overlap" if e.to else e.change, e.at, e.to) for e in events]
-    limits = [] if found is None else [found.low, found.high]
-    swaps = [e for e in passings(first, second) if e.s not in limits]
-    return sorted(
-        [*bounds(found, first, second), *swaps], key=lambda event: (event.s, event.change, event.at)
-    )
+    # Contact just below and just above a passing: it is no end of the contact.
+    events = [*bounds(found, first, second), *passings(first, second)]
+    return sorted(events, key=lambda event: (event.s, event.change, event.at))
 
 
 def passings(first: MovingSegment, second: MovingSegment) -> list[Event]:

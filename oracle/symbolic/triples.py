@@ -82,11 +82,14 @@ def ends_passed(triple: Triple) -> Iterator[tuple[Event, int]]:
             a, b = ([reach(x, along, s) for s in sides] for x in (first, second))
             if not all(a) or not all(b):
                 continue
+            passed = set()
             # The ends are in one order along the third at every scale.
             for m, n in product((0, 1), repeat=2):
                 below, there, above = (x[m] - y[n] for x, y in zip(a, b, strict=True))
                 if there == 0 and below * above < 0:
-                    yield Event(mark, "swap", place(along, a[1][m], mark)), third
+                    passed.add(place(along, a[1][m], mark))
+            for at in sorted(passed):
+                yield Event(mark, "swap", at), third
 
 
 def reach(segment: MovingSegment, along: MovingSegment, s: Rational) -> list[Rational]:

@@ -28,6 +28,7 @@ from symbolic_operands import star
 SEED = 1729
 SLOT = [(0, 0), (12, 0), (12, 6), (8, 6), (8, 2), (4, 2), (4, 6), (0, 6)]
 mp.dps = 60
+ROUNDING = mpf(10) ** -50
 
 
 def random_ring(rng: random.Random, size: int, corners: int) -> list[tuple[int, int]]:
@@ -251,6 +252,40 @@ def test_a_scan_over_scales_finds_no_other_event() -> None:
     assert changes > 30 and 10 * level < pairs
 
 
+def test_features_that_meet_reach_the_point_of_contact() -> None:
+    """Angle on an arc and reach on an edge, in 60 digits, against the exact answer."""
+    print(f"seed {SEED}")
+    rng = random.Random(SEED)
+    seen = {True: 0, False: 0}
+    for _ in range(24):
+        ring = random_ring(rng, 6, 6)
+        for a, b in combinations([*offsets(ring), *arcs(ring)], 2):
+            for event in pair_disc_events(a, b, Rational(1)):
+                if event.scale.value is None or event.at is None:
+                    continue
+                s = decimal(event.scale.value)
+                x, y = (decimal(k) for k in event.at)
+                there = all(reached(f, x, y, s) for f in (a, b))
+                assert event.meet == there
+                seen[there] += 1
+    assert min(seen.values()) > 50
+
+
+def reached(feature: Any, x: Any, y: Any, s: Any) -> bool:
+    """Whether a point of its line or circle belongs to the feature itself."""
+    if isinstance(feature, Arc):
+        off = mp.atan2(y - int(feature.centre[1]), x - int(feature.centre[0]))
+        first, last = (
+            mp.atan2(-int(e.edge[0]), int(e.edge[1])) for e in (feature.before, feature.after)
+        )
+        turn, reach = ((angle - first + ROUNDING) % (2 * mp.pi) for angle in (last, off))
+        return bool(reach <= turn + ROUNDING)
+    p = place(feature.p, feature, s)
+    e = [mpf(int(k)) for k in feature.edge]
+    t = ((x - p[0]) * e[0] + (y - p[1]) * e[1]) / (e[0] ** 2 + e[1] ** 2)
+    return bool(-ROUNDING <= t <= 1 + ROUNDING)
+
+
 def test_scales_satisfy_the_definition_in_sixty_digits() -> None:
     """The distance of the end from the line or the circle, and of the circle from the line or the
     other circle, is the radius up to rounding."""
@@ -267,5 +302,5 @@ def test_scales_satisfy_the_definition_in_sixty_digits() -> None:
                 p, e = ([mpf(int(k)) for k in v] for v in (b.p, b.edge))
                 from_line = ((x - p[0]) * e[1] - (y - p[1]) * e[0]) / mp.hypot(*e)
                 from_centre = mp.hypot(x - int(a.centre[0]), y - int(a.centre[1]))
-                assert abs(from_line - radius) < mpf(10) ** -50
-                assert abs(from_centre - radius) < mpf(10) ** -50
+                assert abs(from_line - radius) < ROUNDING
+                assert abs(from_centre - radius) < ROUNDING

@@ -54,6 +54,12 @@ def test_segments_that_end_where_the_other_begins_have_no_events() -> None:
     assert events(s_edge((0, 0), (1, 0), (0, 0)), t_edge((1, 0), (0, 0), (2, 0))) == []
 
 
+def test_ends_that_are_one_point_at_all_scales_do_not_pass() -> None:
+    """[0,s] and [0,2]: only the right ends pass."""
+    a, b = s_edge((0, 0), (1, 0), (0, 0)), t_edge((0, 0), (0, 0), (2, 0))
+    assert events(a, b) == [("2", "swap", at(2, 0), None)]
+
+
 def test_ends_that_pass_at_one_scale_in_two_places_are_two_swaps() -> None:
     """[-s,s] and [-2,2]: both ends pass at once."""
     a, b = s_edge((-1, 0), (1, 0), (0, 0)), t_edge((0, 0), (-2, 0), (2, 0))
