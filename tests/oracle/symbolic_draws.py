@@ -7,6 +7,7 @@ import random
 from symbolic.moving import MovingSegment, s_edge, t_edge
 
 Vector = tuple[int, int]
+Row = tuple[Vector, Vector, Vector]
 RELATIONS = (
     "free",
     "free",
@@ -35,7 +36,7 @@ def build(kind: str, p: Vector, q: Vector, d: Vector) -> MovingSegment:
     return s_edge(p, add(p, d), q) if kind == "S" else t_edge(p, q, add(q, d))
 
 
-def draw_rows(rng: random.Random, kinds: str, size: int) -> tuple[list[tuple[Vector, ...]], str]:
+def draw_rows(rng: random.Random, kinds: str, size: int) -> tuple[list[Row], str]:
     """Rows (p, q, d) of segments, and the relation of all to the first."""
     relation = rng.choice(RELATIONS)
     rows = [(vector(rng, size), vector(rng, size), vector(rng, size, nonzero=True))]

@@ -11,7 +11,7 @@ from symbolic.moving import MovingSegment
 from symbolic.pairs import contact_set
 from symbolic.rational import text
 from symbolic_comparison import is_degenerate
-from symbolic_draws import Vector, build, draw_rows
+from symbolic_draws import Row, build, draw_rows
 
 TYPES = ("SS", "ST", "TT")
 Bounds = tuple[str | None, str | None] | None
@@ -69,5 +69,5 @@ def compare_intervals(seed: int, count: int) -> IntervalTable:
     return table
 
 
-def flat(row: tuple[Vector, ...]) -> tuple[int, ...]:
+def flat(row: Row) -> tuple[int, ...]:
     return tuple(x for vector in row for x in vector)

@@ -18,7 +18,7 @@ from symbolic.disc import (
     three_circles,
     three_lines,
 )
-from symbolic.disc_contact import adjacent, pair_disc_events, polygon_events
+from symbolic.disc_contact import Feature, adjacent, pair_disc_events, polygon_events
 from symbolic.moving import cross
 from symbolic.radicals import Radical, number, square_root
 from symbolic.rational import Rational
@@ -36,7 +36,9 @@ def random_ring(rng: random.Random, size: int, corners: int) -> list[tuple[int, 
     while True:
         ring = star(rng, size, corners)
         around = [*ring[1:], ring[0]]
-        if len(ring) > 3 and all(cross(a, b) > 0 for a, b in zip(ring, around, strict=True)):
+        if len(ring) > 3 and all(
+            a[0] * b[1] > a[1] * b[0] for a, b in zip(ring, around, strict=True)
+        ):
             return ring
 
 
@@ -85,8 +87,8 @@ def test_degrees_are_those_stated_and_reached() -> None:
     }
     # Edges of squared length 5, 10 and 13, no products of which are squares.
     edges = [
-        Offset(p, minus((-d[0], -d[1]), (-p[0], -p[1])))
-        for p, d in (((0, 0), (2, 1)), ((9, 2), (-1, 3)), ((3, 7), (-2, -3)))
+        Offset((Rational(x), Rational(y)), (Rational(x + dx), Rational(y + dy)))
+        for (x, y), (dx, dy) in (((0, 0), (2, 1)), ((9, 2), (-1, 3)), ((3, 7), (-2, -3)))
     ]
     found = three_lines(edges[0], edges[1], edges[2], Rational(1))
     mirrored = [Offset(e.q, e.p) for e in edges]
@@ -231,7 +233,7 @@ def test_a_scan_over_scales_finds_no_other_event() -> None:
     changes = level = pairs = 0
     for _ in range(14):
         ring = random_ring(rng, 6, 6)
-        features = [*offsets(ring), *arcs(ring)]
+        features: list[Feature] = [*offsets(ring), *arcs(ring)]
         for a, b in combinations(features, 2):
             if adjacent(a, b):
                 continue
@@ -259,7 +261,8 @@ def test_features_that_meet_reach_the_point_of_contact() -> None:
     seen = {True: 0, False: 0}
     for _ in range(24):
         ring = random_ring(rng, 6, 6)
-        for a, b in combinations([*offsets(ring), *arcs(ring)], 2):
+        features: list[Feature] = [*offsets(ring), *arcs(ring)]
+        for a, b in combinations(features, 2):
             for event in pair_disc_events(a, b, Rational(1)):
                 if event.scale.value is None or event.at is None:
                     continue
