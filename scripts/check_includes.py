@@ -92,6 +92,8 @@ def check_python(root: Path) -> Iterator[str]:
                 yield f"{relative}:{line}: {room} may not import {name}"
             elif room != "oracle" and level == 0 and first == "oracle":
                 yield f"{relative}:{line}: nobody imports the oracle: {name}"
+            elif room != "fuzz" and level == 0 and name.startswith("minkref.oracle"):
+                yield f"{relative}:{line}: only fuzz/ puts the oracle to use: {name}"
             elif alone and level == 0 and first not in sys.stdlib_module_names:
                 if not name.startswith(alone.replace("/", ".")):
                     yield f"{relative}:{line}: {alone} imports the standard library only: {name}"

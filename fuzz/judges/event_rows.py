@@ -1,0 +1,76 @@
+"""Events of both sides as rows that can be compared."""
+
+from __future__ import annotations
+
+from collections import Counter
+from typing import Any
+
+from minkref.oracle.symbolic.arrangement import ArrangementEvent
+from minkref.oracle.symbolic.convolution import ConvolutionEdge
+from minkref.oracle.symbolic.moving import Point, point_text
+from minkref.oracle.symbolic.pairs import Event
+from minkref.oracle.symbolic.rational import text
+
+# minkref lists as triple events also those in which an end of a segment passes on a common line.
+LISTED_AS = {"end": "triple"}
+Place = frozenset[tuple[str, ...]]
+"""A point, or both ends of a segment in either order."""
+Row = tuple[str, str, str, frozenset[tuple[str, int, int, int, int]], Place]
+"""Scale, kind, change, parents and place."""
+
+
+def ends_of(event: Event) -> list[Point]:
+    return [event.at] if event.to is None else [event.at, event.to]
+
+
+def symbolic_rows(edges: list[ConvolutionEdge], found: list[ArrangementEvent]) -> Counter[Row]:
+    return Counter(
+        (
+            text(each.event.s),
+            LISTED_AS.get(each.kind, each.kind),
+            each.event.change,
+            frozenset(edges[i].parents for i in each.segments),
+            frozenset((x, y) for x, y in map(point_text, ends_of(each.event))),
+        )
+        for each in found
+    )
+
+
+def parents_of(row: tuple[str, int, int, int, int, int]) -> tuple[str, int, int, int, int]:
+    return row[0], *row[2:]
+
+
+def minkref_rows(events: Any, which: list[int]) -> Counter[Row]:
+    edges = [parents_of(row) for row in events.edges()]
+    return Counter(
+        (s, kind, change, frozenset(edges[i] for i in members), frozenset({at, to or at}))
+        for s, kind, change, members, at, to in events.rows(which)
+    )
+
+
+def pair_search_rows(found: Any) -> Counter[Row]:
+    """Those of the search that knows pair and parallel events only."""
+    edges = [parents_of(row) for row in found.edges()]
+    return Counter(
+        (
+            s,
+            "parallel" if level else "pair",
+            change,
+            frozenset((edges[a], edges[b])),
+            frozenset({at, to or at}),
+        )
+        for s, _, change, level, a, b, at, to in found.rows(0, len(found))
+    )
+
+
+def unmatched(mine: Counter[Row], theirs: Counter[Row]) -> tuple[list[Row], list[Row]]:
+    """Rows that only one side has. Where two segments pass each other in several places at one
+    scale, minkref lists one event, at one of them: it has to be one of ours, and listed once."""
+    missing = list((theirs - mine).elements())
+    named = Counter(row[:4] for row in theirs.elements())
+    extra = [row for row in (mine - theirs).elements() if row[:4] not in named]
+    return extra, missing + [row for row in theirs if named[row[:4]] > 1]
+
+
+def show(row: Any) -> str:
+    return " ".join(str(sorted(x) if isinstance(x, frozenset) else x) for x in row)

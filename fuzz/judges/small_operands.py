@@ -1,0 +1,82 @@
+"""Small random polygons for the symbolic oracle: often degenerate, so on small grids."""
+
+from __future__ import annotations
+
+import json
+import random
+from collections.abc import Sequence
+from math import atan2
+
+from minkref.api import BadInput, PolygonSet
+
+Corner = tuple[int, int]
+Rings = list[list[Corner]]
+
+
+def area2(ring: Sequence[Corner]) -> int:
+    following = [*ring[1:], ring[0]]
+    return sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(ring, following, strict=True))
+
+
+def star(rng: random.Random, size: int, corners: int) -> list[Corner]:
+    """Corners of a grid around its middle, in the order of their angle; it may be no polygon."""
+    points = {(rng.randint(-size, size), rng.randint(-size, size)) for _ in range(corners)}
+    cx, cy = rng.uniform(-size, size) / 3, rng.uniform(-size, size) / 3
+    return sorted(points, key=lambda p: atan2(p[1] - cy, p[0] - cx))
+
+
+def stairs(rng: random.Random, size: int) -> list[Corner]:
+    """An L: all its edges are parallel to an axis."""
+    x, y = rng.randint(2, size + 1), rng.randint(2, size + 1)
+    u, v = rng.randint(1, x - 1), rng.randint(1, y - 1)
+    return [(0, 0), (x, 0), (x, v), (u, v), (u, y), (0, y)]
+
+
+def comb(rng: random.Random, size: int) -> list[Corner]:
+    """Two teeth as high as each other, up or down: edges that lie on one line."""
+    x = [0]
+    for _ in range(3):
+        x.append(x[-1] + rng.randint(1, size + 1))
+    ring = [(0, 0), (x[3], 0), (x[3], 2), (x[2], 2), (x[2], 1), (x[1], 1), (x[1], 2), (0, 2)]
+    return ring if rng.random() < 0.5 else [(-a, -b) for a, b in ring]
+
+
+def framed(rng: random.Random, size: int) -> Rings:
+    """A square with a star for a hole."""
+    far = size + rng.randint(1, 2)
+    frame = [(-far, -far), (far, -far), (far, far), (-far, far)]
+    return [frame, star(rng, size, rng.randint(3, 4))[::-1]]
+
+
+def random_rings(rng: random.Random, size: int) -> Rings:
+    shape = rng.randrange(6)
+    if shape == 0:
+        return [stairs(rng, size)]
+    if shape == 1:
+        return framed(rng, size)
+    if shape == 2:
+        return [comb(rng, size)]
+    return [star(rng, size, rng.randint(3, 6))]
+
+
+def as_set(rings: Rings) -> PolygonSet:
+    outer, *holes = [[[str(x), str(y)] for x, y in ring] for ring in rings]
+    return PolygonSet.from_json(json.dumps({"polygons": [{"outer": outer, "holes": holes}]}))
+
+
+def random_operand(rng: random.Random, size: int) -> tuple[Rings, PolygonSet]:
+    """Rings of a valid operand; shifted, so that the centre of scaling is anywhere."""
+    while True:
+        rings = random_rings(rng, size)
+        if any(len(ring) < 3 for ring in rings):
+            continue
+        if area2(rings[0]) <= 0 or any(area2(hole) >= 0 for hole in rings[1:]):
+            continue
+        dx, dy = rng.randint(-size, size), rng.randint(-size, size)
+        rings = [[(x + dx, y + dy) for x, y in ring] for ring in rings]
+        found = as_set(rings)
+        try:
+            found.validate()
+        except BadInput:
+            continue
+        return rings, found
