@@ -26,6 +26,7 @@ from minkref.exact import approximate, read_scale
 from minkref.fuzz.least_precision import MOST_BITS, least_precision
 from minkref.operand import Operand, read_operand
 from minkref.options import Json, Schema
+from minkref.progress import progress
 from minkref.terminal import console, counted, lines, shown
 
 EXAMPLES = """Examples:
@@ -111,7 +112,9 @@ def command(
     if output is not None:
         check_spares(output, [first.source, second.source])
     where = f"{first.name} and {second.name}"
-    found = refusing(where, lambda: find_events(first.set, second.set, window, kind, form))
+    with progress(1) as line:
+        line.now(f"finding all {kind} events")
+        found = refusing(where, lambda: find_events(first.set, second.set, window, kind, form))
     pairs = (
         found.found
         if isinstance(found, PairEventList)
