@@ -91,7 +91,7 @@ def is_star(corners: tuple[Vertex, ...]) -> bool:
 
 
 def mesh(rng: random.Random, cells: int) -> Mesh:
-    step, jitter = rng.choice(((1, 0), (1, 0), (4, 1), (12, 4)))
+    step, jitter = rng.choice(((1, 0), (1, 0), (6, 1), (12, 2)))
     at = {
         (i, j): (step * i + rng.randint(-jitter, jitter), step * j + rng.randint(-jitter, jitter))
         for i in range(cells + 1)
