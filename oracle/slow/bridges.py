@@ -62,8 +62,9 @@ def blocked(walk: list[Vector], a: Vector, b: Vector) -> bool:
 
 
 def joined(part: Component) -> list[Vector]:
-    """The closed walk. Holes are taken from the left: of the vertices before a hole's least one, in
-    lexicographic order, one of the outer walk is seen from there, and no later hole is in between."""
+    """The closed walk. Holes are taken from the left: of the vertices before a hole's least one,
+    in lexicographic order, one of the outer walk is seen from there, and no later hole is in
+    between."""
     rings = hole_walks(part)
     walk = rings[0]
     for hole in sorted(rings[1:], key=min):

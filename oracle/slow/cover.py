@@ -1,10 +1,11 @@
 """All sums of a piece of P and a piece of Q at one side of a scale, and the lines of their edges.
 
-The sum of two pieces is kept as half-planes cross(f, x) >= o. Its edges lie on lines cross(d, x) = offset; a place on
-a line is u = dot(d, x), so the point is (u d.x - offset d.y, u d.y + offset d.x) / dot(d, d).
+The sum of two pieces is kept as half-planes cross(f, x) >= o. Its edges lie on lines cross(d, x) =
+offset; a place on a line is u = dot(d, x), so the point is (u d.x - offset d.y, u d.y + offset d.x)
+/ dot(d, d).
 
-Edges that come from an inner diagonal alone are left out: an open diagonal lies in the interior of its
-operand, so its sum with anything lies in the sum of the interiors, and bounds nothing.
+Edges that come from an inner diagonal alone are left out: an open diagonal lies in the interior of
+its operand, so its sum with anything lies in the sum of the interiors, and bounds nothing.
 """
 
 from __future__ import annotations
@@ -21,8 +22,9 @@ Place = tuple[Number, Number, int]  # key, and u as numerator and denominator
 
 @dataclass
 class Line:
-    """The edges of convex sums on one line, as closed intervals of u: those that run along d, with the sum to the
-    left, and those that run against it; and open intervals that lie inside of a convex sum."""
+    """The edges of convex sums on one line, as closed intervals of u: those that run along d,
+    with the sum to the left, and those that run against it; and open intervals that lie inside
+    of a convex sum."""
 
     d: Vector
     offset: Number
@@ -32,8 +34,8 @@ class Line:
 
 
 class Cover:
-    """The convex sums of all pairs of pieces. Cost of `lines`: directions of the boundary times pairs, and lines
-    times pairs that they pass."""
+    """The convex sums of all pairs of pieces. Cost of `lines`: directions of the boundary times
+    pairs, and lines times pairs that they pass."""
 
     def __init__(self, frame: Frame, side: Side, all_edges: bool = False) -> None:
         self.frame = frame
@@ -43,7 +45,9 @@ class Cover:
         if all_edges:
             self.directions = sorted({d for d in frame.directions if d > (0, 0)})
             self.directions += [
-                (-x, -y) for x, y in frame.directions if (-x, -y) > (0, 0) and (-x, -y) not in self.directions
+                (-x, -y)
+                for x, y in frame.directions
+                if (-x, -y) > (0, 0) and (-x, -y) not in self.directions
             ]
         # cross(f, d) of any two directions is below 2 longest^2: see germ.py for the shift.
         self.shift = 2 * (2 * frame.longest**2).bit_length()
@@ -70,7 +74,8 @@ class Cover:
         )
 
     def lines(self) -> Iterator[Line]:
-        """Each line that carries an edge which can be a part of the boundary or of a tight passage."""
+        """Each line that carries an edge which can be a part of the boundary or of a tight
+        passage."""
         for d in self.directions:
             lines: dict[Number, Line] = {}
             lows, highs = self.edges(d, lines)
@@ -84,9 +89,7 @@ class Cover:
     def whole(self, u: Number) -> Place:
         return (u << self.shift, u, 1)
 
-    def edges(
-        self, d: Vector, lines: dict[Number, Line]
-    ) -> tuple[list[Number], list[Number]]:
+    def edges(self, d: Vector, lines: dict[Number, Line]) -> tuple[list[Number], list[Number]]:
         """Fills in the edges along and against d; returns the range of cross(d, x) of each pair."""
         of_p, of_q = self.side.of_p, self.side.of_q
         lows: list[Number] = []

@@ -1,9 +1,9 @@
 """Triangles of a closed walk that does not cross itself, by clipping ears. Exact, in integers.
 
-The walk may pass a vertex or a diagonal twice (rings that touch, bridges). A corner is an ear iff it turns
-left, its diagonal leaves both of its ends into the interior, and no other vertex is in the triangle. The
-boundary of the rest is one walk, so what enters a triangle has a vertex in it that is not convex: only those are
-tested. Cost: quadratic at worst.
+The walk may pass a vertex or a diagonal twice (rings that touch, bridges). A corner is an ear iff
+it turns left, its diagonal leaves both of its ends into the interior, and no other vertex is in the
+triangle. The boundary of the rest is one walk, so what enters a triangle has a vertex in it that is
+not convex: only those are tested. Cost: quadratic at worst.
 """
 
 from __future__ import annotations
@@ -13,14 +13,14 @@ from .exact import InputError, Vector, cross
 
 
 def triangles(walk: list[Vector]) -> list[list[Vector]]:
-    """Counter-clockwise triangles whose interiors are disjoint and whose union is what the walk bounds."""
+    """Counter-clockwise triangles whose interiors are disjoint and whose union is what the walk
+    bounds."""
     n = len(walk)
     after = [*range(1, n), 0]
     before = [n - 1, *range(n - 1)]
 
     def turn(i: int) -> int:
-        a, b, c = walk[before[i]], walk[i], walk[after[i]]
-        return (b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0])
+        return cross(minus(walk[i], walk[before[i]]), minus(walk[after[i]], walk[i]))
 
     blunt = {i for i in range(n) if turn(i) <= 0}
     found: list[list[Vector]] = []

@@ -1,9 +1,9 @@
 """What two operands in convex pieces have at all scales: directions and, along each, supports.
 
-For a direction d (integer, primitive) a convex piece has the least value of cross(d, x), the points where
-it is attained (its face: a vertex or an edge in direction d, with the piece on its left), and the ends of this
-face along d. All of them add under Minkowski sums, times the scale for P, so no vertex of a convex
-sum is ever made.
+For a direction d (integer, primitive) a convex piece has the least value of cross(d, x), the points
+where it is attained (its face: a vertex or an edge in direction d, with the piece on its left), and
+the ends of this face along d. All of them add under Minkowski sums, times the scale for P, so no
+vertex of a convex sum is ever made.
 """
 
 from __future__ import annotations
@@ -24,7 +24,9 @@ def face(piece: Piece, d: Vector) -> Face:
     offsets = [dx * y - dy * x for x, y in piece.points]
     least = min(offsets)
     along = [
-        dx * p[0] + dy * p[1] for p, offset in zip(piece.points, offsets, strict=True) if offset == least
+        dx * p[0] + dy * p[1]
+        for p, offset in zip(piece.points, offsets, strict=True)
+        if offset == least
     ]
     return least, min(along), max(along)
 
@@ -67,9 +69,9 @@ class Frame:
         return bits_needed(size, denominator, self.longest)
 
     def flat_passages(self) -> list[tuple[Vector, Face, Face]]:
-        """Where one operand is a segment: (d, face of P, face of Q) of each diagonal of the other that is parallel
-        to it. The open diagonal plus the segment is in the sum of the relative interiors, and no sum
-        of a piece has it inside."""
+        """Where one operand is a segment: (d, face of P, face of Q) of each diagonal of the
+        other that is parallel to it. The open diagonal plus the segment is in the sum of the
+        relative interiors, and no sum of a piece has it inside."""
         flat, other = (self.P, self.Q) if self.P.is_flat else (self.Q, self.P)
         found = []
         for piece in flat.pieces if flat.is_flat else []:

@@ -1,6 +1,8 @@
-"""Which holes and components just below a scale go on just above it (docs/definitions.md, "Identity").
+"""Which holes and components just below a scale go on just above it (docs/definitions.md,
+"Identity").
 
-At the scale itself the open set falls into parts; each part belongs to a component below and to one above.
+At the scale itself the open set falls into parts; each part belongs to a component below and to one
+above.
 """
 
 from __future__ import annotations
@@ -69,8 +71,8 @@ def hole_links(below: State, at: State, above: State) -> list[Link]:
 
 
 def component_links(below: State, at: State, above: State) -> list[Link]:
-    """Components of the interior. Tight segments are cut out first: what they part at the scale may be parted just
-    below or above."""
+    """Components of the interior. Tight segments are cut out first: what they part at the scale
+    may be parted just below or above."""
     triples: list[Triple] = []
     parts, edges = sub_parts(at)
     for part in parts:
@@ -83,7 +85,8 @@ def component_links(below: State, at: State, above: State) -> list[Link]:
 
 
 def sub_parts(at: State) -> tuple[list[Component], list[Edge]]:
-    """The components of the interior without its tight segments, and all edges, cut at all nodes."""
+    """The components of the interior without its tight segments, and all edges, cut at all
+    nodes."""
     if not at.outline.slits:
         return at.interior, at.outline.edges
     slits = [way for slit in at.outline.slits for way in (slit, slit.reversed())]

@@ -34,9 +34,10 @@ def checked_frame(P: Operand, Q: Operand, scale: Fraction) -> Frame:
 
 
 def minkowski_sum(P: Operand, Q: Operand, scale: Fraction = Fraction(1)) -> Sum:
-    """sP + Q with its tight passages. Exact. InputError if the scale is not positive, both operands are flat, or
-    rings of an operand cross. Cost: about (boundary edges of P times vertices of Q, and the other way round)
-    times the pairs of convex pieces that each line passes."""
+    """sP + Q with its tight passages. Exact. InputError if the scale is not positive, both
+    operands are flat, or rings of an operand cross. Cost: about (boundary edges of P times
+    vertices of Q, and the other way round) times the pairs of convex pieces that each line
+    passes."""
     return sum_of(state(checked_frame(P, Q, scale), scale))
 
 
@@ -45,6 +46,4 @@ def sum_of(at: State) -> Sum:
     parts = [[[(x.value, y.value) for x, y in ring] for ring in part] for part in at.rings]
     polygons = [Polygon(part[0], part[1:]) for part in parts]
     tight = [[(x.value, y.value) for x, y in map(at.place, p)] for p in pieces(at.outline)]
-    return Sum(
-        polygons, len(at.interior), len(at.complement), at.area[0], digest(polygons), tight
-    )
+    return Sum(polygons, len(at.interior), len(at.complement), at.area[0], digest(polygons), tight)

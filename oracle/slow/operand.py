@@ -1,7 +1,7 @@
 """Operands: a polygon set, a segment, a point or the empty set, and the JSON texts that hold one.
 
-Checked: numbers, structure, numbers of vertices, edges of length zero, rings of area zero, and that a
-segment or point stands alone. That rings are simple and do not cross is taken on trust; the
+Checked: numbers, structure, numbers of vertices, edges of length zero, rings of area zero, and that
+a segment or point stands alone. That rings are simple and do not cross is taken on trust; the
 triangulation notices most of the rest and says so.
 """
 
@@ -66,8 +66,9 @@ def turned(ring: Ring, sign: int, where: str, as_given: bool) -> Ring:
 
 
 def operand_of(parts: list[tuple[Ring, list[Ring]]], as_given: bool = False) -> Operand:
-    """An operand of polygons (outer ring, holes); an outer ring of one or two vertices is a point
-    or a segment. Rings are turned as their role demands, or refused if they are taken `as_given`."""
+    """An operand of polygons (outer ring, holes); an outer ring of one or two vertices is a
+    point or a segment. Rings are turned as their role demands, or refused if they are taken
+    `as_given`."""
     if any(len(outer) < 3 for outer, _ in parts):
         (outer, holes), *more = parts
         if more or holes:
@@ -109,8 +110,9 @@ def ring_from_json(value: object) -> Ring:
 
 
 def operand_from_json(value: object, as_given: bool = False) -> Operand:
-    """The operand of `{"polygons": [{"outer": ring, "holes": [ring, ...]}, ...]}`. Coordinates are strings,
-    integers or fractions; a float is refused, since it may not be the number that was meant."""
+    """The operand of `{"polygons": [{"outer": ring, "holes": [ring, ...]}, ...]}`. Coordinates
+    are strings, integers or fractions; a float is refused, since it may not be the number that
+    was meant."""
     if not isinstance(value, Mapping) or "polygons" not in value:
         raise InputError("an operand is an object with the member polygons")
     check_members(value, {"polygons"})

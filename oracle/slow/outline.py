@@ -1,12 +1,14 @@
-"""The exact union of the convex sums: its boundary edges, and what no open convex sum covers inside.
+"""The exact union of the convex sums: its boundary edges, and what no open convex sum covers
+inside.
 
-On each line the closed intervals of edges are cut by the open intervals inside of a convex sum. What is left is
-on the boundary where edges run one way, and a tight segment where they run both ways, since then both sides
-are covered. A point of an edge that no open sum covers, between two stretches that open sums cover, is a
-tight point if it is neither on the boundary nor on a tight segment.
+On each line the closed intervals of edges are cut by the open intervals inside of a convex sum.
+What is left is on the boundary where edges run one way, and a tight segment where they run both
+ways, since then both sides are covered. A point of an edge that no open sum covers, between two
+stretches that open sums cover, is a tight point if it is neither on the boundary nor on a tight
+segment.
 
-Why this finds all of them: a point that the union covers and no open sum does lies on the boundary of
-each convex sum it is in, and on an edge of one of them that comes from a boundary edge of P or Q
+Why this finds all of them: a point that the union covers and no open sum does lies on the boundary
+of each convex sum it is in, and on an edge of one of them that comes from a boundary edge of P or Q
 (README.md, "Why inner diagonals may be left out").
 """
 
@@ -23,7 +25,8 @@ from .walks import Edge, Node, Plane
 @dataclass
 class Outline:
     """Boundary edges with the sum on their left, cut at all nodes; tight segments and points.
-    `slits` has one edge of the two for each tight segment, cut at the nodes of the boundary and of each other."""
+    `slits` has one edge of the two for each tight segment, cut at the nodes of the boundary and
+    of each other."""
 
     plane: Plane = field(default_factory=Plane)
     edges: list[Edge] = field(default_factory=list)
@@ -77,7 +80,8 @@ Stretch = tuple[Place, Place]
 
 
 def stretches(line: Line) -> tuple[list[Stretch], list[Stretch], list[Stretch], list[Place]]:
-    """The line's boundary along d, against d, its tight segments, and places that are covered on both sides only."""
+    """The line's boundary along d, against d, its tight segments, and places that are covered on
+    both sides only."""
     places: dict[Number, Place] = {}
     # Per place: how many intervals of edges along, against and of inside begin there and end there.
     begins: dict[Number, list[int]] = {}

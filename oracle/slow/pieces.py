@@ -1,11 +1,14 @@
-"""Operands as convex pieces: triangles by clipping ears, then diagonals removed while pieces stay convex.
+"""Operands as convex pieces: triangles by clipping ears, then diagonals removed while pieces stay
+convex.
 
-The pieces' interiors are disjoint, their union is the operand, and each diagonal is an open segment in
-the interior of the operand; no vertex of a piece is. Coordinates are integers. Cost: quadratic at worst.
+The pieces' interiors are disjoint, their union is the operand, and each diagonal is an open segment
+in the interior of the operand; no vertex of a piece is. Coordinates are integers. Cost: quadratic
+at worst.
 """
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import dataclass, field
 from math import lcm
 
@@ -20,8 +23,8 @@ from .walks import Edge, Plane, components
 class Piece:
     """A convex polygon, counter-clockwise without straight vertices, a segment or a point.
 
-    `edges`: the directions of the edges, with whether a part of the edge is on the boundary of the operand.
-    A segment has both of its directions, a point none.
+    `edges`: the directions of the edges, with whether a part of the edge is on the boundary of the
+    operand. A segment has both of its directions, a point none.
     """
 
     points: list[Vector]
@@ -76,7 +79,9 @@ def boundary_of(operand: Operand, unit: int) -> tuple[Plane, list[Edge]]:
             primitive(b[0] - a[0], b[1] - a[1])
             for a, b in zip(points, points[1:] + points[:1], strict=True)
         ]
-        kept = [(p, d) for i, (p, d) in enumerate(zip(points, ways, strict=True)) if ways[i - 1] != d]
+        kept = [
+            (p, d) for i, (p, d) in enumerate(zip(points, ways, strict=True)) if ways[i - 1] != d
+        ]
         for (p, d), (q, _) in zip(kept, kept[1:] + kept[:1], strict=True):
             plane.points[p] = (*p, 1)
             edges.append(Edge(p, q, d, cross(d, p)))
@@ -104,7 +109,7 @@ def merged(
             continue
         whole = one + other[1:-1]
         rings[left], rings[right] = whole, []
-        for c, d in zip(other, other[1:], strict=False):
+        for c, d in itertools.pairwise(other):
             whose[c, d] = left
     return [ring for ring in rings if ring], kept
 

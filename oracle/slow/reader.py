@@ -1,7 +1,7 @@
 """Files: plain JSON, cases (`file.json#P`, `file.json#Q`), well-known text, `.poly`.
 
-The formats are those of docs/formats.md; GeoJSON is not read. Errors are `InputError`s that name the
-file. Cost: linear in the text, for `.poly` also holes times vertices.
+The formats are those of docs/formats.md; GeoJSON is not read. Errors are `InputError`s that name
+the file. Cost: linear in the text, for `.poly` also holes times vertices.
 """
 
 from __future__ import annotations

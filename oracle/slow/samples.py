@@ -1,8 +1,9 @@
 """Rational points inside of components at a scale, and where they lie just below or above it.
 
-A point of the sum of the interiors stays in it, with a ball around, at all scales nearby, and so does a point
-of the complement of the sum. So a sample that is on no boundary edge and on no tight segment at the scale
-lies inside of one component just below it and of one just above it, and no boundary comes close to it.
+A point of the sum of the interiors stays in it, with a ball around, at all scales nearby, and so
+does a point of the complement of the sum. So a sample that is on no boundary edge and on no tight
+segment at the scale lies inside of one component just below it and of one just above it, and no
+boundary comes close to it.
 """
 
 from __future__ import annotations
@@ -17,8 +18,9 @@ from .walks import Component, Edge, Plane
 
 
 def sample(plane: Plane, part: Component, edges: Sequence[Edge], unit: int) -> Point:
-    """A point of the component: from the middle of an edge of the outer ring, half the way to the left
-    to the first edge of all `edges`, which contain those of the component and are cut at all nodes."""
+    """A point of the component: from the middle of an edge of the outer ring, half the way to
+    the left to the first edge of all `edges`, which contain those of the component and are cut
+    at all nodes."""
     start = part.outer[0]
     x, y, den = plane.middle(start)
     middle = (Fraction(x, den), Fraction(y, den))
@@ -30,9 +32,7 @@ def sample(plane: Plane, part: Component, edges: Sequence[Edge], unit: int) -> P
     )
 
 
-def hits(
-    plane: Plane, middle: Point, way: Vector, edges: Sequence[Edge]
-) -> Iterator[Fraction]:
+def hits(plane: Plane, middle: Point, way: Vector, edges: Sequence[Edge]) -> Iterator[Fraction]:
     """The parameters t > 0 at which middle + t way is on an edge."""
     mx, my = middle
     level = way[0] * my - way[1] * mx  # cross(way, x) on the ray

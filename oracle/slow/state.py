@@ -19,9 +19,10 @@ Ring = list[tuple[Track, Track]]
 
 @dataclass
 class State:
-    """`rings`: for each component of the interior its outer ring and its holes, in canonical form and order.
-    `interior` and `complement` are the components of both open sets, in the order of their rings; the unbounded
-    component of the complement is not among them. `area` is a0 + a1 (s - s0) + a2 (s - s0)^2.
+    """`rings`: for each component of the interior its outer ring and its holes, in canonical form
+    and order. `interior` and `complement` are the components of both open sets, in the order of
+    their rings; the unbounded component of the complement is not among them. `area` is a0 + a1 (s -
+    s0) + a2 (s - s0)^2.
     """
 
     side: Side
@@ -33,7 +34,8 @@ class State:
 
     @property
     def shape(self) -> list[list[int]]:
-        """The number of vertices of each ring: of each component first the outer one, then the holes."""
+        """The number of vertices of each ring: of each component first the outer one, then the
+        holes."""
         return [[len(ring) for ring in part] for part in self.rings]
 
     @property

@@ -1,7 +1,7 @@
 """Tight segments and points as pieces (docs/definitions.md, "Tight passages", "Pieces").
 
-The segments come from the definition: no sum of the interiors of two pieces covers them, sums of closed pieces
-cover both their sides. Here they are put together to maximal polylines.
+The segments come from the definition: no sum of the interiors of two pieces covers them, sums of
+closed pieces cover both their sides. Here they are put together to maximal polylines.
 """
 
 from __future__ import annotations
@@ -13,10 +13,11 @@ from .walks import Edge, Node
 
 
 def pieces(found: Outline) -> list[list[Node]]:
-    """The pieces in canonical form and order. A polyline passes a node where exactly two segments meet.
+    """The pieces in canonical form and order. A polyline passes a node where exactly two segments
+    meet.
 
-    Cost: linear, and sorting. Segments are cut at each other's ends and at nodes of the boundary first,
-    so those that cross meet in a node too.
+    Cost: linear, and sorting. Segments are cut at each other's ends and at nodes of the boundary
+    first, so those that cross meet in a node too.
     """
     at: dict[Node, list[Edge]] = defaultdict(list)
     for edge in found.slits:

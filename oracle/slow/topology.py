@@ -1,4 +1,5 @@
-"""What the sum is at, just below and just above a scale, and what changes there, without any event being known."""
+"""What the sum is at, just below and just above a scale, and what changes there, without any
+event being known."""
 
 from __future__ import annotations
 
@@ -16,8 +17,9 @@ Cycle = tuple[Corner, ...]
 
 @dataclass(frozen=True)
 class Topology:
-    """`boundary_changes`: vertices of the boundary or their order change at the scale, or the boundary touches itself
-    there and not nearby. `topology_changes`: a hole or component is born, dies, merges, splits or touches."""
+    """`boundary_changes`: vertices of the boundary or their order change at the scale, or the
+    boundary touches itself there and not nearby. `topology_changes`: a hole or component is
+    born, dies, merges, splits or touches."""
 
     below: State
     at: State
@@ -35,8 +37,9 @@ class Topology:
 def topology(
     P: Operand, Q: Operand, scale: Fraction = Fraction(1), explicit: bool = False
 ) -> Topology:
-    """Exact, by the same computation over numbers a + b e with an infinitesimal e. Raises as `minkowski_sum`;
-    cost: three sums. `explicit`: with germs that say so if a degree is exceeded, slower."""
+    """Exact, by the same computation over numbers a + b e with an infinitesimal e. Raises as
+    `minkowski_sum`; cost: three sums. `explicit`: with germs that say so if a degree is
+    exceeded, slower."""
     frame = checked_frame(P, Q, scale)
     below, at, above = (state(frame, scale, side, explicit) for side in (-1, 0, 1))
     return Topology(
@@ -51,7 +54,8 @@ def topology(
 
 
 def boundary_changes(below: State, at: State, above: State) -> bool:
-    """Whether the tracks below do not go on above, in the same rings, or the state between is another one."""
+    """Whether the tracks below do not go on above, in the same rings, or the state between is
+    another one."""
     return (
         tracks(below) != tracks(above)
         or places(below) != places(at)

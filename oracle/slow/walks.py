@@ -1,9 +1,9 @@
 """From directed boundary edges, with the set on their left, to components, rings and pinches.
 
-The rules are those of docs/definitions.md, "Canonical form": edges are paired so that each pair bounds
-one wedge of the interior, the closed walks are split at repeated vertices into simple rings. The same
-edges reversed bound the complement, so its components come from the same code. An edge that is there both
-ways (a slit) belongs to both sides: what it cuts apart are two components.
+The rules are those of docs/definitions.md, "Canonical form": edges are paired so that each pair
+bounds one wedge of the interior, the closed walks are split at repeated vertices into simple rings.
+The same edges reversed bound the complement, so its components come from the same code. An edge
+that is there both ways (a slit) belongs to both sides: what it cuts apart are two components.
 
 Only directions (integers) and the order of vertices decide anything here, so the coordinates may be
 numbers of any ordered kind; they are seen through `Plane` alone.
@@ -11,6 +11,7 @@ numbers of any ordered kind; they are seen through `Plane` alone.
 
 from __future__ import annotations
 
+import itertools
 from bisect import bisect_left, bisect_right
 from collections import defaultdict
 from dataclasses import dataclass, field
@@ -24,7 +25,8 @@ Node = tuple[Number, Number]  # the key of a vertex: equal iff the points are, o
 
 @dataclass
 class Edge:
-    """From `start` to `end` in the direction `d` (primitive), on the line cross(d, x) = `offset`."""
+    """From `start` to `end` in the direction `d` (primitive), on the line cross(d, x) =
+    `offset`."""
 
     start: Node
     end: Node
@@ -66,9 +68,7 @@ class Plane:
             if edge.start == high:
                 cuts.reverse()
             stops = [edge.start, *cuts, edge.end]
-            parts += [
-                Edge(a, b, edge.d, edge.offset) for a, b in zip(stops, stops[1:], strict=False)
-            ]
+            parts += [Edge(a, b, edge.d, edge.offset) for a, b in itertools.pairwise(stops)]
         return parts
 
     def left_of(self, middle: tuple[Number, Number, int], edge: Edge) -> bool:
@@ -103,7 +103,8 @@ class Component:
 
 
 def leaving(d_in: Vector, out: list[Edge]) -> Edge:
-    """The edge after one that arrives in the direction `d_in`: the first clockwise from where it came."""
+    """The edge after one that arrives in the direction `d_in`: the first clockwise from where it
+    came."""
     if len(out) == 1:
         return out[0]
     back = (-d_in[0], -d_in[1])
@@ -145,7 +146,8 @@ def closed_walks(edges: list[Edge]) -> list[list[Edge]]:
 
 
 def simple_rings(walk: list[Edge]) -> list[list[Edge]]:
-    """The walk, split at repeated nodes. Walks do not cross themselves, so the rings are determined."""
+    """The walk, split at repeated nodes. Walks do not cross themselves, so the rings are
+    determined."""
     rings = []
     stack: list[Edge] = []
     depth: dict[Node, int] = {}
@@ -162,7 +164,8 @@ def simple_rings(walk: list[Edge]) -> list[list[Edge]]:
 
 
 def turn_of(ring: list[Edge]) -> int:
-    """1 if a simple ring runs counter-clockwise, -1 if clockwise, 0 if it is a slit there and back."""
+    """1 if a simple ring runs counter-clockwise, -1 if clockwise, 0 if it is a slit there and
+    back."""
     low = min(range(len(ring)), key=lambda i: ring[i].start)
     turn = cross(ring[low - 1].d, ring[low].d)
     return (turn > 0) - (turn < 0)
@@ -202,7 +205,8 @@ def components(plane: Plane, edges: list[Edge]) -> tuple[list[Component], list[l
 
 
 def corners(ring: list[Edge]) -> list[Edge]:
-    """The edges that leave the ring's true corners, from the least on; straight vertices are gone."""
+    """The edges that leave the ring's true corners, from the least on; straight vertices are
+    gone."""
     kept = [edge for index, edge in enumerate(ring) if ring[index - 1].d != edge.d]
     low = min(range(len(kept)), key=lambda i: kept[i].start)
     return kept[low:] + kept[:low]

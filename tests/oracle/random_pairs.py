@@ -1,4 +1,5 @@
-"""Random operands for the slow engine, by seed: meshes with triangles left out, and stars with holes.
+"""Random operands for the slow engine, by seed: meshes with triangles left out, and stars with
+holes.
 
 A mesh is a grid of vertices, moved a little, its cells cut in triangles, some of them taken. Its
 boundary has holes, several components, rings that touch, straight vertices and parallel edges, and
@@ -13,10 +14,10 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import atan2
 
+from slow.exact import cross, primitive
 from slow.operand import Operand, Polygon
 from slow.pieces import Plane
 from slow.walks import Edge, components
-from slow.exact import cross, primitive
 
 Vertex = tuple[int, int]
 Triangle = tuple[Vertex, Vertex, Vertex]
@@ -24,7 +25,8 @@ Triangle = tuple[Vertex, Vertex, Vertex]
 
 @dataclass(frozen=True)
 class Mesh:
-    """Triangles, counter-clockwise, with disjoint interiors, that meet in whole edges and vertices."""
+    """Triangles, counter-clockwise, with disjoint interiors, that meet in whole edges and
+    vertices."""
 
     triangles: tuple[Triangle, ...]
 
@@ -105,7 +107,9 @@ def mesh(rng: random.Random, cells: int) -> Mesh:
             halves = ((a, b, c), (a, c, d)) if rng.random() < 0.5 else ((a, b, d), (b, c, d))
             whole = rng.random() < 0.5
             taken = [rng.random() < share for _ in halves]
-            found += [t for t, take in zip(halves, taken, strict=True) if (taken[0] if whole else take)]
+            found += [
+                t for t, take in zip(halves, taken, strict=True) if (taken[0] if whole else take)
+            ]
     return Mesh(tuple(found))
 
 
@@ -138,9 +142,7 @@ def pair(seed: int, index: int, small: bool = True) -> tuple[Source, Source]:
     return source(rng, small, flat == "P"), source(rng, small, flat == "Q")
 
 
-def shrunk(
-    P: Source, Q: Source, fails: Callable[[Source, Source], bool]
-) -> tuple[Source, Source]:
+def shrunk(P: Source, Q: Source, fails: Callable[[Source, Source], bool]) -> tuple[Source, Source]:
     """A smallest pair that still fails, by leaving out one triangle or corner after another."""
     while True:
         fewer = ((p, Q) for p in P.smaller())
