@@ -11,7 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from math import lcm
 
-from .exact import Vector, cross, dot
+from .exact import Vector, cross, dot, primitive
 from .germ import bits_needed
 from .operand import Operand
 from .pieces import Piece, Shape, common_denominator, shape_of
@@ -69,21 +69,19 @@ class Frame:
         return bits_needed(size, denominator, self.longest)
 
     def flat_passages(self) -> list[tuple[Vector, Face, Face]]:
-        """Where one operand is a segment: (d, face of P, face of Q) of each diagonal of the
-        other that is parallel to it. The open diagonal plus the segment is in the sum of the
-        relative interiors, and no sum of a piece has it inside."""
+        """Where one operand is a point, or a segment parallel to a diagonal of the other: (d, face of
+        P, face of Q) of these diagonals. The open diagonal plus the point or segment is in the sum
+        of the relative interiors, and no sum of a piece has it inside."""
         flat, other = (self.P, self.Q) if self.P.is_flat else (self.Q, self.P)
         found = []
         for piece in flat.pieces if flat.is_flat else []:
-            for d in piece.edges:
-                if d != upward(d):
+            for a, b in other.diagonals:
+                d = upward(primitive(b[0] - a[0], b[1] - a[1]))
+                if piece.edges and d not in piece.edges:
                     continue
-                own = face(piece, d)
-                for a, b in other.diagonals:
-                    if cross(d, (b[0] - a[0], b[1] - a[1])) == 0:
-                        ends = sorted((dot(d, a), dot(d, b)))
-                        theirs = (cross(d, a), ends[0], ends[1])
-                        found.append((d, own, theirs) if flat is self.P else (d, theirs, own))
+                ends = sorted((dot(d, a), dot(d, b)))
+                own, theirs = face(piece, d), (cross(d, a), ends[0], ends[1])
+                found.append((d, own, theirs) if flat is self.P else (d, theirs, own))
         return found
 
 

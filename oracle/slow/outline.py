@@ -15,9 +15,10 @@ of each convex sum it is in, and on an edge of one of them that comes from a bou
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from itertools import combinations
 
 from .cover import Cover, Line, Place
-from .exact import dot
+from .exact import cross, dot
 from .germ import Number
 from .walks import Edge, Node, Plane
 
@@ -55,7 +56,8 @@ def outline(cover: Cover) -> Outline:
             alone.add(node(result.plane, line, place, shift))
     result.edges = result.plane.split(result.edges)
     on_boundary = {edge.start for edge in result.edges}
-    result.slits = result.plane.cut(result.slits, on_boundary)
+    crossings = slit_crossings(result.plane, result.slits, shift)
+    result.slits = result.plane.cut(result.slits, on_boundary | crossings)
     on_slits = {end for edge in result.slits for end in (edge.start, edge.end)}
     for point in sorted(alone - on_boundary - on_slits):
         if cover.in_passage(*result.plane.points[point]):
@@ -74,6 +76,24 @@ def node(plane: Plane, line: Line, place: Place, shift: int) -> Node:
     key = ((x << shift) // den, (y << shift) // den)
     plane.points.setdefault(key, (x, y, den))
     return key
+
+
+def slit_crossings(plane: Plane, slits: list[Edge], shift: int) -> set[Node]:
+    """The nodes, made here, where two tight segments cross: both lines pass there unaware."""
+    found = set()
+    for a, b in combinations(slits, 2):
+        turn = cross(a.d, b.d)
+        if turn == 0:
+            continue
+        x = a.offset * b.d[0] - b.offset * a.d[0]
+        y = a.offset * b.d[1] - b.offset * a.d[1]
+        if turn < 0:
+            x, y, turn = -x, -y, -turn
+        key = ((x << shift) // turn, (y << shift) // turn)
+        if all(min(e.start, e.end) < key < max(e.start, e.end) for e in (a, b)):
+            plane.points.setdefault(key, (x, y, turn))
+            found.add(key)
+    return found
 
 
 Stretch = tuple[Place, Place]
