@@ -6,7 +6,7 @@ A bridge is a diagonal that the walk passes in both directions. Coordinates are 
 from __future__ import annotations
 
 from .exact import InputError, Vector, cross
-from .walks import Component, Edge
+from .walks import Component
 
 
 def between(low: Vector, way: Vector, high: Vector) -> bool:
@@ -115,6 +115,3 @@ def spliced(walk: list[Vector], hole: list[Vector]) -> list[Vector]:
             if point == other and wedge_holds(walk, at, hole[(j + 1) % len(hole)]):
                 return [*walk[: at + 1], *hole[j + 1 :], *hole[: j + 1], *walk[at + 1 :]]
     raise InputError("a hole touches from outside: rings cross or overlap")
-
-
-__all__ = ["Edge", "joined"]

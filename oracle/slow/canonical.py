@@ -6,7 +6,7 @@ import hashlib
 import json
 
 from .exact import Point, text_of
-from .operand import Operand, Polygon
+from .operand import Polygon
 
 
 def ring_json(ring: list[Point]) -> list[list[str]]:
@@ -27,7 +27,3 @@ def digest(polygons: list[Polygon]) -> str:
     """SHA-256 of the canonical JSON, in lower-case hexadecimal."""
     text = json.dumps(document(polygons), separators=(",", ":"))
     return hashlib.sha256(text.encode()).hexdigest()
-
-
-def as_operand(polygons: list[Polygon]) -> Operand:
-    return Operand(polygons, [])

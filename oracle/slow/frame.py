@@ -69,8 +69,8 @@ class Frame:
         return bits_needed(size, denominator, self.longest)
 
     def flat_passages(self) -> list[tuple[Vector, Face, Face]]:
-        """Where one operand is a point, or a segment parallel to a diagonal of the other: (d, face of
-        P, face of Q) of these diagonals. The open diagonal plus the point or segment is in the sum
+        """Where one operand is a point, or a segment parallel to a diagonal of the other: d, the
+        face of P and that of Q, for each of these diagonals. The open diagonal plus the point or segment is in the sum
         of the relative interiors, and no sum of a piece has it inside."""
         flat, other = (self.P, self.Q) if self.P.is_flat else (self.Q, self.P)
         found = []

@@ -103,12 +103,6 @@ class Side:
         high = ((number + half) & ((1 << self.bits) - 1)) - half
         return (number - high) >> self.bits, high
 
-    def constant(self, low: int) -> Number:
-        """A number that does not depend on the scale."""
-        if isinstance(self.of_p, Germ):
-            return Germ(low, 0)
-        return low << self.bits
-
 
 def bits_needed(largest_coordinate: int, denominator: int, longest: int) -> int:
     """Bits that hold the e-part of all numbers and of all differences that are compared.
@@ -127,8 +121,8 @@ def bits_needed(largest_coordinate: int, denominator: int, longest: int) -> int:
 def side_of(scale: Fraction, side: int, denominator: int, bits: int, explicit: bool) -> Side:
     a, b = scale.numerator, scale.denominator
     unit = b * denominator
-    if explicit:
-        return Side(Germ(a, side * b), Germ(b, 0), unit, side, 0)
     if side == 0:
         return Side(a, b, unit, 0, 0)
+    if explicit:
+        return Side(Germ(a, side * b), Germ(b, 0), unit, side, 0)
     return Side((a << bits) + side * b, b << bits, unit, side, bits)

@@ -99,7 +99,6 @@ class Component:
 
     outer: list[Edge]
     holes: list[list[Edge]]
-    loose: list[list[Edge]] = field(default_factory=list)  # slits, each a walk there and back
 
 
 def leaving(d_in: Vector, out: list[Edge]) -> Edge:
@@ -173,7 +172,7 @@ def turn_of(ring: list[Edge]) -> int:
 
 def components(plane: Plane, edges: list[Edge]) -> tuple[list[Component], list[list[Edge]]]:
     """The components of the set on the left of the edges, and the holes that lie in none of them
-    (they bound an unbounded component)."""
+    (they bound an unbounded component). Rings that are slits, there and back, bound nothing."""
     found: list[Component] = []
     lone: list[list[list[Edge]]] = []
     for walk in closed_walks(edges):
@@ -181,13 +180,12 @@ def components(plane: Plane, edges: list[Edge]) -> tuple[list[Component], list[l
         turns = [turn_of(ring) for ring in rings]
         outer = [ring for ring, turn in zip(rings, turns, strict=True) if turn > 0]
         holes = [ring for ring, turn in zip(rings, turns, strict=True) if turn < 0]
-        slits = [ring for ring, turn in zip(rings, turns, strict=True) if turn == 0]
         if len(outer) > 1:
             raise InputError("a walk has two outer rings: rings cross or overlap")
         if outer:
-            found.append(Component(outer[0], holes, slits))
-        else:
-            lone.append([*holes, *slits])
+            found.append(Component(outer[0], holes))
+        elif holes:
+            lone.append(holes)
     outside: list[list[Edge]] = []
     for rings in lone:
         middle = plane.middle(rings[0][0])
@@ -199,8 +197,7 @@ def components(plane: Plane, edges: list[Edge]) -> tuple[list[Component], list[l
         for part in around[1:]:
             if plane.holds(innermost.outer, plane.middle(part.outer[0])):
                 innermost = part
-        innermost.holes += [ring for ring in rings if turn_of(ring)]
-        innermost.loose += [ring for ring in rings if not turn_of(ring)]
+        innermost.holes += rings
     return found, outside
 
 

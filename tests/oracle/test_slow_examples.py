@@ -91,8 +91,8 @@ def test_segment_slides_along_a_slot_of_its_length() -> None:
 
 
 def test_segment_along_an_inner_diagonal_is_in_the_sum_of_the_interiors() -> None:
-    """The segment from (0,-5/3) to (0,1/3) ends at the hole's upper side, begins at no boundary, and
-    runs through the material along the line from (0,-2) to (0,-2/3)."""
+    """The segment from (0,-5/3) to (0,1/3) ends at the hole's upper side, begins at no boundary,
+    and runs through the material along the line from (0,-2) to (0,-2/3)."""
     third = Fraction(1, 3)
     hole = [(Fraction(0), -2 * third), (2 * third, third), (-2 * third, third)]
     star = polygons((points((0, -2), (2, 1), (-2, 1)), hole))
@@ -139,7 +139,8 @@ def test_frames_that_touch_merge_their_components() -> None:
 
 @pytest.mark.parametrize("s", [Fraction(1, 2), Fraction(1), Fraction(2)])
 def test_sum_that_closes_a_bay_splits_the_outside(s: Fraction) -> None:
-    """A room 2 x 2 behind a gate of width 1; a square of side 1 closes the gate, of side 2 the room."""
+    """A room 2 x 2 behind a gate of width 1; a square of side 1 closes the gate, of side 2 the
+    room."""
     room = [[0, 0], [4, 0], [4, 4], [0, 4], [0, 2.5], [1, 2.5], [1, 3], [3, 3], [3, 1], [1, 1]]
     room += [[1, 1.5], [0, 1.5]]
     Q = polygons(([[str(x), str(y)] for x, y in room],))
