@@ -79,8 +79,10 @@ class Cover:
         for d in self.directions:
             lines: dict[Number, Line] = {}
             lows, highs = self.edges(d, lines)
+            turns = [cross(f, d) for f in self.frame.directions]
+            dots = [dot(f, d) for f in self.frame.directions]
             for line in lines.values():
-                self.pass_through(line, lows, highs)
+                self.pass_through(line, lows, highs, turns, dots)
                 for way, offset, start, end in self.passages:
                     if way == d and offset == line.offset:
                         line.inside.append((self.whole(start), self.whole(end)))
@@ -120,12 +122,17 @@ class Cover:
                         line.against.append(ends)
         return lows, highs
 
-    def pass_through(self, line: Line, lows: list[Number], highs: list[Number]) -> None:
+    def pass_through(
+        self,
+        line: Line,
+        lows: list[Number],
+        highs: list[Number],
+        turns: list[int],
+        dots: list[int],
+    ) -> None:
         """Fills in the open intervals in which the line passes through the inside of a pair."""
         d, offset = line.d, line.offset
         dd = dot(d, d)
-        turns = [cross(f, d) for f in self.frame.directions]
-        shares = [offset * dot(f, d) for f in self.frame.directions]
         shift = self.shift
         ends = line.along + line.against
         first = min(low for low, _ in ends)[0]
@@ -138,14 +145,14 @@ class Cover:
             for k, bound in half_planes:
                 turn = turns[k]
                 if turn > 0:
-                    u = bound * dd - shares[k]
+                    u = bound * dd - offset * dots[k]
                     key = (u << shift) // turn
                     if lower is None or key > lower[0]:
                         if key > last or (upper is not None and key >= upper[0]):
                             break
                         lower = (key, u, turn)
                 elif turn < 0:
-                    u = shares[k] - bound * dd
+                    u = offset * dots[k] - bound * dd
                     key = (u << shift) // -turn
                     if upper is None or key < upper[0]:
                         if key < first or (lower is not None and key <= lower[0]):

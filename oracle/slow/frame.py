@@ -70,8 +70,8 @@ class Frame:
 
     def flat_passages(self) -> list[tuple[Vector, Face, Face]]:
         """Where one operand is a point, or a segment parallel to a diagonal of the other: d, the
-        face of P and that of Q, for each of these diagonals. The open diagonal plus the point or segment is in the sum
-        of the relative interiors, and no sum of a piece has it inside."""
+        face of P and that of Q, for each of these. The open diagonal plus the point or segment is
+        in the sum of the relative interiors, and no sum of a piece has it inside."""
         flat, other = (self.P, self.Q) if self.P.is_flat else (self.Q, self.P)
         found = []
         for piece in flat.pieces if flat.is_flat else []:

@@ -7,12 +7,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from math import lcm
 
 from .cover import Cover
 from .frame import Frame
 from .germ import Side, Track, side_of
 from .outline import Outline, outline
-from .walks import Component, Edge, Node, components, corners
+from .walks import Component, Edge, Node, Plane, components, corners
 
 Ring = list[tuple[Track, Track]]
 
@@ -73,18 +74,27 @@ def state_of(side: Side, found: Outline) -> State:
     complement.sort(key=lambda part: order(part.outer))
     result = State(side, found, [], interior, complement, (Fraction(0), Fraction(0), Fraction(0)))
     result.rings = [[result.tracks(ring) for ring in (p.outer, *p.holes)] for p in interior]
-    areas = [ring_area(ring) for part in result.rings for ring in part]
-    if areas:
-        a, b, c = (sum(column, Fraction(0)) for column in zip(*areas, strict=True))
-        result.area = (a, b, c)
+    rings = [ring for part in interior for ring in (part.outer, *part.holes)]
+    result.area = area(side, found.plane, rings)
     return result
 
 
-def ring_area(ring: Ring) -> tuple[Fraction, Fraction, Fraction]:
-    """The signed area as a polynomial in s - s0; clockwise rings count below zero."""
-    a = b = c = Fraction(0)
-    for (x0, y0), (x1, y1) in zip(ring, ring[1:] + ring[:1], strict=True):
-        a += x0.value * y1.value - x1.value * y0.value
-        b += x0.value * y1.slope + x0.slope * y1.value - x1.value * y0.slope - x1.slope * y0.value
-        c += x0.slope * y1.slope - x1.slope * y0.slope
-    return a / 2, b / 2, c / 2
+def area(side: Side, plane: Plane, rings: list[list[Edge]]) -> tuple[Fraction, Fraction, Fraction]:
+    """The area as a polynomial in s - s0, summed in integers; clockwise rings count below zero."""
+    unit = lcm(1, *(plane.points[edge.start][2] for ring in rings for edge in ring))
+    a = b = c = 0
+    for ring in rings:
+        corners_of = []
+        for edge in ring:
+            x, y, den = plane.points[edge.start]
+            times = unit // den
+            corners_of.append([part * times for n in (x, y) for part in side.coefficients(n)])
+        x0, u0, y0, v0 = corners_of[-1]
+        for x1, u1, y1, v1 in corners_of:
+            a += x0 * y1 - x1 * y0
+            b += x0 * v1 + u0 * y1 - x1 * v0 - u1 * y0
+            c += u0 * v1 - u1 * v0
+            x0, u0, y0, v0 = x1, u1, y1, v1
+    # Just below the scale e is s0 - s.
+    whole = 2 * (unit * side.unit) ** 2
+    return Fraction(a, whole), Fraction(side.side * b, whole), Fraction(c, whole)
