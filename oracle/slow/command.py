@@ -169,6 +169,8 @@ def lines(value: object, name: str = "") -> list[str]:
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs a command and returns the exit code; usage errors leave by SystemExit(2)."""
     options = parser().parse_args(arguments)
+    # Numbers that are read are bounded; results have as many digits as they have.
+    sys.set_int_max_str_digits(0)
     run, _ = COMMANDS[options.command]
     try:
         scale = positive(options.scale)

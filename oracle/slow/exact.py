@@ -25,15 +25,22 @@ def number(text: str) -> Fraction:
         raise InputError(f"a number of more than {MOST_DIGITS} letters")
     ratio = FRACTION.fullmatch(text)
     if ratio:
-        if int(ratio[2]) == 0:
+        if not ratio[2].strip("0"):
             raise InputError(f"{text}: the denominator is zero")
-        return Fraction(int(ratio[1]), int(ratio[2]))
+        return fraction(text)
     if not text.isascii() or not NUMBER.fullmatch(text):
         raise InputError(f"{text!r} is not a number")
     exponent = re.search(r"[eE](.*)", text)
     if exponent and abs(int(exponent[1])) > MOST_DIGITS:
         raise InputError(f"{text}: the exponent is beyond {MOST_DIGITS}")
-    return Fraction(text)
+    return fraction(text)
+
+
+def fraction(text: str) -> Fraction:
+    try:
+        return Fraction(text)
+    except ValueError as error:  # more digits than the interpreter is set to convert
+        raise InputError(f"a number of {len(text)} letters: {error}") from error
 
 
 def positive(text: str) -> Fraction:

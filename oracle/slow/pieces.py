@@ -12,10 +12,10 @@ import itertools
 from dataclasses import dataclass, field
 from math import lcm
 
-from .bridges import joined
+from .bridges import joined, minus
 from .ears import triangles
-from .exact import Vector, cross, primitive
-from .operand import Operand
+from .exact import InputError, Vector, cross, primitive
+from .operand import Operand, twice_area
 from .walks import Edge, Plane, components
 
 
@@ -63,8 +63,14 @@ def shape_of(operand: Operand, unit: int) -> Shape:
     plane, edges = boundary_of(operand, unit)
     boundary = {(edge.start, edge.end) for edge in edges}
     found: list[list[Vector]] = []
-    for part in components(plane, edges)[0]:
+    parts, lone = components(plane, edges)
+    if lone:
+        raise InputError("a hole lies in no outer ring")
+    for part in parts:
         found += triangles(joined(part))
+    covered = sum(cross(minus(b, a), minus(c, a)) for a, b, c in found)
+    if covered != unit * unit * sum(twice_area(ring) for ring in operand.rings()):
+        raise InputError("triangles and rings have different areas: rings cross or overlap")
     polygons, diagonals = merged(found, boundary)
     return Shape([piece_of(p, boundary) for p in polygons], diagonals, unit, False)
 

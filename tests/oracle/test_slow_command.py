@@ -89,6 +89,32 @@ def test_crossing_rings_exit_with_two_and_say_so(tmp_path: Path, files: tuple[Pa
     assert code == 2 and "cross" in err
 
 
+@pytest.mark.parametrize(
+    "text",
+    [
+        "POLYGON ((0 0,4 0,4 4,0 4,0 0),(5 5,5 6,6 6,6 5,5 5))",
+        "POLYGON ((0 0,4 0,4 4,0 4,0 0),(1 1,1 5,2 5,2 1,1 1))",
+        "POLYGON ((0 0,6 0,6 6,4 6,1 -1,1 6,0 6,0 0))",
+    ],
+)
+def test_holes_outside_and_rings_that_cross_are_noticed(
+    tmp_path: Path, files: tuple[Path, Path], text: str
+) -> None:
+    bad = tmp_path / "bad.wkt"
+    bad.write_text(text)
+    code, _, err = run("sum", bad, files[1])
+    assert code == 2 and err.startswith("slow: ") and "Traceback" not in err
+
+
+def test_numbers_of_thousands_of_digits_are_printed_whole(
+    tmp_path: Path, files: tuple[Path, Path]
+) -> None:
+    large = tmp_path / "large.wkt"
+    large.write_text("POLYGON ((0 0, 1e4000 0, 0 1e4000, 0 0))")
+    code, out, _ = run("sum", large, files[1], "--json")
+    assert code == 0 and len(json.loads(out)["area"]) >= 8000
+
+
 def test_help_has_examples() -> None:
     code, out, _ = run("--help")
     assert code == 0 and "examples:" in out and "exit codes" in out
