@@ -10,9 +10,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+from .plane import Edge
 from .samples import place_of, sample
 from .state import State
-from .walks import Component, Edge, components
+from .walks import Component, components
 
 Change = Literal["same", "touch", "birth", "death", "merge", "split", "merge and split"]
 

@@ -20,7 +20,7 @@ from itertools import combinations
 from .cover import Cover, Line, Place
 from .exact import cross, dot
 from .germ import Number
-from .walks import Edge, Node, Plane
+from .plane import Edge, Node, Plane
 
 
 @dataclass

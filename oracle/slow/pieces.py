@@ -16,7 +16,8 @@ from .bridges import joined, minus
 from .ears import triangles
 from .exact import InputError, Vector, cross, primitive
 from .operand import Operand, twice_area
-from .walks import Edge, Plane, components
+from .plane import Edge, Plane
+from .walks import components
 
 
 @dataclass

@@ -13,8 +13,9 @@ from fractions import Fraction
 
 from .exact import Point, Vector, cross
 from .germ import Side
+from .plane import Edge, Plane
 from .state import State
-from .walks import Component, Edge, Plane
+from .walks import Component
 
 
 def sample(plane: Plane, part: Component, edges: Sequence[Edge], unit: int) -> Point:

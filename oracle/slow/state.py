@@ -13,7 +13,8 @@ from .cover import Cover
 from .frame import Frame
 from .germ import Side, Track, side_of
 from .outline import Outline, outline
-from .walks import Component, Edge, Node, Plane, components, corners
+from .plane import Edge, Node, Plane
+from .walks import Component, components, corners
 
 Ring = list[tuple[Track, Track]]
 

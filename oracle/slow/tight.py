@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections import defaultdict
 
 from .outline import Outline
-from .walks import Edge, Node
+from .plane import Edge, Node
 
 
 def pieces(found: Outline) -> list[list[Node]]:

@@ -16,8 +16,8 @@ from math import atan2
 
 from slow.exact import cross, primitive
 from slow.operand import Operand, Polygon
-from slow.pieces import Plane
-from slow.walks import Edge, components
+from slow.plane import Edge, Plane
+from slow.walks import components
 
 Vertex = tuple[int, int]
 Triangle = tuple[Vertex, Vertex, Vertex]
