@@ -14,7 +14,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from .exact import Point
+from .exact import InputError, Point
 from .minkowski import minkowski_sum
 from .operand import Operand
 from .place import inside
@@ -40,10 +40,12 @@ def check_claim(P: Operand, Q: Operand, scale: Fraction, claim: Operand) -> Clai
     """Exact. InputError if the claim is no polygon set, or the operands are none of
     `minkowski_sum`. Cost: the sum, and the edges of both sets squared at worst. The proof is
     found without the sum."""
+    if claim.ends:
+        raise InputError("a claim is a polygon set or empty, no point or segment")
     truth = minkowski_sum(P, Q, scale)
     point = difference(claim.rings(), Operand(truth.polygons, []).rings())
     if point is None:
-        same = not claim.ends and claim.polygons == truth.polygons
+        same = claim.polygons == truth.polygons
         return Claim(True, same, None, False, None)
     proof = witness(P, Q, scale, point)
     return Claim(False, False, point, proof.in_sum, proof)

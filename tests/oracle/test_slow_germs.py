@@ -8,7 +8,7 @@ from fractions import Fraction
 
 import pytest
 from random_pairs import as_json, pair
-from slow import Operand, minkowski_sum, topology
+from slow import Operand, minkowski_sum, operand_from_json, topology
 from slow.canonical import digest
 from slow.germ import Germ, bits_needed, side_of
 from slow.operand import Polygon
@@ -93,6 +93,14 @@ def test_links_name_each_hole_and_component_once(index: int) -> None:
         for name, state in (("below", found.below), ("at", found.at), ("above", found.above)):
             named = sorted(i for link in links for i in getattr(link, name))
             assert named == list(range(len(of(state)) + extra)), (SEED, index, name)
+
+
+def test_empty_sums_have_no_state_but_the_outside() -> None:
+    square = operand_from_json({"polygons": [{"outer": [[0, 0], [1, 0], [1, 1], [0, 1]]}]})
+    for P, Q in ((square, Operand([], [])), (Operand([], []), square)):
+        found = topology(P, Q)
+        assert not found.boundary_changes and not found.topology_changes
+        assert found.components == [] and [link.change for link in found.holes] == ["same"]
 
 
 def test_product_of_two_germs_is_refused() -> None:

@@ -9,7 +9,15 @@ from pathlib import Path
 
 import pytest
 from random_pairs import pair
-from slow import Operand, check_claim, minkowski_sum, operand_from_json, read_operand, witness
+from slow import (
+    InputError,
+    Operand,
+    check_claim,
+    minkowski_sum,
+    operand_from_json,
+    read_operand,
+    witness,
+)
 from slow.exact import Point
 from slow.operand import Polygon
 from slow.place import inside, on_boundary
@@ -73,6 +81,20 @@ def test_witness_agrees_with_the_sum_and_its_tight_passages(index: int) -> None:
         if meeting.p is not None and meeting.q is not None:
             assert holds(P, meeting.p) and holds(Q, meeting.q)
             assert tuple(scale * p + q for p, q in zip(meeting.p, meeting.q, strict=True)) == x
+
+
+def test_claim_that_is_a_point_is_refused() -> None:
+    unit = box(0, 0, 1, 1)
+    with pytest.raises(InputError, match="polygon set"):
+        check_claim(unit, unit, Fraction(1), Operand([], [(Fraction(0), Fraction(0))]))
+
+
+def test_claim_with_a_ring_twice_is_taken_by_parity() -> None:
+    unit = box(0, 0, 1, 1)
+    truth = minkowski_sum(unit, unit)
+    twice = Operand([*truth.polygons, *truth.polygons], [])
+    found = check_claim(unit, unit, Fraction(1), twice)
+    assert not found.equal and found.in_truth
 
 
 def test_squares_side_by_side_touch() -> None:
