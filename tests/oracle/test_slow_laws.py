@@ -123,12 +123,12 @@ def test_sum_with_the_origin_is_the_set_and_sum_with_nothing_is_nothing(index: i
 
 @pytest.mark.parametrize("index", PAIRS)
 def test_sum_is_monotone(index: int) -> None:
-    """A part of P gives a part of the sum: its vertices are in the larger sum."""
-    P, Q = operands(index)
-    if len(P.polygons) < 2:
-        P = Operand([*P.polygons], P.ends)
-    part = Operand(P.polygons[:1], P.ends)
-    small, large = minkowski_sum(part, Q), minkowski_sum(P, Q)
+    """A part of P, or P beside P with its holes filled, gives a part of the sum."""
+    whole, Q = operands(index)
+    part = Operand(whole.polygons[:1], whole.ends)
+    if len(whole.polygons) == 1:
+        whole = Operand([Polygon(whole.polygons[0].outer, [])], [])
+    small, large = minkowski_sum(part, Q), minkowski_sum(whole, Q)
     rings = Operand(large.polygons, []).rings()
     assert small.area <= large.area
     for point in Operand(small.polygons, []).points():
