@@ -12,6 +12,7 @@ from minkref.fuzz.judges.ruling import Ruling, dice_of
 from minkref.fuzz.verdict import Reason, Witness
 from minkref.fuzz.witness import holds
 from minkref.oracle import slow
+from minkref.oracle.slow.witness import Pieces
 
 POINTS = 8
 WORDS = {"disjoint": "empty", "touching": "touching", "overlapping": "overlapping"}
@@ -23,8 +24,7 @@ def judge(case: Case) -> Ruling:
     or overlap; where they meet, p and q are checked in plain fractions."""
     ruling = Ruling()
     P, Q = (
-        slow.Pieces.of(slow.operand_from_json(json.loads(text)))
-        for text in (case.P_json, case.Q_json)
+        Pieces.of(slow.operand_from_json(json.loads(text))) for text in (case.P_json, case.Q_json)
     )
     for x in points_of(case):
         text = str(x[0]), str(x[1])

@@ -1,0 +1,145 @@
+"""The exact union of the convex sums: its boundary edges, and what no open convex sum covers
+inside.
+
+On each line the closed intervals of edges are cut by the open intervals inside of a convex sum.
+What is left is on the boundary where edges run one way, and a tight segment where they run both
+ways, since then both sides are covered. A point of an edge that no open sum covers, between two
+stretches that open sums cover, is a tight point if it is neither on the boundary nor on a tight
+segment.
+
+Why this finds all of them: a point that the union covers and no open sum does lies on the boundary
+of each convex sum it is in, and on an edge of one of them that comes from a boundary edge of P or Q
+(README.md, "Why inner diagonals may be left out").
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from itertools import combinations
+
+from .cover import Cover, Line, Place
+from .exact import cross, dot
+from .germ import Number
+from .plane import Edge, Node, Plane
+
+
+@dataclass
+class Outline:
+    """Boundary edges with the sum on their left, cut at all nodes; tight segments and points.
+    `slits` has one edge of the two for each tight segment, cut at the nodes of the boundary and
+    of each other."""
+
+    plane: Plane = field(default_factory=Plane)
+    edges: list[Edge] = field(default_factory=list)
+    slits: list[Edge] = field(default_factory=list)
+    points: list[Node] = field(default_factory=list)
+
+
+def outline(cover: Cover) -> Outline:
+    """Cost: as `Cover.lines`, and edges of the result times its nodes."""
+    result = Outline()
+    alone: set[Node] = set()
+    # Denominators of points are cross(f, d) dot(d, d) < 4 longest^4: see germ.py for the shift.
+    shift = 2 * (4 * cover.frame.longest**4).bit_length()
+    for line in cover.lines():
+        forward, backward, tight, points = stretches(line)
+        for sign, parts, into in (
+            (1, forward, result.edges),
+            (-1, backward, result.edges),
+            (1, tight, result.slits),
+        ):
+            for a, b in parts:
+                start, end = (node(result.plane, line, place, shift) for place in (a, b))
+                edge = Edge(start, end, line.d, line.offset)
+                into.append(edge if sign > 0 else edge.reversed())
+        for place in points:
+            alone.add(node(result.plane, line, place, shift))
+    result.edges = result.plane.split(result.edges)
+    on_boundary = {edge.start for edge in result.edges}
+    crossings = slit_crossings(result.plane, result.slits, shift)
+    result.slits = result.plane.cut(result.slits, on_boundary | crossings)
+    on_slits = {end for edge in result.slits for end in (edge.start, edge.end)}
+    for point in sorted(alone - on_boundary - on_slits):
+        if cover.in_passage(*result.plane.points[point]):
+            continue
+        if not any(result.plane.contains(edge, point) for edge in result.slits + result.edges):
+            result.points.append(point)
+    return result
+
+
+def node(plane: Plane, line: Line, place: Place, shift: int) -> Node:
+    (dx, dy), offset = line.d, line.offset
+    _, u, den = place
+    x = u * dx - offset * (dy * den)
+    y = u * dy + offset * (dx * den)
+    den *= dot(line.d, line.d)
+    key = ((x << shift) // den, (y << shift) // den)
+    plane.points.setdefault(key, (x, y, den))
+    return key
+
+
+def slit_crossings(plane: Plane, slits: list[Edge], shift: int) -> set[Node]:
+    """The nodes, made here, where two tight segments cross: both lines pass there unaware."""
+    found = set()
+    for a, b in combinations(slits, 2):
+        turn = cross(a.d, b.d)
+        if turn == 0:
+            continue
+        x = a.offset * b.d[0] - b.offset * a.d[0]
+        y = a.offset * b.d[1] - b.offset * a.d[1]
+        if turn < 0:
+            x, y, turn = -x, -y, -turn
+        key = ((x << shift) // turn, (y << shift) // turn)
+        if all(min(e.start, e.end) < key < max(e.start, e.end) for e in (a, b)):
+            plane.points.setdefault(key, (x, y, turn))
+            found.add(key)
+    return found
+
+
+Stretch = tuple[Place, Place]
+
+
+def stretches(line: Line) -> tuple[list[Stretch], list[Stretch], list[Stretch], list[Place]]:
+    """The line's boundary along d, against d, its tight segments, and places that are covered on
+    both sides only."""
+    places: dict[Number, Place] = {}
+    # Per place: how many intervals of edges along, against and of inside begin there and end there.
+    begins: dict[Number, list[int]] = {}
+    ends: dict[Number, list[int]] = {}
+    for kind, intervals in enumerate((line.along, line.against, line.inside)):
+        for low, high in intervals:
+            for place, count in ((low, begins), (high, ends)):
+                key = place[0]
+                if key not in places:
+                    places[key] = place
+                    begins[key] = [0, 0, 0]
+                    ends[key] = [0, 0, 0]
+                count[key][kind] += 1
+    found: tuple[list[Stretch], list[Stretch], list[Stretch]] = ([], [], [])
+    alone: list[Place] = []
+    along = against = inside = 0
+    state = -1  # of the stretch before the place: the list it belongs to, or -1
+    since: Place | None = None
+    for key in sorted(places):
+        place = places[key]
+        b, e = begins[key], ends[key]
+        had_edge = along > 0 or against > 0
+        was_inside = inside > 0
+        through = inside - e[2]
+        along += b[0] - e[0]
+        against += b[1] - e[1]
+        inside += b[2] - e[2]
+        has_edge = along > 0 or against > 0 or had_edge
+        if was_inside and inside > 0 and through == 0 and has_edge:
+            alone.append(place)
+        if inside > 0:
+            now = -1
+        elif along > 0:
+            now = 2 if against > 0 else 0
+        else:
+            now = 1 if against > 0 else -1
+        if now != state:
+            if state >= 0 and since is not None:
+                found[state].append((since, place))
+            state, since = now, place
+    return found[0], found[1], found[2], alone

@@ -1,0 +1,87 @@
+"""Rational points inside of components at a scale, and where they lie just below or above it.
+
+A point of the sum of the interiors stays in it, with a ball around, at all scales nearby, and so
+does a point of the complement of the sum. So a sample that is on no boundary edge and on no tight
+segment at the scale lies inside of one component just below it and of one just above it, and no
+boundary comes close to it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+
+from .exact import Point, Vector, cross
+from .germ import Side
+from .plane import Edge, Plane
+from .state import State
+from .walks import Component
+
+
+def sample(plane: Plane, part: Component, edges: Sequence[Edge], unit: int) -> Point:
+    """A point of the component: from the middle of an edge of the outer ring, half the way to
+    the left to the first edge of all `edges`, which contain those of the component and are cut
+    at all nodes."""
+    start = part.outer[0]
+    x, y, den = plane.middle(start)
+    middle = (Fraction(x, den), Fraction(y, den))
+    way = (-start.d[1], start.d[0])
+    first = min(hits(plane, middle, way, edges))
+    return (
+        (middle[0] + first * way[0] / 2) / unit,
+        (middle[1] + first * way[1] / 2) / unit,
+    )
+
+
+def hits(plane: Plane, middle: Point, way: Vector, edges: Sequence[Edge]) -> Iterator[Fraction]:
+    """The parameters t > 0 at which middle + t way is on an edge."""
+    mx, my = middle
+    level = way[0] * my - way[1] * mx  # cross(way, x) on the ray
+    for edge in edges:
+        turn = cross(edge.d, way)
+        ends = [plane.points[node] for node in (edge.start, edge.end)]
+        sides = [way[0] * y - way[1] * x - level * den for x, y, den in ends]
+        if turn == 0:
+            # On the line of the ray an edge is hit at an end.
+            if sides[0] == 0:
+                norm = way[0] ** 2 + way[1] ** 2
+                for x, y, den in ends:
+                    t = ((Fraction(x, den) - mx) * way[0] + (Fraction(y, den) - my) * way[1]) / norm
+                    if t > 0:
+                        yield t
+        elif (sides[0] <= 0 <= sides[1]) or (sides[1] <= 0 <= sides[0]):
+            t = (edge.offset - (edge.d[0] * my - edge.d[1] * mx)) / Fraction(turn)
+            if t > 0:
+                yield t
+
+
+def place_of(state: State, parts: list[Component], point: Point) -> int | None:
+    """The component that holds a sample, or None for none of them."""
+    x, y = point[0] * state.side.unit, point[1] * state.side.unit
+    for index, part in enumerate(parts):
+        rings = (part.outer, *part.holes)
+        if sum(holds(state.outline.plane, state.side, ring, x, y) for ring in rings) % 2:
+            return index
+    return None
+
+
+def holds(plane: Plane, side: Side, ring: list[Edge], x: Fraction, y: Fraction) -> bool:
+    """Whether the ring goes around the sample: edges under it, counted by leading coefficients.
+
+    The order of x is that of germs. An edge under or over the sample has it strictly on one
+    side, by the leading coefficient already, since no edge comes close.
+    """
+
+    def is_left(edge: Edge) -> bool:
+        a, _, den = plane.points[edge.start]
+        low, high = side.coefficients(a)
+        return (low, high) <= (x * den, 0)
+
+    lefts = [is_left(edge) for edge in ring]
+    odd = False
+    for index, edge in enumerate(ring):
+        if lefts[index] != lefts[(index + 1) % len(ring)]:
+            level = edge.d[0] * y - edge.d[1] * x - side.coefficients(edge.offset)[0]
+            assert level != 0, "an edge comes close to a sample"
+            odd ^= (level > 0) == (edge.d[0] > 0)
+    return odd

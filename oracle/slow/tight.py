@@ -1,0 +1,56 @@
+"""Tight segments and points as pieces (docs/definitions.md, "Tight passages", "Pieces").
+
+The segments come from the definition: no sum of the interiors of two pieces covers them, sums of
+closed pieces cover both their sides. Here they are put together to maximal polylines.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+
+from .outline import Outline
+from .plane import Edge, Node
+
+
+def pieces(found: Outline) -> list[list[Node]]:
+    """The pieces in canonical form and order. A polyline passes a node where exactly two segments
+    meet.
+
+    Cost: linear, and sorting. Segments are cut at each other's ends and at nodes of the boundary
+    first, so those that cross meet in a node too.
+    """
+    at: dict[Node, list[Edge]] = defaultdict(list)
+    for edge in found.slits:
+        at[edge.start].append(edge)
+        at[edge.end].append(edge.reversed())
+    lines: list[list[Edge]] = []
+    used: set[tuple[Node, Node]] = set()
+
+    def follow(edge: Edge) -> list[Edge]:
+        line = [edge]
+        used.update({(edge.start, edge.end), (edge.end, edge.start)})
+        while len(at[line[-1].end]) == 2:
+            here = line[-1]
+            after = next((e for e in at[here.end] if e.end != here.start), None)
+            if after is None or (after.start, after.end) in used:
+                break
+            line.append(after)
+            used.update({(after.start, after.end), (after.end, after.start)})
+        return line
+
+    for node in sorted(at):
+        if len(at[node]) != 2:
+            lines += [follow(edge) for edge in at[node] if (edge.start, edge.end) not in used]
+    for node in sorted(at):
+        # What is left are closed polylines that meet no other.
+        lines += [follow(edge) for edge in at[node][:1] if (edge.start, edge.end) not in used]
+    found_pieces = [canonical(line) for line in lines]
+    found_pieces += [[point] for point in found.points]
+    return sorted(found_pieces)
+
+
+def canonical(line: list[Edge]) -> list[Node]:
+    """Without straight vertices, in the smaller of the two directions."""
+    bends = [edge.start for i, edge in enumerate(line) if i > 0 and line[i - 1].d != edge.d]
+    nodes = [line[0].start, *bends, line[-1].end]
+    return min(nodes, nodes[::-1])
