@@ -50,14 +50,16 @@ class Witness:
     in_truth: bool
     p: tuple[str, str] | None = None
     q: tuple[str, str] | None = None
+    scale: str | None = None  # where it is not that of the case
 
     def document(self) -> dict[str, Any]:
-        return {
+        value: dict[str, Any] = {
             "point": list(self.point),
             "in_truth": self.in_truth,
             "p": list(self.p) if self.p else None,
             "q": list(self.q) if self.q else None,
         }
+        return value if self.scale is None else {**value, "scale": self.scale}
 
 
 @dataclass(frozen=True)

@@ -30,7 +30,7 @@ MODULES = {
 }
 SYMBOLIC_NEEDS = ("sympy", "gmpy2")
 # Pairs of vertices, m n, above which a judge skips a case.
-SIZE_LIMITS = {"slow-sums": 150, "slow-topology": 150, "slow-tight-passages": 150}
+SIZE_LIMITS = {"slow-sums": 400, "slow-topology": 400, "slow-tight-passages": 400}
 
 
 def names() -> list[str]:

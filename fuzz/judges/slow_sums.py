@@ -63,8 +63,8 @@ def _explain(
             claim.in_truth,
             _text(p) if p is not None else None,
             _text(q) if q is not None else None,
+            scale,
         )
-        ruling.messages[-1] += f" (scale {scale})"
     if reason not in ruling.reasons:
         ruling.reasons.append(reason)
 

@@ -27,7 +27,7 @@ class FindingPage:
 def finding_page(finding: Finding, count: int) -> FindingPage:
     outcome = finding.outcome
     kinds = "-".join(outcome.kinds)
-    name = f"{outcome.target}-{kinds}".replace(":", "-")
+    name = f"{outcome.target}-{kinds}".replace(":", "-").replace("@", "-")
     return FindingPage(
         name,
         str(outcome.verdict),

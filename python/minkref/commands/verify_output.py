@@ -194,14 +194,16 @@ def describe(finding: Finding, count: int) -> list[str]:
     witness = outcome.witness
     if witness is not None:
         point = f"({', '.join(witness.point)})"
+        scale = witness.scale or case.scale
         if witness.in_truth and witness.p and witness.q:
             lines.append(
-                f"  witness {point} is in the sum: {case.scale} * ({', '.join(witness.p)}) "
+                f"  witness {point} is in the sum: {scale} * ({', '.join(witness.p)}) "
                 f"+ ({', '.join(witness.q)})"
             )
         else:
             lines.append(
-                f"  witness {point} is outside the sum: the scaled P does not meet the point less Q"
+                f"  witness {point} is outside the sum at {scale}: the scaled P does not meet the "
+                "point less Q"
             )
     lines.append(f"  {finding.reproduce}")
     return [shown(line) for line in lines]

@@ -1,0 +1,188 @@
+"""The reference before judges that share no code with it: they agree, and they see a lie."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from types import SimpleNamespace
+from typing import Any
+
+import jsonschema
+import pytest
+from minkref import _core
+from minkref.cli import run
+from minkref.fuzz.case import Case, CaseName
+from minkref.fuzz.cgal_executables import OracleNotFoundError
+from minkref.fuzz.judges import (
+    checks,
+    slow_points,
+    slow_sums,
+    slow_tight_passages,
+    slow_topology,
+    swept_boundary,
+    symbolic_events,
+)
+from minkref.fuzz.judges.ruling import Ruling
+from minkref.fuzz.swept_solid import SweptSolid
+from minkref.fuzz.verdict import Reason, Verdict
+from minkref.fuzz.witness import holds
+from minkref.schemas import schema
+
+
+def case_of(P: str, Q: str, scale: str = "1") -> Case:
+    read = [_core.read_text(text, "wkt", "test") for text in (P, Q)]
+    return Case(CaseName("test", "named"), read[0], read[1], scale, "P", "Q")
+
+
+TRIANGLE = "POLYGON((-3 -2, 4 -1, 1 3, -3 -2))"
+FRAME = "POLYGON((-40 -40, 40 -40, 40 40, -40 40, -40 -40), (0 20, 17 -11, -19 -9, 0 20))"
+UNIT = "POLYGON((0 0, 1 0, 1 1, 0 1, 0 0))"
+CORRIDOR = "POLYGON((0 0, 5 0, 5 3, 0 3, 0 0), (1 1, 1 2, 4 2, 4 1, 1 1))"
+
+
+def swept(case: Case) -> Ruling:
+    try:
+        with SweptSolid() as solid:
+            return swept_boundary.judge(case, solid)
+    except OracleNotFoundError as error:
+        pytest.skip(str(error))
+
+
+JUDGES: dict[str, tuple[Any, Callable[[Case], Ruling]]] = {
+    "sums": (slow_sums, slow_sums.judge),
+    "topology": (slow_topology, slow_topology.judge),
+    "tight passages": (slow_tight_passages, slow_tight_passages.judge),
+    "points": (slow_points, slow_points.judge),
+    "events": (symbolic_events, symbolic_events.judge),
+    "boundary": (swept_boundary, swept),
+}
+
+
+@pytest.mark.parametrize("name", JUDGES)
+@pytest.mark.parametrize(("P", "Q"), [(TRIANGLE, FRAME), (UNIT, CORRIDOR)])
+def test_a_judge_agrees_where_the_reference_is_right(name: str, P: str, Q: str) -> None:
+    ruling = JUDGES[name][1](case_of(P, Q))
+    assert ruling.skipped is None and ruling.messages == []
+    assert ruling.compared > 0
+
+
+class Lying:
+    """The extension module, with some names replaced."""
+
+    def __init__(self, **lies: Any) -> None:
+        self._lies = lies
+
+    def __getattr__(self, name: str) -> Any:
+        return self._lies.get(name) or getattr(_core, name)
+
+
+def moved_sum(P: Any, Q: Any, scale: str, route: str = "paper") -> Any:
+    return _core.minkowski_sum(P, Q.translated("1/1000000000000", "0"), scale, route)
+
+
+def other_count(P: Any, Q: Any, scale: str, route: str = "paper") -> Any:
+    right = _core.minkowski_sum(P, Q, scale, route)
+    return SimpleNamespace(region=right.region, components=right.components, holes=right.holes + 1)
+
+
+class WithoutEvents:
+    """A dynamic sum that keeps its events to itself."""
+
+    def __init__(self, *arguments: Any) -> None:
+        self._right = _core.DynamicSum(*arguments)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._right, name)
+
+    def topology_events(self) -> list[Any]:
+        return []
+
+
+class WithoutBoundaryEvents(WithoutEvents):
+    def boundary_events(self) -> list[Any]:
+        return []
+
+
+class FewerEvents:
+    def __init__(self, *arguments: Any) -> None:
+        self._right = _core.ArrangementEvents(*arguments)
+
+    def edges(self) -> Any:
+        return self._right.edges()
+
+    def of_kind(self, kind: str) -> Any:
+        return self._right.of_kind(kind)
+
+    def rows(self, which: Any) -> Any:
+        return self._right.rows(which)[:-1]
+
+
+LIES: list[tuple[str, str, str, dict[str, Any], Reason]] = [
+    ("sums", TRIANGLE, FRAME, {"minkowski_sum": moved_sum}, Reason.MISSING),
+    ("sums", UNIT, CORRIDOR, {"minkowski_sum": other_count}, Reason.HOLE_INVENTED),
+    ("topology", TRIANGLE, FRAME, {"DynamicSum": WithoutEvents}, Reason.EVENT_MISPLACED),
+    (
+        "tight passages", UNIT, CORRIDOR, {"tight_passages": lambda *_: []},
+        Reason.PASSAGE_MISSED,
+    ),
+    (
+        "points", UNIT, UNIT, {"decide": lambda *_: {"contact": "empty", "p": None, "q": None}},
+        Reason.MISSING,
+    ),
+    ("events", TRIANGLE, FRAME, {"ArrangementEvents": FewerEvents}, Reason.EVENT_MISSED),
+    ("boundary", TRIANGLE, FRAME, {"DynamicSum": WithoutBoundaryEvents}, Reason.EVENT_MISSED),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("name", "P", "Q", "lies", "reason"), LIES)
+def test_a_judge_sees_a_lie(
+    monkeypatch: pytest.MonkeyPatch,
+    name: str, P: str, Q: str, lies: dict[str, Any], reason: Reason,
+) -> None:  # fmt: skip
+    module, judge = JUDGES[name]
+    monkeypatch.setattr(module, "_core", Lying(**lies))
+    case = case_of(P, Q)
+    ruling = judge(case)
+    assert reason in ruling.reasons and ruling.messages
+    outcome = ruling.outcome("minkref@test", 0.0)
+    assert outcome.verdict is Verdict.WRONG and outcome.message
+    if outcome.witness is not None:
+        assert outcome.witness.scale is not None
+        assert holds(case.P_json, case.Q_json, outcome.witness.scale, outcome.witness)
+
+
+def test_a_wrong_set_has_a_witness(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(slow_sums, "_core", Lying(minkowski_sum=moved_sum))
+    assert slow_sums.judge(case_of(TRIANGLE, FRAME)).witness is not None
+
+
+def test_verify_minkref_puts_the_reference_before_every_judge(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    code = run(["verify", "minkref", "--pairs", "6", "--no-models", "--jobs", "1", "--json"])
+    value = json.loads(capsys.readouterr().out)
+    jsonschema.validate(value, schema("verify"))
+    assert (code, value["findings"]) == (0, [])
+    judged = {row["target"] for row in value["matrix"]} | {row["name"] for row in value["absent"]}
+    assert judged == set(checks.names())
+    passes = sum(row["verdicts"].get("pass", 0) for row in value["matrix"])
+    assert passes >= 5 * 6
+
+
+def test_one_judge_alone_and_a_judge_that_there_is_not(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    assert run(["verify", "minkref@slow-points", "--case", "g1+g3@7/5"]) == 0
+    assert "minkref@slow-points" in capsys.readouterr().out
+    assert run(["verify", "minkref@nobody", "--pairs", "1"]) == 2
+
+
+def test_what_is_too_large_for_a_judge_is_skipped_with_a_reason(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    code = run(["verify", "minkref", "--case", "glyph275+dog145@1", "--json", "--jobs", "1"])
+    rows = json.loads(capsys.readouterr().out)["matrix"]
+    assert code == 0
+    for row in rows:
+        if row["target"] != "minkref@slow-points":
+            assert row["verdicts"] == {"skipped": 1} and row["skips"]
