@@ -11,7 +11,7 @@ Start with README.md. The entry points, each exact and on rational coordinates:
 
 from .claim import Claim, check_claim
 from .minkowski import Sum, minkowski_sum
-from .operand import InputError, Operand, operand_from_json
+from .operand import InputError, Operand, Polygon, operand_from_json
 from .reader import read_operand
 from .topology import Topology, topology
 from .witness import Meeting, witness
@@ -21,6 +21,7 @@ __all__ = [
     "InputError",
     "Meeting",
     "Operand",
+    "Polygon",
     "Sum",
     "Topology",
     "check_claim",

@@ -1,0 +1,48 @@
+"""Single points of a sum of any size, by the reference and by the slow engine."""
+
+from __future__ import annotations
+
+import json
+import random
+from fractions import Fraction
+
+from minkref import _core
+from minkref.fuzz.case import Case
+from minkref.oracle import slow
+from minkref.oracle.slow.witness import Pieces
+
+WORDS = {"disjoint": "empty", "touching": "touching", "overlapping": "overlapping"}
+
+
+def decided_otherwise(case: Case, count: int, seed: int) -> list[str]:
+    """Of `count` points: vertices of the sum's boundary, the middles of its edges, and points a
+    little to their left and right. Those that the two decide differently."""
+    P, Q = (
+        Pieces.of(slow.operand_from_json(json.loads(text))) for text in (case.P_json, case.Q_json)
+    )
+    scale = Fraction(case.scale)
+    different = []
+    for x, y in points(case, count, seed):
+        ours = _core.decide(case.P, case.Q, case.scale, str(x), str(y))["contact"]
+        theirs = WORDS[slow.witness(P, Q, scale, (x, y)).contact]
+        if ours != theirs:
+            different.append(f"({x}, {y}): the reference says {ours}, the slow engine {theirs}")
+    return different
+
+
+def points(case: Case, count: int, seed: int) -> list[tuple[Fraction, Fraction]]:
+    dice = random.Random(seed)
+    region = json.loads(_core.minkowski_sum(case.P, case.Q, case.scale).region.canonical_json())
+    rings = [r for polygon in region["polygons"] for r in (polygon["outer"], *polygon["holes"])]
+    found = []
+    for i in range(count):
+        ring = dice.choice(rings)
+        k = dice.randrange(len(ring))
+        (ax, ay), (bx, by) = (
+            (Fraction(x), Fraction(y)) for x, y in (ring[k], ring[(k + 1) % len(ring)])
+        )
+        aside = (0, 0, Fraction(1, 10**6), -Fraction(1, 10**6))[i % 4]
+        t = 0 if i % 4 == 0 else Fraction(1, 2)
+        x, y = ax + t * (bx - ax), ay + t * (by - ay)
+        found.append((x - aside * (by - ay), y + aside * (bx - ax)))
+    return found

@@ -1,0 +1,168 @@
+"""The slow engine against the routes of the reference, and against the methods of CGAL."""
+
+from __future__ import annotations
+
+import itertools
+import json
+import multiprocessing
+import time
+from collections import Counter
+from fractions import Fraction
+from html import escape
+from pathlib import Path
+from typing import Any
+
+from minkref.fuzz.case import Case, CaseName
+from minkref.fuzz.judges import slow_points, slow_sums, slow_tight_passages, slow_topology
+from minkref.fuzz.judges.cgal_claims import CgalClaims
+from minkref.fuzz.judges.large_points import decided_otherwise
+from minkref.reports.conformance.drawing import Layer, picture
+from minkref.reports.evidence.framework.operands import case_of, tell_absent
+from minkref.reports.evidence.framework.part import (
+    CGAL,
+    COMPARISON,
+    MODELS,
+    READERS,
+    REFERENCE,
+    SCRIPTS,
+    Findings,
+)
+
+SUBJECT = (
+    "The slow engine against the routes paper, winding, definition and dynamic on 2,000 random "
+    "small pairs with holes, at random scales and at scales of events: sums, topology, tight "
+    "passages, points; against CGAL's methods, each difference drawn; its witness on large operands."
+)
+MINUTES = (6, 0.4)
+DEPENDS = (
+    *REFERENCE, *READERS, *MODELS, *CGAL, *COMPARISON, "fuzz/judges/*.py", "oracle/slow/*.py",
+)  # fmt: skip
+
+SEED = 1905
+PAIRS, QUICK_PAIRS = 2000, 60
+PROCESSES = 2
+JUDGES = {
+    "sums": slow_sums.judge,
+    "topology": slow_topology.judge,
+    "tight passages": slow_tight_passages.judge,
+    "points": slow_points.judge,
+}
+METHODS = ("reduced", "full", "vertical", "triangulation")
+POINTS = 20
+WITNESS_SECONDS = 60.0
+DRAWN = SCRIPTS.parents[1] / "build" / "evidence" / "slow_engine_and_cgal.html"
+
+
+def judge(index: int) -> dict[str, Any] | None:
+    """None for a pair without holes."""
+    case: Case = CaseName(f"random:{SEED}:{index}", "random pairs").load()
+    if case.P.ring_count + case.Q.ring_count == 2:
+        return None
+    tally: Counter[str] = Counter()
+    faults = []
+    for name, rule in JUDGES.items():
+        ruling = rule(case)
+        tally[name] = ruling.compared
+        faults += [f"{case.name.text} {name}: {message}" for message in ruling.messages]
+    global _claims
+    if _claims is None:
+        _claims = CgalClaims(METHODS)
+    rows = _claims.against(case)
+    return {"tally": tally, "faults": faults, "cgal": rows}
+
+
+_claims: CgalClaims | None = None
+
+
+def draw(rows: list[dict[str, Any]]) -> str:
+    """A page of all differences: what the slow engine has, what CGAL has, and the witness."""
+    figures = []
+    for row in rows:
+        point = tuple(float(Fraction(x)) for x in row["point"])
+        mark = Layer("witness", point=(point[0], point[1]))
+        caption = f"{row['method']}, {row['case']}"
+        pictures = "".join(
+            f"<figure>{picture([Layer(style, _rings(row[key])), mark], caption)}"
+            f"<figcaption>{text}</figcaption></figure>"
+            for style, key, text in (("sum", "truth", "slow engine"), ("got", "claim", "CGAL"))
+        )
+        where = "in the sum" if row["in_truth"] else "not in the sum"
+        figures.append(f"<h2>{escape(caption)}</h2><p>The point is {where}.</p>{pictures}")
+    style = (
+        "figure{display:inline-block} .sum{fill:#9bd}.got{fill:#fb8}.witness{fill:red;stroke:red}"
+        "path{fill-rule:evenodd;stroke:#333}"
+    )
+    return (
+        f"<!doctype html><meta charset=utf-8><title>Slow engine and CGAL</title><style>{style}"
+        f"</style><h1>{len(rows)} differences</h1>{''.join(figures)}\n"
+    )
+
+
+def _rings(polygons: Any) -> list[list[list[tuple[float, float]]]]:
+    return [
+        [[(float(Fraction(x)), float(Fraction(y))) for x, y in ring] for ring in polygon]
+        for polygon in polygons
+    ]
+
+
+def large_operands(findings: Findings) -> None:
+    """Seconds of single points at the size of the paper's models, reading included."""
+    for first, second, scale in (("monkey", "bird", "1"), ("neuron", "bird", "1/3")):
+        tell_absent(findings, first, second)
+        case = case_of(first, second, scale)
+        since = time.perf_counter()
+        different = decided_otherwise(case, POINTS, SEED)
+        seconds = time.perf_counter() - since
+        name = case.name.text
+        findings.law(f"{name}: points decided otherwise", not different, 0, len(different))
+        findings.target(
+            f"{name}: seconds for {POINTS} points", seconds < WITNESS_SECONDS,
+            f"under {WITNESS_SECONDS:.0f} for one", f"{seconds:.1f} for all",
+        )  # fmt: skip
+
+
+def run(quick: bool) -> Findings:
+    findings = Findings()
+    wanted = QUICK_PAIRS if quick else PAIRS
+    tally: Counter[str] = Counter()
+    faults: list[str] = []
+    rows: list[dict[str, Any]] = []
+    outcomes: Counter[str] = Counter()
+    done = 0
+    with multiprocessing.get_context("spawn").Pool(PROCESSES) as pool:
+        for result in pool.imap(judge, itertools.islice(itertools.count(), 3 * wanted)):
+            if result is None:
+                continue
+            done += 1
+            tally.update(result["tally"])
+            faults += result["faults"]
+            for row in result["cgal"]:
+                outcomes[f"{row['method']}: {row['outcome']}"] += 1
+                if row["outcome"] == "different":
+                    rows.append(row)
+            if done % 100 == 0:
+                print(f"{done} of {wanted} pairs, {len(faults)} faults", flush=True)
+            if done == wanted:
+                break
+    findings.law("pairs with holes", done >= wanted, f"{wanted:,}", f"{done:,}")
+    findings.law("differences from the reference", not faults, 0, len(faults))
+    for name in JUDGES:
+        findings.law(f"{name} compared", tally[name] > 0, "some", f"{tally[name]:,}")
+    agree = sum(count for name, count in outcomes.items() if name.endswith("equal"))
+    findings.target("CGAL's sums that agree", agree > 0, "some", f"{agree:,}")
+    DRAWN.parent.mkdir(parents=True, exist_ok=True)
+    DRAWN.write_text(draw(rows), encoding="utf-8")
+    undrawn = sum(row["point"] is None for row in rows)
+    findings.law("differences from CGAL that are not drawn", undrawn == 0, 0, undrawn)
+    findings.note(f"{len(rows)} differences from CGAL are drawn in {Path(DRAWN.name)}")
+    large_operands(findings)
+    findings.figures |= {
+        "seed": SEED,
+        "compared": dict(tally),
+        "faults": faults[:10],
+        "CGAL": dict(sorted(outcomes.items())),
+        "different": json.loads(
+            json.dumps([{k: r[k] for k in ("method", "case", "point")} for r in rows])
+        ),
+    }
+    return findings
