@@ -3,24 +3,27 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterable
 from fractions import Fraction
 from typing import Any
 
 from minkref.fuzz.case import Case
-from minkref.fuzz.cgal import CgalOracle, OracleNotFoundError
+from minkref.fuzz.cgal import CgalOracle, OracleNotFoundError, method_of_target
 from minkref.oracle import slow
 
 SECONDS = 60.0
 
 
 class CgalClaims:
-    """One server for each method that is found; for one process."""
+    """One server for each target (`cgal-reduced-raw`: with every hole) that is found; for one
+    process."""
 
-    def __init__(self, methods: tuple[str, ...]) -> None:
+    def __init__(self, methods: Iterable[str]) -> None:
         self._oracles: dict[str, CgalOracle] = {}
-        for method in methods:
+        for name in methods:
+            method, raw = method_of_target(name)
             try:
-                self._oracles[method] = CgalOracle(method, seconds=SECONDS)
+                self._oracles[name] = CgalOracle(method, raw=raw, seconds=SECONDS)
             except OracleNotFoundError:
                 continue
 
