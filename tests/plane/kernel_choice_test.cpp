@@ -91,6 +91,42 @@ TEST(KernelChoice, AnyScaleAndTranslationGivesTheSameSumOnAllRoutes) {
   });
 }
 
+/// The largest absolute value of a coordinate.
+Integer reach(const PolygonSet& set) {
+  Integer result = 1;
+  for_each_ring(set, [&](const Ring& ring) {
+    for (const Point& p : ring) {
+      for (const Rational& x : {p.x, p.y}) {
+        const Integer up = Integer(abs(numerator(x)) / denominator(x)) + 1;
+        if (up > result) result = up;
+      }
+    }
+  });
+  return result;
+}
+
+TEST(KernelChoice, AnyNumberOfBitsFromCornerToCorner) {
+  // Both operands as large, with coordinates of both signs: differences of vertices of the
+  // convolution are two bits wider than coordinates.
+  MINKREF_SEEDED(random, 1906);
+  expect_law(random, 60, [](const Case& c) -> std::string {
+    const auto around = [](const PolygonSet& set) {
+      return shifted(stretched(set, 2), {-Rational(reach(set)), -Rational(reach(set))});
+    };
+    const PolygonSet P = around(c.P), Q = around(c.Q);
+    const Case middle{stretched(P, Rational(reach(Q))), stretched(Q, Rational(reach(P))), 1};
+    const Integer most = reach(P) * reach(Q);
+    for (unsigned bits = 55; bits <= 66; ++bits) {
+      for (const unsigned wide : {bits, bits + 190}) {
+        const Rational factor((Integer(1) << wide) / most);
+        const std::string fault = sum_is_stretched(middle, factor, "");
+        if (!fault.empty()) return std::to_string(wide) + " bits: " + fault;
+      }
+    }
+    return "";
+  });
+}
+
 TEST(KernelChoice, ScalesOfManyDigits) {
   MINKREF_SEEDED(random, 1905);
   expect_law(random, 20, [](const Case& c) {
