@@ -24,7 +24,6 @@ namespace minkref {
   X(nesting_of_disconnected,                                                                  \
     "faces with boundary inside lie in the sum also for operands in pieces")                  \
   X(containment_forgotten, "P inside x - Q is not seen")                                      \
-  X(overlap_on_line_missed, "collision of edges on one line is not seen")                     \
   X(winding_unsigned, "reflex pairs count +1 in the winding number")                          \
   X(slits_forgotten, "holes are not joined to their outer ring by slits")                     \
   X(triangle_forgotten, "the last triangle of an operand has no part in its definition")      \

@@ -17,15 +17,7 @@ from itertools import combinations
 from math import comb
 from typing import Any
 
-from minkref import _core
-from minkref.fuzz.judges.event_rows import (
-    minkref_rows,
-    pair_search_rows,
-    parents_of,
-    show,
-    symbolic_rows,
-    unmatched,
-)
+from minkref.fuzz.judges.event_rows import compared, show, symbolic_rows
 from minkref.fuzz.judges.small_operands import Rings, random_operand
 from minkref.oracle.symbolic.arrangement import pairwise_events, threefold_events
 from minkref.oracle.symbolic.convolution import reduced_convolution
@@ -105,16 +97,8 @@ def compare_operands(P: Rings, P_set: Any, Q: Rings, Q_set: Any, table: Table) -
     found = pairwise_events(segments) + threefold_events(segments)
     ours = symbolic_rows(edges, found)
     table.events.update(f"{each.kind} {each.event.change}" for each in found)
-    events = _core.ArrangementEvents(P_set, Q_set)
     table.several_places += sum(count > 1 for count in Counter(row[:4] for row in ours).values())
-    known = Counter({row: n for row, n in ours.items() if row[1] != "triple" and row[2] != "swap"})
-    mine = Counter(edge.parents for edge in edges)
-    theirs = Counter(parents_of(row) for row in _core.reduced_convolution(P_set, Q_set))
-    listed: dict[str, tuple[list[Any], list[Any]]] = {
-        "convolution": (list((mine - theirs).elements()), list((theirs - mine).elements())),
-        "arrangement": unmatched(ours, minkref_rows(events, events.of_kind("arrangement"))),
-        "pair search": unmatched(known, pair_search_rows(_core.pair_events(P_set, Q_set))),
-    }
+    listed = compared(edges, found, P_set, Q_set)
     for what, (extra, missing) in listed.items():
         if extra or missing:
             shown = sorted(map(show, extra))[:20], sorted(map(show, missing))[:20]

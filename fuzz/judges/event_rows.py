@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from typing import Any
 
+from minkref import _core
 from minkref.oracle.symbolic.arrangement import ArrangementEvent
 from minkref.oracle.symbolic.convolution import ConvolutionEdge
 from minkref.oracle.symbolic.moving import Point, point_text
@@ -70,6 +71,24 @@ def unmatched(mine: Counter[Row], theirs: Counter[Row]) -> tuple[list[Row], list
     named = Counter(row[:4] for row in theirs.elements())
     extra = [row for row in (mine - theirs).elements() if row[:4] not in named]
     return extra, missing + [row for row in theirs if named[row[:4]] > 1]
+
+
+def compared(
+    edges: list[ConvolutionEdge], found: list[ArrangementEvent], P: Any, Q: Any
+) -> dict[str, tuple[list[Any], list[Any]]]:
+    """What only the symbolic oracle has, and what only minkref has: edges of the reduced
+    convolution; events of `--kind arrangement`; events of the search for pairs, kinds pair and
+    parallel."""
+    truth = symbolic_rows(edges, found)
+    known = Counter({row: n for row, n in truth.items() if row[1] != "triple" and row[2] != "swap"})
+    mine = Counter(edge.parents for edge in edges)
+    theirs = Counter(parents_of(row) for row in _core.reduced_convolution(P, Q))
+    events = _core.ArrangementEvents(P, Q)
+    return {
+        "convolution": (list((mine - theirs).elements()), list((theirs - mine).elements())),
+        "arrangement": unmatched(truth, minkref_rows(events, events.of_kind("arrangement"))),
+        "pair search": unmatched(known, pair_search_rows(_core.pair_events(P, Q))),
+    }
 
 
 def show(row: Any) -> str:

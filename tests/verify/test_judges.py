@@ -15,6 +15,7 @@ from minkref.fuzz.case import Case, CaseName
 from minkref.fuzz.cgal_executables import OracleNotFoundError
 from minkref.fuzz.judges import (
     checks,
+    event_rows,
     slow_points,
     slow_sums,
     slow_tight_passages,
@@ -53,7 +54,7 @@ JUDGES: dict[str, tuple[Any, Callable[[Case], Ruling]]] = {
     "topology": (slow_topology, slow_topology.judge),
     "tight passages": (slow_tight_passages, slow_tight_passages.judge),
     "points": (slow_points, slow_points.judge),
-    "events": (symbolic_events, symbolic_events.judge),
+    "events": (event_rows, symbolic_events.judge),
     "boundary": (swept_boundary, swept),
 }
 

@@ -80,9 +80,7 @@ class Collision {
     const int p0 = kernel_.side(Vector(p.start + q.start), q.direction, x);
     const int p1 = kernel_.side(Vector(p.end + q.start), q.direction, x);
     if (p0 * p1 > 0) return false;
-    if (q0 == 0 && q1 == 0 && p0 == 0 && p1 == 0) {
-      return !planted(Fault::overlap_on_line_missed) && overlap_on_line(p, q, x);
-    }
+    if (q0 == 0 && q1 == 0 && p0 == 0 && p1 == 0) return overlap_on_line(p, q, x);
     return true;
   }
 
