@@ -128,7 +128,7 @@ def _rule(
         return job.lost[name]
     pipe.send(("begin", name, load_limit(limits)))
     if name not in made:
-        made[name] = Check(name)
+        made[name] = Check(name, limits.size)
     check = made[name]
     assert isinstance(check, Check)
     _begin(pipe, name, limits)

@@ -110,6 +110,9 @@ void bind_polygon_set(nb::module_& module) {
           "x"_a, "y"_a, Released())
       .def_prop_ro("vertices", [](const Set& set) { return set.value.vertices(); })
       .def_prop_ro("ring_count", [](const Set& set) { return set.value.rings(); })
+      .def_prop_ro(
+          "is_region", [](const Set& set) { return set.value.is_region(); },
+          "Neither empty nor a point nor a segment.")
       .def_prop_ro("is_empty", [](const Set& set) { return set.value.empty(); })
       .def_prop_ro("is_point", [](const Set& set) { return set.value.is_point(); })
       .def_prop_ro("is_segment", [](const Set& set) { return set.value.is_segment(); });

@@ -44,7 +44,7 @@ namespace minkref {
   X(near_scales_together, "events that doubles cannot tell apart are one group")              \
   X(order_not_updated, "a step down does not undo swaps")                                     \
   X(stale_position, "nodes stay where they are until the next event")                         \
-  X(status_carried, "a sub-edge made of several keeps the status of the first")               \
+  X(status_guessed, "a new sub-edge has the status of the one before it")                     \
   X(tight_taken_for_boundary, "a sub-edge in contact on both sides counts as boundary")       \
   X(boundary_piece_at_event_lost, "pieces of the boundary at the scale of an event are lost") \
   X(smallest_part_goes_on, "where a hole splits, its smallest part keeps its name")           \

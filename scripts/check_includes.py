@@ -13,6 +13,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.MULTILINE)
+# A module that is imported by its name, other than one beside it.
+BY_NAME = re.compile(r"(import_module|__import__)\(\s*f?[\"'](?!\.[^.])[^\"']*")
 FOREIGN = ("CGAL/", "nlohmann/")
 ROOMS = ("reference", "formats", "certify", "oracle", "degeneracies", "fuzz", "reports", "python")
 
@@ -86,12 +88,19 @@ def check_python(root: Path) -> Iterator[str]:
         if room not in ROOMS:
             continue
         alone = next((f for f in STANDARD_LIBRARY_ONLY if relative.is_relative_to(f)), None)
-        for line, name, level in imports(ast.parse(path.read_text(encoding="utf-8"))):
+        text = path.read_text(encoding="utf-8")
+        if room == "oracle":
+            for found in BY_NAME.finditer(text):
+                line = text.count("\n", 0, found.start()) + 1
+                yield f"{relative}:{line}: a judge imports nothing of another: {found[0]}"
+        for line, name, level in imports(ast.parse(text)):
             first = name.split(".")[0]
             if level == 0 and first in NO_IMPORT.get(room, ()):
                 yield f"{relative}:{line}: {room} may not import {name}"
             elif room != "oracle" and level == 0 and first == "oracle":
                 yield f"{relative}:{line}: nobody imports the oracle: {name}"
+            elif room == "oracle" and level > 1:
+                yield f"{relative}:{line}: a judge imports nothing of another: {'.' * level}{name}"
             elif room != "fuzz" and level == 0 and name.startswith("minkref.oracle"):
                 yield f"{relative}:{line}: only fuzz/ puts the oracle to use: {name}"
             elif alone and level == 0 and first not in sys.stdlib_module_names:

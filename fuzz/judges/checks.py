@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from importlib import import_module
 from importlib.util import find_spec
 
+from minkref import _core
 from minkref.errors import message_of
 from minkref.fuzz.case import Case
 from minkref.fuzz.cgal_executables import SWEPT_SOLID, OracleNotFoundError, find_executable
@@ -51,11 +52,16 @@ def absence(name: str) -> str | None:
     return None
 
 
+def _is_thin(operand: _core.PolygonSet) -> bool:
+    return not operand.is_region and not operand.is_empty
+
+
 @dataclass
 class Check:
     """One of the targets, in one worker."""
 
     name: str
+    size: int | None = None  # pairs of vertices instead of SIZE_LIMITS
 
     def __post_init__(self) -> None:
         self._open = ExitStack()
@@ -76,16 +82,25 @@ class Check:
         reference or the judge fails."""
         since = time.perf_counter()
         limit = SIZE_LIMITS.get(self._short)
-        if limit is not None and case.vertex_pairs > limit:
-            message = f"{case.vertex_pairs:,} pairs of vertices, more than {limit:,}"
+        if limit is not None:
+            limit = self.size if self.size is not None else limit
+            if case.vertex_pairs > limit:
+                pairs = f"{case.vertex_pairs:,} pairs of vertices"
+                message = f"{pairs}, more than {limit:,} (--size-limit)"
+                return Outcome(self.name, Verdict.SKIPPED, message=message)
+        if _is_thin(case.P) and _is_thin(case.Q):
+            message = "both operands are points or segments, which have no sum"
             return Outcome(self.name, Verdict.SKIPPED, message=message)
         try:
-            ruling = self._judge(case, *self._arguments)
+            return self._judge(case, *self._arguments).outcome(
+                self.name, time.perf_counter() - since
+            )
         except MemoryError as error:
-            return Outcome(self.name, Verdict.OUT_OF_MEMORY, message=message_of(error))
+            verdict, message = Verdict.OUT_OF_MEMORY, message_of(error)
         except Exception as error:  # noqa: BLE001 a fault of either side, whatever it is
-            return Outcome(self.name, Verdict.ERRORED, message=message_of(error))
-        return ruling.outcome(self.name, time.perf_counter() - since)
+            verdict, message = Verdict.ERRORED, message_of(error)
+        seconds = time.perf_counter() - since
+        return Outcome(self.name, verdict, message=message, seconds=seconds)
 
     def close(self) -> None:
         self._open.close()

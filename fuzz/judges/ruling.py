@@ -13,6 +13,7 @@ from minkref.fuzz.verdict import Outcome, Reason, Verdict, Witness
 
 SCALES_OF_EVENTS = 2  # of each kind, on one case
 HIGHEST = 40
+NOTHING = "nothing to compare: no event, or no point"
 
 
 @dataclass
@@ -39,6 +40,8 @@ class Ruling:
     def outcome(self, target: str, seconds: float) -> Outcome:
         if self.skipped is not None:
             return Outcome(target, Verdict.SKIPPED, message=self.skipped, seconds=seconds)
+        if not self.compared:
+            return Outcome(target, Verdict.SKIPPED, message=NOTHING, seconds=seconds)
         if not self.messages:
             return Outcome(target, Verdict.PASS, seconds=seconds)
         return Outcome(

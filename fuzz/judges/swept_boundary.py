@@ -17,11 +17,12 @@ LOW, HIGH = "101/1009", "1009/101"
 def judge(case: Case, solid: SweptSolid) -> Ruling:
     """The scales of `--kind boundary`, route dynamic, in one window."""
     answer = solid.vertices(case.P_json, case.Q_json, LOW, HIGH)
-    if answer.vertices is None:
-        # CGAL's failures are no verdict on the reference.
-        reason = answer.reason or answer.status
+    if answer.status == "skipped":
+        reason = answer.reason or ""
         too_many = f"more than {MOST_PAIRS} pairs of triangles"
         return Ruling(skipped=too_many if "pairs of triangles" in reason else reason)
+    if answer.vertices is None:
+        raise RuntimeError(f"the swept solid {answer.status}: {answer.reason}")
     ruling = Ruling()
     dynamic = _core.DynamicSum(case.P, case.Q, LOW, HIGH)
     events = {Fraction(s) for s, *_ in dynamic.boundary_events()} - {Fraction(LOW), Fraction(HIGH)}

@@ -24,6 +24,8 @@ LONGEST = 40  # edges of the convolution: all triples of more would take too lon
 def judge(case: Case) -> Ruling:
     """The edges of the reduced convolution, and all events of `--kind arrangement` and of `--kind
     pair` and `parallel`: scale, change, parents, place."""
+    if not (case.P.is_region and case.Q.is_region):
+        return Ruling(skipped="an operand that is a point, a segment or empty")
     edges = reduced_convolution(_rings(case.P_json), _rings(case.Q_json))
     if len(edges) > LONGEST:
         return Ruling(skipped=f"more than {LONGEST} edges of the convolution")

@@ -2,8 +2,16 @@
 package."""
 
 import sys
+import traceback
 
 from .command import main
 
+INTERNAL = 70  # 1 would say that `compare` found another set
+
 if __name__ == "__main__":
-    sys.exit(main())
+    try:
+        code = main()
+    except Exception:  # noqa: BLE001 the border of the program
+        traceback.print_exc()
+        code = INTERNAL
+    sys.exit(code)

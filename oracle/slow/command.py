@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import os
 import sys
 from collections.abc import Callable, Sequence
 from fractions import Fraction
@@ -152,7 +153,12 @@ def parser() -> argparse.ArgumentParser:
         command.add_argument("--scale", default="1", metavar="S", help="3, 7/5, 0.25; default 1")
         command.add_argument("--json", action="store_true", help="one JSON document")
         if name == "witness":
-            command.add_argument("--at", required=True, metavar="X,Y", help="the point x")
+            command.add_argument(
+                "--at",
+                required=True,
+                metavar="X,Y",
+                help="the point x; --at=-1,2 where it begins with a minus",
+            )
         if name == "compare":
             command.add_argument("--with", required=True, dest="other", metavar="FILE")
     return top
@@ -181,7 +187,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print(f"slow: {error}", file=sys.stderr)
         return 2
     if options.json:
-        print(json.dumps({"command": options.command, "scale": text_of(scale), **answer}))
+        text = json.dumps({"command": options.command, "scale": text_of(scale), **answer})
     else:
-        print("\n".join(lines(answer)))
+        text = "\n".join(lines(answer))
+    try:
+        print(text, flush=True)
+    except OSError as error:  # the reader has gone, or the disk is full
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        print(f"slow: cannot write the answer: {error.strerror}", file=sys.stderr)
+        return 2
     return 0 if answer.get("equal", True) else 1

@@ -63,7 +63,7 @@ def hole_links(below: State, at: State, above: State) -> list[Link]:
     """Holes, the outside as hole 0."""
     triples: list[Triple] = [(0, 0, 0)]
     for index, part in enumerate(at.complement):
-        point = sample(at.outline.plane, part, at.outline.edges, at.side.unit)
+        point = sample(at.outline.plane, part, at.outline.edges, at.side.unit, ())
         i, j = (place_of(side, side.complement, point) for side in (below, above))
         # What is in no hole is in the outside, which no ring goes around.
         triples.append((0 if i is None else i + 1, index + 1, 0 if j is None else j + 1))
@@ -77,7 +77,7 @@ def component_links(below: State, at: State, above: State) -> list[Link]:
     triples: list[Triple] = []
     parts, edges = sub_parts(at)
     for part in parts:
-        point = sample(at.outline.plane, part, edges, at.side.unit)
+        point = sample(at.outline.plane, part, edges, at.side.unit, at.outline.points)
         i, k, j = (place_of(side, side.interior, point) for side in (below, at, above))
         assert i is not None and k is not None and j is not None, "the interior lost a sample"
         triples.append((i, k, j))

@@ -1,9 +1,9 @@
 """Rational points inside of components at a scale, and where they lie just below or above it.
 
 A point of the sum of the interiors stays in it, with a ball around, at all scales nearby, and so
-does a point of the complement of the sum. So a sample that is on no boundary edge and on no tight
-segment at the scale lies inside of one component just below it and of one just above it, and no
-boundary comes close to it.
+does a point of the complement of the sum. So a sample that is on no boundary edge, on no tight
+segment and no tight point at the scale lies inside of one component just below it and of one just
+above it, and no boundary comes close to it.
 """
 
 from __future__ import annotations
@@ -13,24 +13,31 @@ from fractions import Fraction
 
 from .exact import Point, Vector, cross
 from .germ import Side
-from .plane import Edge, Plane
+from .plane import Edge, Node, Plane
 from .state import State
 from .walks import Component
 
 
-def sample(plane: Plane, part: Component, edges: Sequence[Edge], unit: int) -> Point:
-    """A point of the component: from the middle of an edge of the outer ring, half the way to
+def sample(
+    plane: Plane, part: Component, edges: Sequence[Edge], unit: int, avoided: Sequence[Node]
+) -> Point:
+    """A point of the component: from the middle of an edge of the outer ring, a part of the way to
     the left to the first edge of all `edges`, which contain those of the component and are cut
-    at all nodes."""
+    at all nodes; half of it unless one of the `avoided` points is there."""
     start = part.outer[0]
     x, y, den = plane.middle(start)
     middle = (Fraction(x, den), Fraction(y, den))
     way = (-start.d[1], start.d[0])
     first = min(hits(plane, middle, way, edges))
-    return (
-        (middle[0] + first * way[0] / 2) / unit,
-        (middle[1] + first * way[1] / 2) / unit,
-    )
+    taken = {
+        (Fraction(x, den), Fraction(y, den)) for x, y, den in map(plane.points.__getitem__, avoided)
+    }
+    # One way more than there are points to avoid.
+    for share in range(2, len(taken) + 3):
+        point = (middle[0] + first * way[0] / share, middle[1] + first * way[1] / share)
+        if point not in taken:
+            return point[0] / unit, point[1] / unit
+    raise AssertionError("more places taken than there are points")
 
 
 def hits(plane: Plane, middle: Point, way: Vector, edges: Sequence[Edge]) -> Iterator[Fraction]:

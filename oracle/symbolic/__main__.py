@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import os
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -19,12 +20,15 @@ THREE = """{"segments": [{"kind": "T", "edge": [[0,20],[17,-11]], "vertex": [-3,
               {"kind": "T", "edge": [[17,-11],[-19,-9]], "vertex": [1,3]},
               {"kind": "T", "edge": [[-19,-9],[0,20]], "vertex": [4,-1]}]}"""
 FACETS = """{"facets": [{"kind": "fv", "P": [[0,0,1],[6,0,1],[0,6,1]], "Q": [[0,0,0]]}],
- "vertex": {"p": [0,0,-1], "q": [1,1,10]}}
- two facets without a vertex: their planes; four: one point of all;
+  "vertex": {"p": [0,0,-1], "q": [1,1,10]}}
+
+Two facets without a vertex: their planes; four: one point of all. Two edges:
+
  {"edges": [{"kind": "S", "P": [[0,0,0],[0,1,1]], "Q": [[0,0,0]]},
             {"kind": "T", "P": [[0,0,0]], "Q": [[0,2,2],[0,3,3]]}]}"""
 DISC = """{"polygon": [[0,0],[12,0],[12,6],[8,6],[8,2],[4,2],[4,6],[0,6]], "radius": "1"}
- the ring runs counter-clockwise; "s" is a sum of square roots"""
+
+The ring runs counter-clockwise; "s" is a sum of square roots."""
 
 Answer = Callable[[documents.Document], documents.Document]
 COMMANDS: dict[str, tuple[Answer, str, str]] = {
@@ -87,10 +91,18 @@ def main(arguments: Sequence[str] | None = None) -> int:
             answer = {"output": str(asked.output), "solutions": len(document["solutions"])}
         else:
             answer = answered(asked.command, asked.request)
+    except RecursionError:
+        print(f"{asked.command}: the request nests too deeply", file=sys.stderr)
+        return 2
     except (OSError, ValueError, solutions.SolutionsError) as error:
         print(f"{asked.command}: {error}", file=sys.stderr)
         return 2
-    print(json.dumps(answer, indent=1))
+    try:
+        print(json.dumps(answer, indent=1), flush=True)
+    except OSError as error:  # the reader has gone, or the disk is full
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        print(f"{asked.command}: cannot write the answer: {error.strerror}", file=sys.stderr)
+        return 2
     return 0
 
 

@@ -245,17 +245,24 @@ TEST(DynamicWalk, OfAPointOrASegmentLeadsToTheStaticSumToo) {
 }
 
 TEST(DynamicWalk, StandsHugeAndTinyNumbers) {
-  const Rational huge = parse_rational("1e200"), tiny = parse_rational("1e-200");
+  // Also scales far beyond the range of doubles, of coordinates within it.
+  const std::vector<std::pair<const char*, const char*>> factors{
+      {"1e200", "1"},      {"1e-200", "1"},    {"1e305", "1e-50"}, {"1e-50", "1e305"},
+      {"1e200", "1e-150"}, {"1e-250", "1e90"}, {"1e-315", "1"}};
   MINKREF_SEEDED(random, 403);
   expect_law(random, 10, [&](const Case& c) -> std::string {
-    for (const Rational& factor : {huge, tiny}) {
-      const PolygonSet P = scaled(c.P, factor);
-      DynamicSum dynamic(P, c.Q, {});
+    for (const auto& [first, second] : factors) {
+      const PolygonSet P = scaled(c.P, parse_rational(first));
+      const PolygonSet Q = scaled(c.Q, parse_rational(second));
+      DynamicSum dynamic(P, Q, {});
+      topology_timeline(dynamic.states());
       const ArrangementEvents& events = *dynamic.states().timeline().events;
       for (std::uint32_t g = 0; g < std::min<std::size_t>(events.groups(), 5); ++g) {
-        dynamic.move_to(events.exact(g));
-        const std::string wrong = difference_from_scratch(dynamic, P, c.Q);
-        if (!wrong.empty()) return wrong;
+        for (const Rational& s : {events.exact(g), Rational(events.exact(g) * Rational(9, 8))}) {
+          dynamic.move_to(s);
+          const std::string wrong = difference_from_scratch(dynamic, P, Q);
+          if (!wrong.empty()) return wrong;
+        }
       }
     }
     return "";

@@ -156,6 +156,79 @@ TEST(Topology, AHoleSplitsAtAWaist) {
   EXPECT_EQ(wrong_counts(P, Q, {}), "");
 }
 
+TEST(Topology, TheLargestPartOfAHoleThatSplitsKeepsItsName) {
+  // The unit square slides through a waist of width 2 between lobes of width 6 and of width 20 or
+  // 4: both lobes are as high, so the narrower one dies first.
+  for (const int width : {4, 20}) {
+    const PolygonSet P = box(0, 0, 1, 1);
+    const PolygonSet Q = region(rectangle(-9, -9, 60, 30), {Ring{{0, 0},
+                                                                 {0, 9},
+                                                                 {8, 9},
+                                                                 {8, 5},
+                                                                 {12, 5},
+                                                                 {12, 9},
+                                                                 {12 + width, 9},
+                                                                 {12 + width, 0},
+                                                                 {12, 0},
+                                                                 {12, 3},
+                                                                 {8, 3},
+                                                                 {8, 0}}});
+    const DynamicSum dynamic(P, Q, {});
+    const TopologyTimeline timeline = topology_timeline(dynamic.states());
+    const TopologyEvent event = event_at(dynamic, timeline, 2);
+    ASSERT_EQ(event.change, TopologyEvent::Change::split);
+    EXPECT_EQ(event.after, (std::vector<std::uint32_t>{1, 2}));
+    const ArrangementEvents& events = *dynamic.states().timeline().events;
+    // A lobe of width w and height 9 is gone at s = min(w, 9).
+    EXPECT_EQ(events.exact(timeline.holes[1].died.value()), std::max(std::min(width, 9), 8));
+    EXPECT_EQ(events.exact(timeline.holes[2].died.value()), std::min(std::min(width, 9), 8));
+  }
+}
+
+TEST(Topology, AHoleTouchesItselfAtOneScaleOnly) {
+  // P is two spikes, 10 apart; Q has a hole with a spike from below and one from above. One copy of
+  // the upper spike passes one of the lower spike, tip at tip, at s = 1.
+  const PolygonSet P{
+      {Polygon{Ring{{-1, -2}, {1, -2}, {0, 0}}, {}}, Polygon{Ring{{10, 0}, {11, 2}, {9, 2}}, {}}}};
+  const PolygonSet Q = region(rectangle(-200, -200, 200, 200), {Ring{{-100, -100},
+                                                                     {-100, 100},
+                                                                     {-11, 100},
+                                                                     {-10, 0},
+                                                                     {-9, 100},
+                                                                     {100, 100},
+                                                                     {100, -100},
+                                                                     {1, -100},
+                                                                     {0, 0},
+                                                                     {-1, -100}}});
+  const ScaleWindow window{Rational(1, 2), Rational(3, 2)};
+  const DynamicSum dynamic(P, Q, window);
+  const TopologyTimeline timeline = topology_timeline(dynamic.states());
+  const TopologyEvent event = event_at(dynamic, timeline, 1);
+  EXPECT_EQ(event.kind, FeatureKind::hole);
+  EXPECT_EQ(event.change, TopologyEvent::Change::touch);
+  EXPECT_EQ(event.before, std::vector<std::uint32_t>{1});
+  EXPECT_EQ(event.after, std::vector<std::uint32_t>{1});
+  EXPECT_EQ(event.at, 2U);
+  EXPECT_EQ(event.place, (Point{0, 0}));
+  EXPECT_EQ(wrong_counts(P, Q, window), "");
+}
+
+TEST(Topology, EventsCloserThanDoublesCanTellAreApart) {
+  // Two square holes, one larger by 2^-70, filled by the unit square scaled by 1 and by 1 + 2^-70.
+  const Rational more = 1 + Rational(Integer(1), Integer(1) << 70);
+  const PolygonSet P = box(0, 0, 1, 1);
+  const PolygonSet Q =
+      region(rectangle(-9, -9, 9, 9),
+             {rectangle(0, 0, 1, 1), Ring{{3, 0}, {3, more}, {3 + more, more}, {3 + more, 0}}});
+  const DynamicSum dynamic(P, Q, {Rational(1, 2), Rational(3, 2)});
+  const TopologyTimeline timeline = topology_timeline(dynamic.states());
+  ASSERT_EQ(timeline.topology.size(), 2U);
+  const ArrangementEvents& events = *dynamic.states().timeline().events;
+  EXPECT_EQ(events.exact(timeline.topology[0].group), 1);
+  EXPECT_EQ(events.exact(timeline.topology[1].group), more);
+  EXPECT_EQ(numbers_at(P, Q, (1 + more) / 2).holes, 1U);
+}
+
 TEST(Topology, ComponentsMerge) {
   // Squares of side s at distance 6: they touch along an edge where s + 1 = 6.
   const PolygonSet P = box(0, 0, 1, 1);

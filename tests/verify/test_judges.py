@@ -118,10 +118,83 @@ class FewerEvents:
         return self._right.rows(which)[:-1]
 
 
+class WithMoreEvents(WithoutEvents):
+    def boundary_events(self) -> list[Any]:
+        right = self._right.boundary_events()
+        return [*right, ("2", *right[0][1:])]
+
+    def topology_events(self) -> list[Any]:
+        right: list[Any] = self._right.topology_events()
+        return right
+
+
+def drifting(part: int) -> type[WithoutEvents]:
+    """Counts one hole too many: 0 just below, 1 at the scale, 2 just above the only event."""
+
+    class Drifting(WithoutEvents):
+        def topology_events(self) -> list[Any]:
+            right: list[Any] = self._right.topology_events()
+            return right
+
+        def state_counts(self) -> list[Any]:
+            (start, below), (event, above) = self._right.state_counts()
+            if part == 0:
+                below = (below[0] + 1, *below[1:])
+            elif part == 1:
+                above = (*above[:3], above[3] + 1, above[4])
+            else:
+                above = (above[0] + 1, *above[1:])
+            return [(start, below), (event, above)]
+
+    return Drifting
+
+
+class DriftingSum(WithoutEvents):
+    """The set is not updated."""
+
+    def sum(self) -> Any:
+        self._right.move_to("1/7")
+        return self._right.sum()
+
+
+def more_components(P: Any, Q: Any, scale: str, route: str = "paper") -> Any:
+    right = _core.minkowski_sum(P, Q, scale, route)
+    return SimpleNamespace(region=right.region, components=right.components + 1, holes=right.holes)
+
+
+def unproved(P: Any, Q: Any, scale: str, x: str, y: str) -> Any:
+    right = _core.decide(P, Q, scale, x, y)
+    return {**right, "p": ("100", "100")} if right["p"] else right
+
+
+class RepeatedEvents(FewerEvents):
+    def rows(self, which: Any) -> Any:
+        rows = self._right.rows(which)
+        return [*rows, ("7/3", *rows[0][1:])]
+
+
+PASSAGE = [([("0", "0"), ("1", "1")], [[]])]
 LIES: list[tuple[str, str, str, dict[str, Any], Reason]] = [
     ("sums", TRIANGLE, FRAME, {"minkowski_sum": moved_sum}, Reason.MISSING),
     ("sums", UNIT, CORRIDOR, {"minkowski_sum": other_count}, Reason.HOLE_INVENTED),
+    ("sums", UNIT, CORRIDOR, {"minkowski_sum": more_components}, Reason.COMPONENT),
+    ("sums", TRIANGLE, FRAME, {"DynamicSum": DriftingSum}, Reason.MISSING),
     ("topology", TRIANGLE, FRAME, {"DynamicSum": WithoutEvents}, Reason.EVENT_MISPLACED),
+    ("topology", TRIANGLE, FRAME, {"DynamicSum": drifting(0)}, Reason.HOLE_INVENTED),
+    ("topology", TRIANGLE, FRAME, {"DynamicSum": drifting(1)}, Reason.STATE_DRIFT),
+    ("topology", TRIANGLE, FRAME, {"DynamicSum": drifting(2)}, Reason.HOLE_INVENTED),
+    (
+        "topology", TRIANGLE, FRAME, {"DynamicSum": WithMoreEvents},
+        Reason.EVENT_INVENTED,
+    ),
+    ("tight passages", UNIT, CORRIDOR, {"tight_passages": lambda *_: PASSAGE * 3},
+     Reason.PASSAGE_INVENTED),
+    ("points", UNIT, UNIT, {"decide": unproved}, Reason.EXTRA),
+    ("events", TRIANGLE, FRAME, {"ArrangementEvents": RepeatedEvents}, Reason.EVENT_INVENTED),
+    (
+        "events", TRIANGLE, FRAME, {"reduced_convolution": lambda *_: []}, Reason.EVENT_MISSED,
+    ),
+    ("boundary", TRIANGLE, FRAME, {"DynamicSum": WithMoreEvents}, Reason.EVENT_INVENTED),
     (
         "tight passages", UNIT, CORRIDOR, {"tight_passages": lambda *_: []},
         Reason.PASSAGE_MISSED,
@@ -187,3 +260,42 @@ def test_what_is_too_large_for_a_judge_is_skipped_with_a_reason(
     for row in rows:
         if row["target"] != "minkref@slow-points":
             assert row["verdicts"] == {"skipped": 1} and row["skips"]
+
+
+@pytest.mark.parametrize(
+    ("P", "Q"),
+    [
+        ("POINT(1 2)", TRIANGLE),
+        (TRIANGLE, "LINESTRING(0 0, 1 1)"),
+        ("POLYGON EMPTY", TRIANGLE),
+        ("POINT(1 2)", "POINT(3 4)"),
+        ("POINT(1 2)", "LINESTRING(0 0, 1 1)"),
+        # A hole shrinks onto a tight point in the middle of everything.
+        (
+            "POLYGON((-1 -1, 1 -1, 1 1, -1 1, -1 -1))",
+            "POLYGON((-3 -3, 3 -3, 3 3, -3 3, -3 -3), (-1 -1, -1 1, 1 1, 1 -1, -1 -1))",
+        ),
+    ],
+)
+def test_no_judge_raises_an_alarm_on_a_hostile_case(P: str, Q: str) -> None:
+    case = case_of(P, Q)
+    for name in checks.names():
+        if checks.absence(name) is None:
+            check = checks.Check(name)
+            outcome = check.rule(case)
+            check.close()
+            assert outcome.verdict in (Verdict.PASS, Verdict.SKIPPED), (name, outcome.message)
+            assert outcome.verdict is Verdict.PASS or outcome.message
+
+
+def test_a_judge_that_compares_nothing_has_not_passed() -> None:
+    assert Ruling().outcome("minkref@test", 0.0).verdict is Verdict.SKIPPED
+
+
+def test_a_judge_that_breaks_down_is_no_skip(monkeypatch: pytest.MonkeyPatch) -> None:
+    def broken(case: Case) -> Ruling:
+        raise RuntimeError("the swept solid crashed")
+
+    monkeypatch.setattr(slow_points, "judge", broken)
+    outcome = checks.Check("minkref@slow-points").rule(case_of(UNIT, UNIT))
+    assert outcome.verdict is Verdict.ERRORED and "crashed" in outcome.message

@@ -236,10 +236,8 @@ struct EdgeSweep::Impl {
         same = same && g.old_status[stretches[k].before] == g.old_status[stretches[first].before];
       }
       if (first == k && edge.same_track(list[j], list[j + 1])) continue;
-      same = same || planted(Fault::status_carried);
-      status[j] = first == k || !same || overlapped
-                      ? decide.between(list[j], list[j + 1], g.group, g.next)
-                      : g.old_status[stretches[first].before];
+      status[j] =
+          first == k || !same || overlapped ? decided(j, g) : g.old_status[stretches[first].before];
       if (status[j] != Status::boundary) continue;
       sub_edge[j] = continued(g, stretches, first, k, j);
       if (sub_edge[j] == no_sub_edge) {
@@ -255,6 +253,11 @@ struct EdgeSweep::Impl {
     }
     pieces_at_the_scale(g, stretches);
     coincident(g, stretches);
+  }
+
+  Status decided(std::size_t j, const Group& g) {
+    if (planted(Fault::status_guessed) && j > 0) return status[j - 1];
+    return decide.between(list[j], list[j + 1], g.group, g.next);
   }
 
   /// The sub-edge that goes on as gap j, which stretches `first` to `end` make up, if one does: its

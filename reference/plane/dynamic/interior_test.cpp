@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "reference/plane/arrangement/box_tree.hpp"
+#include "reference/plane/dynamic/double_range.hpp"
 #include "reference/plane/point_predicates.hpp"
 #include "reference/plane/routes/simply_connected.hpp"
 #include "reference/plane/witness.hpp"
@@ -27,9 +28,10 @@ struct Pieces {
       Doubles d;
       Box box;
       for (std::size_t i = 0; i < 3; ++i) {
-        d[i] = {to_double(t[i].x), to_double(t[i].y)};
-        box.add({below(d[i][0]), below(d[i][1]), above(d[i][0]), above(d[i][1])});
-        magnitude = std::max({magnitude, std::abs(d[i][0]), std::abs(d[i][1])});
+        const double x = to_double(t[i].x), y = to_double(t[i].y);
+        box.add({below(x), below(y), above(x), above(y)});
+        magnitude = std::max({magnitude, std::abs(x), std::abs(y)});
+        d[i] = {filter_double(t[i].x), filter_double(t[i].y)};
       }
       doubles.push_back(d);
       boxes.push_back(box);
@@ -129,7 +131,7 @@ InteriorTest::InteriorTest(const PolygonSet& P, const PolygonSet& Q)
 InteriorTest::~InteriorTest() = default;
 
 bool InteriorTest::certainly_inside(double x, double y, double error, double scale) const {
-  if (!impl_->regions) return false;
+  if (!impl_->regions || !in_filter_range(scale)) return false;
   const double e = impl_->error(x, y, scale, error);
   return impl_->p.tree.pairs_with(
       impl_->q.tree,
@@ -162,7 +164,8 @@ bool InteriorTest::inside(const Point& x, const Rational& scale) const {
       },
       [&](std::uint32_t i, std::uint32_t j) {
         const auto [near_a, near_b] = impl_->placed(i, j, at.x(), at.y(), s);
-        if (const auto known = told(near_a, near_b, e)) return *known;
+        const auto known = in_filter_range(s) ? told(near_a, near_b, e) : std::nullopt;
+        if (known) return *known;
         const Triangle &a = impl_->p.exact[i], &b = impl_->q.exact[j];
         std::array<FilteredPoint, 3> u, v;
         for (std::size_t k = 0; k < 3; ++k) {

@@ -1,8 +1,8 @@
 #include "reference/plane/dynamic/node_arithmetic.hpp"
 
 #include "reference/plane/critical/event_scale.hpp"
+#include "reference/plane/dynamic/double_range.hpp"
 #include "reference/plane/dynamic/edge_history.hpp"
-#include "reference/plane/dynamic/position_difference.hpp"
 #include "reference/plane/kernel/exact_frame.hpp"
 
 namespace minkref {
@@ -39,8 +39,8 @@ class FrameArithmetic : public NodeArithmetic {
     const NodeTable& table = events_.table();
     for (std::uint32_t n = table.begin(edge); n < table.end(edge); ++n) {
       const auto position = node_position(kernel_, edges_, edge, table.nodes[n]);
-      slope.push_back(wide_quotient(position.slope, position.den));
-      value.push_back(wide_quotient(position.value, position.den));
+      slope.push_back(filter_quotient(position.slope, position.den));
+      value.push_back(filter_quotient(position.value, position.den));
     }
   }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "reference/fault.hpp"
+#include "reference/plane/dynamic/double_range.hpp"
 #include "reference/plane/kernel/grid_kernel.hpp"
 #include "reference/plane/kernel/plain_kernel.hpp"
 
@@ -28,8 +29,8 @@ SubEdgeStatus::SubEdgeStatus(const PolygonSet& P, const PolygonSet& Q,
         }
       }) {
   for (const RationalEdge& e : events.moving()) {
-    doubles_.push_back({to_double(e.p.x()), to_double(e.p.y()), to_double(e.q.x()),
-                        to_double(e.q.y()), to_double(e.d.x()), to_double(e.d.y())});
+    doubles_.push_back({filter_double(e.p.x()), filter_double(e.p.y()), filter_double(e.q.x()),
+                        filter_double(e.q.y()), filter_double(e.d.x()), filter_double(e.d.y())});
   }
 }
 
@@ -71,7 +72,7 @@ SubEdgeStatus::Place SubEdgeStatus::place(double along, double along_terms, doub
 /// there, where everything is inside the sum. False if doubles cannot tell.
 bool SubEdgeStatus::certainly_left(std::uint32_t local, bool after, double s) const {
   // A point or a segment need not widen an edge where another ring touches it.
-  if (!regions_) return false;
+  if (!regions_ || !in_filter_range(s)) return false;
   if (local >= swept_.count() || swept_.node(local).kind != EdgeNode::Kind::crossing) return false;
   const std::uint32_t other = swept_.node(local).other;
   const DoubleEdge &e = doubles_[swept_.edge()], &f = doubles_[other];

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "reference/plane/dynamic/double_range.hpp"
 #include "reference/plane/kernel/grid_kernel.hpp"
 #include "reference/plane/kernel/plain_kernel.hpp"
 
@@ -55,7 +56,8 @@ int SweptEdge::compare_in_doubles(std::uint32_t x, std::uint32_t y, double s) co
 
 int SweptEdge::compare_at_group(std::uint32_t x, std::uint32_t y, std::uint32_t group) {
   if (x == y) return 0;
-  const int sign = compare_in_doubles(x, y, events_.approximate(group));
+  const double s = events_.approximate(group);
+  const int sign = in_filter_range(s) ? compare_in_doubles(x, y, s) : 0;
   if (sign != 0) return sign;
   if (exact_group_ != group) {
     exact_group_ = group;
@@ -66,7 +68,8 @@ int SweptEdge::compare_at_group(std::uint32_t x, std::uint32_t y, std::uint32_t 
 
 int SweptEdge::compare_at(std::uint32_t x, std::uint32_t y, const Rational& scale,
                           double near_scale) const {
-  const int sign = compare_in_doubles(x, y, near_scale);
+  const bool filtered = in_filter_range(near_scale) || scale == 0;
+  const int sign = filtered ? compare_in_doubles(x, y, near_scale) : 0;
   return sign != 0 ? sign : minkref::sign(Rational(along(x, scale) - along(y, scale)));
 }
 

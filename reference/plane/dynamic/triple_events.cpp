@@ -7,7 +7,7 @@
 
 #include "reference/fault.hpp"
 #include "reference/plane/convolution/convolution_segments.hpp"
-#include "reference/plane/dynamic/position_difference.hpp"
+#include "reference/plane/dynamic/double_range.hpp"
 #include "reference/plane/kernel/double_block.hpp"
 #include "reference/plane/kernel/exact_frame.hpp"
 
@@ -99,12 +99,14 @@ class Search {
       if (node.from != EdgeNode::always && node.from == node.to) continue;
       positions_.push_back(node_position(kernel_, edges_, edge, node));
       const auto& position = positions_.back();
-      columns_.slope.push_back(wide_quotient(position.slope, position.den));
-      columns_.value.push_back(wide_quotient(position.value, position.den));
-      columns_.from.push_back(
-          node.from == EdgeNode::always ? low_ : moments_.approximate(node.from) * (1 - 0x1p-40));
-      columns_.to.push_back(
-          node.to == EdgeNode::always ? high_ : moments_.approximate(node.to) * (1 + 0x1p-40));
+      columns_.slope.push_back(filter_quotient(position.slope, position.den));
+      columns_.value.push_back(filter_quotient(position.value, position.den));
+      columns_.from.push_back(node.from == EdgeNode::always
+                                  ? low_
+                                  : moments_.approximate(node.from) * (1 - 0x1p-40) - 1e-300);
+      columns_.to.push_back(node.to == EdgeNode::always
+                                ? high_
+                                : moments_.approximate(node.to) * (1 + 0x1p-40) + 1e-300);
       columns_.node.push_back(n);
     }
     columns_.pad();
