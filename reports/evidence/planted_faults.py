@@ -35,7 +35,7 @@ TABLE = SCRIPTS / "planted_faults.md"
 SUITES = ("plane", "critical", "dynamic")
 ROUTES = ("minkref:paper", "minkref:winding", "minkref:definition")
 PAIRS = 60
-SUITE_SECONDS, VERIFY_SECONDS, PYTEST_SECONDS = 400, 900, 300
+SUITE_SECONDS, VERIFY_SECONDS, PYTEST_SECONDS = 300, 150, 150
 FEWEST = 25
 JOBS = 2
 
