@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import time
 from collections.abc import Callable
 from contextlib import ExitStack
@@ -29,6 +30,7 @@ MODULES = {
     ),
     "swept-boundary": ("swept_boundary", "boundary events, against the swept solid"),
 }
+LONG_NUMBER = re.compile(r"[0-9/-]{4001}")
 SYMBOLIC_NEEDS = ("sympy", "gmpy2")
 # Pairs of vertices, m n, above which a judge skips a case.
 SIZE_LIMITS = {"slow-sums": 400, "slow-topology": 400, "slow-tight-passages": 400}
@@ -90,6 +92,11 @@ class Check:
                 return Outcome(self.name, Verdict.SKIPPED, message=message)
         if _is_thin(case.P) and _is_thin(case.Q):
             message = "both operands are points or segments, which have no sum"
+            return Outcome(self.name, Verdict.SKIPPED, message=message)
+        if self._short.startswith("slow-") and any(
+            LONG_NUMBER.search(text) for text in (case.P_json, case.Q_json)
+        ):
+            message = "numbers of more digits than the slow engine reads"
             return Outcome(self.name, Verdict.SKIPPED, message=message)
         try:
             return self._judge(case, *self._arguments).outcome(

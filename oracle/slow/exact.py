@@ -8,7 +8,7 @@ from math import gcd
 
 NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d{1,5})?")
 FRACTION = re.compile(r"([+-]?\d+)/(\d+)")
-MOST_DIGITS = 10_000
+MOST_DIGITS = 4_000  # an interpreter converts 4,300, unless it is set otherwise
 
 Point = tuple[Fraction, Fraction]
 Vector = tuple[int, int]

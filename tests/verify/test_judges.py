@@ -270,6 +270,7 @@ def test_what_is_too_large_for_a_judge_is_skipped_with_a_reason(
         ("POLYGON EMPTY", TRIANGLE),
         ("POINT(1 2)", "POINT(3 4)"),
         ("POINT(1 2)", "LINESTRING(0 0, 1 1)"),
+        ("POLYGON((0 0, 1e4100 0, 0 1, 0 0))", TRIANGLE),
         # A hole shrinks onto a tight point in the middle of everything.
         (
             "POLYGON((-1 -1, 1 -1, 1 1, -1 1, -1 -1))",
