@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Callable
 from dataclasses import dataclass, field
 from fractions import Fraction
 
@@ -52,9 +51,6 @@ class Ruling:
             seconds=seconds,
             witness=self.witness,
         )
-
-
-Judge = Callable[[Case], Ruling]
 
 
 def _short(value: object) -> str:

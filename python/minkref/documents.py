@@ -141,12 +141,11 @@ def check_writable(path: Path) -> None:
         )
 
 
-def check_spares(path: Path, sources: Iterable[str]) -> None:
+def check_spares(path: Path, operands: Iterable[Path]) -> None:
     """Refuses an output path that is the file of an operand."""
-    for source in sources:
-        name = source.removesuffix("#P").removesuffix("#Q")
+    for file in operands:
         try:
-            same = os.path.samefile(path, name)
+            same = os.path.samefile(path, file)
         except OSError:  # one of them does not exist
             continue
         if same:

@@ -23,6 +23,12 @@ class Operand:
     set: _core.PolygonSet
     warnings: list[str] = field(default_factory=list)
 
+    @property
+    def file(self) -> Path:
+        """Also of an operand of a case (`case.json#Q`)."""
+        path = Path(self.source)
+        return path if path.exists() else Path(self.source.removesuffix("#P").removesuffix("#Q"))
+
 
 def read_operand(name: str) -> Operand:
     """A file wins over a model of the same name. Refuses what does not exist or is not valid."""

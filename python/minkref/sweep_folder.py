@@ -55,10 +55,9 @@ class SweepFolder:
                 "folder-not-empty",
             )
 
-    def check_spares(self, sources: Iterable[str]) -> None:
+    def check_spares(self, operands: Iterable[Path]) -> None:
         """Refuses to replace an earlier sweep that holds an operand."""
-        for source in sources:
-            file = Path(source.removesuffix("#P").removesuffix("#Q"))
+        for file in operands:
             if (
                 self.path.is_dir()
                 and file.exists()

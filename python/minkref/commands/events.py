@@ -110,7 +110,7 @@ def command(
     ]
     first, second = read_operand(P), read_operand(Q)
     if output is not None:
-        check_spares(output, [first.source, second.source])
+        check_spares(output, [first.file, second.file])
     where = f"{first.name} and {second.name}"
     with progress(1) as line:
         line.now(f"finding all {kind} events")

@@ -20,11 +20,12 @@ from minkref.documents import (
     write_atomically,
 )
 from minkref.errors import Refusal, refusing
-from minkref.exact import digest, in_double_range, read_scale, scientific
+from minkref.exact import read_scale, scientific
 from minkref.operand import Operand, read_operand
 from minkref.options import Json, Schema
 from minkref.parents import PassageRows, passages_of
 from minkref.signals import interruptible
+from minkref.sum_fields import SUM_FIELDS, sum_fields
 from minkref.terminal import lines, shown
 
 EXAMPLES = """Examples:
@@ -78,7 +79,7 @@ def command(
     with interruptible():
         first, second = read_operand(P), read_operand(Q)
         if output is not None:
-            check_spares(output, [first.source, second.source])
+            check_spares(output, [first.file, second.file])
         result = compute(first, second, exact_scale, route, arithmetic)
         region = result.pop("region")
     written = _written(region, output) if output is not None else None
@@ -173,19 +174,8 @@ def _dynamic(P: Operand, Q: Operand, scale: str) -> tuple[_core.Sum, PassageRows
 
 
 def _description(answer: _core.Sum | None) -> dict[str, Any]:
-    if answer is None:
-        names = ("digest", "area", "area_approximate", "components", "holes", "vertices", "result")
-        return dict.fromkeys(names)
-    area = answer.region.area()
-    return {
-        "digest": digest(answer.region.canonical_json()),
-        "area": area,
-        "area_approximate": in_double_range(area),
-        "components": answer.components,
-        "holes": answer.holes,
-        "vertices": answer.region.vertices,
-        "result": None,
-    }
+    fields = dict.fromkeys(SUM_FIELDS) if answer is None else sum_fields(answer)
+    return {**fields, "result": None}
 
 
 def _signs(statistics: dict[str, Any]) -> dict[str, Any]:

@@ -13,12 +13,13 @@ from rich.table import Table
 from minkref import _core
 from minkref.documents import Stopwatch, as_text, document
 from minkref.errors import Refusal, refusing
-from minkref.exact import approximate, digest, in_double_range, read_scale
+from minkref.exact import approximate, read_scale
 from minkref.operand import Operand, read_operand
 from minkref.options import Json, Schema
 from minkref.progress import progress
 from minkref.scales import MOST_SCALES, evenly_spaced, read_scales
 from minkref.signals import ending_in_order, interruptible
+from minkref.sum_fields import sum_fields
 from minkref.sweep_folder import FORMATS, INDEX, SweepFolder
 from minkref.terminal import console, counted, lines, shown
 
@@ -82,7 +83,7 @@ def command(
     folder = _folder(output, form)
     first, second = read_operand(P), read_operand(Q)
     if folder is not None:
-        folder.check_spares([first.source, second.source])
+        folder.check_spares([first.file, second.file])
     with ending_in_order(), progress(len(scales)) as line:
         line.now("finding all events")
         moving = dynamic_sum(first, second, scales)
@@ -130,15 +131,9 @@ def step(moving: _core.DynamicSum, scale: str) -> tuple[Row, _core.PolygonSet]:
     """Moves to a scale: what the step did, and the sum there."""
     did = dict(moving.move_to(scale))
     answer = moving.sum()
-    area = answer.region.area()
     row: Row = {
         "scale": scale,
-        "digest": digest(answer.region.canonical_json()),
-        "area": area,
-        "area_approximate": in_double_range(area),
-        "components": answer.components,
-        "holes": answer.holes,
-        "vertices": answer.region.vertices,
+        **sum_fields(answer),
         "insertions": did["insertions"],
         "deletions": did["deletions"],
         "swaps": did["swaps"],
