@@ -7,8 +7,8 @@ from collections.abc import Iterable
 from fractions import Fraction
 from typing import Any
 
-from minkref.fuzz.case import Case
-from minkref.fuzz.cgal import CgalOracle, OracleNotFoundError, method_of_target
+from minkref.fuzz.cases.case import Case
+from minkref.fuzz.cgal.oracle import CgalOracle, OracleNotFoundError, method_of_target
 from minkref.oracle import slow
 
 SECONDS = 60.0

@@ -12,10 +12,10 @@ from importlib.util import find_spec
 
 from minkref import _core
 from minkref.errors import message_of
-from minkref.fuzz.case import Case
-from minkref.fuzz.cgal_executables import SWEPT_SOLID, OracleNotFoundError, find_executable
+from minkref.fuzz.cases.case import Case
+from minkref.fuzz.cgal.executables import SWEPT_SOLID, OracleNotFoundError, find_executable
 from minkref.fuzz.judges.ruling import Ruling
-from minkref.fuzz.verdict import Outcome, Verdict
+from minkref.fuzz.verdicts.verdict import Outcome, Verdict
 
 PREFIX = "minkref@"
 ALL = "minkref"  # every check
@@ -71,7 +71,7 @@ class Check:
         self._judge: Callable[..., Ruling] = module.judge
         self._arguments: tuple[object, ...] = ()
         if self._short == "swept-boundary":
-            from minkref.fuzz.swept_solid import SweptSolid
+            from minkref.fuzz.cgal.swept_solid import SweptSolid
 
             self._arguments = (self._open.enter_context(SweptSolid()),)
 

@@ -7,7 +7,7 @@ import random
 from fractions import Fraction
 
 from minkref import _core
-from minkref.fuzz.case import Case
+from minkref.fuzz.cases.case import Case
 from minkref.oracle import slow
 from minkref.oracle.slow.witness import Pieces
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 
 from minkref import _core
-from minkref.fuzz.case import Case
-from minkref.fuzz.verdict import Outcome, Reason, Verdict, Witness
+from minkref.fuzz.cases.case import Case
+from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict, Witness
 
 SCALES_OF_EVENTS = 2  # of each kind, on one case
 HIGHEST = 40

@@ -7,10 +7,10 @@ import random
 from fractions import Fraction
 
 from minkref import _core
-from minkref.fuzz.case import Case
+from minkref.fuzz.cases.case import Case
 from minkref.fuzz.judges.ruling import Ruling, dice_of
-from minkref.fuzz.verdict import Reason, Witness
-from minkref.fuzz.witness import holds
+from minkref.fuzz.verdicts.verdict import Reason, Witness
+from minkref.fuzz.verdicts.witness import holds
 from minkref.oracle import slow
 from minkref.oracle.slow.witness import Pieces
 

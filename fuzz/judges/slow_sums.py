@@ -7,9 +7,9 @@ from fractions import Fraction
 
 from minkref import _core
 from minkref.exact import digest
-from minkref.fuzz.case import Case
+from minkref.fuzz.cases.case import Case
 from minkref.fuzz.judges.ruling import Ruling, scales_of
-from minkref.fuzz.verdict import Reason, Witness
+from minkref.fuzz.verdicts.verdict import Reason, Witness
 from minkref.oracle import slow
 
 ROUTES = ("paper", "winding", "definition")

@@ -6,9 +6,9 @@ import json
 from fractions import Fraction
 
 from minkref import _core
-from minkref.fuzz.case import Case
+from minkref.fuzz.cases.case import Case
 from minkref.fuzz.judges.ruling import Ruling, scales_of
-from minkref.fuzz.verdict import Reason
+from minkref.fuzz.verdicts.verdict import Reason
 from minkref.oracle import slow
 
 

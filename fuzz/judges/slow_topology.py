@@ -7,9 +7,9 @@ from collections import Counter
 from fractions import Fraction
 
 from minkref import _core
-from minkref.fuzz.case import Case
+from minkref.fuzz.cases.case import Case
 from minkref.fuzz.judges.ruling import Ruling, event_scales
-from minkref.fuzz.verdict import Reason
+from minkref.fuzz.verdicts.verdict import Reason
 from minkref.oracle import slow
 from minkref.oracle.slow.identity import Link
 from minkref.oracle.slow.state import State

@@ -5,10 +5,10 @@ from __future__ import annotations
 from fractions import Fraction
 
 from minkref import _core
-from minkref.fuzz.case import Case
+from minkref.fuzz.cases.case import Case
+from minkref.fuzz.cgal.swept_solid import MOST_PAIRS, SweptSolid
 from minkref.fuzz.judges.ruling import Ruling
-from minkref.fuzz.swept_solid import MOST_PAIRS, SweptSolid
-from minkref.fuzz.verdict import Reason
+from minkref.fuzz.verdicts.verdict import Reason
 
 # Between fractions with primes that no event of small integer operands has.
 LOW, HIGH = "101/1009", "1009/101"

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import json
 
-from minkref.fuzz.case import Case
+from minkref.fuzz.cases.case import Case
 from minkref.fuzz.judges.event_rows import compared, show
 from minkref.fuzz.judges.ruling import Ruling
-from minkref.fuzz.verdict import Reason
+from minkref.fuzz.verdicts.verdict import Reason
 from minkref.oracle.symbolic.arrangement import pairwise_events, threefold_events
 from minkref.oracle.symbolic.convolution import reduced_convolution
 from minkref.oracle.symbolic.moving import Point

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from minkref import _core
-from minkref.fuzz.cgal import CgalOracle
+from minkref.fuzz.cgal.oracle import CgalOracle
 from minkref.reports.bench.pairs import Pair
 
 PAIRWISE, CONTACTS, STATIC, CGAL = "pairwise", "contacts", "static", "cgal-reduced"

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 from minkref import _core
 from minkref.commands.verify_output import describe
 from minkref.exact import approximate
-from minkref.fuzz.region import minus
-from minkref.fuzz.runner import Finding
+from minkref.fuzz.run.runner import Finding
+from minkref.fuzz.verdicts.region import minus
 from minkref.reports.conformance.drawing import Layer, bounds, picture
 from minkref.reports.conformance.program import Program, program
 

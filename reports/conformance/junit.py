@@ -7,8 +7,8 @@ import xml.etree.ElementTree as ElementTree
 
 from minkref.commands.verify_output import cell_text, describe
 from minkref.errors import cut
-from minkref.fuzz.runner import Cell, Finding, Run
-from minkref.fuzz.verdict import BROKEN, Verdict
+from minkref.fuzz.run.runner import Cell, Finding, Run
+from minkref.fuzz.verdicts.verdict import BROKEN, Verdict
 
 _FORBIDDEN = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 

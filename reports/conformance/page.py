@@ -10,7 +10,7 @@ from jinja2 import Environment, StrictUndefined
 from minkref.commands.verify_output import cell_text, conclusion
 from minkref.documents import write_atomically
 from minkref.errors import cut
-from minkref.fuzz.runner import Run
+from minkref.fuzz.run.runner import Run
 from minkref.reports.conformance.finding_page import finding_page
 from minkref.reports.conformance.showcase import showcases
 from minkref.terminal import shown

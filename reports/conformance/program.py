@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from minkref import _core
-from minkref.fuzz.cgal_executables import method_of_target
-from minkref.fuzz.cgal_program import cgal_program
-from minkref.fuzz.runner import Finding
-from minkref.fuzz.verdict import Outcome
+from minkref.fuzz.cgal.executables import method_of_target
+from minkref.fuzz.cgal.program import cgal_program
+from minkref.fuzz.run.runner import Finding
+from minkref.fuzz.verdicts.verdict import Outcome
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from minkref.fuzz.verdict import Verdict
+from minkref.fuzz.verdicts.verdict import Verdict
 from minkref.reports.evidence.framework.comparing import Bench, available_cgal
 from minkref.reports.evidence.framework.operands import REAL_PAIRS, case_of, tell_absent
 from minkref.reports.evidence.framework.part import (

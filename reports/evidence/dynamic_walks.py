@@ -10,8 +10,8 @@ from typing import Any
 
 from minkref import _core
 from minkref.exact import set_json
-from minkref.fuzz.integer_rings import Ring, counter_clockwise, untangled
-from minkref.fuzz.random_pairs import random_holes
+from minkref.fuzz.families.integer_rings import Ring, counter_clockwise, untangled
+from minkref.fuzz.families.random_pairs import random_holes
 from minkref.reports.evidence.framework.part import REFERENCE, Findings
 
 SUBJECT = (
@@ -20,7 +20,7 @@ SUBJECT = (
     "arrangement and sum are the static ones."
 )
 MINUTES = (6, 0.5)
-DEPENDS = (*REFERENCE, "fuzz/integer_rings.py", "fuzz/random_pairs.py")
+DEPENDS = (*REFERENCE, "fuzz/families/integer_rings.py", "fuzz/families/random_pairs.py")
 
 SEED = 2012
 WALKS, QUICK_WALKS, STEPS = 1000, 16, 30

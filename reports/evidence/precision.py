@@ -6,8 +6,8 @@ from collections import Counter
 from typing import Any
 
 from minkref import _core
+from minkref.fuzz.families.random_pairs import random_pair
 from minkref.fuzz.least_precision import MOST_BITS, least_precision
-from minkref.fuzz.random_pairs import random_pair
 from minkref.reports.evidence.framework.operands import operand, tell_absent
 from minkref.reports.evidence.framework.part import COMPARISON, MODELS, READERS, REFERENCE, Findings
 from minkref.reports.evidence.framework.store import ROOT

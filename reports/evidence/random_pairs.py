@@ -8,10 +8,10 @@ from collections import Counter
 from fractions import Fraction
 from typing import Any
 
-from minkref.fuzz.case import Case, CaseName
-from minkref.fuzz.targets import list_targets
-from minkref.fuzz.verdict import Outcome, Reason, Verdict
-from minkref.fuzz.witness import contains, holds
+from minkref.fuzz.cases.case import Case, CaseName
+from minkref.fuzz.targets.catalogue import list_targets
+from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict
+from minkref.fuzz.verdicts.witness import contains, holds
 from minkref.reports.evidence.framework.comparing import Bench
 from minkref.reports.evidence.framework.part import CGAL, COMPARISON, READERS, REFERENCE, Findings
 

@@ -6,7 +6,7 @@ import random
 from collections import Counter
 from fractions import Fraction
 
-from minkref.fuzz.verdict import Outcome, Reason, Verdict
+from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict
 from minkref.reports.evidence.framework.comparing import Bench, available_cgal
 from minkref.reports.evidence.framework.operands import (
     REAL_PAIRS,

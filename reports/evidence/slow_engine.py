@@ -12,8 +12,8 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
-from minkref.fuzz.case import Case, CaseName
-from minkref.fuzz.cgal_executables import target_names
+from minkref.fuzz.cases.case import Case, CaseName
+from minkref.fuzz.cgal.executables import target_names
 from minkref.fuzz.judges import slow_points, slow_sums, slow_tight_passages, slow_topology
 from minkref.fuzz.judges.cgal_claims import CgalClaims
 from minkref.fuzz.judges.large_points import decided_otherwise

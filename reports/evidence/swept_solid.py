@@ -7,8 +7,8 @@ from fractions import Fraction
 from typing import Any
 
 from minkref import _core
-from minkref.fuzz.random_pairs import Pair, random_pair
-from minkref.fuzz.swept_solid import MOST_PAIRS, SweptSolid
+from minkref.fuzz.cgal.swept_solid import MOST_PAIRS, SweptSolid
+from minkref.fuzz.families.random_pairs import Pair, random_pair
 from minkref.reports.evidence.framework.part import CGAL, COMPARISON, REFERENCE, Findings
 
 SUBJECT = (

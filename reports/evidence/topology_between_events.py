@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from minkref import _core
-from minkref.fuzz.random_pairs import random_pair
+from minkref.fuzz.families.random_pairs import random_pair
 from minkref.reports.evidence.framework.part import REFERENCE, Findings
 
 SUBJECT = (
@@ -17,7 +17,7 @@ SUBJECT = (
     "of holes and components add up to their numbers."
 )
 MINUTES = (1, 0.2)
-DEPENDS = (*REFERENCE, "fuzz/integer_rings.py", "fuzz/random_pairs.py")
+DEPENDS = (*REFERENCE, "fuzz/families/integer_rings.py", "fuzz/families/random_pairs.py")
 
 SEED = 541186
 PAIRS, QUICK_PAIRS = 500, 12

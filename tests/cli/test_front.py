@@ -74,7 +74,7 @@ def test_targets_name_our_routes_and_all_methods_of_cgal(minkref: Minkref) -> No
 def test_absent_target_names_the_command_that_builds_it(
     minkref: Minkref, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from minkref.fuzz import cgal_executables
+    from minkref.fuzz.cgal import executables as cgal_executables
 
     monkeypatch.setattr(cgal_executables, "search_folders", lambda: [tmp_path])
     ran = minkref("verify", "cgal-reduced", "--pairs", "1")

@@ -16,7 +16,7 @@ import jsonschema
 import pytest
 from minkref import _core
 from minkref.exact import digest
-from minkref.fuzz.random_pairs import random_pair
+from minkref.fuzz.families.random_pairs import random_pair
 from minkref.operand import read_operand
 from minkref.schemas import schema
 

@@ -6,7 +6,7 @@ import pytest
 
 pytest.importorskip("minkref._core", reason="the extension module is not built")
 
-from minkref.fuzz.verdict import Outcome, Reason, Verdict, Witness
+from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict, Witness
 from minkref.reports.evidence.random_pairs import refutes
 
 SQUARE = '{"polygons":[{"holes":[],"outer":[["0","0"],["2","0"],["2","2"],["0","2"]]}]}'

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from minkref.fuzz.cgal import CgalOracle, OracleNotFoundError, find_executable
+from minkref.fuzz.cgal.oracle import CgalOracle, OracleNotFoundError, find_executable
 
 OracleFactory = Callable[..., CgalOracle]
 Corners = list[tuple[Any, Any]]

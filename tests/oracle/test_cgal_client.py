@@ -9,7 +9,8 @@ import stat
 import sys
 
 import pytest
-from minkref.fuzz import cgal, cgal_server
+from minkref.fuzz.cgal import oracle as cgal
+from minkref.fuzz.cgal import server as cgal_server
 
 UNIT = {"polygons": [{"outer": [["0", "0"], ["1", "0"], ["0", "1"]], "holes": []}]}
 
@@ -82,7 +83,7 @@ def test_the_folder_in_minkref_cgal_comes_first(impostor, monkeypatch):
 def test_an_executable_that_is_absent_is_named_with_the_command_that_builds_it(
     tmp_path, monkeypatch
 ):
-    from minkref.fuzz import cgal_executables
+    from minkref.fuzz.cgal import executables as cgal_executables
 
     monkeypatch.setattr(cgal_executables, "search_folders", lambda: [tmp_path])
     with pytest.raises(cgal.OracleNotFoundError, match="cmake --preset release && cmake --build"):
@@ -93,7 +94,7 @@ def test_an_executable_that_is_absent_is_named_with_the_command_that_builds_it(
 def test_the_server_has_the_methods_that_the_client_names(executable):
     for method, group in cgal.METHOD_GROUPS.items():
         path = executable(method)
-        from minkref.fuzz.cgal_executables import _description
+        from minkref.fuzz.cgal.executables import _description
 
         said = _description(path, path.stat().st_mtime)
         expected = [name for name, its_group in cgal.METHOD_GROUPS.items() if its_group == group]

@@ -7,8 +7,8 @@ import shutil
 import subprocess
 
 import pytest
-from minkref.fuzz.cgal import METHOD_GROUPS
-from minkref.fuzz.cgal_program import cgal_program
+from minkref.fuzz.cgal.oracle import METHOD_GROUPS
+from minkref.fuzz.cgal.program import cgal_program
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 

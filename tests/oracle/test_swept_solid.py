@@ -6,9 +6,9 @@ from fractions import Fraction
 
 import pytest
 from minkref import _core
-from minkref.fuzz.cgal_executables import OracleNotFoundError
-from minkref.fuzz.random_pairs import random_pair
-from minkref.fuzz.swept_solid import SweptSolid
+from minkref.fuzz.cgal.executables import OracleNotFoundError
+from minkref.fuzz.cgal.swept_solid import SweptSolid
+from minkref.fuzz.families.random_pairs import random_pair
 
 UNIT = [(0, 0), (1, 0), (1, 1), (0, 1)]
 LOW, HIGH = "101/1009", "1009/101"  # no events of small integer operands

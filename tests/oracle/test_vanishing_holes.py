@@ -9,8 +9,8 @@ from fractions import Fraction
 from itertools import pairwise
 
 import pytest
-from minkref.fuzz.cgal import METHODS_WITH_HOLES, cgal_version
-from minkref.fuzz.witness import meet
+from minkref.fuzz.cgal.oracle import METHODS_WITH_HOLES, cgal_version
+from minkref.fuzz.verdicts.witness import meet
 
 SEED = 20120515
 CORNERS = ((0, 0), (1, 0), (1, 1), (0, 1))

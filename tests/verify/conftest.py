@@ -7,10 +7,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from minkref.fuzz.baseline import Baseline
-from minkref.fuzz.case_list import CaseList
-from minkref.fuzz.runner import Run, run
-from minkref.fuzz.targets import Limits
+from minkref.fuzz.cases.case_list import CaseList
+from minkref.fuzz.run.runner import Run, run
+from minkref.fuzz.targets.catalogue import Limits
+from minkref.fuzz.verdicts.baseline import Baseline
 
 SEED = 20
 NO_BASELINE = Baseline()

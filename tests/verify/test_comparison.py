@@ -8,13 +8,13 @@ from typing import Any
 
 import pytest
 from minkref import _core
-from minkref.fuzz.case import Case, CaseName
-from minkref.fuzz.comparison import settle
-from minkref.fuzz.judgement import judge
-from minkref.fuzz.region import minus, region_of_rings
-from minkref.fuzz.targets import Answer
-from minkref.fuzz.verdict import Reason, Verdict
-from minkref.fuzz.witness import holds
+from minkref.fuzz.cases.case import Case, CaseName
+from minkref.fuzz.targets.catalogue import Answer
+from minkref.fuzz.verdicts.comparison import settle
+from minkref.fuzz.verdicts.judgement import judge
+from minkref.fuzz.verdicts.region import minus, region_of_rings
+from minkref.fuzz.verdicts.verdict import Reason, Verdict
+from minkref.fuzz.verdicts.witness import holds
 
 
 def ring(xmin: str, ymin: str, xmax: str, ymax: str) -> list[list[str]]:

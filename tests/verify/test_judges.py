@@ -11,8 +11,9 @@ import jsonschema
 import pytest
 from minkref import _core
 from minkref.cli import run
-from minkref.fuzz.case import Case, CaseName
-from minkref.fuzz.cgal_executables import OracleNotFoundError
+from minkref.fuzz.cases.case import Case, CaseName
+from minkref.fuzz.cgal.executables import OracleNotFoundError
+from minkref.fuzz.cgal.swept_solid import SweptSolid
 from minkref.fuzz.judges import (
     checks,
     event_rows,
@@ -24,9 +25,8 @@ from minkref.fuzz.judges import (
     symbolic_events,
 )
 from minkref.fuzz.judges.ruling import Ruling
-from minkref.fuzz.swept_solid import SweptSolid
-from minkref.fuzz.verdict import Reason, Verdict
-from minkref.fuzz.witness import holds
+from minkref.fuzz.verdicts.verdict import Reason, Verdict
+from minkref.fuzz.verdicts.witness import holds
 from minkref.schemas import schema
 
 

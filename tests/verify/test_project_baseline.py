@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 from minkref import fuzz
 from minkref.cli import run
-from minkref.fuzz.baseline import read_baseline
-from minkref.fuzz.cgal_executables import OracleNotFoundError, cgal_version, target_names
-from minkref.fuzz.verdict import Reason, Verdict
+from minkref.fuzz.cgal.executables import OracleNotFoundError, cgal_version, target_names
+from minkref.fuzz.verdicts.baseline import read_baseline
+from minkref.fuzz.verdicts.verdict import Reason, Verdict
 
 BASELINE = Path(fuzz.__file__).parent / "baseline.json"
 

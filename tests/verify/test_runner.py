@@ -8,10 +8,10 @@ from typing import Any
 
 import pytest
 from minkref.exits import ExitCode
-from minkref.fuzz.baseline import Baseline, Entry
-from minkref.fuzz.runner import Run
-from minkref.fuzz.verdict import Reason, Verdict
-from minkref.fuzz.witness import holds
+from minkref.fuzz.run.runner import Run
+from minkref.fuzz.verdicts.baseline import Baseline, Entry
+from minkref.fuzz.verdicts.verdict import Reason, Verdict
+from minkref.fuzz.verdicts.witness import holds
 
 Verify = Callable[..., Run]
 

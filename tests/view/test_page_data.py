@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from minkref import _core
-from minkref.fuzz.random_pairs import random_pair
+from minkref.fuzz.families.random_pairs import random_pair
 from minkref.operand import read_operand
 from minkref.view.linear import linear
 from minkref.view.picture import Window, picture

@@ -8,7 +8,7 @@ from typing import Any
 from rich.table import Table
 
 from minkref.documents import Stopwatch, as_text, document
-from minkref.fuzz.targets import list_targets
+from minkref.fuzz.targets.catalogue import list_targets
 from minkref.options import Json, Schema
 from minkref.terminal import console
 

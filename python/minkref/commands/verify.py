@@ -14,12 +14,12 @@ from minkref.commands.verify_output import ProgressLine, document_of, print_tabl
 from minkref.documents import Stopwatch, as_text, check_writable, write_atomically
 from minkref.errors import Refusal, refusal_text
 from minkref.exits import ExitCode
-from minkref.fuzz.baseline import Baseline, read_baseline
-from minkref.fuzz.case import CaseName
-from minkref.fuzz.case_list import CaseList
-from minkref.fuzz.runner import run
-from minkref.fuzz.targets import Limits, select
-from minkref.fuzz.worker import load_limit
+from minkref.fuzz.cases.case import CaseName
+from minkref.fuzz.cases.case_list import CaseList
+from minkref.fuzz.run.runner import run
+from minkref.fuzz.run.worker import load_limit
+from minkref.fuzz.targets.catalogue import Limits, select
+from minkref.fuzz.verdicts.baseline import Baseline, read_baseline
 from minkref.options import Json, Schema
 from minkref.reports.conformance.junit import junit
 from minkref.reports.conformance.page import write_report

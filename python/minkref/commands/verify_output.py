@@ -14,10 +14,10 @@ from rich.table import Table
 
 from minkref.documents import Stopwatch, document
 from minkref.exits import ExitCode
-from minkref.fuzz.case_list import CaseList
-from minkref.fuzz.runner import Cell, Finding, Run
-from minkref.fuzz.targets import TargetEntry
-from minkref.fuzz.verdict import Verdict
+from minkref.fuzz.cases.case_list import CaseList
+from minkref.fuzz.run.runner import Cell, Finding, Run
+from minkref.fuzz.targets.catalogue import TargetEntry
+from minkref.fuzz.verdicts.verdict import Verdict
 from minkref.terminal import console, shown
 
 SMALL = 400  # vertices up to which a finding carries its operands in full

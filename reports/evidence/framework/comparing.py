@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from minkref.fuzz.case import Case
-from minkref.fuzz.judgement import judge
-from minkref.fuzz.targets import Limits, Target, list_targets, make_target
-from minkref.fuzz.verdict import Outcome
+from minkref.fuzz.cases.case import Case
+from minkref.fuzz.targets.catalogue import Limits, Target, list_targets, make_target
+from minkref.fuzz.verdicts.judgement import judge
+from minkref.fuzz.verdicts.verdict import Outcome
 from minkref.reports.evidence.framework.part import Findings
 
 

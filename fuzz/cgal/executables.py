@@ -47,7 +47,7 @@ def search_folders() -> list[Path]:
     given = os.environ.get("MINKREF_CGAL")
     folders = [Path(given)] if given else []
     folders.append(Path(sys.executable).parent)
-    checkouts = dict.fromkeys([Path(__file__).resolve().parents[1], Path(sys.prefix).parent])
+    checkouts = dict.fromkeys([Path(__file__).resolve().parents[2], Path(sys.prefix).parent])
     folders += [checkout / "build" / "release" / "oracle" / "cgal" for checkout in checkouts]
     return folders
 

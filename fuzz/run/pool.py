@@ -10,11 +10,11 @@ from collections.abc import Iterable, Iterator
 from multiprocessing.connection import Connection, wait
 from typing import Any
 
-from minkref.fuzz import child
-from minkref.fuzz.case import CaseName
-from minkref.fuzz.targets import Limits
-from minkref.fuzz.verdict import Outcome, Verdict
-from minkref.fuzz.worker import CaseResult, Job, work
+from minkref.fuzz.cases.case import CaseName
+from minkref.fuzz.run import child
+from minkref.fuzz.run.worker import CaseResult, Job, work
+from minkref.fuzz.targets.catalogue import Limits
+from minkref.fuzz.verdicts.verdict import Outcome, Verdict
 
 START_SECONDS = 60.0  # for the start of a worker, and until it reads its job
 

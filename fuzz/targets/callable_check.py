@@ -6,8 +6,8 @@ import multiprocessing
 from multiprocessing.connection import Connection
 
 from minkref.errors import Refusal, message_of
-from minkref.fuzz import child
-from minkref.fuzz.targets import load_function
+from minkref.fuzz.run import child
+from minkref.fuzz.targets.catalogue import load_function
 
 MEND = "write py:module:function, the module importable from here"
 

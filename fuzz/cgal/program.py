@@ -10,7 +10,7 @@ from fractions import Fraction
 from string import Template
 from typing import Any
 
-from minkref.fuzz.cgal_executables import METHODS_WITH_HOLES
+from minkref.fuzz.cgal.executables import METHODS_WITH_HOLES
 
 Operand = str | dict[str, Any]
 Point = tuple[str, str]

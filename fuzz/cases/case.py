@@ -9,7 +9,7 @@ from functools import cached_property
 from minkref import _core
 from minkref.errors import Refusal
 from minkref.exact import read_scale
-from minkref.fuzz.random_pairs import random_pair
+from minkref.fuzz.families.random_pairs import random_pair
 from minkref.model_catalogue import all_models
 from minkref.operand import is_file, read_operand
 

@@ -6,10 +6,10 @@ import json
 from dataclasses import dataclass, field
 
 from minkref import _core
-from minkref.fuzz.case import Case
-from minkref.fuzz.region import Region, inner_point, minus
-from minkref.fuzz.verdict import Reason, Witness
-from minkref.fuzz.witness import holds
+from minkref.fuzz.cases.case import Case
+from minkref.fuzz.verdicts.region import Region, inner_point, minus
+from minkref.fuzz.verdicts.verdict import Reason, Witness
+from minkref.fuzz.verdicts.witness import holds
 
 
 class WitnessRefuted(Exception):

@@ -8,7 +8,7 @@ from __future__ import annotations
 import json
 from fractions import Fraction
 
-from minkref.fuzz.verdict import Witness
+from minkref.fuzz.verdicts.verdict import Witness
 
 Point = tuple[Fraction, Fraction]
 Rings = list[list[list[Point]]]  # per polygon: outer ring, holes

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from minkref.errors import Refusal, cut
-from minkref.fuzz.verdict import BROKEN, Outcome, Reason, Verdict
+from minkref.fuzz.verdicts.verdict import BROKEN, Outcome, Reason, Verdict
 
 _FIELDS = ("target", "version", "kind", "reason")
 KINDS = tuple(str(kind) for kind in (*Reason, *BROKEN))

@@ -11,18 +11,18 @@ from typing import Any, Protocol, cast
 
 from minkref import _core
 from minkref.errors import Refusal, message_of
-from minkref.fuzz.case import Case
-from minkref.fuzz.cgal import CgalOracle
-from minkref.fuzz.cgal_executables import (
+from minkref.fuzz.cases.case import Case
+from minkref.fuzz.cgal.executables import (
     ABOUT,
     cgal_version,
     method_of_target,
     refuse_wrong_folder,
     target_names,
 )
+from minkref.fuzz.cgal.oracle import CgalOracle
 from minkref.fuzz.judges import checks
-from minkref.fuzz.region import Region, plain_polygons, region_of_polygons, region_of_sum
-from minkref.fuzz.verdict import Verdict
+from minkref.fuzz.verdicts.region import Region, plain_polygons, region_of_polygons, region_of_sum
+from minkref.fuzz.verdicts.verdict import Verdict
 from minkref.version import version
 
 ROUTES = {
@@ -214,7 +214,7 @@ def select(
     judges; `minkref` stands for every judge. A name
     that is unknown or absent is refused, as is a `py:` target that is not loaded in
     `load_seconds`."""
-    from minkref.fuzz.callable_check import refuse_unless_callable
+    from minkref.fuzz.targets.callable_check import refuse_unless_callable
 
     entries = {entry.name: entry for entry in list_targets()}
     if not names:

@@ -8,13 +8,13 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from minkref.exits import ExitCode
-from minkref.fuzz.baseline import Baseline
-from minkref.fuzz.case_list import CaseList
-from minkref.fuzz.judgement import REFEREE
-from minkref.fuzz.pool import run_cases
-from minkref.fuzz.targets import Limits
-from minkref.fuzz.verdict import BROKEN, Outcome, Verdict
-from minkref.fuzz.worker import CaseResult
+from minkref.fuzz.cases.case_list import CaseList
+from minkref.fuzz.run.pool import run_cases
+from minkref.fuzz.run.worker import CaseResult
+from minkref.fuzz.targets.catalogue import Limits
+from minkref.fuzz.verdicts.baseline import Baseline
+from minkref.fuzz.verdicts.judgement import REFEREE
+from minkref.fuzz.verdicts.verdict import BROKEN, Outcome, Verdict
 
 
 @dataclass(frozen=True)

@@ -9,12 +9,20 @@ from dataclasses import dataclass, field
 from multiprocessing.connection import Connection
 from typing import Any
 
-from minkref.fuzz import cgal_server, child
-from minkref.fuzz.case import Case, CaseName
-from minkref.fuzz.judgement import TRUTHS, judge
+from minkref.fuzz.cases.case import Case, CaseName
+from minkref.fuzz.cgal import server as cgal_server
 from minkref.fuzz.judges.checks import PREFIX, Check
-from minkref.fuzz.targets import LOAD_SECONDS, Answer, Limits, Target, make_target, size_limit
-from minkref.fuzz.verdict import Outcome, Verdict
+from minkref.fuzz.run import child
+from minkref.fuzz.targets.catalogue import (
+    LOAD_SECONDS,
+    Answer,
+    Limits,
+    Target,
+    make_target,
+    size_limit,
+)
+from minkref.fuzz.verdicts.judgement import TRUTHS, judge
+from minkref.fuzz.verdicts.verdict import Outcome, Verdict
 
 JUDGE_SECONDS = 600.0  # for one judge on one case: slow by design
 REST = 2 << 30  # bytes that a worker may need beside what one call of a target may take

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from minkref.fuzz.cgal_executables import (
+from minkref.fuzz.cgal.executables import (
     ABOUT,
     BUILD_COMMAND,
     METHOD_GROUPS,
@@ -25,7 +25,7 @@ from minkref.fuzz.cgal_executables import (
     method_of_target,
     target_names,
 )
-from minkref.fuzz.cgal_server import CgalServer
+from minkref.fuzz.cgal.server import CgalServer
 
 __all__ = [
     "ABOUT",

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from minkref.errors import cut
-from minkref.fuzz.case import Case
-from minkref.fuzz.comparison import WitnessRefuted, decide, settle
-from minkref.fuzz.region import Region
-from minkref.fuzz.targets import Answer
-from minkref.fuzz.verdict import Outcome, Reason, Verdict, Witness
+from minkref.fuzz.cases.case import Case
+from minkref.fuzz.targets.catalogue import Answer
+from minkref.fuzz.verdicts.comparison import WitnessRefuted, decide, settle
+from minkref.fuzz.verdicts.region import Region
+from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict, Witness
 
 TRUTHS = ("minkref:paper", "minkref:winding", "minkref:definition")
 REFEREE = "minkref:referee"  # the decision of single points; named only where it fails

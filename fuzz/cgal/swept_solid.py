@@ -8,8 +8,8 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-from minkref.fuzz.cgal_executables import SWEPT_SOLID, find_executable
-from minkref.fuzz.cgal_server import CgalServer
+from minkref.fuzz.cgal.executables import SWEPT_SOLID, find_executable
+from minkref.fuzz.cgal.server import CgalServer
 
 MOST_PAIRS = 24
 SECONDS = 60.0

@@ -8,7 +8,7 @@ import time
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 
-from minkref.fuzz.case import CaseName
+from minkref.fuzz.cases.case import CaseName
 from minkref.model_catalogue import PAPER_MODELS, all_models, or_look_alike
 
 SMALL_MODELS = ("g3", "g1", "disc1", "disc5", "g2", "g4", "dog145")

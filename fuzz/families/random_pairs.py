@@ -15,7 +15,7 @@ from dataclasses import dataclass
 
 from minkref import _core
 from minkref.exact import set_json
-from minkref.fuzz.integer_rings import (
+from minkref.fuzz.families.integer_rings import (
     Ring,
     counter_clockwise,
     inside,

@@ -1,0 +1,1 @@
+"""A case: two operands and a scale; the list of a run."""

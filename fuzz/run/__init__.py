@@ -1,0 +1,1 @@
+"""A run: workers, verdicts into a matrix and findings."""
