@@ -1,32 +1,33 @@
-"""A case: two operands and a scale, with a name from which it can be had again."""
+"""A case in the plane: two operands and a scale."""
 
 from __future__ import annotations
 
-import re
+import json
 from dataclasses import dataclass
+from fractions import Fraction
 from functools import cached_property
 
 from minkref import _core
 from minkref.errors import Refusal
-from minkref.exact import read_scale
-from minkref.fuzz.families.random_pairs import random_pair
-from minkref.model_catalogue import all_models
-from minkref.operand import is_file, read_operand
-
-_RANDOM = re.compile(r"random:(-?[0-9]+):([0-9]+)")
+from minkref.fuzz.cases.needs import needs_of_plane
 
 
 @dataclass(frozen=True)
 class CaseName:
-    """`random:SEED:INDEX`, or `P+Q@SCALE` with files or models; cheap to send to a worker."""
+    """A text from which a case can be had again (`naming.py`), cheap to send to a worker, and the
+    column of the matrix that it belongs to."""
 
     text: str
     group: str
 
     def load(self) -> Case:
-        if self.text.startswith("random:"):
-            return _load_random(self)
-        return _load_named(self)
+        """The case in the plane. Refusal where the text names none."""
+        from minkref.fuzz.cases.naming import load
+
+        case = load(self)
+        if not isinstance(case, Case):
+            raise Refusal("this case is in space", f"--case {self.text}", "name one in the plane")
+        return case
 
 
 @dataclass
@@ -37,6 +38,11 @@ class Case:
     scale: str
     P_name: str
     Q_name: str
+    family: str = "named"
+    position: str = "given"  # of the scale, relative to the boundary events of the pair
+    law: tuple[str, Case] | None = None  # the law by which it was changed, and what it was
+
+    dimension = 2
 
     @cached_property
     def P_json(self) -> str:
@@ -63,32 +69,51 @@ class Case:
             self.name.text,
         )
 
+    @cached_property
+    def needs(self) -> frozenset[str]:
+        """What an implementation must be able to take."""
+        return needs_of_plane(self.scaled_P_json, self.Q_json)
 
-def _load_random(name: CaseName) -> Case:
-    parts = _RANDOM.fullmatch(name.text)
-    if parts is None:
-        raise Refusal(
-            "this names no random pair",
-            f"--case {name.text}",
-            "write random:SEED:INDEX, for example random:1:42",
-        )
-    pair = random_pair(int(parts[1]), int(parts[2]))
-    P, Q = _core.PolygonSet.from_json(pair.P), _core.PolygonSet.from_json(pair.Q)
-    return Case(name, P, Q, pair.scale, "P", "Q")
+    @cached_property
+    def magnitude(self) -> Fraction:
+        """The largest absolute value of a coordinate of sP plus that of Q."""
+        return _largest(self.scaled_P_json) + _largest(self.Q_json)
+
+    @property
+    def literal(self) -> str:
+        """The case itself as a text that names it, on one line."""
+        P, Q = _without_empty(self.P_json), _without_empty(self.Q_json)
+        return f'{{"P":{P},"Q":{Q},"scale":"{self.scale}"}}'
 
 
-def _load_named(name: CaseName) -> Case:
-    operands, at, scale = name.text.rpartition("@")
-    if not at:
-        operands, scale = name.text, "1"
-    known = all_models()
-    for k in (k for k, letter in enumerate(operands) if letter == "+"):
-        first, second = operands[:k], operands[k + 1 :]
-        if all(part in known or is_file(part) for part in (first, second)):
-            P, Q = read_operand(first), read_operand(second)
-            return Case(name, P.set, Q.set, read_scale(scale), P.name, Q.name)
-    raise Refusal(
-        "this names no pair of files or models",
-        f"--case {name.text}",
-        "write P+Q@SCALE, for example g1+g2@7/5, or random:SEED:INDEX",
+def _largest(text: str) -> Fraction:
+    return max(
+        (
+            abs(Fraction(number))
+            for polygon in json.loads(text)["polygons"]
+            for ring in (polygon["outer"], *polygon["holes"])
+            for point in ring
+            for number in point
+        ),
+        default=Fraction(0),
     )
+
+
+def _without_empty(text: str) -> str:
+    """Integers as such and no empty lists of holes: shorter to read."""
+    polygons = [
+        {
+            name: rings
+            for name, rings in (
+                ("outer", _short(polygon["outer"])),
+                ("holes", [_short(hole) for hole in polygon["holes"]]),
+            )
+            if rings
+        }
+        for polygon in json.loads(text)["polygons"]
+    ]
+    return json.dumps({"polygons": polygons}, separators=(",", ":"))
+
+
+def _short(ring: list[list[str]]) -> list[list[int | str]]:
+    return [[number if "/" in number else int(number) for number in point] for point in ring]

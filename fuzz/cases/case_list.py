@@ -1,12 +1,14 @@
-"""The cases of a run, small ones first: random pairs, the shipped models, the paper's kind of
-input."""
+"""The cases of a run: generated ones, small ones first, with what is got from them; the shipped
+models; the paper's kind of input; case files."""
 
 from __future__ import annotations
 
 import itertools
+import random
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from enum import Enum
 
 from minkref.fuzz.cases.case import CaseName
 from minkref.model_catalogue import PAPER_MODELS, all_models, or_look_alike
@@ -14,31 +16,60 @@ from minkref.model_catalogue import PAPER_MODELS, all_models, or_look_alike
 SMALL_MODELS = ("g3", "g1", "disc1", "disc5", "g2", "g4", "dog145")
 REAL_PAIRS = (("disc1", "neuron"), ("disc5", "neuron"), ("monkey", "bird"))
 REAL_SCALES = ("1/3", "1", "7/5", "541/186", "9")
+RANDOM = "random"  # the family of the first hour
+MUTANTS_PER_ROUND = 12
+MOST_PARENTS = 200
+DEEPEST_MUTANT = 4
+PROBES_PER_ROUND = 3
+
+
+class Wait(Enum):
+    """Between two rounds: what follows depends on the results of all before."""
+
+    FOR_ALL = "for all"
 
 
 @dataclass
 class CaseList:
-    """What a run goes through. Random pairs are counted by `pairs` or bounded by `seconds`."""
+    """What a run goes through. Generated cases are counted by `pairs` or bounded by `seconds`; they
+    are drawn from `families` in turn. With `derived` there are, among them, probes of scales at
+    events, cases changed by laws, and mutants of those that `learn` found interesting; all depends
+    on the seed and the results alone, not on time."""
 
     seed: int = 1
     pairs: int | None = None
     seconds: float = 150.0
     named: tuple[str, ...] = ()
     models: bool = True
+    families: tuple[str, ...] = (RANDOM,)
+    space: tuple[str, ...] = ()
+    laws: tuple[str, ...] = ()
+    derived: bool = False
+    files: tuple[str, ...] = ()
+    spent: float = 0.0  # seconds of an earlier part of the run
     notes: list[str] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         self._rest = [] if self.named else self._model_cases() if self.models else []
+        self._seen: set[str] = set()
+        self._learned: list[tuple[int, str, str]] = []
+        self._parents: list[str] = []
 
-    def __iter__(self) -> Iterator[CaseName]:
+    def __iter__(self) -> Iterator[CaseName | Wait]:
         if self.named:
             yield from (CaseName(text, "named") for text in self.named)
             return
-        end = time.monotonic() + self.seconds
-        for index in itertools.count():
-            if index >= self.pairs if self.pairs is not None else time.monotonic() >= end:
+        yield from (CaseName(text, "case files") for text in self.files)
+        end = time.monotonic() + self.seconds - self.spent
+        count = 0
+        for name in self._generated():
+            if isinstance(name, Wait):
+                yield name
+                continue
+            if count >= self.pairs if self.pairs is not None else time.monotonic() >= end:
                 break
-            yield CaseName(f"random:{self.seed}:{index}", "random pairs")
+            yield name
+            count += 1
         yield from self._rest
 
     @property
@@ -46,7 +77,61 @@ class CaseList:
         """The number of cases where it is known beforehand."""
         if self.named:
             return len(self.named)
-        return None if self.pairs is None else self.pairs + len(self._rest)
+        if self.pairs is None:
+            return None
+        return self.pairs + len(self._rest) + len(self.files)
+
+    def head(self) -> dict[str, object]:
+        """What tells one run from another."""
+        names = ("seed", "pairs", "seconds", "named", "models", "families", "space", "laws")
+        head: dict[str, object] = {name: getattr(self, name) for name in names}
+        return {**head, "derived": self.derived, "files": self.files}
+
+    def learn(self, number: int, text: str, coverage: str | None) -> None:
+        """Takes note of what a case showed. The order in which results come does not matter."""
+        if self.derived and coverage is not None:
+            self._learned.append((number, text, coverage))
+
+    def _generated(self) -> Iterator[CaseName | Wait]:
+        if not self.families and not self.space:
+            return
+        if not self.derived:
+            for index in itertools.count():
+                for family in (*self.families, *self.space):
+                    yield CaseName(f"{family}:{self.seed}:{index}", family)
+        for index in itertools.count():
+            yield from self._round(index)
+            yield Wait.FOR_ALL
+            self._choose_parents()
+
+    def _round(self, index: int) -> Iterator[CaseName]:
+        """One case of each family, and what is got from some of them."""
+        dice = random.Random(f"minkref round {self.seed} {index}")
+        texts = {family: f"{family}:{self.seed}:{index}" for family in self.families}
+        for family in (*self.families, *self.space):
+            yield CaseName(texts.get(family, f"{family}:{self.seed}:{index}"), family)
+        for family in dice.sample(self.families, min(PROBES_PER_ROUND, len(self.families))):
+            for probe in sorted(dice.sample(range(9), 3)):
+                yield CaseName(f"probe:{probe}({texts[family]})", family)
+        for k, law in enumerate(self.laws):
+            if not self.families:
+                break
+            family = self.families[(index + k) % len(self.families)]
+            yield CaseName(f"{law}({texts[family]})", "laws")
+        for k in range(min(MUTANTS_PER_ROUND, len(self._parents))):
+            parent = dice.choice(self._parents)
+            yield CaseName(f"mutant:{index * MUTANTS_PER_ROUND + k}({parent})", "mutants")
+
+    def _choose_parents(self) -> None:
+        """Those that showed something new, in the order of their numbers."""
+        for _, text, coverage in sorted(self._learned):
+            if coverage in self._seen:
+                continue
+            self._seen.add(coverage)
+            if text.count("mutant:") < DEEPEST_MUTANT and not text.startswith(self.laws or ("(",)):
+                self._parents.append(text)
+        self._learned.clear()
+        self._parents = self._parents[-MOST_PARENTS:]
 
     def _model_cases(self) -> list[CaseName]:
         known = all_models()

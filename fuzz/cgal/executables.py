@@ -43,42 +43,73 @@ class OracleNotFoundError(FileNotFoundError):
 
 
 def search_folders() -> list[Path]:
-    """In this order: MINKREF_CGAL, beside the interpreter, the build folder of the checkout."""
-    given = os.environ.get("MINKREF_CGAL")
-    folders = [Path(given)] if given else []
+    """In this order: the folders of MINKREF_CGAL, beside the interpreter, the build folder of the
+    checkout."""
+    folders = given_folders()
     folders.append(Path(sys.executable).parent)
     checkouts = dict.fromkeys([Path(__file__).resolve().parents[2], Path(sys.prefix).parent])
     folders += [checkout / "build" / "release" / "oracle" / "cgal" for checkout in checkouts]
     return folders
 
 
+def given_folders() -> list[Path]:
+    """The folders of MINKREF_CGAL, separated by colons: builds of the oracle with several versions
+    of CGAL."""
+    given = os.environ.get("MINKREF_CGAL", "")
+    return [Path(part) for part in given.split(os.pathsep) if part]
+
+
 def refuse_wrong_folder() -> None:
-    """Refuses a MINKREF_CGAL that is no folder with executables of the oracle."""
-    given = os.environ.get("MINKREF_CGAL")
-    if not given:
-        return
-    folder = Path(given)
-    what = "there is no such folder"
-    if folder.is_dir():
-        if any((folder / f"minkref-cgal-{group}").is_file() for group in METHOD_GROUPS.values()):
-            return
-        what = "the folder holds no executable of the CGAL oracle"
-    raise Refusal(
-        what,
-        f"MINKREF_CGAL={given}",
-        "name the folder that holds minkref-cgal-reduced, or unset it",
-        "no-such-folder",
-    )
+    """Refuses a MINKREF_CGAL that names a folder without executables of the oracle."""
+    for folder in given_folders():
+        what = "there is no such folder"
+        if folder.is_dir():
+            groups = METHOD_GROUPS.values()
+            if any((folder / f"minkref-cgal-{group}").is_file() for group in groups):
+                continue
+            what = "the folder holds no executable of the CGAL oracle"
+        raise Refusal(
+            what,
+            f"MINKREF_CGAL={os.environ['MINKREF_CGAL']}",
+            "name folders that hold minkref-cgal-reduced, separated by colons, or unset it",
+            "no-such-folder",
+        )
 
 
 def find_executable(method: str) -> Path:
     """The server that knows `method`. OracleNotFoundError names the command that builds it."""
+    found = _executables(method)
+    if found:
+        return found[0]
     name = f"minkref-cgal-{GROUPS[method]}"
-    for folder in search_folders():
-        candidate = folder / name
-        if candidate.is_file() and os.access(candidate, os.X_OK):
-            return candidate
     raise OracleNotFoundError(f"{name} was not found; build it with: {BUILD_COMMAND}")
+
+
+def _executables(method: str) -> list[Path]:
+    name = f"minkref-cgal-{GROUPS[method]}"
+    candidates = (folder / name for folder in search_folders())
+    return [path for path in candidates if path.is_file() and os.access(path, os.X_OK)]
+
+
+def executable_of_target(target: str) -> Path:
+    """The server of `cgal-METHOD`; of `cgal-METHOD@VERSION` the first of this version of CGAL."""
+    method, _ = method_of_target(target)
+    _, at, version = target.partition("@")
+    if not at:
+        return find_executable(method)
+    for path in _executables(method):
+        if cgal_version(method, path) == version:
+            return path
+    raise OracleNotFoundError(
+        f"no executable of CGAL {version} is found; name its folder in MINKREF_CGAL"
+    )
+
+
+def other_versions(method: str) -> list[str]:
+    """Versions of CGAL of further executables of `method`, beside that which is found first."""
+    paths = _executables(method)
+    versions = [cgal_version(method, path) for path in paths]
+    return [version for version in dict.fromkeys(versions) if version != versions[0]]
 
 
 @cache
@@ -96,14 +127,20 @@ def cgal_version(method: str, executable: Path | None = None) -> str:
 
 
 def target_names() -> list[str]:
-    """All targets of this oracle, built or not: those with `-raw` call CGAL with every hole."""
+    """All targets of this oracle, built or not: those with `-raw` call CGAL with every hole; those
+    with `@VERSION` are further versions of CGAL, where MINKREF_CGAL names several folders."""
     names = [f"cgal-{method}" for method in METHOD_GROUPS]
-    return names + [f"cgal-{method}-raw" for method in METHODS_WITH_HOLES]
+    names += [f"cgal-{method}-raw" for method in METHODS_WITH_HOLES]
+    return names + [
+        f"{name}@{version}"
+        for name in names
+        for version in other_versions(method_of_target(name)[0])
+    ]
 
 
 def method_of_target(target: str) -> tuple[str, bool]:
     """The method and whether it is raw: cgal-vertical-raw is ("vertical", True)."""
-    method = target.removeprefix("cgal-")
+    method = target.removeprefix("cgal-").partition("@")[0]
     return method.removesuffix("-raw"), method.endswith("-raw")
 
 

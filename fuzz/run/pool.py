@@ -7,13 +7,14 @@ import pickle
 import signal
 import time
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 from multiprocessing.connection import Connection, wait
 from typing import Any
 
-from minkref.fuzz.cases.case import CaseName
+from minkref.fuzz.cases.case_list import Wait
 from minkref.fuzz.run import child
 from minkref.fuzz.run.worker import CaseResult, Job, work
-from minkref.fuzz.targets.catalogue import Limits
+from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.verdicts.verdict import Outcome, Verdict
 
 START_SECONDS = 60.0  # for the start of a worker, and until it reads its job
@@ -60,18 +61,27 @@ class _Worker:
 
 
 def run_cases(
-    cases: Iterable[CaseName], targets: list[str], limits: Limits, jobs: int
+    cases: Iterable[Job | Wait], targets: list[str], limits: Limits, jobs: int
 ) -> Iterator[CaseResult]:
-    """The results of all cases, in the order in which they are done. Raises InternalError where the
+    """The results of all cases, in the order in which they are done. Where the cases say Wait, the
+    next is asked for only after all results before have been taken. Raises InternalError where the
     suite itself fails; ends its workers in every case."""
-    queue = (Job(number, name) for number, name in enumerate(cases))
+    queue = _Queue(iter(cases))
     workers = [_Worker(targets, limits) for _ in range(max(1, jobs))]
     try:
-        busy = [worker for worker in workers if _next(worker, queue)]
-        while busy:
+        while True:
+            idle = [worker for worker in workers if worker.job is None]
+            for worker in idle:
+                job = queue.next(any_busy=any(worker.job for worker in workers))
+                if job is None:
+                    break
+                worker.give(job)
+            busy = [worker for worker in workers if worker.job]
+            if not busy:
+                break
             tick = min(worker.remaining for worker in busy)
             ready = wait([worker.pipe for worker in busy], timeout=max(0.0, tick))
-            for worker in list(busy):
+            for worker in busy:
                 if worker.pipe in ready:
                     result = _read(worker)
                 elif worker.remaining <= 0:
@@ -81,24 +91,11 @@ def run_cases(
                 if result is None:
                     continue
                 if isinstance(result, CaseResult):
-                    yield result
                     worker.job = None
-                    if not _next(worker, queue):
-                        busy.remove(worker)
+                    yield result
                 else:
-                    job = worker.job
-                    assert job is not None
-                    busy.remove(worker)
+                    workers.append(_replaced(worker, result, targets, limits))
                     workers.remove(worker)
-                    worker.kill()
-                    if result.verdict is Verdict.TIMED_OUT and result.target not in job.overdue:
-                        job.overdue.add(result.target)  # perhaps the machine stood still: once more
-                    else:
-                        job.lost[result.target] = result
-                    fresh = _Worker(targets, limits)
-                    workers.append(fresh)
-                    busy.append(fresh)
-                    fresh.give(job)
         for worker in workers:
             worker.end()
         workers.clear()
@@ -107,12 +104,35 @@ def run_cases(
             worker.kill()
 
 
-def _next(worker: _Worker, queue: Iterator[Job]) -> bool:
-    job = next(queue, None)
-    if job is None:
-        return False
-    worker.give(job)
-    return True
+@dataclass
+class _Queue:
+    jobs: Iterator[Job | Wait]
+    waiting: bool = False
+
+    def next(self, any_busy: bool) -> Job | None:
+        """None where there is no job now: at the end, or before results are there."""
+        while True:
+            if self.waiting and any_busy:
+                return None
+            self.waiting = False
+            job = next(self.jobs, None)
+            if not isinstance(job, Wait):
+                return job
+            self.waiting = True
+
+
+def _replaced(worker: _Worker, lost: Outcome, targets: list[str], limits: Limits) -> _Worker:
+    """A fresh worker with the job of one that is lost, and what its loss says of a target."""
+    job = worker.job
+    assert job is not None
+    worker.kill()
+    if lost.verdict is Verdict.TIMED_OUT and lost.target not in job.overdue:
+        job.overdue.add(lost.target)  # perhaps the machine stood still: once more
+    else:
+        job.lost[lost.target] = lost
+    fresh = _Worker(targets, limits)
+    fresh.give(job)
+    return fresh
 
 
 def _read(worker: _Worker) -> CaseResult | Outcome | None:

@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import shlex
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 
 from minkref.exits import ExitCode
-from minkref.fuzz.cases.case_list import CaseList
+from minkref.fuzz.cases.case_list import CaseList, Wait
+from minkref.fuzz.run.ledger import Ledger
 from minkref.fuzz.run.pool import run_cases
-from minkref.fuzz.run.worker import CaseResult
-from minkref.fuzz.targets.catalogue import Limits
+from minkref.fuzz.run.worker import CaseResult, Job
+from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.verdicts.baseline import Baseline
 from minkref.fuzz.verdicts.judgement import REFEREE
-from minkref.fuzz.verdicts.verdict import BROKEN, Outcome, Verdict
+from minkref.fuzz.verdicts.verdict import BROKEN, GOOD, Outcome, Verdict
 
 
 @dataclass(frozen=True)
@@ -51,6 +52,7 @@ class Run:
     matrix: dict[tuple[str, str], Cell] = field(default_factory=dict)
     findings: list[Finding] = field(default_factory=list)
     cases: Counter[str] = field(default_factory=Counter)
+    absent: int = 0  # derived cases that do not exist, as probes of a pair without events
 
     def smallest(self) -> list[tuple[Finding, int]]:
         """The smallest finding of each kind, with how many there are; the most serious first."""
@@ -96,25 +98,59 @@ def run(
     limits: Limits,
     jobs: int,
     progress: Callable[[Run], None] = lambda _: None,
+    ledger: Ledger | None = None,
 ) -> Run:
-    """Runs all cases. With `cases.pairs` given the verdicts do not depend on `jobs`."""
+    """Runs all cases. With `cases.pairs` given the verdicts do not depend on `jobs`. What the
+    ledger holds is not run again; every result is in it before it is shown."""
     done = Run(list(targets))
-    for result in run_cases(cases, targets, limits, jobs):
-        group = result.name.group
-        if group not in done.groups:
-            done.groups.append(group)
-        done.cases[group] += 1
-        for outcome in result.outcomes:
-            judged = baseline.apply(outcome, versions.get(outcome.target))
-            cell = done.matrix.setdefault((outcome.target, group), Cell())
-            cell.verdicts[str(judged.verdict)] += 1
-            cell.seconds += judged.seconds
-            if judged.verdict is Verdict.SKIPPED:
-                cell.skips[judged.message] += 1
-            elif judged.verdict is not Verdict.PASS:
-                done.findings.append(Finding(judged, result))
-            if outcome.target not in done.targets:
-                done.targets.append(outcome.target)
+
+    def take(result: CaseResult) -> None:
+        _take(done, result, versions, baseline)
+        cases.learn(result.number, result.name.text, result.coverage)
         progress(done)
+
+    for result in run_cases(_jobs(cases, ledger, take), targets, limits, jobs):
+        if ledger is not None:
+            ledger.write(result)
+        take(result)
     done.findings.sort(key=lambda finding: (finding.outcome.target, finding.case.number))
     return done
+
+
+def _jobs(
+    cases: CaseList, ledger: Ledger | None, take: Callable[[CaseResult], None]
+) -> Iterator[Job | Wait]:
+    number = 0
+    for name in cases:
+        if isinstance(name, Wait):
+            yield name
+            continue
+        known = ledger.result(number, name) if ledger is not None else None
+        if known is not None:
+            take(known)
+        else:
+            yield Job(number, name)
+        number += 1
+
+
+def _take(
+    done: Run, result: CaseResult, versions: dict[str, str | None], baseline: Baseline
+) -> None:
+    if result.absent is not None:
+        done.absent += 1
+        return
+    group = result.name.group
+    if group not in done.groups:
+        done.groups.append(group)
+    done.cases[group] += 1
+    for outcome in result.outcomes:
+        judged = baseline.apply(outcome, versions.get(outcome.target))
+        cell = done.matrix.setdefault((outcome.target, group), Cell())
+        cell.verdicts[str(judged.verdict)] += 1
+        cell.seconds += judged.seconds
+        if judged.verdict is Verdict.SKIPPED:
+            cell.skips[judged.message] += 1
+        elif judged.verdict not in GOOD:
+            done.findings.append(Finding(judged, result))
+        if outcome.target not in done.targets:
+            done.targets.append(outcome.target)

@@ -9,20 +9,17 @@ from dataclasses import dataclass, field
 from multiprocessing.connection import Connection
 from typing import Any
 
+from minkref.fuzz.cases import naming
 from minkref.fuzz.cases.case import Case, CaseName
+from minkref.fuzz.cases.no_case import NoCase
+from minkref.fuzz.cases.space_case import SpaceCase
 from minkref.fuzz.cgal import server as cgal_server
 from minkref.fuzz.judges.checks import PREFIX, Check
 from minkref.fuzz.run import child
-from minkref.fuzz.targets.catalogue import (
-    LOAD_SECONDS,
-    Answer,
-    Limits,
-    Target,
-    make_target,
-    size_limit,
-)
-from minkref.fuzz.verdicts.judgement import TRUTHS, judge
-from minkref.fuzz.verdicts.verdict import Outcome, Verdict
+from minkref.fuzz.run.asking import Asking
+from minkref.fuzz.targets.answer import Limits, Target, load_limit
+from minkref.fuzz.targets.catalogue import is_adapter, make_target
+from minkref.fuzz.verdicts.verdict import GOOD, Outcome, Verdict
 
 JUDGE_SECONDS = 600.0  # for one judge on one case: slow by design
 REST = 2 << 30  # bytes that a worker may need beside what one call of a target may take
@@ -41,7 +38,8 @@ class Job:
 
 @dataclass
 class CaseResult:
-    """What a worker hands back on one case. Sets are texts, and only where something is amiss."""
+    """What a worker hands back on one case. Sets are texts, and only where something is amiss.
+    `absent` says why there is no such case."""
 
     number: int
     name: CaseName
@@ -53,6 +51,12 @@ class CaseResult:
     P: str | None = None
     Q: str | None = None
     expected: str | None = None
+    literal: str | None = None
+    dimension: int = 2
+    family: str = ""
+    position: str = ""
+    coverage: str | None = None
+    absent: str | None = None
 
 
 def work(pipe: Connection, targets: list[str], limits: Limits) -> None:
@@ -67,7 +71,7 @@ def work(pipe: Connection, targets: list[str], limits: Limits) -> None:
             if job is None:
                 return
             try:
-                pipe.send(("done", _run(pipe, job, targets, limits, made)))
+                pipe.send(("done", _Work(pipe, job, targets, limits, made).result()))
             except (BrokenPipeError, EOFError):
                 return
             except Exception as error:  # noqa: BLE001 the parent reports it
@@ -85,103 +89,88 @@ def _limit_memory(bytes_allowed: int) -> None:
         resource.setrlimit(resource.RLIMIT_AS, (bytes_allowed, hard))
 
 
-def _run(
-    pipe: Connection, job: Job, targets: list[str], limits: Limits, made: dict[str, Target | Check]
-) -> CaseResult:
-    _begin(pipe, "minkref:case", limits)
-    case = job.name.load()
-    ruled = [_rule(pipe, job, case, name, limits, made) for name in targets if is_check(name)]
-    targets = [name for name in targets if not is_check(name)]
-    if not targets:
-        return _result(job, case, ruled, {})
-    answers: dict[str, Answer] = {}
-    for name in dict.fromkeys([*TRUTHS, *targets]):
-        if name in job.lost:
-            lost = job.lost[name]
-            answers[name] = Answer(
-                verdict=lost.verdict, message=lost.message, signal=lost.signal, seconds=lost.seconds
-            )
-            continue
-        if name not in targets and any(answer.region for answer in answers.values()):
-            continue  # one route of ours is truth enough until somebody disagrees
-        limit = size_limit(name, limits)
-        if limit is not None and case.vertex_pairs > limit:
-            message = f"{case.vertex_pairs:,} pairs of vertices, more than {limit:,} (--size-limit)"
-            answers[name] = Answer(verdict=Verdict.SKIPPED, message=message)
-            continue
-        if name not in made:
-            pipe.send(("begin", name, load_limit(limits)))
-            made[name] = make_target(name, limits)
-        target = made[name]
+@dataclass
+class _Work:
+    """One case before all targets."""
+
+    pipe: Connection
+    job: Job
+    targets: list[str]
+    limits: Limits
+    made: dict[str, Target | Check]
+
+    def result(self) -> CaseResult:
+        self._begin("minkref:case")
+        try:
+            case = naming.load(self.job.name)
+        except NoCase as reason:
+            job = self.job
+            return CaseResult(job.number, job.name, "1", [], "", "", (0, 0, ""), absent=str(reason))
+        asking = Asking(case, self._target, self._begin, self.job.lost, self.limits)
+        ruled = []
+        if isinstance(case, Case) and case.law is None:
+            ruled = [self._rule(case, name) for name in self.targets if is_check(name)]
+        outcomes = asking.outcomes([name for name in self.targets if not is_check(name)])
+        return self._result(case, [*ruled, *outcomes], asking)
+
+    def _target(self, name: str) -> Target:
+        if name not in self.made:
+            self.pipe.send(("begin", name, load_limit(self.limits)))
+            self.made[name] = make_target(name, self.limits)
+        target = self.made[name]
         assert not isinstance(target, Check)
-        _begin(pipe, name, limits)
-        answers[name] = target.sum(case)
-        if answers[name].verdict is Verdict.TIMED_OUT:  # a machine may stand still: once more
-            _begin(pipe, name, limits)
-            answers[name] = target.sum(case)
-    _begin(pipe, "minkref:referee", limits)
-    return _result(job, case, [*ruled, *judge(case, answers, targets)], answers)
+        return target
 
+    def _rule(self, case: Case, name: str) -> Outcome:
+        """The reference before one judge."""
+        if name in self.job.lost:
+            return self.job.lost[name]
+        self.pipe.send(("begin", name, load_limit(self.limits)))
+        if name not in self.made:
+            self.made[name] = Check(name, self.limits.size)
+        check = self.made[name]
+        assert isinstance(check, Check)
+        self._begin(name)
+        return check.rule(case)
 
-def _rule(
-    pipe: Connection,
-    job: Job,
-    case: Case,
-    name: str,
-    limits: Limits,
-    made: dict[str, Target | Check],
-) -> Outcome:
-    """The reference before one judge."""
-    if name in job.lost:
-        return job.lost[name]
-    pipe.send(("begin", name, load_limit(limits)))
-    if name not in made:
-        made[name] = Check(name, limits.size)
-    check = made[name]
-    assert isinstance(check, Check)
-    _begin(pipe, name, limits)
-    return check.rule(case)
+    def _begin(self, step: str) -> None:
+        self.pipe.send(("begin", step, wall_clock_limit(step, self.limits)))
+
+    def _result(
+        self, case: Case | SpaceCase, outcomes: list[Outcome], asking: Asking
+    ) -> CaseResult:
+        job = self.job
+        result = CaseResult(
+            job.number, job.name, case.scale, outcomes, case.P_name, case.Q_name, case.size
+        )
+        result.dimension, result.family, result.position = (
+            case.dimension,
+            case.family,
+            case.position,
+        )
+        result.coverage = asking.coverage(outcomes)
+        if any(outcome.verdict not in (*GOOD, Verdict.SKIPPED) for outcome in outcomes):
+            result.literal = case.literal
+            if isinstance(case, SpaceCase):
+                result.P, result.Q = case.pair.P.to_json(), case.pair.Q.to_json()
+            else:
+                result.P, result.Q = case.P_json, case.Q_json
+            result.expected = asking.expected(outcomes)
+        return result
 
 
 def is_check(name: str) -> bool:
     return name.startswith(PREFIX)
 
 
-def _begin(pipe: Connection, step: str, limits: Limits) -> None:
-    pipe.send(("begin", step, wall_clock_limit(step, limits)))
-
-
-def _result(
-    job: Job, case: Case, outcomes: list[Outcome], answers: dict[str, Answer]
-) -> CaseResult:
-    result = CaseResult(
-        job.number, job.name, case.scale, outcomes, case.P_name, case.Q_name, case.size
-    )
-    if any(outcome.verdict not in (Verdict.PASS, Verdict.SKIPPED) for outcome in outcomes):
-        wrong = {outcome.target for outcome in outcomes if outcome.verdict is Verdict.WRONG}
-        result.P, result.Q = case.P_json, case.Q_json
-        result.expected = next(
-            (
-                answer.region.json
-                for name, answer in answers.items()
-                if name in TRUTHS and answer.region and name not in wrong
-            ),
-            None,
-        )
-    return result
-
-
-def load_limit(limits: Limits) -> float:
-    """Seconds for the import of the module of a `py:` target, which is no call of it."""
-    return max(LOAD_SECONDS, limits.seconds)
-
-
 def wall_clock_limit(name: str, limits: Limits) -> float:
     """Seconds after which the parent ends a worker that is still at `name`. The children of the
-    CGAL oracle have their own, tighter clock."""
+    CGAL oracle and adapters have their own, tighter clock."""
     grace: dict[str, Any] = {"minkref:case": 60.0, "minkref:referee": 120.0}
     if name in grace:
         return float(grace[name])
     if is_check(name):
         return JUDGE_SECONDS
+    if is_adapter(name):
+        return 2 * load_limit(limits) + 6 * limits.seconds
     return limits.seconds + (2 * cgal_server.GRACE_SECONDS if name.startswith("cgal-") else 0)

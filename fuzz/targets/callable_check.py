@@ -7,8 +7,10 @@ from multiprocessing.connection import Connection
 
 from minkref.errors import Refusal, message_of
 from minkref.fuzz.run import child
-from minkref.fuzz.targets.catalogue import load_function
+from minkref.fuzz.targets.python_callable import load_function
+from minkref.fuzz.targets.shared_library import load_library
 
+SO_MEND = "write so:./library.so:function (fuzz/adapters/minkref_adapter.h)"
 MEND = "write py:module:function, the module importable from here"
 
 
@@ -16,11 +18,13 @@ def refuse_unless_callable(name: str, seconds: float) -> None:
     """Refuses a name that gives no function. Whatever the module does on import, this process goes
     on."""
     parts = name.split(":")
+    library = parts[0] == "so"
     if len(parts) != 3 or not all(parts):
-        raise Refusal("this names no Python function", name, MEND)
+        what = "C" if library else "Python"
+        raise Refusal(f"this names no {what} function", name, SO_MEND if library else MEND)
     fault = _fault(name, seconds)
     if fault:
-        raise Refusal(f"the function cannot be loaded: {fault}", name, MEND)
+        raise Refusal(f"the function cannot be loaded: {fault}", name, SO_MEND if library else MEND)
 
 
 def _fault(name: str, seconds: float) -> str:
@@ -44,7 +48,7 @@ def _fault(name: str, seconds: float) -> str:
 def _load(pipe: Connection, name: str) -> None:
     child.begin()
     try:
-        load_function(name)
+        load_library(name) if name.startswith("so:") else load_function(name)
         fault = ""
     except BaseException as error:  # noqa: BLE001 a module may do anything on import
         fault = message_of(error)

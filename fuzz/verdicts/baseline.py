@@ -10,9 +10,10 @@ from pathlib import Path
 from typing import Any
 
 from minkref.errors import Refusal, cut
-from minkref.fuzz.verdicts.verdict import BROKEN, Outcome, Reason, Verdict
+from minkref.fuzz.verdicts.verdict import BROKEN, GOOD, Outcome, Reason, Verdict
 
 _FIELDS = ("target", "version", "kind", "reason")
+_NO_FAULT = (*GOOD, Verdict.SKIPPED, Verdict.UNDECIDED, Verdict.KNOWN)
 KINDS = tuple(str(kind) for kind in (*Reason, *BROKEN))
 
 
@@ -33,7 +34,7 @@ class Baseline:
 
     def apply(self, outcome: Outcome, version: str | None) -> Outcome:
         """`known` iff every kind of the outcome's fault is listed for its target and version."""
-        if outcome.verdict in (Verdict.PASS, Verdict.SKIPPED, Verdict.UNDECIDED, Verdict.KNOWN):
+        if outcome.verdict in _NO_FAULT:
             return outcome
         reasons = [self._reason(outcome.target, version or "", kind) for kind in outcome.kinds]
         if not reasons or any(reason is None for reason in reasons):

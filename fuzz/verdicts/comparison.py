@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from fractions import Fraction
 
 from minkref import _core
 from minkref.fuzz.cases.case import Case
+from minkref.fuzz.verdicts.boundary_sum import decide_boundary
 from minkref.fuzz.verdicts.region import Region, inner_point, minus
+from minkref.fuzz.verdicts.tolerance import grown, shrunk
 from minkref.fuzz.verdicts.verdict import Reason, Witness
 from minkref.fuzz.verdicts.witness import holds
 
@@ -23,11 +26,18 @@ class Settlement:
     claim: Witness | None = None
     truth: Witness | None = None
     reasons: list[Reason] = field(default_factory=list)
+    differ: bool = False
 
 
-def decide(case: Case, point: tuple[str, str]) -> Witness:
+def decide(case: Case, point: tuple[str, str], boundary: bool = False) -> Witness:
     """Whether the point lies in the sum, by pairs of triangles, checked again in plain fractions.
-    A point where the operands only touch belongs to the sum: it is closed."""
+    A point where the operands only touch belongs to the sum: it is closed. `boundary`: in the sum
+    of the boundaries."""
+    if boundary:
+        witness = decide_boundary(case, point)
+        if not holds(case.P_json, case.Q_json, case.scale, witness):
+            raise WitnessRefuted(f"the point ({point[0]}, {point[1]}) on {case.name.text}")
+        return witness
     answer = _core.decide(case.P, case.Q, case.scale, point[0], point[1])
     inside = answer["contact"] != "empty"
     p, q = answer["p"], answer["q"]
@@ -39,15 +49,30 @@ def decide(case: Case, point: tuple[str, str]) -> Witness:
     return witness
 
 
-def settle(case: Case, truth: Region, claim: Region) -> Settlement:
-    """Decides a point that only `truth` has and one that only `claim` has, where there are such."""
+def settle(
+    case: Case,
+    truth: Region,
+    claim: Region,
+    half: Fraction = Fraction(0),
+    boundary: bool = False,
+) -> Settlement:
+    """Decides a point that only `truth` has and one that only `claim` has, where there are such.
+    With `half` only points count whose whole square of that half side lies inside, or outside.
+    `boundary`: the sum of the boundaries is meant."""
     settled = Settlement()
-    absent, surplus = minus(truth.json, claim.json), minus(claim.json, truth.json)
+    absent = minus(shrunk(truth.json, half), claim.json)
+    surplus = minus(claim.json, grown(truth.json, half))
     for part, reason in ((absent, Reason.MISSING), (surplus, Reason.EXTRA)):
         point = inner_point(part)
         if point is None:
             continue
-        witness = decide(case, point)
+        settled.differ = True
+        witness = decide(case, point, boundary)
+        agrees = witness.in_truth == (reason is Reason.MISSING)
+        if half and agrees:
+            witness = replace(witness, tolerance=str(half))
+            if not holds(case.P_json, case.Q_json, case.scale, witness):
+                continue  # its square is cut into too many cells
         if witness.in_truth == (reason is Reason.MISSING):
             settled.claim = settled.claim or witness
             settled.reasons.append(reason)

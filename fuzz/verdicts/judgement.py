@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import json
+from dataclasses import replace
+
 from minkref.errors import cut
 from minkref.fuzz.cases.case import Case
-from minkref.fuzz.targets.catalogue import Answer
+from minkref.fuzz.targets.answer import Answer
+from minkref.fuzz.verdicts.boundary_sum import MOST_PAIRS, boundary_sum
 from minkref.fuzz.verdicts.comparison import WitnessRefuted, decide, settle
 from minkref.fuzz.verdicts.region import Region
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict, Witness
@@ -83,31 +87,64 @@ def _against(
 
 def _one(case: Case, name: str, answer: Answer, expected: Region) -> Outcome | Witness:
     """The outcome for one target, or the witness that refutes the expected region."""
-    region = answer.region
+    region, declared = answer.region, answer.declaration
+    if answer.verdict is Verdict.WRONG:
+        return _rejected(case, name, answer, expected)
     if region is None:
         return _without_answer(name, answer)
+    if declared.boundary:
+        pairs = case.vertex_pairs
+        if pairs > MOST_PAIRS:
+            what = f"{pairs:,} pairs of edges, more than {MOST_PAIRS:,}"
+            return _undecided(name, answer, f"the sum of the boundaries is not computed for {what}")
+        expected = boundary_sum(case)
     if region.digest == expected.digest:
         return _same_set(case, name, answer, region)
-    settled = settle(case, expected, region)
+    half = declared.tolerance(case.magnitude)
+    settled = settle(case, expected, region, half, declared.boundary)
+    if settled.truth is not None and declared.boundary:
+        return _undecided(name, answer, "the sum of the boundaries is in doubt")
     if settled.truth is not None:
         return settled.truth
+    if half and not settled.differ:
+        return Outcome(name, Verdict.PASS_WITHIN, seconds=answer.seconds, digest=region.digest)
     if settled.claim is None:
         return _undecided(name, answer, "no point tells the results apart")
     reasons = settled.reasons
-    if region.overlap is not None:
+    if region.overlap is not None and declared.exact:
         reasons = [*reasons, Reason.SELF_INTERSECTING]
     return _refuted(name, answer, settled.claim, reasons, expected)
 
 
 def _same_set(case: Case, name: str, answer: Answer, region: Region) -> Outcome:
-    """The right set of points; its rings may still be badly made."""
+    """The right set of points; the rings of exact results may still be badly made."""
+    if not answer.declaration.exact:
+        return Outcome(name, Verdict.PASS, seconds=answer.seconds, digest=region.digest)
     for point, reason in (
         (region.degenerate, Reason.NOT_CLOSED),
         (region.overlap, Reason.SELF_INTERSECTING),
     ):
         if point is not None:
-            return _refuted(name, answer, decide(case, point), [reason], region)
+            witness = decide(case, point, answer.declaration.boundary)
+            return _refuted(name, answer, witness, [reason], region)
     return Outcome(name, Verdict.PASS, seconds=answer.seconds, digest=region.digest)
+
+
+def _rejected(case: Case, name: str, answer: Answer, expected: Region) -> Outcome:
+    """Valid operands called invalid: any point of their sum shows that they have one."""
+    outcome = Outcome(
+        name,
+        Verdict.WRONG,
+        (Reason.REJECTED_VALID,),
+        message=cut(answer.message),
+        seconds=answer.seconds,
+        expected_digest=expected.digest,
+    )
+    polygons = json.loads(expected.json)["polygons"]
+    if not polygons:
+        return outcome
+    x, y = polygons[0]["outer"][0]
+    return replace(outcome, witness=decide(case, (x, y)))
 
 
 def _refuted(
@@ -134,6 +171,7 @@ def _without_answer(name: str, answer: Answer) -> Outcome:
         message=cut(answer.message),
         signal=answer.signal,
         seconds=answer.seconds,
+        log=answer.log,
     )
 
 

@@ -11,6 +11,7 @@ from minkref.errors import cut
 
 class Verdict(StrEnum):
     PASS = "pass"
+    PASS_WITHIN = "pass-within"  # inside the target's declared tolerance
     WRONG = "wrong"
     KNOWN = "known"  # listed by the baseline, whatever it was before
     ERRORED = "errored"
@@ -21,6 +22,7 @@ class Verdict(StrEnum):
     SKIPPED = "skipped"
 
 
+GOOD = (Verdict.PASS, Verdict.PASS_WITHIN)
 BROKEN = (Verdict.CRASHED, Verdict.TIMED_OUT, Verdict.OUT_OF_MEMORY, Verdict.ERRORED)
 
 
@@ -37,6 +39,9 @@ class Reason(StrEnum):
     EVENT_INVENTED = "event-invented"
     EVENT_MISPLACED = "event-misplaced"  # another change, another place, other features
     STATE_DRIFT = "state-drift"  # a state reached by update is not the one that is there
+    NONDETERMINISTIC = "nondeterministic"  # another answer to the same question
+    ACCEPTED_INVALID = "accepted-invalid"  # a result for operands that are none
+    REJECTED_VALID = "rejected-valid"  # operands called invalid that are not
     PASSAGE_MISSED = "passage-missed"  # a tight passage
     PASSAGE_INVENTED = "passage-invented"
 
@@ -44,13 +49,16 @@ class Reason(StrEnum):
 @dataclass(frozen=True)
 class Witness:
     """A point that a reader can check by hand. Inside: scale p + q = point, p in P, q in Q.
-    Outside: P scaled does not meet the set of all point - q."""
+    Outside: P scaled does not meet the set of all point - q. With a tolerance the whole square (in
+    space the cube) of that half side around the point lies inside, or outside."""
 
-    point: tuple[str, str]
+    point: tuple[str, ...]
     in_truth: bool
-    p: tuple[str, str] | None = None
-    q: tuple[str, str] | None = None
+    p: tuple[str, ...] | None = None
+    q: tuple[str, ...] | None = None
     scale: str | None = None  # where it is not that of the case
+    tolerance: str = "0"
+    boundary: bool = False  # p and q on the boundaries of P and Q: the sum of these is meant
 
     def document(self) -> dict[str, Any]:
         value: dict[str, Any] = {
@@ -59,6 +67,10 @@ class Witness:
             "p": list(self.p) if self.p else None,
             "q": list(self.q) if self.q else None,
         }
+        if self.tolerance != "0":
+            value["tolerance"] = self.tolerance
+        if self.boundary:
+            value["sum"] = "boundary"
         return value if self.scale is None else {**value, "scale": self.scale}
 
 
@@ -77,6 +89,7 @@ class Outcome:
     expected_digest: str | None = None
     got: str | None = None
     was: Verdict | None = None  # the verdict that the baseline turned into `known`
+    log: str = ""  # the end of what the target wrote to standard error
 
     @property
     def kinds(self) -> tuple[str, ...]:

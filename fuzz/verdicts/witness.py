@@ -5,99 +5,53 @@ A point x lies in sP + Q iff sP meets x - Q. It shares nothing with the code tha
 
 from __future__ import annotations
 
-import json
 from fractions import Fraction
 
+from minkref.fuzz.verdicts.plain_plane import (
+    Point,
+    Rings,
+    contains,
+    edges,
+    meet,
+    rings_of,
+    segments_meet,
+)
+from minkref.fuzz.verdicts.square import clear_of_square, square_inside
 from minkref.fuzz.verdicts.verdict import Witness
 
-Point = tuple[Fraction, Fraction]
-Rings = list[list[list[Point]]]  # per polygon: outer ring, holes
+ORIGIN = (Fraction(0), Fraction(0))
 
 
 def holds(P_json: str, Q_json: str, scale: str, witness: Witness) -> bool:
     """True iff the witness proves what it says. O(mn) exact segment tests where it says
-    `outside`."""
-    P = _rings(P_json, Fraction(scale), (Fraction(0), Fraction(0)))
+    `outside`. With a tolerance its square is inside or outside as a whole; False too where the
+    square is crossed by so many segments that the check gives up."""
+    s = Fraction(scale)
+    P = rings_of(P_json, s, ORIGIN)
     x = (Fraction(witness.point[0]), Fraction(witness.point[1]))
+    half = Fraction(witness.tolerance)
     if witness.in_truth:
         if witness.p is None or witness.q is None:
             return False
-        s = Fraction(scale)
         p = (s * Fraction(witness.p[0]), s * Fraction(witness.p[1]))
         q = (Fraction(witness.q[0]), Fraction(witness.q[1]))
-        Q = _rings(Q_json, Fraction(1), (Fraction(0), Fraction(0)))
-        return (p[0] + q[0], p[1] + q[1]) == x and contains(P, p) and contains(Q, q)
-    return not meet(P, _rings(Q_json, Fraction(-1), x))
+        Q = rings_of(Q_json, Fraction(1), ORIGIN)
+        if (p[0] + q[0], p[1] + q[1]) != x:
+            return False
+        within = on_boundary if witness.boundary else contains
+        if not (within(P, p) and within(Q, q)):
+            return False
+        return not half or square_inside(P, Q, x, half, witness.boundary)
+    reflected = rings_of(Q_json, Fraction(-1), x)
+    if half:
+        return clear_of_square(P, reflected, half, witness.boundary)
+    return not (boundaries_meet if witness.boundary else meet)(P, reflected)
 
 
-def _rings(text: str, factor: Fraction, shift: Point) -> Rings:
-    return [
-        [
-            [(factor * Fraction(x) + shift[0], factor * Fraction(y) + shift[1]) for x, y in ring]
-            for ring in (polygon["outer"], *polygon["holes"])
-        ]
-        for polygon in json.loads(text)["polygons"]
-    ]
+def on_boundary(polygons: Rings, point: Point) -> bool:
+    return boundaries_meet(polygons, [[[point]]])
 
 
-def contains(polygons: Rings, point: Point) -> bool:
-    """The point lies in the closed set."""
-    for polygon in polygons:
-        inside = False
-        for ring in polygon:
-            for a, b in zip(ring, ring[1:] + ring[:1], strict=True):
-                side = _turn(a, b, point)
-                if side == 0 and _in_box(a, b, point):
-                    return True
-                if (a[1] > point[1]) != (b[1] > point[1]) and (side > 0) == (b[1] > a[1]):
-                    inside = not inside
-        if inside:
-            return True
-    return False
-
-
-def meet(first: Rings, second: Rings) -> bool:
-    """The two closed sets share a point: their boundaries meet, or one holds a vertex of the
-    other."""
-    edges = sorted(_edges(second), key=lambda edge: min(edge[0][0], edge[1][0]))
-    for a, b in _edges(first):
-        right = max(a[0], b[0])
-        for c, d in edges:
-            if min(c[0], d[0]) > right:
-                break
-            if _segments_meet(a, b, c, d):
-                return True
-    return any(contains(second, polygon[0][0]) for polygon in first) or any(
-        contains(first, polygon[0][0]) for polygon in second
-    )
-
-
-def _edges(polygons: Rings) -> list[tuple[Point, Point]]:
-    return [
-        (ring[k - 1], ring[k]) for polygon in polygons for ring in polygon for k in range(len(ring))
-    ]
-
-
-def _turn(a: Point, b: Point, c: Point) -> int:
-    value = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
-    return (value > 0) - (value < 0)
-
-
-def _in_box(a: Point, b: Point, p: Point) -> bool:
-    return min(a[0], b[0]) <= p[0] <= max(a[0], b[0]) and min(a[1], b[1]) <= p[1] <= max(a[1], b[1])
-
-
-def _segments_meet(a: Point, b: Point, c: Point, d: Point) -> bool:
-    if max(a[0], b[0]) < min(c[0], d[0]) or max(c[0], d[0]) < min(a[0], b[0]):
-        return False
-    if max(a[1], b[1]) < min(c[1], d[1]) or max(c[1], d[1]) < min(a[1], b[1]):
-        return False
-    t1, t2, t3, t4 = _turn(a, b, c), _turn(a, b, d), _turn(c, d, a), _turn(c, d, b)
-    if t1 * t2 < 0 and t3 * t4 < 0:
-        return True
-    return (
-        (t1 == 0 and _in_box(a, b, c))
-        or (t2 == 0 and _in_box(a, b, d))
-        or (t3 == 0 and _in_box(c, d, a))
-        or (t4 == 0 and _in_box(c, d, b))
-    )
+def boundaries_meet(first: Rings, second: Rings) -> bool:
+    others = edges(second)
+    return any(segments_meet(a, b, c, d) for a, b in edges(first) for c, d in others)

@@ -55,16 +55,31 @@ def _root(
 
 
 def _register() -> None:
-    from minkref.commands import bench, events, models, sum, sweep, targets, verify, view
+    from minkref.commands import (
+        adapter,
+        bench,
+        events,
+        families,
+        models,
+        shrink,
+        sum,
+        sweep,
+        targets,
+        verify,
+        view,
+    )
 
     app.command("sum", epilog=sum.EXAMPLES)(sum.command)
     app.command("sweep", epilog=sweep.EXAMPLES)(sweep.command)
     app.command("events", epilog=events.EXAMPLES)(events.command)
     app.command("view", epilog=view.EXAMPLES)(view.command)
     app.command("verify", epilog=verify.EXAMPLES)(verify.command)
+    app.command("shrink", epilog=shrink.EXAMPLES)(shrink.command)
+    app.add_typer(adapter.app, name="adapter")
     app.command("bench", epilog=bench.EXAMPLES)(bench.command)
     app.command("models", epilog=models.EXAMPLES)(models.command)
     app.command("targets", epilog=targets.EXAMPLES)(targets.command)
+    app.command("families", epilog=families.EXAMPLES)(families.command)
 
 
 def run(arguments: Sequence[str]) -> int:

@@ -4,12 +4,14 @@ program."""
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import dataclass
 
 from minkref import _core
 from minkref.commands.verify_output import describe
 from minkref.exact import approximate
 from minkref.fuzz.run.runner import Finding
+from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.verdicts.region import minus
 from minkref.reports.conformance.drawing import Layer, bounds, picture
 from minkref.reports.conformance.program import Program, program
@@ -24,14 +26,18 @@ class FindingPage:
     program: Program | None
 
 
-def finding_page(finding: Finding, count: int) -> FindingPage:
-    outcome = finding.outcome
+def finding_page(group: Group) -> FindingPage:
+    """Drawn is the smallest that it shrank to."""
+    outcome = group.example.outcome
     kinds = "-".join(outcome.kinds)
-    name = f"{outcome.target}-{kinds}".replace(":", "-").replace("@", "-")
+    name = re.sub(r"[^A-Za-z0-9.]+", "-", f"{outcome.target}-{kinds}").strip("-")
+    finding = group.example
+    if group.small:
+        finding = Finding(group.small[0].outcome, group.small[0].result)
     return FindingPage(
         name,
         str(outcome.verdict),
-        describe(finding, count),
+        describe(group),
         _pictures(finding),
         program(finding, name),
     )
@@ -39,7 +45,7 @@ def finding_page(finding: Finding, count: int) -> FindingPage:
 
 def _pictures(finding: Finding) -> list[tuple[str, str]]:
     case, outcome = finding.case, finding.outcome
-    if case.P is None or case.Q is None:
+    if case.P is None or case.Q is None or case.dimension != 2:
         return []
     P, Q = _core.PolygonSet.from_json(case.P), _core.PolygonSet.from_json(case.Q)
     scale = "" if case.scale == "1" else f" (to be scaled by {case.scale})"

@@ -7,13 +7,14 @@ import xml.etree.ElementTree as ElementTree
 
 from minkref.commands.verify_output import cell_text, describe
 from minkref.errors import cut
-from minkref.fuzz.run.runner import Cell, Finding, Run
+from minkref.fuzz.run.runner import Cell, Run
+from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.verdicts.verdict import BROKEN, Verdict
 
 _FORBIDDEN = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
-def junit(run: Run) -> str:
+def junit(run: Run, groups: list[Group]) -> str:
     """`wrong` is a failure, a broken target an error, `known` and `undecided` are system output."""
     root = ElementTree.Element("testsuites", name="minkref verify")
     for target in run.targets:
@@ -23,9 +24,10 @@ def junit(run: Run) -> str:
             cell = run.matrix.get((target, group))
             if cell is not None:
                 found = [
-                    (finding, count)
-                    for finding, count in run.smallest()
-                    if finding.outcome.target == target and finding.case.name.group == group
+                    kind
+                    for kind in groups
+                    if kind.example.outcome.target == target
+                    and kind.example.case.name.group == group
                 ]
                 _test_case(suite, target, group, cell, found, counts)
         for name, count in counts.items():
@@ -53,7 +55,7 @@ def _test_case(
     target: str,
     group: str,
     cell: Cell,
-    found: list[tuple[Finding, int]],
+    found: list[Group],
     counts: dict[str, int],
 ) -> None:
     test = ElementTree.SubElement(
@@ -61,7 +63,7 @@ def _test_case(
     )
     counts["tests"] += 1
     summary = cell_text(cell).replace("\n", ", ")
-    text = "\n".join([summary, *(line for item in found for line in describe(*item))])
+    text = "\n".join([summary, *(line for item in found for line in describe(item))])
     broken = [verdict for verdict in BROKEN if cell.verdicts[verdict]]
     if cell.verdicts[Verdict.WRONG]:
         counts["failures"] += 1

@@ -11,15 +11,16 @@ from minkref.commands.verify_output import cell_text, conclusion
 from minkref.documents import write_atomically
 from minkref.errors import cut
 from minkref.fuzz.run.runner import Run
+from minkref.fuzz.shrink.groups import Group
 from minkref.reports.conformance.finding_page import finding_page
 from minkref.reports.conformance.showcase import showcases
 from minkref.terminal import shown
 
 
-def write_report(folder: Path, run: Run, value: dict[str, Any]) -> Path:
+def write_report(folder: Path, run: Run, groups: list[Group], value: dict[str, Any]) -> Path:
     """Writes `index.html`, and `NAME.cpp` for each kind of finding against CGAL. `value` is the
     JSON document of the run. Returns the path of the page."""
-    findings = [finding_page(finding, count) for finding, count in run.smallest()]
+    findings = [finding_page(group) for group in groups]
     for finding in findings:
         if finding.program is not None:
             write_atomically(folder / finding.program.file, finding.program.text)
@@ -51,7 +52,7 @@ def write_report(folder: Path, run: Run, value: dict[str, Any]) -> Path:
 def _cell(run: Run, target: str, group: str) -> dict[str, Any]:
     cell = run.matrix.get((target, group))
     verdicts = set(cell.verdicts) if cell else set()
-    worst = "good" if "pass" in verdicts else "skipped"
+    worst = "good" if verdicts & {"pass", "pass-within"} else "skipped"
     for verdict in (
         "undecided",
         "known",

@@ -31,7 +31,7 @@ def program(finding: Finding, name: str) -> Program | None:
             scaled,
             case.Q,
             method,
-            witness.point if witness else None,
+            (witness.point[0], witness.point[1]) if witness else None,
             witness.in_truth if witness else False,
             raw=raw,
             observed=_observed(outcome),

@@ -10,8 +10,9 @@ from typing import Any
 
 from minkref.fuzz.cases.case import Case, CaseName
 from minkref.fuzz.targets.catalogue import list_targets
+from minkref.fuzz.verdicts.plain_plane import contains
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict
-from minkref.fuzz.verdicts.witness import contains, holds
+from minkref.fuzz.verdicts.witness import holds
 from minkref.reports.evidence.framework.comparing import Bench
 from minkref.reports.evidence.framework.part import CGAL, COMPARISON, READERS, REFERENCE, Findings
 

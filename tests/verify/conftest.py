@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from minkref.fuzz.cases.case_list import CaseList
 from minkref.fuzz.run.runner import Run, run
-from minkref.fuzz.targets.catalogue import Limits
+from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.verdicts.baseline import Baseline
 
 SEED = 20

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from minkref import _core
 from minkref.fuzz.cases.case import Case, CaseName
-from minkref.fuzz.targets.catalogue import Answer
+from minkref.fuzz.targets.answer import Answer
 from minkref.fuzz.verdicts.comparison import settle
 from minkref.fuzz.verdicts.judgement import judge
 from minkref.fuzz.verdicts.region import minus, region_of_rings

@@ -10,35 +10,43 @@ from typing import Annotated
 
 import typer
 
+from minkref.commands.verify_cases import case_list
+from minkref.commands.verify_limits import check_numbers, make_folder
 from minkref.commands.verify_output import ProgressLine, document_of, print_tables
 from minkref.documents import Stopwatch, as_text, check_writable, write_atomically
-from minkref.errors import Refusal, refusal_text
+from minkref.errors import refusal_text
 from minkref.exits import ExitCode
-from minkref.fuzz.cases.case import CaseName
-from minkref.fuzz.cases.case_list import CaseList
+from minkref.fuzz.run.ledger import Ledger
 from minkref.fuzz.run.runner import run
-from minkref.fuzz.run.worker import load_limit
-from minkref.fuzz.targets.catalogue import Limits, select
+from minkref.fuzz.shrink.groups import shrunk_groups
+from minkref.fuzz.shrink.shrinker import MOST_CALLS
+from minkref.fuzz.targets.answer import Limits, load_limit
+from minkref.fuzz.targets.catalogue import select
+from minkref.fuzz.targets.declared import declarations_of
 from minkref.fuzz.verdicts.baseline import Baseline, read_baseline
 from minkref.options import Json, Schema
 from minkref.reports.conformance.junit import junit
+from minkref.reports.conformance.lines import json_lines
+from minkref.reports.conformance.markdown import markdown
 from minkref.reports.conformance.page import write_report
+from minkref.reports.conformance.sarif import sarif
 from minkref.signals import ending_in_order
-
-MOST_JOBS = 1024
-MOST_MEMORY = 1 << 24  # MiB
 
 EXAMPLES = """Examples:
 
 minkref verify
 
-minkref verify cgal-reduced --pairs 1000 --seed 7 --report build/report
+minkref verify ./my_adapter.py --seconds 60 --report build/report
 
-minkref verify --baseline fuzz/baseline.json --seconds 60 --json
+minkref verify py:my_module:my_sum --junit junit.xml --sarif verify.sarif
+
+minkref verify cgal-reduced --family holes --family comb --pairs 1000 --seed 7
 
 minkref verify cgal-reduced --case random:1:42 --case disc1+cells1815@7/5
 
-minkref verify py:my_module:my_sum --junit junit.xml"""
+minkref verify clipper2 --baseline known.json --ledger run.jsonl --json
+
+minkref verify minkref --pairs 300 --no-models"""
 
 
 NOTHING_RUN: dict[str, object] = {
@@ -52,40 +60,84 @@ def command(
     targets: Annotated[
         list[str] | None,
         typer.Argument(
-            help="What to test: names of `minkref targets`, or py:module:function; "
-            "all that are found by default.",
+            help="What to test: names of `minkref targets`, a program ./PATH or cmd:COMMAND that "
+            "speaks the adapter protocol, py:module:function, so:./library.so:function. "
+            "`minkref`: the reference before its judges; `all`: all that is found here. Without: "
+            "our routes and every CGAL method found.",
             metavar="TARGET...",
         ),
     ] = None,
     baseline: Annotated[
         Path | None, typer.Option("--baseline", help="Known faults: shown, without effect.")
     ] = None,
+    suite: Annotated[
+        str, typer.Option("--suite", help="fuzz (generated cases), corpus (case files) or all.")
+    ] = "fuzz",
+    corpus: Annotated[
+        Path | None,
+        typer.Option("--corpus", help="Folder of case files for --suite.", metavar="DIR"),
+    ] = None,
     seconds: Annotated[
-        float, typer.Option("--seconds", help="Time for the random pairs.", metavar="N")
+        float, typer.Option("--seconds", help="Time for the generated cases.", metavar="N")
     ] = 150.0,
     pairs: Annotated[
         int | None,
-        typer.Option("--pairs", help="Number of random pairs, instead of a time.", metavar="N"),
+        typer.Option("--pairs", help="Number of generated cases, instead of a time.", metavar="N"),
     ] = None,
-    seed: Annotated[int, typer.Option("--seed", help="Seed of the random pairs.")] = 1,
+    seed: Annotated[int, typer.Option("--seed", help="Seed of the generated cases.")] = 1,
+    family: Annotated[
+        list[str] | None,
+        typer.Option("--family", help="Only these families (`minkref families`)."),
+    ] = None,
+    derived: Annotated[
+        bool,
+        typer.Option(
+            "--derived/--no-derived", help="Among them probes at events, laws and mutants."
+        ),
+    ] = True,
     jobs: Annotated[
         int | None, typer.Option("--jobs", help="Worker processes; one for each core by default.")
     ] = None,
     case: Annotated[
         list[str] | None,
         typer.Option(
-            "--case", help="Only this case: random:SEED:INDEX or P+Q@SCALE.", metavar="CASE"
+            "--case",
+            help="Only this case: FAMILY:SEED:INDEX, P+Q@SCALE, a case file, or the JSON of one.",
+            metavar="CASE",
         ),
     ] = None,
     models: Annotated[
-        bool, typer.Option("--models/--no-models", help="After the random pairs, the models.")
+        bool, typer.Option("--models/--no-models", help="After the generated cases, the models.")
     ] = True,
+    ledger: Annotated[
+        Path | None,
+        typer.Option(
+            "--ledger", help="JSON lines, one a result; a run goes on from it.", metavar="FILE"
+        ),
+    ] = None,
+    shrink_calls: Annotated[
+        int,
+        typer.Option(
+            "--shrink-calls", help="Calls to make a finding smaller; 0: leave it.", metavar="N"
+        ),
+    ] = MOST_CALLS,
     report: Annotated[
         Path | None, typer.Option("--report", help="Write an HTML report there.", metavar="DIR")
     ] = None,
     junit_file: Annotated[
         Path | None,
         typer.Option("--junit", help="Write the verdicts as JUnit XML.", metavar="FILE"),
+    ] = None,
+    sarif_file: Annotated[
+        Path | None, typer.Option("--sarif", help="Write the findings as SARIF.", metavar="FILE")
+    ] = None,
+    markdown_file: Annotated[
+        Path | None,
+        typer.Option("--markdown", help="Write the verdicts as Markdown.", metavar="FILE"),
+    ] = None,
+    lines_file: Annotated[
+        Path | None,
+        typer.Option("--lines", help="Write the findings as JSON lines.", metavar="FILE"),
     ] = None,
     strict: Annotated[
         bool, typer.Option("--strict", help="Exit with 4 where something stays undecided.")
@@ -96,6 +148,10 @@ def command(
     call_memory: Annotated[
         int, typer.Option("--call-memory", help="Memory limit of one call, in MiB.", metavar="MIB")
     ] = 4096,
+    call_output: Annotated[
+        int,
+        typer.Option("--call-output", help="Size limit of one answer, in MiB.", metavar="MIB"),
+    ] = 64,
     size_limit: Annotated[
         int | None,
         typer.Option(
@@ -107,77 +163,59 @@ def command(
     json: Json = False,
     schema: Schema = False,
 ) -> None:
-    """Test implementations against the exact reference. Cases: seeded random pairs of polygons with
-    holes, small ones first; the shipped models; the paper's kind of input at five scales."""
+    """Test implementations against the exact reference. Cases: seeded families of generated pairs,
+    small ones first, with probes at their events, laws, and mutants of those that show something
+    new; then the shipped models, and the paper's kind of input at five scales."""
     watch = Stopwatch()
-    _check(seconds, pairs, jobs, call_seconds, call_memory, size_limit)
-    if junit_file is not None:
-        check_writable(junit_file)
+    check_numbers(seconds, pairs, jobs, call_seconds, call_memory, call_output, size_limit)
+    for file in (junit_file, sarif_file, markdown_file, lines_file):
+        if file is not None:
+            check_writable(file)
     if report is not None:
-        _make_folder(report)
+        make_folder(report)
     listed = read_baseline(baseline) if baseline is not None else Baseline()
-    limits = Limits(call_seconds, call_memory << 20, size_limit)
+    limits = Limits(call_seconds, call_memory << 20, size_limit, call_output << 20)
     chosen, absent = select(targets or [], load_limit(limits))
-    for text in case or []:
-        CaseName(text, "named").load()
-    cases = CaseList(seed, pairs, seconds, tuple(case or ()), models)
+    chosen, declared = declarations_of(chosen, limits)
+    cases = case_list(
+        seed, pairs, seconds, case, models, family, derived, suite, corpus, declared.values()
+    )
     workers = jobs or os.cpu_count() or 1
     names = [entry.name for entry in chosen]
     versions = {entry.name: entry.version for entry in chosen}
-    with ending_in_order(), ProgressLine(cases.count) as line:
-        done = run(cases, names, versions, listed, limits, workers, line.show)
+    head = {
+        "targets": [[entry.name, entry.version] for entry in chosen],
+        "cases": cases.head(),
+        "limits": vars(limits),
+    }
+    book = Ledger(ledger, head) if ledger is not None else None
+    try:
+        if book is not None:
+            cases.spent = book.spent
+        with ending_in_order(), ProgressLine(cases.count) as line:
+            done = run(cases, names, versions, listed, limits, workers, line.show, book)
+            groups = shrunk_groups(done, limits, shrink_calls, line.say)
+    finally:
+        if book is not None:
+            book.close()
     code = done.exit_code(strict)
-    value = document_of(done, chosen, absent, cases, watch, code)
+    value = document_of(done, groups, chosen, absent, declared, cases, watch, code)
     if report is not None:
-        value["report"] = str(write_report(report, done, value))
+        value["report"] = str(write_report(report, done, groups, value))
         value["seconds"] = watch.seconds()
     if junit_file is not None:
-        write_atomically(junit_file, junit(done))
+        write_atomically(junit_file, junit(done, groups))
+    if sarif_file is not None:
+        write_atomically(sarif_file, sarif(groups, value))
+    if markdown_file is not None:
+        write_atomically(markdown_file, markdown(done, groups, value))
+    if lines_file is not None:
+        write_atomically(lines_file, json_lines(value))
     if json:
         sys.stdout.write(as_text(value))
     else:
-        print_tables(done, value)
+        print_tables(done, groups, value)
     if code is ExitCode.USAGE:
         sys.stderr.write(refusal_text(NOTHING_RUN))
     if code:
         raise typer.Exit(int(code))
-
-
-def _check(
-    seconds: float,
-    pairs: int | None,
-    jobs: int | None,
-    call_seconds: float,
-    call_memory: int,
-    size_limit: int | None,
-) -> None:
-    for option, value, least, most in (
-        ("--seconds", seconds, 0, None),
-        ("--pairs", pairs, 0, None),
-        ("--jobs", jobs, 1, MOST_JOBS),
-        ("--call-memory", call_memory, 16, MOST_MEMORY),
-        ("--size-limit", size_limit, 1, None),
-    ):
-        if value is not None and not value >= least:
-            raise Refusal(f"{value} is too small", option, f"give at least {least}")
-        if value is not None and most is not None and value > most:
-            raise Refusal(f"{value} is too large", option, f"give at most {most}")
-    if not 0 < call_seconds <= 86_400:
-        raise Refusal(
-            f"{call_seconds} is out of range", "--call-seconds", "give 0 to 86400 seconds"
-        )
-
-
-def _make_folder(folder: Path) -> None:
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except FileExistsError as error:
-        raise Refusal(
-            "this is a file, and the report needs a folder",
-            str(folder),
-            "name a folder that exists or is to be made",
-        ) from error
-    except OSError as error:
-        raise Refusal(
-            f"the folder cannot be made: {error.strerror}", str(folder), "choose another place"
-        ) from error

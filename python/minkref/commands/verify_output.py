@@ -16,10 +16,15 @@ from minkref.documents import Stopwatch, document
 from minkref.exits import ExitCode
 from minkref.fuzz.cases.case_list import CaseList
 from minkref.fuzz.run.runner import Cell, Finding, Run
+from minkref.fuzz.shrink.finding import SmallFinding
+from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.targets.catalogue import TargetEntry
-from minkref.fuzz.verdicts.verdict import Verdict
+from minkref.fuzz.targets.declaration import Declaration
+from minkref.fuzz.verdicts.verdict import GOOD, Verdict, Witness
 from minkref.terminal import console, shown
 
+LOG_SHOWN = 400  # characters
+_NOTHING_AMISS = (*GOOD, Verdict.SKIPPED)
 SMALL = 400  # vertices up to which a finding carries its operands in full
 
 
@@ -51,19 +56,24 @@ class ProgressLine:
     ) -> None:
         self._progress.stop()
 
+    def say(self, what: str) -> None:
+        self._progress.update(self._task, description=what)
+
     def show(self, run: Run) -> None:
         self._progress.update(
             self._task,
             completed=sum(run.cases.values()),
-            description=run.groups[-1],
+            description=run.groups[-1] if run.groups else "verify",
             findings=f"{len(run.findings)} findings" if run.findings else "",
         )
 
 
 def document_of(
     run: Run,
+    groups: list[Group],
     chosen: list[TargetEntry],
     absent: list[TargetEntry],
+    declared: dict[str, Declaration],
     cases: CaseList,
     watch: Stopwatch,
     code: ExitCode,
@@ -75,7 +85,7 @@ def document_of(
         watch,
         exit_code=int(code),
         seed=cases.seed,
-        targets=[{"name": entry.name, "version": entry.version} for entry in chosen],
+        targets=[_target_document(entry, declared[entry.name]) for entry in chosen],
         absent=[{"name": entry.name, "reason": entry.reason} for entry in absent],
         notes=cases.notes,
         groups=[{"name": name, "cases": run.cases[name]} for name in run.groups],
@@ -90,8 +100,22 @@ def document_of(
             for (target, group), cell in run.matrix.items()
         ],
         findings=[finding_document(finding, versions) for finding in run.findings],
+        shrunk=[
+            shrunk_document(group, small, versions) for group in groups for small in group.small
+        ],
         report=None,
     )
+
+
+def _target_document(entry: TargetEntry, declared: Declaration) -> dict[str, Any]:
+    return {
+        "name": entry.name,
+        "version": entry.version,
+        "arithmetic": declared.arithmetic,
+        "tolerance": {"absolute": str(declared.absolute), "relative": str(declared.relative)},
+        "sum": declared.sum,
+        "capabilities": sorted(declared.capabilities),
+    }
 
 
 def finding_document(finding: Finding, versions: dict[str, str | None]) -> dict[str, Any]:
@@ -117,22 +141,41 @@ def finding_document(finding: Finding, versions: dict[str, str | None]) -> dict[
     }
 
 
-def print_tables(run: Run, value: dict[str, Any]) -> None:
-    """The matrix, the smallest finding of each kind, and one sentence that says how it ended."""
+def shrunk_document(
+    group: Group, small: SmallFinding, versions: dict[str, str | None]
+) -> dict[str, Any]:
+    """As a finding, of the shrunk case; `count` of its kind."""
+    finding = Finding(small.outcome, small.result)
+    value = finding_document(finding, versions)
+    value["verdict"] = str(group.example.outcome.verdict)
+    value["was"] = str(group.example.outcome.was) if group.example.outcome.was else None
+    value["message"] = group.example.outcome.message or value["message"]
+    return {
+        **value,
+        "found_as": group.example.case.name.text,
+        "count": group.count,
+        "calls": small.calls,
+        "complete": small.complete,
+        "stable": small.stable,
+    }
+
+
+def print_tables(run: Run, groups: list[Group], value: dict[str, Any]) -> None:
+    """The matrix, the smallest findings of each kind, and one sentence that says how it ended."""
     out = console()
     out.print(_matrix(run))
     absent: dict[str, list[str]] = {}
     for row in value["absent"]:
         absent.setdefault(row["reason"], []).append(row["name"])
     for reason, names in absent.items():
-        out.print(shown(f"skipped ({', '.join(names)}): {reason}"), soft_wrap=True)
+        out.print(shown(f"absent ({', '.join(names)}): {reason}"), soft_wrap=True)
     for note in value["notes"]:
         out.print(note, soft_wrap=True)
     for reason, names in _skips(run).items():
         out.print(shown(f"skipped ({', '.join(names)}): {reason}"), soft_wrap=True)
-    for finding, count in run.smallest():
+    for group in groups:
         out.print()
-        for line in describe(finding, count):
+        for line in describe(group):
             out.print(line, soft_wrap=True)
     out.print()
     out.print(conclusion(run), soft_wrap=True)
@@ -142,15 +185,38 @@ def print_tables(run: Run, value: dict[str, Any]) -> None:
 
 
 def _matrix(run: Run) -> Table:
-    table = Table(title="Verdicts", title_justify="left", pad_edge=False)
+    """A row for each target: verdicts over all cases, and the groups with something amiss."""
+    verdicts = [
+        verdict
+        for verdict in Verdict
+        if any(cell.verdicts[verdict] for cell in run.matrix.values())
+    ]
+    table = Table(
+        title=f"Verdicts on {sum(run.cases.values()):,} cases",
+        title_justify="left",
+        pad_edge=False,
+    )
     table.add_column("target")
-    for group in run.groups:
-        table.add_column(f"{group}\n{run.cases[group]:,} cases")
+    for verdict in verdicts:
+        table.add_column(str(verdict), justify="right")
     table.add_column("seconds", justify="right")
+    table.add_column("amiss in")
     for target in run.targets:
-        cells = [run.matrix.get((target, group)) for group in run.groups]
-        seconds = sum(cell.seconds for cell in cells if cell)
-        table.add_row(shown(target), *(cell_text(cell) for cell in cells), f"{seconds:.2f}")
+        cells = {group: run.matrix.get((target, group)) for group in run.groups}
+        there = [cell for cell in cells.values() if cell]
+        counts = [sum(cell.verdicts[verdict] for cell in there) for verdict in verdicts]
+        amiss = [
+            group
+            for group, cell in cells.items()
+            if cell
+            and any(v not in (*GOOD, Verdict.SKIPPED) and n for v, n in cell.verdicts.items())
+        ]
+        table.add_row(
+            shown(target),
+            *(f"{count:,}" if count else "" for count in counts),
+            f"{sum(cell.seconds for cell in there):.2f}",
+            ", ".join(amiss),
+        )
     return table
 
 
@@ -179,10 +245,11 @@ def _skips(run: Run) -> dict[str, list[str]]:
     return found
 
 
-def describe(finding: Finding, count: int) -> list[str]:
+def describe(group: Group) -> list[str]:
     """The lines about one kind of finding, without control characters."""
-    outcome, case = finding.outcome, finding.case
-    times = "once" if count == 1 else f"{count:,} times, here the smallest"
+    finding = group.example
+    outcome = finding.outcome
+    times = "once" if group.count == 1 else f"{group.count:,} times"
     was = f" (was {outcome.was})" if outcome.was else ""
     kinds = f": {', '.join(str(reason) for reason in outcome.reasons)}" if outcome.reasons else ""
     lines = [f"{outcome.target} {outcome.verdict}{was}{kinds}, {times}"]
@@ -190,23 +257,48 @@ def describe(finding: Finding, count: int) -> list[str]:
         lines.append(f"  {outcome.message}")
     if outcome.signal and outcome.signal not in outcome.message:
         lines.append(f"  signal {outcome.signal}")
-    lines.append(f"  case {case.name.text}, scale {case.scale}, {case.size[0]} vertices")
-    witness = outcome.witness
-    if witness is not None:
-        point = f"({', '.join(witness.point)})"
-        scale = witness.scale or case.scale
-        if witness.in_truth and witness.p and witness.q:
-            lines.append(
-                f"  witness {point} is in the sum: {scale} * ({', '.join(witness.p)}) "
-                f"+ ({', '.join(witness.q)})"
-            )
-        else:
-            lines.append(
-                f"  witness {point} is outside the sum at {scale}: the scaled P does not meet the "
-                "point less Q"
-            )
-    lines.append(f"  {finding.reproduce}")
+    if outcome.log:
+        lines.append(f"  its log ends: {outcome.log.strip()[-LOG_SHOWN:]}")
+    if not group.small:
+        lines += [f"  the smallest: case {finding.case.name.text}", *_lines(finding)]
+    for small in group.small:
+        shown_as = "" if small.stable else ", not every time"
+        lines.append(
+            f"  shrunk to {small.result.size[0]} vertices in {small.calls} calls{shown_as}:"
+        )
+        lines += _lines(Finding(small.outcome, small.result))
     return [shown(line) for line in lines]
+
+
+def _lines(finding: Finding) -> list[str]:
+    outcome, case = finding.outcome, finding.case
+    lines = [f"    scale {case.scale}, {case.size[0]} vertices"]
+    if outcome.witness is not None:
+        lines.append(f"    {witness_text(outcome.witness, case.scale)}")
+    lines.append(f"    {finding.reproduce}")
+    return lines
+
+
+def witness_text(witness: Witness, scale: str) -> str:
+    """One sentence that can be checked by hand."""
+    point = f"({', '.join(witness.point)})"
+    at = witness.scale or scale
+    what = "the sum of the boundaries" if witness.boundary else "the sum"
+    where = "" if witness.boundary is False else ", p and q on the boundaries"
+    around = (
+        f" with all points that differ by at most {witness.tolerance} in each coordinate"
+        if witness.tolerance != "0"
+        else ""
+    )
+    if witness.in_truth and witness.p and witness.q:
+        return (
+            f"witness {point} is in {what}{around}: {at} * ({', '.join(witness.p)}) "
+            f"+ ({', '.join(witness.q)}){where}"
+        )
+    return (
+        f"witness {point} is outside {what} at {at}{around}: the scaled P does not meet the "
+        "point less Q"
+    )
 
 
 def conclusion(run: Run) -> str:

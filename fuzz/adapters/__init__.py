@@ -1,0 +1,1 @@
+"""Programs that let other implementations speak the adapter protocol; start with catalogue.py."""

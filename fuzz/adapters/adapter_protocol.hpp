@@ -1,0 +1,119 @@
+// The loop of an adapter in C++: requests from standard input, answers to standard output.
+// The protocol is in docs/adapter-protocol.md; this is its part in the plane, numbers as doubles.
+#pragma once
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <functional>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace minkref::adapter {
+
+using nlohmann::json;
+
+struct Point {
+  double x, y;
+};
+using Ring = std::vector<Point>;
+struct Polygon {
+  Ring outer;
+  std::vector<Ring> holes;
+};
+using Polygons = std::vector<Polygon>;
+
+/// The implementation does not take this case; the text is the reason.
+struct Skipped : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The members of a result, from sP and Q; may throw anything.
+using Sum = std::function<json(const Polygons& sP, const Polygons& Q)>;
+
+inline Ring read_ring(const json& value) {
+  Ring ring;
+  for (const json& p : value) ring.push_back({p.at(0).get<double>(), p.at(1).get<double>()});
+  return ring;
+}
+
+inline Polygons read_polygons(const json& value) {
+  Polygons polygons;
+  for (const json& item : value.at("polygons")) {
+    Polygon& polygon = polygons.emplace_back();
+    polygon.outer = read_ring(item.at("outer"));
+    for (const json& hole : item.at("holes")) polygon.holes.push_back(read_ring(hole));
+  }
+  return polygons;
+}
+
+/// All rings of the polygons.
+inline std::vector<Ring> rings_of(const Polygons& polygons) {
+  std::vector<Ring> rings;
+  for (const Polygon& polygon : polygons) {
+    rings.push_back(polygon.outer);
+    rings.insert(rings.end(), polygon.holes.begin(), polygon.holes.end());
+  }
+  return rings;
+}
+
+/// What becomes of one request, without `seq`. `Q` is that of the last `load`.
+inline json answer(const json& request, const json& hello, const Sum& sum, Polygons& Q,
+                   bool& loaded) {
+  try {
+    const auto verb = request.at("verb").get<std::string>();
+    json result = {{"status", "result"}};
+    if (verb == "hello") {
+      result["protocol"] = "adapter-v1";
+      result.update(hello);
+    } else if (verb == "load") {
+      loaded = false;
+      if (request.at("dimension") != 2) throw Skipped("in the plane only");
+      Q = read_polygons(request.at("Q"));
+      loaded = true;
+    } else if (verb == "at") {
+      if (!loaded) throw std::runtime_error("`at` before any `load`");
+      result.update(sum(read_polygons(request.at("sP")), Q));
+    } else if (verb != "stop") {
+      throw Skipped("no verb " + verb + " here");
+    }
+    return result;
+  } catch (const Skipped& reason) {
+    return {{"status", "skipped"}, {"reason", reason.what()}};
+  } catch (const std::exception& error) {
+    return {{"status", "errored"}, {"reason", error.what()}};
+  } catch (...) {  // a thing that is no std::exception
+    return {{"status", "errored"}, {"reason", "an exception that says nothing"}};
+  }
+}
+
+/// Answers until `stop` or the end of the input; the exit code of the program. What the
+/// implementation prints goes to the log.
+inline int serve(const json& hello, const Sum& sum) {
+  std::FILE* answers = fdopen(dup(STDOUT_FILENO), "w");
+  if (answers == nullptr || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) return 1;
+  Polygons Q;
+  bool loaded = false, stop = false;
+  for (std::string line; !stop && std::getline(std::cin, line);) {
+    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
+    const json request = json::parse(line, nullptr, false);
+    json value;
+    if (request.is_object()) {
+      value = answer(request, hello, sum, Q, loaded);
+      value["seq"] = request.value("seq", json());
+      stop = request.value("verb", json()) == "stop";
+    } else {
+      value = {{"seq", nullptr}, {"status", "errored"}, {"reason", "a line that is no request"}};
+    }
+    const auto text = value.dump(-1, ' ', false, json::error_handler_t::replace) + '\n';
+    std::fwrite(text.data(), 1, text.size(), answers);
+    if (std::fflush(answers) != 0) return 1;
+  }
+  return 0;
+}
+
+}  // namespace minkref::adapter

@@ -1,0 +1,147 @@
+// Clipper2, in three ways: the argument is boundary, region or double.
+//
+// boundary: MinkowskiSum of Paths64 as it is: one ring each, the sum of the two curves. It does not
+// fill them: the sum of a large ring and a small one has a hole.
+//
+// region: the sum of the regions, of what the library offers. Clipper 1 filled by uniting the sum
+// of the curves with a translate of the path, and for Clipper2 the same is advised
+// (https://github.com/AngusJohnson/Clipper2/issues/719). With holes and several polygons:
+//
+//   the union of MinkowskiSum(r, s) for every ring r of P and s of Q,
+//   of P + q for one vertex q of the outer ring of each polygon of Q,
+//   and of Q + p for one vertex p of the outer ring of each polygon of P.
+//
+// This is the whole sum. Each part is in it. Let x be in it: then a connected polygon A of P and a
+// connected polygon B of x - Q meet. If their boundaries do, x is in the first part. If not, the
+// outer ring b of B is a connected curve that misses the boundary of A, so it lies in A or outside
+// of A, and likewise the outer ring a of A. With b in A, x is in the second part; with a in B, in
+// the third. Otherwise neither is in a hole of the other's polygon, for then the whole polygon
+// were, and A and B did not meet. So a is outside of the curve b, and with it all of A, which is
+// connected and misses b; but B is inside of b: A and B do not meet.
+//
+// double: MinkowskiSum of PathsD with its default of two decimals; curves, as boundary.
+#include <clipper2/clipper.h>
+
+#include <string_view>
+
+#include "fuzz/adapters/integer_grid.hpp"
+
+namespace minkref::adapter {
+namespace {
+
+using namespace Clipper2Lib;
+
+// Far within what Clipper2 takes (62 bits).
+constexpr int bits = 30;
+
+Path64 to_path(const Ring& ring, const IntegerGrid& grid) {
+  Path64 path;
+  for (const Point& p : ring) path.emplace_back(grid.to_grid(p.x), grid.to_grid(p.y));
+  return path;
+}
+
+Paths64 to_paths(const Polygon& polygon, const IntegerGrid& grid) {
+  Paths64 paths{to_path(polygon.outer, grid)};
+  for (const Ring& hole : polygon.holes) paths.push_back(to_path(hole, grid));
+  return paths;
+}
+
+json result_of(const Paths64& paths, const IntegerGrid& grid) {
+  json rings = json::array();
+  for (const Path64& path : paths) {
+    json& ring = rings.emplace_back(json::array());
+    for (const auto& p : path) ring.push_back({grid.from_grid(p.x), grid.from_grid(p.y)});
+  }
+  return {{"rings", rings}};
+}
+
+const Ring& only_ring(const Polygons& polygons) {
+  if (polygons.size() != 1 || !polygons[0].holes.empty()) throw Skipped("one ring each only");
+  return polygons[0].outer;
+}
+
+json boundary_sum(const Polygons& sP, const Polygons& Q) {
+  const IntegerGrid grid(sP, Q, bits);
+  const Path64 p = to_path(only_ring(sP), grid), q = to_path(only_ring(Q), grid);
+  return result_of(MinkowskiSum(p, q, true), grid);
+}
+
+json region_sum(const Polygons& sP, const Polygons& Q) {
+  const IntegerGrid grid(sP, Q, bits);
+  Paths64 parts;
+  const auto add = [&](const Paths64& paths) {
+    parts.insert(parts.end(), paths.begin(), paths.end());
+  };
+  for (const Polygon& a : sP) {
+    for (const Polygon& b : Q) {
+      const Paths64 p = to_paths(a, grid), q = to_paths(b, grid);
+      if (p[0].size() < 3 || q[0].size() < 3) throw Skipped("no points or segments");
+      for (const Path64& r : p) {
+        for (const Path64& s : q) add(MinkowskiSum(r, s, true));
+      }
+      add(TranslatePaths(p, q[0][0].x, q[0][0].y));
+      add(TranslatePaths(q, p[0][0].x, p[0][0].y));
+    }
+  }
+  // Outer rings run counter-clockwise and holes clockwise: no part has a negative winding number.
+  return result_of(Union(parts, FillRule::NonZero), grid);
+}
+
+json double_sum(const Polygons& sP, const Polygons& Q) {
+  const auto path_of = [](const Ring& ring) {
+    PathD path;
+    for (const Point& p : ring) path.emplace_back(p.x, p.y);
+    return path;
+  };
+  json rings = json::array();
+  for (const PathD& path : MinkowskiSum(path_of(only_ring(sP)), path_of(only_ring(Q)), true)) {
+    json& ring = rings.emplace_back(json::array());
+    for (const auto& p : path) ring.push_back({p.x, p.y});
+  }
+  return {{"rings", rings}};
+}
+
+json hello(const char* name, const char* sum) {
+  return {{"name", name},
+          {"version", CLIPPER2_VERSION},
+          {"language", "C++"},
+          {"sum", sum},
+          {"numbers", "double"},
+          {"arithmetic", "integer-grid"},
+          {"capabilities", {"plane", "non-convex", "rational"}}};
+}
+
+// A union moves a vertex by the rounding of its coordinates, cut off rather than rounded: a unit at
+// most, and another where an intersection is moved into its scanbeam. With half a unit for each
+// operand, and triangles left out that are smaller than two units: four units. `region` unites
+// twice, so eight.
+int run(std::string_view mode) {
+  if (mode == "boundary") {
+    json value = hello("clipper2", "boundary");
+    value["tolerance"] = {{"absolute", "0"}, {"relative", "1/134217728"}};  // 4 units of 2^-29
+    return serve(value, boundary_sum);
+  }
+  if (mode == "region") {
+    json value = hello("clipper2-region", "region");
+    value["tolerance"] = {{"absolute", "0"}, {"relative", "1/67108864"}};  // 8 units of 2^-29
+    for (const char* more : {"holes", "components", "touching"}) {
+      value["capabilities"].push_back(more);
+    }
+    return serve(value, region_sum);
+  }
+  if (mode == "double") {
+    json value = hello("clipper2-double", "boundary");
+    // Four units of two decimals, and the division by a hundred.
+    value["tolerance"] = {{"absolute", "0.04"}, {"relative", "1e-15"}};
+    return serve(value, double_sum);
+  }
+  std::cerr << "usage: clipper2_adapter boundary|region|double\n";
+  return 2;
+}
+
+}  // namespace
+}  // namespace minkref::adapter
+
+int main(int count, char** arguments) {
+  return minkref::adapter::run(count > 1 ? arguments[1] : "");
+}

@@ -1,0 +1,43 @@
+// Doubles to an integer grid and back.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "fuzz/adapters/adapter_protocol.hpp"
+
+namespace minkref::adapter {
+
+inline double largest_coordinate(const Polygons& polygons) {
+  double largest = 0;
+  for (const Ring& ring : rings_of(polygons)) {
+    for (const Point& p : ring) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+  }
+  return largest;
+}
+
+/// The grid whose unit is a power of two, so chosen for each call that the coordinates of the sum
+/// (the largest of sP plus that of Q) lie between 2^(bits-1) and 2^bits units. So n units are at
+/// most n 2^(1-bits) of that size: the relative tolerance that an adapter declares. Whatever has
+/// few enough digits is not rounded at all.
+class IntegerGrid {
+ public:
+  IntegerGrid(const Polygons& sP, const Polygons& Q, int bits) {
+    const double size = largest_coordinate(sP) + largest_coordinate(Q);
+    if (!std::isfinite(size)) throw Skipped("the coordinates of the sum exceed the doubles");
+    int exponent = 0;  // size < 2^exponent
+    if (size > 0) std::frexp(size, &exponent);
+    shift_ = bits - exponent;
+  }
+
+  std::int64_t to_grid(double value) const { return std::llround(std::ldexp(value, shift_)); }
+  double from_grid(std::int64_t value) const {
+    return std::ldexp(static_cast<double>(value), -shift_);
+  }
+
+ private:
+  int shift_ = 0;
+};
+
+}  // namespace minkref::adapter

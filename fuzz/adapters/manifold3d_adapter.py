@@ -1,0 +1,49 @@
+"""Manifold (the Python package manifold3d): Manifold.minkowski_sum, in space, in doubles.
+
+The tolerance: Manifold merges what is closer than 1e-12 of the size of the box, in each of the
+Boolean operations that a sum of non-convex operands consists of; a thousand times that is allowed.
+"""
+
+from __future__ import annotations
+
+from importlib.metadata import version
+
+import numpy as np
+from adapter_protocol import Set, serve  # type: ignore[import-not-found,unused-ignore]
+from manifold3d import Error, Manifold, Mesh64  # type: ignore[import-not-found,unused-ignore]
+from surfaces import triangles_of  # type: ignore[import-not-found,unused-ignore]
+
+HELLO = {
+    "name": "manifold3d",
+    "version": version("manifold3d"),
+    "language": "C++",
+    "arithmetic": "float64",
+    "numbers": "double",
+    "tolerance": {"absolute": "0", "relative": "1e-9"},
+    "sum": "region",
+    "capabilities": ["space", "non-convex", "holes", "components", "rational", "non-uniform"],
+}
+
+
+def solid(mesh: Set) -> Manifold:
+    """The mesh as a Manifold; its refusal is an error."""
+    vertices = np.array(mesh["vertices"], dtype=np.float64).reshape(-1, 3)
+    triangles = np.array(triangles_of(mesh["vertices"], mesh["faces"]), dtype=np.uint64)
+    return checked(Manifold(Mesh64(vertices, triangles.reshape(-1, 3))), "an operand")
+
+
+def checked(manifold: Manifold, what: str) -> Manifold:
+    if manifold.status() != Error.NoError:
+        raise ValueError(f"{what}: {manifold.status()}")
+    return manifold
+
+
+def sum_of(sP: Set, Q: Set) -> dict[str, object]:
+    result = checked(solid(sP).minkowski_sum(solid(Q)), "the sum").to_mesh64()
+    # The first three properties of a vertex are its coordinates.
+    vertices = result.vert_properties[:, :3].tolist()
+    return {"vertices": vertices, "faces": result.tri_verts.tolist()}
+
+
+if __name__ == "__main__":
+    serve(HELLO, sum_of)

@@ -1,0 +1,46 @@
+"""minkref itself in another arithmetic than exact numbers: the argument is double or mpfr:BITS.
+
+Its predicates are then those of rounded numbers, without any filter or repair: what comes out may
+be another set. It is declared as a library of floating point numbers would be, and `wrong` is what
+to expect: it shows what exact arithmetic is for.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+
+from adapter_protocol import Set, serve  # type: ignore[import-not-found,unused-ignore]
+from minkref import _core
+from minkref.version import version
+
+CAPABILITIES = "plane non-convex holes components touching rational empty point segment"
+
+
+def operand(value: Set) -> _core.PolygonSet:
+    return _core.PolygonSet.from_json(json.dumps(value))
+
+
+def main(arithmetic: str) -> None:
+    hello = {
+        "name": "minkref-" + arithmetic.replace(":", ""),
+        "version": version(),
+        "language": "C++",
+        "arithmetic": "float64" if arithmetic == "double" else arithmetic,
+        "numbers": "text",
+        "tolerance": {"absolute": "0", "relative": "1e-9"},
+        "sum": "region",
+        "sets": "regularised",
+        "capabilities": CAPABILITIES.split(),
+    }
+
+    def sum_of(sP: Set, Q: Set) -> dict[str, object]:
+        answer = _core.minkowski_sum(operand(sP), operand(Q), "1", "paper", arithmetic)
+        result: dict[str, object] = json.loads(answer.region.canonical_json())
+        return result
+
+    serve(hello, sum_of)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])

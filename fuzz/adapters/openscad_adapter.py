@@ -1,0 +1,106 @@
+"""OpenSCAD: minkowski() in the plane and in space, the program `openscad` run for each call.
+
+In the plane the result is exported as SVG, in space as OFF: all its formats write six significant
+digits (5e-6 of a number). In the plane it computes on a grid of 2^-16 (Clipper), in space it merges
+points on a grid of 2^-20; hence the tolerance, four units of the coarser grid and twice the digits.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import tempfile
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+from adapter_protocol import Set, Skipped, serve  # type: ignore[import-not-found,unused-ignore]
+from surfaces import triangles_of  # type: ignore[import-not-found,unused-ignore]
+
+PROGRAM = os.environ.get("OPENSCAD", "openscad")
+
+
+def version() -> str:
+    """As `2021.01`."""
+    done = subprocess.run([PROGRAM, "--version"], capture_output=True, text=True, check=True)
+    return (done.stdout + done.stderr).split()[-1]
+
+
+def point(p: Iterable[float]) -> str:
+    return f"[{','.join(repr(float(x)) for x in p)}]"
+
+
+def scad_plane(polygons: list[dict[str, Any]]) -> str:
+    """The polygons as one child: its outer rings and holes as paths of polygon()."""
+    if any(len(polygon["outer"]) < 3 for polygon in polygons):
+        raise Skipped("no points or segments")
+    texts = []
+    for polygon in polygons:
+        points: list[str] = []
+        paths: list[list[int]] = []
+        for ring in (polygon["outer"], *polygon["holes"]):
+            paths.append(list(range(len(points), len(points) + len(ring))))
+            points += [point(p) for p in ring]
+        texts.append(f"polygon([{','.join(points)}],{paths});")
+    return f"union(){{{' '.join(texts)}}}"
+
+
+def scad_space(mesh: Set) -> str:
+    """The mesh as polyhedron(), whose faces run clockwise seen from outside."""
+    faces = [list(reversed(t)) for t in triangles_of(mesh["vertices"], mesh["faces"])]
+    return f"polyhedron([{','.join(point(v) for v in mesh['vertices'])}],{faces});"
+
+
+def run(scene: str, form: str) -> str:
+    """What OpenSCAD exports of the scene; it ends with exit code 1 where nothing is there."""
+    with tempfile.TemporaryDirectory() as folder:
+        source, target = Path(folder, "in.scad"), Path(folder, f"out.{form}")
+        source.write_text(scene, encoding="utf-8")
+        done = subprocess.run(
+            [PROGRAM, "-o", str(target), str(source)], capture_output=True, text=True, check=False
+        )
+        if done.returncode < 0:
+            raise RuntimeError(f"openscad was ended by signal {-done.returncode}")
+        if done.returncode or "ERROR" in done.stderr or not target.exists():
+            raise RuntimeError(f"exit code {done.returncode}: {done.stderr[-1500:]}")
+        return target.read_text(encoding="utf-8")
+
+
+def read_svg(text: str) -> dict[str, Any]:
+    """The rings of the path; y points down in SVG."""
+    found = re.search(r'<path d="([^"]*)"', text)
+    rings = []
+    for part in found[1].split("M")[1:] if found else []:
+        numbers = [float(x) for x in re.findall(r"[-+.\deE]+", part.replace("z", ""))]
+        rings.append([[x, -y] for x, y in zip(numbers[::2], numbers[1::2], strict=True)])
+    return {"rings": rings, "fill": "evenodd"}
+
+
+def read_off(text: str) -> dict[str, Any]:
+    words = iter(text.replace("OFF", "", 1).split())
+    vertex_count, face_count, _ = (int(next(words)) for _ in range(3))
+    vertices = [[float(next(words)) for _ in range(3)] for _ in range(vertex_count)]
+    faces = [[int(next(words)) for _ in range(int(next(words)))] for _ in range(face_count)]
+    return {"vertices": vertices, "faces": faces}
+
+
+def sum_of(sP: Set, Q: Set) -> dict[str, Any]:
+    if "polygons" in sP:
+        children = f"{scad_plane(sP['polygons'])} {scad_plane(Q['polygons'])}"
+        return read_svg(run(f"minkowski(){{{children}}}", "svg"))
+    return read_off(run(f"minkowski(){{{scad_space(sP)} {scad_space(Q)}}}", "off"))
+
+
+if __name__ == "__main__":
+    hello = {
+        "name": "openscad",
+        "version": version(),
+        "language": "C++",
+        "arithmetic": "float64",
+        "numbers": "double",
+        "tolerance": {"absolute": "1/16384", "relative": "1e-5"},
+        "sum": "region",
+        "capabilities": "plane space non-convex holes components rational non-uniform".split(),
+    }
+    serve(hello, sum_of)

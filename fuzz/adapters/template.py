@@ -1,0 +1,47 @@
+"""The text of a new adapter."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from minkref.errors import Refusal
+
+TEMPLATES = Path(__file__).parent / "templates"
+PLACE = "NAME"
+VERIFY = "minkref verify {stem} --seconds 30"
+# Language: the template, the ending of the file, how it is started.
+LANGUAGES = {
+    "python": ("template.py", ".py", ("minkref verify {program} --seconds 30",)),
+    "c++": (
+        "template.cpp",
+        ".cpp",
+        ("g++ -std=c++17 -O2 {file} -o {stem}", "minkref verify {stem} --seconds 30"),
+    ),
+    "javascript": ("template.js", ".js", ('minkref verify "cmd:node {file}" --seconds 30',)),
+    "rust": ("template.rs", ".rs", ("rustc -O {file} -o {stem}", VERIFY)),
+}
+
+
+def template(name: str, language: str, folder: Path) -> tuple[Path, str, list[str]]:
+    """The path of the adapter, its text, and the commands that test it. Refuses other names and
+    languages."""
+    if language not in LANGUAGES:
+        raise Refusal(
+            f"there is no template in {language[:40]!r}",
+            "--language",
+            f"choose one of {', '.join(LANGUAGES)}",
+        )
+    if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_-]{0,59}", name):
+        raise Refusal(
+            "this is no name of an adapter",
+            name[:80],
+            "use letters, digits, - and _, a letter first",
+        )
+    source, ending, commands = LANGUAGES[language]
+    file = folder / f"{name}_adapter{ending}"
+    text = (TEMPLATES / source).read_text(encoding="utf-8").replace(PLACE, name)
+    stem = str(folder / f"{name}_adapter")
+    stem = stem if "/" in stem else f"./{stem}"
+    program = str(file) if "/" in str(file) else f"./{file}"
+    return file, text, [c.format(file=file, stem=stem, program=program) for c in commands]

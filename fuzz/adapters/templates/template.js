@@ -1,0 +1,58 @@
+#!/usr/bin/env node
+// An adapter for `minkref verify` in JavaScript without dependencies: sums of convex polygons.
+// Put your own call into `minkowskiSum`, and say in `declaration` what it can do
+// (docs/adapter-protocol.md has the words). Try it: minkref verify "cmd:node NAME_adapter.js"
+"use strict";
+
+const declaration = {
+  protocol: "adapter-v1",
+  name: "NAME",
+  version: "1",
+  language: "JavaScript",
+  arithmetic: "float64",
+  numbers: "double",
+  tolerance: { absolute: "0", relative: "1e-9" },
+  sum: "region",
+  capabilities: ["plane"],
+};
+
+// PUT YOUR OWN CALL HERE. P, Q and the sum are arrays of [x, y], counter-clockwise. This one takes
+// the edges of both in the order of their directions, from the leftmost vertices.
+function minkowskiSum(P, Q) {
+  const [p, q, ring] = [fromLeft(P), fromLeft(Q), []];
+  for (let i = 0, j = 0; i < P.length || j < Q.length; ) {
+    ring.push([p[i][0] + q[j][0], p[i][1] + q[j][1]]);
+    let turn = j === Q.length ? 1 : -1;
+    if (i < P.length && j < Q.length) {
+      const [a, b] = [p[i + 1][0] - p[i][0], p[i + 1][1] - p[i][1]];
+      turn = a * (q[j + 1][1] - q[j][1]) - b * (q[j + 1][0] - q[j][0]);
+    }
+    if (turn >= 0) i++;
+    if (turn <= 0) j++;
+  }
+  return ring;
+}
+
+function fromLeft(ring) {
+  const left = (p, q) => p[0] - q[0] || p[1] - q[1];
+  const k = ring.indexOf([...ring].sort(left)[0]);
+  return [...ring.slice(k), ...ring.slice(0, k + 1)];
+}
+
+let loaded = null;
+function answer(request) {
+  if (request.verb === "hello") return { status: "result", ...declaration };
+  if (request.verb === "load") loaded = request.Q.polygons[0].outer;
+  if (["load", "stop"].includes(request.verb)) return { status: "result" };
+  if (request.verb !== "at") return { status: "skipped", reason: "no such verb here" };
+  return { status: "result", rings: [minkowskiSum(request.sP.polygons[0].outer, loaded)] };
+}
+
+require("readline").createInterface({ input: process.stdin }).on("line", (line) => {
+  let request = null;
+  let value;
+  try { value = answer((request = JSON.parse(line))); }
+  catch (error) { value = { status: "errored", reason: String(error) }; }
+  process.stdout.write(JSON.stringify({ seq: request?.seq ?? null, ...value }) + "\n");
+  if (request?.verb === "stop") process.exit(0);
+});

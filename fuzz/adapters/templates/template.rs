@@ -1,0 +1,64 @@
+// An adapter for `minkref verify` in Rust without crates: sums of convex polygons.
+// Put your own call into `minkowski_sum`, and say in DECLARATION what it can do (the words are in
+// docs/adapter-protocol.md). rustc -O NAME_adapter.rs; minkref verify ./NAME_adapter
+use std::io::{self, BufRead};
+
+type Point = (f64, f64);
+
+const DECLARATION: &str = r#""result","protocol":"adapter-v1","name":"NAME","version":"1",
+"language":"Rust","arithmetic":"float64","numbers":"double",
+"tolerance":{"absolute":"0","relative":"1e-9"},"sum":"region","capabilities":["plane"]"#;
+
+/// PUT YOUR OWN CALL HERE. P, Q and the sum run counter-clockwise. This one takes the edges of both
+/// in the order of their directions, from the leftmost vertices.
+fn minkowski_sum(p: &[Point], q: &[Point]) -> Vec<Point> {
+    let (p, q) = (from_left(p), from_left(q));
+    let (n, m, mut i, mut j, mut sum) = (p.len() - 1, q.len() - 1, 0, 0, Vec::new());
+    while i < n || j < m {
+        sum.push((p[i].0 + q[j].0, p[i].1 + q[j].1));
+        let mut turn = if j == m { 1.0 } else { -1.0 };
+        if i < n && j < m {
+            let (a, b) = (p[i + 1].0 - p[i].0, p[i + 1].1 - p[i].1);
+            turn = a * (q[j + 1].1 - q[j].1) - b * (q[j + 1].0 - q[j].0);
+        }
+        i += (turn >= 0.0) as usize;
+        j += (turn <= 0.0) as usize;
+    }
+    sum
+}
+
+fn from_left(ring: &[Point]) -> Vec<Point> {
+    let first = (0..ring.len()).min_by(|&a, &b| ring[a].partial_cmp(&ring[b]).unwrap()).unwrap();
+    (0..=ring.len()).map(|k| ring[(first + k) % ring.len()]).collect()
+}
+
+/// The first ring under the key: no JSON reader, but enough for the lines that minkref sends.
+fn ring_of(line: &str, key: &str) -> Option<Vec<Point>> {
+    let text = line.split_once(key)?.1.split_once("[[")?.1.split_once("]]")?.0;
+    let words = text.split(|c: char| " ,[]".contains(c)).filter(|word| !word.is_empty());
+    let numbers: Vec<f64> = words.map(|word| word.parse().ok()).collect::<Option<_>>()?;
+    Some(numbers.chunks_exact(2).map(|pair| (pair[0], pair[1])).collect())
+}
+
+fn answer(line: &str, loaded: &mut Option<Vec<Point>>) -> String {
+    if line.contains("\"hello\"") { return DECLARATION.replace('\n', ""); }
+    if line.contains("\"load\"") { *loaded = ring_of(line, "\"Q\""); }
+    if line.contains("\"load\"") || line.contains("\"stop\"") { return "\"result\"".into(); }
+    let (Some(sp), Some(q)) = (ring_of(line, "\"sP\""), loaded) else {
+        return r#""errored","reason":"not understood""#.into();
+    };
+    let sum = minkowski_sum(&sp, q);
+    let points: Vec<String> = sum.iter().map(|v| format!("[{:?},{:?}]", v.0, v.1)).collect();
+    format!(r#""result","rings":[[{}]]"#, points.join(","))
+}
+
+fn main() {
+    let mut loaded = None;
+    for line in io::stdin().lock().lines().map_while(Result::ok) {
+        let digits = line.split_once("\"seq\":").map_or("", |parts| parts.1.trim_start());
+        let seq = digits.split(|c: char| !c.is_ascii_digit()).next().unwrap_or("");
+        let seq = if seq.is_empty() { "null" } else { seq };
+        println!("{{\"seq\":{seq},\"status\":{}}}", answer(&line, &mut loaded));
+        if line.contains("\"stop\"") { return; }
+    }
+}

@@ -1,0 +1,151 @@
+"""Names of cases, and the cases that they name.
+
+FAMILY:SEED:INDEX         what a generator makes (`minkref families`)
+P+Q@SCALE                 files or models
+CASE.json[@SCALE]         a case file, at its first scale or the one given
+{"P":...,"Q":...,"scale":"3/2"}   the case itself
+probe:K(NAME)             at the K-th scale that lies at or next to a boundary event
+mutant:K(NAME)            something close to the case, drawn by the seed K
+LAW(NAME)                 the case changed so that a law tells the sum: swap, half-turn, ...
+"""
+
+from __future__ import annotations
+
+import json
+import random
+import re
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from minkref import _core
+from minkref.errors import Refusal, cut, refusing
+from minkref.exact import read_scale
+from minkref.fuzz.cases.case import Case, CaseName
+from minkref.fuzz.cases.case_files import scales_of
+from minkref.fuzz.cases.no_case import NoCase
+from minkref.fuzz.cases.space_case import SPACE_FAMILIES, SpaceCase, load_space
+from minkref.fuzz.families.catalogue import FAMILIES
+from minkref.fuzz.families.mutation import mutate
+from minkref.fuzz.families.probes import scale_probes
+from minkref.fuzz.verdicts.laws import LAWS
+from minkref.model_catalogue import all_models
+from minkref.operand import is_file, read_operand
+
+MOST_PROBES = 12
+_GENERATED = re.compile(r"([a-z0-9-]+):(-?[0-9]+):([0-9]+)")
+_DERIVED = re.compile(r"([A-Za-z0-9-]+)(?::([0-9]+))?\((.*)\)", re.DOTALL)
+
+
+def load(name: CaseName) -> Case | SpaceCase:
+    """The case. Refusal where the text names none; NoCase where a derived one does not exist, as
+    a probe of a pair without events."""
+    text = name.text
+    if text.startswith("{"):
+        return _literal(name)
+    derived = _DERIVED.fullmatch(text)
+    if derived:
+        return _derive(name, derived[1], derived[2], derived[3])
+    generated = _GENERATED.fullmatch(text)
+    if generated and generated[1] in SPACE_FAMILIES:
+        return load_space(name, generated[1], int(generated[2]), int(generated[3]))
+    if generated:
+        return _generate(name, generated[1], int(generated[2]), int(generated[3]))
+    if text.startswith("random:"):
+        raise _no_family(text)
+    return _named(name)
+
+
+def _generate(name: CaseName, family: str, seed: int, index: int) -> Case:
+    if family not in FAMILIES:
+        raise _no_family(name.text)
+    pair = FAMILIES[family].pair(seed, index)
+    P, Q = _core.PolygonSet.from_json(pair.P), _core.PolygonSet.from_json(pair.Q)
+    return Case(name, P, Q, pair.scale, "P", "Q", family)
+
+
+def _no_family(text: str) -> Refusal:
+    return Refusal(
+        "this names no generated case",
+        f"--case {cut(text)}",
+        "write FAMILY:SEED:INDEX, for example random:1:42; `minkref families` lists the families",
+    )
+
+
+def _derive(name: CaseName, operation: str, number: str | None, inner: str) -> Case | SpaceCase:
+    base = load(CaseName(inner, name.group))
+    if operation in LAWS and number is None:
+        if isinstance(base, SpaceCase):
+            return base.under(operation, name)
+        return replace(LAWS[operation].changed(base), name=name)
+    if isinstance(base, SpaceCase):
+        raise NoCase("a case in space has no probes and no mutants")
+    if operation == "probe" and number is not None:
+        probes = scale_probes(base.P_json, base.Q_json, MOST_PROBES)
+        if int(number) >= len(probes):
+            raise NoCase(f"the pair has {len(probes)} scales to be probed")
+        position, scale = probes[int(number)]
+        return replace(base, name=name, scale=scale, position=position)
+    if operation == "mutant" and number is not None:
+        dice = random.Random(f"minkref mutant {name.text}")
+        P, Q, scale = mutate(dice, base.P_json, base.Q_json, base.scale)
+        return Case(
+            name,
+            _core.PolygonSet.from_json(P),
+            _core.PolygonSet.from_json(Q),
+            scale,
+            "P",
+            "Q",
+            base.family,
+            "mutant",
+        )
+    known = ", ".join(["probe:K", "mutant:K", *LAWS])
+    raise Refusal(
+        f"no case is got from another by {operation[:40]!r}",
+        f"--case {cut(name.text)}",
+        f"write one of {known}",
+    )
+
+
+def _literal(name: CaseName) -> Case | SpaceCase:
+    where = f"--case {cut(name.text)}"
+    mend = 'write {"P":{"polygons":[...]},"Q":{"polygons":[...]},"scale":"3/2"}'
+    try:
+        value: Any = json.loads(name.text, parse_float=str)
+        operands = [value["P"], value["Q"]]
+        scale = value.get("scale", "1")
+    except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
+        raise Refusal(f"this is no case: {cut(str(error))}", where, mend) from error
+    if all(isinstance(each, dict) and "faces" in each for each in operands):
+        return SpaceCase.of(name, operands, scale, where)
+    P, Q = (_valid(json.dumps(each), where) for each in operands)
+    return Case(name, P, Q, read_scale(str(scale), where), "P", "Q", "named")
+
+
+def _valid(text: str, where: str) -> _core.PolygonSet:
+    read: _core.PolygonSet = refusing(where, lambda: _core.read_text(text, "json", where))
+    refusing(where, lambda: read.validate(where))
+    return read
+
+
+def _named(name: CaseName) -> Case:
+    operands, at, scale = name.text.rpartition("@")
+    if not at:
+        operands, scale = name.text, ""
+    if operands.endswith(".json") and Path(operands).is_file():
+        scales = scales_of(Path(operands))
+        if scales:
+            P, Q = read_operand(f"{operands}#P"), read_operand(f"{operands}#Q")
+            at_scale = read_scale(scale or scales[0])
+            return Case(name, P.set, Q.set, at_scale, P.name, Q.name)
+    known = all_models()
+    for k in (k for k, letter in enumerate(operands) if letter == "+"):
+        first, second = operands[:k], operands[k + 1 :]
+        if all(part in known or is_file(part) for part in (first, second)):
+            P, Q = read_operand(first), read_operand(second)
+            return Case(name, P.set, Q.set, read_scale(scale or "1"), P.name, Q.name)
+    raise Refusal(
+        "this names no pair of files or models",
+        f"--case {cut(name.text)}",
+        "write P+Q@SCALE, for example g1+g2@7/5, random:SEED:INDEX, or a case file",
+    )

@@ -1,0 +1,50 @@
+"""The families of generated pairs by name, in the order of a run."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from minkref.fuzz.families.convex_pairs import collinear_pair, convex_pair
+from minkref.fuzz.families.hard_numbers import (
+    degenerate_pair,
+    magnitude_pair,
+    offset_pair,
+    rational_pair,
+    thin_pair,
+)
+from minkref.fuzz.families.holed_pairs import fit_pair, holes_pair, nested_pair, small_holes_pair
+from minkref.fuzz.families.outlines import comb_pair, spiral_pair, star_pair
+from minkref.fuzz.families.random_pairs import Pair, random_pair
+from minkref.fuzz.families.touching_pairs import cells_pair, touching_pair
+
+
+@dataclass(frozen=True)
+class Family:
+    """`pair(seed, index)` depends on nothing else; small pairs come first."""
+
+    name: str
+    title: str
+    pair: Callable[[int, int], Pair]
+
+
+_ALL = (
+    Family("random", "random polygons with holes on small grids", random_pair),
+    Family("convex", "random convex polygons", convex_pair),
+    Family("holes", "both operands with holes", holes_pair),
+    Family("small-holes", "holes too small to survive beside some that just do", small_holes_pair),
+    Family("fit", "one operand fits the other exactly, or off by one part in 2^20", fit_pair),
+    Family("collinear", "collinear vertices and parallel edges in both", collinear_pair),
+    Family("touching", "rings that touch at points", touching_pair),
+    Family("cells", "unions of grid squares", cells_pair),
+    Family("nested", "polygons in holes of polygons", nested_pair),
+    Family("comb", "combs, some of which interlock", comb_pair),
+    Family("star", "stars", star_pair),
+    Family("spiral", "spirals", spiral_pair),
+    Family("degenerate", "a point, a segment or the empty set as one operand", degenerate_pair),
+    Family("rational", "coordinates with small denominators", rational_pair),
+    Family("thin", "slivers and needles", thin_pair),
+    Family("offset", "far from the origin", offset_pair),
+    Family("magnitude", "coordinates of very different magnitudes", magnitude_pair),
+)
+FAMILIES: dict[str, Family] = {family.name: family for family in _ALL}

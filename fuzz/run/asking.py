@@ -1,0 +1,160 @@
+"""The targets asked about one case, and what is said of their answers."""
+
+from __future__ import annotations
+
+import zlib
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+
+from minkref.fuzz.cases.case import Case
+from minkref.fuzz.cases.space_case import SpaceCase
+from minkref.fuzz.targets.adapter import AdapterTarget
+from minkref.fuzz.targets.answer import Answer, Limits, Target, skipped
+from minkref.fuzz.targets.catalogue import REFERENCE, size_limit
+from minkref.fuzz.verdicts.judgement import TRUTHS, judge
+from minkref.fuzz.verdicts.law_judgement import judge_law
+from minkref.fuzz.verdicts.laws import LAWS
+from minkref.fuzz.verdicts.space_judgement import judge_in_space
+from minkref.fuzz.verdicts.verdict import GOOD, Outcome, Reason, Verdict
+
+ASKED_TWICE = 8  # one of so many right answers
+
+
+@dataclass
+class Asking:
+    """`begin` is told what is about to run; `lost` has those that took a worker down before."""
+
+    case: Case | SpaceCase
+    target: Callable[[str], Target]
+    begin: Callable[[str], None]
+    lost: dict[str, Outcome]
+    limits: Limits
+    answers: dict[str, Answer] = field(default_factory=dict)
+
+    def outcomes(self, names: list[str]) -> list[Outcome]:
+        """One for each target, and for each of our own routes that is refuted."""
+        if not names:
+            return []
+        if isinstance(self.case, SpaceCase):
+            return self._in_space(self.case, names)
+        if self.case.law is not None:
+            return self._by_law(self.case, names)
+        for name in dict.fromkeys([*TRUTHS, *names]):
+            if name not in names and any(answer.region for answer in self.answers.values()):
+                continue  # one route of ours is truth enough until somebody disagrees
+            self.answers[name] = self._ask(name, self.case)
+        self.begin("minkref:referee")
+        outcomes = judge(self.case, self.answers, names)
+        return [self._once_more(self.case, outcome) for outcome in outcomes]
+
+    def coverage(self, outcomes: list[Outcome]) -> str | None:
+        """What a case showed: family, position of the scale, shape of the sum, whatever is
+        amiss. None where no route of ours has a sum."""
+        case = self.case
+        if isinstance(case, SpaceCase) or case.law is not None:
+            return None
+        region = next((self.answers[n].region for n in TRUTHS if n in self.answers), None)
+        if region is None:
+            return None
+        amiss = sorted(
+            f"{outcome.target} {' '.join(outcome.kinds)}"
+            for outcome in outcomes
+            if outcome.verdict not in (*GOOD, Verdict.SKIPPED)
+        )
+        shape = f"{min(region.components, 3)} {min(region.holes, 4)}"
+        needs = " ".join(sorted(case.needs))
+        return "|".join([case.family, case.position, shape, needs, *amiss])
+
+    def expected(self, outcomes: list[Outcome]) -> str | None:
+        """The sum as canonical JSON by a route that nothing refutes."""
+        wrong = {outcome.target for outcome in outcomes if outcome.verdict is Verdict.WRONG}
+        regions = (
+            self.answers[name].region
+            for name in TRUTHS
+            if name in self.answers and name not in wrong
+        )
+        return next((region.json for region in regions if region), None)
+
+    def _ask(self, name: str, case: Case) -> Answer:
+        if name in self.lost:
+            lost = self.lost[name]
+            return Answer(
+                verdict=lost.verdict, message=lost.message, signal=lost.signal, seconds=lost.seconds
+            )
+        limit = size_limit(name, self.limits)
+        if limit is not None and case.vertex_pairs > limit:
+            pairs = f"{case.vertex_pairs:,} pairs of vertices"
+            return skipped(f"{pairs}, more than {limit:,} (--size-limit)")
+        target = self.target(name)
+        self.begin(name)
+        answer = target.sum(case)
+        if answer.verdict is Verdict.TIMED_OUT:  # a machine may stand still: once more
+            self.begin(name)
+            answer = target.sum(case)
+        return answer
+
+    def _once_more(self, case: Case, outcome: Outcome) -> Outcome:
+        """A wrong answer, and some of the right ones, are asked for again: whether it stays."""
+        name = outcome.target
+        again = outcome.verdict is Verdict.WRONG or (
+            outcome.verdict in GOOD and zlib.crc32(case.name.text.encode()) % ASKED_TWICE == 0
+        )
+        if name.startswith(REFERENCE) or not again or name not in self.answers:
+            return outcome
+        second = self._ask(name, case)
+        if second.region is None or second.region.digest == outcome.digest:
+            return outcome
+        self.begin("minkref:referee")
+        rejudged = judge(case, {**self.answers, name: second}, [name])
+        for worse in (outcome, *rejudged):
+            if worse.target == name and worse.verdict is Verdict.WRONG:
+                return replace(worse, reasons=(*worse.reasons, Reason.NONDETERMINISTIC))
+        return outcome
+
+    def _by_law(self, case: Case, names: list[str]) -> list[Outcome]:
+        assert case.law is not None
+        law, base = case.law
+        outcomes = []
+        for name in names:
+            if law == "update":
+                outcomes.append(self._updated(name, base, case))
+                continue
+            answer = self._ask(name, case)
+            before = None if LAWS[law].constant else self._ask(name, base)
+            self.begin("minkref:referee")
+            outcomes += judge_law(law, name, base, before, case, answer, self._truth)
+        return outcomes
+
+    def _truth(self, case: Case) -> dict[str, Answer]:
+        return {TRUTHS[0]: self._ask(TRUTHS[0], case)}
+
+    def _updated(self, name: str, base: Case, case: Case) -> Outcome:
+        """The sum by `update` against the fresh one and the truth."""
+        target = self.target(name)
+        if not isinstance(target, AdapterTarget):
+            message = "does not declare update"
+            return Outcome(name, Verdict.SKIPPED, message=message)
+        self.begin(name)
+        updated = target.updated_sum(base, case)
+        answers = {**self._truth(case), name: updated}
+        self.begin("minkref:referee")
+        (outcome,) = (o for o in judge(case, answers, [name]) if o.target == name)
+        if outcome.verdict is not Verdict.WRONG:
+            return outcome
+        fresh = self._ask(name, case)
+        if fresh.region is None or fresh.region.digest != outcome.digest:
+            return replace(outcome, reasons=(*outcome.reasons, Reason.STATE_DRIFT))
+        return outcome
+
+    def _in_space(self, case: SpaceCase, names: list[str]) -> list[Outcome]:
+        outcomes = []
+        for name in names:
+            target = self.target(name)
+            self.begin(name)
+            answer = target.sum(case) if name not in self.lost else None
+            if answer is None:
+                outcomes.append(self.lost[name])
+                continue
+            self.begin("minkref:referee")
+            outcomes.append(judge_in_space(case, name, answer))
+        return outcomes

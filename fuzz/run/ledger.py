@@ -1,0 +1,152 @@
+"""The ledger of a run: one JSON line for each result, written before anything is said of it.
+
+A run that was killed goes on from its ledger: what is written is not run again, and half a line at
+its end is dropped.
+"""
+
+from __future__ import annotations
+
+import fcntl
+import json
+import os
+import time
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any, Self
+
+from minkref.errors import Refusal
+from minkref.fuzz.cases.case import CaseName
+from minkref.fuzz.run.worker import CaseResult
+from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict, Witness
+
+FORMAT = "ledger-v1"
+
+
+class Ledger:
+    """Open for appending, by one run at a time. `head` tells the run: a ledger of another run is
+    refused."""
+
+    def __init__(self, path: Path, head: dict[str, Any]) -> None:
+        self.path = path
+        self._head = {"ledger": FORMAT, **head}
+        self._known: dict[int, CaseResult] = {}
+        self._began = time.monotonic()
+        self.spent = 0.0
+        try:
+            self._file = os.open(path, os.O_RDWR | os.O_CREAT | os.O_APPEND | os.O_CLOEXEC, 0o644)
+        except OSError as error:
+            what = f"the ledger cannot be written: {error.strerror}"
+            raise Refusal(what, str(path), "choose another place", "cannot-write") from error
+        try:
+            fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            self._read()
+        except BlockingIOError as error:
+            os.close(self._file)
+            what = "another run writes this ledger"
+            raise Refusal(what, str(path), "wait for it, or name another file") from error
+        except BaseException:
+            os.close(self._file)
+            raise
+
+    @property
+    def count(self) -> int:
+        """Results that an earlier part of the run has left."""
+        return len(self._known)
+
+    def result(self, number: int, name: CaseName) -> CaseResult | None:
+        """What is known of a case."""
+        known = self._known.get(number)
+        if known is not None and known.name != name:
+            raise self._foreign(f"case {number} is {known.name.text[:80]!r} there")
+        return known
+
+    def write(self, result: CaseResult) -> None:
+        """One line, by one call of the system: it is there whole, whatever becomes of us."""
+        spent = round(self.spent + time.monotonic() - self._began, 3)
+        self._append({**_plain(result), "spent": spent})
+
+    def close(self) -> None:
+        os.close(self._file)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def _append(self, value: dict[str, Any]) -> None:
+        data = json.dumps(value, separators=(",", ":")).encode() + b"\n"
+        try:
+            while data:
+                data = data[os.write(self._file, data) :]
+        except OSError as error:
+            what = f"the ledger cannot be written: {error.strerror}"
+            raise Refusal(what, str(self.path), "free some space", "cannot-write") from error
+
+    def _read(self) -> None:
+        text = self.path.read_bytes()
+        whole, _, half = text.rpartition(b"\n")
+        if half:
+            os.ftruncate(self._file, len(text) - len(half))
+        lines = whole.split(b"\n") if whole else []
+        if not lines:
+            self._append(self._head)
+            return
+        if self._value(lines[0], 1) != json.loads(json.dumps(self._head)):
+            raise self._foreign("its first line names other targets, cases or limits")
+        for number, line in enumerate(lines[1:], 2):
+            value = self._value(line, number)
+            try:
+                result = _result(value)
+                self.spent = float(value["spent"])
+            except (KeyError, TypeError, ValueError) as error:
+                what = f"line {number} is no result: {error}"
+                raise Refusal(what, str(self.path), "remove the file", "bad-ledger") from error
+            self._known[result.number] = result
+
+    def _value(self, line: bytes, number: int) -> Any:
+        try:
+            return json.loads(line)
+        except ValueError as error:
+            what = f"line {number} is not JSON"
+            raise Refusal(what, str(self.path), "remove the file", "bad-ledger") from error
+
+    def _foreign(self, what: str) -> Refusal:
+        return Refusal(
+            f"this is the ledger of another run: {what}",
+            str(self.path),
+            "give the options of that run, or name another file",
+            "other-ledger",
+        )
+
+
+def _plain(result: CaseResult) -> dict[str, Any]:
+    value = asdict(result)
+    value["outcomes"] = [
+        {name: field for name, field in outcome.items() if field not in (None, "", ())}
+        for outcome in value["outcomes"]
+    ]
+    return {name: field for name, field in value.items() if field is not None}
+
+
+def _result(value: dict[str, Any]) -> CaseResult:
+    fields = {name: field for name, field in value.items() if name != "spent"}
+    fields["name"] = CaseName(**value["name"])
+    fields["outcomes"] = [_outcome(outcome) for outcome in value["outcomes"]]
+    fields["size"] = (value["size"][0], value["size"][1], value["size"][2])
+    return CaseResult(**fields)
+
+
+def _outcome(value: dict[str, Any]) -> Outcome:
+    fields = dict(value)
+    fields["verdict"] = Verdict(value["verdict"])
+    fields["reasons"] = tuple(Reason(reason) for reason in value.get("reasons", ()))
+    if value.get("was"):
+        fields["was"] = Verdict(value["was"])
+    if value.get("witness"):
+        witness: dict[str, Any] = value["witness"]
+        points: dict[str, Any] = {
+            k: tuple(v) if isinstance(v, list) else v for k, v in witness.items()
+        }
+        fields["witness"] = Witness(**points)
+    return Outcome(**fields)

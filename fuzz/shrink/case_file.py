@@ -1,0 +1,26 @@
+"""A shrunk case as a case file."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+
+from minkref.fuzz.shrink.finding import SmallFinding
+
+
+def case_text(small: SmallFinding, target: str) -> str:
+    """case-v1 (degeneracies/schema), with what the target does there as a comment."""
+    value = json.loads(small.literal)
+    content = json.dumps(value, sort_keys=True, separators=(",", ":"))
+    outcome = small.outcome
+    case = {
+        "schema": "case-v1",
+        "id": f"shrunk-{hashlib.sha256(content.encode()).hexdigest()[:16]}",
+        "title": f"{target}: {outcome.verdict}, {', '.join(outcome.kinds)}",
+        "comment": json.dumps(outcome.witness.document()) if outcome.witness else outcome.message,
+        "dimension": 2,
+        "P": value["P"],
+        "Q": value["Q"],
+        "scales": [value["scale"]],
+    }
+    return json.dumps(case, indent=1) + "\n"

@@ -1,0 +1,65 @@
+"""A finding made small."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from minkref.fuzz.run.runner import Finding
+from minkref.fuzz.run.worker import CaseResult
+from minkref.fuzz.shrink.plane_steps import PlaneCase, smaller_in_plane
+from minkref.fuzz.shrink.shrinker import MOST_CALLS, shrink
+from minkref.fuzz.shrink.trial import Trial, same_fault
+from minkref.fuzz.targets.answer import Limits
+from minkref.fuzz.verdicts.verdict import Outcome
+
+
+@dataclass(frozen=True)
+class SmallFinding:
+    """The shrunk case as a text that names it, and what is said of the target there. `stable`:
+    asked again, the target showed the fault again."""
+
+    literal: str
+    result: CaseResult
+    outcome: Outcome
+    calls: int
+    complete: bool
+    stable: bool
+
+
+def shrink_finding(
+    finding: Finding, limits: Limits, most_calls: int = MOST_CALLS
+) -> SmallFinding | None:
+    """The smallest case found with the same fault: verdict, reasons, signal. None where the fault
+    does not show again in a fresh process, or the case is none of two operands."""
+    literal = finding.case.literal
+    if literal is None or finding.case.P is None or finding.case.Q is None:
+        return None
+    if finding.case.dimension != 2:
+        return None
+    start = PlaneCase.read(finding.case.P, finding.case.Q, finding.case.scale)
+    with Trial(finding.outcome.target, limits) as trial:
+        first = trial.ask(literal)
+        if not same_fault(finding.outcome, first[1]):
+            return None
+        kept = first
+
+        def still(case: PlaneCase) -> bool:
+            nonlocal kept
+            asked = trial.ask(case.literal)
+            if same_fault(finding.outcome, asked[1]):
+                kept = asked
+                return True
+            return False
+
+        shrunk = shrink(start, smaller_in_plane, still, most_calls)
+        again = trial.ask(kept[0].name.text)
+    result, outcome = kept
+    assert outcome is not None
+    return SmallFinding(
+        result.name.text,
+        result,
+        outcome,
+        shrunk.calls,
+        shrunk.complete,
+        same_fault(finding.outcome, again[1]),
+    )

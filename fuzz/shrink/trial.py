@@ -1,0 +1,60 @@
+"""Whether a smaller case still shows the fault of a target, tried in a worker process."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from types import TracebackType
+from typing import Self
+
+from minkref.fuzz.cases.case import CaseName
+from minkref.fuzz.run.pool import run_cases
+from minkref.fuzz.run.worker import CaseResult, Job
+from minkref.fuzz.targets.answer import Limits
+from minkref.fuzz.verdicts.verdict import Outcome
+
+
+class Trial:
+    """Asks one target about one case after the other, in a process that may die."""
+
+    def __init__(self, target: str, limits: Limits) -> None:
+        self.target = target
+        self._next: Job | None = None
+        self._number = 0
+        self._results = run_cases(self._jobs(), [target], limits, 1)
+
+    def _jobs(self) -> Iterator[Job]:
+        while self._next is not None:
+            job, self._next = self._next, None
+            yield job
+
+    def ask(self, text: str) -> tuple[CaseResult, Outcome | None]:
+        """What became of the case, and what is said of the target."""
+        self._next = Job(self._number, CaseName(text, "shrinking"))
+        self._number += 1
+        result = next(self._results)
+        own = (outcome for outcome in result.outcomes if outcome.target == self.target)
+        return result, next(own, None)
+
+    def close(self) -> None:
+        self._results.close()  # type: ignore[attr-defined]
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+
+def same_fault(first: Outcome, second: Outcome | None) -> bool:
+    """The verdict, its reasons and the signal are the same."""
+    return (
+        second is not None
+        and second.verdict is (first.was or first.verdict)
+        and set(second.kinds) == set(first.kinds)
+        and second.signal == first.signal
+    )

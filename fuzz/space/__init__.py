@@ -1,0 +1,1 @@
+"""Sums of polyhedra that others made, verified in plain fractions."""

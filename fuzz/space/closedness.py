@@ -1,0 +1,42 @@
+"""Whether the faces of a result close up, however they are cut and numbered."""
+
+from __future__ import annotations
+
+from collections import Counter
+from fractions import Fraction
+from itertools import pairwise
+
+from minkref.fuzz.space.integers import Point, Whole, cross, dot, minus, primitive
+from minkref.fuzz.space.polyhedron import Polyhedron
+
+Line = tuple[Whole, Whole]
+
+
+def open_edge(polyhedron: Polyhedron) -> Point | None:
+    """The middle of a stretch along which faces run more often one way than the other; None where
+    the surface is closed. Vertices count as one where their coordinates are the same, and an edge
+    may be cut into several on one of its sides. O(n log n) for n edges."""
+    points = polyhedron.wholes
+    flow: Counter[tuple[Whole, Whole]] = Counter()
+    for face in polyhedron.faces:
+        for i, j in zip(face, face[1:] + face[:1], strict=True):
+            a, b = points[i], points[j]
+            if a < b:
+                flow[(a, b)] += 1
+            elif b < a:
+                flow[(b, a)] -= 1
+    lines: dict[Line, list[tuple[int, Whole, int]]] = {}
+    for (a, b), count in flow.items():
+        if count:
+            direction = primitive(minus(b, a))
+            ends = lines.setdefault((direction, cross(direction, a)), [])
+            ends += [(dot(direction, a), a, count), (dot(direction, b), b, -count)]
+    for ends in lines.values():
+        ends.sort()
+        running = 0
+        for (here, a, count), (there, b, _) in pairwise(ends):
+            running += count
+            if running and here != there:
+                half = Fraction(1, 2 * polyhedron.denominator)
+                return (half * (a[0] + b[0]), half * (a[1] + b[1]), half * (a[2] + b[2]))
+    return None

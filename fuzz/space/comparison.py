@@ -1,0 +1,275 @@
+"""The verdict on somebody else's sum in space."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Literal
+
+from minkref.fuzz.space.cells import grid_cells
+from minkref.fuzz.space.closedness import open_edge
+from minkref.fuzz.space.cross_section import cross_sections, differing_points, sections_agree
+from minkref.fuzz.space.differing_cells import cell_reasons
+from minkref.fuzz.space.integers import Point, Whole, dot
+from minkref.fuzz.space.membership import Surface
+from minkref.fuzz.space.pair import SpacePair, Truth
+from minkref.fuzz.space.polyhedron import Polyhedron
+from minkref.fuzz.space.sampling import points_near, sums_of_points
+from minkref.fuzz.space.stray_faces import TooMany, changes
+from minkref.fuzz.space.trial import Trial, decided
+from minkref.fuzz.space.witness import holds
+from minkref.fuzz.verdicts.verdict import Reason, Witness
+
+Rating = Literal["pass", "pass-within", "wrong", "undecided"]
+MOST_STRAY = 300  # triangles off the boundary of the sum that are cut by each other
+MOST_CELLS = 200_000  # of the grid, whose centres are asked
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """`proven`: the set of positive winding number is shown to be the sum. A pass without it says
+    that no fault was found at `points` points."""
+
+    verdict: Rating
+    reasons: tuple[Reason, ...] = ()
+    message: str = ""
+    witness: Witness | None = None
+    proven: bool = False
+    points: int = 0
+
+
+def compare(
+    pair: SpacePair, result: Polyhedron, exact: bool = True, tolerance: Fraction = Fraction(0)
+) -> Comparison:
+    """The result stands for the points of positive winding number, regularised. An `exact` one has
+    to be the sum R; else it has to hold all points whose cube of half side `tolerance` is in R, and
+    none whose cube is clear of R. Every `wrong` has a witness that `holds`; with a tolerance it
+    holds with that, but for a surface that is not closed: there the point shows where.
+    ValueError for a negative tolerance."""
+    if tolerance < 0:
+        raise ValueError("the tolerance is negative")
+    malformed = _malformed(pair, result, exact)
+    if malformed is not None:
+        return malformed
+    trial = Trial(pair, result, Fraction(0) if exact else tolerance)
+    proven, message = _examine(trial, exact)
+    if trial.refuted is not None:
+        return Comparison("undecided", message=trial.refuted, points=trial.points)
+    if trial.witness is not None:
+        return Comparison("wrong", tuple(trial.reasons), "", trial.witness, points=trial.points)
+    if proven:
+        return Comparison("pass", proven=True, points=trial.points)
+    if not exact:
+        return Comparison("pass-within", points=trial.points)
+    if pair.truth is Truth.POINTS:
+        text = f"no fault at {trial.points} points"
+        return Comparison("pass", message=text, points=trial.points)
+    return Comparison("undecided", message=message, points=trial.points)
+
+
+def _malformed(pair: SpacePair, result: Polyhedron, exact: bool) -> Comparison | None:
+    """A surface that is not closed, or for exact results a face that is not planar."""
+    where, message = open_edge(result), "the surface is not closed"
+    if where is None and exact:
+        bad = result.bad_face()
+        if bad is not None and bad[1] == "is not planar":
+            where, message = result.vertices[result.faces[bad[0]][0]], f"face {bad[0]} {bad[1]}"
+    if where is None:
+        return None
+    witness = decided(pair, where)
+    if not holds(pair.P, pair.Q, pair.scale, witness):
+        return Comparison("undecided", message=f"{message}, but the witness there does not hold")
+    return Comparison("wrong", (Reason.NOT_CLOSED,), message, witness, points=1)
+
+
+def _examine(trial: Trial, exact: bool) -> tuple[bool, str]:
+    """Tests points until both kinds of faults are found, or all are tested. True where the result
+    is proven to be the sum; else why not."""
+    pair = trial.pair
+    proven, message = False, ""
+    if pair.truth is Truth.CELLS:
+        message = _test_cells(trial)
+    if pair.truth is Truth.PRISM:
+        message = _test_sections(trial)
+    if trial.reasons:
+        return False, ""
+    if pair.truth is not Truth.POINTS and not message:
+        proven, message = _prove(trial, exact)
+    if proven or trial.reasons:
+        return proven, message
+    for p, q in sums_of_points(pair, trial.tolerance):
+        if trial.test_inside(p, q) or trial.refuted:
+            break
+    for x in points_near(pair, trial.result, trial.surface, trial.tolerance):
+        if len(trial.reasons) == 2 or trial.refuted:
+            break
+        trial.test(x)
+    return False, message
+
+
+def _test_cells(trial: Trial) -> str:
+    """Tests the centre of every cell. Says why not, where that says too little."""
+    known = trial.pair.cell_sum
+    if not trial.surface.triangles:
+        low, high = (Fraction(0),) * 3, (Fraction(0),) * 3
+    else:
+        low, high = trial.result.box
+    spans = [-(-high[k] // known.unit[k]) - low[k] // known.unit[k] for k in range(3)]
+    if spans[0] * spans[1] * spans[2] > MOST_CELLS:
+        return "the result is too large for its cells"
+    cells = set(known.cells) | set(grid_cells(low, high, known.unit))
+    claimed = set()
+    half = Fraction(1, 2)
+    a, b, c = known.unit
+    for x, y, z in sorted(cells):
+        centre = ((x + half) * a, (y + half) * b, (z + half) * c)
+        winding = trial.surface.winding(centre)
+        truth = (x, y, z) in known.cells
+        if truth if winding is None else winding > 0:
+            claimed.add((x, y, z))
+        if ((x, y, z) in claimed) != truth:
+            trial.test(centre)
+        if trial.refuted:
+            return ""
+    trial.points += len(cells)
+    if trial.reasons:
+        found = set(trial.reasons)
+        trial.reasons = cell_reasons(known.cells, claimed, found)
+    return "" if claimed == known.cells else "a cell differs by less than the tolerance"
+
+
+def _test_sections(trial: Trial) -> str:
+    """Tests points of the cross-sections that differ. Says why not, where that says too little."""
+    prism, surface = trial.pair.prism_sum, trial.surface
+    try:
+        sections, complete = cross_sections(prism, surface)
+        for x in differing_points(prism, sections, trial.tolerance):
+            trial.test(x)
+            if len(trial.reasons) == 2 or trial.refuted:
+                return ""
+        if not complete:
+            return "the result has vertices at too many heights"
+        return "" if sections_agree(prism, sections) else "a cross-section differs"
+    except ValueError as error:
+        return str(error)
+
+
+def _prove(trial: Trial, exact: bool) -> tuple[bool, str]:
+    """Where all triangles that bound the result lie in the boundary of the sum, or for cells and
+    prisms in planes that part space into cells of which each was tested, the result is the sum.
+    The others are tested on both sides."""
+    on_boundary = _boundary_test(trial)
+    surface = trial.surface
+    stray = [k for k in range(len(surface.triangles)) if not on_boundary(k)]
+    if stray and not exact:
+        return False, ""
+    changed = False
+    try:
+        for outer, inner in changes(surface, stray, MOST_STRAY):
+            changed = True
+            trial.test(outer)
+            trial.test(inner)
+            if trial.reasons or trial.refuted:
+                return False, ""
+    except TooMany as error:
+        return False, str(error)
+    if changed:
+        return False, "a face off the boundary of the sum bounds the result"
+    if stray and trial.pair.truth is Truth.CELLS:
+        # A centre may have been on one of the stray triangles.
+        return _stray_cells(trial), "a stray face passes through the centre of a cell"
+    if trial.pair.truth is Truth.HULL:
+        vertices = trial.pair.hull.vertices
+        return _middle_is_inside(trial, vertices), "the middle of the hull is on the surface"
+    return True, ""
+
+
+def _boundary_test(trial: Trial) -> Callable[[int], bool]:
+    surface, pair = trial.surface, trial.pair
+    if pair.truth is Truth.CELLS:
+        return _on_grid(surface, pair.cell_sum.unit)
+    if pair.truth is Truth.PRISM:
+        return lambda number: _is_upright_or_level(surface.normals[number])
+    return _on_hull(surface, pair.hull)
+
+
+def _on_grid(surface: Surface, unit: Point) -> Callable[[int], bool]:
+    steps = [number * surface.denominator for number in unit]
+
+    def test(number: int) -> bool:
+        n, corner = surface.normals[number], surface.triangles[number][0]
+        axes = [k for k in range(3) if n[k]]
+        return len(axes) == 1 and (corner[axes[0]] / steps[axes[0]]).denominator == 1
+
+    return test
+
+
+def _is_upright_or_level(n: Whole) -> bool:
+    return n[2] == 0 or (n[0] == 0 and n[1] == 0)
+
+
+def _on_hull(surface: Surface, hull: Polyhedron) -> Callable[[int], bool]:
+    """The triangle lies in a face of the hull: its corners are in the hull, and all of them in one
+    plane of it."""
+    planes = []
+    for face in hull.faces:
+        a, b, c = (hull.wholes[index] for index in face[:3])
+        n = (
+            (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]),
+            (b[2] - a[2]) * (c[0] - a[0]) - (b[0] - a[0]) * (c[2] - a[2]),
+            (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]),
+        )
+        planes.append((n, dot(n, a) * surface.denominator))
+    sets: dict[Whole, frozenset[int] | None] = {}
+
+    def of_corner(corner: Whole) -> frozenset[int] | None:
+        """The planes that hold it; None outside of the hull."""
+        if corner not in sets:
+            sides = [dot(n, corner) * hull.denominator - height for n, height in planes]
+            inside = max(sides) <= 0
+            sets[corner] = frozenset(k for k, s in enumerate(sides) if s == 0) if inside else None
+        return sets[corner]
+
+    def test(number: int) -> bool:
+        found = [of_corner(corner) for corner in surface.triangles[number]]
+        first, second, third = found
+        if first is None or second is None or third is None:
+            return False
+        return bool(first & second & third)
+
+    return test
+
+
+def _middle_is_inside(trial: Trial, vertices: tuple[Point, ...]) -> bool:
+    count = len(vertices)
+    for weight in range(1, 4):  # one of these places is off the surface
+        x, y, z = (
+            (sum((v[k] for v in vertices), Fraction(0)) + (weight - 1) * vertices[0][k])
+            / (count + weight - 1)
+            for k in range(3)
+        )
+        winding = trial.surface.winding((x, y, z))
+        if winding is not None:
+            trial.test((x, y, z))
+            return winding > 0
+    return False
+
+
+def _stray_cells(trial: Trial) -> bool:
+    """Every cell has a place that is not on the surface and where the result is right."""
+    known = trial.pair.cell_sum
+    a, b, c = known.unit
+    low, high = trial.result.box
+    for x, y, z in set(known.cells) | set(grid_cells(low, high, known.unit)):
+        for number in range(7):
+            share = Fraction(1, 2) + Fraction(number, 17 + number)
+            other = Fraction(1, 2) - Fraction(number, 23 + number)
+            place = ((x + share) * a, (y + other) * b, (z + share * share) * c)
+            winding = trial.surface.winding(place)
+            if winding is not None:
+                trial.test(place)
+                break
+        else:
+            return False
+    return not trial.reasons and trial.refuted is None

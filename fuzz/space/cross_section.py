@@ -1,0 +1,112 @@
+"""Horizontal cross-sections of a result, compared with the region of a prism in the plane."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+from itertools import pairwise
+
+from minkref import _core
+from minkref.exact import set_json
+from minkref.fuzz.space.integers import Point
+from minkref.fuzz.space.membership import Surface
+from minkref.fuzz.space.prism import Prism
+from minkref.fuzz.verdicts.region import Region, inner_point, minus, region_of_polygons
+
+MOST_LEVELS = 64
+EMPTY = '{"polygons":[]}'
+Flat = tuple[Fraction, Fraction]
+Sections = dict[Fraction, Region]
+
+
+def differing_points(prism: Prism, sections: Sections, tolerance: Fraction) -> Iterator[Point]:
+    """A point where a cross-section has something that the prism has not, and one the other way
+    round. With a tolerance also such points beyond a border of that width."""
+    for z, section in sections.items():
+        text = _at(prism, z)
+        if section.json == text:
+            continue
+        found = [inner_point(minus(text, section.json)), inner_point(minus(section.json, text))]
+        if tolerance:
+            found += [
+                inner_point(minus(text, _grown(section.json, tolerance))),
+                inner_point(minus(section.json, _grown(text, tolerance))),
+            ]
+        for flat in found:
+            if flat is not None:
+                yield (Fraction(flat[0]), Fraction(flat[1]), z)
+
+
+def sections_agree(prism: Prism, sections: Sections) -> bool:
+    """Where all triangles of the result are upright or level, and no section was left out, this
+    says that the result is the prism."""
+    return all(section.json == _at(prism, z) for z, section in sections.items())
+
+
+def cross_sections(prism: Prism, surface: Surface) -> tuple[Sections, bool]:
+    """Between each two consecutive heights of vertices of both, and whether that is all of them;
+    of more than MOST_LEVELS some are left out. Raises ValueError where the surface is not
+    closed."""
+    heights = {prism.low, prism.high}
+    for triangle in surface.triangles:
+        heights.update(Fraction(corner[2], surface.denominator) for corner in triangle)
+    levels = [(a + b) / 2 for a, b in pairwise(sorted(heights))]
+    chosen = levels[:: 1 + len(levels) // MOST_LEVELS]
+    return {z: cross_section(surface, z) for z in chosen}, len(chosen) == len(levels)
+
+
+def _at(prism: Prism, z: Fraction) -> str:
+    return prism.region if prism.low < z < prism.high else EMPTY
+
+
+def cross_section(surface: Surface, z: Fraction) -> Region:
+    """The points of positive winding number at this height, which is that of no vertex. Raises
+    ValueError where the surface is not closed."""
+    onward: dict[Flat, list[Flat]] = {}
+    level = z * surface.denominator
+    for triangle, n in zip(surface.triangles, surface.normals, strict=True):
+        ends: list[Flat] = []
+        for k in range(3):
+            a, b = triangle[k - 1], triangle[k]
+            if (a[2] > level) != (b[2] > level):
+                t = (level - a[2]) / (b[2] - a[2])
+                x, y = a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])
+                ends.append((x / surface.denominator, y / surface.denominator))
+        if len(ends) == 2:
+            # The inside is on the left: along the normal turned by a right angle.
+            (ax, ay), (bx, by) = ends
+            if (bx - ax) * -n[1] + (by - ay) * n[0] < 0:
+                ends.reverse()
+            onward.setdefault(ends[0], []).append(ends[1])
+    rings: list[list[Flat]] = []
+    while onward:
+        start = next(iter(onward))
+        ring = [start]
+        while True:
+            following = onward.get(ring[-1])
+            if not following:
+                raise ValueError("the cross-section is not closed")
+            there = following.pop()
+            if not following:
+                del onward[ring[-1]]
+            if there == start:
+                break
+            ring.append(there)
+        rings.append(ring)
+    polygons = [
+        {"outer": [[str(x), str(y)] for x, y in ring], "holes": []}
+        for ring in rings
+        if len(ring) > 2
+    ]
+    return region_of_polygons(polygons, turned=False)
+
+
+def _grown(text: str, distance: Fraction) -> str:
+    if text == EMPTY:
+        return text
+    d = distance
+    square = set_json([([(-d, -d), (d, -d), (d, d), (-d, d)], [])])
+    grown = _core.minkowski_sum(
+        _core.PolygonSet.from_json(text), _core.PolygonSet.from_json(square), "1"
+    )
+    return grown.region.canonical_json()

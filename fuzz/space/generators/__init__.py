@@ -1,0 +1,1 @@
+"""Generators of single polyhedra, a file for each kind."""

@@ -1,0 +1,31 @@
+"""Prisms over random polygons of a grid, with holes that touch nothing."""
+
+from __future__ import annotations
+
+import json
+import random
+from fractions import Fraction
+from itertools import combinations
+
+from minkref.fuzz.families.integer_rings import Ring, rings_meet
+from minkref.fuzz.families.random_pairs import random_operand
+from minkref.fuzz.space.prism import Prism
+
+
+def random_prism(dice: random.Random, grid: int, most_holes: int) -> Prism:
+    """Integer corners in the plane; heights with small denominators."""
+    while True:
+        text = random_operand(dice, grid, most_holes)
+        rings = [
+            ring
+            for polygon in json.loads(text)["polygons"]
+            for ring in (polygon["outer"], *polygon["holes"])
+        ]
+        if not any(rings_meet(_whole(a), _whole(b)) for a, b in combinations(rings, 2)):
+            break
+    low = Fraction(dice.randint(-4, 4), dice.randint(1, 3))
+    return Prism(text, low, low + Fraction(dice.randint(1, 6), dice.randint(1, 3)))
+
+
+def _whole(ring: list[list[str]]) -> Ring:
+    return [(int(x), int(y)) for x, y in ring]

@@ -1,0 +1,81 @@
+"""Points and vectors in space over integers: a common denominator makes exact tests fast."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from itertools import pairwise
+from math import gcd, lcm
+
+Point = tuple[Fraction, Fraction, Fraction]
+Whole = tuple[int, int, int]  # a point or vector with integer coordinates
+Scale = Fraction | Point  # the same along all axes, or one factor for each
+
+
+def factors(scale: Scale) -> Point:
+    """One factor for each axis."""
+    return scale if isinstance(scale, tuple) else (scale, scale, scale)
+
+
+def denominator_of(points: Iterable[Point]) -> int:
+    """The least common denominator of all coordinates; 1 without points."""
+    return lcm(*{number.denominator for point in points for number in point})
+
+
+def whole(point: Point, denominator: int) -> Whole:
+    """The point times `denominator`, which has to clear its coordinates."""
+    x, y, z = point
+    return (
+        x.numerator * (denominator // x.denominator),
+        y.numerator * (denominator // y.denominator),
+        z.numerator * (denominator // z.denominator),
+    )
+
+
+def minus(a: Whole, b: Whole) -> Whole:
+    return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
+
+
+def dot(a: Whole, b: Whole) -> int:
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def cross(a: Whole, b: Whole) -> Whole:
+    return (
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    )
+
+
+def normal(a: Whole, b: Whole, c: Whole) -> Whole:
+    """Of the triangle, on the side from which it runs counter-clockwise; its length is twice the
+    area."""
+    return cross(minus(b, a), minus(c, a))
+
+
+def area_vector(ring: Sequence[Whole]) -> Whole:
+    """Twice the vector area of a closed ring; for a planar ring it is normal to the plane."""
+    x = y = z = 0
+    first = ring[0]
+    for a, b in pairwise(ring[1:]):
+        n = normal(first, a, b)
+        x, y, z = x + n[0], y + n[1], z + n[2]
+    return (x, y, z)
+
+
+def primitive(vector: Whole) -> Whole:
+    """The shortest integer vector in the same direction. Not for the zero vector."""
+    divisor = gcd(*vector)
+    return (vector[0] // divisor, vector[1] // divisor, vector[2] // divisor)
+
+
+def longest_axis(vector: Whole) -> int:
+    """The axis along which the vector is longest; the first of equals."""
+    lengths = [abs(number) for number in vector]
+    return lengths.index(max(lengths))
+
+
+def flattened(point: Whole, axis: int) -> tuple[int, int]:
+    """The point without this coordinate, so that x, y, z keep their cyclic order."""
+    return (point[(axis + 1) % 3], point[(axis + 2) % 3])

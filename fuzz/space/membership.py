@@ -1,0 +1,177 @@
+"""The exact winding number of a closed surface of triangles around a point."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from functools import cached_property
+from math import inf, isfinite, isqrt, lcm
+
+from minkref.fuzz.space.integers import (
+    Point,
+    Whole,
+    denominator_of,
+    flattened,
+    longest_axis,
+    normal,
+    whole,
+)
+from minkref.fuzz.space.polyhedron import Polyhedron
+
+MOST_COLUMNS = 64  # along one axis
+Box = tuple[int, int, int, int, int, int]  # lowest and highest x, y, z
+
+
+class Surface:
+    """The triangles of a polyhedron in columns along z, for many questions. A vertical ray upwards
+    counts them, moved by an infinitely small vector (e, e^2) in x and y, so that it meets no edge.
+    Floats only tell triangles apart whose box does not hold the point: rounding keeps the order of
+    numbers. Every other comparison is one of integers, over a denominator for each triangle."""
+
+    def __init__(self, polyhedron: Polyhedron) -> None:
+        self._polyhedron = polyhedron
+        self._corners: list[tuple[int, Whole, Whole, Whole]] = []
+        self._boxes: list[tuple[float, float, float, float, float]] = []  # x, x, y, y, highest z
+        floats = [[_float(number) for number in vertex] for vertex in polyhedron.vertices]
+        for triple in polyhedron.triangles:
+            points = [polyhedron.vertices[k] for k in triple]
+            unit = denominator_of(points)
+            a, b, c = (whole(point, unit) for point in points)
+            self._corners.append((unit, a, b, c))
+            xs, ys, zs = ([floats[k][axis] for k in triple] for axis in range(3))
+            self._boxes.append((min(xs), max(xs), min(ys), max(ys), max(zs)))
+        self.normals = [normal(a, b, c) for _, a, b, c in self._corners]
+        self._low = [min((box[k] for box in self._boxes), default=0.0) for k in (0, 2)]
+        self._high = [max((box[k] for box in self._boxes), default=0.0) for k in (1, 3)]
+        self._sides = min(MOST_COLUMNS, 1 + isqrt(len(self._boxes) // 4))
+        if not all(isfinite(self._high[k] - self._low[k]) for k in (0, 1)):
+            self._sides = 1
+        self._columns: dict[tuple[int, int], list[int]] = {}
+        for number, box in enumerate(self._boxes):
+            for i in range(self._column(box[0], 0), self._column(box[1], 0) + 1):
+                for j in range(self._column(box[2], 1), self._column(box[3], 1) + 1):
+                    self._columns.setdefault((i, j), []).append(number)
+
+    @property
+    def denominator(self) -> int:
+        """Of `triangles` and `boxes`, which are integers."""
+        return self._polyhedron.denominator
+
+    @cached_property
+    def triangles(self) -> list[tuple[Whole, Whole, Whole]]:
+        points = self._polyhedron.wholes
+        return [(points[i], points[j], points[k]) for i, j, k in self._polyhedron.triangles]
+
+    @cached_property
+    def boxes(self) -> list[Box]:
+        return [box_of(triangle) for triangle in self.triangles]
+
+    def _column(self, place: float, axis: int) -> int:
+        low, high = self._low[axis], self._high[axis]
+        if self._sides == 1 or high == low or place <= low:
+            return 0
+        if place >= high:
+            return self._sides
+        return int((place - low) / (high - low) * self._sides)
+
+    def winding(self, point: Point) -> int | None:
+        """The winding number around the point; None where it lies on the surface. Linear in the
+        triangles above and below the point."""
+        v = lcm(*(number.denominator for number in point))
+        x, y, z = whole(point, v)
+        fx, fy, fz = (_float(number) for number in point)
+        total = 0
+        for number in self._columns.get((self._column(fx, 0), self._column(fy, 1)), ()):
+            left, right, front, back, top = self._boxes[number]
+            if fx < left or fx > right or fy < front or fy > back or fz > top:
+                continue
+            unit, a, b, c = self._corners[number]
+            n = self.normals[number]
+            px, py, pz = x * unit, y * unit, z * unit
+            side = n[0] * (px - a[0] * v) + n[1] * (py - a[1] * v) + n[2] * (pz - a[2] * v)
+            if side == 0 and in_triangle((px, py, pz), v, (a, b, c), n):
+                return None
+            up = n[2]
+            if up == 0 or side == 0 or (side > 0) == (up > 0):
+                continue  # vertical, or below the point
+            if _passes(px, py, v, a, b, c, up):
+                total += 1 if up > 0 else -1
+        return total
+
+    def contains(self, point: Point) -> bool:
+        """In the closed set of points of positive winding number, or anywhere on the surface."""
+        winding = self.winding(point)
+        return winding is None or winding > 0
+
+    def clear_step(self, point: Point, direction: Point) -> Fraction | None:
+        """A power of two t so that the segments from the point to point + t direction and to
+        point - t direction meet the plane of no triangle but in the point itself. None where the
+        direction runs along a plane that holds the point."""
+        v = lcm(*(number.denominator for number in point))
+        x, y, z = whole(point, v)
+        w = lcm(*(number.denominator for number in direction))
+        dx, dy, dz = whole(direction, w)
+        least = 0  # the least power of two so far
+        for (unit, a, _, _), n in zip(self._corners, self.normals, strict=True):
+            side = (
+                n[0] * (a[0] * v - x * unit)
+                + n[1] * (a[1] * v - y * unit)
+                + n[2] * (a[2] * v - z * unit)
+            )
+            along = n[0] * dx + n[1] * dy + n[2] * dz
+            if along == 0 and side == 0:
+                return None
+            if side and along:
+                # The plane is met at t = side w / (along unit v).
+                power = (side * w).bit_length() - (along * unit * v).bit_length() - 2
+                least = min(least, power)
+        return Fraction(1, 1 << -least)
+
+
+def winding_number(polyhedron: Polyhedron, point: Point) -> int | None:
+    """For a single question; `Surface` is for many."""
+    return Surface(polyhedron).winding(point)
+
+
+def in_triangle(point: Whole, w: int, triangle: tuple[Whole, Whole, Whole], n: Whole) -> bool:
+    """The point `point / w`, known to lie in the plane of the triangle with normal `n`, lies in
+    the closed triangle."""
+    axis = longest_axis(n)
+    x, y = flattened(point, axis)
+    a, b, c = (flattened(corner, axis) for corner in triangle)
+    sign = 1 if n[axis] > 0 else -1
+    for (ux, uy), (vx, vy) in ((a, b), (b, c), (c, a)):
+        if sign * ((vx - ux) * (y - uy * w) - (vy - uy) * (x - ux * w)) < 0:
+            return False
+    return True
+
+
+def _passes(x: int, y: int, w: int, a: Whole, b: Whole, c: Whole, up: int) -> bool:
+    """The ray, moved by (e, e^2), passes through the triangle seen from above."""
+    for u, v in ((a, b), (b, c), (c, a)):
+        dx, dy = v[0] - u[0], v[1] - u[1]
+        turn = dx * (y - u[1] * w) - dy * (x - u[0] * w)
+        if turn == 0:
+            turn = -dy or dx
+        if (turn > 0) != (up > 0):
+            return False
+    return True
+
+
+def box_of(triangle: tuple[Whole, Whole, Whole]) -> Box:
+    (ax, ay, az), (bx, by, bz), (cx, cy, cz) = triangle
+    return (
+        min(ax, bx, cx),
+        max(ax, bx, cx),
+        min(ay, by, cy),
+        max(ay, by, cy),
+        min(az, bz, cz),
+        max(az, bz, cz),
+    )
+
+
+def _float(number: Fraction) -> float:
+    """The nearest double; beyond their range, infinity."""
+    try:
+        return float(number)
+    except OverflowError:
+        return inf if number > 0 else -inf

@@ -1,0 +1,62 @@
+"""A pair of operands in space, and what is known of its sum."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+from functools import cached_property
+
+from minkref.fuzz.space.cells import Cell, CellSum, sum_of_cells
+from minkref.fuzz.space.hull import sum_of_convex
+from minkref.fuzz.space.integers import Scale
+from minkref.fuzz.space.meeting import Meeting
+from minkref.fuzz.space.polyhedron import Polyhedron
+from minkref.fuzz.space.prism import Prism, sum_of_prisms
+
+
+class Truth(StrEnum):
+    CELLS = "cells"  # both are polycubes: the cells of the sum
+    HULL = "hull"  # both are convex: the hull of all sums of two vertices
+    PRISM = "prism"  # both are prisms over the same plane: the sum in the plane
+    POINTS = "points"  # of each single point, whether it lies in the sum
+
+
+@dataclass(frozen=True)
+class SpacePair:
+    """sP + Q. The cells or prisms are there where the truth needs them."""
+
+    P: Polyhedron
+    Q: Polyhedron
+    scale: Scale
+    family: str
+    truth: Truth = Truth.POINTS
+    P_cells: frozenset[Cell] = frozenset()
+    Q_cells: frozenset[Cell] = frozenset()
+    P_prism: Prism | None = None
+    Q_prism: Prism | None = None
+
+    @cached_property
+    def meeting(self) -> Meeting:
+        return Meeting(self.P, self.Q, self.scale)
+
+    @cached_property
+    def cell_sum(self) -> CellSum:
+        return sum_of_cells(self.P_cells, self.Q_cells, self.scale)
+
+    @cached_property
+    def hull(self) -> Polyhedron:
+        return sum_of_convex(self.P, self.Q, self.scale)
+
+    @cached_property
+    def prism_sum(self) -> Prism:
+        assert self.P_prism is not None and self.Q_prism is not None
+        return sum_of_prisms(self.P_prism, self.Q_prism, self.scale)
+
+    def sum(self) -> Polyhedron | None:
+        """The exact sum where more is known than single points. Its surface may touch itself. Of a
+        prism the rings of the region must not touch (ValueError)."""
+        if self.truth is Truth.CELLS:
+            return self.cell_sum.polyhedron()
+        if self.truth is Truth.HULL:
+            return self.hull
+        return self.prism_sum.polyhedron() if self.truth is Truth.PRISM else None

@@ -1,0 +1,180 @@
+"""Prisms over polygons with holes. Their sum is the prism over the sum in the plane."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from math import lcm
+
+from minkref import _core
+from minkref.exact import set_json
+from minkref.fuzz.space.face_triangles import Corner, ring_triangles
+from minkref.fuzz.space.integers import Point, Scale, factors
+from minkref.fuzz.space.polyhedron import Face, Polyhedron
+from minkref.fuzz.verdicts.region import region_of_sum
+
+Flat = tuple[Fraction, Fraction]
+Ring = list[Flat]
+Polygons = list[tuple[Ring, list[Ring]]]  # outer ring, holes
+
+
+@dataclass(frozen=True)
+class Prism:
+    """All (x, y, z) with (x, y) in a polygon set (JSON text) and low <= z <= high."""
+
+    region: str
+    low: Fraction
+    high: Fraction
+
+    @cached_property
+    def polygons(self) -> Polygons:
+        return [
+            (_ring(polygon["outer"]), [_ring(hole) for hole in polygon["holes"]])
+            for polygon in json.loads(self.region)["polygons"]
+        ]
+
+    @property
+    def volume(self) -> Fraction:
+        area = _core.PolygonSet.from_json(self.region).area()
+        return Fraction(area) * (self.high - self.low)
+
+    def contains(self, point: Point) -> bool:
+        """In the closed prism."""
+        if not self.low <= point[2] <= self.high:
+            return False
+        return any(
+            _side(outer, point) >= 0 and all(_side(hole, point) <= 0 for hole in holes)
+            for outer, holes in self.polygons
+        )
+
+    def polyhedron(self) -> Polyhedron:
+        """Rings of the region must not touch. The lid of a polygon without holes is one face, that
+        of one with holes is cut into triangles."""
+        vertices: list[Point] = []
+        faces: list[Face] = []
+        for outer, holes in self.polygons:
+            corners = [corner for ring in (outer, *holes) for corner in ring]
+            base, count = len(vertices), len(corners)
+            vertices += [(x, y, self.low) for x, y in corners]
+            vertices += [(x, y, self.high) for x, y in corners]
+            start = base
+            for ring in (outer, *holes):
+                for k in range(len(ring)):
+                    a, b = start + k, start + (k + 1) % len(ring)
+                    faces.append((a, b, b + count, a + count))
+                start += len(ring)
+            lids = _lid(outer, holes) if holes else [tuple(range(count))]
+            for lid in lids:
+                faces.append(tuple(base + count + k for k in lid))
+                faces.append(tuple(base + k for k in reversed(lid)))
+        return Polyhedron(tuple(vertices), tuple(faces))
+
+
+def sum_of_prisms(P: Prism, Q: Prism, scale: Scale) -> Prism:
+    """sP + Q; its region is in canonical form."""
+    a, b, c = factors(scale)
+    scaled = set_json(
+        (
+            [(a * x, b * y) for x, y in outer],
+            [[(a * x, b * y) for x, y in hole] for hole in holes],
+        )
+        for outer, holes in P.polygons
+    )
+    answer = _core.minkowski_sum(
+        _core.PolygonSet.from_json(scaled), _core.PolygonSet.from_json(Q.region), "1"
+    )
+    return Prism(region_of_sum(answer).json, c * P.low + Q.low, c * P.high + Q.high)
+
+
+def _ring(ring: list[list[str]]) -> Ring:
+    return [(Fraction(x), Fraction(y)) for x, y in ring]
+
+
+def _side(ring: Ring, point: Point) -> int:
+    """1 inside of the simple ring, 0 on it, -1 outside."""
+    x, y = point[0], point[1]
+    inside = False
+    for (ax, ay), (bx, by) in zip(ring, ring[1:] + ring[:1], strict=True):
+        turn = (bx - ax) * (y - ay) - (by - ay) * (x - ax)
+        if turn == 0 and min(ax, bx) <= x <= max(ax, bx) and min(ay, by) <= y <= max(ay, by):
+            return 0
+        if (ay > y) != (by > y) and (turn > 0) == (by > ay):
+            inside = not inside
+    return 1 if inside else -1
+
+
+def _lid(outer: Ring, holes: list[Ring]) -> list[Face]:
+    """Triangles of the polygon, as positions in the list of all its corners. Each hole is joined
+    to the rest by a bridge that meets no ring on its way."""
+    unit = lcm(*(n.denominator for ring in (outer, *holes) for corner in ring for n in corner))
+    corners: list[Corner] = [
+        (int(x * unit), int(y * unit)) for ring in (outer, *holes) for x, y in ring
+    ]
+    edges: list[tuple[int, int]] = []
+    loops: list[list[int]] = []
+    start = 0
+    for ring in (outer, *holes):
+        loop = list(range(start, start + len(ring)))
+        edges += list(zip(loop, loop[1:] + loop[:1], strict=True))
+        loops.append(loop)
+        start += len(ring)
+    joined, waiting = loops[0], loops[1:]
+    while waiting:
+        joined, used, bridge = _join(corners, edges, joined, waiting)
+        waiting.remove(used)
+        edges.append(bridge)
+    found = ring_triangles([corners[k] for k in joined])
+    faces = [(joined[i], joined[j], joined[k]) for i, j, k in found]
+    if any(_turn(*(corners[k] for k in face)) <= 0 for face in faces):
+        raise ValueError("the region cannot be cut into triangles: do rings touch?")
+    return list(faces)
+
+
+def _join(
+    corners: list[Corner], edges: list[tuple[int, int]], joined: list[int], loops: list[list[int]]
+) -> tuple[list[int], list[int], tuple[int, int]]:
+    for loop in loops:
+        for at, there in enumerate(loop):
+            for place, here in enumerate(joined):
+                if _is_free(corners, edges, here, there) and _opens(corners, joined, place, there):
+                    around = [*loop[at:], *loop[: at + 1]]
+                    ring = [*joined[: place + 1], *around, *joined[place:]]
+                    return ring, loop, (here, there)
+    raise ValueError("a hole cannot be joined to the outer ring: do rings touch?")
+
+
+def _opens(corners: list[Corner], joined: list[int], place: int, there: int) -> bool:
+    """The bridge leaves the ring at this place to its inner side."""
+    before = corners[joined[place - 1]]
+    here = corners[joined[place]]
+    after = corners[joined[(place + 1) % len(joined)]]
+    far = corners[there]
+    left, right = _turn(here, after, far) > 0, _turn(before, here, far) > 0
+    return (left and right) if _turn(before, here, after) > 0 else (left or right)
+
+
+def _is_free(corners: list[Corner], edges: list[tuple[int, int]], here: int, there: int) -> bool:
+    a, b = corners[here], corners[there]
+    for i, j in edges:
+        c, d = corners[i], corners[j]
+        turns = _turn(a, b, c), _turn(a, b, d), _turn(c, d, a), _turn(c, d, b)
+        if i in (here, there) or j in (here, there):
+            other = d if i in (here, there) else c
+            if _turn(a, b, other) == 0 and _between(a, b, other):
+                return False
+        elif ((turns[0] > 0) != (turns[1] > 0) and (turns[2] > 0) != (turns[3] > 0)) or any(
+            turn == 0 and _between(*where)
+            for turn, where in zip(turns, ((a, b, c), (a, b, d), (c, d, a), (c, d, b)), strict=True)
+        ):
+            return False
+    return True
+
+
+def _between(a: Corner, b: Corner, p: Corner) -> bool:
+    return min(a[0], b[0]) <= p[0] <= max(a[0], b[0]) and min(a[1], b[1]) <= p[1] <= max(a[1], b[1])
+
+
+def _turn(a: Corner, b: Corner, c: Corner) -> int:
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])

@@ -1,0 +1,195 @@
+"""An implementation behind the adapter protocol as a target."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Any
+
+from minkref.errors import cut, message_of
+from minkref.fuzz.cases.case import Case
+from minkref.fuzz.cases.space_case import SpaceCase
+from minkref.fuzz.targets.adapter_process import AdapterProcess, Failure
+from minkref.fuzz.targets.answer import REGIONS, Answer, Limits, lacking, skipped
+from minkref.fuzz.targets.declaration import Declaration
+from minkref.fuzz.targets.numbers import (
+    Unreadable,
+    plane_answer,
+    sent_set,
+    sent_solid,
+    solid_answer,
+)
+from minkref.fuzz.verdicts.verdict import Verdict
+
+MOST_FAILED_STARTS = 3
+
+
+@dataclass
+class AdapterTarget:
+    """Asks `load` once for two operands, then `at` or `update`."""
+
+    name: str
+    command: list[str]
+    limits: Limits
+    environment: dict[str, str] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self._process = AdapterProcess(self.name, self.command, self.limits, self.environment)
+        self._loaded: tuple[str, str] | None = None
+        self._failed_starts = 0
+        self._last_failure: Failure | None = None
+
+    def sum(self, case: Case | SpaceCase) -> Answer:
+        """The fresh sum."""
+        return self._guarded(case, case.needs, lambda d: self._at(case, d, "at"))
+
+    def updated_sum(self, before: Case | SpaceCase, case: Case | SpaceCase) -> Answer:
+        """The sum by `update` from that of `before`, the same operands at another scale."""
+
+        def ask(declaration: Declaration) -> Answer:
+            first = self._at(before, declaration, "at")
+            if first.verdict is not None:
+                return first
+            return self._at(case, declaration, "update")
+
+        return self._guarded(case, case.needs | before.needs | {"update"}, ask)
+
+    def events(self, case: Case, start: str, end: str) -> list[Fraction] | Answer:
+        """Scales of topology events in [start, end] as the target has them; else why not."""
+        found: list[Fraction] = []
+
+        def ask(declaration: Declaration) -> Answer:
+            self._load(case, declaration)
+            value = self._process.ask("events", self.limits.seconds, **{"from": start, "to": end})
+            if value["status"] != "result":
+                return self._without_result(value, declaration)
+            scales = value.get("scales")
+            if not isinstance(scales, list):
+                raise Unreadable("scales is not a list")
+            found.extend(Fraction(_scale(scale, declaration)) for scale in scales)
+            return Answer(declaration=declaration)
+
+        answer = self._guarded(case, case.needs | {"events"}, ask)
+        return found if answer.verdict is None else answer
+
+    def declared(self) -> Declaration | Answer:
+        """What it says of itself; an answer that says why it does not."""
+        try:
+            return self._process.start()
+        except Failure as failure:
+            return _failed(failure, REGIONS)
+
+    def close(self) -> None:
+        self._process.close()
+
+    def _guarded(self, case: Case | SpaceCase, needs: frozenset[str], ask: Any) -> Answer:
+        declaration = REGIONS
+        try:
+            declaration = self._started()
+            lack = lacking(declaration, needs)
+            if lack:
+                return skipped(lack, declaration)
+            answer: Answer = ask(declaration)
+        except Failure as failure:
+            self._loaded = None
+            return _failed(failure, declaration)
+        except OverflowError:
+            return skipped("numbers beyond the range of doubles", declaration)
+        except (Unreadable, ValueError, ZeroDivisionError, TypeError, KeyError) as error:
+            message = f"the answer is not a set: {message_of(error)}"
+            return Answer(verdict=Verdict.ERRORED, message=message, declaration=declaration)
+        return answer
+
+    def _started(self) -> Declaration:
+        if self._failed_starts >= MOST_FAILED_STARTS and self._last_failure is not None:
+            raise self._last_failure
+        if self._process.declaration is None:
+            self._loaded = None
+        try:
+            declaration = self._process.start()
+        except Failure as failure:
+            self._failed_starts += 1
+            self._last_failure = failure
+            raise
+        self._failed_starts = 0
+        return declaration
+
+    def _load(self, case: Case | SpaceCase, declaration: Declaration) -> None:
+        key = (case.P_json, case.Q_json)
+        if self._loaded == key:
+            return
+        self._loaded = None
+        send = sent_solid if isinstance(case, SpaceCase) else sent_set
+        value = self._process.ask(
+            "load",
+            self.limits.seconds,
+            dimension=case.dimension,
+            P=send(case.P_json, declaration),
+            Q=send(case.Q_json, declaration),
+        )
+        if value["status"] != "result":
+            raise Refused(value)
+        self._loaded = key
+
+    def _at(self, case: Case | SpaceCase, declaration: Declaration, verb: str) -> Answer:
+        import time
+
+        since = time.perf_counter()
+        try:
+            self._load(case, declaration)
+        except Refused as refused:
+            return self._without_result(refused.value, declaration)
+        send = sent_solid if isinstance(case, SpaceCase) else sent_set
+        value = self._process.ask(
+            verb,
+            self.limits.seconds,
+            scale=case.scale,
+            sP=send(case.scaled_P_json, declaration),
+        )
+        seconds = time.perf_counter() - since
+        if value["status"] != "result":
+            return self._without_result(value, declaration)
+        read = solid_answer if isinstance(case, SpaceCase) else plane_answer
+        return read(value, declaration, seconds)
+
+    def _without_result(self, value: dict[str, Any], declaration: Declaration) -> Answer:
+        reason = cut(str(value.get("reason", "")))
+        if value["status"] == "rejected":
+            return Answer(verdict=Verdict.WRONG, message=reason, declaration=declaration)
+        if value["status"] == "skipped":
+            message = f"skipped what it declares to take: {reason}"
+        else:
+            message = reason or "errored, without a reason"
+        verdict = Verdict.ERRORED
+        if any(word in reason.lower() for word in ("bad_alloc", "memoryerror")):
+            verdict = Verdict.OUT_OF_MEMORY
+        return Answer(verdict=verdict, message=message, declaration=declaration)
+
+
+class Refused(Exception):
+    """The answer to `load`, which is no result."""
+
+    def __init__(self, value: dict[str, Any]) -> None:
+        super().__init__(json.dumps(value)[:200])
+        self.value = value
+
+
+def _failed(failure: Failure, declaration: Declaration) -> Answer:
+    return Answer(
+        verdict=failure.verdict,
+        message=failure.message,
+        signal=failure.signal,
+        declaration=declaration,
+        log=failure.log,
+    )
+
+
+def _scale(value: Any, declaration: Declaration) -> str:
+    from minkref.fuzz.targets.numbers import received
+
+    if declaration.numbers == "double" and isinstance(value, int | float):
+        return received(value, declaration)
+    if isinstance(value, str):
+        return value
+    raise Unreadable("a scale is no number")

@@ -1,0 +1,87 @@
+"""What a target said to one case, and how long it may take to say it."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+from minkref.errors import message_of
+from minkref.fuzz.cases.case import Case
+from minkref.fuzz.cases.space_case import SpaceCase
+from minkref.fuzz.space.polyhedron import Polyhedron
+from minkref.fuzz.targets.declaration import Declaration
+from minkref.fuzz.verdicts.region import Region, plain_polygons, region_of_polygons
+from minkref.fuzz.verdicts.verdict import Verdict
+
+LOAD_SECONDS = 60.0  # at least, for the import of a module or the start of a program
+REGIONS = Declaration("minkref")
+
+
+@dataclass(frozen=True)
+class Limits:
+    """For one call of one target. `output`: bytes of an answer, and of its log."""
+
+    seconds: float = 30.0
+    bytes: int = 4 << 30
+    size: int | None = None
+    output: int = 64 << 20
+
+
+@dataclass
+class Answer:
+    """What a target said: a region, in space a polyhedron, or a verdict that says why there is
+    none. WRONG without either: it called the operands invalid."""
+
+    region: Region | None = None
+    verdict: Verdict | None = None
+    message: str = ""
+    signal: str | None = None
+    seconds: float = 0.0
+    declaration: Declaration = REGIONS
+    solid: Polyhedron | None = None
+    log: str = ""
+
+
+class Target(Protocol):
+    name: str
+
+    def sum(self, case: Case | SpaceCase) -> Answer: ...
+
+    def close(self) -> None: ...
+
+
+def load_limit(limits: Limits) -> float:
+    """Seconds for the import of the module of a `py:` target, or the start of an adapter, which is
+    no call of it."""
+    return max(LOAD_SECONDS, limits.seconds)
+
+
+def skipped(message: str, declaration: Declaration = REGIONS) -> Answer:
+    return Answer(verdict=Verdict.SKIPPED, message=message, declaration=declaration)
+
+
+def lacking(declaration: Declaration, needs: frozenset[str]) -> str | None:
+    """What keeps a case from a target; None if nothing does."""
+    lacks = declaration.lacks(needs)
+    return f"does not declare {', '.join(lacks)}" if lacks else None
+
+
+def answered(rings: Any, seconds: float, turned: bool = False) -> Answer:
+    """The answer of somebody else, put into canonical form. `turned`: its rings may run either way
+    and are turned as their role demands."""
+    try:
+        plain = plain_polygons(json.loads(rings) if isinstance(rings, str) else rings)
+    except MemoryError as error:
+        return Answer(verdict=Verdict.OUT_OF_MEMORY, message=message_of(error), seconds=seconds)
+    except Exception as error:  # noqa: BLE001 the objects of somebody else may do anything
+        return no_set(error, seconds)
+    try:
+        return Answer(region_of_polygons(plain, turned), seconds=seconds)
+    except ValueError as error:
+        return no_set(error, seconds)
+
+
+def no_set(error: Exception, seconds: float) -> Answer:
+    message = f"the answer is not a polygon set: {message_of(error)}"
+    return Answer(verdict=Verdict.ERRORED, message=message, seconds=seconds)

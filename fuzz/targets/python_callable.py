@@ -1,0 +1,107 @@
+"""A Python function as a target: `py:module:function`."""
+
+from __future__ import annotations
+
+import importlib
+import json
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, cast
+
+from minkref.errors import message_of
+from minkref.fuzz.cases.case import Case
+from minkref.fuzz.cases.space_case import SpaceCase
+from minkref.fuzz.targets.answer import Answer, Target, answered, lacking, skipped
+from minkref.fuzz.targets.declaration import Declaration, DeclarationError, read_declaration
+from minkref.fuzz.targets.numbers import Unreadable, plane_answer, sent_set
+from minkref.fuzz.verdicts.verdict import Verdict
+
+
+class CallableTarget:
+    """The function takes sP and Q as dictionaries in the form of the canonical JSON (not
+    necessarily canonical) and returns their sum in the same form, its numbers as texts `n` or
+    `n/d` or as int, its rings running either way; None says that the case is outside its
+    capabilities. A dictionary `minkref` among the function's attributes is its declaration, as the
+    answer to `hello` of the adapter protocol: with `"numbers": "double"` it takes and returns
+    floats."""
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+        self._function = load_function(name)
+        declared = getattr(self._function, "minkref", None)
+        self._declaration = read_declaration(declared or {}, name)
+        self._plain = declared is None
+
+    def sum(self, case: Case | SpaceCase) -> Answer:
+        if isinstance(case, SpaceCase):
+            return skipped("does not declare space", self._declaration)
+        declaration = self._declaration
+        if not self._plain:
+            lack = lacking(declaration, case.needs)
+            if lack:
+                return skipped(lack, declaration)
+        try:
+            P = sent_set(case.scaled_P_json, declaration)
+            Q = sent_set(case.Q_json, declaration)
+        except OverflowError:
+            return skipped("numbers beyond the range of doubles", declaration)
+        try:
+            result = self._function(P, Q)
+        except MemoryError as error:
+            verdict, message = Verdict.OUT_OF_MEMORY, message_of(error)
+            return Answer(verdict=verdict, message=message, declaration=declaration)
+        except BaseException as error:  # noqa: BLE001 a fault of the target, whatever it is
+            verdict, message = Verdict.ERRORED, message_of(error)
+            return Answer(verdict=verdict, message=message, declaration=declaration)
+        if result is None:
+            return skipped("outside the capabilities of the target", declaration)
+        return answer_of(result, declaration)
+
+    def close(self) -> None:
+        pass
+
+
+def answer_of(result: Any, declaration: Declaration) -> Answer:
+    """The answer of a function that returned `result`."""
+    if declaration.numbers == "double":
+        try:
+            answer = plane_answer(json.loads(json.dumps(result)), declaration, 0.0)
+        except (Unreadable, TypeError, ValueError, RecursionError) as error:
+            message = f"the answer is not a polygon set: {message_of(error)}"
+            answer = Answer(verdict=Verdict.ERRORED, message=message)
+    else:
+        answer = answered(result, 0.0, turned=True)
+    answer.declaration = declaration
+    return answer
+
+
+@dataclass
+class UnloadableTarget:
+    """A function that could be loaded before the run, and now cannot."""
+
+    name: str
+    message: str
+
+    def sum(self, case: Case | SpaceCase) -> Answer:
+        return Answer(verdict=Verdict.ERRORED, message=self.message)
+
+    def close(self) -> None:
+        pass
+
+
+def callable_target(name: str) -> Target:
+    try:
+        return CallableTarget(name)
+    except DeclarationError as error:
+        return UnloadableTarget(name, f"its declaration: {error}")
+    except BaseException as error:  # noqa: BLE001 a module may do anything on import
+        return UnloadableTarget(name, message_of(error))
+
+
+def load_function(name: str) -> Callable[[Any, Any], Any]:
+    """The function of `py:module:function`. Raises what the import of the module raises."""
+    _, module, function = name.split(":", 2)
+    loaded = getattr(importlib.import_module(module), function)
+    if not callable(loaded):
+        raise TypeError(f"{function} is no function")
+    return cast(Callable[[Any, Any], Any], loaded)

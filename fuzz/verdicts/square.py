@@ -1,0 +1,145 @@
+"""Whether a whole square lies inside or outside of a sum, in plain Python fractions.
+
+The boundary of a sum lies on segments vertex + edge and edge + vertex. Lines through those that
+cross the square cut it into convex cells, each wholly inside or wholly outside: one point decides
+it.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from minkref.fuzz.verdicts.plain_plane import (
+    Edge,
+    Point,
+    Rings,
+    contains,
+    edges,
+    meet,
+    segments_meet,
+    turn,
+)
+
+MOST_CELLS = 2000
+Cell = list[Point]
+
+
+def clear_of_square(P: Rings, reflected: Rings, half: Fraction, boundary: bool) -> bool:
+    """No point of the square of half side `half` around x lies in the sum, where `reflected` is
+    x - Q: the distance of P and x - Q in the maximum norm exceeds `half`. With `boundary` that of
+    their boundaries."""
+    others = edges(reflected)
+    if any(_near(first, second, half) for first in edges(P) for second in others):
+        return False
+    if boundary:
+        return True
+    return not any(contains(reflected, polygon[0][0]) for polygon in P) and not any(
+        contains(P, polygon[0][0]) for polygon in reflected
+    )
+
+
+def _near(first: Edge, second: Edge, half: Fraction) -> bool:
+    """The distance of two segments in the maximum norm is at most `half`: the origin lies in the
+    hull of all differences of end points, widened by the square."""
+    if any(
+        max(first[0][k], first[1][k]) + half < min(second[0][k], second[1][k])
+        or max(second[0][k], second[1][k]) + half < min(first[0][k], first[1][k])
+        for k in (0, 1)
+    ):
+        return False
+    differences = [(a[0] - b[0], a[1] - b[1]) for a in first for b in second]
+    corners = [
+        (x + dx, y + dy) for x, y in differences for dx in (-half, half) for dy in (-half, half)
+    ]
+    return _in_hull((Fraction(0), Fraction(0)), corners)
+
+
+def _in_hull(x: Point, points: list[Point]) -> bool:
+    """Andrew's monotone chain, then the side of each edge."""
+    points = sorted(set(points))
+    hull: list[Point] = []
+    for chain in (points, points[::-1]):
+        start = len(hull)
+        for point in chain:
+            while len(hull) - start >= 2 and turn(hull[-2], hull[-1], point) <= 0:
+                hull.pop()
+            hull.append(point)
+        hull.pop()
+    return all(turn(hull[k - 1], hull[k], x) >= 0 for k in range(len(hull)))
+
+
+def square_inside(P: Rings, Q: Rings, x: Point, half: Fraction, boundary: bool) -> bool:
+    """The closed square of half side `half` around x lies in the sum of P and Q, or with `boundary`
+    in that of their boundaries. False too where it is cut into more than MOST_CELLS cells."""
+    low, high = (x[0] - half, x[1] - half), (x[0] + half, x[1] + half)
+    cells = [[low, (high[0], low[1]), high, (low[0], high[1])]]
+    for line in _crossing(P, Q, low, high):
+        cells = [piece for cell in cells for piece in _cut(cell, line)]
+        if len(cells) > MOST_CELLS:
+            return False
+    return all(_in_sum(P, Q, _centre(cell), boundary) for cell in cells)
+
+
+def _in_sum(P: Rings, Q: Rings, x: Point, boundary: bool) -> bool:
+    reflected = [[[(x[0] - a, x[1] - b) for a, b in ring] for ring in polygon] for polygon in Q]
+    if not boundary:
+        return meet(P, reflected)
+    others = edges(reflected)
+    return any(segments_meet(a, b, c, d) for a, b in edges(P) for c, d in others)
+
+
+def _crossing(P: Rings, Q: Rings, low: Point, high: Point) -> list[Edge]:
+    """The segments vertex + edge and edge + vertex that meet the closed square."""
+    found = []
+    for one, other in ((P, Q), (Q, P)):
+        vertices = [vertex for polygon in one for ring in polygon for vertex in ring]
+        for a, b in edges(other):
+            for v in vertices:
+                segment = ((a[0] + v[0], a[1] + v[1]), (b[0] + v[0], b[1] + v[1]))
+                if _meets_box(segment, low, high):
+                    found.append(segment)
+    return found
+
+
+def _meets_box(segment: Edge, low: Point, high: Point) -> bool:
+    a, b = segment
+    if any(max(a[k], b[k]) < low[k] or high[k] < min(a[k], b[k]) for k in (0, 1)):
+        return False
+    corners = (low, (high[0], low[1]), high, (low[0], high[1]))
+    sides = {turn(a, b, corner) for corner in corners}
+    return a != b and not (sides == {1} or sides == {-1})
+
+
+def _cut(cell: Cell, line: Edge) -> list[Cell]:
+    """The two sides of a convex cell; the cell where the line does not cut it."""
+    a, b = line
+    sides = [turn(a, b, corner) for corner in cell]
+    if min(sides) >= 0 or max(sides) <= 0:
+        return [cell]
+    left: Cell = []
+    right: Cell = []
+    for k, corner in enumerate(cell):
+        before, side, last = cell[k - 1], sides[k], sides[k - 1]
+        if side * last < 0:
+            meeting = _meeting(before, corner, a, b)
+            left.append(meeting)
+            right.append(meeting)
+        if side >= 0:
+            left.append(corner)
+        if side <= 0:
+            right.append(corner)
+    return [left, right]
+
+
+def _meeting(p: Point, q: Point, a: Point, b: Point) -> Point:
+    across = (b[0] - a[0], b[1] - a[1])
+    along = (q[0] - p[0], q[1] - p[1])
+    t = (across[0] * (a[1] - p[1]) - across[1] * (a[0] - p[0])) / (
+        across[0] * along[1] - across[1] * along[0]
+    )
+    return (p[0] + t * along[0], p[1] + t * along[1])
+
+
+def _centre(cell: Cell) -> Point:
+    count = len(cell)
+    return (sum(x for x, _ in cell) / Fraction(count), sum(y for _, y in cell) / Fraction(count))

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The adapter protocol (docs/adapter-protocol.md), its part in space, with exact numbers.
+#pragma once
+
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "oracle/cgal/solid.hpp"
+
+namespace minkref::cgal_oracle {
+
+using SolidSum = std::function<Solid(const Solid& sP, const Solid& Q)>;
+
+/// Answers requests until `stop` or the end of the input, in this process: whoever runs an adapter
+/// limits it. `hello` is the declaration. What CGAL prints goes to the log. Returns the exit code.
+int serve_adapter(const nlohmann::json& hello, const SolidSum& sum);
+
+}  // namespace minkref::cgal_oracle

@@ -1,0 +1,80 @@
+"""`minkref adapter`: programs that let an implementation be tested."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from minkref.errors import Refusal
+from minkref.fuzz.adapters import catalogue
+from minkref.fuzz.adapters.template import LANGUAGES, template
+from minkref.terminal import shown
+
+NEW_EXAMPLES = """Examples:
+
+minkref adapter new my_library --language python
+
+minkref adapter new my_library --language c++ && minkref verify ./my_library_adapter --seconds 60"""
+
+INSTALL_EXAMPLES = """Examples:
+
+minkref adapter install clipper2 manifold3d
+
+minkref adapter install all"""
+
+app = typer.Typer(no_args_is_help=True, help="Programs that let an implementation be tested.")
+
+
+@app.command("new", epilog=NEW_EXAMPLES)
+def new(
+    name: Annotated[str, typer.Argument(help="Of the implementation: letters, digits, - and _.")],
+    language: Annotated[str, typer.Option("--language", help=f"One of {', '.join(LANGUAGES)}.")],
+    output: Annotated[
+        Path, typer.Option("-o", "--output", help="Folder to write to.", metavar="DIR")
+    ] = Path(),
+) -> None:
+    """Write an adapter that works as it is: the sum of two convex polygons. Put the call of your
+    own implementation in its place."""
+    path, text, run = template(name, language, output)
+    if path.exists():
+        raise Refusal("there is such a file already", str(path), "choose another name")
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with path.open("x", encoding="utf-8") as file:
+            file.write(text)
+        if language == "python":
+            path.chmod(0o755)
+    except OSError as error:
+        what = f"the file cannot be written: {error.strerror}"
+        raise Refusal(what, str(path), "choose another place", "cannot-write") from error
+    sys.stdout.write(shown(f"{path}") + "\n" + "".join(f"  {line}\n" for line in run))
+
+
+@app.command("install", epilog=INSTALL_EXAMPLES)
+def install(
+    names: Annotated[
+        list[str],
+        typer.Argument(help="Adapters of `minkref targets`, or all.", metavar="NAME..."),
+    ],
+) -> None:
+    """Get the libraries that these adapters need, each into a folder of its own (MINKREF_ADAPTERS,
+    build/adapters, or ~/.cache/minkref/adapters)."""
+    wanted = list(catalogue.ADAPTERS) if names == ["all"] else names
+    for name in wanted:
+        catalogue.adapter_named(name)
+    failed: list[Refusal] = []
+    for name in wanted:
+        try:
+            catalogue.install(name)
+        except Refusal as refusal:
+            if len(wanted) == 1:
+                raise
+            failed.append(refusal)
+            sys.stderr.write(shown(f"{name}: {refusal}") + "\n")
+            continue
+        sys.stdout.write(f"{name}: ready\n")
+    if failed:
+        raise failed[0]

@@ -1,0 +1,46 @@
+"""`minkref families`: the generators of cases."""
+
+from __future__ import annotations
+
+import sys
+from typing import Any
+
+from rich.table import Table
+
+from minkref.documents import Stopwatch, as_text, document
+from minkref.fuzz.cases.space_case import SPACE_FAMILIES
+from minkref.fuzz.families.catalogue import FAMILIES
+from minkref.options import Json, Schema
+from minkref.terminal import console
+
+EXAMPLES = """Examples:
+
+minkref families
+
+minkref verify cgal-reduced --family comb --case comb:1:42"""
+
+
+def command(json: Json = False, schema: Schema = False) -> None:
+    """The families of generated cases that `minkref verify` draws from. A case is named
+    FAMILY:SEED:INDEX."""
+    watch = Stopwatch()
+    rows = [
+        {"name": name, "dimension": 2, "title": family.title} for name, family in FAMILIES.items()
+    ]
+    rows += [
+        {"name": name, "dimension": 3, "title": title} for name, title in SPACE_FAMILIES.items()
+    ]
+    value = document("families", watch, families=rows)
+    if json:
+        sys.stdout.write(as_text(value))
+    else:
+        _print(value)
+
+
+def _print(value: dict[str, Any]) -> None:
+    table = Table(box=None, pad_edge=False)
+    for heading in ("family", "dimension", "what it makes"):
+        table.add_column(heading)
+    for row in value["families"]:
+        table.add_row(row["name"], str(row["dimension"]), row["title"])
+    console().print(table)

@@ -1,0 +1,131 @@
+"""`minkref shrink`: the smallest case that still shows a fault."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from minkref.commands.verify_limits import check_numbers
+from minkref.commands.verify_output import shrunk_document, witness_text
+from minkref.documents import Stopwatch, as_text, check_writable, document, write_atomically
+from minkref.errors import Refusal
+from minkref.exits import ExitCode
+from minkref.fuzz.cases.case import CaseName
+from minkref.fuzz.run.runner import Finding
+from minkref.fuzz.shrink.case_file import case_text
+from minkref.fuzz.shrink.finding import SmallFinding, shrink_finding
+from minkref.fuzz.shrink.groups import Group
+from minkref.fuzz.shrink.shrinker import MOST_CALLS
+from minkref.fuzz.shrink.trial import Trial
+from minkref.fuzz.targets.answer import Limits, load_limit
+from minkref.fuzz.targets.catalogue import select
+from minkref.fuzz.verdicts.verdict import GOOD, Verdict
+from minkref.options import Json, Schema
+from minkref.signals import ending_in_order
+from minkref.terminal import console, shown
+
+EXAMPLES = """Examples:
+
+minkref shrink random:1:42 --target cgal-reduced
+
+minkref shrink case.json --target ./my_adapter.py -o small.json
+
+minkref shrink monkey+bird@7/5 --target py:my_module:my_sum --json"""
+
+
+def command(
+    case: Annotated[
+        str,
+        typer.Argument(
+            help="As for --case of verify: FAMILY:SEED:INDEX, P+Q@SCALE, a case file, its JSON.",
+            metavar="CASE",
+        ),
+    ],
+    target: Annotated[str, typer.Option("--target", help="Whose fault it is: a TARGET of verify.")],
+    output: Annotated[
+        Path | None,
+        typer.Option("-o", "--output", help="Write a case file.", metavar="FILE"),
+    ] = None,
+    calls: Annotated[
+        int, typer.Option("--calls", help="At most so many calls of the target.", metavar="N")
+    ] = MOST_CALLS,
+    call_seconds: Annotated[
+        float, typer.Option("--call-seconds", help="Time limit of one call.")
+    ] = 30.0,
+    call_memory: Annotated[
+        int, typer.Option("--call-memory", help="Memory limit of one call, in MiB.", metavar="MIB")
+    ] = 4096,
+    json: Json = False,
+    schema: Schema = False,
+) -> None:
+    """Make a case smaller as long as the target shows the same fault on it: the verdict, its
+    reasons and the signal. Exact and deterministic: fewer rings and vertices, smaller numbers,
+    scale 1. Exits with 1 where the target is proven wrong, 3 where it breaks, and 2 where it does
+    neither on this case."""
+    watch = Stopwatch()
+    check_numbers(0, None, None, call_seconds, call_memory, 1, None)
+    if output is not None:
+        check_writable(output)
+    limits = Limits(call_seconds, call_memory << 20)
+    (entry,), _ = _one(target, limits)
+    with ending_in_order():
+        with Trial(entry.name, limits) as trial:
+            result, outcome = trial.ask(CaseName(case, "shrinking").text)
+        if outcome is None or outcome.verdict in (*GOOD, Verdict.SKIPPED, Verdict.UNDECIDED):
+            said = "is not run on it" if outcome is None else f"says: {outcome.verdict}"
+            raise Refusal(
+                f"the target shows no fault on this case; it {said}",
+                f"{entry.name} on {case[:80]}",
+                "name a case that `minkref verify` found",
+            )
+        found = Finding(outcome, result)
+        small = shrink_finding(found, limits, calls)
+    if small is None:
+        raise Refusal(
+            "the fault did not show again, or the case is not in the plane",
+            f"{entry.name} on {case[:80]}",
+            "run it again: a target that answers now so, now so cannot be shrunk",
+        )
+    if output is not None:
+        write_atomically(output, case_text(small, entry.name))
+    value = document(
+        "shrink",
+        watch,
+        target=entry.name,
+        shrunk=shrunk_document(Group(found, 1), small, {entry.name: entry.version}),
+        output=str(output) if output else None,
+    )
+    if json:
+        sys.stdout.write(as_text(value))
+    else:
+        _print(small, found, value)
+    raise typer.Exit(int(ExitCode.WRONG if outcome.verdict is Verdict.WRONG else ExitCode.BROKEN))
+
+
+def _one(target: str, limits: Limits) -> Any:
+    chosen, absent = select([target], load_limit(limits))
+    if len(chosen) != 1:
+        what = f"this stands for {len(chosen)} targets"
+        raise Refusal(what, f"--target {target}", "name one of `minkref targets`")
+    return chosen, absent
+
+
+def _print(small: SmallFinding, found: Finding, value: dict[str, Any]) -> None:
+    out = console()
+    outcome = small.outcome
+    kinds = ", ".join(outcome.kinds)
+    before, after = found.case.size[0], small.result.size[0]
+    out.print(shown(f"{outcome.target} {outcome.verdict}: {kinds}"))
+    out.print(f"{before} vertices before, {after} now; {small.calls} calls")
+    if not small.complete:
+        out.print("the calls ran out: --calls allows more")
+    if not small.stable:
+        out.print("asked again, the target did not show the fault: it does not answer alike")
+    if outcome.witness is not None:
+        out.print(shown(witness_text(outcome.witness, small.result.scale)), soft_wrap=True)
+    out.print(shown(Finding(outcome, small.result).reproduce), soft_wrap=True)
+    if value["output"]:
+        out.print(shown(f"written: {value['output']}"), soft_wrap=True)

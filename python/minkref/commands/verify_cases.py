@@ -1,0 +1,75 @@
+"""Which cases `minkref verify` goes through."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+
+from minkref.errors import Refusal
+from minkref.fuzz.cases import naming
+from minkref.fuzz.cases.case import CaseName
+from minkref.fuzz.cases.case_files import case_files
+from minkref.fuzz.cases.case_list import CaseList
+from minkref.fuzz.cases.no_case import NoCase
+from minkref.fuzz.cases.space_case import SPACE_FAMILIES
+from minkref.fuzz.families.catalogue import FAMILIES
+from minkref.fuzz.targets.declaration import Declaration
+from minkref.fuzz.verdicts.laws import LAWS
+
+SUITES = ("fuzz", "corpus", "all")
+UPDATE = "update"
+
+
+def case_list(
+    seed: int,
+    pairs: int | None,
+    seconds: float,
+    named: list[str] | None,
+    models: bool,
+    families: list[str] | None,
+    derived: bool,
+    suite: str,
+    corpus: Path | None,
+    declared: Iterable[Declaration],
+) -> CaseList:
+    """Families in space only where a target takes them. Refuses what names no case."""
+    if suite not in SUITES:
+        what = f"there is no suite {suite[:40]!r}"
+        raise Refusal(what, "--suite", f"choose one of {', '.join(SUITES)}")
+    for text in named or []:
+        _refuse_unless_case(text)
+    for name in families or []:
+        if name not in FAMILIES and name not in SPACE_FAMILIES:
+            raise Refusal(
+                "there is no such family",
+                f"--family {name[:40]}",
+                "`minkref families` lists them",
+            )
+    kinds = list(declared)
+    space = any("space" in kind.capabilities for kind in kinds)
+    plane = any("plane" in kind.capabilities for kind in kinds)
+    wanted = families or [*(FAMILIES if plane else ()), *(SPACE_FAMILIES if space else ())]
+    fuzz = suite in ("fuzz", "all")
+    files = case_files(corpus) if suite in ("corpus", "all") and not named else ()
+    laws = [*LAWS, *((UPDATE,) if any("update" in kind.capabilities for kind in kinds) else ())]
+    return CaseList(
+        seed,
+        pairs,
+        seconds,
+        tuple(named or ()),
+        models and fuzz and plane and not families,
+        tuple(name for name in wanted if name in FAMILIES) if fuzz else (),
+        tuple(name for name in wanted if name in SPACE_FAMILIES) if fuzz else (),
+        tuple(laws) if derived else (),
+        derived,
+        files,
+    )
+
+
+def _refuse_unless_case(text: str) -> None:
+    try:
+        naming.load(CaseName(text, "named"))
+    except NoCase as reason:
+        raise Refusal(
+            f"there is no such case: {reason}", f"--case {text[:80]}", "name another"
+        ) from reason

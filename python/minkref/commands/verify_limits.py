@@ -1,0 +1,52 @@
+"""What the numbers given to `minkref verify` may be."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from minkref.errors import Refusal
+
+MOST_JOBS = 1024
+MOST_MEMORY = 1 << 24  # MiB
+
+
+def check_numbers(
+    seconds: float,
+    pairs: int | None,
+    jobs: int | None,
+    call_seconds: float,
+    call_memory: int,
+    call_output: int,
+    size_limit: int | None,
+) -> None:
+    for option, value, least, most in (
+        ("--seconds", seconds, 0, None),
+        ("--pairs", pairs, 0, None),
+        ("--jobs", jobs, 1, MOST_JOBS),
+        ("--call-memory", call_memory, 16, MOST_MEMORY),
+        ("--call-output", call_output, 1, MOST_MEMORY),
+        ("--size-limit", size_limit, 1, None),
+    ):
+        if value is not None and not value >= least:
+            raise Refusal(f"{value} is too small", option, f"give at least {least}")
+        if value is not None and most is not None and value > most:
+            raise Refusal(f"{value} is too large", option, f"give at most {most}")
+    if not 0 < call_seconds <= 86_400:
+        raise Refusal(
+            f"{call_seconds} is out of range", "--call-seconds", "give 0 to 86400 seconds"
+        )
+
+
+def make_folder(folder: Path) -> None:
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except FileExistsError as error:
+        raise Refusal(
+            "this is a file, and the report needs a folder",
+            str(folder),
+            "name a folder that exists or is to be made",
+        ) from error
+    except OSError as error:
+        raise Refusal(
+            f"the folder cannot be made: {error.strerror}", str(folder), "choose another place"
+        ) from error

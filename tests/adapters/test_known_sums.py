@@ -1,0 +1,185 @@
+"""Each installed adapter on sums that are known; what is not installed is skipped by name."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from fractions import Fraction
+from itertools import pairwise
+from typing import Any
+
+import pytest
+from minkref.fuzz.adapters import catalogue
+
+Ring = list[list[int]]
+Set = dict[str, Any]
+
+
+def box(x: int, y: int, side: int) -> Ring:
+    return [[x, y], [x + side, y], [x + side, y + side], [x, y + side]]
+
+
+def plane(*polygons: list[Ring]) -> Set:
+    return {"polygons": [{"outer": p[0], "holes": [h[::-1] for h in p[1:]]} for p in polygons]}
+
+
+def prism(ring: Ring, height: int, base: int = 0) -> Set:
+    n = len(ring)
+    sides = [[i, (i + 1) % n, n + (i + 1) % n, n + i] for i in range(n)]
+    return {
+        "vertices": [[x, y, z] for z in (base, base + height) for x, y in ring],
+        "faces": [list(range(n))[::-1], list(range(n, 2 * n)), *sides],
+    }
+
+
+def tunnel() -> Set:
+    """A plate of 9 by 9 by 1 with a tunnel of 3 by 3."""
+    vertices = [[x, y, z] for z in (0, 1) for x, y in box(0, 0, 9) + box(3, 3, 3)]
+    faces = []
+    for i in range(4):
+        k = (i + 1) % 4
+        faces += [[8 + i, 8 + k, 12 + k, 12 + i], [k, i, 4 + i, 4 + k]]
+        faces += [[i, k, 8 + k, 8 + i], [4 + k, 4 + i, 12 + i, 12 + k]]
+    return {"vertices": vertices, "faces": faces}
+
+
+def joined(first: Set, second: Set, inwards: bool = False) -> Set:
+    shift = len(first["vertices"])
+    moved = [[i + shift for i in face] for face in second["faces"]]
+    faces = [face[::-1] for face in moved] if inwards else moved
+    vertices = first["vertices"] + second["vertices"]
+    return {"vertices": vertices, "faces": first["faces"] + faces}
+
+
+L = [[0, 0], [3, 0], [3, 1], [1, 1], [1, 3], [0, 3]]
+UNIT, FRAME = plane([box(0, 0, 1)]), plane([box(0, 0, 9), box(3, 3, 3)])
+PAIR = plane([box(0, 0, 1)], [box(9, 9, 1)])
+THIN, WIDE = plane([box(0, 0, 9), box(1, 1, 7)]), plane([box(0, 0, 5), box(1, 1, 3)])
+CUBE, BLOCK = prism(box(0, 0, 1), 1), prism(box(0, 0, 9), 9)
+# Operands, what the case needs, and the area of the sum of the regions.
+PLANE = {
+    "squares": (UNIT, UNIT, set(), 4),
+    "negative": (plane([box(-7, -3, 2)]), UNIT, set(), 9),
+    "L and square": (plane([L]), UNIT, {"non-convex"}, 12),
+    "L and L": (plane([L]), plane([L]), {"non-convex"}, 24),
+    "frame and square": (FRAME, UNIT, {"non-convex", "holes"}, 96),
+    "thin frame and frame": (THIN, WIDE, {"non-convex", "holes"}, 192),
+    "pair and square": (PAIR, UNIT, {"non-convex", "components"}, 8),
+    "square and pair": (UNIT, PAIR, {"non-convex", "components"}, 8),
+}
+# The areas of the sums of the boundaries.
+CURVES = {"squares": 4, "negative": 8, "L and square": 12}
+SPACE = {
+    "cubes": (CUBE, CUBE, set(), 8),
+    "L and cube": (prism(L, 1), CUBE, {"non-convex"}, 24),
+    "L and L": (prism(L, 1), prism(L, 1), {"non-convex"}, 48),
+    "tunnel": (tunnel(), CUBE, {"non-convex", "holes"}, 192),
+    "cavity": (joined(BLOCK, prism(box(3, 3, 3), 3, 3), True), CUBE, {"non-convex", "holes"}, 992),
+    "pair": (joined(CUBE, prism(box(9, 9, 1), 1)), CUBE, {"non-convex", "components"}, 16),
+    "touching pair": (
+        joined(CUBE, prism(box(2, 2, 1), 1)),
+        CUBE,
+        {"non-convex", "components"},
+        16,
+    ),
+}
+
+
+@pytest.fixture(params=catalogue.ADAPTERS)
+def adapter(request: pytest.FixtureRequest, converse: Callable[[list[str]], Any]) -> Any:
+    """A conversation with an adapter that is there. Boost.Polygon is compiled where it is not: its
+    headers are a requirement of the project."""
+    name = request.param
+    if name == "boost-polygon":
+        catalogue.install(name)
+    reason = catalogue.absence(name)
+    command = catalogue.command(name)
+    if command is None:
+        pytest.skip(str(reason))
+    return converse(command)
+
+
+def said(value: Any, hello: dict[str, Any]) -> Any:
+    """Numbers as the adapter wants them; indices of faces stay numbers."""
+    if isinstance(value, dict):
+        return {k: v if k == "faces" else said(v, hello) for k, v in value.items()}
+    if isinstance(value, list):
+        return [said(item, hello) for item in value]
+    return float(value) if hello.get("numbers", "text") == "double" else str(value)
+
+
+def area(answer: dict[str, Any]) -> Fraction:
+    rings = answer.get("rings")
+    if rings is None:
+        rings = [ring for p in answer["polygons"] for ring in (p["outer"], *p["holes"])]
+    total = Fraction()
+    for ring in rings:
+        points = [(Fraction(x), Fraction(y)) for x, y in ring]
+        pairs = zip(points[-1:] + points, points, strict=False)
+        total += sum(a * d - b * c for (a, b), (c, d) in pairs)
+    return abs(total) / 2
+
+
+def volume(answer: dict[str, Any]) -> Fraction:
+    """Of a surface, each edge of which is run as often forwards as backwards."""
+    points = [[Fraction(x) for x in vertex] for vertex in answer["vertices"]]
+    edges: dict[tuple[int, int], int] = {}
+    total = Fraction()
+    for face in answer["faces"]:
+        for k, i in enumerate(face):
+            edge = (face[k - 1], i)
+            edges[edge] = edges.get(edge, 0) + 1
+        for j, k in pairwise(face[1:]):
+            (a, b, c), (d, e, f), (g, h, m) = points[face[0]], points[j], points[k]
+            total += a * (e * m - f * h) - b * (d * m - f * g) + c * (d * h - e * g)
+    assert all(edges.get((j, i)) == count for (i, j), count in edges.items())
+    return total / 6
+
+
+def test_known_sums(adapter: Any) -> None:
+    hello = adapter.hello()
+    able = set(hello["capabilities"])
+    assert able & {"plane", "space"}
+    for kind, table, measure in (("plane", PLANE, area), ("space", SPACE, volume)):
+        for name, (P, Q, needs, expected) in table.items():
+            if not needs | {kind} <= able:
+                continue
+            if hello["sum"] == "boundary":
+                if name not in CURVES:
+                    continue
+                expected = CURVES[name]
+            answer = adapter.sum(said(P, hello), said(Q, hello))
+            assert answer["status"] == "result", (name, answer)
+            slack = 0 if hello["arithmetic"] == "exact" else Fraction(1, 100)
+            assert abs(measure(answer) - expected) <= slack * expected, name
+    assert adapter.stop() == 0
+
+
+def test_lines_that_are_no_requests(adapter: Any) -> None:
+    for line in ("garbage", "[1, 2]", "7", "{}", '{"verb": 5}', '{"verb": "load"}'):
+        answer = adapter.line(line)
+        assert answer["seq"] is None
+        assert answer["status"] in ("errored", "skipped")
+    assert adapter.ask("at", scale="1")["status"] == "errored"
+    for wrong in ({}, {"polygons": 5}, {"polygons": [{}]}, {"vertices": [[1]], "faces": [[7]]}):
+        answer = adapter.ask("load", dimension=2, P=wrong, Q=wrong)
+        if answer["status"] == "result":
+            answer = adapter.ask("at", scale="1", sP=wrong)
+        assert answer["status"] in ("errored", "skipped"), (wrong, answer)
+    hello = adapter.hello()
+    assert (hello["status"], hello["protocol"]) == ("result", "adapter-v1")
+
+
+def test_sets_that_are_not_declared_harm_nothing(adapter: Any) -> None:
+    hello = adapter.hello()
+    flat = "plane" in hello["capabilities"]
+    odd = (
+        [plane(), plane([[[1, 2]]]), plane([[[0, 0], [1, 1]]])]
+        if flat
+        else [{"vertices": [], "faces": []}]
+    )
+    unit = UNIT if flat else CUBE
+    for P, Q in [(a, b) for one in odd for a, b in ((one, unit), (unit, one), (one, one))]:
+        answer = adapter.sum(said(P, hello), said(Q, hello))
+        assert answer["status"] in ("result", "skipped", "errored")
+    answer = adapter.sum(said(unit, hello), said(unit, hello))
+    assert answer["status"] == "result"

@@ -1,0 +1,106 @@
+"""The families: deterministic, valid, small ones first, quick."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+import time
+
+import pytest
+from minkref import _core
+from minkref.fuzz.families.catalogue import FAMILIES
+
+SEED = 11
+COUNT = 50
+LATE = range(600, 720, 3)
+# Of the first pairs of each family: a change here changes every case that a family names.
+FINGERPRINTS = {
+    "random": "fa5aa64472adb6de",
+    "convex": "33a56d7ce74e885b",
+    "holes": "3aeacd669019634c",
+    "small-holes": "8a773aaab4ac3094",
+    "fit": "c8e135a371be4f3a",
+    "collinear": "a7f885392598f27e",
+    "touching": "74faf6ff0fd44c5b",
+    "cells": "0753bc768ce9a1d8",
+    "nested": "e8b7bef4a3399bd7",
+    "comb": "f65c020a2f9b5de4",
+    "star": "bda9f31e63e02fb2",
+    "spiral": "79f3dfd2170812f5",
+    "degenerate": "2f195327daf4bb6b",
+    "rational": "c8e104329c52e6d3",
+    "thin": "c20b58e0b61220b2",
+    "offset": "bfa9e9516349d73d",
+    "magnitude": "2612cbb52608a685",
+}
+CODE = """
+import hashlib
+from minkref.fuzz.families.catalogue import FAMILIES
+for name, family in reversed(FAMILIES.items()):
+    pairs = [family.pair(%d, index) for index in reversed(range(%d))]
+    text = "".join(f"{pair.P} {pair.Q} {pair.scale}\\n" for pair in reversed(pairs))
+    print(name, hashlib.sha256(text.encode()).hexdigest()[:16])
+"""
+
+
+def vertices(text: str) -> int:
+    return _core.PolygonSet.from_json(text).vertices
+
+
+@pytest.mark.parametrize("hash_seed", ["0", "1"])
+def test_the_first_pairs_are_pinned(hash_seed: str) -> None:
+    ran = subprocess.run(
+        [sys.executable, "-c", CODE % (SEED, COUNT)],
+        capture_output=True,
+        text=True,
+        env={**os.environ, "PYTHONHASHSEED": hash_seed},
+        check=True,
+    )
+    found = dict(line.split() for line in ran.stdout.splitlines())
+    assert found == FINGERPRINTS
+
+
+def test_names_and_titles() -> None:
+    assert all(name == family.name for name, family in FAMILIES.items())
+    assert len({family.title for family in FAMILIES.values()}) == len(FAMILIES)
+
+
+@pytest.mark.parametrize("name", FAMILIES)
+def test_operands_are_valid_and_pairs_differ(name: str) -> None:
+    pairs = [FAMILIES[name].pair(SEED, index) for index in (*range(40), *LATE)]
+    for pair in pairs:
+        for text in (pair.P, pair.Q):
+            _core.PolygonSet.from_json(text).validate(f"{name}:{SEED}:{pair.index}")
+            for polygon in json.loads(text)["polygons"]:
+                assert all(isinstance(n, str) for point in polygon["outer"] for n in point)
+    assert [pair.index for pair in pairs] == [*range(40), *LATE]
+    assert len({pair.P + pair.Q for pair in pairs}) >= 0.9 * len(pairs)
+    assert FAMILIES[name].pair(SEED + 1, 7) != FAMILIES[name].pair(SEED, 7)
+
+
+@pytest.mark.parametrize("name", FAMILIES)
+def test_small_pairs_come_first(name: str) -> None:
+    early, late = (
+        [vertices(pair.P) + vertices(pair.Q) for pair in (FAMILIES[name].pair(SEED, i) for i in k)]
+        for k in (range(12), LATE)
+    )
+    assert max(early) <= 26 and sum(early) / len(early) <= 18
+    assert max(late) <= 80
+    if name != "random":  # its grid grows, not its number of vertices
+        assert sum(late) / len(late) >= 1.2 * sum(early) / len(early)
+
+
+@pytest.mark.parametrize("name", FAMILIES)
+def test_scales_other_than_one_occur_late_only(name: str) -> None:
+    assert {FAMILIES[name].pair(SEED, index).scale for index in range(60)} == {"1"}
+    assert {FAMILIES[name].pair(SEED, index).scale for index in range(2000, 2060)} > {"1"}
+
+
+@pytest.mark.parametrize("name", FAMILIES)
+def test_a_pair_takes_some_milliseconds(name: str) -> None:
+    begin = time.process_time()
+    for index in LATE:
+        FAMILIES[name].pair(SEED, index)
+    assert (time.process_time() - begin) / len(LATE) < 0.02
