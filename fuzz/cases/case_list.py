@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from enum import Enum
 
 from minkref.fuzz.cases.case import CaseName
+from minkref.fuzz.cases.space_case import LAWS_IN_SPACE
 from minkref.model_catalogue import PAPER_MODELS, all_models, or_look_alike
 
 SMALL_MODELS = ("g3", "g1", "disc1", "disc5", "g2", "g4", "dog145")
@@ -21,6 +22,7 @@ MUTANTS_PER_ROUND = 12
 MOST_PARENTS = 200
 DEEPEST_MUTANT = 4
 PROBES_PER_ROUND = 3
+SPACE_LAWS_PER_ROUND = 3
 
 
 class Wait(Enum):
@@ -118,6 +120,10 @@ class CaseList:
                 break
             family = self.families[(index + k) % len(self.families)]
             yield CaseName(f"{law}({texts[family]})", "laws")
+        for k in range(min(SPACE_LAWS_PER_ROUND, len(self.space)) if self.laws else 0):
+            family = self.space[(index + k) % len(self.space)]
+            law = LAWS_IN_SPACE[(index * SPACE_LAWS_PER_ROUND + k) % len(LAWS_IN_SPACE)]
+            yield CaseName(f"{law}({family}:{self.seed}:{index})", "laws in space")
         for k in range(min(MUTANTS_PER_ROUND, len(self._parents))):
             parent = dice.choice(self._parents)
             yield CaseName(f"mutant:{index * MUTANTS_PER_ROUND + k}({parent})", "mutants")

@@ -24,7 +24,7 @@ from minkref.exact import read_scale
 from minkref.fuzz.cases.case import Case, CaseName
 from minkref.fuzz.cases.case_files import scales_of
 from minkref.fuzz.cases.no_case import NoCase
-from minkref.fuzz.cases.space_case import SPACE_FAMILIES, SpaceCase, load_space
+from minkref.fuzz.cases.space_case import LAWS_IN_SPACE, SPACE_FAMILIES, SpaceCase, load_space
 from minkref.fuzz.families.catalogue import FAMILIES
 from minkref.fuzz.families.mutation import mutate
 from minkref.fuzz.families.probes import scale_probes
@@ -74,12 +74,12 @@ def _no_family(text: str) -> Refusal:
 
 def _derive(name: CaseName, operation: str, number: str | None, inner: str) -> Case | SpaceCase:
     base = load(CaseName(inner, name.group))
-    if operation in LAWS and number is None:
-        if isinstance(base, SpaceCase):
-            return base.under(operation, name)
-        return replace(LAWS[operation].changed(base), name=name)
+    if isinstance(base, SpaceCase) and operation in LAWS_IN_SPACE and number is None:
+        return base.under(operation, name)
     if isinstance(base, SpaceCase):
-        raise NoCase("a case in space has no probes and no mutants")
+        raise NoCase("a case in space has no probes and no mutants, and other laws")
+    if operation in LAWS and number is None:
+        return replace(LAWS[operation].changed(base), name=name)
     if operation == "probe" and number is not None:
         probes = scale_probes(base.P_json, base.Q_json, MOST_PROBES)
         if int(number) >= len(probes):

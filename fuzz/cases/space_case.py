@@ -14,6 +14,7 @@ from minkref.exact import read_scale
 from minkref.fuzz.cases.case import CaseName
 from minkref.fuzz.cases.needs import is_double
 from minkref.fuzz.cases.no_case import NoCase
+from minkref.fuzz.space.cells import cells_of
 from minkref.fuzz.space.hull import is_convex
 from minkref.fuzz.space.integers import Scale
 from minkref.fuzz.space.laws import transformed_pairs
@@ -24,6 +25,16 @@ from minkref.fuzz.space.trial import decided
 from minkref.fuzz.verdicts.verdict import Witness
 
 PREFIX = "space-"
+MOST_GRID = 24  # cells across, for a literal to be looked at as a polycube
+LAWS_IN_SPACE = (
+    "translate-P",
+    "translate-Q",
+    "homogeneity",
+    "refinement",
+    "rotate-axes",
+    "quarter-turn",
+    "swap",
+)
 SPACE_FAMILIES = {
     "space-polycube": "polycubes",
     "space-hollow": "boxes with a cavity and polycubes",
@@ -72,9 +83,7 @@ class SpaceCase:
             if fault is not None:
                 raise Refusal(fault, where, "mend the mesh", "not-closed")
             solids.append(solid)
-        convex = is_convex(solids[0]) and is_convex(solids[1])
-        truth = Truth.HULL if convex else Truth.POINTS
-        pair = SpacePair(solids[0], solids[1], _scale(str(scale), where), "named", truth)
+        pair = known_pair(solids[0], solids[1], _scale(str(scale), where))
         return SpaceCase(name, pair, pair, "named")
 
     def under(self, law: str, name: CaseName) -> SpaceCase:
@@ -143,6 +152,25 @@ class SpaceCase:
         """A point of the sum: that of two vertices."""
         p, q = self.pair.P.scaled(self.pair.scale).vertices[0], self.pair.Q.vertices[0]
         return decided(self.pair, (p[0] + q[0], p[1] + q[1], p[2] + q[2]))
+
+
+def known_pair(P: Polyhedron, Q: Polyhedron, scale: Scale) -> SpacePair:
+    """The pair with what can be known of its sum: of convex operands the hull, of polycubes the
+    cells."""
+    if is_convex(P) and is_convex(Q):
+        return SpacePair(P, Q, scale, "named", Truth.HULL)
+    if all(_extent(solid) <= MOST_GRID for solid in (P, Q)):
+        try:
+            cells = (cells_of(P), cells_of(Q))
+        except ValueError:
+            return SpacePair(P, Q, scale, "named", Truth.POINTS)
+        return SpacePair(P, Q, scale, "named", Truth.CELLS, P_cells=cells[0], Q_cells=cells[1])
+    return SpacePair(P, Q, scale, "named", Truth.POINTS)
+
+
+def _extent(solid: Polyhedron) -> Fraction:
+    low, high = solid.box
+    return max(b - a for a, b in zip(low, high, strict=True))
 
 
 def _topology(solid: Polyhedron) -> set[str]:

@@ -101,10 +101,13 @@ def _nearly_parallel(dice: random.Random) -> tuple[Shape, Shape]:
 def _offset(dice: random.Random, size: int) -> tuple[Shape, Shape]:
     """Ordinary operands far from the origin, one or both; perhaps a part far from the rest."""
     shapes: list[Shape] = [[polygon(dice, size // 2)], [polygon(dice, size // 3, False)]]
-    far = 10 ** dice.randint(3, 15)
+    far = 10 ** dice.randint(4, 15)
     for k in range(2):
         if k == 0 or dice.random() < 0.5:
-            dx, dy = (Fraction(dice.randint(-far, far), dice.choice((1, 1, 3, 7))) for _ in "xy")
+            dx, dy = (
+                Fraction(dice.choice((-1, 1)) * dice.randint(far, 2 * far), dice.choice((1, 3, 7)))
+                for _ in "xy"
+            )
             shapes[k] = moved(shapes[k], dx, dy)
     if dice.random() < 0.3:
         shapes[0] += moved([polygon(dice, 4, False)], far, far)

@@ -52,9 +52,11 @@ def _nested(dice: random.Random, size: int) -> tuple[Shape, Shape]:
     width = gap + Fraction(dice.randint(-3, 3), 2)
     height = gap + dice.randint(-1, 2)
     Q: Polygon = [box(0, 0, width if width > 1 else 1, height)]
-    if dice.random() < 0.3:
+    if size > 16 and dice.random() < 0.3:
         Q.append(box(*(Fraction(1, 4),) * 2, Fraction(1, 2), Fraction(1, 4)))
-    if dice.random() < 0.2:  # a second part, for which there is no room in the same hole
+    if (
+        size > 16 and dice.random() < 0.2
+    ):  # a second part, for which there is no room in the same hole
         far = extent(P[0][0])[2]
         return P, [Q, [box(far + dice.randint(0, 2), 0, 1, 1)]]
     return P, [Q]

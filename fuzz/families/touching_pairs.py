@@ -113,7 +113,7 @@ def _corner_to_corner(dice: random.Random, count: int) -> Shape:
 def _cells(dice: random.Random, size: int) -> tuple[Shape, Shape]:
     """Unions of random cells of a grid, their holes and corners as they come."""
     side = 3 if size < 14 else 4 if size < 28 else 5
-    P = cells(dice, side, dice.choice((0.5, 0.65, 0.8)))
+    P = cells(dice, side, dice.choice((0.6, 0.75, 0.85)))
     kind = dice.random()
     if kind < 0.5:
         return P, [[box(0, 0, Fraction(dice.randint(1, 4), 3), Fraction(dice.randint(1, 4), 3))]]

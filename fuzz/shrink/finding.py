@@ -8,6 +8,7 @@ from minkref.fuzz.run.runner import Finding
 from minkref.fuzz.run.worker import CaseResult
 from minkref.fuzz.shrink.plane_steps import PlaneCase, smaller_in_plane
 from minkref.fuzz.shrink.shrinker import MOST_CALLS, shrink
+from minkref.fuzz.shrink.space_steps import SolidCase, smaller_in_space
 from minkref.fuzz.shrink.trial import Trial, same_fault
 from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.verdicts.verdict import Outcome
@@ -30,20 +31,17 @@ def shrink_finding(
     finding: Finding, limits: Limits, most_calls: int = MOST_CALLS
 ) -> SmallFinding | None:
     """The smallest case found with the same fault: verdict, reasons, signal. None where the fault
-    does not show again in a fresh process, or the case is none of two operands."""
+    does not show again in a fresh process."""
     literal = finding.case.literal
     if literal is None or finding.case.P is None or finding.case.Q is None:
         return None
-    if finding.case.dimension != 2:
-        return None
-    start = PlaneCase.read(finding.case.P, finding.case.Q, finding.case.scale)
     with Trial(finding.outcome.target, limits) as trial:
         first = trial.ask(literal)
         if not same_fault(finding.outcome, first[1]):
             return None
         kept = first
 
-        def still(case: PlaneCase) -> bool:
+        def still(case: PlaneCase | SolidCase) -> bool:
             nonlocal kept
             asked = trial.ask(case.literal)
             if same_fault(finding.outcome, asked[1]):
@@ -51,7 +49,15 @@ def shrink_finding(
                 return True
             return False
 
-        shrunk = shrink(start, smaller_in_plane, still, most_calls)
+        case = finding.case
+        if case.dimension == 2:
+            plane = PlaneCase.read(finding.case.P, finding.case.Q, case.scale)
+            made = shrink(plane, smaller_in_plane, still, most_calls)
+            calls, complete = made.calls, made.complete
+        else:
+            solid = SolidCase.read(finding.case.P, finding.case.Q, case.scale)
+            shaped = shrink(solid, smaller_in_space, still, most_calls)
+            calls, complete = shaped.calls, shaped.complete
         again = trial.ask(kept[0].name.text)
     result, outcome = kept
     assert outcome is not None
@@ -59,7 +65,7 @@ def shrink_finding(
         result.name.text,
         result,
         outcome,
-        shrunk.calls,
-        shrunk.complete,
+        calls,
+        complete,
         same_fault(finding.outcome, again[1]),
     )

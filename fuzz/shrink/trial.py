@@ -51,10 +51,10 @@ class Trial:
 
 
 def same_fault(first: Outcome, second: Outcome | None) -> bool:
-    """The verdict, its reasons and the signal are the same."""
-    return (
-        second is not None
-        and second.verdict is (first.was or first.verdict)
-        and set(second.kinds) == set(first.kinds)
-        and second.signal == first.signal
-    )
+    """The verdict, its reasons and the signal are the same. In space, where the reasons depend on
+    how much is known of the sum, the side of the witness in their place."""
+    if second is None or second.verdict is not (first.was or first.verdict):
+        return False
+    if first.witness and second.witness and len(first.witness.point) == 3:
+        return first.witness.in_truth == second.witness.in_truth
+    return set(second.kinds) == set(first.kinds) and second.signal == first.signal

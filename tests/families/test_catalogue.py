@@ -24,15 +24,15 @@ FINGERPRINTS = {
     "fit": "c8e135a371be4f3a",
     "collinear": "a7f885392598f27e",
     "touching": "74faf6ff0fd44c5b",
-    "cells": "0753bc768ce9a1d8",
-    "nested": "e8b7bef4a3399bd7",
+    "cells": "32b59382d0c560ab",
+    "nested": "6af138a6dbbcc800",
     "comb": "f65c020a2f9b5de4",
     "star": "bda9f31e63e02fb2",
     "spiral": "79f3dfd2170812f5",
     "degenerate": "2f195327daf4bb6b",
     "rational": "c8e104329c52e6d3",
     "thin": "c20b58e0b61220b2",
-    "offset": "bfa9e9516349d73d",
+    "offset": "c1947d8db4eaa510",
     "magnitude": "2612cbb52608a685",
 }
 CODE = """

@@ -62,6 +62,7 @@ def test_probes_lie_where_they_say(name: str) -> None:
         for position, text in probes:
             scale = Fraction(text)
             assert scale > 0
+            seen.add(position)
             assert (position == "at") == (scale in events)
             if not events:
                 continue

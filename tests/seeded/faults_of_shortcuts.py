@@ -67,7 +67,7 @@ class BoundaryOfP(PlainSum):
     def piece_sums(self, P: list[Polygon], Q: list[Polygon]) -> list[Ring]:
         first = [edge for polygon in P for edge in edges(polygon)]
         second = [piece for polygon in Q for piece in self.pieces(polygon)]
-        return self.regions([self.convex_sum(a, b) for a in first or P[:0] for b in second])
+        return self.regions([self.convex_sum(a, b) for a in first for b in second])
 
 
 class BoundaryOfQ(PlainSum):

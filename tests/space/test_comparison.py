@@ -37,10 +37,11 @@ def pairs_of(family: str) -> list[SpacePair]:
     for index in (1, 13, 40):
         pair = space_pair(family, 3, index)
         try:
-            pair.sum()
+            if len(total(pair).triangles) < 400:
+                pairs.append(pair)
         except ValueError:
-            continue
-        pairs.append(pair)
+            continue  # rings of the region touch
+    assert pairs
     return pairs
 
 
@@ -67,11 +68,6 @@ def with_one_face_split(polyhedron: Polyhedron) -> Polyhedron:
     )
 
 
-def with_a_membrane(polyhedron: Polyhedron, at: Polyhedron) -> Polyhedron:
-    """The same set with another surface inside, counted once more, or there and back."""
-    return polyhedron.with_faces_of(at)
-
-
 @pytest.mark.parametrize("family", KNOWN)
 def test_right_results_pass_in_every_form(family: str) -> None:
     for pair in pairs_of(family):
@@ -80,7 +76,7 @@ def test_right_results_pass_in_every_form(family: str) -> None:
             right,
             in_triangles(right),
             refined(right),
-            refined(refined(right)) if len(right.triangles) < 50 else right,
+            refined(refined(right)) if len(right.triangles) < 30 else right,
             without_common_vertices(right),
             with_one_face_split(right),
             right.with_faces_of(right),
@@ -118,9 +114,7 @@ def test_shells_inside_the_result_pass_even_if_they_lie_askew() -> None:
     for family in ("prism", "convex"):
         pair = space_pair(family, 3, 24)
         right = total(pair)
-        decision = next(d for d in right.vertices)
         centre = tuple(sum(v[k] for v in right.vertices) / len(right.vertices) for k in range(3))
-        assert decision != centre
         if not pair.meeting.meets(centre):  # type: ignore[arg-type]
             continue
         small = askew.scaled(Fraction(1, 50)).translated(centre)  # type: ignore[arg-type]
@@ -155,9 +149,9 @@ def test_wrong_results_are_found(family: str, tolerance: Fraction | None) -> Non
         assert_wrong(pair, right.scaled(Fraction(101, 100)), tolerance=tolerance)
         far = (Fraction(0), Fraction(10**7), Fraction(0))
         stray = cube(far, Fraction(1))
-        assert_wrong(
-            pair, right.with_faces_of(stray), Reason.EXTRA, tolerance=tolerance
-        ) if pair.truth not in (Truth.CELLS,) else None
+        if pair.truth is not Truth.CELLS:  # there the grid would be too large
+            united = right.with_faces_of(stray)
+            assert_wrong(pair, united, Reason.EXTRA, tolerance=tolerance)
         opened = Polyhedron(right.vertices, right.faces[1:])
         assert_wrong(pair, opened, Reason.NOT_CLOSED, tolerance=tolerance)
 
@@ -284,7 +278,7 @@ def test_sum_of_a_torus_from_overlapping_shells_passes_and_its_hole_counts(side:
         assert_wrong(pair, right.turned_inside_out(), Reason.MISSING, tolerance=tolerance)
 
 
-@pytest.mark.parametrize("index", [0, 4, 20])
+@pytest.mark.parametrize("index", [0, 20])
 def test_sum_of_two_stars_from_overlapping_shells_passes(index: int) -> None:
     pair = next(
         pair
