@@ -79,15 +79,16 @@ json hello() {
                               std::to_string(BOOST_VERSION % 100);
   // The operations snap intersections to the grid, and edges to the vertices within a unit of them,
   // which moves them sideways by up to a unit each time. The operands are united before the sum,
-  // the sum after it: with half a unit of input for each operand, eight units of 2^-27.
+  // the sum after it: eight units of 2^-27.
   return {{"name", "boost-polygon"},
           {"version", version},
           {"language", "C++"},
           {"sum", "region"},
           {"numbers", "double"},
           {"arithmetic", "integer-grid"},
+          {"grid", {{"bits", bits - 2}}},
           {"tolerance", {{"absolute", "0"}, {"relative", "1/16777216"}}},
-          {"capabilities", {"plane", "non-convex", "holes", "components", "touching", "rational"}}};
+          {"capabilities", {"plane", "non-convex", "holes", "components", "touching"}}};
 }
 
 }  // namespace

@@ -7,9 +7,13 @@
 // of the curves with a translate of the path, and for Clipper2 the same is advised
 // (https://github.com/AngusJohnson/Clipper2/issues/719). With holes and several polygons:
 //
-//   the union of MinkowskiSum(r, s) for every ring r of P and s of Q,
+//   the union of the parallelograms of MinkowskiSum(r, s) for every ring r of P and s of Q,
 //   of P + q for one vertex q of the outer ring of each polygon of Q,
 //   and of Q + p for one vertex p of the outer ring of each polygon of P.
+//
+// all in one Union: MinkowskiSum would unite the parallelograms alone, and round, and where a
+// rounded edge then runs along one of a translate, slivers narrower than a unit of the grid stay
+// open.
 //
 // This is the whole sum. Each part is in it. Let x be in it: then a connected polygon A of P and a
 // connected polygon B of x - Q meet. If their boundaries do, x is in the first part. If not, the
@@ -77,7 +81,7 @@ json region_sum(const Polygons& sP, const Polygons& Q) {
       const Paths64 p = to_paths(a, grid), q = to_paths(b, grid);
       if (p[0].size() < 3 || q[0].size() < 3) throw Skipped("no points or segments");
       for (const Path64& r : p) {
-        for (const Path64& s : q) add(MinkowskiSum(r, s, true));
+        for (const Path64& s : q) add(detail::Minkowski(r, s, true, true));
       }
       add(TranslatePaths(p, q[0][0].x, q[0][0].y));
       add(TranslatePaths(q, p[0][0].x, p[0][0].y));
@@ -108,22 +112,23 @@ json hello(const char* name, const char* sum) {
           {"sum", sum},
           {"numbers", "double"},
           {"arithmetic", "integer-grid"},
-          {"capabilities", {"plane", "non-convex", "rational"}}};
+          {"capabilities", {"plane", "non-convex"}}};
 }
 
-// A union moves a vertex by the rounding of its coordinates, cut off rather than rounded: a unit at
-// most, and another where an intersection is moved into its scanbeam. With half a unit for each
-// operand, and triangles left out that are smaller than two units: four units. `region` unites
-// twice, so eight.
+// Only operands on the grid are taken. A union moves a vertex by the rounding of its coordinates,
+// cut off rather than rounded: a unit at most, and another where an intersection is moved into its
+// scanbeam. With triangles left out that are smaller than two units: four units.
 int run(std::string_view mode) {
   if (mode == "boundary") {
     json value = hello("clipper2", "boundary");
+    value["grid"] = {{"bits", bits - 2}};
     value["tolerance"] = {{"absolute", "0"}, {"relative", "1/134217728"}};  // 4 units of 2^-29
     return serve(value, boundary_sum);
   }
   if (mode == "region") {
     json value = hello("clipper2-region", "region");
-    value["tolerance"] = {{"absolute", "0"}, {"relative", "1/67108864"}};  // 8 units of 2^-29
+    value["grid"] = {{"bits", bits - 2}};
+    value["tolerance"] = {{"absolute", "0"}, {"relative", "1/134217728"}};
     for (const char* more : {"holes", "components", "touching"}) {
       value["capabilities"].push_back(more);
     }
@@ -131,6 +136,7 @@ int run(std::string_view mode) {
   }
   if (mode == "double") {
     json value = hello("clipper2-double", "boundary");
+    value["grid"] = {{"unit", "1/100"}};
     // Four units of two decimals, and the division by a hundred.
     value["tolerance"] = {{"absolute", "0.04"}, {"relative", "1e-15"}};
     return serve(value, double_sum);

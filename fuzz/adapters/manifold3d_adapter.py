@@ -21,7 +21,7 @@ HELLO = {
     "numbers": "double",
     "tolerance": {"absolute": "0", "relative": "1e-9"},
     "sum": "region",
-    "capabilities": ["space", "non-convex", "holes", "components", "rational", "non-uniform"],
+    "capabilities": ["space", "non-convex", "holes", "components", "non-uniform"],
 }
 
 

@@ -14,7 +14,7 @@ from adapter_protocol import Set, serve  # type: ignore[import-not-found,unused-
 from minkref import _core
 from minkref.version import version
 
-CAPABILITIES = "plane non-convex holes components touching rational empty point segment"
+CAPABILITIES = "plane non-convex holes components touching empty point segment"
 
 
 def operand(value: Set) -> _core.PolygonSet:

@@ -99,8 +99,9 @@ if __name__ == "__main__":
         "language": "C++",
         "arithmetic": "float64",
         "numbers": "double",
+        "grid": {"unit": "1/65536"},
         "tolerance": {"absolute": "1/16384", "relative": "1e-5"},
         "sum": "region",
-        "capabilities": "plane space non-convex holes components rational non-uniform".split(),
+        "capabilities": "plane space non-convex holes components non-uniform".split(),
     }
     serve(hello, sum_of)

@@ -77,7 +77,18 @@ class Case:
     @cached_property
     def magnitude(self) -> Fraction:
         """The largest absolute value of a coordinate of sP plus that of Q."""
-        return _largest(self.scaled_P_json) + _largest(self.Q_json)
+        return sum(
+            (
+                max(map(abs, _numbers(text)), default=Fraction(0))
+                for text in (self.scaled_P_json, self.Q_json)
+            ),
+            Fraction(0),
+        )
+
+    @cached_property
+    def coordinates(self) -> list[Fraction]:
+        """Of sP and of Q."""
+        return _numbers(self.scaled_P_json) + _numbers(self.Q_json)
 
     @property
     def literal(self) -> str:
@@ -86,17 +97,14 @@ class Case:
         return f'{{"P":{P},"Q":{Q},"scale":"{self.scale}"}}'
 
 
-def _largest(text: str) -> Fraction:
-    return max(
-        (
-            abs(Fraction(number))
-            for polygon in json.loads(text)["polygons"]
-            for ring in (polygon["outer"], *polygon["holes"])
-            for point in ring
-            for number in point
-        ),
-        default=Fraction(0),
-    )
+def _numbers(text: str) -> list[Fraction]:
+    return [
+        Fraction(number)
+        for polygon in json.loads(text)["polygons"]
+        for ring in (polygon["outer"], *polygon["holes"])
+        for point in ring
+        for number in point
+    ]
 
 
 def _without_empty(text: str) -> str:

@@ -22,6 +22,7 @@ MUTANTS_PER_ROUND = 12
 MOST_PARENTS = 200
 DEEPEST_MUTANT = 4
 PROBES_PER_ROUND = 3
+GRID_BITS = 24  # of cases for implementations on a grid, or in doubles
 SPACE_LAWS_PER_ROUND = 3
 
 
@@ -48,6 +49,7 @@ class CaseList:
     laws: tuple[str, ...] = ()
     derived: bool = False
     files: tuple[str, ...] = ()
+    invalid: bool = False  # also pairs of which one operand is invalid
     spent: float = 0.0  # seconds of an earlier part of the run
     notes: list[str] = field(default_factory=list)
 
@@ -87,7 +89,7 @@ class CaseList:
         """What tells one run from another."""
         names = ("seed", "pairs", "seconds", "named", "models", "families", "space", "laws")
         head: dict[str, object] = {name: getattr(self, name) for name in names}
-        return {**head, "derived": self.derived, "files": self.files}
+        return {**head, "derived": self.derived, "files": self.files, "invalid": self.invalid}
 
     def learn(self, number: int, text: str, coverage: str | None) -> None:
         """Takes note of what a case showed. The order in which results come does not matter."""
@@ -101,6 +103,8 @@ class CaseList:
             for index in itertools.count():
                 for family in (*self.families, *self.space):
                     yield CaseName(f"{family}:{self.seed}:{index}", family)
+                if self.invalid:
+                    yield CaseName(f"invalid:{self.seed}:{index}", "invalid input")
         for index in itertools.count():
             yield from self._round(index)
             yield Wait.FOR_ALL
@@ -112,9 +116,13 @@ class CaseList:
         texts = {family: f"{family}:{self.seed}:{index}" for family in self.families}
         for family in (*self.families, *self.space):
             yield CaseName(texts.get(family, f"{family}:{self.seed}:{index}"), family)
+        if self.invalid:
+            yield CaseName(f"invalid:{self.seed}:{index}", "invalid input")
         for family in dice.sample(self.families, min(PROBES_PER_ROUND, len(self.families))):
             for probe in sorted(dice.sample(range(9), 3)):
-                yield CaseName(f"probe:{probe}({texts[family]})", family)
+                text = f"probe:{probe}({texts[family]})"
+                yield CaseName(text, family)
+                yield CaseName(f"grid:{GRID_BITS}({text})", "on a grid")
         for k, law in enumerate(self.laws):
             if not self.families:
                 break

@@ -5,8 +5,12 @@ P+Q@SCALE                 files or models
 CASE.json[@SCALE]         a case file, at its first scale or the one given
 {"P":...,"Q":...,"scale":"3/2"}   the case itself
 probe:K(NAME)             at the K-th scale that lies at or next to a boundary event
+grid:B(NAME)              sP and Q rounded to a grid of B bits, at scale 1
 mutant:K(NAME)            something close to the case, drawn by the seed K
-LAW(NAME)                 the case changed so that a law tells the sum: swap, half-turn, ...
+LAW(NAME)                 the case changed so that a law tells the sum: swap, quarter-turn, ...
+update(NAME)              the case by the verb `update` from another scale
+events(NAME)              the scales at which the topology of the sum changes
+invalid:SEED:INDEX        operands of which one is invalid
 """
 
 from __future__ import annotations
@@ -15,6 +19,7 @@ import json
 import random
 import re
 from dataclasses import replace
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +28,9 @@ from minkref.errors import Refusal, cut, refusing
 from minkref.exact import read_scale
 from minkref.fuzz.cases.case import Case, CaseName
 from minkref.fuzz.cases.case_files import scales_of
+from minkref.fuzz.cases.grid import rounded, unit_for
+from minkref.fuzz.cases.invalid_case import FAMILY as INVALID
+from minkref.fuzz.cases.invalid_case import InvalidCase, load_invalid
 from minkref.fuzz.cases.no_case import NoCase
 from minkref.fuzz.cases.space_case import LAWS_IN_SPACE, SPACE_FAMILIES, SpaceCase, load_space
 from minkref.fuzz.families.catalogue import FAMILIES
@@ -33,11 +41,14 @@ from minkref.model_catalogue import all_models
 from minkref.operand import is_file, read_operand
 
 MOST_PROBES = 12
+MOST_BITS = 1000
+DEEPEST = 64  # operations in a name
+UPDATE, EVENTS = "update", "events"  # verbs of the protocol, told from the laws
 _GENERATED = re.compile(r"([a-z0-9-]+):(-?[0-9]+):([0-9]+)")
 _DERIVED = re.compile(r"([A-Za-z0-9-]+)(?::([0-9]+))?\((.*)\)", re.DOTALL)
 
 
-def load(name: CaseName) -> Case | SpaceCase:
+def load(name: CaseName) -> Case | SpaceCase | InvalidCase:
     """The case. Refusal where the text names none; NoCase where a derived one does not exist, as
     a probe of a pair without events."""
     text = name.text
@@ -47,6 +58,8 @@ def load(name: CaseName) -> Case | SpaceCase:
     if derived:
         return _derive(name, derived[1], derived[2], derived[3])
     generated = _GENERATED.fullmatch(text)
+    if generated and generated[1] == INVALID:
+        return load_invalid(name, int(generated[2]), int(generated[3]))
     if generated and generated[1] in SPACE_FAMILIES:
         return load_space(name, generated[1], int(generated[2]), int(generated[3]))
     if generated:
@@ -73,19 +86,33 @@ def _no_family(text: str) -> Refusal:
 
 
 def _derive(name: CaseName, operation: str, number: str | None, inner: str) -> Case | SpaceCase:
+    if name.text.count("(") > DEEPEST:
+        raise Refusal(
+            f"a case is got from another in more than {DEEPEST} steps",
+            f"--case {cut(name.text)}",
+            "write the case itself",
+        )
     base = load(CaseName(inner, name.group))
     if isinstance(base, SpaceCase) and operation in LAWS_IN_SPACE and number is None:
         return base.under(operation, name)
+    if isinstance(base, InvalidCase):
+        raise NoCase("nothing is got from an invalid case")
     if isinstance(base, SpaceCase):
         raise NoCase("a case in space has no probes and no mutants, and other laws")
     if operation in LAWS and number is None:
         return replace(LAWS[operation].changed(base), name=name)
+    if operation == UPDATE and number is None:
+        return replace(base, name=name, scale=_other_scale(base, name), law=(UPDATE, base))
+    if operation == EVENTS and number is None:
+        return replace(base, name=name, law=(EVENTS, base))
     if operation == "probe" and number is not None:
         probes = scale_probes(base.P_json, base.Q_json, MOST_PROBES)
         if int(number) >= len(probes):
             raise NoCase(f"the pair has {len(probes)} scales to be probed")
         position, scale = probes[int(number)]
         return replace(base, name=name, scale=scale, position=position)
+    if operation == "grid" and number is not None:
+        return _on_grid(base, name, int(number))
     if operation == "mutant" and number is not None:
         dice = random.Random(f"minkref mutant {name.text}")
         P, Q, scale = mutate(dice, base.P_json, base.Q_json, base.scale)
@@ -99,12 +126,51 @@ def _derive(name: CaseName, operation: str, number: str | None, inner: str) -> C
             base.family,
             "mutant",
         )
-    known = ", ".join(["probe:K", "mutant:K", *LAWS])
+    known = ", ".join(["probe:K", "mutant:K", "grid:B", UPDATE, EVENTS, *LAWS])
     raise Refusal(
         f"no case is got from another by {operation[:40]!r}",
         f"--case {cut(name.text)}",
         f"write one of {known}",
     )
+
+
+def _on_grid(base: Case, name: CaseName, bits: int) -> Case:
+    """The case with sP and Q rounded to integers of so many bits times a power of two, at scale 1:
+    what an implementation on a grid takes as it is."""
+    largest = max(map(abs, base.coordinates), default=Fraction(0))
+    if not 1 <= bits <= MOST_BITS or not largest:
+        raise NoCase("there is nothing to round")
+    unit = unit_for(largest, bits)
+    operands = []
+    for text in (base.scaled_P_json, base.Q_json):
+        moved = [
+            {
+                "outer": _rounded(polygon["outer"], unit),
+                "holes": [_rounded(hole, unit) for hole in polygon["holes"]],
+            }
+            for polygon in json.loads(text)["polygons"]
+        ]
+        operand = _core.PolygonSet.from_json(json.dumps({"polygons": moved}))
+        try:
+            operand.validate("rounded")
+        except _core.BadInput as error:
+            raise NoCase(f"rounded it is no operand: {error}") from error
+        operands.append(operand)
+    return replace(base, name=name, P=operands[0], Q=operands[1], scale="1")
+
+
+def _rounded(ring: list[list[str]], unit: Fraction) -> list[list[str]]:
+    return [[str(rounded(Fraction(number), unit)) for number in point] for point in ring]
+
+
+def _other_scale(base: Case, name: CaseName) -> str:
+    """At, next to or between the events of the pair."""
+    dice = random.Random(f"minkref update {name.text}")
+    scales = [scale for _, scale in scale_probes(base.P_json, base.Q_json, MOST_PROBES)]
+    others = [scale for scale in scales if scale != base.scale]
+    if not others:
+        raise NoCase("the pair has no other scale to be reached")
+    return dice.choice(others)
 
 
 def _literal(name: CaseName) -> Case | SpaceCase:

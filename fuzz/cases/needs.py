@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import json
 from fractions import Fraction
-from itertools import pairwise
+from math import lcm
 from typing import Any
 
 LARGEST_DOUBLE = Fraction(2) ** 1023
+EVERY_INTEGER = 2**53  # up to which each is a double
+Node = tuple[int, int]
+Ring = list[Node]
 
 
 def needs_of_plane(P_json: str, Q_json: str) -> frozenset[str]:
@@ -16,6 +19,13 @@ def needs_of_plane(P_json: str, Q_json: str) -> frozenset[str]:
     for text in (P_json, Q_json):
         needs |= _of_polygons(json.loads(text)["polygons"])
     return frozenset(needs)
+
+
+def is_double(number: str | Fraction) -> bool:
+    value = Fraction(number)
+    if abs(value) >= LARGEST_DOUBLE:
+        return False
+    return Fraction(float(value)) == value
 
 
 def _of_polygons(polygons: list[dict[str, Any]]) -> set[str]:
@@ -31,57 +41,65 @@ def _of_polygons(polygons: list[dict[str, Any]]) -> set[str]:
         needs.add("point")
     if any(len(ring) == 2 for ring in outers):
         needs.add("segment")
-    rings = [ring for p in polygons for ring in (p["outer"], *p["holes"])]
+    texts = [ring for p in polygons for ring in (p["outer"], *p["holes"])]
+    rings, rational = _integers(texts)
+    if rational:
+        needs.add("rational")
     if len(rings) > 1 and _touching(rings):
         needs.add("touching")
-    if len(polygons) > 1 or not _convex(outers[0]):
+    if len(polygons) > 1 or not _convex(rings[0]):
         needs.add("non-convex")
-    if not all(is_double(number) for ring in rings for point in ring for number in point):
-        needs.add("rational")
     return needs
 
 
-def is_double(number: str | Fraction) -> bool:
-    value = Fraction(number)
-    if abs(value) >= LARGEST_DOUBLE:
-        return False
-    return Fraction(float(value)) == value
+def _integers(rings: list[list[list[str]]]) -> tuple[list[Ring], bool]:
+    """The rings in integers, all multiplied by one number, and whether a coordinate is no
+    double."""
+    numbers = [number for ring in rings for point in ring for number in point]
+    try:
+        plain = [int(number) for number in numbers]
+        rational = not all(-EVERY_INTEGER <= n <= EVERY_INTEGER or is_double(str(n)) for n in plain)
+    except ValueError:
+        exact = [Fraction(number) for number in numbers]
+        rational = not all(is_double(number) for number in exact)
+        unit = lcm(*(number.denominator for number in exact))
+        plain = [number.numerator * (unit // number.denominator) for number in exact]
+    made, k = [], 0
+    for ring in rings:
+        made.append([(plain[k + 2 * i], plain[k + 2 * i + 1]) for i in range(len(ring))])
+        k += 2 * len(ring)
+    return made, rational
 
 
-def _convex(ring: list[list[str]]) -> bool:
-    points = [(Fraction(x), Fraction(y)) for x, y in ring]
-    if len(points) < 3:
+def _convex(ring: Ring) -> bool:
+    if len(ring) < 3:
         return True
-    count = len(points)
-    return all(
-        (b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0]) >= 0
-        for a, b, c in ((points[k - 2], points[k - 1], points[k]) for k in range(count))
-    )
+    (ax, ay), (bx, by) = ring[-2], ring[-1]
+    for cx, cy in ring:
+        if (bx - ax) * (cy - by) - (by - ay) * (cx - bx) < 0:
+            return False
+        ax, ay, bx, by = bx, by, cx, cy
+    return True
 
 
-def _touching(rings: list[list[list[str]]]) -> bool:
-    """A vertex of one ring lies on another: closed rings that do not cross touch in no other
+def _touching(rings: list[Ring]) -> bool:
+    """A vertex of one ring lies on another: simple rings that do not cross touch in no other
     way."""
-    plain = [[(Fraction(x), Fraction(y)) for x, y in ring] for ring in rings]
-    boxes = [
-        (min(x for x, _ in r), min(y for _, y in r), max(x for x, _ in r), max(y for _, y in r))
-        for r in plain
-    ]
-    for first, ring in enumerate(plain):
-        for second, other in enumerate(plain):
-            if first == second:
-                continue
-            left, low, right, high = boxes[second]
-            for x, y in ring:
-                if left <= x <= right and low <= y <= high and _on_ring((x, y), other):
-                    return True
+    for first, ring in enumerate(rings):
+        for second, other in enumerate(rings):
+            if first != second and any(_on_ring(x, y, other) for x, y in ring):
+                return True
     return False
 
 
-def _on_ring(p: tuple[Fraction, Fraction], ring: list[tuple[Fraction, Fraction]]) -> bool:
-    return any(
-        (b[0] - a[0]) * (p[1] - a[1]) == (b[1] - a[1]) * (p[0] - a[0])
-        and min(a[0], b[0]) <= p[0] <= max(a[0], b[0])
-        and min(a[1], b[1]) <= p[1] <= max(a[1], b[1])
-        for a, b in pairwise([*ring, ring[0]])
-    )
+def _on_ring(x: int, y: int, ring: Ring) -> bool:
+    ax, ay = ring[-1]
+    for bx, by in ring:
+        if (
+            min(ax, bx) <= x <= max(ax, bx)
+            and min(ay, by) <= y <= max(ay, by)
+            and (bx - ax) * (y - ay) == (by - ay) * (x - ax)
+        ):
+            return True
+        ax, ay = bx, by
+    return False

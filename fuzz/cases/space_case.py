@@ -122,13 +122,17 @@ class SpaceCase:
             if not is_convex(solid):
                 needs.add("non-convex")
                 needs |= _topology(solid)
-        numbers = [n for v in (*self.asked.P.scaled(self.asked.scale).vertices,) for n in v]
-        numbers += [n for vertex in self.asked.Q.vertices for n in vertex]
-        if not all(is_double(number) for number in numbers):
+        if not all(is_double(number) for number in self.coordinates):
             needs.add("rational")
         if isinstance(self.asked.scale, tuple):
             needs.add("non-uniform")
         return frozenset(needs)
+
+    @cached_property
+    def coordinates(self) -> list[Fraction]:
+        """Of sP and of Q."""
+        solids = (self.asked.P.scaled(self.asked.scale), self.asked.Q)
+        return [number for solid in solids for vertex in solid.vertices for number in vertex]
 
     @cached_property
     def magnitude(self) -> Fraction:

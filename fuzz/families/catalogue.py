@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from minkref.fuzz.families.convex_pairs import collinear_pair, convex_pair
+from minkref.fuzz.families.dented_holes import dented_pair
 from minkref.fuzz.families.hard_numbers import (
     degenerate_pair,
     magnitude_pair,
@@ -33,6 +34,7 @@ _ALL = (
     Family("convex", "random convex polygons", convex_pair),
     Family("holes", "both operands with holes", holes_pair),
     Family("small-holes", "holes too small to survive beside some that just do", small_holes_pair),
+    Family("dents", "many holes full of dents, and a very small triangle", dented_pair),
     Family("fit", "one operand fits the other exactly, or off by one part in 2^20", fit_pair),
     Family("collinear", "collinear vertices and parallel edges in both", collinear_pair),
     Family("touching", "rings that touch at points", touching_pair),

@@ -7,11 +7,16 @@ from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
 from minkref.fuzz.cases.case import Case
+from minkref.fuzz.cases.invalid_case import InvalidCase
+from minkref.fuzz.cases.naming import EVENTS, UPDATE
 from minkref.fuzz.cases.space_case import SpaceCase
 from minkref.fuzz.targets.adapter import AdapterTarget
 from minkref.fuzz.targets.answer import Answer, Limits, Target, skipped
 from minkref.fuzz.targets.catalogue import REFERENCE, size_limit
-from minkref.fuzz.verdicts.judgement import TRUTHS, judge
+from minkref.fuzz.targets.reference import ReferenceTarget
+from minkref.fuzz.verdicts.event_judgement import MOST_PAIRS, judge_events, window
+from minkref.fuzz.verdicts.invalid_judgement import judge_invalid
+from minkref.fuzz.verdicts.judgement import TRUTHS, judge, without_answer
 from minkref.fuzz.verdicts.law_judgement import judge_law
 from minkref.fuzz.verdicts.laws import LAWS
 from minkref.fuzz.verdicts.space_judgement import judge_in_space
@@ -24,7 +29,7 @@ ASKED_TWICE = 8  # one of so many right answers
 class Asking:
     """`begin` is told what is about to run; `lost` has those that took a worker down before."""
 
-    case: Case | SpaceCase
+    case: Case | SpaceCase | InvalidCase
     target: Callable[[str], Target]
     begin: Callable[[str], None]
     lost: dict[str, Outcome]
@@ -35,6 +40,8 @@ class Asking:
         """One for each target, and for each of our own routes that is refuted."""
         if not names:
             return []
+        if isinstance(self.case, InvalidCase):
+            return [self._refused(self.case, name) for name in names]
         if isinstance(self.case, SpaceCase):
             return self._in_space(self.case, names)
         if self.case.law is not None:
@@ -51,7 +58,7 @@ class Asking:
         """What a case showed: family, position of the scale, shape of the sum, whatever is
         amiss. None where no route of ours has a sum."""
         case = self.case
-        if isinstance(case, SpaceCase) or case.law is not None:
+        if not isinstance(case, Case) or case.law is not None:
             return None
         region = next((self.answers[n].region for n in TRUTHS if n in self.answers), None)
         if region is None:
@@ -116,8 +123,9 @@ class Asking:
         law, base = case.law
         outcomes = []
         for name in names:
-            if law == "update":
-                outcomes.append(self._updated(name, base, case))
+            if law in (UPDATE, EVENTS):
+                ask = self._updated if law == UPDATE else self._events
+                outcomes.append(ask(name, base, case))
                 continue
             answer = self._ask(name, case)
             before = None if LAWS[law].constant else self._ask(name, base)
@@ -130,8 +138,10 @@ class Asking:
 
     def _updated(self, name: str, base: Case, case: Case) -> Outcome:
         """The sum by `update` against the fresh one and the truth."""
+        if name in self.lost:
+            return self.lost[name]
         target = self.target(name)
-        if not isinstance(target, AdapterTarget):
+        if not isinstance(target, AdapterTarget | ReferenceTarget):
             message = "does not declare update"
             return Outcome(name, Verdict.SKIPPED, message=message)
         self.begin(name)
@@ -146,15 +156,41 @@ class Asking:
             return replace(outcome, reasons=(*outcome.reasons, Reason.STATE_DRIFT))
         return outcome
 
+    def _events(self, name: str, _: Case, case: Case) -> Outcome:
+        """The scales of topology events that a target lists."""
+        if name in self.lost:
+            return self.lost[name]
+        target = self.target(name)
+        if not isinstance(target, AdapterTarget):
+            return Outcome(name, Verdict.SKIPPED, message="does not declare events")
+        if case.vertex_pairs > MOST_PAIRS:
+            message = f"{case.vertex_pairs:,} pairs of vertices, more than {MOST_PAIRS:,}"
+            return Outcome(name, Verdict.SKIPPED, message=message)
+        self.begin(name)
+        claimed = target.events(case, *window(case))
+        if isinstance(claimed, Answer):
+            return without_answer(name, claimed)
+        self.begin("minkref:referee")
+        declared = target.declared()
+        assert not isinstance(declared, Answer)
+        return judge_events(case, name, claimed, declared)
+
+    def _refused(self, case: InvalidCase, name: str) -> Outcome:
+        if name in self.lost:
+            return self.lost[name]
+        target = self.target(name)
+        self.begin(name)
+        return judge_invalid(case, name, target.sum(case))
+
     def _in_space(self, case: SpaceCase, names: list[str]) -> list[Outcome]:
         outcomes = []
         for name in names:
-            target = self.target(name)
-            self.begin(name)
-            answer = target.sum(case) if name not in self.lost else None
-            if answer is None:
+            if name in self.lost:
                 outcomes.append(self.lost[name])
                 continue
+            target = self.target(name)
+            self.begin(name)
+            answer = target.sum(case)
             self.begin("minkref:referee")
             outcomes.append(judge_in_space(case, name, answer))
         return outcomes

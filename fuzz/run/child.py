@@ -15,6 +15,7 @@ def begin() -> None:
     """Makes this process the leader of a session that ends with its parent. What it prints goes to
     standard error: standard output belongs to the document of the command."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.pthread_sigmask(signal.SIG_UNBLOCK, (signal.SIGINT,))
     os.setsid()
     parent = multiprocessing.parent_process()
     if parent is not None and parent.pid is not None:

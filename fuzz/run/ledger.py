@@ -9,6 +9,7 @@ from __future__ import annotations
 import fcntl
 import json
 import os
+import stat
 import time
 from dataclasses import asdict
 from pathlib import Path
@@ -75,7 +76,7 @@ class Ledger:
         self.close()
 
     def _append(self, value: dict[str, Any]) -> None:
-        data = json.dumps(value, separators=(",", ":")).encode() + b"\n"
+        data = _line(value)
         try:
             while data:
                 data = data[os.write(self._file, data) :]
@@ -84,22 +85,25 @@ class Ledger:
             raise Refusal(what, str(self.path), "free some space", "cannot-write") from error
 
     def _read(self) -> None:
+        if not stat.S_ISREG(os.fstat(self._file).st_mode):
+            raise Refusal("this is no file", str(self.path), "name a file", "cannot-write")
         text = self.path.read_bytes()
-        whole, _, half = text.rpartition(b"\n")
+        *lines, half = text.split(b"\n")
+        if lines and self._value(lines[0], 1) != json.loads(json.dumps(self._head)):
+            raise self._foreign("its first line names other targets, cases or limits")
+        if not lines and not _line(self._head).startswith(half):
+            raise self._foreign("its first line is none of a ledger")
         if half:
             os.ftruncate(self._file, len(text) - len(half))
-        lines = whole.split(b"\n") if whole else []
         if not lines:
             self._append(self._head)
             return
-        if self._value(lines[0], 1) != json.loads(json.dumps(self._head)):
-            raise self._foreign("its first line names other targets, cases or limits")
         for number, line in enumerate(lines[1:], 2):
             value = self._value(line, number)
             try:
                 result = _result(value)
                 self.spent = float(value["spent"])
-            except (KeyError, TypeError, ValueError) as error:
+            except (KeyError, IndexError, TypeError, ValueError, AttributeError) as error:
                 what = f"line {number} is no result: {error}"
                 raise Refusal(what, str(self.path), "remove the file", "bad-ledger") from error
             self._known[result.number] = result
@@ -107,7 +111,7 @@ class Ledger:
     def _value(self, line: bytes, number: int) -> Any:
         try:
             return json.loads(line)
-        except ValueError as error:
+        except (ValueError, RecursionError) as error:
             what = f"line {number} is not JSON"
             raise Refusal(what, str(self.path), "remove the file", "bad-ledger") from error
 
@@ -118,6 +122,10 @@ class Ledger:
             "give the options of that run, or name another file",
             "other-ledger",
         )
+
+
+def _line(value: dict[str, Any]) -> bytes:
+    return json.dumps(value, separators=(",", ":")).encode() + b"\n"
 
 
 def _plain(result: CaseResult) -> dict[str, Any]:

@@ -32,8 +32,8 @@ class Finding:
 
     @property
     def reproduce(self) -> str:
-        target = "" if self.outcome.target == REFEREE else f"{self.outcome.target} "
-        return f"minkref verify {target}--case {shlex.quote(self.case.name.text)}"
+        named = () if self.outcome.target == REFEREE else (self.outcome.target,)
+        return shlex.join(["minkref", "verify", *named, "--case", self.case.name.text])
 
 
 @dataclass
@@ -52,6 +52,7 @@ class Run:
     matrix: dict[tuple[str, str], Cell] = field(default_factory=dict)
     findings: list[Finding] = field(default_factory=list)
     cases: Counter[str] = field(default_factory=Counter)
+    began: dict[str, int] = field(default_factory=dict)  # the first case of each group
     absent: int = 0  # derived cases that do not exist, as probes of a pair without events
 
     def smallest(self) -> list[tuple[Finding, int]]:
@@ -99,9 +100,11 @@ def run(
     jobs: int,
     progress: Callable[[Run], None] = lambda _: None,
     ledger: Ledger | None = None,
+    first: bool = False,
 ) -> Run:
     """Runs all cases. With `cases.pairs` given the verdicts do not depend on `jobs`. What the
-    ledger holds is not run again; every result is in it before it is shown."""
+    ledger holds is not run again; every result is in it before it is shown. `first`: ends with the
+    first case on which something is wrong or broken and not known."""
     done = Run(list(targets))
 
     def take(result: CaseResult) -> None:
@@ -113,7 +116,10 @@ def run(
         if ledger is not None:
             ledger.write(result)
         take(result)
+        if first and any(f.outcome.verdict in (Verdict.WRONG, *BROKEN) for f in done.findings):
+            break
     done.findings.sort(key=lambda finding: (finding.outcome.target, finding.case.number))
+    done.groups.sort(key=lambda group: done.began[group])
     return done
 
 
@@ -129,7 +135,7 @@ def _jobs(
         if known is not None:
             take(known)
         else:
-            yield Job(number, name)
+            yield Job(number, name, cases.derived)
         number += 1
 
 
@@ -143,6 +149,7 @@ def _take(
     if group not in done.groups:
         done.groups.append(group)
     done.cases[group] += 1
+    done.began[group] = min(done.began.get(group, result.number), result.number)
     for outcome in result.outcomes:
         judged = baseline.apply(outcome, versions.get(outcome.target))
         cell = done.matrix.setdefault((outcome.target, group), Cell())

@@ -11,6 +11,7 @@ from typing import Any
 
 from minkref.fuzz.cases import naming
 from minkref.fuzz.cases.case import Case, CaseName
+from minkref.fuzz.cases.invalid_case import InvalidCase
 from minkref.fuzz.cases.no_case import NoCase
 from minkref.fuzz.cases.space_case import SpaceCase
 from minkref.fuzz.cgal import server as cgal_server
@@ -32,6 +33,7 @@ class Job:
 
     number: int
     name: CaseName
+    learning: bool = False  # whether it is asked what the case shows that is new
     lost: dict[str, Outcome] = field(default_factory=dict)
     overdue: set[str] = field(default_factory=set)
 
@@ -137,7 +139,7 @@ class _Work:
         self.pipe.send(("begin", step, wall_clock_limit(step, self.limits)))
 
     def _result(
-        self, case: Case | SpaceCase, outcomes: list[Outcome], asking: Asking
+        self, case: Case | SpaceCase | InvalidCase, outcomes: list[Outcome], asking: Asking
     ) -> CaseResult:
         job = self.job
         result = CaseResult(
@@ -148,7 +150,8 @@ class _Work:
             case.family,
             case.position,
         )
-        result.coverage = asking.coverage(outcomes)
+        if job.learning:
+            result.coverage = asking.coverage(outcomes)
         if any(outcome.verdict not in (*GOOD, Verdict.SKIPPED) for outcome in outcomes):
             result.literal = case.literal
             if isinstance(case, SpaceCase):

@@ -9,20 +9,25 @@ from minkref.fuzz.run.runner import Finding, Run
 from minkref.fuzz.shrink.finding import SmallFinding, shrink_finding
 from minkref.fuzz.shrink.shrinker import MOST_CALLS
 from minkref.fuzz.targets.answer import Limits
-from minkref.fuzz.verdicts.verdict import Verdict
+from minkref.fuzz.verdicts.verdict import Outcome, Verdict
 
 EXAMPLES = 3  # findings of a kind that are shrunk; of a known fault one
 CALLS_FOR_KNOWN = 150
+CALLS_FOR_MEMORY = 60  # of a target that takes all the memory that it may have
+SECONDS_OF_WAITING = 120.0  # for a target that does not answer, which is asked twice each time
+FEWEST_CALLS = 10  # with fewer a case hardly becomes smaller
 
 
 @dataclass
 class Group:
     """All findings of one target, verdict and reasons. `example` is the smallest, `small` what it
-    and others shrink to, without doubles."""
+    and others shrink to, without doubles. `also`: reasons of other findings that shrink to the
+    same."""
 
     example: Finding
     count: int
     small: list[SmallFinding] = field(default_factory=list)
+    also: list[str] = field(default_factory=list)
 
 
 def groups_of(run: Run) -> list[Group]:
@@ -40,16 +45,56 @@ def shrunk_groups(
     groups = groups_of(run)
     for group in groups:
         outcome = group.example.outcome
-        if outcome.verdict is Verdict.UNDECIDED or most_calls == 0:
+        if outcome.verdict is Verdict.UNDECIDED or most_calls <= 0:
             continue
-        known = outcome.verdict is Verdict.KNOWN
+        calls, examples = _bounds(outcome, limits, most_calls)
+        if not examples:
+            continue
         same = [finding for finding in run.findings if finding.kind == group.example.kind]
         same.sort(key=lambda finding: finding.case.size)
         progress(f"shrinking: {outcome.target} {' '.join(outcome.kinds)}")
-        calls = min(most_calls, CALLS_FOR_KNOWN) if known else most_calls
-        for finding in same[: 1 if known else EXAMPLES]:
+        for finding in same[:examples]:
             small = shrink_finding(finding, limits, calls)
             if small is not None and small.literal not in {s.literal for s in group.small}:
                 group.small.append(small)
         group.small.sort(key=lambda small: small.result.size)
-    return groups
+    return _merged(groups)
+
+
+def _bounds(outcome: Outcome, limits: Limits, most_calls: int) -> tuple[int, int]:
+    """Calls for one finding, and how many findings: fewer where calls are slow by their nature."""
+    faults = (outcome.verdict, outcome.was)
+    if Verdict.TIMED_OUT in faults:
+        calls = min(most_calls, int(SECONDS_OF_WAITING / (2 * limits.seconds)))
+        return calls, int(calls >= min(most_calls, FEWEST_CALLS))
+    if Verdict.OUT_OF_MEMORY in faults:
+        return min(most_calls, CALLS_FOR_MEMORY), 1
+    if outcome.verdict is Verdict.KNOWN:
+        return min(most_calls, CALLS_FOR_KNOWN), 1
+    return most_calls, EXAMPLES
+
+
+def _merged(groups: list[Group]) -> list[Group]:
+    """Groups of one target and verdict that shrink to a common case have one cause."""
+    kept: list[Group] = []
+    for group in groups:
+        literals = {small.literal for small in group.small}
+        verdict = group.example.outcome.verdict
+        same = next(
+            (
+                other
+                for other in kept
+                if other.example.outcome.target == group.example.outcome.target
+                and other.example.outcome.verdict is verdict
+                and literals & {small.literal for small in other.small}
+            ),
+            None,
+        )
+        if same is None:
+            kept.append(group)
+        else:
+            same.count += group.count
+            same.also.append(" ".join(group.example.outcome.kinds))
+            have = {small.literal for small in same.small}
+            same.small += [small for small in group.small if small.literal not in have]
+    return kept

@@ -43,7 +43,7 @@ def shrink(
             key = candidate.size
             if key >= case.size or key in refused:
                 continue
-            if calls == most_calls:
+            if calls >= most_calls:
                 return Shrunk(case, calls, False)
             calls += 1
             if still(candidate):

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass, field
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any
 
 from minkref.errors import cut, message_of
 from minkref.fuzz.cases.case import Case
+from minkref.fuzz.cases.invalid_case import InvalidCase
 from minkref.fuzz.cases.space_case import SpaceCase
 from minkref.fuzz.targets.adapter_process import AdapterProcess, Failure
 from minkref.fuzz.targets.answer import REGIONS, Answer, Limits, lacking, skipped
@@ -16,12 +18,14 @@ from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.targets.numbers import (
     Unreadable,
     plane_answer,
+    received,
     sent_set,
     sent_solid,
     solid_answer,
 )
 from minkref.fuzz.verdicts.verdict import Verdict
 
+AnyCase = Case | SpaceCase | InvalidCase
 MOST_FAILED_STARTS = 3
 
 
@@ -40,20 +44,23 @@ class AdapterTarget:
         self._failed_starts = 0
         self._last_failure: Failure | None = None
 
-    def sum(self, case: Case | SpaceCase) -> Answer:
+    def sum(self, case: AnyCase) -> Answer:
         """The fresh sum."""
-        return self._guarded(case, case.needs, lambda d: self._at(case, d, "at"))
+        return self._guarded(case, lambda d: self._at(case, d, "at"))
 
     def updated_sum(self, before: Case | SpaceCase, case: Case | SpaceCase) -> Answer:
         """The sum by `update` from that of `before`, the same operands at another scale."""
 
         def ask(declaration: Declaration) -> Answer:
+            lack = lacking(declaration, before)
+            if lack:
+                return skipped(lack, declaration)
             first = self._at(before, declaration, "at")
             if first.verdict is not None:
                 return first
             return self._at(case, declaration, "update")
 
-        return self._guarded(case, case.needs | before.needs | {"update"}, ask)
+        return self._guarded(case, ask, "update")
 
     def events(self, case: Case, start: str, end: str) -> list[Fraction] | Answer:
         """Scales of topology events in [start, end] as the target has them; else why not."""
@@ -70,7 +77,7 @@ class AdapterTarget:
             found.extend(Fraction(_scale(scale, declaration)) for scale in scales)
             return Answer(declaration=declaration)
 
-        answer = self._guarded(case, case.needs | {"events"}, ask)
+        answer = self._guarded(case, ask, "events")
         return found if answer.verdict is None else answer
 
     def declared(self) -> Declaration | Answer:
@@ -83,14 +90,14 @@ class AdapterTarget:
     def close(self) -> None:
         self._process.close()
 
-    def _guarded(self, case: Case | SpaceCase, needs: frozenset[str], ask: Any) -> Answer:
+    def _guarded(self, case: AnyCase, ask: Callable[[Declaration], Answer], *more: str) -> Answer:
         declaration = REGIONS
         try:
             declaration = self._started()
-            lack = lacking(declaration, needs)
+            lack = lacking(declaration, case, *more)
             if lack:
                 return skipped(lack, declaration)
-            answer: Answer = ask(declaration)
+            answer = ask(declaration)
         except Failure as failure:
             self._loaded = None
             return _failed(failure, declaration)
@@ -115,7 +122,7 @@ class AdapterTarget:
         self._failed_starts = 0
         return declaration
 
-    def _load(self, case: Case | SpaceCase, declaration: Declaration) -> None:
+    def _load(self, case: AnyCase, declaration: Declaration) -> None:
         key = (case.P_json, case.Q_json)
         if self._loaded == key:
             return
@@ -132,7 +139,7 @@ class AdapterTarget:
             raise Refused(value)
         self._loaded = key
 
-    def _at(self, case: Case | SpaceCase, declaration: Declaration, verb: str) -> Answer:
+    def _at(self, case: AnyCase, declaration: Declaration, verb: str) -> Answer:
         import time
 
         since = time.perf_counter()
@@ -186,10 +193,7 @@ def _failed(failure: Failure, declaration: Declaration) -> Answer:
 
 
 def _scale(value: Any, declaration: Declaration) -> str:
-    from minkref.fuzz.targets.numbers import received
-
-    if declaration.numbers == "double" and isinstance(value, int | float):
-        return received(value, declaration)
+    """A scale may be a text where numbers are doubles too."""
     if isinstance(value, str):
-        return value
-    raise Unreadable("a scale is no number")
+        return received(value, replace(declaration, numbers="text"))
+    return received(value, declaration)

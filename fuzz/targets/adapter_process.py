@@ -12,6 +12,7 @@ import resource
 import selectors
 import signal
 import subprocess
+import sys
 import time
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -20,12 +21,13 @@ from typing import Any
 from minkref.errors import cut
 from minkref.fuzz.targets.answer import Limits, load_limit
 from minkref.fuzz.targets.declaration import Declaration, DeclarationError, read_declaration
+from minkref.fuzz.targets.keeper import end, keep
 from minkref.fuzz.verdicts.verdict import Verdict
-from minkref.signals import end_with_parent, kill_group
 from minkref.version import version
 
 PROTOCOLS = ("adapter-v1",)
 STATUSES = ("result", "skipped", "errored", "rejected")
+LONGEST_INTEGER = 100_000  # digits
 LOG_BYTES = 4096  # of the end of its standard error that are kept
 MEMORY_WORDS = ("bad_alloc", "memoryerror", "out of memory", "cannot allocate")
 STOP_SECONDS = 2.0
@@ -57,8 +59,10 @@ class AdapterProcess:
 
     def start(self) -> Declaration:
         """The declaration; starts the program if it does not run. Raises Failure."""
-        if self._process is not None and self._process.poll() is None and self.declaration:
-            return self.declaration
+        if self._process is not None and self.declaration:
+            if self._process.poll() is None:
+                return self.declaration
+            raise self._died(b"")
         self.close()
         self._rest, self._log = b"", b""
         try:
@@ -97,7 +101,7 @@ class AdapterProcess:
         request = {"seq": self._sequence, "verb": verb, **members}
         line = self._exchange(json.dumps(request).encode() + b"\n", seconds)
         try:
-            answer = json.loads(line)
+            answer = _parsed(line)
         except (ValueError, RecursionError) as error:
             raise self._fault(
                 f"{verb} is answered by a line that is not JSON: {_short(_text(line))}",
@@ -124,10 +128,9 @@ class AdapterProcess:
         process, self._process = self._process, None
         if process is None:
             return
-        if process.poll() is None and self._stop(process):
-            process.wait()
-        kill_group(process.pid)
-        process.wait()
+        if process.poll() is None:
+            self._stop(process)
+        end(process)
         for stream in (process.stdin, process.stdout, process.stderr):
             if stream:
                 try:
@@ -135,8 +138,8 @@ class AdapterProcess:
                 except OSError:
                     pass
 
-    def _stop(self, process: subprocess.Popen[bytes]) -> bool:
-        """Asks it to end; whether it did."""
+    def _stop(self, process: subprocess.Popen[bytes]) -> None:
+        """Asks it to end."""
         try:
             assert process.stdin is not None
             process.stdin.write(
@@ -145,8 +148,7 @@ class AdapterProcess:
             process.stdin.close()
             process.wait(STOP_SECONDS)
         except (OSError, subprocess.TimeoutExpired):
-            return False
-        return True
+            pass
 
     def _exchange(self, request: bytes, seconds: float) -> bytes:
         process = self._process
@@ -154,6 +156,7 @@ class AdapterProcess:
         deadline = time.monotonic() + seconds
         sent = 0
         answer = bytearray(self._rest)
+        searched = 0  # bytes in which there is no end of a line
         if b"\n" in answer:
             raise self._fault("it wrote a line that nobody asked for", Verdict.ERRORED)
         open_ends = {process.stdout, process.stderr}
@@ -190,10 +193,11 @@ class AdapterProcess:
                         self._log = (self._log + piece)[-LOG_BYTES:]
                     else:
                         answer += piece
-                line, end, rest = answer.partition(b"\n")
-                if end:
-                    self._rest = bytes(rest)
-                    return bytes(line)
+                length = answer.find(b"\n", searched)
+                if length >= 0:
+                    self._rest = bytes(answer[length + 1 :])
+                    return bytes(answer[:length])
+                searched = len(answer)
                 if len(answer) > self.limits.output:
                     what = f"an answer of more than {self.limits.output:,} bytes (--call-output)"
                     raise self._fault(what, Verdict.ERRORED)
@@ -234,8 +238,7 @@ class AdapterProcess:
         process, self._process = self._process, None
         self.declaration = None
         if process is not None:
-            kill_group(process.pid)
-            process.wait()
+            end(process)
             for stream in (process.stdin, process.stdout, process.stderr):
                 if stream:
                     stream.close()
@@ -246,8 +249,7 @@ def _child_setting(memory: int) -> Any:
     parent = os.getpid()
 
     def begin() -> None:
-        os.setsid()
-        end_with_parent(parent)
+        keep(parent)
         signal.signal(signal.SIGINT, signal.SIG_IGN)
         _, hard = resource.getrlimit(resource.RLIMIT_AS)
         if hard == resource.RLIM_INFINITY or memory < hard:
@@ -255,6 +257,16 @@ def _child_setting(memory: int) -> Any:
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
     return begin
+
+
+def _parsed(line: bytes) -> Any:
+    """The JSON value. ValueError also for integers so long that reading them takes minutes."""
+    before = sys.get_int_max_str_digits()
+    sys.set_int_max_str_digits(LONGEST_INTEGER)
+    try:
+        return json.loads(line)
+    finally:
+        sys.set_int_max_str_digits(before)
 
 
 def _text(data: bytes) -> str:
@@ -270,7 +282,6 @@ def named_command(name: str) -> list[str]:
     """The command line of a TARGET that is a path with a slash in it, or `cmd:COMMAND`."""
     import shlex
     import shutil
-    import sys
 
     from minkref.errors import Refusal
 

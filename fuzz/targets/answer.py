@@ -8,6 +8,7 @@ from typing import Any, Protocol
 
 from minkref.errors import message_of
 from minkref.fuzz.cases.case import Case
+from minkref.fuzz.cases.invalid_case import InvalidCase
 from minkref.fuzz.cases.space_case import SpaceCase
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.targets.declaration import Declaration
@@ -46,7 +47,7 @@ class Answer:
 class Target(Protocol):
     name: str
 
-    def sum(self, case: Case | SpaceCase) -> Answer: ...
+    def sum(self, case: Case | SpaceCase | InvalidCase) -> Answer: ...
 
     def close(self) -> None: ...
 
@@ -61,10 +62,16 @@ def skipped(message: str, declaration: Declaration = REGIONS) -> Answer:
     return Answer(verdict=Verdict.SKIPPED, message=message, declaration=declaration)
 
 
-def lacking(declaration: Declaration, needs: frozenset[str]) -> str | None:
-    """What keeps a case from a target; None if nothing does."""
-    lacks = declaration.lacks(needs)
-    return f"does not declare {', '.join(lacks)}" if lacks else None
+def lacking(
+    declaration: Declaration, case: Case | SpaceCase | InvalidCase, *more: str
+) -> str | None:
+    """What keeps a case from a target; None if nothing does. `more` capabilities that it takes."""
+    lacks = declaration.lacks(case.needs | set(more))
+    if lacks:
+        return f"does not declare {', '.join(lacks)}"
+    if isinstance(case, InvalidCase):
+        return None
+    return declaration.rounds(lambda: case.coordinates)
 
 
 def answered(rings: Any, seconds: float, turned: bool = False) -> Answer:

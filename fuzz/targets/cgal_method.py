@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from minkref.fuzz.cases.case import Case
+from minkref.fuzz.cases.invalid_case import InvalidCase
 from minkref.fuzz.cases.space_case import SpaceCase
 from minkref.fuzz.cgal.executables import executable_of_target, method_of_target
 from minkref.fuzz.cgal.oracle import CgalOracle
@@ -22,9 +23,9 @@ class CgalMethod:
             method, executable_of_target(name), raw=raw, seconds=limits.seconds, bytes=limits.bytes
         )
 
-    def sum(self, case: Case | SpaceCase) -> Answer:
-        if isinstance(case, SpaceCase):
-            return skipped("does not declare space")
+    def sum(self, case: Case | SpaceCase | InvalidCase) -> Answer:
+        if not isinstance(case, Case):
+            return skipped("does not declare space, or rejects-invalid")
         answer = self._oracle.sum(case.scaled_P_json, case.Q_json)
         if answer.status != "result":
             return Answer(

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
+
+from minkref.fuzz.cases.grid import bits_of
 
 PLANE = frozenset(
     ("plane", "non-convex", "holes", "components", "touching", "empty", "point", "segment")
@@ -31,6 +33,8 @@ class Declaration:
     relative: Fraction = Fraction(0)
     sum: str = "region"
     sets: str = "regularised"
+    bits: int | None = None  # of the integer grid on which it computes
+    unit: Fraction | None = None  # of the grid
     capabilities: frozenset[str] = PLANE
 
     @property
@@ -45,6 +49,16 @@ class Declaration:
         """The half side of the square or cube by which a result may differ. `magnitude` is the
         largest absolute value of a coordinate of sP plus that of Q."""
         return Fraction(0) if self.exact else self.absolute + self.relative * magnitude
+
+    def rounds(self, numbers: Callable[[], list[Fraction]]) -> str | None:
+        """Why the coordinates would be rounded on the way in; None if they would not."""
+        if self.bits is not None:
+            bits = bits_of(numbers())
+            if bits is None or bits > self.bits:
+                return f"coordinates off its grid of {self.bits} bits"
+        if self.unit is not None and any((n / self.unit).denominator != 1 for n in numbers()):
+            return f"coordinates off its grid of {self.unit}"
+        return None
 
     def lacks(self, needs: frozenset[str]) -> list[str]:
         """What a case needs and the target does not take."""
@@ -73,6 +87,8 @@ def read_declaration(value: Mapping[str, Any], name: str) -> Declaration:
         relative=_number(tolerance, "relative"),
         sum=_one_of(value, "sum", ("region", "boundary")),
         sets=_one_of(value, "sets", ("regularised", "closed")),
+        bits=_bits(value),
+        unit=_unit(value),
         capabilities=frozenset(capabilities),
     )
     if not declared.capabilities & {"plane", "space"}:
@@ -80,6 +96,30 @@ def read_declaration(value: Mapping[str, Any], name: str) -> Declaration:
     if declared.exact and (declared.absolute or declared.relative):
         raise DeclarationError("exact arithmetic has no tolerance")
     return declared
+
+
+def _grid(value: Mapping[str, Any]) -> dict[str, Any]:
+    grid = value.get("grid", {})
+    if not isinstance(grid, dict):
+        raise DeclarationError("grid is not an object with bits or unit")
+    return grid
+
+
+def _bits(value: Mapping[str, Any]) -> int | None:
+    bits = _grid(value).get("bits")
+    if bits is not None and (isinstance(bits, bool) or not isinstance(bits, int) or bits < 1):
+        raise DeclarationError("grid: bits is no positive integer")
+    return bits
+
+
+def _unit(value: Mapping[str, Any]) -> Fraction | None:
+    grid = _grid(value)
+    if grid.get("unit") is None:
+        return None
+    unit = _number(grid, "unit")
+    if not unit:
+        raise DeclarationError("grid: unit is zero")
+    return unit
 
 
 def _text(value: Mapping[str, Any], field: str, default: str) -> str:
@@ -99,12 +139,12 @@ def _one_of(value: Mapping[str, Any], field: str, words: tuple[str, ...]) -> str
 def _number(tolerance: Mapping[str, Any], field: str) -> Fraction:
     text = tolerance.get(field, "0")
     if not isinstance(text, str) or len(text) > MOST_TEXT:
-        raise DeclarationError(f"tolerance: {field} is not a decimal or fraction as a text")
+        raise DeclarationError(f"{field} is not a decimal or fraction as a text")
     try:
-        number = Fraction(text)
+        number = Fraction(text if len(text.lower().partition("e")[2]) < 6 else "")
     except (ValueError, ZeroDivisionError) as error:
-        what = f"tolerance: {field} is not a decimal or fraction as a text"
+        what = f"{field} is not a decimal or fraction as a text"
         raise DeclarationError(what) from error
     if number < 0:
-        raise DeclarationError(f"tolerance: {field} is negative")
+        raise DeclarationError(f"{field} is negative")
     return number

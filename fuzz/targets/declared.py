@@ -8,6 +8,7 @@ from minkref.fuzz.targets.adapter import AdapterTarget
 from minkref.fuzz.targets.answer import REGIONS, Answer, Limits
 from minkref.fuzz.targets.catalogue import TargetEntry, is_adapter, make_target
 from minkref.fuzz.targets.declaration import Declaration
+from minkref.fuzz.targets.reference import UPDATING
 
 
 def declarations_of(
@@ -27,5 +28,7 @@ def declarations_of(
             if not isinstance(declared, Answer):
                 found[entry.name] = declared
                 entry = replace(entry, version=declared.version or entry.version)
+        elif entry.name == UPDATING.name:
+            found[entry.name] = UPDATING
         named.append(entry)
     return named, found

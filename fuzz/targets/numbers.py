@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import math
+import re
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
@@ -14,6 +16,8 @@ from minkref.fuzz.verdicts.region import region_of_polygons
 from minkref.fuzz.verdicts.verdict import Verdict
 
 LONGEST_NUMBER = 100_000  # characters
+MOST_VERTICES = 400_000  # of an answer: what can be compared in time
+_VAST = re.compile(r"[eE][+-]?0*[0-9]{5}")  # an exponent that no fraction should be made of
 
 
 class Unreadable(ValueError):
@@ -67,23 +71,32 @@ def received(number: Any, declaration: Declaration) -> str:
         raise Unreadable(f"{number[:40]!r}: numbers are JSON numbers where `double` is declared")
     if len(number) > LONGEST_NUMBER:
         raise Unreadable(f"a number has more than {LONGEST_NUMBER:,} characters")
+    if _VAST.search(number):
+        raise Unreadable(f"{number[:40]!r}: the exponent is too large")
     return number
 
 
 def plane_answer(value: dict[str, Any], declaration: Declaration, seconds: float) -> Answer:
-    """The region that `polygons` or `rings` of an answer give. Raises Unreadable."""
-    if "rings" in value:
+    """The region that `polygons` or `rings` of an answer give. Raises Unreadable. Rings may
+    overlap: their winding number tells the set. Polygons that are points and segments have no
+    interior."""
+    by_winding = "rings" in value
+    polygons: list[dict[str, Any]]
+    if by_winding:
         polygons = [
             {"outer": _ring(ring, declaration), "holes": []} for ring in _list(value, "rings")
         ]
-        turned = False
     else:
-        polygons = [_polygon(polygon, declaration) for polygon in _list(value, "polygons")]
-        turned = True
+        given = [_polygon(polygon, declaration) for polygon in _list(value, "polygons")]
+        polygons = [each for each in given if len(each["outer"]) > 2 or each["holes"]]
+    count = sum(len(ring) for each in polygons for ring in (each["outer"], *each["holes"]))
+    if count > MOST_VERTICES:
+        raise Unreadable(f"{count:,} vertices, more than {MOST_VERTICES:,}")
     try:
-        return Answer(
-            region_of_polygons(polygons, turned), seconds=seconds, declaration=declaration
-        )
+        region = region_of_polygons(polygons, turned=not by_winding)
+        if by_winding:
+            region = replace(region, degenerate=None, overlap=None)
+        return Answer(region, seconds=seconds, declaration=declaration)
     except MemoryError:
         verdict, message = Verdict.OUT_OF_MEMORY, "while its answer was read"
         return Answer(verdict=verdict, message=message, declaration=declaration)
@@ -140,6 +153,8 @@ def solid_answer(value: dict[str, Any], declaration: Declaration, seconds: float
             raise Unreadable("a vertex is not a list of three numbers")
         x, y, z = (Fraction(received(number, declaration)) for number in vertex)
         vertices.append((x, y, z))
+    if len(vertices) > MOST_VERTICES:
+        raise Unreadable(f"{len(vertices):,} vertices, more than {MOST_VERTICES:,}")
     faces = []
     for face in _list(value, "faces"):
         if not isinstance(face, list) or len(face) < 3:

@@ -10,6 +10,7 @@ from typing import Any, cast
 
 from minkref.errors import message_of
 from minkref.fuzz.cases.case import Case
+from minkref.fuzz.cases.invalid_case import InvalidCase
 from minkref.fuzz.cases.space_case import SpaceCase
 from minkref.fuzz.targets.answer import Answer, Target, answered, lacking, skipped
 from minkref.fuzz.targets.declaration import Declaration, DeclarationError, read_declaration
@@ -32,12 +33,12 @@ class CallableTarget:
         self._declaration = read_declaration(declared or {}, name)
         self._plain = declared is None
 
-    def sum(self, case: Case | SpaceCase) -> Answer:
-        if isinstance(case, SpaceCase):
-            return skipped("does not declare space", self._declaration)
+    def sum(self, case: Case | SpaceCase | InvalidCase) -> Answer:
         declaration = self._declaration
-        if not self._plain:
-            lack = lacking(declaration, case.needs)
+        if isinstance(case, SpaceCase):
+            return skipped("does not declare space", declaration)
+        if not self._plain or isinstance(case, InvalidCase):
+            lack = lacking(declaration, case)
             if lack:
                 return skipped(lack, declaration)
         try:
@@ -82,7 +83,7 @@ class UnloadableTarget:
     name: str
     message: str
 
-    def sum(self, case: Case | SpaceCase) -> Answer:
+    def sum(self, case: Case | SpaceCase | InvalidCase) -> Answer:
         return Answer(verdict=Verdict.ERRORED, message=self.message)
 
     def close(self) -> None:

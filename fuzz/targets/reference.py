@@ -2,21 +2,28 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from fractions import Fraction
 
 from minkref import _core
 from minkref.errors import message_of
 from minkref.fuzz.cases.case import Case
+from minkref.fuzz.cases.invalid_case import InvalidCase
 from minkref.fuzz.cases.space_case import SpaceCase
-from minkref.fuzz.targets.answer import Answer, skipped
+from minkref.fuzz.targets.answer import REGIONS, Answer, skipped
+from minkref.fuzz.targets.declaration import PLANE, Declaration
 from minkref.fuzz.verdicts.region import region_of_sum
 from minkref.fuzz.verdicts.verdict import Verdict
 
+DYNAMIC = "dynamic"
 ROUTES = {
     "paper": "reduced convolution, orientable loops, nesting, collision detection",
     "winding": "winding number of the full convolution of slit operands",
     "definition": "union of the sums of all pairs of triangles",
+    DYNAMIC: "dynamic update, from one scale to another",
 }
+UPDATING = Declaration("minkref:dynamic", capabilities=PLANE | {"update"})
 
 
 @dataclass
@@ -24,11 +31,36 @@ class ReferenceTarget:
     name: str
     route: str
 
-    def sum(self, case: Case | SpaceCase) -> Answer:
-        if isinstance(case, SpaceCase):
-            return skipped("does not declare space")
+    @property
+    def declaration(self) -> Declaration:
+        return UPDATING if self.route == DYNAMIC else REGIONS
+
+    def sum(self, case: Case | SpaceCase | InvalidCase) -> Answer:
+        if not isinstance(case, Case):
+            return skipped("does not declare space, or rejects-invalid")
+        if self.route == DYNAMIC:
+            return self.updated_sum(case, case)
+        return self._guarded(
+            lambda: _core.minkowski_sum(case.P, case.Q, case.scale, self.route, "rational")
+        )
+
+    def updated_sum(self, before: Case, case: Case) -> Answer:
+        """The sum at the scale of `case`, stepped to from that of `before`."""
+        if self.route != DYNAMIC:
+            return skipped("does not declare update")
+
+        def step() -> _core.Sum:
+            least, most = sorted((before.scale, case.scale), key=Fraction)
+            moving = _core.DynamicSum(case.P, case.Q, least, most)
+            moving.move_to(before.scale)
+            moving.move_to(case.scale)
+            return moving.sum()
+
+        return self._guarded(step)
+
+    def _guarded(self, compute: Callable[[], _core.Sum]) -> Answer:
         try:
-            answer = _core.minkowski_sum(case.P, case.Q, case.scale, self.route, "rational")
+            answer = compute()
         except MemoryError as error:
             return Answer(verdict=Verdict.OUT_OF_MEMORY, message=str(error))
         except Exception as error:  # noqa: BLE001 a fault of the target, whatever it is

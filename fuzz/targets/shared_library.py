@@ -9,6 +9,7 @@ from typing import Any
 
 from minkref.errors import message_of
 from minkref.fuzz.cases.case import Case
+from minkref.fuzz.cases.invalid_case import InvalidCase
 from minkref.fuzz.cases.space_case import SpaceCase
 from minkref.fuzz.targets.answer import Answer, Target, lacking, skipped
 from minkref.fuzz.targets.declaration import Declaration, DeclarationError, read_declaration
@@ -41,9 +42,9 @@ class LibraryTarget:
         self._free = ctypes.CDLL(None).free
         self._free.argtypes = [c_void_p]
 
-    def sum(self, case: Case | SpaceCase) -> Answer:
+    def sum(self, case: Case | SpaceCase | InvalidCase) -> Answer:
         declaration = self._declaration
-        lack = lacking(declaration, case.needs)
+        lack = lacking(declaration, case)
         if lack or isinstance(case, SpaceCase):
             return skipped(lack or "does not declare space", declaration)
         try:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from dataclasses import replace
 
+from minkref import _core
 from minkref.errors import cut
 from minkref.fuzz.cases.case import Case
 from minkref.fuzz.targets.answer import Answer
@@ -76,6 +77,10 @@ def _against(
             outcome = _one(case, name, answer, expected)
         except WitnessRefuted as error:
             outcome = _undecided(name, answer, f"{DOUBT}: {error}")
+        except _core.LimitExceeded as error:
+            if name in TRUTHS:
+                raise
+            outcome = too_large(name, answer, error)
         if isinstance(outcome, Outcome):
             outcomes[name] = outcome
         else:
@@ -91,7 +96,7 @@ def _one(case: Case, name: str, answer: Answer, expected: Region) -> Outcome | W
     if answer.verdict is Verdict.WRONG:
         return _rejected(case, name, answer, expected)
     if region is None:
-        return _without_answer(name, answer)
+        return without_answer(name, answer)
     if declared.boundary:
         pairs = case.vertex_pairs
         if pairs > MOST_PAIRS:
@@ -164,7 +169,12 @@ def _refuted(
     )
 
 
-def _without_answer(name: str, answer: Answer) -> Outcome:
+def too_large(name: str, answer: Answer, error: Exception) -> Outcome:
+    message = cut(f"the answer is too large to be judged: {error}")
+    return Outcome(name, Verdict.ERRORED, message=message, seconds=answer.seconds)
+
+
+def without_answer(name: str, answer: Answer) -> Outcome:
     return Outcome(
         name,
         answer.verdict or Verdict.ERRORED,
@@ -177,7 +187,7 @@ def _without_answer(name: str, answer: Answer) -> Outcome:
 
 def _undecided(name: str, answer: Answer, message: str) -> Outcome:
     if answer.region is None:
-        return _without_answer(name, answer)
+        return without_answer(name, answer)
     return Outcome(
         name,
         Verdict.UNDECIDED,

@@ -5,10 +5,11 @@ from __future__ import annotations
 import json
 from collections.abc import Callable
 
+from minkref import _core
 from minkref.fuzz.cases.case import Case
 from minkref.fuzz.targets.answer import Answer
 from minkref.fuzz.verdicts.comparison import WitnessRefuted, settle
-from minkref.fuzz.verdicts.judgement import judge
+from minkref.fuzz.verdicts.judgement import judge, too_large
 from minkref.fuzz.verdicts.laws import LAWS, applies
 from minkref.fuzz.verdicts.region import Region, inner_point, minus, region_of_polygons
 from minkref.fuzz.verdicts.verdict import Outcome, Verdict
@@ -33,8 +34,11 @@ def judge_law(
     related = answer.declaration.exact and not answer.declaration.boundary
     if answer.region is not None and related and (before is None or before.region is not None):
         polygons = json.loads(before.region.json)["polygons"] if before and before.region else []
-        said = region_of_polygons(LAWS[law].carry(base, polygons), True)
-        outcome = _related(law, name, case, answer, said)
+        try:
+            said = region_of_polygons(LAWS[law].carry(base, polygons), True)
+            outcome = _related(law, name, case, answer, said)
+        except _core.LimitExceeded as error:
+            outcome = too_large(name, answer, error)
         if outcome is not None:
             return [outcome]
     outcomes = judge(case, {**truth(case), name: answer}, [name])

@@ -6,6 +6,8 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from html import escape
 
+from minkref.terminal import shown
+
 Segment = tuple[float, float, float, float]
 Polygons = Sequence[Sequence[Sequence[tuple[float, float]]]]  # per polygon: outer ring, holes
 Box = tuple[float, float, float, float]
@@ -55,7 +57,7 @@ def picture(layers: Sequence[Layer], caption: str, width: int = 340, box: Box | 
     parts = [_layer(layer, at) for layer in layers]
     return (
         f'<svg viewBox="0 0 {width} {height:.0f}" width="{width}" height="{height:.0f}" role="img" '
-        f'aria-label="{escape(caption, quote=True)}">{"".join(parts)}</svg>'
+        f'aria-label="{escape(shown(caption), quote=True)}">{"".join(parts)}</svg>'
     )
 
 

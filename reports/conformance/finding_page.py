@@ -1,84 +1,122 @@
-"""What the report shows of one kind of finding: its smallest case, drawn, with witness and
-program."""
+"""What the report shows of one kind of finding."""
 
 from __future__ import annotations
 
-import math
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import Any
 
-from minkref import _core
 from minkref.commands.verify_output import describe
-from minkref.exact import approximate
-from minkref.fuzz.run.runner import Finding
+from minkref.errors import cut
 from minkref.fuzz.shrink.groups import Group
-from minkref.fuzz.verdicts.region import minus
-from minkref.reports.conformance.drawing import Layer, bounds, picture
-from minkref.reports.conformance.program import Program, program
+from minkref.fuzz.targets.answer import Limits
+from minkref.fuzz.verdicts.verdict import Outcome, Verdict
+from minkref.reports.conformance.bug_report import bug_report
+from minkref.reports.conformance.case_view import CaseView, case_views
+from minkref.reports.conformance.plane_pictures import Picture
+from minkref.reports.conformance.versions import Presence, presence
+from minkref.reports.conformance.words import SIGNS, meaning
+from minkref.terminal import shown
+
+LONGEST = 60  # characters of the name of a file
 
 
-@dataclass(frozen=True)
+@dataclass
 class FindingPage:
+    """`name` is that of its page and of its programs."""
+
     name: str
-    verdict: str
-    lines: list[str]
-    pictures: list[tuple[str, str]]
-    program: Program | None
+    group: Group
+    version: str | None
+    cases: list[CaseView]
+    presence: list[Presence]
+
+    @property
+    def outcome(self) -> Outcome:
+        return self.group.example.outcome
+
+    @property
+    def target(self) -> str:
+        return self.outcome.target
+
+    @property
+    def verdict(self) -> str:
+        return str(self.outcome.verdict)
+
+    @property
+    def sign(self) -> str:
+        return SIGNS[self.outcome.verdict]
+
+    @property
+    def title(self) -> str:
+        return describe(self.group)[0]
+
+    @property
+    def meanings(self) -> list[tuple[str, str]]:
+        return [(kind, meaning(kind)) for kind in self.outcome.kinds]
+
+    @property
+    def baseline(self) -> str:
+        """What the baseline says of a known fault."""
+        return shown(self.outcome.message) if self.outcome.verdict is Verdict.KNOWN else ""
+
+    @property
+    def message(self) -> str:
+        """What was said by or of the target."""
+        known = self.outcome.verdict is Verdict.KNOWN
+        return "" if known else shown(cut(self.outcome.message))
+
+    @property
+    def log(self) -> list[str]:
+        return [shown(line) for line in self.outcome.log.strip()[-2000:].splitlines()]
+
+    @property
+    def thumbnail(self) -> Picture | None:
+        """The difference, else the first of the panes."""
+        panes = self.cases[0].panes
+        return panes[min(2, len(panes) - 1)] if panes else None
+
+    @property
+    def reports(self) -> list[str]:
+        """For each case a text for the library's issue tracker."""
+        others = [f"{p.target} {p.version}: {p.says}" for p in self.presence]
+        if self.baseline:
+            others.append(f"known: {self.baseline}")
+        return [bug_report(case, self.version, others) for case in self.cases]
 
 
-def finding_page(group: Group) -> FindingPage:
-    """Drawn is the smallest that it shrank to."""
-    outcome = group.example.outcome
-    kinds = "-".join(outcome.kinds)
-    name = re.sub(r"[^A-Za-z0-9.]+", "-", f"{outcome.target}-{kinds}").strip("-")
-    finding = group.example
-    if group.small:
-        finding = Finding(group.small[0].outcome, group.small[0].result)
-    return FindingPage(
-        name,
-        str(outcome.verdict),
-        describe(group),
-        _pictures(finding),
-        program(finding, name),
+def finding_pages(groups: list[Group], value: dict[str, Any], limits: Limits) -> list[FindingPage]:
+    """The most serious first, as the groups are."""
+    rows = {row["name"]: row for row in value["targets"]}
+    names = file_names(
+        f"{group.example.outcome.target}-{'-'.join(group.example.outcome.kinds)}"
+        for group in groups
     )
+    pages = []
+    for group, name in zip(groups, names, strict=True):
+        row = rows.get(group.example.outcome.target, {})
+        boundary = row.get("sum") == "boundary"
+        pages.append(
+            FindingPage(
+                name,
+                group,
+                row.get("version"),
+                case_views(group, name, boundary),
+                presence(group, value, limits),
+            )
+        )
+    return pages
 
 
-def _pictures(finding: Finding) -> list[tuple[str, str]]:
-    case, outcome = finding.case, finding.outcome
-    if case.P is None or case.Q is None or case.dimension != 2:
-        return []
-    P, Q = _core.PolygonSet.from_json(case.P), _core.PolygonSet.from_json(case.Q)
-    scale = "" if case.scale == "1" else f" (to be scaled by {case.scale})"
-    shown = [
-        (f"P{scale}", picture([Layer("first", P.rings())], "P")),
-        ("Q", picture([Layer("second", Q.rings())], "Q")),
-    ]
-    if case.expected is None:
-        return shown
-    mark = []
-    if outcome.witness:
-        x, y = (approximate(number) for number in outcome.witness.point)
-        if math.isfinite(x) and math.isfinite(y):
-            mark = [Layer("witness", point=(x, y))]
-    expected = Layer("sum", _rings(case.expected))
-    layers = [("expected", [expected])]
-    if outcome.got is not None:
-        got = Layer("got", _rings(outcome.got))
-        missing = Layer("missing", minus(case.expected, outcome.got).rings())
-        extra = Layer("extra", minus(outcome.got, case.expected).rings())
-        layers += [
-            (f"got from {outcome.target}", [got]),
-            (
-                "difference: missing red, extra orange",
-                [Layer("faint", expected.polygons), missing, extra],
-            ),
-        ]
-    box = bounds([layer for _, group in layers for layer in group])
-    return shown + [
-        (caption, picture([*group, *mark], caption, box=box)) for caption, group in layers
-    ]
-
-
-def _rings(canonical: str) -> list[list[list[tuple[float, float]]]]:
-    rings: list[list[list[tuple[float, float]]]] = _core.PolygonSet.from_json(canonical).rings()
-    return rings
+def file_names(texts: Iterable[str]) -> list[str]:
+    """Names of files that differ, of letters, digits, dots and dashes."""
+    found: list[str] = []
+    for text in texts:
+        plain = re.sub(r"[^A-Za-z0-9.]+", "-", text).strip("-.")[:LONGEST].rstrip("-.") or "unnamed"
+        name, number = plain, 1
+        while name.lower() in {other.lower() for other in found}:
+            number += 1
+            name = f"{plain}-{number}"
+        found.append(name)
+    return found

@@ -1,9 +1,10 @@
-"""The verdicts as JUnit XML: a suite for each target, a test case for each group of cases."""
+"""The verdicts as JUnit XML: a suite for each target, a test case for each family of cases."""
 
 from __future__ import annotations
 
 import re
 import xml.etree.ElementTree as ElementTree
+from collections import Counter
 
 from minkref.commands.verify_output import cell_text, describe
 from minkref.errors import cut
@@ -11,31 +12,49 @@ from minkref.fuzz.run.runner import Cell, Run
 from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.verdicts.verdict import BROKEN, Verdict
 
+Kind = tuple[str, str, tuple[str, ...]]
+
 _FORBIDDEN = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
 def junit(run: Run, groups: list[Group]) -> str:
-    """`wrong` is a failure, a broken target an error, `known` and `undecided` are system output."""
+    """`wrong` is a failure, a broken target an error, `known` and `undecided` are system output.
+    A kind of finding is told in each family in which it was found."""
     root = ElementTree.Element("testsuites", name="minkref verify")
+    where: dict[Kind, set[str]] = {}
+    for finding in run.findings:
+        where.setdefault(finding.kind, set()).add(finding.case.name.group)
+    totals: Counter[str] = Counter()
     for target in run.targets:
         suite = ElementTree.SubElement(root, "testsuite", name=target)
-        counts = {"tests": 0, "failures": 0, "errors": 0, "skipped": 0}
+        counts = Counter({"tests": 0, "failures": 0, "errors": 0, "skipped": 0})
+        seconds = 0.0
         for group in run.groups:
             cell = run.matrix.get((target, group))
-            if cell is not None:
-                found = [
-                    kind
-                    for kind in groups
-                    if kind.example.outcome.target == target
-                    and kind.example.case.name.group == group
-                ]
-                _test_case(suite, target, group, cell, found, counts)
-        for name, count in counts.items():
-            suite.set(name, str(count))
+            if cell is None:
+                continue
+            found = [
+                kind
+                for kind in groups
+                if kind.example.outcome.target == target
+                and group in where.get(kind.example.kind, {kind.example.case.name.group})
+            ]
+            _test_case(suite, target, group, cell, found, counts)
+            seconds += cell.seconds
+        _set(suite, counts, seconds)
+        totals.update(counts)
+    seconds = sum(cell.seconds for cell in run.matrix.values())
+    _set(root, totals, seconds)
     for element in root.iter():
         _make_legal(element)
     ElementTree.indent(root)
     return ElementTree.tostring(root, encoding="unicode", xml_declaration=True) + "\n"
+
+
+def _set(element: ElementTree.Element, counts: Counter[str], seconds: float) -> None:
+    for name in ("tests", "failures", "errors", "skipped"):
+        element.set(name, str(counts[name]))
+    element.set("time", f"{seconds:.3f}")
 
 
 def _make_legal(element: ElementTree.Element) -> None:
@@ -56,7 +75,7 @@ def _test_case(
     group: str,
     cell: Cell,
     found: list[Group],
-    counts: dict[str, int],
+    counts: Counter[str],
 ) -> None:
     test = ElementTree.SubElement(
         suite, "testcase", classname=target, name=group, time=f"{cell.seconds:.3f}"

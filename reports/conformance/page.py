@@ -1,4 +1,5 @@
-"""The conformance report: one self-contained HTML page, and the stand-alone programs beside it."""
+"""The conformance report: static pages that link to each other, all of it in one file too, and the
+stand-alone programs."""
 
 from __future__ import annotations
 
@@ -6,67 +7,109 @@ from importlib import resources
 from pathlib import Path
 from typing import Any
 
-from jinja2 import Environment, StrictUndefined
-from minkref.commands.verify_output import cell_text, conclusion
+from jinja2 import Environment, FunctionLoader, StrictUndefined
+from markupsafe import Markup
+from minkref.commands.verify_output import conclusion
 from minkref.documents import write_atomically
-from minkref.errors import cut
 from minkref.fuzz.run.runner import Run
 from minkref.fuzz.shrink.groups import Group
-from minkref.reports.conformance.finding_page import finding_page
+from minkref.fuzz.targets.answer import Limits
+from minkref.fuzz.verdicts.verdict import Verdict
+from minkref.reports.conformance.finding_page import FindingPage, finding_pages
 from minkref.reports.conformance.showcase import showcases
+from minkref.reports.conformance.target_page import TargetPage, target_pages
+from minkref.reports.conformance.words import SIGNS, VERDICTS, ending
 from minkref.terminal import shown
 
+ONE_FILE = "report.html"
+FRONT = "index.html"
+NO_LIMITS = Limits()
 
-def write_report(folder: Path, run: Run, groups: list[Group], value: dict[str, Any]) -> Path:
-    """Writes `index.html`, and `NAME.cpp` for each kind of finding against CGAL. `value` is the
-    JSON document of the run. Returns the path of the page."""
-    findings = [finding_page(group) for group in groups]
+
+def write_report(
+    folder: Path,
+    run: Run,
+    groups: list[Group],
+    value: dict[str, Any],
+    limits: Limits = NO_LIMITS,
+    again: str = "",
+) -> Path:
+    """Writes `index.html`, a page for each target and for each kind of finding, `report.html` with
+    all of it, and a program for each case where there is one. `value` is the JSON document of the
+    run, `again` the command that makes the report again. Returns the path of the front page."""
+    findings = finding_pages(groups, value, limits)
+    targets = target_pages(run, value, findings)
+    files = _programs(findings)
+    shared = _shared(run, value, targets, findings, again)
+    environment = _environment()
+
+    def page(template: str, **more: Any) -> str:
+        return environment.get_template(template).render(**shared, one=False, **more)
+
+    for target in targets:
+        files[f"target-{target.name}.html"] = page("target.html.j2", target=target)
     for finding in findings:
-        if finding.program is not None:
-            write_atomically(folder / finding.program.file, finding.program.text)
-    rows = [
-        {
-            "target": target,
-            "cells": [_cell(run, target, group) for group in run.groups],
-            "version": next((t["version"] for t in value["targets"] if t["name"] == target), None),
-        }
-        for target in run.targets
-    ]
-    template = resources.files("minkref.reports.conformance") / "templates" / "page.html.j2"
-    environment = Environment(
-        autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True
-    )
-    html = environment.from_string(template.read_text(encoding="utf-8")).render(
-        value=value,
-        rows=rows,
-        groups=[(group, run.cases[group]) for group in run.groups],
-        findings=findings,
-        showcases=showcases(),
-        conclusion=conclusion(run),
-    )
-    page = folder / "index.html"
-    write_atomically(page, html)
-    return page
+        files[f"finding-{finding.name}.html"] = page("finding.html.j2", finding=finding)
+    files[ONE_FILE] = environment.get_template("one.html.j2").render(**shared, one=True)
+    files[FRONT] = page("index.html.j2")
+    for name, text in files.items():
+        write_atomically(folder / name, text)
+    return folder / FRONT
 
 
-def _cell(run: Run, target: str, group: str) -> dict[str, Any]:
-    cell = run.matrix.get((target, group))
-    verdicts = set(cell.verdicts) if cell else set()
-    worst = "good" if verdicts & {"pass", "pass-within"} else "skipped"
-    for verdict in (
-        "undecided",
-        "known",
-        "errored",
-        "timed-out",
-        "out-of-memory",
-        "crashed",
-        "wrong",
-    ):
-        if verdict in verdicts:
-            worst = verdict
+def _programs(findings: list[FindingPage]) -> dict[str, str]:
     return {
-        "lines": cell_text(cell).split("\n"),
-        "worst": worst,
-        "seconds": cell.seconds if cell else 0.0,
-        "skips": shown(cut("; ".join(cell.skips))) if cell else "",
+        case.program.file: case.program.text
+        for finding in findings
+        for case in finding.cases
+        if case.program is not None
     }
+
+
+def _shared(
+    run: Run,
+    value: dict[str, Any],
+    targets: list[TargetPage],
+    findings: list[FindingPage],
+    again: str,
+) -> dict[str, Any]:
+    """What every page may use."""
+    absent: dict[str, list[str]] = {}
+    for row in value["absent"]:
+        absent.setdefault(shown(row["reason"] or "not found"), []).append(row["name"])
+    return {
+        "value": value,
+        "conclusion": shown(conclusion(run)),
+        "ending": ending(value["exit_code"]),
+        "again": shown(again),
+        "cases": sum(run.cases.values()),
+        "families": [(group, run.cases[group]) for group in run.groups],
+        "targets": targets,
+        "findings": findings,
+        "absent": absent,
+        "absent_cases": run.absent,
+        "notes": [shown(note) for note in value["notes"]],
+        "verdicts": [(str(v), SIGNS[v], VERDICTS[v]) for v in Verdict],
+        "showcases": showcases(),
+        "target_of": {target.target: target for target in targets},
+    }
+
+
+def _environment() -> Environment:
+    folder = resources.files("minkref.reports.conformance") / "templates"
+
+    def load(name: str) -> str | None:
+        file = folder / name
+        return file.read_text(encoding="utf-8") if file.is_file() else None
+
+    environment = Environment(
+        loader=FunctionLoader(load),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    environment.filters["drawn"] = lambda picture: Markup(picture)
+    environment.filters["number"] = lambda number: f"{number:,}"
+    environment.filters["line"] = lambda text: shown(str(text))
+    return environment

@@ -9,51 +9,75 @@ from minkref.commands.verify_output import describe
 from minkref.fuzz.run.runner import Finding
 from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.verdicts.verdict import Verdict
+from minkref.reports.conformance.words import meaning
+from minkref.terminal import shown
 from minkref.version import version
 
 SCHEMA = (
     "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json"
 )
 LEVELS = {Verdict.WRONG: "error", Verdict.KNOWN: "note", Verdict.UNDECIDED: "note"}
+Kinds = tuple[str, ...]
 
 
 def sarif(groups: list[Group], value: dict[str, Any]) -> str:
-    rules = sorted({rule for group in groups for rule in [_rule(group)]})
+    """What the baseline knows is a note that is suppressed."""
+    rules = sorted({group.example.outcome.kinds for group in groups})
     run = {
         "tool": {
             "driver": {
                 "name": "minkref",
                 "version": version(),
-                "rules": [{"id": rule, "name": rule} for rule in rules],
+                "rules": [_rule(kinds) for kinds in rules],
             }
         },
         "invocations": [{"executionSuccessful": True, "exitCode": value["exit_code"]}],
-        "results": [result for group in groups for result in _results(group)],
+        "results": [
+            result
+            for group in groups
+            for result in _results(group, rules.index(group.example.outcome.kinds))
+        ],
+        "properties": {
+            "seed": value["seed"],
+            "targets": [
+                {"name": row["name"], "version": row["version"]} for row in value["targets"]
+            ],
+        },
     }
     return json.dumps({"$schema": SCHEMA, "version": "2.1.0", "runs": [run]}, indent=2) + "\n"
 
 
-def _rule(group: Group) -> str:
-    return "/".join(group.example.outcome.kinds)
+def _rule_id(kinds: Kinds) -> str:
+    return "+".join(kinds)
 
 
-def _results(group: Group) -> list[dict[str, Any]]:
+def _rule(kinds: Kinds) -> dict[str, Any]:
+    text = "; ".join(meaning(kind) for kind in kinds)
+    return {
+        "id": _rule_id(kinds),
+        "shortDescription": {"text": text},
+        "fullDescription": {"text": f"The answer of a target: {text}."},
+    }
+
+
+def _results(group: Group, rule: int) -> list[dict[str, Any]]:
     finding = group.example
-    shown = [Finding(small.outcome, small.result) for small in group.small] or [finding]
-    return [
-        {
-            "ruleId": _rule(group),
-            "level": LEVELS.get(finding.outcome.verdict, "warning"),
+    outcome = finding.outcome
+    found = [Finding(small.outcome, small.result) for small in group.small] or [finding]
+    results = []
+    for one in found:
+        result: dict[str, Any] = {
+            "ruleId": _rule_id(outcome.kinds),
+            "ruleIndex": rule,
+            "level": LEVELS.get(outcome.verdict, "warning"),
             "message": {"text": "\n".join(describe(group))},
             "locations": [
-                {
-                    "logicalLocations": [
-                        {"name": finding.outcome.target, "kind": "module"},
-                    ]
-                }
+                {"logicalLocations": [{"name": shown(outcome.target), "kind": "module"}]}
             ],
             "partialFingerprints": {
-                "minkrefCase/v1": f"{finding.outcome.target} {_rule(group)} {one.case.name.text}"
+                "minkrefCase/v1": shown(
+                    f"{outcome.target} {_rule_id(outcome.kinds)} {one.case.name.text}"
+                )
             },
             "properties": {
                 "reproduce": one.reproduce,
@@ -61,5 +85,8 @@ def _results(group: Group) -> list[dict[str, Any]]:
                 "count": group.count,
             },
         }
-        for one in shown
-    ]
+        if outcome.verdict is Verdict.KNOWN:
+            reason = shown(outcome.message)
+            result["suppressions"] = [{"kind": "external", "justification": reason}]
+        results.append(result)
+    return results

@@ -8,6 +8,7 @@ from typing import Annotated, Any
 
 import typer
 
+from minkref.commands.verify_cases import refuse_unless_case
 from minkref.commands.verify_limits import check_numbers
 from minkref.commands.verify_output import shrunk_document, witness_text
 from minkref.documents import Stopwatch, as_text, check_writable, document, write_atomically
@@ -70,6 +71,7 @@ def command(
     if output is not None:
         check_writable(output)
     limits = Limits(call_seconds, call_memory << 20)
+    refuse_unless_case(case)
     (entry,), _ = _one(target, limits)
     with ending_in_order():
         with Trial(entry.name, limits) as trial:
@@ -90,6 +92,12 @@ def command(
             "run it again: a target that answers now so, now so cannot be shrunk",
         )
     if output is not None:
+        if small.result.dimension != 2:
+            raise Refusal(
+                "case files are in the plane, and this case is in space",
+                str(output),
+                "leave out -o: the case is in what is printed, as JSON",
+            )
         write_atomically(output, case_text(small, entry.name))
     value = document(
         "shrink",

@@ -25,6 +25,7 @@ from minkref.fuzz.targets.catalogue import select
 from minkref.fuzz.targets.declared import declarations_of
 from minkref.fuzz.verdicts.baseline import Baseline, read_baseline
 from minkref.options import Json, Schema
+from minkref.reports.conformance.again import command_line
 from minkref.reports.conformance.junit import junit
 from minkref.reports.conformance.lines import json_lines
 from minkref.reports.conformance.markdown import markdown
@@ -139,6 +140,9 @@ def command(
         Path | None,
         typer.Option("--lines", help="Write the findings as JSON lines.", metavar="FILE"),
     ] = None,
+    first: Annotated[
+        bool, typer.Option("--first", help="End with the first case that is wrong or broken.")
+    ] = False,
     strict: Annotated[
         bool, typer.Option("--strict", help="Exit with 4 where something stays undecided.")
     ] = False,
@@ -193,7 +197,7 @@ def command(
         if book is not None:
             cases.spent = book.spent
         with ending_in_order(), ProgressLine(cases.count) as line:
-            done = run(cases, names, versions, listed, limits, workers, line.show, book)
+            done = run(cases, names, versions, listed, limits, workers, line.show, book, first)
             groups = shrunk_groups(done, limits, shrink_calls, line.say)
     finally:
         if book is not None:
@@ -201,7 +205,8 @@ def command(
     code = done.exit_code(strict)
     value = document_of(done, groups, chosen, absent, declared, cases, watch, code)
     if report is not None:
-        value["report"] = str(write_report(report, done, groups, value))
+        again = command_line("verify", command, locals())
+        value["report"] = str(write_report(report, done, groups, value, limits, again))
         value["seconds"] = watch.seconds()
     if junit_file is not None:
         write_atomically(junit_file, junit(done, groups))

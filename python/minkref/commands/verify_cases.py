@@ -17,7 +17,6 @@ from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.verdicts.laws import LAWS
 
 SUITES = ("fuzz", "corpus", "all")
-UPDATE = "update"
 
 
 def case_list(
@@ -37,7 +36,7 @@ def case_list(
         what = f"there is no suite {suite[:40]!r}"
         raise Refusal(what, "--suite", f"choose one of {', '.join(SUITES)}")
     for text in named or []:
-        _refuse_unless_case(text)
+        refuse_unless_case(text)
     for name in families or []:
         if name not in FAMILIES and name not in SPACE_FAMILIES:
             raise Refusal(
@@ -45,13 +44,12 @@ def case_list(
                 f"--family {name[:40]}",
                 "`minkref families` lists them",
             )
-    kinds = list(declared)
-    space = any("space" in kind.capabilities for kind in kinds)
-    plane = any("plane" in kind.capabilities for kind in kinds)
+    able = frozenset(word for kind in declared for word in kind.capabilities)
+    space, plane = "space" in able, "plane" in able
     wanted = families or [*(FAMILIES if plane else ()), *(SPACE_FAMILIES if space else ())]
     fuzz = suite in ("fuzz", "all")
     files = case_files(corpus) if suite in ("corpus", "all") and not named else ()
-    laws = [*LAWS, *((UPDATE,) if any("update" in kind.capabilities for kind in kinds) else ())]
+    laws = [*LAWS, *(verb for verb in (naming.UPDATE, naming.EVENTS) if verb in able)]
     return CaseList(
         seed,
         pairs,
@@ -63,10 +61,12 @@ def case_list(
         tuple(laws) if derived else (),
         derived,
         files,
+        "rejects-invalid" in able and fuzz and not families,
     )
 
 
-def _refuse_unless_case(text: str) -> None:
+def refuse_unless_case(text: str) -> None:
+    """Refuses what names no case, before any worker does."""
     try:
         naming.load(CaseName(text, "named"))
     except NoCase as reason:

@@ -252,7 +252,8 @@ def describe(group: Group) -> list[str]:
     times = "once" if group.count == 1 else f"{group.count:,} times"
     was = f" (was {outcome.was})" if outcome.was else ""
     kinds = f": {', '.join(str(reason) for reason in outcome.reasons)}" if outcome.reasons else ""
-    lines = [f"{outcome.target} {outcome.verdict}{was}{kinds}, {times}"]
+    also = f" (also {'; '.join(group.also)})" if group.also else ""
+    lines = [f"{outcome.target} {outcome.verdict}{was}{kinds}{also}, {times}"]
     if outcome.message:
         lines.append(f"  {outcome.message}")
     if outcome.signal and outcome.signal not in outcome.message:

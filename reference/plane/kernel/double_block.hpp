@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__gnu_linux__)
@@ -20,8 +21,9 @@ using Block = double __attribute__((vector_size(8 * block_width)));
 using BlockMask = std::int64_t __attribute__((vector_size(8 * block_width)));
 
 MINKREF_INLINE Block load_block(const double* from) {
-  using Unaligned = double __attribute__((vector_size(8 * block_width), aligned(8)));
-  return *reinterpret_cast<const Unaligned*>(from);
+  Block block;  // copied: a cast to a vector type of less alignment is an aligned load to clang
+  std::memcpy(&block, from, sizeof block);
+  return block;
 }
 
 }  // namespace minkref

@@ -78,8 +78,9 @@ def triangles(value: Set) -> list[Ring]:
     found: list[Ring] = []
     for low, high in pairwise(heights):
         across = sorted(
-            (at(edge, low), at(edge, high)) for edge in edges if edge[0][0] <= low < edge[1][0]
-            and edge[1][0] >= high
+            (at(edge, low), at(edge, high))
+            for edge in edges
+            if edge[0][0] <= low < edge[1][0] and edge[1][0] >= high
         )
         for (a, d), (b, c) in zip(across[::2], across[1::2], strict=True):
             corners = [(a, low), (b, low), (c, high), (d, high)]

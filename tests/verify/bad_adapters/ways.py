@@ -246,9 +246,7 @@ def close(number: int) -> Callable[[Adapter, Set], None]:
 
 WAYS["closes-stdout-and-lives"] = instead("at", close(1))
 WAYS["closes-stdin-and-lives"] = also("at", lambda a, r: os.close(0))
-WAYS["closes-everything-and-lives"] = instead(
-    "at", lambda a, r: (os.closerange(0, 100), hang())
-)
+WAYS["closes-everything-and-lives"] = instead("at", lambda a, r: (os.closerange(0, 100), hang()))
 
 
 def fill_memory(*_: Any) -> None:
@@ -329,7 +327,7 @@ WAYS["protocol-list"] = declares(protocol=["adapter-v1"])
 WAYS["name-missing"] = declares(name=None)
 WAYS["name-long"] = declares(name="n" * 1_000_000)
 WAYS["name-hostile"] = declares(name='<script>alert(1)</script>\x1b[2J\x00\u202e"&\n')
-WAYS["version-hostile"] = declares(version='<img src=x onerror=alert(1)>\x07\ud800')
+WAYS["version-hostile"] = declares(version="<img src=x onerror=alert(1)>\x07\ud800")
 WAYS["numbers-words"] = declares(numbers="words")
 WAYS["sum-other"] = declares(sum="difference")
 WAYS["arithmetic-number"] = declares(arithmetic=3)
@@ -421,14 +419,74 @@ WAYS["ring-far-away"] = results(plus_ring((5000, 5000), (5001, 5000), (5000, 500
 WAYS["rings-none"] = results(lambda v, a: {"rings": []})
 WAYS["polygons-twice"] = results(lambda v, a: {"polygons": v["polygons"] * 2})
 WAYS["both-forms"] = results(lambda v, a: {**v, "rings": []})
+WAYS["vertices-just-within"] = results(
+    lambda v, a: {"polygons": [{"outer": parabola(390_000), "holes": []}]}
+)
 WAYS["million-vertices"] = results(
-    lambda v, a: {"polygons": [{"outer": circle(1_000_000), "holes": []}]}
+    lambda v, a: {"polygons": [{"outer": parabola(1_000_000), "holes": []}]}
 )
 
 
-def circle(count: int) -> list[list[int]]:
-    """A convex ring of so many vertices: along a parabola and back along its chord."""
+def parabola(count: int) -> list[list[int]]:
+    """A convex ring of so many vertices."""
     return [[x, x * x] for x in range(count)]
+
+
+# Coordinates within the limit of digits, whose crossings are beyond it.
+LONG = "9" * 9000
+WAYS["long-numbers-that-cross"] = results(
+    lambda v, a: {
+        "rings": [[["0", "0"], [LONG, "1"], ["1", LONG]], [["2", "0"], [LONG, LONG], ["0", "3"]]]
+    }
+)
+WAYS["rings-that-cross-everywhere"] = results(lambda v, a: {"rings": [star(701)]})
+
+
+def star(count: int) -> list[list[int]]:
+    """Edges between opposite points of a parabola and its mirror image: all cross."""
+    points = [[x, 0] for x in range(count)] + [[x * x, 1000] for x in range(count)]
+    return [points[k // 2 + (count if k % 2 else 0)] for k in range(2 * count)]
+
+
+# --- in space
+CUBE = {
+    "vertices": [[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)],
+    "faces": [
+        [0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3],
+    ],
+}  # fmt: skip
+
+
+def in_space(members: Set) -> Callable[[], Adapter]:
+    words = ["space", "non-convex", "holes", "components", "touching", "rational"]
+
+    class InSpace(declares(capabilities=words)):  # type: ignore[misc]
+        def sum_of(self, sP: Set, Q: Set) -> Any:
+            return members
+
+    return InSpace
+
+
+SPACE: dict[str, Set] = {
+    "space-cube": CUBE,
+    "space-nothing": {"vertices": [], "faces": []},
+    "space-index-out-of-range": {**CUBE, "faces": [[0, 1, 8]]},
+    "space-index-negative": {**CUBE, "faces": [[0, 1, -1]]},
+    "space-index-float": {**CUBE, "faces": [[0, 1, 2.0]]},
+    "space-face-of-two": {**CUBE, "faces": [[0, 1]]},
+    "space-face-of-one-vertex": {**CUBE, "faces": [[0, 0, 0]]},
+    "space-open": {**CUBE, "faces": CUBE["faces"][:5]},
+    "space-twice": {**CUBE, "faces": CUBE["faces"] * 2},
+    "space-inside-out": {**CUBE, "faces": [face[::-1] for face in CUBE["faces"]]},
+    "space-not-planar": {**CUBE, "vertices": [*CUBE["vertices"][:7], [2, 3, 5]]},
+    "space-long-exponent": {**CUBE, "vertices": [*CUBE["vertices"][:7], ["1e999999999", 1, 1]]},
+    "space-long-numbers": {**CUBE, "vertices": [*CUBE["vertices"][:7], [LONG, LONG, LONG]]},
+    "space-zero-denominator": {**CUBE, "vertices": [*CUBE["vertices"][:7], ["1/0", 1, 1]]},
+    "space-plane": {"polygons": []},
+    "space-faces-missing": {"vertices": CUBE["vertices"]},
+}
+for name, members in SPACE.items():
+    WAYS[name] = in_space(members)
 
 
 # --- files

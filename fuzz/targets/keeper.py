@@ -1,0 +1,104 @@
+"""A process between ours and a program that is not ours.
+
+What the program does to its parent it does to the keeper. The keeper adopts whatever the program
+leaves behind, also in sessions of its own, and ends all of it with the program, or when we die.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+from minkref.signals import PR_SET_PDEATHSIG, end_with_parent, kill_group
+
+PR_SET_CHILD_SUBREAPER = 36
+MOST_FILES = 1 << 16  # open ones that the keeper closes
+END_SECONDS = 5.0
+_SIGNALS = (signal.SIGCHLD, signal.SIGTERM)
+
+
+def keep(parent: int) -> None:
+    """For the child of a fork, which becomes the keeper: leads a session, forks, and returns in the
+    new child only. `parent` is the process that both end with."""
+    os.setsid()
+    if sys.platform != "linux":
+        return
+    keeper = os.getpid()
+    ctypes.CDLL(None).prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
+    mask = signal.pthread_sigmask(signal.SIG_BLOCK, _SIGNALS)
+    child = os.fork()
+    if child == 0:
+        signal.pthread_sigmask(signal.SIG_SETMASK, mask)
+        end_with_parent(keeper)
+        return
+    try:
+        _wait(child, parent)
+    finally:
+        os._exit(1)
+
+
+def end(process: subprocess.Popen[bytes]) -> None:
+    """Ends a kept program with all that it started."""
+    if process.poll() is None:
+        for number in (signal.SIGTERM, signal.SIGCONT):
+            process.send_signal(number)
+        try:
+            process.wait(END_SECONDS)
+        except subprocess.TimeoutExpired:
+            pass
+    kill_group(process.pid)
+    process.wait()
+
+
+def _wait(child: int, parent: int) -> None:
+    """Ends as the child does, after all that it started."""
+    os.closerange(0, MOST_FILES)
+    ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGTERM, 0, 0, 0)
+    status = None
+    while status is None and os.getppid() == parent:
+        if signal.sigwait(_SIGNALS) == signal.SIGTERM:
+            break
+        while status is None:
+            ended, how = os.waitpid(-1, os.WNOHANG)
+            if ended == 0:
+                break
+            status = how if ended == child else None
+    _end_children()
+    if status is not None and os.WIFSIGNALED(status):
+        number = os.WTERMSIG(status)
+        if number not in (signal.SIGKILL, signal.SIGSTOP):
+            signal.signal(number, signal.SIG_DFL)
+        signal.pthread_sigmask(signal.SIG_SETMASK, ())
+        os.kill(os.getpid(), number)
+    os._exit(os.WEXITSTATUS(status) if status is not None else 1)
+
+
+def _end_children() -> None:
+    """Whose children become ours when they end."""
+    while True:
+        try:
+            ended, _ = os.waitpid(-1, os.WNOHANG)
+        except ChildProcessError:
+            return
+        if ended:
+            continue
+        for child in _children():
+            os.kill(child, signal.SIGKILL)
+        os.waitpid(-1, 0)
+
+
+def _children() -> list[int]:
+    found = []
+    for entry in Path("/proc").iterdir():
+        if entry.name.isdecimal():
+            try:
+                text = (entry / "stat").read_bytes()
+            except OSError:
+                continue
+            if int(text.rpartition(b")")[2].split()[1]) == os.getpid():
+                found.append(int(entry.name))
+    return found

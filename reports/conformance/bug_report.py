@@ -1,0 +1,105 @@
+"""A text for the issue tracker of a library: Markdown that needs nothing of minkref to be read."""
+
+from __future__ import annotations
+
+import re
+
+from minkref.fuzz.verdicts.verdict import Verdict
+from minkref.reports.conformance.case_view import CaseView, written
+from minkref.reports.conformance.programs.catalogue import library
+from minkref.reports.conformance.words import meaning
+from minkref.terminal import shown
+
+
+def bug_report(view: CaseView, version: str | None, presence: list[str]) -> str:
+    """Title, versions, input, expected, got, how to reproduce it without minkref, and why the
+    expected is right."""
+    outcome, case = view.outcome, view.case
+    name = shown(library(outcome.target))
+    kinds = ", ".join(outcome.kinds)
+    lines = [
+        f"# Minkowski sum of {'two solids' if case.dimension == 3 else 'two polygons'}: "
+        f"{'; '.join(meaning(kind) for kind in outcome.kinds)}",
+        "",
+        "## Versions",
+        "",
+        f"- {name} {version or '(version not known)'}, {shown(outcome.target)}",
+        *(f"- {line}" for line in presence),
+        "",
+        "## Input",
+        "",
+        *_block(_input(view)),
+        "",
+        "## Expected",
+        "",
+        *_expected(view),
+        "",
+        "## Got",
+        "",
+        *_got(view, kinds),
+        "",
+        "## To reproduce",
+        "",
+        *_program(view),
+    ]
+    if view.argument:
+        lines += ["", "## Why the expected is right", "", *(f"- {s}" for s in view.argument)]
+    return "\n".join(lines) + "\n"
+
+
+def _input(view: CaseView) -> str:
+    scale = view.case.scale
+    texts = [f"{name}: {text}" for name, text in view.operand_texts]
+    if scale != "1":
+        texts.append(f"scale: {scale}. The sum is that of P, scaled about the origin by it, and Q.")
+    return "\n".join(texts)
+
+
+def _expected(view: CaseView) -> list[str]:
+    if view.invalid:
+        return [view.refusal]
+    witness = view.outcome.witness
+    lines = _block(written(view.expected)) if view.expected else ["An answer."]
+    if view.expected is None and witness is not None:
+        lines = []
+    if witness is not None:
+        side = "has" if witness.in_truth else "does not have"
+        lines += ["", f"It {side} the point ({', '.join(witness.point)})."]
+    return lines
+
+
+def _got(view: CaseView, kinds: str) -> list[str]:
+    outcome = view.outcome
+    lines = _block(written(outcome.got)) if outcome.got else []
+    if (outcome.was or outcome.verdict) is not Verdict.WRONG or not outcome.got:
+        said = outcome.message if outcome.was is None else ""
+        signal = f" ({outcome.signal})" if outcome.signal else ""
+        lines.append(f"{kinds}{signal}")
+        if said:
+            lines += ["", *_block(shown(said))]
+    return lines
+
+
+def _program(view: CaseView) -> list[str]:
+    if view.program is None:
+        return [view.no_program]
+    language = {"cpp": "c++", "py": "python"}.get(view.program.file.rpartition(".")[2], "")
+    return [
+        f"`{view.program.file}`:",
+        "",
+        *_block(view.program.text.rstrip("\n"), language),
+        "",
+        *_block(view.program.run),
+        "",
+        "It exits with 1 where the fault shows."
+        if view.outcome.witness and not view.invalid
+        else "It makes the call, and ends as the call ends.",
+        *([view.program.note] if view.program.note else []),
+    ]
+
+
+def _block(text: str, language: str = "") -> list[str]:
+    """Fenced, with a fence that the text does not hold."""
+    longest = max((len(run) for run in re.findall(r"`{3,}", text)), default=2)
+    fence = "`" * (longest + 1)
+    return [f"{fence}{language}", *text.split("\n"), fence]

@@ -1,0 +1,215 @@
+"""What is shown of one case of a finding: drawn, in words, as text, and as a program."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from minkref import _core
+from minkref.errors import cut
+from minkref.fuzz.cases.case import CaseName
+from minkref.fuzz.run.runner import Finding
+from minkref.fuzz.run.worker import CaseResult
+from minkref.fuzz.shrink.groups import Group
+from minkref.fuzz.space.polyhedron import Polyhedron
+from minkref.fuzz.verdicts.boundary_sum import MOST_PAIRS, boundary_sum
+from minkref.fuzz.verdicts.verdict import Outcome, Reason
+from minkref.reports.conformance.argument import argument_in_plane, point_text
+from minkref.reports.conformance.plane_pictures import (
+    Picture,
+    comparison_pictures,
+    meeting_picture,
+    operand_pictures,
+)
+from minkref.reports.conformance.programs.catalogue import program, why_none
+from minkref.reports.conformance.programs.program import Program
+from minkref.reports.conformance.space_argument import argument_in_space
+from minkref.reports.conformance.space_pictures import (
+    expected_in_space,
+    space_comparison_pictures,
+    space_operand_pictures,
+)
+from minkref.terminal import counted, shown
+
+MOST_TEXT = 6000  # characters of an operand that is written out
+MOST_ROWS = 60  # of a table of vertices or faces
+
+
+@dataclass(frozen=True)
+class SolidTable:
+    name: str
+    vertices: list[tuple[int, list[str]]]
+    faces: list[tuple[int, str]]
+    more: str
+
+
+@dataclass
+class CaseView:
+    finding: Finding
+    title: str
+    operands: list[Picture] = field(default_factory=list)
+    panes: list[Picture] = field(default_factory=list)
+    meeting: Picture | None = None
+    tables: list[SolidTable] = field(default_factory=list)
+    argument: list[str] = field(default_factory=list)
+    expected: str | None = None
+    program: Program | None = None
+    no_program: str = ""
+    undrawn: str = ""
+
+    @property
+    def outcome(self) -> Outcome:
+        return self.finding.outcome
+
+    @property
+    def case(self) -> CaseResult:
+        return self.finding.case
+
+    @property
+    def invalid(self) -> bool:
+        """An operand is invalid: there is no sum, and the right answer is a refusal."""
+        return Reason.ACCEPTED_INVALID in self.outcome.reasons
+
+    @property
+    def refusal(self) -> str:
+        """What is wrong with the operands, and where."""
+        witness = self.outcome.witness
+        at = f", at {point_text(witness.point)}" if witness else ""
+        what = shown(cut(self.outcome.message))
+        return f"An operand is invalid ({what}){at}: the right answer is a refusal."
+
+    @property
+    def reproduce(self) -> str:
+        return shown(self.finding.reproduce)
+
+    @property
+    def operand_texts(self) -> list[tuple[str, str]]:
+        return [
+            (name, written(text))
+            for name, text in (("P", self.case.P), ("Q", self.case.Q))
+            if text is not None
+        ]
+
+
+def case_views(group: Group, name: str, boundary: bool) -> list[CaseView]:
+    """Of each shrunk case; of the smallest finding where nothing was shrunk."""
+    if not group.small:
+        finding = group.example
+        title = f"The smallest found, not made smaller: {finding.case.size[0]:,} vertices"
+        return [_view(finding, title, name, boundary)]
+    views = []
+    for number, small in enumerate(group.small):
+        stays = "" if small.stable else "; it does not show every time"
+        end = "" if small.complete else "; more calls might make it smaller"
+        title = (
+            f"Shrunk to {small.result.size[0]:,} vertices in {counted(small.calls, 'call')}"
+            f"{stays}{end}"
+        )
+        finding = Finding(small.outcome, small.result)
+        views.append(_view(finding, title, f"{name}-{number + 1}" if number else name, boundary))
+    return views
+
+
+def _view(finding: Finding, title: str, name: str, boundary: bool) -> CaseView:
+    view = CaseView(finding, title)
+    case = finding.case
+    if case.P is None or case.Q is None:
+        view.no_program = why_none(finding)
+        return view
+    try:
+        view.program = program(_without_witness(finding) if view.invalid else finding, name)
+        if view.invalid:
+            view.operands = operand_pictures(case.P, case.Q, case.scale)
+        elif case.dimension == 3:
+            _fill_space(view, case.P, case.Q)
+        else:
+            _fill_plane(view, case.P, case.Q, boundary)
+    except Exception as error:  # noqa: BLE001 operands may be invalid on purpose: still a report
+        view.undrawn = f"Not all of it is drawn: {shown(cut(str(error)))}"
+    view.no_program = "" if view.program else why_none(finding)
+    return view
+
+
+def _without_witness(finding: Finding) -> Finding:
+    return Finding(replace(finding.outcome, witness=None), finding.case)
+
+
+def _fill_plane(view: CaseView, P: str, Q: str, boundary: bool) -> None:
+    case, witness = view.case, view.outcome.witness
+    view.operands = operand_pictures(P, Q, case.scale)
+    view.expected = _expected(case, P, Q, boundary or bool(witness and witness.boundary))
+    if view.expected is not None:
+        view.panes = comparison_pictures(view.expected, view.outcome)
+    if witness is not None:
+        view.argument = argument_in_plane(P, Q, case.scale, witness)
+        view.meeting = meeting_picture(P, Q, case.scale, witness)
+
+
+def _expected(case: CaseResult, P: str, Q: str, boundary: bool) -> str | None:
+    """The sum that was meant, canonical JSON; None where it is not had in reasonable time."""
+    if not boundary and case.expected is not None:
+        return case.expected
+    first, second = _core.PolygonSet.from_json(P), _core.PolygonSet.from_json(Q)
+    if first.vertices * second.vertices > MOST_PAIRS:
+        return None
+    if boundary:
+        text = json.dumps({"P": json.loads(P), "Q": json.loads(Q), "scale": case.scale})
+        return boundary_sum(CaseName(text, "report").load()).json
+    try:
+        region = _core.minkowski_sum(first, second, case.scale).region
+    except (ValueError, RuntimeError):
+        return None
+    canonical: str = region.canonical_json()
+    return canonical
+
+
+def _fill_space(view: CaseView, P: str, Q: str) -> None:
+    case, witness = view.case, view.outcome.witness
+    first, second = Polyhedron.from_json(P), Polyhedron.from_json(Q)
+    view.operands = space_operand_pictures(first, second, case.scale)
+    view.panes = space_comparison_pictures(first, second, case, view.outcome)
+    view.tables = [_table("P", first), _table("Q", second)]
+    known = expected_in_space(case)
+    view.expected = known.to_json() if known else None
+    if witness is not None:
+        view.argument = argument_in_space(P, Q, case.scale, witness)
+
+
+def _table(name: str, solid: Polyhedron) -> SolidTable:
+    vertices = [
+        (number, [str(x) for x in vertex])
+        for number, vertex in enumerate(solid.vertices[:MOST_ROWS])
+    ]
+    faces = [
+        (number, " ".join(str(k) for k in face))
+        for number, face in enumerate(solid.faces[:MOST_ROWS])
+    ]
+    left = [
+        f"{count - MOST_ROWS:,} more {noun}"
+        for count, noun in ((len(solid.vertices), "vertices"), (len(solid.faces), "faces"))
+        if count > MOST_ROWS
+    ]
+    return SolidTable(name, vertices, faces, " and ".join(left))
+
+
+def written(text: str) -> str:
+    """A set as a text for people: one polygon or list a line, cut where it is long."""
+    value = json.loads(text)
+    lines = []
+    if "polygons" in value:
+        for polygon in value["polygons"]:
+            lines.append(f"polygon {_ring(polygon['outer'])}")
+            lines += [f"  hole {_ring(hole)}" for hole in polygon.get("holes", [])]
+        lines = lines or ["the empty set"]
+    else:
+        lines.append(f"vertices {_ring(value['vertices'])}")
+        lines.append("faces " + " ".join(f"[{' '.join(map(str, f))}]" for f in value["faces"]))
+    whole = "\n".join(lines)
+    if len(whole) > MOST_TEXT:
+        return f"{whole[:MOST_TEXT]} ... ({len(whole):,} characters)"
+    return whole
+
+
+def _ring(ring: list[list[Any]]) -> str:
+    return " ".join(f"({', '.join(str(n) for n in point)})" for point in ring)

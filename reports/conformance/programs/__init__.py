@@ -1,0 +1,1 @@
+"""Stand-alone programs that show a finding with the accused library alone."""

@@ -1,0 +1,68 @@
+"""Where else a finding shows: other versions of the same library among the targets of the run."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from minkref.fuzz.shrink.groups import Group
+from minkref.fuzz.shrink.trial import Trial, same_fault
+from minkref.fuzz.targets.answer import Limits
+from minkref.fuzz.verdicts.verdict import GOOD, Verdict
+
+MOST_CASES = 3
+
+
+@dataclass(frozen=True)
+class Presence:
+    """What another version of the library says to the cases of a finding."""
+
+    target: str
+    version: str
+    says: str
+
+
+def siblings(target: str, value: dict[str, Any]) -> list[tuple[str, str]]:
+    """Other targets of the run that are the same library in another version: `NAME@VERSION`."""
+    name = target.partition("@")[0]
+    return [
+        (row["name"], row["version"] or "")
+        for row in value["targets"]
+        if row["name"] != target
+        and row["name"].startswith("cgal-")
+        and row["name"].partition("@")[0] == name
+    ]
+
+
+def presence(group: Group, value: dict[str, Any], limits: Limits) -> list[Presence]:
+    """Each other version is asked about the cases of the finding."""
+    example = group.example
+    cases = [small.literal for small in group.small[:MOST_CASES]]
+    if not cases:
+        cases = [example.case.literal or example.case.name.text]
+    found = []
+    for target, version in siblings(example.outcome.target, value):
+        with Trial(target, limits) as trial:
+            asked = [trial.ask(text)[1] for text in cases]
+        there = sum(same_fault(example.outcome, outcome) for outcome in asked)
+        fine = sum(outcome is not None and outcome.verdict in GOOD for outcome in asked)
+        others = [
+            str(outcome.verdict)
+            for outcome in asked
+            if outcome is not None
+            and outcome.verdict not in GOOD
+            and not same_fault(example.outcome, outcome)
+        ]
+        parts = []
+        if there:
+            parts.append(f"still present: the same fault on {there} of {len(cases)} cases")
+        if fine:
+            parts.append(f"right on {fine} of {len(cases)} cases")
+        if others:
+            parts.append(f"otherwise: {', '.join(others)}")
+        if fine == len(cases):
+            parts = [f"fixed: right on {fine} of {len(cases)} cases"]
+        if not parts:
+            parts = [str(Verdict.UNDECIDED)]
+        found.append(Presence(target, version, "; ".join(parts)))
+    return found

@@ -1,0 +1,69 @@
+"""What verdicts and reasons mean, in a few words each."""
+
+from __future__ import annotations
+
+from minkref.fuzz.verdicts.verdict import Reason, Verdict
+
+VERDICTS = {
+    Verdict.PASS: "the sum, exactly",
+    Verdict.PASS_WITHIN: "within the tolerance that the target declares",
+    Verdict.WRONG: "not the sum, proven by a point that can be checked by hand",
+    Verdict.KNOWN: "a fault that the baseline lists, whatever its verdict was",
+    Verdict.ERRORED: "said that it could not, or said what is no answer",
+    Verdict.CRASHED: "the process of the target died",
+    Verdict.TIMED_OUT: "no answer in time",
+    Verdict.OUT_OF_MEMORY: "needed more memory than allowed",
+    Verdict.UNDECIDED: "no point settles whether it is right",
+    Verdict.SKIPPED: "not asked, or declined by what it declares; counts in no fraction",
+}
+
+REASONS = {
+    Reason.MISSING: "points of the sum are not in the result",
+    Reason.EXTRA: "the result has points that are not in the sum",
+    Reason.HOLE_LOST: "a hole of the sum is filled",
+    Reason.HOLE_INVENTED: "the result has a hole where the sum has none",
+    Reason.COMPONENT: "a component of the sum is absent, or one is invented",
+    Reason.NOT_CLOSED: "a ring or surface that does not enclose anything",
+    Reason.SELF_INTERSECTING: "rings of the result overlap, cross or run the wrong way",
+    Reason.NOT_CANONICAL: "the right set, other rings than the canonical ones",
+    Reason.EVENT_MISSED: "an event is not reported",
+    Reason.EVENT_INVENTED: "an event is reported where there is none",
+    Reason.EVENT_MISPLACED: "an event is reported as another change or in another place",
+    Reason.STATE_DRIFT: "a state reached by update is not the state that is there",
+    Reason.NONDETERMINISTIC: "two answers to the same question differ",
+    Reason.ACCEPTED_INVALID: "a result for operands that are invalid",
+    Reason.REJECTED_VALID: "valid operands are called invalid",
+    Reason.PASSAGE_MISSED: "a tight passage is not reported",
+    Reason.PASSAGE_INVENTED: "a tight passage is reported where there is none",
+}
+
+SIGNS = {
+    Verdict.PASS: "✓",
+    Verdict.PASS_WITHIN: "≈",
+    Verdict.WRONG: "✗",
+    Verdict.KNOWN: "!",
+    Verdict.ERRORED: "E",
+    Verdict.CRASHED: "☠",
+    Verdict.TIMED_OUT: "⏱",
+    Verdict.OUT_OF_MEMORY: "M",
+    Verdict.UNDECIDED: "?",
+    Verdict.SKIPPED: "–",
+}
+
+
+def meaning(kind: str) -> str:
+    """Of a reason, or of a verdict that has none."""
+    reasons = {str(reason): text for reason, text in REASONS.items()}
+    verdicts = {str(verdict): text for verdict, text in VERDICTS.items()}
+    return reasons.get(kind) or verdicts.get(kind) or kind
+
+
+def ending(code: int) -> str:
+    """What an exit code says of the run."""
+    return {
+        0: "Nothing is wrong that the baseline does not list.",
+        1: "Something is proven wrong.",
+        2: "Nothing was run: there was no case, or every target skipped all of them.",
+        3: "Something crashed, hung or gave no answer; nothing is proven wrong.",
+        4: "Something stays undecided.",
+    }.get(code, f"Exit code {code}.")

@@ -1,0 +1,98 @@
+"""Seeded faults in a small implementation: how many `minkref verify` finds in a minute each."""
+
+from __future__ import annotations
+
+import importlib
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import Any
+
+from minkref.reports.evidence.framework.part import COMPARISON, READERS, REFERENCE, Findings
+from minkref.reports.evidence.framework.verify_run import verify
+
+SUBJECT = (
+    "Over a hundred seeded faults in a small in-house implementation, each alone: the share that "
+    "`minkref verify` finds within 60 s on one core, and the reason why not for the others; no "
+    "alarm without a fault."
+)
+MINUTES = (30, 0.9)
+DEPENDS = (*REFERENCE, *READERS, *COMPARISON, "tests/seeded/*.py")
+
+FOLDER = Path(__file__).resolve().parents[2] / "tests" / "seeded"
+SECONDS, QUICK_SECONDS = 60, 15
+QUICK_FAULTS = 6
+SEED = 40
+# Faults that may stay unseen, and why.
+HARD = {
+    "filters_holes_by_circumference": "needs a part with a long rim in a hole with a short one",
+    "at_most_50_sums": "only large operands, where what is lost is often covered",
+    "holds_sixteen_pieces": "only large operands, where what is lost is often covered",
+    "nearly_convex_is_convex": "needs a dent of at most a hundredth of the hull",
+    "touches_at_vertices_only": "needs one rare layout of touching rings",
+    "hole_corners_inside_out": "needs one rare layout of touching rings",
+}
+
+
+def target_of(name: str) -> str:
+    """A fault about the scale shows through the adapter alone."""
+    from_faults = faults()[name]
+    if from_faults.needs_scale:
+        return f"cmd:{sys.executable} {FOLDER / 'seeded_adapter.py'} {name}"
+    return f"py:seeded_sums:{name}"
+
+
+def faults() -> dict[str, Any]:
+    if str(FOLDER) not in sys.path:
+        sys.path.insert(0, str(FOLDER))
+    found: dict[str, Any] = importlib.import_module("seeded_sums").FAULTS
+    return found
+
+
+def search(name: str, seconds: int) -> dict[str, Any]:
+    """Whether the fault is found, after how many cases and seconds, and what it shrinks to."""
+    words = [target_of(name), "--first", "--seconds", seconds, "--seed", SEED, "--jobs", 1]
+    words += ["--no-models", "--shrink-calls", 80, "--call-seconds", 10]
+    code, value = verify(*(str(word) for word in words), seconds=seconds, path=FOLDER)
+    shrunk = value["shrunk"][0] if value["shrunk"] else None
+    return {
+        "name": name,
+        "code": code,
+        "cases": sum(group["cases"] for group in value["groups"]),
+        "seconds": value["seconds"],
+        "verdict": value["findings"][0]["verdict"] if value["findings"] else None,
+        "shrunk": shrunk["reproduce"] if shrunk else None,
+    }
+
+
+def run(quick: bool) -> Findings:
+    findings = Findings()
+    names = sorted(faults())
+    names = names[:: len(names) // QUICK_FAULTS] if quick else names
+    seconds = QUICK_SECONDS if quick else SECONDS
+    sound = search_sound(seconds)
+    findings.law("findings against the sound implementation", sound == 0, 0, sound)
+    with ThreadPoolExecutor(2) as both:
+        rows = list(both.map(lambda name: search(name, seconds), names))
+    found = [row for row in rows if row["code"] in (1, 3)]
+    findings.figures["faults"] = len(rows)
+    findings.figures["found"] = len(found)
+    findings.figures["found as wrong"] = sum(row["verdict"] == "wrong" for row in found)
+    if found:
+        times = sorted(row["seconds"] for row in found)
+        findings.figures["seconds until found, shrinking included: median, largest"] = (
+            f"{times[len(times) // 2]:.1f}, {times[-1]:.1f}"
+        )
+    missed = [row["name"] for row in rows if row not in found]
+    for name in missed:
+        about = HARD.get(name, faults()[name].about)
+        findings.note(f"not found: {name}: {about}")
+    unexplained = [name for name in missed if name not in HARD]
+    findings.target("faults found, or the reason why not", not unexplained, 0, len(unexplained))
+    return findings
+
+
+def search_sound(seconds: int) -> int:
+    words = ["py:seeded_sums:sound", "--seconds", str(seconds), "--seed", str(SEED), "--no-models"]
+    _, value = verify(*words, "--shrink-calls", "0", seconds=seconds, path=FOLDER)
+    return len(value["findings"])

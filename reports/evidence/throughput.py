@@ -1,0 +1,112 @@
+"""How many small cases a second are verified, and where the time goes."""
+
+from __future__ import annotations
+
+import cProfile
+import pstats
+import statistics
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+from minkref.fuzz.cases import naming
+from minkref.fuzz.cases.case import Case, CaseName
+from minkref.fuzz.run.asking import Asking
+from minkref.fuzz.targets.answer import Limits, Target
+from minkref.fuzz.targets.catalogue import make_target
+from minkref.reports.evidence.framework.part import COMPARISON, READERS, REFERENCE, Findings
+
+SUBJECT = (
+    "Verified cases per second on one core for pairs of up to 12 vertices an operand: a Python "
+    "function in process, the same behind the adapter protocol; where the time goes."
+)
+MINUTES = (2, 0.5)
+DEPENDS = (*REFERENCE, *READERS, *COMPARISON, "tests/seeded/*.py")
+
+SEEDED = Path(__file__).resolve().parents[2] / "tests" / "seeded"
+FAMILY = "random"
+CASES, QUICK_CASES = 1500, 300
+REPETITIONS = 5
+AIM = 500.0
+STEPS = {
+    "the case: drawing a valid pair": "load",
+    "the truth and the target's sum": "_ask",
+    "comparison": "judge",
+}
+
+
+def run(quick: bool) -> Findings:
+    findings = Findings()
+    count = QUICK_CASES if quick else CASES
+    names = [name for name in _small(count)]
+    sys.path.insert(0, str(SEEDED))
+    program = f"cmd:{sys.executable} {SEEDED / 'seeded_adapter.py'} sound"
+    rates = {}
+    for title, target in (
+        ("a route of the reference in process", "minkref:winding"),
+        ("an adapter behind a pipe, with a Python sum of its own", program),
+    ):
+        rates[title] = _rates(names, target)
+        least, most = min(rates[title]), max(rates[title])
+        middle = statistics.median(rates[title])
+        findings.figures[f"{title}: cases per second"] = (
+            f"{middle:,.0f} ({least:,.0f} to {most:,.0f} in {REPETITIONS} repetitions)"
+        )
+    middle = statistics.median(rates["a route of the reference in process"])
+    findings.target("cases per second and core in process", middle >= AIM, AIM, f"{middle:,.0f}")
+    for step, share in _shares(names).items():
+        findings.figures[f"share of the time in process: {step}"] = f"{share:.0%}"
+    return findings
+
+
+def _small(count: int) -> list[CaseName]:
+    """Cases whose operands have at most 12 vertices each."""
+    found: list[CaseName] = []
+    index = 0
+    while len(found) < count:
+        name = CaseName(f"{FAMILY}:12:{index}", FAMILY)
+        case = naming.load(name)
+        if isinstance(case, Case) and max(case.P.vertices, case.Q.vertices) <= 12:
+            found.append(name)
+        index += 1
+    return found
+
+
+def _rates(names: list[CaseName], target: str) -> list[float]:
+    return [len(names) / _timed(lambda: _verify(names, target)) for _ in range(REPETITIONS)]
+
+
+def _verify(names: list[CaseName], name: str) -> None:
+    limits = Limits()
+    made: dict[str, Target] = {}
+
+    def target(wanted: str) -> Target:
+        if wanted not in made:
+            made[wanted] = make_target(wanted, limits)
+        return made[wanted]
+
+    for each in names:
+        asking = Asking(naming.load(each), target, lambda _: None, {}, limits)
+        (outcome,) = asking.outcomes([name])
+        if outcome.verdict != "pass":
+            raise RuntimeError(f"{each.text}: {outcome.verdict} {outcome.message}")
+    for each_target in made.values():
+        each_target.close()
+
+
+def _timed(work: Callable[[], None]) -> float:
+    since = time.perf_counter()
+    work()
+    return time.perf_counter() - since
+
+
+def _shares(names: list[CaseName]) -> dict[str, float]:
+    profile = cProfile.Profile()
+    profile.enable()
+    _verify(names, "minkref:winding")
+    profile.disable()
+    stats = pstats.Stats(profile).stats  # type: ignore[attr-defined]
+    spent = {function[2]: row[3] for function, row in stats.items()}
+    whole = spent["_verify"]
+    return {title: spent.get(function, 0.0) / whole for title, function in STEPS.items()}

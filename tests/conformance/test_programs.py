@@ -1,0 +1,175 @@
+"""The stand-alone programs, run with the libraries that are there: 0 where the library is right
+about the point, 1 where it is not (here: where the truth is turned around)."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from minkref.fuzz.adapters.catalogue import absence, default_folder
+from minkref.fuzz.adapters.installation import interpreter
+from minkref.fuzz.run.runner import Finding
+from minkref.fuzz.verdicts.verdict import Reason, Verdict
+from minkref.reports.conformance.programs.catalogue import program, why_none
+from minkref.reports.conformance.programs.program import Program
+
+LOST = (
+    '{"P":{"polygons":[{"outer":[[0,0],[1,0],[0,1]]}]},"Q":{"polygons":[{"outer":[[5,2],[0,4],[0,0]],'
+    '"holes":[[[4,2],[1,1],[1,3]]]}]},"scale":"1"}'
+)
+SLIVER = (
+    '{"P":{"polygons":[{"outer":[[0,2],[0,0],[18,1]]}]},'
+    '"Q":{"polygons":[{"outer":[[0,1],[1,0],[1,1]]}]},"scale":"1"}'
+)
+TETRAHEDRON = (
+    '{"vertices":[[%s,0,0],[%s,0,1],[%s,1,0],[%s,0,0]],"faces":[[0,1,2],[0,2,3],[0,3,1],[1,3,2]]}'
+)
+AT_ORIGIN = TETRAHEDRON % (0, 0, 0, 1)
+FAR_AWAY = TETRAHEDRON % (9, 9, 9, 10)
+SPACE = '{"P":%s,"Q":%s,"scale":"1"}' % (AT_ORIGIN, FAR_AWAY)  # noqa: UP031
+SECONDS = 400
+
+
+def built_and_run(made: Program, target: str, folder: Path) -> tuple[int, str]:
+    """Exit code and output, with the library of the adapter."""
+    (folder / made.file).write_text(made.text, encoding="utf-8")
+    home = default_folder()
+    if made.file.endswith(".py"):
+        words = [str(interpreter(home / target.removesuffix("-space"))), made.file]
+    elif made.file.endswith(".scad"):
+        words = ["openscad", "-o", f"out{'.off' if 'off' in made.run else '.svg'}", made.file]
+    else:
+        compiler = shutil.which("g++")
+        if compiler is None:
+            pytest.skip("there is no g++")
+        flags = ["-std=c++17", "-O0", "-w", "-frounding-math"]
+        if target.startswith("clipper2"):
+            (library,) = (home / "clipper2" / "source").glob("*/external/clipper2/CPP/Clipper2Lib")
+            flags += [f"-I{library}/include", *map(str, (library / "src").glob("clipper.*.cpp"))]
+        end = ["-lmpfr", "-lgmp"] if target.startswith("cgal") else []
+        binary = str(folder / "program")
+        words = [compiler, *flags, made.file, "-o", binary, *end]
+        done = subprocess.run(words, cwd=folder, capture_output=True, text=True, timeout=SECONDS)
+        assert done.returncode == 0, done.stderr[-3000:]
+        words = [binary]
+    done = subprocess.run(words, cwd=folder, capture_output=True, text=True, timeout=SECONDS)
+    return done.returncode, done.stdout + done.stderr
+
+
+def skip_without(target: str) -> None:
+    reason = absence(target)
+    if reason is not None:
+        pytest.skip(reason)
+
+
+def turned(finding: Finding) -> Finding:
+    """The same with the witness on the other side: a library that is right has a fault there."""
+    witness = finding.outcome.witness
+    assert witness is not None
+    outcome = replace(finding.outcome, witness=replace(witness, in_truth=not witness.in_truth))
+    return Finding(outcome, finding.case)
+
+
+CASES = [
+    ("clipper2", SLIVER, ("10", "2"), True),
+    ("clipper2-double", SLIVER, ("10", "1"), True),
+    ("boost-polygon", LOST, ("11/5", "5/2"), True),
+    ("pysfcgal", SLIVER, ("10", "1"), True),
+    ("pysfcgal", LOST, ("11/5", "5/2"), False),
+    ("pysfcgal-space", SPACE, ("10", "1/3", "1/3"), True),
+    ("manifold3d", SPACE, ("10", "1/3", "1/3"), True),
+    ("manifold3d", SPACE, ("1/10", "1/5", "1/5"), False),
+    ("openscad", LOST, ("11/5", "5/2"), True),
+    ("openscad", LOST, ("1/2", "1"), True),
+    ("openscad", SPACE, ("10", "1/3", "1/3"), True),
+    ("clipper2-region", SLIVER, ("21/4", "64583333/50000000"), False),
+]
+
+
+@pytest.mark.parametrize(("target", "case", "point", "right"), CASES)
+def test_program_tells_whether_the_library_is_right(
+    target: str,
+    case: str,
+    point: tuple[str, ...],
+    right: bool,
+    finding: Callable[..., Finding],
+    tmp_path: Path,
+) -> None:
+    skip_without(target)
+    found = finding(case, target, point, reasons=(Reason.EXTRA,))
+    made = program(found, "fault")
+    assert made is not None
+    assert "minkref" not in made.text.replace("fuzz/adapters", "")
+    code, said = built_and_run(made, target, tmp_path)
+    assert code == (0 if right else 1), said
+    if right and not made.file.endswith(".cpp"):
+        other = program(turned(found), "fault")
+        assert other is not None
+        assert built_and_run(other, target, tmp_path)[0] == 1
+
+
+@pytest.mark.parametrize("target", ["cgal-hull", "cgal-nef"])
+def test_program_for_cgal_in_space(
+    target: str, finding: Callable[..., Finding], tmp_path: Path
+) -> None:
+    skip_without(target)
+    if target == "cgal-nef" and "MINKREF_SLOW_TESTS" not in os.environ:
+        pytest.skip("compiles for a minute: set MINKREF_SLOW_TESTS")
+    found = finding(SPACE, target, ("10", "1/3", "1/3"), reasons=(Reason.MISSING,))
+    made = program(turned(found), "fault")
+    assert made is not None
+    code, said = built_and_run(made, target, tmp_path)
+    assert code == 1, said
+    assert "in this sum: in, in truth: out" in said
+
+
+def test_without_a_witness_there_is_the_call_alone(finding: Callable[..., Finding]) -> None:
+    for target in ("clipper2", "boost-polygon", "pysfcgal", "openscad", "cgal-reduced"):
+        made = program(finding(SLIVER, target, verdict=Verdict.CRASHED, signal="SIGSEGV"), "fault")
+        assert made is not None
+        assert "CRASHED" not in made.text
+        assert "crashed" in made.text
+    made = program(finding(SPACE, "manifold3d", verdict=Verdict.TIMED_OUT), "fault")
+    assert made is not None
+    compile(made.text, "fault.py", "exec")
+
+
+def test_operands_that_a_library_does_not_take_have_no_program(
+    finding: Callable[..., Finding],
+) -> None:
+    for target, case in (
+        ("clipper2", LOST),
+        ("cgal-nef", LOST),
+        ("cgal-reduced", SPACE),
+        ("cgal-full", LOST),
+        ("pysfcgal", SPACE),
+        ("pysfcgal-space", LOST),
+    ):
+        found = finding(case, target, verdict=Verdict.CRASHED)
+        assert program(found, "fault") is None, target
+        assert "not called with such operands" in why_none(found)
+    for target in ("./mine.py", "py:a:b", "so:./x.so:f", "cmd:node x.js"):
+        found = finding(LOST, target, verdict=Verdict.CRASHED)
+        assert program(found, "fault") is None
+        assert "itself the program" in why_none(found)
+
+
+def test_numbers_beyond_the_digits_of_doubles_are_in_the_program(
+    finding: Callable[..., Finding],
+) -> None:
+    text = json.dumps(
+        {
+            "P": {"polygons": [{"outer": [["1/3", 0], [7, 0], [0, "5/7"]]}]},
+            "Q": {"polygons": [{"outer": [[0, 0], [1, 0], [0, 1]]}]},
+            "scale": "9/7",
+        }
+    )
+    made = program(finding(text, "pysfcgal", ("1", "1")), "fault")
+    assert made is not None
+    assert "3/7 0" in made.text

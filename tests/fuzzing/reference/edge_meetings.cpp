@@ -1,0 +1,57 @@
+#include "tests/fuzzing/reference/edge_meetings.hpp"
+
+#include "reference/plane/critical/pair_interval.hpp"
+
+namespace minkref::fuzzing {
+namespace {
+
+using Vector = Vector2<Rational>;
+
+}  // namespace
+
+bool are_parallel(const RationalEdge& a, const RationalEdge& b) {
+  return a.d.x() * b.d.y() == a.d.y() * b.d.x();
+}
+
+MeetingScales meeting_scales(const RationalEdge& a, const RationalEdge& b) {
+  const auto range = corrected_interval<Rational>(end_conditions<Rational>(a, b));
+  return {range.empty, range.lower, range.upper};
+}
+
+bool do_meet(const RationalEdge& a, const RationalEdge& b, const Rational& s) {
+  const Vector a0 = at(start_of(a), s), a1 = at(end_of(a), s);
+  const Vector b0 = at(start_of(b), s), b1 = at(end_of(b), s);
+  const auto side = [](const Vector& from, const Vector& to, const Vector& x) {
+    return sign(Rational((to.x() - from.x()) * (x.y() - from.y()) -
+                         (to.y() - from.y()) * (x.x() - from.x())));
+  };
+  const auto between = [](const Rational& x, const Rational& u, const Rational& v) {
+    return u < v ? u <= x && x <= v : v <= x && x <= u;
+  };
+  const auto on = [&](const Vector& from, const Vector& to, const Vector& x) {
+    return side(from, to, x) == 0 && between(x.x(), from.x(), to.x()) &&
+           between(x.y(), from.y(), to.y());
+  };
+  if (on(a0, a1, b0) || on(a0, a1, b1) || on(b0, b1, a0) || on(b0, b1, a1)) return true;
+  return side(a0, a1, b0) * side(a0, a1, b1) < 0 && side(b0, b1, a0) * side(b0, b1, a1) < 0;
+}
+
+std::optional<Rational> concurrent_scale(const RationalEdge& a, const RationalEdge& b,
+                                         const RationalEdge& c) {
+  const auto cross = [](const Vector& u, const Vector& v) {
+    return Rational(u.x() * v.y() - u.y() * v.x());
+  };
+  // How far the third line is from the crossing of the other two: linear in s, so two scales tell.
+  const auto offset = [&](const Rational& s) {
+    const Vector a0 = at(start_of(a), s), b0 = at(start_of(b), s), c0 = at(start_of(c), s);
+    const Vector point = a0 + a.d * Rational(cross(b0 - a0, b.d) / cross(a.d, b.d));
+    return cross(c.d, point - c0);
+  };
+  const Rational at_one = offset(1), slope = offset(2) - at_one;
+  if (sign(slope) == 0) return std::nullopt;
+  const Rational s = 1 - at_one / slope;
+  if (sign(s) <= 0) return std::nullopt;
+  return s;
+}
+
+}  // namespace minkref::fuzzing

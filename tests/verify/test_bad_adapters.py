@@ -1,0 +1,182 @@
+"""Adapters that misbehave in one way each: charged as docs/adapter-protocol.md says, whatever they
+do; the run goes on, ends with a documented exit code, and leaves no process behind."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+import uuid
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+from minkref.schemas import schema
+
+FOLDER = Path(__file__).parent / "bad_adapters"
+PLANE = ("--family", "random", "--family", "degenerate")
+SPACE = ("--family", "space-polycube")
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
+
+
+def target(way: str, program: str = "bad_adapter.py") -> str:
+    return f"cmd:{sys.executable} {FOLDER / program} {way}"
+
+
+def left_behind(mark: str) -> list[str]:
+    found = []
+    for folder in Path("/proc").iterdir():
+        try:
+            if mark.encode() in (folder / "environ").read_bytes():
+                found.append((folder / "cmdline").read_text(encoding="utf-8", errors="replace"))
+        except OSError:
+            continue
+    return found
+
+
+def verify(targets: list[str], folder: Path, *options: str | Path) -> tuple[int, Any]:
+    """The document of a run in `folder`, which follows its schema, and leaves nothing running."""
+    mark = uuid.uuid4().hex
+    words = [sys.executable, "-m", "minkref", "verify", *targets, *map(str, options)]
+    words += ["--no-models", "--call-seconds", "3", "--call-memory", "1024", "--shrink-calls", "0"]
+    ran = subprocess.run(
+        [*words, "--json"],
+        env={**os.environ, "MINKREF_TEST_MARK": mark},
+        capture_output=True,
+        text=True,
+        timeout=300,
+        cwd=folder,
+    )
+    assert "Traceback" not in ran.stderr
+    value = json.loads(ran.stdout)
+    jsonschema.validate(value, schema("verify"))
+    assert left_behind(mark) == []
+    return ran.returncode, value
+
+
+def verdicts(value: Any, name: str) -> set[str]:
+    return {v for c in value["matrix"] if c["target"] == name for v in c["verdicts"]}
+
+
+CRASHED = [
+    f"{how}-at-{verb}"
+    for how in ("segv", "abort", "exit-0", "exit-3")
+    for verb in ("hello", "load", "at")
+]
+CRASHED += ["ends-at-once", "dies-with-a-log", "half-a-line-then-segv", "half-a-line-then-exit-0"]
+CRASHED += ["no-newline-and-dies", "child-holds-the-pipes", "child-apart-holds-the-pipes"]
+CRASHED += ["kills-parent", "kills-parent-at-hello", "kills-group"]
+ERRORED = [
+    f"says-{what}"
+    for what in (
+        *("garbage", "not-utf8", "empty-line", "array", "null", "text", "deep", "deep-and-closed"),
+        *("deep-in-an-answer", "nan", "infinity", "1e400", "seq-wrong", "seq-before", "seq-text"),
+        *("seq-float", "seq-true", "seq-missing", "seq-long", "status-missing", "status-unknown"),
+        *("status-list", "no-set", "polygons-text", "polygons-null", "ring-text", "outer-missing"),
+        *("space-in-the-plane", "points-of-three", "zero-denominator", "number-words"),
+        *("number-true", "million-digits", "million-digits-in-text", "exponent"),
+    )
+]
+ERRORED += [f"{verb}-{what}" for verb in ("greets", "loads") for what in ("garbage", "deep")]
+ERRORED += ["answers-before-any-request", "prints-before-hello", "closes-stdout-and-lives"]
+ERRORED += ["gigabyte-without-a-newline", "closes-everything-and-lives", "skips-what-it-declares"]
+ERRORED += ["errs", "errs-without-a-reason", "capability-unknown", "capabilities-text"]
+ERRORED += ["capabilities-numbers", "capabilities-empty", "protocol-v9", "protocol-missing"]
+ERRORED += ["protocol-list", "name-long", "numbers-words", "sum-other", "arithmetic-number"]
+ERRORED += [f"tolerance-{what}" for what in ("negative", "no-number", "list", "nan", "long")]
+ERRORED += ["ring-of-no-point", "long-numbers-that-cross"]
+WRONG = ["rejects-valid-input", "rejects-at-load", "says-10-to-400", "exact-but-rounds"]
+WRONG += ["float-beyond", "another-each-time", "ring-far-away", "rings-none", "polygons-twice"]
+PASS = ["right", "hello-slow", "slow", "deaf-to-sigterm", "children-and-right", "stops-parent"]
+PASS += ["children-apart-and-right", "starts-a-daemon", "leaves-temporary-files", "name-hostile"]
+PASS += ["version-hostile", "name-missing", "capabilities-missing", "ring-of-one-point"]
+PASS += ["ring-of-two-points"]
+TIMED_OUT = ["hangs-at-load", "hangs-at-at", "half-a-line-then-hangs", "stops-itself"]
+TIMED_OUT += ["log-without-end"]
+
+
+@pytest.mark.parametrize(
+    ("ways", "expected", "code"),
+    [
+        (CRASHED, {"crashed"}, 3),
+        (ERRORED[:35], {"errored"}, 3),
+        (ERRORED[35:], {"errored"}, 3),
+        (WRONG, {"wrong"}, 1),
+        (PASS, {"pass"}, 0),
+        (["float-within"], {"pass-within"}, 0),
+        (TIMED_OUT, {"timed-out"}, 3),
+        (["memory-without-end"], {"out-of-memory"}, 3),
+        (["space-only"], {"skipped"}, 0),
+    ],
+    ids=lambda value: "-".join(sorted(value)) if isinstance(value, set) else None,
+)
+def test_each_is_charged_with_what_it_does(
+    tmp_path: Path, ways: list[str], expected: set[str], code: int
+) -> None:
+    targets = [target(way) for way in ways]
+    found, value = verify([*targets, "minkref:paper"], tmp_path, *PLANE, "--pairs", "3")
+    said = {way: verdicts(value, name) for way, name in zip(ways, targets, strict=True)}
+    assert said == {way: expected for way in ways}
+    assert verdicts(value, "minkref:paper") == {"pass"}
+    assert found == code
+
+
+@pytest.mark.parametrize(
+    ("ways", "expected"),
+    [
+        (["open", "not-planar", "cube", "twice", "inside-out", "nothing"], {"wrong"}),
+        (["index-out-of-range", "index-negative", "index-float", "face-of-two"], {"errored"}),
+        (["long-exponent", "zero-denominator", "plane", "faces-missing"], {"errored"}),
+    ],
+    ids=["sets", "indices", "numbers"],
+)
+def test_each_is_charged_in_space(tmp_path: Path, ways: list[str], expected: set[str]) -> None:
+    targets = [target(f"space-{way}") for way in ways]
+    _, value = verify(targets, tmp_path, *SPACE, "--pairs", "3", "--no-derived")
+    said = {way: verdicts(value, name) for way, name in zip(ways, targets, strict=True)}
+    assert said == {way: expected for way in ways}
+
+
+@pytest.mark.parametrize("way", ["writes-to-the-ledger", "truncates-the-ledger"])
+def test_ledger_that_the_target_spoils_is_refused_the_next_time(tmp_path: Path, way: str) -> None:
+    ledger = tmp_path / "run.jsonl"
+    options = (*PLANE, "--pairs", "4", "--ledger", ledger)
+    spoiler = target(f"{way} {ledger}")
+    assert verify([spoiler], tmp_path, *options)[0] == 0
+    code, value = verify([spoiler], tmp_path, *options)
+    assert (code, value["error"]["where"]) == (2, str(ledger))
+
+
+def test_answer_of_many_vertices_ends_no_run(tmp_path: Path) -> None:
+    words = ("--case", "random:1:0", "--call-seconds", "60")
+    code, value = verify([target("million-vertices")], tmp_path, *words)
+    assert code == 3
+    assert verdicts(value, target("million-vertices")) <= {"errored", "timed-out"}
+
+
+def test_line_that_reproduces_a_finding_of_a_command_can_be_given_to_a_shell(
+    tmp_path: Path,
+) -> None:
+    _, value = verify([target("rings-none")], tmp_path, "--case", "random:1:0")
+    line = value["findings"][0]["reproduce"]
+    shell = line.replace("minkref verify", f"{sys.executable} -m minkref verify", 1) + " --json"
+    ran = subprocess.run(shell, shell=True, capture_output=True, text=True, timeout=60)
+    assert json.loads(ran.stdout)["findings"][0]["reasons"] == value["findings"][0]["reasons"]
+
+
+FORMS = """as-it-is other-way rotated with-middles with-duplicates shuffled flat-rings
+flat-rings-shuffled triangles triangle-polygons rings-twice double double-rings grid grid-rings
+boundary everything""".split()
+
+
+def test_right_answers_pass_in_every_form(tmp_path: Path) -> None:
+    """Order, start, orientation, collinear and repeated vertices, triangles, rings with nesting;
+    doubles and a grid within their tolerance; sums of boundaries."""
+    targets = [target(form, "right_adapter.py") for form in FORMS]
+    code, value = verify(targets, tmp_path, "--pairs", "60")
+    assert [f for f in value["findings"]] == []
+    assert code == 0
+    for form, name in zip(FORMS, targets, strict=True):
+        assert "pass" in verdicts(value, name), form

@@ -1,0 +1,134 @@
+"""`so:` targets: C functions that are right, wrong, skip, crash, write too far, never return."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+from minkref.cli import run
+from minkref.fuzz.adapters import catalogue
+from minkref.schemas import schema
+
+pytestmark = pytest.mark.skipif(not shutil.which("gcc"), reason="gcc is not installed")
+
+SOURCE = """
+#include "minkref_adapter.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Convex rings: all sums of two vertices, and their hull by gift wrapping. */
+static int hull(const minkref_set* a, const minkref_set* b, minkref_set* sum, double shift) {
+  if (a->rings != 1 || b->rings != 1) return MINKREF_SKIPPED;
+  int m = a->sizes[0], n = b->sizes[0], count = 0, total = m * n;
+  double* all = (double*)malloc(2 * sizeof(double) * (size_t)total);
+  for (int i = 0; i < m; ++i)
+    for (int j = 0; j < n; ++j) {
+      all[2 * (i * n + j)] = a->xy[2 * i] + b->xy[2 * j] + shift;
+      all[2 * (i * n + j) + 1] = a->xy[2 * i + 1] + b->xy[2 * j + 1];
+    }
+  sum->rings = 1;
+  sum->sizes = (int*)malloc(sizeof(int));
+  sum->xy = (double*)malloc(2 * sizeof(double) * (size_t)total);
+  int start = 0, at, next;
+  for (int i = 1; i < total; ++i)
+    if (all[2 * i] < all[2 * start] ||
+        (all[2 * i] == all[2 * start] && all[2 * i + 1] < all[2 * start + 1])) start = i;
+  at = start;
+  do {
+    memcpy(sum->xy + 2 * count++, all + 2 * at, 2 * sizeof(double));
+    next = -1;
+    for (int i = 0; i < total; ++i) {
+      double ux = all[2 * i] - all[2 * at], uy = all[2 * i + 1] - all[2 * at + 1];
+      if (ux == 0 && uy == 0) continue;
+      if (next < 0) { next = i; continue; }
+      double vx = all[2 * next] - all[2 * at], vy = all[2 * next + 1] - all[2 * at + 1];
+      double turn = vx * uy - vy * ux;
+      if (turn < 0 || (turn == 0 && ux * ux + uy * uy > vx * vx + vy * vy)) next = i;
+    }
+    at = next;
+  } while (count < total && memcmp(all + 2 * at, all + 2 * start, 2 * sizeof(double)));
+  sum->sizes[0] = count;
+  free(all);
+  return MINKREF_RESULT;
+}
+
+#define SUM(name) int name(const minkref_set* a, const minkref_set* b, minkref_set* sum)
+SUM(right) { return hull(a, b, sum, 0); }
+SUM(wrong) { return hull(a, b, sum, 1); }
+SUM(skips) { return MINKREF_SKIPPED; }
+SUM(rejects) { return MINKREF_REJECTED; }
+SUM(fails) { return MINKREF_ERRORED; }
+SUM(odd_status) { return -77; }
+SUM(crashes) { *(volatile int*)8 = 1; return hull(a, b, sum, 0); }
+SUM(aborts) { abort(); }
+SUM(leaves) { exit(0); }
+SUM(never) { for (volatile int i = 0;; ++i) {} }
+SUM(nothing_set) { return MINKREF_RESULT; }
+SUM(no_arrays) { sum->rings = 3; return MINKREF_RESULT; }
+SUM(negative) { sum->rings = -3; return MINKREF_RESULT; }
+SUM(not_a_number) { int s = hull(a, b, sum, 0); sum->xy[0] = NAN; return s; }
+SUM(infinite) { int s = hull(a, b, sum, 0); sum->xy[0] = INFINITY; return s; }
+SUM(too_far) {
+  int s = hull(a, b, sum, 0);
+  memset(sum->xy, 65, (size_t)1 << 26);
+  return s;
+}
+SUM(far_sizes) { int s = hull(a, b, sum, 0); sum->sizes[0] = 2000000000; return s; }
+SUM(far_rings) { int s = hull(a, b, sum, 0); sum->rings = 2000000000; return s; }
+SUM(not_by_malloc) {
+  static int one[1] = {3};
+  static double xy[6] = {0, 0, 1, 0, 0, 1};
+  sum->rings = 1; sum->sizes = one; sum->xy = xy;
+  return MINKREF_RESULT;
+}
+const char* minkref_hello(void) {
+  return "{\\"name\\": \\"mine\\", \\"capabilities\\": [\\"plane\\"]}";
+}
+"""
+EXPECTED = {
+    "right": {"pass", "pass-within"},
+    "wrong": {"wrong"},
+    "skips": {"errored"},
+    "rejects": {"wrong"},
+    "fails": {"errored"},
+    "odd_status": {"errored"},
+    "crashes": {"crashed"},
+    "aborts": {"crashed"},
+    "leaves": {"crashed"},
+    "never": {"timed-out"},
+    "nothing_set": {"wrong"},
+    "no_arrays": {"errored"},
+    "negative": {"errored"},
+    "not_a_number": {"errored"},
+    "infinite": {"errored"},
+    "too_far": {"crashed"},
+    "far_sizes": {"errored"},
+    "far_rings": {"crashed"},
+    "not_by_malloc": {"crashed"},
+}
+
+
+def test_each_function_is_charged_with_what_it_does(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    source, library = tmp_path / "sums.c", tmp_path / "libsums.so"
+    source.write_text(SOURCE, encoding="utf-8")
+    words = ["gcc", "-std=c99", "-O1", "-shared", "-fPIC", f"-I{catalogue.HERE}", str(source)]
+    subprocess.run([*words, "-o", str(library), "-lm"], check=True, timeout=60)
+    names = {f"so:{library}:{name}": name for name in EXPECTED}
+    options = ["--family", "convex", "--pairs", "2", "--no-derived", "--no-models"]
+    options += ["--call-seconds", "1", "--shrink-calls", "0", "--json"]
+    code = run(["verify", *names, *options])
+    value = json.loads(capsys.readouterr().out)
+    jsonschema.validate(value, schema("verify"))
+    assert code == 1
+    said: dict[str, set[Any]] = {name: set() for name in EXPECTED}
+    for cell in value["matrix"]:
+        said[names[cell["target"]]] |= set(cell["verdicts"])
+    assert {name: found <= EXPECTED[name] and found for name, found in said.items()} == said
