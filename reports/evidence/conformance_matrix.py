@@ -12,11 +12,11 @@ SUBJECT = (
     "All targets, those of other libraries installed, for 600 s on two cores: the matrix, and the "
     "findings of each shrunk to a handful of vertices, known faults among them, found by search."
 )
-MINUTES = (25, 1.2)
+MINUTES = (25, 0.5)
 DEPENDS = (*REFERENCE, *READERS, *CGAL, *COMPARISON, "fuzz/adapters/*")
 
 SEED = 6
-SECONDS, QUICK_SECONDS = 600, 20
+SECONDS, QUICK_SECONDS = 600, 8
 FEW_VERTICES = 16
 # Target: a kind of fault that its version here is known to have, and where that is reported.
 KNOWN = {

@@ -13,11 +13,11 @@ SUBJECT = (
     "Twenty minutes over our routes and all CGAL targets, raw ones too: no `wrong` whose witness "
     "fails when the slow engine checks it, none against our own routes."
 )
-MINUTES = (24, 0.8)
+MINUTES = (24, 0.3)
 DEPENDS = (*REFERENCE, *READERS, *CGAL, *COMPARISON, "oracle/slow/*.py")
 
 SEED = 2024
-SECONDS, QUICK_SECONDS = 1200, 20
+SECONDS, QUICK_SECONDS = 1200, 6
 ROUTES = ("minkref:paper", "minkref:winding", "minkref:definition", "minkref:dynamic")
 METHODS = ("reduced", "full", "vertical", "triangulation", "ssab", "optimal", "hertel-mehlhorn")
 CGAL_TARGETS = (
