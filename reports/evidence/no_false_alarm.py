@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
-from typing import Any
-
-from minkref.oracle import slow
+from minkref.fuzz.judges.witness_check import confirmed
 from minkref.reports.evidence.framework.part import CGAL, COMPARISON, READERS, REFERENCE, Findings
 from minkref.reports.evidence.framework.verify_run import counts_of, verify
 
@@ -62,14 +59,3 @@ def run(quick: bool) -> Findings:
     undecided = sum(counts_of(value, t).get("undecided", 0) for t in (*ROUTES, *CGAL_TARGETS))
     findings.law("undecided", undecided == 0, 0, undecided)
     return findings
-
-
-def confirmed(finding: dict[str, Any]) -> bool:
-    """The slow engine says the same of the witness point."""
-    witness = finding["witness"]
-    if witness is None:
-        return False
-    P, Q = (slow.operand_from_json(finding[name]["set"]) for name in ("P", "Q"))
-    x = (Fraction(witness["point"][0]), Fraction(witness["point"][1]))
-    inside: bool = slow.witness(P, Q, Fraction(finding["scale"]), x).in_sum
-    return inside == bool(witness["in_truth"])

@@ -121,9 +121,9 @@ def test_target_without_a_fault_is_refused(minkref: Any) -> None:
 
 
 def test_findings_and_shrunk_cases_do_not_depend_on_the_number_of_workers(minkref: Any) -> None:
-    options = ("--pairs", "40", "--seed", "5", "--no-models", "--shrink-calls", "30")
+    options = ("--pairs", "40", "--seed", "5", "--no-models", "--shrink-calls", "15")
     seen = []
-    for jobs in ("1", "2", "1", "2"):
+    for jobs in ("1", "2"):
         code, value, _ = minkref("verify", TARGET + "two_faults", *options, "--jobs", jobs)
         assert code in (1, 3)
         seen.append((value["findings"], value["shrunk"]))

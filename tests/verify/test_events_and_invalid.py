@@ -1,0 +1,125 @@
+"""Targets that list events, that update, and that reject invalid input."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import pytest
+from minkref import _core
+from minkref.fuzz.cases import naming
+from minkref.fuzz.cases.case import Case, CaseName
+from minkref.fuzz.cases.grid import bits_of, unit_for
+from minkref.fuzz.cases.invalid_case import InvalidCase
+from minkref.fuzz.cases.no_case import NoCase
+from minkref.fuzz.families.invalid import KINDS
+from minkref.fuzz.targets.answer import Answer, answered
+from minkref.fuzz.targets.declaration import Declaration
+from minkref.fuzz.verdicts.event_judgement import judge_events, window
+from minkref.fuzz.verdicts.invalid_judgement import judge_invalid
+from minkref.fuzz.verdicts.verdict import Reason, Verdict
+from minkref.fuzz.verdicts.witness import holds
+
+EXACT = Declaration("exact")
+FLOATS = Declaration("floats", arithmetic="float64", relative=Fraction(1, 10**9))
+FRAME = (
+    '{"P":{"polygons":[{"outer":[[0,0],[9,0],[9,9],[0,9]],"holes":[[[3,3],[3,6],[6,6],[6,3]]]}]},'
+    '"Q":{"polygons":[{"outer":[[0,0],[2,0],[2,2],[0,2]]}]},"scale":"1"}'
+)
+CLOSES = Fraction(2, 3)  # the hole of 3 s is as wide as Q
+
+
+def named(text: str) -> Case:
+    case = naming.load(CaseName(text, "test"))
+    assert isinstance(case, Case)
+    return case
+
+
+def events_of(case: Case) -> list[Fraction]:
+    moving = _core.DynamicSum(case.P, case.Q, *window(case))
+    return sorted({Fraction(row[0]) for row in moving.topology_events()})
+
+
+def test_events_of_the_reference_pass() -> None:
+    for text in (FRAME, "holes:3:2", "comb:3:1", "nested:3:4"):
+        case = named(text)
+        assert judge_events(case, "t", events_of(case), EXACT).verdict is Verdict.PASS
+
+
+def test_missed_event_has_the_place_where_it_happens_as_witness() -> None:
+    case = named(FRAME)
+    assert events_of(case) == [CLOSES]
+    outcome = judge_events(case, "t", [], EXACT)
+    assert outcome.reasons == (Reason.EVENT_MISSED,)
+    assert outcome.witness is not None and outcome.witness.scale == str(CLOSES)
+    assert holds(case.P_json, case.Q_json, str(CLOSES), outcome.witness)
+
+
+def test_invented_event_is_wrong() -> None:
+    outcome = judge_events(named(FRAME), "t", [CLOSES, Fraction(1)], EXACT)
+    assert outcome.reasons == (Reason.EVENT_INVENTED,)
+    assert "nearest is at 2/3" in outcome.message
+    assert outcome.witness is not None
+
+
+def test_rounded_events_are_within_a_relative_tolerance() -> None:
+    case = named(FRAME)
+    near = Fraction(float(CLOSES))
+    assert judge_events(case, "t", [near], FLOATS).verdict is Verdict.PASS_WITHIN
+    assert judge_events(case, "t", [near], EXACT).verdict is Verdict.WRONG
+    far = CLOSES + Fraction(1, 10**6)
+    assert judge_events(case, "t", [far], FLOATS).verdict is Verdict.WRONG
+
+
+@pytest.mark.parametrize("index", range(len(KINDS)))
+def test_invalid_input_must_be_refused(index: int) -> None:
+    case = naming.load(CaseName(f"invalid:1:{index}", "test"))
+    assert isinstance(case, InvalidCase)
+    assert case.refusal, "the reference refuses it"
+    refused = Answer(verdict=Verdict.WRONG, message="self-intersecting")
+    assert judge_invalid(case, "t", refused).verdict is Verdict.PASS
+    outcome = judge_invalid(case, "t", answered('{"polygons":[]}', 0.0))
+    assert outcome.reasons == (Reason.ACCEPTED_INVALID,)
+    assert case.kind in outcome.message
+    crashed = Answer(verdict=Verdict.CRASHED, signal="SIGSEGV")
+    assert judge_invalid(case, "t", crashed).verdict is Verdict.CRASHED
+
+
+def test_update_starts_at_another_scale_and_names_the_same_pair() -> None:
+    case = named("update(holes:3:2)")
+    assert case.law is not None and case.law[0] == "update"
+    base = case.law[1]
+    assert (base.P_json, base.Q_json) == (case.P_json, case.Q_json)
+    assert base.scale != case.scale
+
+
+@pytest.mark.parametrize(
+    ("numbers", "bits"),
+    [
+        ((), 0),
+        (("0",), 0),
+        (("1", "-1"), 1),
+        (("6", "4"), 2),
+        (("1/4", "3"), 4),
+        (("1048576", "1"), 21),
+        (("1/3",), None),
+        (("1/1024", "1/512"), 2),
+    ],
+)
+def test_bits_of_a_grid(numbers: tuple[str, ...], bits: int | None) -> None:
+    assert bits_of([Fraction(number) for number in numbers]) == bits
+
+
+def test_a_case_on_a_grid_needs_no_more_bits() -> None:
+    found = 0
+    for family in ("rational", "star", "magnitude", "thin"):
+        for index in range(4):
+            try:
+                case = named(f"grid:24({family}:3:{index})")
+            except NoCase:  # rounded it is no operand
+                continue
+            found += 1
+            assert (bits_of(case.coordinates) or 0) <= 25
+            assert case.scale == "1"
+    assert found > 8
+    assert unit_for(Fraction(5), 3) == 1
+    assert unit_for(Fraction(5), 4) == Fraction(1, 2)
