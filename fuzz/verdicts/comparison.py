@@ -60,8 +60,8 @@ def settle(
     With `half` only points count whose whole square of that half side lies inside, or outside.
     `boundary`: the sum of the boundaries is meant."""
     settled = Settlement()
-    absent = minus(shrunk(truth.json, half), claim.json)
-    surplus = minus(claim.json, grown(truth.json, half))
+    least, most = shrunk(truth.json, half), grown(truth.json, half)
+    absent, surplus = minus(least, claim.json), minus(claim.json, most)
     for part, reason in ((absent, Reason.MISSING), (surplus, Reason.EXTRA)):
         point = inner_point(part)
         if point is None:
@@ -79,7 +79,9 @@ def settle(
         else:
             settled.truth = settled.truth or witness
     if settled.claim is not None:
-        settled.reasons = _sharpen(settled.reasons, truth, claim, absent, surplus)
+        settled.reasons = _sharpen(
+            settled.reasons, truth, claim, absent, surplus, _outers(least), _holes(most)
+        )
     return settled
 
 
@@ -89,16 +91,19 @@ def _sharpen(
     claim: Region,
     absent: _core.PolygonSet,
     surplus: _core.PolygonSet,
+    outers: set[frozenset[tuple[str, str]]],
+    holes: set[frozenset[tuple[str, str]]],
 ) -> list[Reason]:
     """Names lost and invented holes and components; `missing` and `extra` are left out where these
-    explain all of the difference."""
+    explain all of the difference. `outers` and `holes` are rings of what the result may be at
+    least, and at most."""
     found: list[Reason] = []
     if Reason.EXTRA in reasons:
         if claim.holes < truth.holes:
             found.append(Reason.HOLE_LOST)
         elif claim.components > truth.components:
             found.append(Reason.COMPONENT)
-        if not (found and _pieces(surplus) <= _holes(truth) | _outers(claim)):
+        if not (found and _pieces(surplus) <= holes | _outers(claim.json)):
             found.append(Reason.EXTRA)
     if Reason.MISSING in reasons:
         more: list[Reason] = []
@@ -106,7 +111,7 @@ def _sharpen(
             more.append(Reason.HOLE_INVENTED)
         elif claim.components < truth.components:
             more.append(Reason.COMPONENT)
-        if not (more and _pieces(absent) <= _holes(claim) | _outers(truth)):
+        if not (more and _pieces(absent) <= _holes(claim.json) | outers):
             more.append(Reason.MISSING)
         found += [reason for reason in more if reason not in found]
     return found
@@ -121,10 +126,10 @@ def _pieces(region: _core.PolygonSet) -> set[frozenset[tuple[str, str]]]:
     return {_key(polygon["outer"]) for polygon in polygons}
 
 
-def _outers(region: Region) -> set[frozenset[tuple[str, str]]]:
-    return {_key(polygon["outer"]) for polygon in json.loads(region.json)["polygons"]}
+def _outers(text: str) -> set[frozenset[tuple[str, str]]]:
+    return {_key(polygon["outer"]) for polygon in json.loads(text)["polygons"]}
 
 
-def _holes(region: Region) -> set[frozenset[tuple[str, str]]]:
-    polygons = json.loads(region.json)["polygons"]
+def _holes(text: str) -> set[frozenset[tuple[str, str]]]:
+    polygons = json.loads(text)["polygons"]
     return {_key(hole) for polygon in polygons for hole in polygon["holes"]}
