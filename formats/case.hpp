@@ -13,9 +13,9 @@
 namespace minkref {
 
 /// A closed interval of scales; an end that is absent is 0 or infinity.
-struct ScaleInterval {
+struct CaseInterval {
   std::optional<Rational> from, to;
-  friend bool operator==(const ScaleInterval&, const ScaleInterval&) = default;
+  friend bool operator==(const CaseInterval&, const CaseInterval&) = default;
 };
 
 /// What is expected of `sP + Q` at one scale. Only what is given is claimed.
@@ -32,9 +32,9 @@ struct Case {
   std::string id;
   std::string title, comment;  ///< carry no truth
   PolygonSet P, Q;
-  std::vector<Rational> scales;           ///< either these
-  std::optional<ScaleInterval> interval;  ///< or this
-  std::vector<std::string> tags;          ///< families
+  std::vector<Rational> scales;          ///< either these
+  std::optional<CaseInterval> interval;  ///< or this
+  std::vector<std::string> tags;         ///< families
   std::vector<std::string> flags;
   std::vector<Expected> expected;
   std::string source, licence;  ///< licence: an SPDX expression

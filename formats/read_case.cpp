@@ -130,7 +130,7 @@ class CaseReader {
     }
     const JsonObject ends(*interval, input_, "an interval of scales", {"from", "to"},
                           JsonObject::Others::refused);
-    ScaleInterval window;
+    CaseInterval window;
     if (const auto from = ends.find("from")) window.from = scale(*from);
     if (const auto to = ends.find("to")) window.to = scale(*to);
     if (window.from && window.to && *window.from > *window.to) {

@@ -75,7 +75,7 @@ std::string claim_text(const Expected& claim) {
   return members.object();
 }
 
-std::string interval_text(const ScaleInterval& interval) {
+std::string interval_text(const CaseInterval& interval) {
   std::string text;
   if (interval.from) text += "\"from\": " + quote(*interval.from);
   if (interval.to) text += (text.empty() ? "" : ", ") + ("\"to\": " + quote(*interval.to));

@@ -61,7 +61,7 @@ void set_scale(Case& pair, const Rational& scale) {
 void set_window(Dice& dice, Case& pair) {
   Rational from = scale_near_event(dice, pair), to = scale_near_event(dice, pair);
   if (to < from) std::swap(from, to);
-  ScaleInterval window;
+  CaseInterval window;
   if (!dice.one_in(5)) window.from = from;
   if (!dice.one_in(5)) window.to = to;
   pair.scales.clear();
@@ -93,7 +93,7 @@ void exchange_operands(Case& pair) {
   std::swap(pair.P, pair.Q);
   for (Rational& s : pair.scales) s = 1 / s;
   if (!pair.interval) return;
-  ScaleInterval inverse;
+  CaseInterval inverse;
   if (pair.interval->to) inverse.from = 1 / *pair.interval->to;
   if (pair.interval->from) inverse.to = 1 / *pair.interval->from;
   pair.interval = inverse;
