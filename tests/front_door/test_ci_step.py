@@ -1,0 +1,75 @@
+"""The step of the GitHub Action, run as it is written, without GitHub."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+FAULTY = ROOT / "tests" / "verify"
+WRITTEN = ("junit.xml", "results.sarif", "summary.md", "findings.jsonl", "index.html")
+
+
+def step(folder: Path, **variables: str) -> subprocess.CompletedProcess[str]:
+    environment = {
+        **os.environ,
+        "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}",
+        "PYTHONPATH": str(FAULTY),
+        "SECONDS_GIVEN": "2",
+        "ARGUMENTS": "--no-models --family random --shrink-calls 20",
+        "GITHUB_STEP_SUMMARY": str(folder / "step.md"),
+        **variables,
+    }
+    return subprocess.run(
+        [ROOT / "scripts" / "verify_in_ci.sh"],
+        cwd=folder,
+        env=environment,
+        capture_output=True,
+        text=True,
+        timeout=300,
+    )
+
+
+@pytest.mark.parametrize(("target", "code"), [("right", 0), ("nothing", 1), ("raises", 3)])
+def test_step_exits_as_verify_and_leaves_its_reports(
+    tmp_path: Path, target: str, code: int
+) -> None:
+    ran = step(tmp_path, TARGETS=f"py:faulty_sums:{target} minkref:paper")
+    assert ran.returncode == code, ran.stderr
+    report = tmp_path / "minkref-report"
+    assert all((report / name).is_file() for name in WRITTEN)
+    assert (tmp_path / "step.md").read_text(encoding="utf-8").startswith("# minkref verify")
+    last = (report / "findings.jsonl").read_text(encoding="utf-8").splitlines()[-1]
+    assert json.loads(last)["exit_code"] == code
+
+
+def test_baseline_makes_new_faults_alone_fail(tmp_path: Path) -> None:
+    entry = {
+        "target": "py:faulty_sums:*",
+        "version": "*",
+        "kind": "component",
+        "reason": "known to us",
+    }
+    baseline = {"baseline": "baseline-v1", "entries": [entry]}
+    (tmp_path / "known.json").write_text(json.dumps(baseline), encoding="utf-8")
+    ran = step(tmp_path, TARGETS="py:faulty_sums:nothing", BASELINE="known.json")
+    assert ran.returncode == 0, ran.stdout + ran.stderr
+
+
+def test_step_without_targets_says_so(tmp_path: Path) -> None:
+    ran = step(tmp_path, TARGETS="")
+    assert ran.returncode != 0
+    assert "name the targets" in ran.stderr
+
+
+def test_action_gives_every_input_to_the_step() -> None:
+    text = (ROOT / "action.yml").read_text(encoding="utf-8")
+    script = (ROOT / "scripts" / "verify_in_ci.sh").read_text(encoding="utf-8")
+    for name in ("TARGETS", "SECONDS_GIVEN", "SEED", "BASELINE", "ARGUMENTS", "REPORT"):
+        assert f"{name}: ${{{{ inputs." in text
+        assert name in script
