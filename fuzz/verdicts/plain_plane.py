@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterable
 from fractions import Fraction
 
 Point = tuple[Fraction, Fraction]
@@ -62,6 +63,22 @@ def edges(polygons: Rings) -> list[Edge]:
 def turn(a: Point, b: Point, c: Point) -> int:
     value = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
     return (value > 0) - (value < 0)
+
+
+def hull(points: Iterable[Point]) -> list[Point]:
+    """The convex hull, counter-clockwise, without collinear points (Andrew's monotone chain)."""
+    ordered = sorted(set(points))
+    if len(ordered) < 3:
+        return ordered
+    found: list[Point] = []
+    for chain in (ordered, ordered[::-1]):
+        start = len(found)
+        for point in chain:
+            while len(found) - start >= 2 and turn(found[-2], found[-1], point) <= 0:
+                found.pop()
+            found.append(point)
+        found.pop()
+    return found
 
 
 def in_box(a: Point, b: Point, p: Point) -> bool:

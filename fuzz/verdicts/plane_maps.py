@@ -5,8 +5,9 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
+from minkref.fuzz.verdicts.plain_plane import Point, hull
+
 Polygons = list[dict[str, Any]]
-Point = tuple[Fraction, Fraction]
 ORIGIN = (Fraction(0), Fraction(0))
 
 
@@ -71,19 +72,7 @@ def _refined(ring: list[list[str]]) -> list[list[str]]:
 
 def hull_of(polygons: Polygons) -> Polygons:
     """The convex hull, counter-clockwise, without collinear vertices; nothing for nothing."""
-    points = sorted({(Fraction(x), Fraction(y)) for p in polygons for x, y in p["outer"]})
+    points = {(Fraction(x), Fraction(y)) for p in polygons for x, y in p["outer"]}
     if len(points) < 2:
         return polygons
-    hull: list[Point] = []
-    for chain in (points, points[::-1]):
-        start = len(hull)
-        for point in chain:
-            while len(hull) - start >= 2 and _turn(hull[-2], hull[-1], point) <= 0:
-                hull.pop()
-            hull.append(point)
-        hull.pop()
-    return [{"outer": [[str(x), str(y)] for x, y in hull], "holes": []}]
-
-
-def _turn(a: Point, b: Point, c: Point) -> Fraction:
-    return (b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0])
+    return [{"outer": [[str(x), str(y)] for x, y in hull(points)], "holes": []}]

@@ -6,6 +6,7 @@ from minkref.errors import cut
 from minkref.fuzz.cases.space_case import SpaceCase
 from minkref.fuzz.space.comparison import compare
 from minkref.fuzz.targets.answer import Answer
+from minkref.fuzz.verdicts.judgement import without_answer
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict
 
 
@@ -22,14 +23,7 @@ def judge_in_space(case: SpaceCase, name: str, answer: Answer) -> Outcome:
             witness=witness,
         )
     if answer.solid is None:
-        return Outcome(
-            name,
-            answer.verdict or Verdict.ERRORED,
-            message=cut(answer.message),
-            signal=answer.signal,
-            seconds=answer.seconds,
-            log=answer.log,
-        )
+        return without_answer(name, answer)
     declared = answer.declaration
     half = declared.tolerance(case.magnitude)
     found = compare(case.pair, case.back(answer.solid), declared.exact, half)

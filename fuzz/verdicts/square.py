@@ -15,6 +15,7 @@ from minkref.fuzz.verdicts.plain_plane import (
     Rings,
     contains,
     edges,
+    hull,
     meet,
     segments_meet,
     turn,
@@ -55,17 +56,8 @@ def _near(first: Edge, second: Edge, half: Fraction) -> bool:
 
 
 def _in_hull(x: Point, points: list[Point]) -> bool:
-    """Andrew's monotone chain, then the side of each edge."""
-    points = sorted(set(points))
-    hull: list[Point] = []
-    for chain in (points, points[::-1]):
-        start = len(hull)
-        for point in chain:
-            while len(hull) - start >= 2 and turn(hull[-2], hull[-1], point) <= 0:
-                hull.pop()
-            hull.append(point)
-        hull.pop()
-    return all(turn(hull[k - 1], hull[k], x) >= 0 for k in range(len(hull)))
+    around = hull(points)
+    return all(turn(around[k - 1], around[k], x) >= 0 for k in range(len(around)))
 
 
 def square_inside(P: Rings, Q: Rings, x: Point, half: Fraction, boundary: bool) -> bool:
