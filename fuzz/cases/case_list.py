@@ -23,7 +23,7 @@ MOST_PARENTS = 200
 DEEPEST_MUTANT = 4
 PROBES_PER_ROUND = 3
 GRID_BITS = 24  # of cases for implementations on a grid, or in doubles
-SPACE_LAWS_PER_ROUND = 3
+SPACE_ROUNDS = 3  # in which each family in space has its turn, beside families in the plane
 
 
 class Wait(Enum):
@@ -114,8 +114,11 @@ class CaseList:
         """One case of each family, and what is got from some of them."""
         dice = random.Random(f"minkref round {self.seed} {index}")
         texts = {family: f"{family}:{self.seed}:{index}" for family in self.families}
-        for family in (*self.families, *self.space):
-            yield CaseName(texts.get(family, f"{family}:{self.seed}:{index}"), family)
+        for family in self.families:
+            yield CaseName(texts[family], family)
+        rounds = SPACE_ROUNDS if self.families else 1
+        for family in self.space[index % rounds :: rounds]:
+            yield CaseName(f"{family}:{self.seed}:{index // rounds}", family)
         if self.invalid:
             yield CaseName(f"invalid:{self.seed}:{index}", "invalid input")
         for family in dice.sample(self.families, min(PROBES_PER_ROUND, len(self.families))):
@@ -128,10 +131,10 @@ class CaseList:
                 break
             family = self.families[(index + k) % len(self.families)]
             yield CaseName(f"{law}({texts[family]})", "laws")
-        for k in range(min(SPACE_LAWS_PER_ROUND, len(self.space)) if self.laws else 0):
-            family = self.space[(index + k) % len(self.space)]
-            law = LAWS_IN_SPACE[(index * SPACE_LAWS_PER_ROUND + k) % len(LAWS_IN_SPACE)]
-            yield CaseName(f"{law}({family}:{self.seed}:{index})", "laws in space")
+        if self.space and self.laws:
+            family = self.space[index % len(self.space)]
+            law = LAWS_IN_SPACE[index % len(LAWS_IN_SPACE)]
+            yield CaseName(f"{law}({family}:{self.seed}:{index // 2})", "laws in space")
         for k in range(min(MUTANTS_PER_ROUND, len(self._parents))):
             parent = dice.choice(self._parents)
             yield CaseName(f"mutant:{index * MUTANTS_PER_ROUND + k}({parent})", "mutants")

@@ -21,12 +21,12 @@ def dented_pair(seed: int, index: int) -> Pair:
 
 
 def _dented(dice: random.Random, size: int) -> tuple[Shape, Shape]:
-    across = 1 if size <= FEW else 3
+    across, corners = (1, 5) if size <= FEW else dice.choice(((3, 5), (4, 4)))
     side = across * CELL
     polygon: list[Ring] = [box(0, 0, side, side)]
     for x in range(0, side, CELL):
         for y in range(0, side, CELL):
-            hole = _ring(dice, 7, CELL - 2)
+            hole = _ring(dice, corners, CELL - 2)
             polygon.append([(a + x + 1, b + y + 1) for a, b in hole])
     return [polygon], [[_ring(dice, 3, 1)]]
 

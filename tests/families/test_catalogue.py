@@ -21,7 +21,7 @@ FINGERPRINTS = {
     "convex": "33a56d7ce74e885b",
     "holes": "3aeacd669019634c",
     "small-holes": "8a773aaab4ac3094",
-    "dents": "2a013d0861c00cbf",
+    "dents": "c4efcf724d014ebd",
     "fit": "c8e135a371be4f3a",
     "collinear": "a7f885392598f27e",
     "touching": "74faf6ff0fd44c5b",
