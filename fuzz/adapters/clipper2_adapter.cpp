@@ -136,7 +136,7 @@ int run(std::string_view mode) {
   }
   if (mode == "double") {
     json value = hello("clipper2-double", "boundary");
-    value["grid"] = {{"unit", "1/100"}};
+    value["grid"] = {{"unit", "1/100"}, {"largest", "1e15"}};  // 62 bits, a hundred times that
     // Four units of two decimals, and the division by a hundred.
     value["tolerance"] = {{"absolute", "0.04"}, {"relative", "1e-15"}};
     return serve(value, double_sum);

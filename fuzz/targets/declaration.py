@@ -35,6 +35,7 @@ class Declaration:
     sets: str = "regularised"
     bits: int | None = None  # of the integer grid on which it computes
     unit: Fraction | None = None  # of the grid
+    largest: Fraction | None = None  # absolute value of a coordinate
     capabilities: frozenset[str] = PLANE
 
     @property
@@ -58,6 +59,8 @@ class Declaration:
                 return f"coordinates off its grid of {self.bits} bits"
         if self.unit is not None and any((n / self.unit).denominator != 1 for n in numbers()):
             return f"coordinates off its grid of {self.unit}"
+        if self.largest is not None and any(abs(n) > self.largest for n in numbers()):
+            return f"coordinates beyond {self.largest}"
         return None
 
     def lacks(self, needs: frozenset[str]) -> list[str]:
@@ -88,7 +91,8 @@ def read_declaration(value: Mapping[str, Any], name: str) -> Declaration:
         sum=_one_of(value, "sum", ("region", "boundary")),
         sets=_one_of(value, "sets", ("regularised", "closed")),
         bits=_bits(value),
-        unit=_unit(value),
+        unit=_of_grid(value, "unit"),
+        largest=_of_grid(value, "largest"),
         capabilities=frozenset(capabilities),
     )
     if not declared.capabilities & {"plane", "space"}:
@@ -101,7 +105,7 @@ def read_declaration(value: Mapping[str, Any], name: str) -> Declaration:
 def _grid(value: Mapping[str, Any]) -> dict[str, Any]:
     grid = value.get("grid", {})
     if not isinstance(grid, dict):
-        raise DeclarationError("grid is not an object with bits or unit")
+        raise DeclarationError("grid is not an object with bits, unit or largest")
     return grid
 
 
@@ -112,14 +116,14 @@ def _bits(value: Mapping[str, Any]) -> int | None:
     return bits
 
 
-def _unit(value: Mapping[str, Any]) -> Fraction | None:
+def _of_grid(value: Mapping[str, Any], field: str) -> Fraction | None:
     grid = _grid(value)
-    if grid.get("unit") is None:
+    if grid.get(field) is None:
         return None
-    unit = _number(grid, "unit")
-    if not unit:
-        raise DeclarationError("grid: unit is zero")
-    return unit
+    number = _number(grid, field)
+    if not number:
+        raise DeclarationError(f"grid: {field} is zero")
+    return number
 
 
 def _text(value: Mapping[str, Any], field: str, default: str) -> str:
