@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
+from minkref.commands.verify_output import general_reason
 from minkref.fuzz.run.runner import Cell
 from minkref.fuzz.verdicts.verdict import GOOD, Verdict
 from minkref.reports.conformance.words import SIGNS
@@ -108,10 +108,3 @@ def total(cells: Iterable[tuple[Cell | None, int]]) -> Counts:
     for cell, cases in cells:
         counts.add(cell, cases)
     return counts
-
-
-def general_reason(message: str) -> str:
-    """A reason for a skip without what is particular to its case."""
-    text = re.sub(r"^[PQ]: ", "", message)
-    text = re.sub(r"^\d[\d,]* (pairs of vertices), more than \d[\d,]*", r"too many \1", text)
-    return re.sub(r"\brings \d+ and \d+ meet", "rings meet", text)

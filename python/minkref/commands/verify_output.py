@@ -234,15 +234,17 @@ def _skips(run: Run) -> dict[str, list[str]]:
     found: dict[str, list[str]] = {}
     for (target, _), cell in run.matrix.items():
         for message in cell.skips:
-            general = re.sub(r"^[PQ]: ", "", message)
-            general = re.sub(
-                r"^\d[\d,]* (pairs of vertices), more than \d[\d,]*", r"too many \1", general
-            )
-            general = re.sub(r"\brings \d+ and \d+ meet", "rings meet", general)
-            names = found.setdefault(general, [])
+            names = found.setdefault(general_reason(message), [])
             if target not in names:
                 names.append(target)
     return found
+
+
+def general_reason(message: str) -> str:
+    """A reason for a skip without what is particular to its case."""
+    text = re.sub(r"^[PQ]: ", "", message)
+    text = re.sub(r"^\d[\d,]* (pairs of vertices), more than \d[\d,]*", r"too many \1", text)
+    return re.sub(r"\brings \d+ and \d+ meet", "rings meet", text)
 
 
 def describe(group: Group) -> list[str]:

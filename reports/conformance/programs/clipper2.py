@@ -23,17 +23,14 @@ BITS = 30
 NOTES = {
     "clipper2-region": (
         "Clipper2 has no sum of regions. The program follows the recipe that is given for it "
-        "(Clipper2 issue 719): the union of MinkowskiSum of the rings with translates of the "
-        "operands. MinkowskiSum rounds to the grid; the union then works on rounded rings. "
-        "The program also prints what one union of everything gives, without rounding in between: "
-        "where that is right and the recipe is not, the fault is in the recipe, not in one of "
-        "the two functions."
+        "(Clipper2 issue 719), the sum of the rings united with translates of the operands, in one "
+        "union: MinkowskiSum would unite and round the parallelograms before."
     ),
 }
 _WHAT = {
     "clipper2": "MinkowskiSum of Paths64: the sum of the two curves",
     "clipper2-double": "MinkowskiSum of PathsD: the sum of the two curves",
-    "clipper2-region": "the region: Union of MinkowskiSum and of translates",
+    "clipper2-region": "the region: Union of the parallelograms of MinkowskiSum and of translates",
 }
 
 
