@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterable
 from fractions import Fraction
 from typing import Any
 
 from minkref.fuzz.cases.case import Case
 from minkref.fuzz.cgal.oracle import CgalOracle, OracleNotFoundError, method_of_target
+from minkref.fuzz.judges.slow_operands import slow_operand, slow_operands
 from minkref.oracle import slow
 
 SECONDS = 60.0
@@ -31,7 +31,7 @@ class CgalClaims:
         """For each method its `outcome` on the sum at the scale of the case: `equal`, `different`
         (with a point in the interior of the difference, and both sets), `no set`, or what became
         of the call."""
-        P, Q = (slow.operand_from_json(json.loads(text)) for text in (case.P_json, case.Q_json))
+        P, Q = slow_operands(case)
         scale = Fraction(case.scale)
         rows = []
         for method, oracle in self._oracles.items():
@@ -42,7 +42,7 @@ class CgalClaims:
                 row["outcome"] = answer.status
                 continue
             try:
-                claimed = slow.operand_from_json(json.loads(answer.rings_json))
+                claimed = slow_operand(answer.rings_json)
                 claim = slow.check_claim(P, Q, scale, claimed)
             except slow.InputError:
                 row["outcome"] = "no set"

@@ -8,6 +8,7 @@ from fractions import Fraction
 
 from minkref import _core
 from minkref.fuzz.cases.case import Case
+from minkref.fuzz.judges.slow_operands import slow_operands
 from minkref.oracle import slow
 from minkref.oracle.slow.witness import Pieces
 
@@ -17,9 +18,7 @@ WORDS = {"disjoint": "empty", "touching": "touching", "overlapping": "overlappin
 def decided_otherwise(case: Case, count: int, seed: int) -> list[str]:
     """Of `count` points: vertices of the sum's boundary, the middles of its edges, and points a
     little to their left and right. Those that the two decide differently."""
-    P, Q = (
-        Pieces.of(slow.operand_from_json(json.loads(text))) for text in (case.P_json, case.Q_json)
-    )
+    P, Q = map(Pieces.of, slow_operands(case))
     scale = Fraction(case.scale)
     different = []
     for x, y in points(case, count, seed):

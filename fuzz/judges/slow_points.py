@@ -9,6 +9,7 @@ from fractions import Fraction
 from minkref import _core
 from minkref.fuzz.cases.case import Case
 from minkref.fuzz.judges.ruling import Ruling, dice_of
+from minkref.fuzz.judges.slow_operands import slow_operands
 from minkref.fuzz.verdicts.verdict import Reason, Witness
 from minkref.fuzz.verdicts.witness import holds
 from minkref.oracle import slow
@@ -23,9 +24,7 @@ def judge(case: Case) -> Ruling:
     """Points on the boundary of the sum and random ones: whether sP and x - Q are disjoint, touch
     or overlap; where they meet, p and q are checked in plain fractions."""
     ruling = Ruling()
-    P, Q = (
-        Pieces.of(slow.operand_from_json(json.loads(text))) for text in (case.P_json, case.Q_json)
-    )
+    P, Q = map(Pieces.of, slow_operands(case))
     for x in points_of(case):
         text = str(x[0]), str(x[1])
         ours = _core.decide(case.P, case.Q, case.scale, *text)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import json
 from fractions import Fraction
 
 from minkref import _core
 from minkref.exact import digest
 from minkref.fuzz.cases.case import Case
 from minkref.fuzz.judges.ruling import Ruling, scales_of
+from minkref.fuzz.judges.slow_operands import slow_operand, slow_operands
 from minkref.fuzz.verdicts.verdict import Reason, Witness
 from minkref.oracle import slow
 
@@ -18,7 +18,7 @@ ROUTES = ("paper", "winding", "definition")
 def judge(case: Case) -> Ruling:
     """Digest, components, holes, by the routes paper, winding, definition and dynamic."""
     ruling = Ruling()
-    P, Q = (slow.operand_from_json(json.loads(text)) for text in (case.P_json, case.Q_json))
+    P, Q = slow_operands(case)
     dynamic = _core.DynamicSum(case.P, case.Q)
     for scale in scales_of(case, dynamic):
         truth = slow.minkowski_sum(P, Q, Fraction(scale))
@@ -47,7 +47,7 @@ def _explain(
     ours: _core.Sum,
     truth: slow.Sum,
 ) -> None:
-    claim = slow.check_claim(P, Q, Fraction(scale), slow.operand_from_json(json.loads(text)))
+    claim = slow.check_claim(P, Q, Fraction(scale), slow_operand(text))
     if claim.point is None:
         reason = Reason.COMPONENT
         if claim.equal and not claim.canonical:

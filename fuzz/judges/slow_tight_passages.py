@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from fractions import Fraction
 
 from minkref import _core
 from minkref.fuzz.cases.case import Case
 from minkref.fuzz.judges.ruling import Ruling, scales_of
+from minkref.fuzz.judges.slow_operands import slow_operands
 from minkref.fuzz.verdicts.verdict import Reason
 from minkref.oracle import slow
 
@@ -15,7 +15,7 @@ from minkref.oracle import slow
 def judge(case: Case) -> Ruling:
     """Points and polylines in canonical order, at random scales and at scales of events."""
     ruling = Ruling()
-    P, Q = (slow.operand_from_json(json.loads(text)) for text in (case.P_json, case.Q_json))
+    P, Q = slow_operands(case)
     for scale in scales_of(case, _core.DynamicSum(case.P, case.Q)):
         truth = slow.minkowski_sum(P, Q, Fraction(scale)).tight
         expected = [[(str(x), str(y)) for x, y in piece] for piece in truth]

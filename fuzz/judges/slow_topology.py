@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import json
 from collections import Counter
 from fractions import Fraction
 
 from minkref import _core
 from minkref.fuzz.cases.case import Case
 from minkref.fuzz.judges.ruling import Ruling, event_scales
+from minkref.fuzz.judges.slow_operands import slow_operands
 from minkref.fuzz.verdicts.verdict import Reason
 from minkref.oracle import slow
 from minkref.oracle.slow.identity import Link
@@ -21,7 +21,7 @@ def judge(case: Case) -> Ruling:
     """Components, holes and vertices on the three sides of an event, whether the boundary changes,
     and which holes and components are born, die, merge, split or touch (route dynamic)."""
     ruling = Ruling()
-    P, Q = (slow.operand_from_json(json.loads(text)) for text in (case.P_json, case.Q_json))
+    P, Q = slow_operands(case)
     dynamic = _core.DynamicSum(case.P, case.Q)
     boundary = {row[0] for row in dynamic.boundary_events()}
     for scale in event_scales(case, dynamic):

@@ -5,6 +5,7 @@ from __future__ import annotations
 import zlib
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from functools import partial
 
 from minkref.fuzz.cases.case import Case
 from minkref.fuzz.cases.invalid_case import InvalidCase
@@ -23,6 +24,7 @@ from minkref.fuzz.verdicts.space_judgement import judge_in_space
 from minkref.fuzz.verdicts.verdict import GOOD, Outcome, Reason, Verdict
 
 ASKED_TWICE = 8  # one of so many right answers
+JUDGING = "judging "  # and a target: the step in which its answer is looked at
 
 
 @dataclass
@@ -50,8 +52,7 @@ class Asking:
             if name not in names and any(answer.region for answer in self.answers.values()):
                 continue  # one route of ours is truth enough until somebody disagrees
             self.answers[name] = self._ask(name, self.case)
-        self.begin("minkref:referee")
-        outcomes = judge(self.case, self.answers, names)
+        outcomes = self._judged(self.case, self.answers, names)
         return [self._once_more(self.case, outcome) for outcome in outcomes]
 
     def coverage(self, outcomes: list[Outcome]) -> str | None:
@@ -111,12 +112,25 @@ class Asking:
         second = self._ask(name, case)
         if second.region is None or second.region.digest == outcome.digest:
             return outcome
-        self.begin("minkref:referee")
-        rejudged = judge(case, {**self.answers, name: second}, [name])
+        rejudged = self._judged(case, {**self.answers, name: second}, [name])
         for worse in (outcome, *rejudged):
             if worse.target == name and worse.verdict is Verdict.WRONG:
                 return replace(worse, reasons=(*worse.reasons, Reason.NONDETERMINISTIC))
         return outcome
+
+    def _judged(self, case: Case, answers: dict[str, Answer], names: list[str]) -> list[Outcome]:
+        judged = {name: self._judgeable(name, answer) for name, answer in answers.items()}
+        return judge(case, judged, names, self._judging)
+
+    def _judging(self, name: str) -> None:
+        self.begin(JUDGING + name)
+
+    def _judgeable(self, name: str, answer: Answer) -> Answer:
+        """The answer; or, where a look at it took a worker down, that it is undecided."""
+        lost = self.lost.get(JUDGING + name)
+        if lost is None:
+            return answer
+        return replace(answer, region=None, solid=None, verdict=lost.verdict, message=lost.message)
 
     def _by_law(self, case: Case, names: list[str]) -> list[Outcome]:
         assert case.law is not None
@@ -129,12 +143,15 @@ class Asking:
                 continue
             answer = self._ask(name, case)
             before = None if LAWS[law].constant else self._ask(name, base)
-            self.begin("minkref:referee")
-            outcomes += judge_law(law, name, base, before, case, answer, self._truth)
+            answer = self._judgeable(name, answer)
+            self._judging(name)
+            against_truth = partial(self._against_truth, case, name, answer)
+            outcomes += judge_law(law, name, base, before, case, answer, against_truth)
         return outcomes
 
-    def _truth(self, case: Case) -> dict[str, Answer]:
-        return {TRUTHS[0]: self._ask(TRUTHS[0], case)}
+    def _against_truth(self, case: Case, name: str, answer: Answer) -> list[Outcome]:
+        answers = {TRUTHS[0]: self._ask(TRUTHS[0], case), name: answer}
+        return self._judged(case, answers, [name])
 
     def _updated(self, name: str, base: Case, case: Case) -> Outcome:
         """The sum by `update` against the fresh one and the truth."""
@@ -146,9 +163,8 @@ class Asking:
             return Outcome(name, Verdict.SKIPPED, message=message)
         self.begin(name)
         updated = target.updated_sum(base, case)
-        answers = {**self._truth(case), name: updated}
-        self.begin("minkref:referee")
-        (outcome,) = (o for o in judge(case, answers, [name]) if o.target == name)
+        judged = self._against_truth(case, name, updated)
+        (outcome,) = (o for o in judged if o.target == name)
         if outcome.verdict is not Verdict.WRONG:
             return outcome
         fresh = self._ask(name, case)
@@ -170,7 +186,9 @@ class Asking:
         claimed = target.events(case, *window(case))
         if isinstance(claimed, Answer):
             return without_answer(name, claimed)
-        self.begin("minkref:referee")
+        if JUDGING + name in self.lost:
+            return without_answer(name, self._judgeable(name, Answer()))
+        self._judging(name)
         declared = target.declared()
         assert not isinstance(declared, Answer)
         return judge_events(case, name, claimed, declared)
@@ -190,7 +208,7 @@ class Asking:
                 continue
             target = self.target(name)
             self.begin(name)
-            answer = target.sum(case)
-            self.begin("minkref:referee")
+            answer = self._judgeable(name, target.sum(case))
+            self._judging(name)
             outcomes.append(judge_in_space(case, name, answer))
         return outcomes

@@ -14,7 +14,8 @@ from typing import Any
 
 from minkref.fuzz.cases.case_list import Wait
 from minkref.fuzz.run import child
-from minkref.fuzz.run.worker import CaseResult, Job, work
+from minkref.fuzz.run.asking import JUDGING
+from minkref.fuzz.run.worker import CASE, CaseResult, Job, work
 from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.verdicts.verdict import Outcome, Verdict
 
@@ -39,7 +40,7 @@ class _Worker:
             signal.pthread_sigmask(signal.SIG_SETMASK, mask)
         theirs.close()
         self.job: Job | None = None
-        self.begin("minkref:case", START_SECONDS)
+        self.begin(CASE, START_SECONDS)
 
     def begin(self, step: str, seconds: float) -> None:
         self.step, self.seconds, self.since = step, seconds, time.monotonic()
@@ -50,7 +51,7 @@ class _Worker:
 
     def give(self, job: Job) -> None:
         self.job = job
-        self.begin("minkref:case", START_SECONDS)
+        self.begin(CASE, START_SECONDS)
         self.pipe.send(job)
 
     def end(self) -> None:
@@ -132,6 +133,8 @@ def _replaced(worker: _Worker, lost: Outcome, targets: list[str], limits: Limits
     job = worker.job
     assert job is not None
     worker.kill()
+    if lost.target in job.lost:
+        raise _internal(worker, "the same step took a worker down twice")
     if lost.verdict is Verdict.TIMED_OUT and lost.target not in job.overdue:
         job.overdue.add(lost.target)  # perhaps the machine stood still: once more
     else:
@@ -161,7 +164,10 @@ def _died(worker: _Worker) -> Outcome:
     code = worker.process.exitcode or 0
     name = signal.Signals(-code).name if code < 0 else None
     how = name or f"exit code {code}"
-    _own_step(worker, f"the worker process died ({how})")
+    if worker.step == CASE:
+        raise _internal(worker, f"the worker process died ({how})")
+    if worker.step.startswith(JUDGING):
+        return _not_judged(worker, f"the process died ({how})")
     return Outcome(
         worker.step,
         Verdict.CRASHED,
@@ -174,13 +180,24 @@ def _died(worker: _Worker) -> Outcome:
 def _overdue(worker: _Worker) -> Outcome:
     seconds = worker.seconds
     if worker.job and worker.step in worker.job.overdue:
-        _own_step(worker, f"no end after {seconds:g} s")
+        if worker.step == CASE:
+            raise _internal(worker, f"no end after {seconds:g} s")
+        if worker.step.startswith(JUDGING):
+            return _not_judged(worker, f"there was no end after {seconds:g} s")
     return Outcome(
         worker.step, Verdict.TIMED_OUT, message=f"no answer in {seconds:g} s", seconds=seconds
     )
 
 
-def _own_step(worker: _Worker, what: str) -> None:
-    if worker.step in ("minkref:case", "minkref:referee"):
-        job = worker.job
-        raise InternalError(f"{job.name.text if job else '?'}: {what} in step {worker.step}")
+def _not_judged(worker: _Worker, what: str) -> Outcome:
+    return Outcome(
+        worker.step,
+        Verdict.UNDECIDED,
+        message=f"the answer could not be judged: {what}",
+        seconds=time.monotonic() - worker.since,
+    )
+
+
+def _internal(worker: _Worker, what: str) -> InternalError:
+    job = worker.job
+    return InternalError(f"{job.name.text if job else '?'}: {what} in step {worker.step}")

@@ -7,7 +7,6 @@ import resource
 import traceback
 from dataclasses import dataclass, field
 from multiprocessing.connection import Connection
-from typing import Any
 
 from minkref.fuzz.cases import naming
 from minkref.fuzz.cases.case import Case, CaseName
@@ -17,11 +16,14 @@ from minkref.fuzz.cases.space_case import SpaceCase
 from minkref.fuzz.cgal import server as cgal_server
 from minkref.fuzz.judges.checks import PREFIX, Check
 from minkref.fuzz.run import child
-from minkref.fuzz.run.asking import Asking
+from minkref.fuzz.run.asking import JUDGING, Asking
 from minkref.fuzz.targets.answer import Limits, Target, load_limit
 from minkref.fuzz.targets.catalogue import is_adapter, make_target
 from minkref.fuzz.verdicts.verdict import GOOD, Outcome, Verdict
 
+CASE = "minkref:case"  # the step before any target: the case is made
+CASE_SECONDS = 60.0
+JUDGING_SECONDS = 120.0  # for what is said of one answer
 JUDGE_SECONDS = 600.0  # for one judge on one case: slow by design
 REST = 2 << 30  # bytes that a worker may need beside what one call of a target may take
 
@@ -102,7 +104,7 @@ class _Work:
     made: dict[str, Target | Check]
 
     def result(self) -> CaseResult:
-        self._begin("minkref:case")
+        self._begin(CASE)
         try:
             case = naming.load(self.job.name)
         except NoCase as reason:
@@ -169,9 +171,10 @@ def is_check(name: str) -> bool:
 def wall_clock_limit(name: str, limits: Limits) -> float:
     """Seconds after which the parent ends a worker that is still at `name`. The children of the
     CGAL oracle and adapters have their own, tighter clock."""
-    grace: dict[str, Any] = {"minkref:case": 60.0, "minkref:referee": 120.0}
-    if name in grace:
-        return float(grace[name])
+    if name == CASE:
+        return CASE_SECONDS
+    if name.startswith(JUDGING):
+        return JUDGING_SECONDS
     if is_check(name):
         return JUDGE_SECONDS
     if is_adapter(name):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from dataclasses import replace
 
 from minkref import _core
@@ -19,11 +20,16 @@ REFEREE = "minkref:referee"  # the decision of single points; named only where i
 DOUBT = "the decision of a point is refuted by plain fractions"
 
 
-def judge(case: Case, answers: dict[str, Answer], targets: list[str]) -> list[Outcome]:
+def judge(
+    case: Case,
+    answers: dict[str, Answer],
+    targets: list[str],
+    judging: Callable[[str], None] = lambda name: None,
+) -> list[Outcome]:
     """One outcome for each of `targets`, and for each of our own routes that is refuted, selected
     or not. The truth is a route that no witness refutes; where there is none, others are
-    undecided."""
-    outcomes = _judge(case, answers, {})
+    undecided. `judging` is told whose answer is looked at next."""
+    outcomes = _judge(case, answers, {}, judging)
     chosen = set(targets) | {
         name for name, outcome in outcomes.items() if outcome.verdict is Verdict.WRONG
     }
@@ -37,7 +43,10 @@ def judge(case: Case, answers: dict[str, Answer], targets: list[str]) -> list[Ou
 
 
 def _judge(
-    case: Case, answers: dict[str, Answer], refuted: dict[str, tuple[Witness, list[Reason]]]
+    case: Case,
+    answers: dict[str, Answer],
+    refuted: dict[str, tuple[Witness, list[Reason]]],
+    judging: Callable[[str], None],
 ) -> dict[str, Outcome]:
     while True:
         truth = next(
@@ -56,7 +65,7 @@ def _judge(
                 else _undecided(name, answer, message)
                 for name, answer in answers.items()
             }
-        outcomes = _against(case, answers, truth, refuted)
+        outcomes = _against(case, answers, truth, refuted, judging)
         if outcomes is not None:
             return outcomes
 
@@ -66,6 +75,7 @@ def _against(
     answers: dict[str, Answer],
     truth: str,
     refuted: dict[str, tuple[Witness, list[Reason]]],
+    judging: Callable[[str], None],
 ) -> dict[str, Outcome] | None:
     """All outcomes with the result of `truth` taken as the sum; None where that itself is
     refuted."""
@@ -73,6 +83,7 @@ def _against(
     assert expected is not None
     outcomes: dict[str, Outcome] = {}
     for name, answer in answers.items():
+        judging(name)
         try:
             outcome = _one(case, name, answer, expected)
         except WitnessRefuted as error:
@@ -81,6 +92,8 @@ def _against(
             if name in TRUTHS:
                 raise
             outcome = too_large(name, answer, error)
+        except MemoryError:
+            outcome = _undecided(name, answer, "there is too little memory to judge the answer")
         if isinstance(outcome, Outcome):
             outcomes[name] = outcome
         else:

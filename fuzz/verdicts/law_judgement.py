@@ -9,7 +9,7 @@ from minkref import _core
 from minkref.fuzz.cases.case import Case
 from minkref.fuzz.targets.answer import Answer
 from minkref.fuzz.verdicts.comparison import WitnessRefuted, settle
-from minkref.fuzz.verdicts.judgement import judge, too_large
+from minkref.fuzz.verdicts.judgement import too_large
 from minkref.fuzz.verdicts.laws import LAWS, applies
 from minkref.fuzz.verdicts.region import Region, inner_point, minus, region_of_polygons
 from minkref.fuzz.verdicts.verdict import Outcome, Verdict
@@ -22,12 +22,12 @@ def judge_law(
     before: Answer | None,
     case: Case,
     answer: Answer,
-    truth: Callable[[Case], dict[str, Answer]],
+    against_truth: Callable[[], list[Outcome]],
 ) -> list[Outcome]:
     """`before` answers `base`, and `answer` the case changed by the law. An exact target must keep
     the law: no expected value is needed, and where it does not, the point that shows it is decided.
-    A rounding target keeps laws only within its tolerance, so that its answer is held against the
-    `truth`."""
+    A rounding target keeps laws only within its tolerance, so that its answer is judged
+    `against_truth`."""
     if not applies(law, base):
         what = "the law says nothing of points and segments"
         return [Outcome(name, Verdict.SKIPPED, message=what)]
@@ -41,8 +41,7 @@ def judge_law(
             outcome = too_large(name, answer, error)
         if outcome is not None:
             return [outcome]
-    outcomes = judge(case, {**truth(case), name: answer}, [name])
-    return [outcome for outcome in outcomes if outcome.target == name]
+    return [outcome for outcome in against_truth() if outcome.target == name]
 
 
 def _related(law: str, name: str, case: Case, answer: Answer, said: Region) -> Outcome | None:

@@ -102,6 +102,25 @@ def test_broken_target_is_charged_and_others_are_not(
     assert run.exit_code() is ExitCode.BROKEN
 
 
+@pytest.mark.parametrize(
+    ("fault", "message"),
+    [
+        ("dies", "could not be judged: the process died (SIGSEGV)"),
+        ("takes_for_ever", "could not be judged: there was no end after 1 s"),
+        ("exhausts_memory", "too little memory"),
+    ],
+)
+def test_answer_that_cannot_be_judged_is_undecided_and_ends_no_run(
+    verify: Verify, fault: str, message: str
+) -> None:
+    spoilt, right = f"py:spoils_judging:{fault}", "py:faulty_sums:right"
+    run = verify(spoilt, right, pairs=2)
+    assert counts(run, spoilt) == {"undecided": 2}
+    assert counts(run, right) == {"pass": 2}
+    assert run.exit_code() is ExitCode.ALL_WELL
+    assert message in run.findings[0].outcome.message
+
+
 def test_one_late_answer_is_no_time_out(
     verify: Verify, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
