@@ -66,8 +66,8 @@ def triple_events(triple: Triple) -> list[Event]:
 def ends_passed(triple: Triple) -> Iterator[tuple[Event, int]]:
     """Where two segments pass each other along the third, one or both of them being on its line
     at all scales: both meet the third just below, at and just above the scale, those on its line
-    along a segment, and an end of that segment passes the other's place or end. With each event
-    the place of the third.
+    along a segment, and an end of theirs there passes the other's place or end, within the third.
+    With each event the place of the third.
 
     The order of a point and a segment that it enters is a matter of words, so this is kept apart
     from `swaps`. Contact of the first two begins or ends there, or they have a swap of their own.
@@ -86,7 +86,9 @@ def ends_passed(triple: Triple) -> Iterator[tuple[Event, int]]:
             # The ends are in one order along the third at every scale.
             for m, n in product((0, 1), repeat=2):
                 below, there, above = (x[m] - y[n] for x, y in zip(a, b, strict=True))
-                if there == 0 and below * above < 0:
+                # Where the third ends, so does what they share with it: that is no end of theirs.
+                within = all(0 < x[k] < 1 for k, x in ((m, a[0]), (m, a[2]), (n, b[0]), (n, b[2])))
+                if there == 0 and below * above < 0 and within:
                     passed.add(place(along, a[1][m], mark))
             for at in sorted(passed):
                 yield Event(mark, "swap", at), third

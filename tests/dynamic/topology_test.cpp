@@ -254,5 +254,44 @@ TEST(Topology, AnIslandMergesWithTheShore) {
   EXPECT_EQ(wrong_lives(P, Q), "");
 }
 
+/// The only event of components.
+TopologyEvent event_of_components(const PolygonSet& P, const PolygonSet& Q) {
+  const DynamicSum dynamic(P, Q, {});
+  std::vector<TopologyEvent> found;
+  for (const TopologyEvent& event : topology_timeline(dynamic.states()).topology) {
+    if (event.kind == FeatureKind::component) found.push_back(event);
+  }
+  EXPECT_EQ(found.size(), 1U);
+  return found.empty() ? TopologyEvent{} : found.front();
+}
+
+TEST(Topology, AnIslandThatFillsItsHoleAtOnceMerges) {
+  // Island and hole are parallel: none of the boundary between them is left at s = 2.
+  const PolygonSet P = box(0, 0, 1, 1);
+  const PolygonSet shore = region(rectangle(0, 0, 9, 9), {rectangle(2, 2, 7, 7)});
+  const TopologyEvent one = event_of_components(P, together(shore, box(4, 4, 5, 5)));
+  EXPECT_EQ(one.change, TopologyEvent::Change::merge);
+  EXPECT_EQ(one.before, (std::vector<std::uint32_t>{0, 1}));
+  EXPECT_EQ(one.after, std::vector<std::uint32_t>{0});
+  EXPECT_EQ(one.at, 1U);
+  // Among others, far away: it merges with the right one.
+  const PolygonSet far = together(box(-30, 0, -29, 9), together(shore, box(4, 4, 5, 5)));
+  const TopologyEvent two = event_of_components(P, together(far, box(90, 0, 91, 9)));
+  EXPECT_EQ(two.change, TopologyEvent::Change::merge);
+  EXPECT_EQ(two.before.size(), 2U);
+  EXPECT_EQ(two.at, 1U);
+}
+
+TEST(Topology, AMoatThatOpensAtOnceSplitsAnIslandOff) {
+  // The moat is s wide and a little more, and Q as wide as 2: from s = 2 on it is open all around.
+  const PolygonSet P =
+      together(region(rectangle(-3, -3, 4, 4), {rectangle(-1, -1, 2, 2)}), box(0, 0, 1, 1));
+  const TopologyEvent event = event_of_components(P, box(-1, -1, 1, 1));
+  EXPECT_EQ(event.change, TopologyEvent::Change::split);
+  EXPECT_EQ(event.before.size(), 1U);
+  EXPECT_EQ(event.at, 1U);
+  EXPECT_EQ(event.after.size(), 2U);
+}
+
 }  // namespace
 }  // namespace minkref::testing

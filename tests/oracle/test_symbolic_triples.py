@@ -88,6 +88,14 @@ def test_ends_that_pass_on_a_common_line_are_told_for_the_third_too() -> None:
     assert along_c == [("3", "2"), ("4", "2"), ("5", "0"), ("6", "0")]
 
 
+def test_an_end_that_enters_where_another_leaves_passes_nobody() -> None:
+    """[3s,4s], [1,2] and [2s,2s+1]: at 1/2 all end in 2, and each pair of ends passes there. On the
+    last the end of the first is until then, and that of the second from then on."""
+    a, b = s_edge((4, 0), (3, 0), (0, 0)), t_edge((0, 0), (1, 0), (2, 0))
+    c = t_edge((2, 0), (0, 0), (1, 0))
+    assert list(ends_passed((a, b, c))) == []
+
+
 def test_events_do_not_depend_on_the_order_of_the_segments() -> None:
     for triple in drawn(120):
         for a, b, c in permutations(triple):

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <stdexcept>
 #include <unordered_map>
 
 namespace minkref {
@@ -20,9 +21,12 @@ class CyclesAtScale {
     }
   }
 
-  /// Whether a cycle winds around the middle of a link that is not part of it.
-  bool around(const BoundaryCycles& cycles, std::uint32_t cycle, std::uint32_t link) const {
-    const Point m{(from_[link].x + to_[link].x) / 2, (from_[link].y + to_[link].y) / 2};
+  Point middle(std::uint32_t link) const {
+    return {(from_[link].x + to_[link].x) / 2, (from_[link].y + to_[link].y) / 2};
+  }
+
+  /// Whether a cycle winds around a point that is not on it.
+  bool around(const BoundaryCycles& cycles, std::uint32_t cycle, const Point& m) const {
     bool inside = false;
     std::uint32_t k = cycles.cycles[cycle].first;
     do {
@@ -50,6 +54,23 @@ class CyclesAtScale {
   std::vector<Point> from_, to_;
 };
 
+/// The smallest of some cycles around a point; `none` where there is none.
+std::uint32_t smallest_around(const BoundaryCycles& cycles,
+                              const std::vector<std::uint32_t>& enclosing, const Point& point,
+                              const CyclesAtScale& at_scale) {
+  std::uint32_t best = none;
+  Rational size;
+  for (const std::uint32_t e : enclosing) {
+    if (!at_scale.around(cycles, e, point)) continue;
+    const Rational own = at_scale.magnitude(cycles, e);
+    if (best == none || own < size) {
+      best = e;
+      size = own;
+    }
+  }
+  return best;
+}
+
 /// Regions by their enclosing cycles (`left`: those that turn to the left); each other cycle
 /// belongs to the smallest one around it, or to region `outermost`.
 struct Regions {
@@ -70,16 +91,8 @@ Regions regions_of(const BoundaryCycles& cycles, bool left, std::uint32_t first_
   for (std::uint32_t c = 0; c < cycles.cycles.size(); ++c) {
     if (cycles.cycles[c].left == left) continue;
     if (only_one) continue;
-    std::uint32_t best = none;
-    Rational size;
-    for (const std::uint32_t e : enclosing) {
-      if (!at_scale->around(cycles, e, cycles.cycles[c].first)) continue;
-      const Rational own = at_scale->magnitude(cycles, e);
-      if (best == none || own < size) {
-        best = e;
-        size = own;
-      }
-    }
+    const std::uint32_t best =
+        smallest_around(cycles, enclosing, at_scale->middle(cycles.cycles[c].first), *at_scale);
     if (best != none) regions.of_cycle[c] = regions.of_cycle[best];
   }
   return regions;
@@ -131,6 +144,20 @@ BoundaryRegions boundary_regions(const BoundaryStates& states, BoundaryState sta
   }
   std::sort(result.edges.begin(), result.edges.end());
   return result;
+}
+
+std::uint32_t component_around(const BoundaryStates& states, const BoundaryRegions& regions,
+                               const Point& point, const Rational& scale) {
+  if (regions.components == 1) return 0;
+  const auto& cycles = regions.walks.cycles;
+  std::vector<std::uint32_t> enclosing;
+  for (std::uint32_t c = 0; c < cycles.size(); ++c) {
+    if (cycles[c].left) enclosing.push_back(c);
+  }
+  const CyclesAtScale at_scale(states, regions.links, scale);
+  const std::uint32_t best = smallest_around(regions.walks, enclosing, point, at_scale);
+  if (best == none) throw std::logic_error("a point of the interior is in no component");
+  return regions.component[cycles[best].first];
 }
 
 std::vector<BoundaryRing> boundary_rings(const BoundaryRegions& regions,

@@ -23,6 +23,10 @@ struct BoundaryRegions {
 BoundaryRegions boundary_regions(const BoundaryStates& states, BoundaryState state,
                                  CycleFinder& finder, const Rational& scale);
 
+/// The component that holds a point of the interior. Exact. O(n).
+std::uint32_t component_around(const BoundaryStates& states, const BoundaryRegions& regions,
+                               const Point& point, const Rational& scale);
+
 /// A simple ring of the canonical form, by its vertices.
 struct BoundaryRing {
   std::vector<std::uint32_t> vertices;

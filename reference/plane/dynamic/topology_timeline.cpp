@@ -136,6 +136,9 @@ class TimelineBuilder {
       if (kind == FeatureKind::hole) {
         relation.at_of_before[0].insert(0);
         relation.at_of_after[0].insert(0);
+      } else {
+        find_swallowed(relation.at_of_before, below_, here, scale);
+        find_swallowed(relation.at_of_after, above, here, scale);
       }
       changed = relate(kind, relation, h.last, group, scale, here, above) || changed;
     }
@@ -143,6 +146,21 @@ class TimelineBuilder {
     below_ = std::move(above);
     if (event) show_rings(group + 1);
     count(group + 1, here);
+  }
+
+  /// Components whose whole boundary is inside another at the scale: an island that fills its hole.
+  /// (None shrinks to a point: it holds the sum of two triangles.)
+  void find_swallowed(std::vector<std::set<std::uint32_t>>& at_of, const BoundaryRegions& regions,
+                      const BoundaryRegions& here, const Rational& scale) const {
+    for (std::size_t i = 0; i < regions.links.size(); ++i) {
+      const std::uint32_t component = regions.component[i];
+      if (!at_of[component].empty()) continue;
+      const Point from = states_.tracks()[regions.links[i].from].at(scale);
+      const Point to = states_.tracks()[regions.links[i].to].at(scale);
+      if (from == to) continue;
+      const Point middle{(from.x + to.x) / 2, (from.y + to.y) / 2};
+      at_of[component].insert(component_around(states_, here, middle, scale));
+    }
   }
 
   /// Carries the names across; reports what is not one to one. Whether there was anything.
