@@ -254,9 +254,9 @@ TEST(Topology, AnIslandMergesWithTheShore) {
   EXPECT_EQ(wrong_lives(P, Q), "");
 }
 
-/// The only event of components.
+/// The only event of components from scale 1 to scale 3.
 TopologyEvent event_of_components(const PolygonSet& P, const PolygonSet& Q) {
-  const DynamicSum dynamic(P, Q, {});
+  const DynamicSum dynamic(P, Q, {Rational(1), Rational(3)});
   std::vector<TopologyEvent> found;
   for (const TopologyEvent& event : topology_timeline(dynamic.states()).topology) {
     if (event.kind == FeatureKind::component) found.push_back(event);
