@@ -128,10 +128,10 @@ def _make_empty_environment(folder: Path) -> None:
     _run([sys.executable, "-m", "venv", str(folder)], mend)
 
 
-def _pip(environment: Path, verb: str, *arguments: str) -> None:
+def _pip(environment: Path, verb: str, *arguments: str, **variables: str) -> None:
     pip = [str(environment / "bin" / "python"), "-m", "pip", verb, "--no-input", "--quiet"]
     mend = "see what pip says; it needs a package index that it can reach"
-    _run([*pip, "--disable-pip-version-check", *arguments], mend)
+    _run([*pip, "--disable-pip-version-check", *arguments], mend, {**os.environ, **variables})
 
 
 def _compile(home: Path, program: str) -> None:
@@ -153,14 +153,21 @@ def _clipper2_sources(home: Path) -> Path:
     _make_empty_environment(environment)
     requirements = str(HERE / "clipper2.requirements.txt")
     wanted = ["--no-deps", "--no-binary", "pyclipr", "--dest", str(downloads), "-r", requirements]
-    _pip(environment, "download", *wanted)
+    # Sources are wanted: without its hooks the package is not compiled to find its metadata.
+    _pip(environment, "download", *wanted, HATCH_BUILD_NO_HOOKS="true")
     (archive,) = downloads.glob("pyclipr-*.tar.gz")
+    library = home / "source"
     with tarfile.open(archive) as tar:
-        members = [m for m in tar.getmembers() if f"/{CLIPPER2}/" in m.name and m.isfile()]
-        tar.extractall(home / "source", members=members, filter="data")
+        for folder in ("include/clipper2", "src"):
+            (library / folder).mkdir(parents=True)
+            for member in tar.getmembers():
+                path, _, name = member.name.rpartition("/")
+                if path.endswith(f"/{CLIPPER2}/{folder}") and member.isfile():
+                    content = tar.extractfile(member)
+                    assert content is not None
+                    (library / folder / name).write_bytes(content.read())
     shutil.rmtree(environment)
     shutil.rmtree(downloads)
-    (library,) = (home / "source").glob(f"*/{CLIPPER2}")
     return library
 
 
