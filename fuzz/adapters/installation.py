@@ -156,7 +156,7 @@ def _clipper2_sources(home: Path) -> Path:
     # Sources are wanted: without its hooks the package is not compiled to find its metadata.
     _pip(environment, "download", *wanted, HATCH_BUILD_NO_HOOKS="true")
     (archive,) = downloads.glob("pyclipr-*.tar.gz")
-    library = home / "source"
+    library = home / "source" / archive.name.removesuffix(".tar.gz") / CLIPPER2
     with tarfile.open(archive) as tar:
         for folder in ("include/clipper2", "src"):
             (library / folder).mkdir(parents=True)
