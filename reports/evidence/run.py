@@ -49,7 +49,7 @@ def run_part(console: Console, part: Part, quick: bool) -> table.Document:
 
 
 def write_summary(parts: list[Part], quick: bool) -> None:
-    """Of all parts: results that stand for this code, and why there is none of the others."""
+    """Of all parts: results, those of older code marked as such, and why others have none."""
     documents, absent = [], {}
     for part in parts:
         document = store.kept(part, quick) or store.read(part.name, quick)
@@ -57,7 +57,7 @@ def write_summary(parts: list[Part], quick: bool) -> None:
             full_only = quick and part.quick_minutes is None
             absent[part.name] = "full run only" if full_only else "not run"
         elif document["dependencies"] != store.dependency_hash(part):
-            absent[part.name] = f"its code changed since {document['date']}"
+            documents.append(document | {"status": f"{document['status']}, of older code"})
         else:
             documents.append(document)
     path = store.FOLDER / "summary-quick.md" if quick else store.SCRIPTS_FOLDER / "SUMMARY.md"
