@@ -7,8 +7,8 @@ SHELL := /bin/bash
 .DEFAULT_GOAL := run
 .PHONY: run test evidence lint format setup environment clean
 
-CXX_SOURCES = $(shell find reference formats oracle python fuzz tests -name '*.cpp' -o -name '*.hpp')
-PYTHON_SOURCES = python fuzz oracle reports models tests scripts
+CXX_SOURCES = $(shell find reference formats certify oracle python fuzz tests -name '*.cpp' -o -name '*.hpp')
+PYTHON_SOURCES = python certify fuzz oracle reports models tests scripts
 
 setup:
 	@scripts/set_up.sh

@@ -13,4 +13,5 @@ NB_MODULE(_core, module) {
   minkref::python::bind_comparison(module);
   minkref::python::bind_evidence(module);
   minkref::python::bind_search(module);
+  minkref::python::bind_certify(module);
 }

@@ -48,5 +48,6 @@ void bind_dynamic(nanobind::module_& module);
 void bind_comparison(nanobind::module_& module);
 void bind_evidence(nanobind::module_& module);
 void bind_search(nanobind::module_& module);
+void bind_certify(nanobind::module_& module);
 
 }  // namespace minkref::python

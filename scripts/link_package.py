@@ -81,12 +81,13 @@ def write_command(command: Path, entry: str) -> None:
 
 
 def link_oracle(scripts: Path) -> None:
-    """The CGAL executables beside the interpreter, where the package looks for them."""
-    for old in scripts.glob("minkref-cgal-*"):
-        old.unlink()
-    for built in (BUILD / "oracle" / "cgal").glob("minkref-cgal-*"):
-        if built.is_file():
-            (scripts / built.name).symlink_to(built)
+    """The executables of the oracle beside the interpreter, where the package looks for them."""
+    for pattern in ("cgal/minkref-cgal-*", "checker/minkref-check"):
+        for old in scripts.glob(pattern.split("/")[1]):
+            old.unlink()
+        for built in (BUILD / "oracle").glob(pattern):
+            if built.is_file():
+                (scripts / built.name).symlink_to(built)
 
 
 def main() -> None:

@@ -58,6 +58,8 @@ def _register() -> None:
     from minkref.commands import (
         adapter,
         bench,
+        certify,
+        check,
         events,
         families,
         models,
@@ -74,6 +76,8 @@ def _register() -> None:
     app.command("events", epilog=events.EXAMPLES)(events.command)
     app.command("view", epilog=view.EXAMPLES)(view.command)
     app.command("verify", epilog=verify.EXAMPLES)(verify.command)
+    app.command("certify", epilog=certify.EXAMPLES)(certify.command)
+    app.command("check", epilog=check.EXAMPLES)(check.command)
     app.command("shrink", epilog=shrink.EXAMPLES)(shrink.command)
     app.add_typer(adapter.app, name="adapter")
     app.command("bench", epilog=bench.EXAMPLES)(bench.command)

@@ -15,7 +15,18 @@ import pytest
 from minkref.schemas import result_schema, schema
 
 Minkref = Callable[..., Any]
-COMMANDS = ("sum", "sweep", "events", "view", "verify", "bench", "models", "targets")
+COMMANDS = (
+    "sum",
+    "sweep",
+    "events",
+    "view",
+    "verify",
+    "certify",
+    "check",
+    "bench",
+    "models",
+    "targets",
+)
 
 
 def program(*arguments: str, **options: Any) -> subprocess.CompletedProcess[str]:

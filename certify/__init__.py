@@ -1,0 +1,1 @@
+"""Certificates of sums: proofs that a checker follows without trusting us."""

@@ -1,0 +1,803 @@
+#!/usr/bin/env python3
+"""Checks certificates (certificate-v1) of Minkowski sums sP + Q: `python3 check.py FILE...`.
+
+It stands alone: this file and the standard library. What the members mean, what each rule demands
+and why that is enough: docs/certificates.md. Signs are decided in integers and fractions. What is
+unknown, unused or left over makes a certificate malformed.
+
+Exit codes: 0 verified; 1 refuted; 2 malformed, or its case is missing; 4 out of budget.
+"""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+import itertools
+import json
+import re
+import sys
+import time
+import zlib
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Sequence
+from fractions import Fraction
+from math import gcd, lcm
+from pathlib import Path
+from typing import Any, TypeVar
+
+VERIFIED, REFUTED, MALFORMED, OUT_OF_BUDGET = 0, 1, 2, 4
+NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d{1,4})?|[+-]?\d+/\d+")
+MOST_DIGITS = 100_000  # of one number
+
+Json = Any
+Kind = TypeVar("Kind")
+Vector = tuple[int, int]
+Triple = tuple[int, int, int]  # the point (x / w, y / w), w > 0; the line a x + b y = c
+Vertex = tuple[Fraction, ...]  # x, y; or x0, x1, y0, y1: the point (x0 + s x1, y0 + s y1)
+Rings = list[list[Vertex]]  # the outer one, and the holes
+Edge = tuple[int, int]
+
+
+class NotVerified(Exception):
+    def __init__(self, code: int, what: str) -> None:
+        super().__init__(what)
+        self.code = code
+
+
+def demand(condition: bool, what: str, code: int = REFUTED) -> None:
+    if not condition:
+        raise NotVerified(code, what)
+
+
+def require(condition: bool, what: str) -> None:
+    demand(condition, what, MALFORMED)
+
+
+# Reading.
+
+
+def members(value: Json, names: str) -> list[Json]:
+    """The members of an object, in the order of `names`. No other may be there; `name?` may lack
+    and is None then."""
+    require(isinstance(value, dict), f"an object with {names} is missing")
+    known = [name.rstrip("?") for name in names.split()]
+    missing = [name for name in names.split() if name[-1] != "?" and name not in value]
+    require(not missing, f"a member is missing: {', '.join(missing)}")
+    require(set(value) <= set(known), f"there are more members than {names}")
+    return [value.get(name) for name in known]
+
+
+def items(value: Json, length: int | None = None) -> list[Json]:
+    require(isinstance(value, list), "a list is missing")
+    require(length is None or len(value) == length, f"a list has not {length} entries")
+    return list(value)
+
+
+def integer(value: Json) -> int:
+    require(isinstance(value, int) and not isinstance(value, bool), f"{value!r} is no integer")
+    return int(value)
+
+
+def whole(value: Json) -> int:
+    require(number(value).denominator == 1, f"{value!r} is no whole number")
+    return int(number(value))
+
+
+def index(value: Json, end: int) -> int:
+    """A number below `end`: what is referred to has come before."""
+    require(0 <= integer(value) < end, f"there is no number {value} before this")
+    return int(value)
+
+
+def number(value: Json) -> Fraction:
+    if not isinstance(value, str):
+        return Fraction(integer(value))
+    good = len(value) <= MOST_DIGITS and NUMBER.fullmatch(value)
+    require(bool(good) and not re.search("/0+$", value), f"{value[:60]!r} is no number")
+    return Fraction(value)
+
+
+def scale_of(value: Json) -> Fraction:
+    require(number(value) > 0, f"the scale {value} is not positive")
+    return number(value)
+
+
+def vector(value: Json) -> Vertex:
+    return tuple(number(coordinate) for coordinate in items(value, 2))
+
+
+def read_json(path: Path, most: int, decimals: bool) -> Json:
+    def unique(pairs: list[tuple[str, Json]]) -> Json:
+        require(len(dict(pairs)) == len(pairs), "an object has a member twice")
+        return dict(pairs)
+
+    def refuse(text: str) -> Json:
+        raise NotVerified(MALFORMED, f"{text[:60]} is no number here")
+
+    def whole_number(text: str) -> int:
+        return int(text) if len(text) <= MOST_DIGITS else refuse(text)
+
+    try:
+        with path.open("rb") as file:
+            data = file.read(most + 1)
+        if data[:2] == b"\x1f\x8b":
+            data = zlib.decompressobj(wbits=31).decompress(data, most + 1)
+        demand(len(data) <= most, f"{path} has over {most:,} bytes (--bytes)", OUT_OF_BUDGET)
+        return json.loads(
+            data,
+            object_pairs_hook=unique,
+            parse_constant=refuse,
+            parse_float=str if decimals else refuse,
+            parse_int=whole_number,
+        )
+    except OSError as error:
+        raise NotVerified(MALFORMED, f"{path} cannot be read: {error.strerror}") from error
+    except (ValueError, RecursionError, zlib.error) as error:
+        raise NotVerified(MALFORMED, f"{path} is not JSON: {error}") from error
+
+
+def digest_of(value: Json) -> str:
+    text = json.dumps(value, sort_keys=True, separators=(",", ":"))
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+class Operand:
+    """Its vertices in the order of the file, and its rings as their indices."""
+
+    def __init__(self, value: Json, name: str) -> None:
+        self.name = name
+        self.exact: list[Vertex] = []
+        self.rings: list[list[int]] = []
+        self.plain: list[Json] = []  # what is hashed: numbers in lowest terms
+        for polygon in items(members(value, "polygons")[0]):
+            outer, holes = members(polygon, "outer holes?")
+            rings = [self.read_ring(ring) for ring in [outer, *items(holes or [])]]
+            self.plain.append({"holes": rings[1:], "outer": rings[0]})
+        self.thin = any(len(ring) < 3 for ring in self.rings)  # a point or a segment
+        require(not self.thin or len(self.rings) == 1, f"{name} has a ring of too few vertices")
+
+    def read_ring(self, value: Json) -> Json:
+        ring = [vector(point) for point in items(value)]
+        require(bool(ring), f"{self.name} has an empty ring")
+        self.rings.append(list(range(len(self.exact), len(self.exact) + len(ring))))
+        self.exact += ring
+        return [[str(x), str(y)] for x, y in ring]
+
+    def scale_up(self, unit: int) -> None:
+        """Integers from here on: all coordinates in units of 1 / unit."""
+        self.points: list[Vector] = [(int(x * unit), int(y * unit)) for x, y in self.exact]
+
+
+# Signs.
+
+
+def cross(u: Sequence[Any], v: Sequence[Any]) -> Any:
+    return u[0] * v[1] - u[1] * v[0]
+
+
+def dot(u: Sequence[Any], v: Sequence[Any]) -> Any:
+    return u[0] * v[0] + u[1] * v[1]
+
+
+def minus(u: Sequence[Any], v: Sequence[Any]) -> tuple[Any, Any]:
+    return u[0] - v[0], u[1] - v[1]
+
+
+def edges_of(ring: Sequence[Any]) -> Iterator[tuple[Any, Any]]:
+    return zip(ring, [*ring[1:], *ring[:1]], strict=True)
+
+
+def doubled_area(ring: Sequence[Any]) -> Any:
+    return sum(cross(a, b) for a, b in edges_of(ring))
+
+
+def is_convex(directions: Sequence[Vector]) -> bool:
+    """Whether edges of these directions turn left, or go straight on, once around in all."""
+    upwards = [d[1] > 0 or (d[1] == 0 and d[0] > 0) for d in directions]
+    turns = all(
+        cross(d, e) > 0 or (cross(d, e) == 0 and dot(d, e) > 0) for d, e in edges_of(directions)
+    )
+    return turns and sum(not before and now for before, now in edges_of(upwards)) == 1
+
+
+def hull(points: Iterable[Vector]) -> list[Vector]:
+    """The vertices of the convex hull, counter-clockwise."""
+    ordered = sorted(set(points))
+    both: list[Vector] = []
+    for run in (ordered, ordered[::-1]):
+        chain: list[Vector] = []
+        for p in run:
+            while len(chain) > 1 and cross(minus(chain[-1], chain[-2]), minus(p, chain[-1])) <= 0:
+                chain.pop()
+            chain.append(p)
+        both += chain[:-1]
+    return both or ordered
+
+
+def divides(A: list[Vector], B: list[Vector]) -> bool:
+    """Whether the line of an edge of A has all of B on its other side."""
+    return any(all(cross(minus(b, a), minus(p, a)) <= 0 for p in B) for a, b in edges_of(A))
+
+
+def add_up_to_nothing(edges: Iterable[tuple[Any, Any, int]]) -> bool:
+    """Whether directed edges, each so many times, cancel: on each line their ends do."""
+    ends: dict[Any, int] = defaultdict(int)
+    for a, b, times in edges:
+        (x, y), (X, Y) = a, b
+        slope = Fraction(Y - y) / (X - x) if X != x else None
+        line = x if slope is None else (slope, y - slope * x)
+        ends[line, a] += times
+        ends[line, b] -= times
+    return not any(ends.values())
+
+
+def reduced(a: int, b: int, c: int) -> Triple:
+    divisor = gcd(a, b, c) or 1
+    return a // divisor, b // divisor, c // divisor
+
+
+def meet(first: Triple, second: Triple) -> Triple:
+    (a, b, c), (d, e, f) = first, second
+    w = a * e - b * d
+    demand(w != 0, "parallel lines do not meet")
+    sign = 1 if w > 0 else -1
+    return reduced(sign * (c * e - b * f), sign * (a * f - c * d), sign * w)
+
+
+def direction(p: Triple, q: Triple) -> Vector:
+    return q[0] * p[2] - p[0] * q[2], q[1] * p[2] - p[1] * q[2]
+
+
+# The steps. An object of one of these classes exists only if its step holds.
+
+
+class Proof:
+    """The operands, the steps that hold so far, and what may still be spent."""
+
+    def __init__(self, P: Operand, Q: Operand, seconds: float, tests: int) -> None:
+        require(not (P.thin and Q.thin), "both operands are points or segments")
+        self.operands = {"P": P, "Q": Q}
+        self.unit = lcm(*(c.denominator for o in (P, Q) for point in o.exact for c in point))
+        P.scale_up(self.unit)
+        Q.scale_up(self.unit)
+        self.steps: list[Any] = []
+        self.used: set[int] = set()
+        self.deadline, self.tests = time.monotonic() + seconds, tests
+
+    def spend(self, tests: int) -> None:
+        self.tests -= tests
+        within = self.tests >= 0 and time.monotonic() <= self.deadline
+        demand(within, "a limit is reached (--seconds, --tests)", OUT_OF_BUDGET)
+
+    def step(self, value: Json, kind: type[Kind]) -> Kind:
+        step = self.steps[index(value, len(self.steps))]
+        require(isinstance(step, kind), f"step {value} is no {kind.__name__.lower()}")
+        self.used.add(value)
+        return step  # type: ignore[no-any-return]
+
+    def operand(self, name: Json) -> Operand:
+        require(name in ("P", "Q"), f"{name!r} is no operand")
+        return self.operands[name]
+
+
+class Pieces:
+    """`pieces`: convex pieces that tile an operand, and groups of them. Node n is piece n, or group
+    n - (number of pieces); the last one holds all. A node is solid if it is known to be convex."""
+
+    def __init__(self, step: Json, proof: Proof) -> None:
+        of, pieces, groups = members(step, "rule of pieces groups")[1:]
+        self.operand = proof.operand(of)
+        points = self.operand.points
+        pieces = [[index(i, len(points)) for i in items(piece)] for piece in items(pieces)]
+        self.hulls = [[points[i] for i in piece] for piece in pieces]
+        self.check_tiling(pieces)
+        self.children: list[list[int]] = [[] for _ in pieces]
+        self.leaves = [1 << i for i in range(len(pieces))]
+        self.solid = [True for _ in pieces]
+        for group in items(groups):
+            self.add_group([index(child, len(self.hulls)) for child in items(group)])
+        whole = not pieces or self.leaves[-1] == (1 << len(pieces)) - 1
+        demand(whole, "the last node does not hold all pieces")
+        self.support: dict[tuple[int, Vector], int] = {}
+
+    def check_tiling(self, pieces: list[list[int]]) -> None:
+        points, rings, name = self.operand.points, self.operand.rings, self.operand.name
+        if self.operand.thin:
+            return demand(pieces == rings, f"{name} is no region: it is its own only piece")
+        given = [(points[i], points[j], -1) for ring in rings for i, j in edges_of(ring)]
+        made = [(a, b, 1) for piece in self.hulls for a, b in edges_of(piece)]
+        demand(add_up_to_nothing(given + made), f"the pieces do not add up to {name}")
+        for piece in self.hulls:
+            demand(is_convex([minus(b, a) for a, b in edges_of(piece)]), "a piece is not convex")
+
+    def add_group(self, children: list[int]) -> None:
+        require(bool(children), "a group has no member")
+        parts = [self.hulls[child] for child in children]
+        self.children.append(children)
+        self.leaves.append(0)
+        for child in children:
+            self.leaves[-1] |= self.leaves[child]
+        self.hulls.append(hull(corner for part in parts for corner in part))
+        whole = doubled_area(self.hulls[-1]) == sum(map(doubled_area, parts))
+        solid = whole and len(parts) == 2 and all(self.solid[child] for child in children)
+        self.solid.append(solid and (divides(*parts) or divides(*parts[::-1])))
+
+    def most(self, node: int, normal: Vector) -> int:
+        """The largest value of normal * x on the hull of a node."""
+        if (node, normal) not in self.support:
+            self.support[node, normal] = max(dot(normal, corner) for corner in self.hulls[node])
+        return self.support[node, normal]
+
+
+class Region:
+    """`eq` at one scale, `move` from one to another: convex cells that tile a box, each covered by
+    the sum of two solid nodes or apart from the sum, which is thus the union of those covered.
+
+    The corners of cells are meets of lines of fixed directions whose distances from the origin are
+    linear in s, so that what is linear and holds at both ends holds between. The rings, which are
+    given, put the sum in canonical form: the boundary of a component can be cut into simple rings
+    in one way only."""
+
+    def __init__(self, step: Json, proof: Proof) -> None:
+        names = "rule scales by box elements cells normals proofs contacts polygons"
+        rule, scales, by, box, elements, cells, normals, proofs, contacts, rings = members(
+            step, names
+        )
+        self.proof = proof
+        self.scales = [scale_of(scale) for scale in items(scales, 1 if rule == "eq" else 2)]
+        require(self.scales == sorted(set(self.scales)), "the scales do not ascend")
+        self.P, self.Q = (proof.step(value, Pieces) for value in items(by, 2))
+        require((self.P.operand.name, self.Q.operand.name) == ("P", "Q"), "`by` is not of P and Q")
+        self.roots = [(len(self.P.hulls) - 1, len(self.Q.hulls) - 1)]
+        if -1 in self.roots[0]:
+            self.roots = []  # an operand is empty, and so is the sum
+        self.box = [number(value) * proof.unit for value in items(box, 4)]
+        self.lines = {wall: self.wall(wall) for wall in range(4)}
+        self.points: dict[int, list[Triple]] = {}
+        for entry in items(elements):
+            self.add_element(items(entry))
+        self.cells = [[self.point(i) for i in items(cell)] for cell in items(cells)]
+        self.owner: dict[Edge, int] = {}
+        self.directions: dict[Edge, Vector] = {}
+        for cell in range(len(self.cells)):
+            self.check_cell(cell)
+        self.check_box()
+        self.normals = [(whole(x), whole(y)) for x, y in (items(n, 2) for n in items(normals))]
+        require((0, 0) not in self.normals, "a normal is zero")
+        self.inside = set()
+        for cell, (how, *code) in enumerate(map(items, items(proofs, len(self.cells)))):
+            require(how in ("cov", "sep"), f"cell {cell} has no proof")
+            check = self.check_cover if how == "cov" else self.check_apart
+            check(self.cells[cell], code)
+            self.inside |= {cell} if how == "cov" else set()
+        self.contacts = set()
+        for ids, *code in map(items, items(contacts)):
+            contact = tuple(self.point(i) for i in items(ids))
+            require(len(contact) in (1, 2), "a contact is a point or a segment")
+            self.check_apart(list(contact), code)
+            self.contacts.add(contact)
+        self.count()
+        self.polygons = self.canonical([[items(r) for r in items(p)] for p in items(rings)])
+
+    def wall(self, wall: int) -> list[Triple]:
+        at = self.box[wall]
+        normal = (at.denominator, 0) if wall % 2 == 0 else (0, at.denominator)
+        return [(*normal, at.numerator) for _ in self.scales]
+
+    def point(self, value: Json) -> int:
+        require(integer(value) in self.points, f"element {value} is no point before this")
+        return int(value)
+
+    def add_element(self, entry: list[Json]) -> None:
+        self.proof.spend(1)
+        own = len(self.lines) + len(self.points)
+        kind = entry[0] if entry else None
+        if kind == "meet":
+            require(len(entry) == 3 and all(integer(i) in self.lines for i in entry[1:]), "no meet")
+            pairs = zip(self.lines[entry[1]], self.lines[entry[2]], strict=True)
+            self.points[own] = [meet(first, second) for first, second in pairs]
+        elif kind == "up":
+            at = self.points[self.point(items(entry, 2)[1])]
+            self.lines[own] = [(w, 0, x) for x, _, w in at]
+        else:
+            self.lines[own] = self.moving_line(self.proof.operand(kind), items(entry, 4)[1:])
+
+    def moving_line(self, mover: Operand, entry: list[Json]) -> list[Triple]:
+        """Through vertices i and k of one operand, moved by vertex j of the other."""
+        other = self.proof.operands["Q" if mover.name == "P" else "P"]
+        i, k = (index(value, len(mover.points)) for value in entry[:2])
+        dx, dy = minus(mover.points[k], mover.points[i])
+        demand((dx, dy) != (0, 0), "a line has no direction")
+        parts = (
+            dot((-dy, dx), mover.points[i]),
+            dot((-dy, dx), other.points[index(entry[2], len(other.points))]),
+        )
+        p, q = parts if mover.name == "P" else parts[::-1]
+        fractions = ((s.numerator, s.denominator) for s in self.scales)
+        return [reduced(-dy * v, dx * v, u * p + v * q) for u, v in fractions]
+
+    def check_cell(self, cell: int) -> None:
+        self.proof.spend(len(self.cells[cell]))
+        turns = []
+        for u, v in edges_of(self.cells[cell]):
+            pairs = zip(self.points[u], self.points[v], strict=True)
+            moves = [d for d in (direction(a, b) for a, b in pairs) if d != (0, 0)]
+            demand(bool(moves), f"cell {cell} has an edge without length")
+            straight = len(moves) == 1 or (cross(*moves) == 0 and dot(*moves) > 0)
+            demand(straight, f"cell {cell} has an edge that turns")
+            demand((u, v) not in self.owner, f"two cells have the edge {u}, {v}")
+            self.owner[u, v], self.directions[u, v] = cell, moves[0]
+            turns.append(moves[0])
+        demand(len(turns) > 2 and is_convex(turns), f"cell {cell} is not convex")
+
+    def check_box(self) -> None:
+        """What is left of the edges of all cells is the rim of the box, which holds the sum."""
+        rim = [(u, v) for u, v in self.owner if (v, u) not in self.owner]
+        for u, v in rim:
+            ends = [*self.points[u], *self.points[v]]
+            walls = [w for w in range(4) if all(self.box[w] * p[2] == p[w % 2] for p in ends)]
+            demand(bool(walls), f"the edge {u}, {v} of a cell has no cell on its other side")
+        at = {i: tuple(Fraction(c, p[0][2]) for c in p[0][:2]) for i, p in self.points.items()}
+        x, y, X, Y = self.box
+        frame = [(a, b, -1) for a, b in edges_of([(x, y), (X, y), (X, Y), (x, Y)])]
+        made = [(at[u], at[v], 1) for u, v in rim]
+        demand(add_up_to_nothing(frame + made), "the cells do not add up to the box")
+        for end, s in enumerate(self.scales):
+            for A, B in self.roots:
+                for wall, normal in enumerate([(-1, 0), (0, -1), (1, 0), (0, 1)]):
+                    most = Fraction(self.most(end, A, B, normal), s.denominator)
+                    demand(most < sum(normal) * self.box[wall], "the box does not hold the sum")
+
+    def most(self, end: int, A: int, B: int, normal: Vector) -> int:
+        """The largest value of normal * x on sA + B, times the denominator of s."""
+        s = self.scales[end]
+        return s.numerator * self.P.most(A, normal) + s.denominator * self.Q.most(B, normal)
+
+    def least(self, end: int, corners: list[int], normal: Vector, side: int) -> int:
+        """The least value (side 1) of normal * x on points, rounded down, or the largest (side -1),
+        rounded up: to be compared with integers. In the unit of `most`."""
+        factor = side * self.scales[end].denominator
+        points = (self.points[i][end] for i in corners)
+        least: int = min(factor * dot(normal, p) // p[2] for p in points)
+        return side * least
+
+    def check_cover(self, corners: list[int], nodes: list[Json]) -> None:
+        """`cov`: the hull of the corners lies in sA + B, both nodes solid."""
+        A, B = (
+            index(n, len(o.hulls)) for n, o in zip(items(nodes, 2), (self.P, self.Q), strict=True)
+        )
+        demand(self.P.solid[A] and self.Q.solid[B], f"{A} or {B} is not convex")
+        for a, b in [*edges_of(self.P.hulls[A]), *edges_of(self.Q.hulls[B])]:
+            self.proof.spend(len(corners))
+            normal = b[1] - a[1], a[0] - b[0]
+            for end in range(len(self.scales)):
+                inside = self.least(end, corners, normal, -1) <= self.most(end, A, B, normal)
+                demand(inside, f"{corners} is not in the sum of {A} and {B}")
+
+    def check_apart(self, corners: list[int], code: list[Json]) -> None:
+        """`sep`, for all pairs of pieces: -1 splits the first node of the pair in hand, -2 the
+        second; n says that normal n separates the pair from the corners (they may touch)."""
+        self.proof.spend(len(code))
+        known: dict[Edge, int] = {}
+        pairs = list(self.roots)
+        for token in code:
+            demand(bool(pairs), "a code goes on after its end")
+            A, B = pairs.pop()
+            if token in (-1, -2):
+                children = self.P.children[A] if token == -1 else self.Q.children[B]
+                demand(bool(children), "a code splits a piece")
+                pairs += [(c, B) if token == -1 else (A, c) for c in reversed(children)]
+                continue
+            normal = self.normals[index(token, len(self.normals))]
+            for end in range(len(self.scales)):
+                if (end, token) not in known:
+                    known[end, token] = self.least(end, corners, normal, 1)
+                apart = known[end, token] >= self.most(end, A, B, normal)
+                demand(apart, f"normal {normal} does not separate {corners} from {A} and {B}")
+        demand(not pairs, "a code ends too early")
+
+    def count(self) -> None:
+        """Components of the interior, and holes: cells that share an edge, joined."""
+        root = list(range(len(self.cells)))
+
+        def find(cell: int) -> int:
+            while root[cell] != cell:
+                root[cell] = cell = root[root[cell]]
+            return cell
+
+        for (u, v), cell in self.owner.items():
+            other = self.owner.get((v, u), cell)
+            if (cell in self.inside) == (other in self.inside):
+                root[find(cell)] = find(other)
+        self.root = [find(cell) for cell in range(len(root))]
+        components = len({self.root[cell] for cell in self.inside})
+        self.counts = [components, len(set(self.root)) - components - 1]
+
+    def canonical(self, polygons: list[list[list[Json]]]) -> list[Rings]:
+        owner, turn = self.owner, self.directions
+        left = {e for e in owner if owner[e] in self.inside and owner[e[::-1]] not in self.inside}
+        middle = sum(self.scales, Fraction(0)) / len(self.scales)
+        made, roots = [], []
+        for polygon in polygons:
+            require(bool(polygon), "a polygon has no ring")
+            rings: Rings = []
+            roots.append(set[int]())
+            for ring in polygon:
+                edges = list(edges_of([self.point(v) for v in ring]))
+                simple = len(set(ring)) == len(ring) > 2 and left.issuperset(edges)
+                demand(simple, "a ring is not simple, or not on the boundary")
+                left.difference_update(edges)
+                roots[-1] |= {self.root[owner[e]] for e in edges}
+                corners = [f[0] for e, f in edges_of(edges) if cross(turn[e], turn[f]) != 0]
+                rings.append([self.vertex(corner) for corner in corners])
+                outer = doubled_area([at_scale(v, middle) for v in rings[-1]]) > 0
+                demand(outer == (len(rings) == 1), "a ring runs the wrong way")
+            made.append(rings)
+        one_each = len(roots) == self.counts[0] and all(len(root) == 1 for root in roots)
+        demand(not left and one_each, "the rings are not the boundary, a polygon a component")
+        return canonical_order(made)
+
+    def vertex(self, point: int) -> Vertex:
+        ends = [[Fraction(c, p[2] * self.proof.unit) for c in p[:2]] for p in self.points[point]]
+        if len(ends) == 1:
+            return tuple(ends[0])
+        slopes = [(q - p) / (self.scales[1] - self.scales[0]) for p, q in zip(*ends, strict=True)]
+        x, y = (p - self.scales[0] * slope for p, slope in zip(ends[0], slopes, strict=True))
+        return x, slopes[0], y, slopes[1]
+
+    def at(self, s: Fraction) -> list[Rings]:
+        """The canonical form at a scale between, if the boundary has the same vertices there."""
+        return canonical_order([[[at_scale(v, s) for v in r] for r in p] for p in self.polygons])
+
+    def is_within(self, contact: tuple[int, ...]) -> bool:
+        """Whether all cells around a point, or on both sides of an edge, are covered."""
+        sides = [e for e in self.owner if contact[0] in e and contact[-1] in e]
+        both = [e for edge in sides for e in (edge, edge[::-1])]
+        return bool(both) and all(self.owner.get(e) in self.inside for e in both)
+
+
+def at_scale(vertex: Vertex, s: Fraction) -> Vertex:
+    if len(vertex) == 2:
+        return vertex
+    return vertex[0] + s * vertex[1], vertex[2] + s * vertex[3]
+
+
+def canonical_order(polygons: list[Rings]) -> list[Rings]:
+    def turned(ring: list[Vertex]) -> list[Vertex]:
+        return ring[ring.index(min(ring)) :] + ring[: ring.index(min(ring))]
+
+    return sorted([turned(rings[0]), *sorted(map(turned, rings[1:]))] for rings in polygons)
+
+
+def plain(polygons: list[Rings]) -> Json:
+    rings = [[[[str(c) for c in v] for v in ring] for ring in polygon] for polygon in polygons]
+    return {"polygons": [{"holes": polygon[1:], "outer": polygon[0]} for polygon in rings]}
+
+
+# Polynomials in s on [a, b], by their Bernstein coefficients times the binomials: these multiply
+# like those of powers, and where all have one sign, so has the polynomial.
+
+Polynomial = list[Fraction]
+
+
+def times(f: Polynomial, g: Polynomial) -> Polynomial:
+    product = [Fraction(0)] * (len(f) + len(g) - 1)
+    for i, x in enumerate(f):
+        for j, y in enumerate(g):
+            product[i + j] += x * y
+    return product
+
+
+def minors(u: list[Polynomial], v: list[Polynomial]) -> list[Polynomial]:
+    """The cross product of two vectors of three polynomials."""
+    products = [(times(u[i], v[j]), times(u[j], v[i])) for i, j in ((1, 2), (2, 0), (0, 1))]
+    return [[x - y for x, y in zip(*pair, strict=True)] for pair in products]
+
+
+def predicate(value: Json, proof: Proof, a: Fraction, b: Fraction) -> set[int]:
+    """The signs of the coefficients of `orientation` of three points s p + q (positive: they turn
+    left), or of `concurrent`, three lines, each through two such points (zero: they meet in a point
+    or are parallel)."""
+    name, entries = items(value, 2)
+
+    def point(entry: Json) -> list[Polynomial]:
+        vertices = [
+            operand.exact[index(i, len(operand.exact))] if i is not None else [Fraction(0)] * 2
+            for i, operand in zip(items(entry, 2), proof.operands.values(), strict=True)
+        ]
+        return [
+            *([a * p + q, b * p + q] for p, q in zip(*vertices, strict=True)),
+            [Fraction(1)] * 2,
+        ]
+
+    require(name in ("orientation", "concurrent"), f"there is no predicate {name!r}")
+    rows = [
+        point(entry) if name == "orientation" else minors(*map(point, items(entry, 2)))
+        for entry in items(entries, 3)
+    ]
+    terms = [times(x, y) for x, y in zip(rows[0], minors(rows[1], rows[2]), strict=True)]
+    return {(c > 0) - (c < 0) for c in map(sum, zip(*terms, strict=True))}
+
+
+# The claims: what is certified. Each member is compared with what the steps have shown.
+
+
+class Claims:
+    def __init__(self, proof: Proof) -> None:
+        self.proof = proof
+        self.shown: list[Any] = []  # the region, or the regions, that a claim is about
+        self.said: list[str] = []
+
+    def add(self, claim: Json) -> None:
+        kind = claim.get("claim") if isinstance(claim, dict) else None
+        known = ("sum", "interval", "event", "point", "passage", "sign")
+        require(kind in known, f"there is no claim {kind!r}")
+        said, shown = getattr(self, str(kind))(claim)
+        self.said.append(f"{kind}: {said}")
+        self.shown.append(shown)
+
+    def earlier(self, value: Json, kind: type[Kind]) -> Kind:
+        found = self.shown[index(value, len(self.shown))]
+        require(isinstance(found, kind), f"claim {value} is of another kind")
+        return found  # type: ignore[no-any-return]
+
+    def sum(self, claim: Json) -> tuple[str, Region]:
+        """The sum at a scale, by its digest, and by its canonical form if that is given."""
+        names = "claim scale step components holes digest polygons?"
+        scale, step, components, holes, digest, polygons = members(claim, names)[1:]
+        region = self.proof.step(step, Region)
+        demand(region.scales == [scale_of(scale)], "the step is about another scale")
+        numbers = [integer(components), integer(holes)]
+        demand(region.counts == numbers, "components or holes are others")
+        form = plain(region.polygons)
+        demand(digest_of(form) == digest, "the digest is another")
+        demand(polygons in (None, form["polygons"]), "the polygons are others")
+        return f"at {scale}, {components} components, {holes} holes, {digest}", region
+
+    def interval(self, claim: Json) -> tuple[str, list[Region]]:
+        """No event of the boundary between two scales: its vertices are linear in s."""
+        names = "claim from to steps components holes digest"
+        a, b, steps, components, holes, digest = members(claim, names)[1:]
+        regions = [self.proof.step(step, Region) for step in items(steps)]
+        lengths = [len(region.scales) for region in regions]
+        require(lengths == [2, *[1, 2] * (len(regions) // 2)], "moves, and scales between")
+        ends = [s for region in regions for s in region.scales]
+        joints = [s for region in regions[1::2] for s in region.scales * 3]
+        demand(
+            ends == [scale_of(a), *joints, scale_of(b)], "the steps do not reach from end to end"
+        )
+        numbers = [integer(components), integer(holes)]
+        for region in regions:
+            demand(region.counts == numbers, "components or holes are others")
+            moves = len(region.scales) == 2
+            wanted = regions[0].polygons if moves else regions[0].at(region.scales[0])
+            demand(region.polygons == wanted, f"the boundary changes at {region.scales[0]}")
+        demand(digest_of(plain(regions[0].polygons)) == digest, "the digest is another")
+        return f"from {a} to {b}, {components} components, {holes} holes, {digest}", regions
+
+    def event(self, claim: Json) -> tuple[str, None]:
+        """At a scale, and just below and above it, the boundary or the topology is not the same."""
+        scale, kind, before, at, after = members(claim, "claim scale kind before at after")[1:]
+        require(kind in ("boundary", "topology"), f"there is no event {kind!r}")
+        low, high = self.earlier(before, list), self.earlier(after, list)
+        here, s = self.earlier(at, Region), scale_of(scale)
+        demand(low[-1].scales[1] == here.scales[0] == high[0].scales[0] == s, "not at one scale")
+        same = low[0].polygons == high[0].polygons and low[0].at(s) == here.polygons
+        if kind == "topology":
+            same = low[0].counts == here.counts == high[0].counts
+        demand(not same, "nothing changes")
+        return (
+            f"{kind} at {scale}, and no event of the boundary from {low[0].scales[0]} to it",
+            None,
+        )
+
+    def point(self, claim: Json) -> tuple[str, None]:
+        """A point of the sum: s p + q, p in a piece of P and q in one of Q."""
+        scale, point, p, q, steps, nodes = members(claim, "claim scale point p q by pieces")[1:]
+        parts = vector(p), vector(q)
+        made = tuple(scale_of(scale) * x + y for x, y in zip(*parts, strict=True))
+        demand(made == vector(point), "s p + q is another point")
+        for name, at, step, node in zip("PQ", parts, items(steps, 2), items(nodes, 2), strict=True):
+            pieces = self.proof.step(step, Pieces)
+            require(pieces.operand.name == name and not pieces.operand.thin, f"no pieces of {name}")
+            ring = pieces.hulls[index(node, pieces.solid.count(True))]
+            at = tuple(c * self.proof.unit for c in at)
+            turns = (cross(minus(b, a), minus(at, a)) for a, b in edges_of(ring))
+            demand(all(turn >= 0 for turn in turns), f"{at} is not in piece {node} of {name}")
+        return f"{point} at {scale}", None
+
+    def passage(self, claim: Json) -> tuple[str, None]:
+        """Points inside the sum, along edges of cells, that the sum of the interiors misses."""
+        scale, step, points, path = members(claim, "claim scale step points path")[1:]
+        region = self.proof.step(step, Region)
+        demand(region.scales == [scale_of(scale)], "the step is about another scale")
+        ids = [region.point(i) for i in items(path)]
+        demand([region.vertex(i) for i in ids] == list(map(vector, items(points))), "other points")
+        contacts = [(ids[0],)] if len(ids) == 1 else list(itertools.pairwise(ids))
+        require(bool(contacts), "a passage has no point")
+        for contact in contacts:
+            shown = contact in region.contacts and region.is_within(contact)
+            demand(
+                shown, f"{contact} is not inside the sum, or not apart from that of the interiors"
+            )
+        return f"{points} at {scale}", None
+
+    def sign(self, claim: Json) -> tuple[str, None]:
+        """The sign of a predicate between two scales, or at one; zero at one means a root there."""
+        of, a, b, sign = members(claim, "claim of from to sign")[1:]
+        require(scale_of(a) <= scale_of(b), "the scales do not ascend")
+        require(integer(sign) in (-1, 0, 1), "this is no sign")
+        signs = predicate(of, self.proof, number(a), number(b))
+        good = signs == {0} if sign == 0 else {sign} <= signs <= {0, sign}
+        demand(good, f"{of} has the signs {sorted(signs)} from {a} to {b}")
+        return f"{of} has the sign {sign} from {a} to {b}", None
+
+
+def check(path: Path, case: Path | None, seconds: float, tests: int, size: int) -> list[str]:
+    """What a certificate proves. Raises NotVerified."""
+    certificate = read_json(path, size, decimals=False)
+    names = "certificate title? comment? producer? case steps claims"
+    version, *_, of, steps, claims = members(certificate, names)
+    require(version == "certificate-v1", f"this is no certificate-v1, but {version!r}")
+    name, digest = members(of, "path sha256")
+    require(isinstance(name, str), "the path of the case is no text")
+    value = read_json(case or path.parent / name, 1 << 30, decimals=True)
+    require(isinstance(value, dict), "this is no case")
+    P, Q = (Operand(value.get(operand), operand) for operand in "PQ")
+    demand(
+        digest_of({"P": P.plain, "Q": Q.plain}) == digest, "this is not the case that is certified"
+    )
+    proof = Proof(P, Q, seconds, tests)
+    for i, step in enumerate(items(steps)):
+        rule = step.get("rule") if isinstance(step, dict) else None
+        require(rule in ("pieces", "eq", "move"), f"step {i}: there is no rule {rule!r}")
+        try:
+            proof.steps.append((Pieces if rule == "pieces" else Region)(step, proof))
+        except NotVerified as error:
+            raise NotVerified(error.code, f"step {i} ({rule}): {error}") from error
+    different = {digest_of(claim) for claim in items(claims)}
+    require(len(different) == len(claims), "a claim is made twice")
+    shown = Claims(proof)
+    for i, claim in enumerate(items(claims)):
+        try:
+            shown.add(claim)
+        except NotVerified as error:
+            raise NotVerified(error.code, f"claim {i}: {error}") from error
+    require(bool(shown.said), "nothing is claimed")
+    require(len(proof.used) == len(proof.steps), "a step is not used")
+    return shown.said
+
+
+def verdict(
+    path: Path, case: Path | None, seconds: float, tests: int, size: int
+) -> tuple[int, str, list[str]]:
+    """The code, why it is not verified, and what is claimed."""
+    if hasattr(sys, "set_int_max_str_digits"):
+        sys.set_int_max_str_digits(0)
+    try:
+        return VERIFIED, "", check(path, case, seconds, tests, size)
+    except NotVerified as error:
+        return error.code, str(error), []
+    except (MemoryError, RecursionError):
+        return OUT_OF_BUDGET, "there is too little memory", []
+
+
+def main(arguments: list[str] | None = None) -> int:
+    parser = argparse.ArgumentParser(description="Checks certificates of Minkowski sums.")
+    parser.add_argument("files", nargs="+", type=Path, metavar="FILE")
+    parser.add_argument("--case", type=Path, help="the case, instead of the path that is named")
+    parser.add_argument("--seconds", type=float, default=600.0, help="for one certificate (600)")
+    parser.add_argument("--tests", type=int, default=10**10, help="elementary tests (10^10)")
+    parser.add_argument("--bytes", type=int, default=1 << 30, help="of one, unpacked (2^30)")
+    given = parser.parse_args(arguments)
+    words = {VERIFIED: "verified", REFUTED: "refuted: ", MALFORMED: "malformed: "}
+    codes = []
+    for path in given.files:
+        code, why, said = verdict(path, given.case, given.seconds, given.tests, given.bytes)
+        print(f"{path}: {words.get(code, 'out of budget: ')}{why}", *said, sep="\n  ")
+        codes.append(code)
+    return next((c for c in (REFUTED, MALFORMED, OUT_OF_BUDGET) if c in codes), VERIFIED)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

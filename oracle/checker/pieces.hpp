@@ -1,0 +1,69 @@
+// The step `pieces`: convex pieces that tile an operand, and groups of them.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <unordered_map>
+
+#include "oracle/checker/reading.hpp"
+
+namespace minkref::checker {
+
+inline mpz_class cross(const Vector& u, const Vector& v) { return u.x * v.y - u.y * v.x; }
+inline mpz_class dot(const Vector& u, const Vector& v) { return u.x * v.x + u.y * v.y; }
+inline Vector minus(const Vector& u, const Vector& v) { return {u.x - v.x, u.y - v.y}; }
+
+/// Whether edges of these directions turn left, or go straight on, once around in all.
+bool is_convex(const std::vector<Vector>& directions);
+
+/// Directed edges, each once or against: whether on each line their ends cancel.
+class EdgeSum {
+ public:
+  void add(const Point& from, const Point& to, int times);
+  bool is_nothing() const;
+
+ private:
+  struct Less {
+    bool operator()(const std::vector<mpq_class>& a, const std::vector<mpq_class>& b) const {
+      return a < b;
+    }
+  };
+  std::map<std::vector<mpq_class>, long, Less> ends_;
+};
+
+/// Normals, each once, by number.
+class Normals {
+ public:
+  std::uint32_t add(const Vector& normal);
+  const Vector& operator[](std::uint32_t n) const { return all_[n]; }
+
+ private:
+  std::map<std::pair<mpz_class, mpz_class>, std::uint32_t> known_;
+  std::vector<Vector> all_;
+};
+
+class Pieces {
+ public:
+  /// Checks the step. Throws NotVerified.
+  Pieces(const Value& of, const Value& pieces, const Value& groups, const Operand& operand,
+         Normals& normals);
+
+  const Operand& operand;
+  std::size_t count = 0;  ///< of pieces
+  std::vector<std::vector<Vector>> hulls;
+  std::vector<std::vector<std::uint32_t>> children;
+  std::vector<bool> solid;
+
+  std::uint32_t last() const { return static_cast<std::uint32_t>(hulls.size() - 1); }
+  /// The largest value of a normal on the hull of a node.
+  const mpz_class& most(std::uint32_t node, std::uint32_t normal) const;
+
+ private:
+  void check_tiling(const Value& pieces) const;
+  void add_group(const std::vector<std::uint32_t>& members);
+
+  Normals& normals_;
+  mutable std::unordered_map<std::uint64_t, mpz_class> most_;
+};
+
+}  // namespace minkref::checker

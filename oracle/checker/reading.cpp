@@ -1,0 +1,168 @@
+#include "oracle/checker/reading.hpp"
+
+#include <algorithm>
+#include <regex>
+#include <sstream>
+
+namespace minkref::checker {
+namespace {
+
+constexpr std::size_t most_digits = 100'000;  // of one number
+
+mpz_class from_digits(std::string digits) {
+  if (!digits.empty() && digits.front() == '+') digits.erase(0, 1);
+  return mpz_class(digits, 10);
+}
+
+/// A decimal: digits, perhaps a point, perhaps an exponent of at most four digits.
+mpq_class decimal(const std::string& text) {
+  std::string digits, exponent;
+  std::size_t after_point = 0, i = 0;
+  bool point = false;
+  for (; i < text.size() && text[i] != 'e' && text[i] != 'E'; ++i) {
+    if (text[i] == '.') {
+      point = true;
+    } else {
+      digits += text[i];
+      after_point += point;
+    }
+  }
+  if (i < text.size()) exponent = text.substr(i + 1);
+  const long shift = (exponent.empty() ? 0 : std::stol(exponent)) - static_cast<long>(after_point);
+  mpz_class power;
+  mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(std::abs(shift)));
+  mpq_class value =
+      shift < 0 ? mpq_class(from_digits(digits), power) : mpq_class(from_digits(digits) * power);
+  value.canonicalize();
+  return value;
+}
+
+mpq_class parse_number(const std::string& text) {
+  static const std::regex fraction(R"([+-]?\d+/\d+)"),
+      real(R"([+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d{1,4})?)");
+  require(text.size() <= most_digits, "a number has too many digits");
+  if (std::regex_match(text, fraction)) {
+    const std::size_t bar = text.find('/');
+    const mpz_class denominator(text.substr(bar + 1), 10);
+    require(denominator != 0, text.substr(0, 60) + " is no number");
+    mpq_class value(from_digits(text.substr(0, bar)), denominator);
+    value.canonicalize();
+    return value;
+  }
+  require(std::regex_match(text, real), text.substr(0, 60) + " is no number");
+  return decimal(text);
+}
+
+std::string ring_text(const Value& value, Operand& operand) {
+  std::vector<std::uint32_t> ring;
+  std::string plain;
+  for (const Value& entry : items(value)) {
+    const Point p = point(entry);
+    ring.push_back(static_cast<std::uint32_t>(operand.exact.size()));
+    operand.exact.push_back(p);
+    plain += (plain.empty() ? "[\"" : ",[\"") + p.x.get_str() + "\",\"" + p.y.get_str() + "\"]";
+  }
+  require(!ring.empty(), operand.name + " has an empty ring");
+  operand.thin = operand.thin || ring.size() < 3;
+  operand.rings.push_back(std::move(ring));
+  return "[" + plain + "]";
+}
+
+}  // namespace
+
+std::vector<const Value*> members(const Value& value, const std::string& names) {
+  static const Value nothing;
+  require(value.kind == Value::Kind::object, "an object with " + names + " is missing");
+  std::vector<const Value*> found;
+  std::size_t there = 0;
+  std::istringstream words(names);
+  for (std::string name; words >> name;) {
+    const bool may_lack = name.back() == '?';
+    if (may_lack) name.pop_back();
+    const auto member = std::find_if(value.members.begin(), value.members.end(),
+                                     [&](const auto& m) { return m.first == name; });
+    require(may_lack || member != value.members.end(), "a member is missing: " + name);
+    there += member != value.members.end();
+    found.push_back(member != value.members.end() ? &member->second : &nothing);
+  }
+  require(there == value.members.size(), "there are more members than " + names);
+  return found;
+}
+
+const std::vector<Value>& items(const Value& value) {
+  require(value.kind == Value::Kind::list, "a list is missing");
+  return value.items;
+}
+
+const std::vector<Value>& items(const Value& value, std::size_t length) {
+  require(items(value).size() == length, "a list has not " + std::to_string(length) + " entries");
+  return value.items;
+}
+
+mpz_class integer(const Value& value) {
+  require(value.kind == Value::Kind::integer, "an integer is missing");
+  return mpz_class(value.text, 10);
+}
+
+std::uint32_t index(const Value& value, std::size_t end) {
+  const mpz_class found = integer(value);
+  require(found >= 0 && found < end, "there is no number " + found.get_str() + " before this");
+  return static_cast<std::uint32_t>(found.get_ui());
+}
+
+std::vector<std::uint32_t> indices(const Value& value, std::size_t end) {
+  std::vector<std::uint32_t> found;
+  for (const Value& entry : items(value)) found.push_back(index(entry, end));
+  return found;
+}
+
+mpq_class number(const Value& value) {
+  if (value.kind == Value::Kind::text || value.kind == Value::Kind::real) {
+    return parse_number(value.text);
+  }
+  return mpq_class(integer(value));
+}
+
+mpz_class whole(const Value& value) {
+  const mpq_class found = number(value);
+  require(found.get_den() == 1, found.get_str() + " is no whole number");
+  return found.get_num();
+}
+
+mpq_class scale(const Value& value) {
+  const mpq_class found = number(value);
+  require(found > 0, "the scale " + found.get_str() + " is not positive");
+  return found;
+}
+
+const std::string& text(const Value& value) {
+  require(value.kind == Value::Kind::text, "a text is missing");
+  return value.text;
+}
+
+Point point(const Value& value) {
+  const auto& pair = items(value, 2);
+  return {number(pair[0]), number(pair[1])};
+}
+
+Operand read_operand(const Value& value, const std::string& name) {
+  Operand operand;
+  operand.name = name;
+  for (const Value& polygon : items(*members(value, "polygons")[0])) {
+    const auto rings = members(polygon, "outer holes?");
+    const std::string outer = ring_text(*rings[0], operand);
+    std::string holes;
+    if (!rings[1]->is_null()) {
+      for (const Value& hole : items(*rings[1])) {
+        holes += (holes.empty() ? "" : ",") + ring_text(hole, operand);
+      }
+    }
+    operand.plain += operand.plain.empty() ? "" : ",";
+    operand.plain += "{\"holes\":[" + holes + "],\"outer\":" + outer + "}";
+  }
+  operand.plain = "[" + operand.plain + "]";
+  require(!operand.thin || operand.rings.size() == 1, name + " has a ring of too few vertices");
+  return operand;
+}
+
+}  // namespace minkref::checker

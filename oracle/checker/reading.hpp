@@ -1,0 +1,53 @@
+// The members of a certificate and of its case.
+#pragma once
+
+#include <gmpxx.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "oracle/checker/json_value.hpp"
+
+namespace minkref::checker {
+
+/// The members of an object in the order of `names`; `name?` may lack, and is then null. No other
+/// may be there.
+std::vector<const Value*> members(const Value& value, const std::string& names);
+
+const std::vector<Value>& items(const Value& value);
+const std::vector<Value>& items(const Value& value, std::size_t length);
+
+/// A JSON integer of any size.
+mpz_class integer(const Value& value);
+/// A JSON integer below `end`: what is referred to has come before.
+std::uint32_t index(const Value& value, std::size_t end);
+std::vector<std::uint32_t> indices(const Value& value, std::size_t end);
+/// A JSON integer, or a text: "7", "-3/7", "0.25", "1e-3".
+mpq_class number(const Value& value);
+mpz_class whole(const Value& value);
+mpq_class scale(const Value& value);
+const std::string& text(const Value& value);
+
+struct Vector {
+  mpz_class x, y;
+  friend bool operator==(const Vector&, const Vector&) = default;
+};
+struct Point {
+  mpq_class x, y;
+  friend bool operator==(const Point&, const Point&) = default;
+};
+Point point(const Value& value);
+
+/// Its vertices in the order of the file, and its rings as their numbers.
+struct Operand {
+  std::string name;
+  std::vector<Point> exact;
+  std::vector<Vector> points;  ///< in units of the proof
+  std::vector<std::vector<std::uint32_t>> rings;
+  std::string plain;  ///< what is hashed
+  bool thin = false;  ///< a point or a segment
+};
+Operand read_operand(const Value& value, const std::string& name);
+
+}  // namespace minkref::checker

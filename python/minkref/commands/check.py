@@ -1,0 +1,87 @@
+"""`minkref check FILE|DIR...`: certificates, by a checker that trusts nobody."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from minkref.documents import Stopwatch, as_text, document
+from minkref.errors import Refusal
+from minkref.options import Json, Schema
+from minkref.oracle.checker import check as checker
+from minkref.terminal import shown
+
+EXAMPLES = """Examples:
+
+minkref check sum.cert.json
+
+minkref check certificates/ --json
+
+minkref check event.cert.json --case event.case.json --seconds 60"""
+
+ENDINGS = ("*.cert.json", "*.cert.json.gz")
+WORDS = {
+    checker.VERIFIED: "verified",
+    checker.REFUTED: "refuted",
+    checker.MALFORMED: "malformed",
+    checker.OUT_OF_BUDGET: "out of budget",
+}
+
+
+def command(
+    files: Annotated[
+        list[Path],
+        typer.Argument(help="Certificates, and folders of *.cert.json.", metavar="FILE|DIR..."),
+    ],
+    case: Annotated[
+        Path | None, typer.Option("--case", help="The case, instead of the path that is named.")
+    ] = None,
+    seconds: Annotated[float, typer.Option(help="For one certificate.", min=0.0)] = 600.0,
+    tests: Annotated[int, typer.Option(help="Elementary tests for one.", min=1)] = 10**10,
+    bytes_: Annotated[int, typer.Option("--bytes", help="Of one certificate, unpacked.", min=1)] = 1
+    << 30,
+    json: Json = False,
+    schema: Schema = False,
+) -> None:
+    """Follow certificates (docs/certificates.md) step by step, in exact arithmetic; nothing of what
+    made them is used. The checker is one file that also runs alone: oracle/checker/check.py. Exits
+    with 0 if all are verified, 1 if one is refuted, 2 if one is malformed or its case is missing, 4
+    if one is out of budget: the worst of these counts, in this order."""
+    watch = Stopwatch()
+    rows = []
+    for path in _found(files):
+        code, message, claims = checker.verdict(path, case, seconds, tests, bytes_)
+        rows.append(
+            {"file": str(path), "verdict": WORDS[code], "message": message, "claims": claims}
+        )
+        if not json:
+            _print(rows[-1])
+    if json:
+        sys.stdout.write(as_text(document("check", watch, files=rows)))
+    verdicts = {row["verdict"] for row in rows}
+    worst = (checker.REFUTED, checker.MALFORMED, checker.OUT_OF_BUDGET)
+    raise typer.Exit(next((code for code in worst if WORDS[code] in verdicts), checker.VERIFIED))
+
+
+def _found(files: list[Path]) -> list[Path]:
+    found: list[Path] = []
+    for path in files:
+        if not path.is_dir():
+            found.append(path)
+            continue
+        inside = sorted(p for ending in ENDINGS for p in path.rglob(ending))
+        if not inside:
+            mend = f"name files, or a folder that holds {' or '.join(ENDINGS)}"
+            raise Refusal("there is no certificate in this folder", str(path), mend)
+        found += inside
+    return found
+
+
+def _print(row: dict[str, Any]) -> None:
+    message = f": {shown(row['message'])}" if row["message"] else ""
+    sys.stdout.write(f"{shown(row['file'])}: {row['verdict']}{message}\n")
+    for claim in row["claims"]:
+        sys.stdout.write(f"  {shown(claim)}\n")

@@ -1,0 +1,103 @@
+"""What the producer writes is verified by both checkers; what is changed in it is not."""
+
+from __future__ import annotations
+
+import json
+import random
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import mutations
+import pytest
+from minkref import _core
+from minkref.certify.certificate import Certificate, NoProof
+from minkref.exact import digest
+from minkref.fuzz.cases import naming
+from minkref.fuzz.cases.case import Case, CaseName
+from minkref.fuzz.families.catalogue import FAMILIES
+
+SEED = 7
+
+
+def case_of(name: str) -> Case:
+    case = naming.load(CaseName(name, "test"))
+    assert isinstance(case, Case)
+    return case
+
+
+def written(certificate: Certificate, folder: Path) -> Path:
+    (folder / "it.case.json").write_text(certificate.case(), encoding="utf-8")
+    path = folder / "it.cert.json"
+    path.write_text(certificate.text("it.case.json", "a test"), encoding="utf-8")
+    return path
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+def test_sums_and_their_tight_passages(check: Any, tmp_path: Path, family: str) -> None:
+    for index in range(3):
+        case = case_of(f"{family}:{SEED}:{index}")
+        if not any(o.is_region or o.is_empty for o in (case.P, case.Q)):
+            continue
+        certificate = Certificate(case.P, case.Q)
+        certificate.sum(case.scale, passages=True)
+        code, said = check(written(certificate, tmp_path))
+        assert code == 0, (case.name.text, said)
+        found = _core.minkowski_sum(case.P, case.Q, case.scale, tight_passages=True)
+        assert digest(found.region.canonical_json()) in said
+        assert len(certificate.claims) == 1 + len(found.tight_passages or [])
+
+
+@pytest.mark.parametrize("family", ["random", "holes", "nested", "comb", "touching", "spiral"])
+def test_events(check: Any, tmp_path: Path, family: str) -> None:
+    case = case_of(f"{family}:{SEED}:2")
+    dynamic = _core.DynamicSum(case.P, case.Q)
+    scales = sorted({Fraction(row[0]) for row in dynamic.boundary_events()})
+    for i, scale in enumerate(scales[:2]):
+        certificate = Certificate(case.P, case.Q)
+        certificate.event(scale, "boundary", scales[i - 1] if i else scale / 2)
+        code, said = check(written(certificate, tmp_path))
+        assert code == 0, (case.name.text, str(scale), said)
+
+
+def triangle_in_frame() -> tuple[_core.PolygonSet, _core.PolygonSet]:
+    texts = (
+        "POLYGON((-3 -2, 4 -1, 1 3, -3 -2))",
+        "POLYGON((-40 -40, 40 -40, 40 40, -40 40, -40 -40), (0 20, 17 -11, -19 -9, 0 20))",
+    )
+    P, Q = (_core.read_text(text, "wkt", "test") for text in texts)
+    return P, Q
+
+
+def test_the_death_of_a_hole(check: Any, tmp_path: Path) -> None:
+    certificate = Certificate(*triangle_in_frame())
+    certificate.event("541/186", "topology", 1)
+    code, said = check(written(certificate, tmp_path))
+    assert code == 0, said
+    holes = [claim["holes"] for claim in certificate.claims if "holes" in claim]
+    assert holes == [1, 0, 0]
+
+
+def test_what_does_not_hold_has_no_proof() -> None:
+    certificate = Certificate(*triangle_in_frame())
+    with pytest.raises(NoProof, match="has an event between"):
+        certificate.interval(2, 3)
+    with pytest.raises(NoProof, match="has no event at 2"):
+        certificate.event(2, "boundary", 1)
+
+
+@pytest.mark.parametrize("name", [f"holes:{SEED}:1", f"touching:{SEED}:2"])
+def test_a_changed_sum_is_refused_or_still_proven(check: Any, tmp_path: Path, name: str) -> None:
+    """Changed claims and cases are refused; a changed witness may be as good as the old one."""
+    print(f"seed {SEED}")
+    case = case_of(name)
+    certificate = Certificate(case.P, case.Q)
+    certificate.sum(case.scale, passages=True)
+    path = written(certificate, tmp_path)
+    value = json.loads(path.read_text(encoding="utf-8"))
+    for where, what, changed in mutations.mutants(value, 120, random.Random(SEED)):
+        path.write_text(json.dumps(changed), encoding="utf-8")
+        code, said = check(path)
+        assert code in (0, 1, 2), (where, what, said)
+        if where[0] in ("claims", "case", "certificate"):
+            assert code, (where, what, said)

@@ -1,0 +1,88 @@
+"""check.py needs nothing but itself; limits and missing files are told apart."""
+
+from __future__ import annotations
+
+import gzip
+import json
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+import squares
+from both_checkers import CHECKER
+
+
+def alone(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
+    """In a folder that holds the file and what is to be checked, without any package."""
+    if not (folder / "check.py").exists():
+        shutil.copy(CHECKER, folder)
+    command = [sys.executable, "-I", "-S", "check.py", *arguments]
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    (tmp_path / "case.json").write_text(json.dumps(squares.CASE), encoding="utf-8")
+    (tmp_path / "it.cert.json").write_text(json.dumps(squares.certificate()), encoding="utf-8")
+    return tmp_path
+
+
+def test_it_runs_in_an_empty_folder(folder: Path) -> None:
+    ran = alone(folder, "it.cert.json")
+    assert (ran.returncode, ran.stderr) == (0, "")
+    assert "verified" in ran.stdout and squares.CLAIM["digest"] in ran.stdout
+
+
+def test_it_reads_compressed_files(folder: Path) -> None:
+    text = (folder / "it.cert.json").read_bytes()
+    (folder / "it.cert.json.gz").write_bytes(gzip.compress(text))
+    assert alone(folder, "it.cert.json.gz").returncode == 0
+    (folder / "it.cert.json.gz").write_bytes(gzip.compress(text)[:-20])
+    assert alone(folder, "it.cert.json.gz").returncode == 2
+
+
+@pytest.mark.parametrize(
+    ("options", "code", "why"),
+    [
+        (["--case", "nowhere.json"], 2, "cannot be read"),
+        (["--case", "case.json"], 0, "verified"),
+        (["--seconds", "0"], 4, "a limit is reached"),
+        (["--tests", "10"], 4, "a limit is reached"),
+        (["--bytes", "100"], 4, "over 100 bytes"),
+        (["nowhere.cert.json"], 2, "cannot be read"),
+    ],
+)
+def test_limits_and_missing_files(folder: Path, options: list[str], code: int, why: str) -> None:
+    ran = alone(folder, *options, "it.cert.json")
+    assert ran.returncode == code, ran.stdout
+    assert why in ran.stdout
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "",
+        "{",
+        "[]",
+        "7",
+        '{"certificate": 1}',
+        '{"a": 1, "a": 2}',
+        "[" * 100_000,
+        '"\ud800"',
+        "NaN",
+    ],
+)
+def test_what_is_no_certificate_is_malformed(folder: Path, check: Any, text: str) -> None:
+    (folder / "it.cert.json").write_bytes(text.encode("utf-8", "surrogatepass"))
+    assert check(folder / "it.cert.json")[0] == 2
+
+
+def test_the_worst_of_several_counts(folder: Path) -> None:
+    spoilt = squares.certificate()
+    spoilt["claims"][0]["holes"] = 3
+    (folder / "no.cert.json").write_text(json.dumps(spoilt), encoding="utf-8")
+    assert alone(folder, "nowhere", "no.cert.json", "it.cert.json").returncode == 1
+    assert alone(folder, "nowhere", "it.cert.json").returncode == 2

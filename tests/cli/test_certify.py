@@ -1,0 +1,85 @@
+"""`minkref certify` and `minkref check`."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+TRIANGLE = "POLYGON((-3 -2, 4 -1, 1 3, -3 -2))"
+FRAME = "POLYGON((-40 -40, 40 -40, 40 40, -40 40, -40 -40), (0 20, 17 -11, -19 -9, 0 20))"
+
+
+@pytest.fixture
+def operands(tmp_path: Path) -> tuple[str, str]:
+    for name, text in (("P", TRIANGLE), ("Q", FRAME)):
+        (tmp_path / f"{name}.wkt").write_text(text, encoding="utf-8")
+    return str(tmp_path / "P.wkt"), str(tmp_path / "Q.wkt")
+
+
+@pytest.mark.parametrize(
+    ("options", "claims"),
+    [
+        ([], ["sum"]),
+        (["--scale", "541/186"], ["sum"]),
+        (["--event", "541/186"], ["interval", "sum", "interval", "event"]),
+        (["--from", "1", "--to", "541/186"], ["interval"]),
+    ],
+)
+@pytest.mark.parametrize("ending", [".cert.json", ".cert.json.gz"])
+def test_what_is_certified_is_verified(
+    minkref: Any, operands: Any, tmp_path: Path, options: list[str], claims: list[str], ending: str
+) -> None:
+    file = tmp_path / f"it{ending}"
+    ran = minkref("certify", *operands, *options, "-o", str(file), "--json")
+    assert ran.code == 0, ran.err
+    made = [claim["claim"] for claim in ran.json["claims"]]
+    assert made[: len(claims)] == claims and set(made[len(claims) :]) <= {"passage"}
+    checked = minkref("check", str(tmp_path), "--json")
+    assert checked.code == 0
+    (row,) = checked.json["files"]
+    assert (row["file"], row["verdict"], len(row["claims"])) == (str(file), "verified", len(made))
+    spoilt = json.loads((tmp_path / "it.case.json").read_text(encoding="utf-8"))
+    spoilt["P"]["polygons"][0]["outer"][0][0] = "-4"
+    (tmp_path / "it.case.json").write_text(json.dumps(spoilt), encoding="utf-8")
+    refused = minkref("check", str(file))
+    assert refused.code == 1
+    assert "refuted" in refused.out
+
+
+@pytest.mark.parametrize(
+    ("options", "why"),
+    [
+        (["--event", "2"], "has no event at 2"),
+        (["--from", "2", "--to", "3"], "has an event between 2 and 3"),
+        (["--from", "2"], "an interval has two ends"),
+        (["--from", "2", "--to", "1"], "the interval is empty"),
+        (["--event", "1", "--from", "2"], "not below the event"),
+        (["--event", "1", "--scale", "2"], "do not go together"),
+        (["--scale", "0"], "--scale"),
+    ],
+)
+def test_what_cannot_be_certified_is_refused(
+    minkref: Any, operands: Any, tmp_path: Path, options: list[str], why: str
+) -> None:
+    before = sorted(tmp_path.iterdir())
+    ran = minkref("certify", *operands, *options, "-o", str(tmp_path / "it.cert.json"))
+    assert (ran.code, why in ran.err) == (2, True), ran.err
+    assert sorted(tmp_path.iterdir()) == before
+
+
+def test_a_certificate_has_a_name_that_check_finds(
+    minkref: Any, operands: Any, tmp_path: Path
+) -> None:
+    ran = minkref("certify", *operands, "-o", str(tmp_path / "it.json"))
+    assert (ran.code, ".cert.json" in ran.err) == (2, True)
+    assert minkref("check", str(tmp_path)).code == 2
+    assert minkref("check", str(tmp_path / "nowhere.cert.json")).code == 2
+
+
+def test_a_limit_is_undecided(minkref: Any, operands: Any, tmp_path: Path) -> None:
+    file = tmp_path / "it.cert.json"
+    minkref("certify", *operands, "-o", str(file))
+    assert minkref("check", str(file), "--tests", "5").code == 4
