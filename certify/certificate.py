@@ -118,12 +118,12 @@ class Certificate:
         """A proof from a on, as far as it goes: the step, the end, the form, components, holes."""
         box = self._prover.box(str(b))
         low = b
-        for attempt in range(MOST_ATTEMPTS):
+        for _ in range(MOST_ATTEMPTS):
             third = (low - a) / 3
-            s = simplest_between(a + third, low - third * Fraction(1, attempt + 1))
+            s = simplest_between(a + third, low - third)
             found = self._prover.prove_around(str(s), box, PIECES, str(a), str(b))
-            if found is None:
-                low -= third / (attempt + 2)
+            if found is None:  # lines meet at this scale that do not at others
+                low = s
                 continue
             step, begin, end, polygons, components, holes = found
             if Fraction(begin) == a:
