@@ -99,7 +99,7 @@ std::optional<Covering::Candidate> Covering::best_for(const Cell& cell) const {
     std::size_t looked = 0;
     const Box box{below(inner.x), below(inner.y), above(inner.x), above(inner.y)};
     tree_.query(box, [&](std::uint32_t pair) {
-      const auto [A, B] = pairs_[pair];
+      const std::uint32_t A = pairs_[pair].first, B = pairs_[pair].second;
       if (!holds_inside(A, B, inner)) return false;
       Candidate candidate{A, B, {}};
       Clip clip(flat);

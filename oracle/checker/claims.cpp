@@ -130,7 +130,7 @@ class Certificate {
     same_counts(found, *m[3], *m[4]);
     same_digest(found, *m[5]);
     if (!m[6]->is_null()) {
-      demand(texts(*m[6]) == texts(parse_json(canonical_json(found.polygons())).members[0].second),
+      demand(texts(*m[6]) == texts(parse_json(canonical_json(found.polygons())).members[0].value),
              "the polygons are others");
     }
     shown_.back() = {&found};

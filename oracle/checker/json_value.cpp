@@ -44,7 +44,7 @@ class Parser {
           std::string name = string();
           skip();
           expect(":");
-          value.members.emplace_back(std::move(name), parse(depth + 1));
+          value.members.push_back({std::move(name), parse(depth + 1)});
         });
         check_names(value);
         return value;
@@ -90,7 +90,7 @@ class Parser {
 
   static void check_names(const Value& value) {
     std::vector<std::string> names;
-    for (const auto& member : value.members) names.push_back(member.first);
+    for (const auto& member : value.members) names.push_back(member.name);
     std::sort(names.begin(), names.end());
     require(std::adjacent_find(names.begin(), names.end()) == names.end(),
             "an object has a member twice");

@@ -5,7 +5,6 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace minkref::checker {
@@ -25,14 +24,21 @@ inline void require(bool condition, const std::string& what) {
   demand(condition, what, Code::malformed);
 }
 
+struct Member;
+
 struct Value {
   enum class Kind { null, boolean, integer, real, text, list, object } kind = Kind::null;
   bool truth = false;
   std::string text;  ///< of a text, and of a number as it stands
   std::vector<Value> items;
-  std::vector<std::pair<std::string, Value>> members;
+  std::vector<Member> members;
 
   bool is_null() const { return kind == Kind::null; }
+};
+
+struct Member {
+  std::string name;
+  Value value;
 };
 
 /// The value that a text is. Throws NotVerified (malformed): also for a member that occurs twice,

@@ -80,10 +80,10 @@ std::vector<const Value*> members(const Value& value, const std::string& names) 
     const bool may_lack = name.back() == '?';
     if (may_lack) name.pop_back();
     const auto member = std::find_if(value.members.begin(), value.members.end(),
-                                     [&](const auto& m) { return m.first == name; });
+                                     [&](const auto& m) { return m.name == name; });
     require(may_lack || member != value.members.end(), "a member is missing: " + name);
     there += member != value.members.end();
-    found.push_back(member != value.members.end() ? &member->second : &nothing);
+    found.push_back(member != value.members.end() ? &member->value : &nothing);
   }
   require(there == value.members.size(), "there are more members than " + names);
   return found;
