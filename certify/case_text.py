@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import json
-from fractions import Fraction
 from typing import Any
 
 from minkref import _core
-from minkref.exact import digest
+from minkref.exact import digest, set_json
 
 
 def case_text(P: _core.PolygonSet, Q: _core.PolygonSet) -> str:
@@ -17,19 +16,12 @@ def case_text(P: _core.PolygonSet, Q: _core.PolygonSet) -> str:
 
 def case_digest(P: _core.PolygonSet, Q: _core.PolygonSet) -> str:
     """SHA-256 of both operands with numbers in lowest terms (docs/certificates.md)."""
-    value = {"P": _plain(json.loads(P.to_json())), "Q": _plain(json.loads(Q.to_json()))}
+    value = {"P": _polygons(P), "Q": _polygons(Q)}
     return digest(json.dumps(value, sort_keys=True, separators=(",", ":")))
 
 
-def _plain(value: dict[str, Any]) -> list[dict[str, Any]]:
-    return [
-        {
-            "holes": [_ring(ring) for ring in polygon.get("holes", [])],
-            "outer": _ring(polygon["outer"]),
-        }
-        for polygon in value["polygons"]
-    ]
-
-
-def _ring(ring: list[list[Any]]) -> list[list[str]]:
-    return [[str(Fraction(x)), str(Fraction(y))] for x, y in ring]
+def _polygons(operand: _core.PolygonSet) -> list[Any]:
+    polygons = json.loads(operand.to_json())["polygons"]
+    text = set_json((polygon["outer"], polygon.get("holes", [])) for polygon in polygons)
+    value: list[Any] = json.loads(text)["polygons"]
+    return value

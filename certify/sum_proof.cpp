@@ -368,7 +368,9 @@ Prover::Prover(const PolygonSet& P, const PolygonSet& Q)
       set_Q_(Q),
       P_(P, normals_),
       Q_(Q, normals_),
-      convolution_(std::make_unique<ConvolutionLines>(P, Q)) {}
+      convolution_(std::make_unique<ConvolutionLines>(P, Q)) {
+  refuse_bad_operands(P, Q, 1);
+}
 
 Prover::~Prover() = default;
 

@@ -47,7 +47,7 @@ class ConvolutionLines;
 /// Both operands, ready for proofs at any scale.
 class Prover {
  public:
-  /// Operands that have passed `validate`, one of them at least a region or empty.
+  /// Operands that have passed `validate`. Throws BadInput as minkowski_sum does.
   Prover(const PolygonSet& P, const PolygonSet& Q);
   ~Prover();
 

@@ -28,8 +28,8 @@ app = typer.Typer(
     "minkref verify cgal-reduced --pairs 1000 --report build/report\n\n"
     "minkref models\n\n"
     "Exit codes: 0 all well; 1 something is proven wrong; 2 wrong usage or bad input; "
-    "3 an implementation crashed or hung; 4 undecided (--strict); 70 an internal error; "
-    "141 the reader of standard output has gone.",
+    "3 an implementation crashed or hung; 4 undecided (verify --strict, check); "
+    "70 an internal error; 141 the reader of standard output has gone.",
 )
 
 

@@ -17,7 +17,7 @@ def check() -> Check:
     """Runs both checkers: they exit alike. What the one in Python says."""
     program = in_cpp()
     if program is None:
-        pytest.skip("minkref-check is not built: cmake --build build/release")
+        pytest.fail("minkref-check is not built: make setup")
 
     def call(path: Path, *options: str) -> Verdict:
         python = run([sys.executable, str(CHECKER)], *options, str(path))

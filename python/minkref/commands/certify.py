@@ -21,7 +21,7 @@ from minkref.documents import (
     replacing,
     write_atomically,
 )
-from minkref.errors import Refusal
+from minkref.errors import Refusal, refusing
 from minkref.exact import read_scale
 from minkref.operand import read_operand
 from minkref.options import Json, Schema
@@ -77,16 +77,14 @@ def command(
         for path in (output, case):
             check_writable(path)
             check_spares(path, [first.file, second.file])
-        if not (_whole(first.set) or _whole(second.set)):
-            mend = "one of the two may be a point or a segment"
-            raise Refusal("both operands are points or segments", second.name, mend)
-        certificate = Certificate(first.set, second.set)
+        operands = f"{first.name} and {second.name}"
+        certificate = refusing(operands, lambda: Certificate(first.set, second.set))
         try:
             _claim(certificate, scale, event, from_scale, to_scale)
         except NoProof as error:
             mend = "`minkref events P Q --kind boundary` lists the events"
-            raise Refusal(str(error), f"{P} {Q}", mend, "no-proof") from error
-        text = certificate.text(case.name, f"{first.name} and {second.name}")
+            raise Refusal(str(error), operands, mend, "no-proof") from error
+        text = certificate.text(case.name, operands)
     write_atomically(case, certificate.case())
     _write(output, text)
     value = document(
@@ -113,10 +111,6 @@ def _stem(output: Path) -> str:
             return output.name.removesuffix(ending)
     mend = "name it FILE.cert.json, or FILE.cert.json.gz"
     raise Refusal("this is no name for a certificate", str(output), mend)
-
-
-def _whole(operand: _core.PolygonSet) -> bool:
-    return operand.is_region or operand.is_empty
 
 
 def _claim(

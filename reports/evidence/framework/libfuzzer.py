@@ -16,6 +16,7 @@ PACKAGES = ("clang", "libclang-rt-14-dev")  # of Debian
 OPTIONS = (
     "-DMINKREF_FUZZ=ON",
     "-DMINKREF_CGAL=OFF",
+    "-DMINKREF_CHECKER=OFF",
     "-DMINKREF_PYTHON=OFF",
     "-DMINKREF_TESTS=OFF",
     "-DCMAKE_BUILD_TYPE=RelWithDebInfo",
