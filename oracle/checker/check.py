@@ -32,7 +32,7 @@ MOST_DIGITS = 100_000  # of one number
 Json = Any
 Kind = TypeVar("Kind")
 Vector = tuple[int, int]
-Triple = tuple[int, int, int]  # the point (x / w, y / w), w > 0; the line a x + b y = c
+Triple = tuple[Any, Any, Any]  # the point (x / w, y / w), w > 0; the line a x + b y + c = 0
 Vertex = tuple[Fraction, ...]  # x, y; or x0, x1, y0, y1: the point (x0 + s x1, y0 + s y1)
 Rings = list[list[Vertex]]  # the outer one, and the holes
 Edge = tuple[int, int]
@@ -60,9 +60,9 @@ def members(value: Json, names: str) -> list[Json]:
     """The members of an object, in the order of `names`. No other may be there; `name?` may lack
     and is None then."""
     require(isinstance(value, dict), f"an object with {names} is missing")
-    known = [name.rstrip("?") for name in names.split()]
     missing = [name for name in names.split() if name[-1] != "?" and name not in value]
     require(not missing, f"a member is missing: {', '.join(missing)}")
+    known = names.replace("?", "").split()
     require(set(value) <= set(known), f"there are more members than {names}")
     return [value.get(name) for name in known]
 
@@ -76,11 +76,6 @@ def items(value: Json, length: int | None = None) -> list[Json]:
 def integer(value: Json) -> int:
     require(isinstance(value, int) and not isinstance(value, bool), f"{value!r} is no integer")
     return int(value)
-
-
-def whole(value: Json) -> int:
-    require(number(value).denominator == 1, f"{value!r} is no whole number")
-    return int(number(value))
 
 
 def index(value: Json, end: int) -> int:
@@ -114,7 +109,7 @@ def read_json(path: Path, most: int, decimals: bool) -> Json:
     def refuse(text: str) -> Json:
         raise NotVerified(MALFORMED, f"{text[:60]} is no number here")
 
-    def whole_number(text: str) -> int:
+    def whole(text: str) -> int:
         return int(text) if len(text) <= MOST_DIGITS else refuse(text)
 
     try:
@@ -123,13 +118,9 @@ def read_json(path: Path, most: int, decimals: bool) -> Json:
         if data[:2] == b"\x1f\x8b":
             data = zlib.decompressobj(wbits=31).decompress(data, most + 1)
         demand(len(data) <= most, f"{path} has over {most:,} bytes (--bytes)", OUT_OF_BUDGET)
-        return json.loads(
-            data,
-            object_pairs_hook=unique,
-            parse_constant=refuse,
-            parse_float=str if decimals else refuse,
-            parse_int=whole_number,
-        )
+        real = str if decimals else refuse
+        hooks: Json = {"parse_constant": refuse, "parse_float": real, "parse_int": whole}
+        return json.loads(data, object_pairs_hook=unique, **hooks)
     except OSError as error:
         raise NotVerified(MALFORMED, f"{path} cannot be read: {error.strerror}") from error
     except (ValueError, RecursionError, zlib.error) as error:
@@ -147,6 +138,7 @@ class Operand:
     def __init__(self, value: Json, name: str) -> None:
         self.name = name
         self.exact: list[Vertex] = []
+        self.points: list[Triple] = []  # the vertices in units that make them integers
         self.rings: list[list[int]] = []
         self.plain: list[Json] = []  # what is hashed: numbers in lowest terms
         for polygon in items(members(value, "polygons")[0]):
@@ -163,10 +155,6 @@ class Operand:
         self.exact += ring
         return [[str(x), str(y)] for x, y in ring]
 
-    def scale_up(self, unit: int) -> None:
-        """Integers from here on: all coordinates in units of 1 / unit."""
-        self.points: list[Vector] = [(int(x * unit), int(y * unit)) for x, y in self.exact]
-
 
 # Signs.
 
@@ -179,8 +167,20 @@ def dot(u: Sequence[Any], v: Sequence[Any]) -> Any:
     return u[0] * v[0] + u[1] * v[1]
 
 
-def minus(u: Sequence[Any], v: Sequence[Any]) -> tuple[Any, Any]:
-    return u[0] - v[0], u[1] - v[1]
+def across(u: Triple, v: Triple) -> Triple:
+    """The line through two points; up to a factor the point on two lines."""
+    return u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]
+
+
+def meet(first: Triple, second: Triple) -> Triple:
+    x, y, w = across(first, second)
+    demand(w != 0, "parallel lines do not meet")
+    divisor = gcd(x, y, w) if w > 0 else -gcd(x, y, w)
+    return x // divisor, y // divisor, w // divisor
+
+
+def direction(p: Triple, q: Triple) -> Vector:
+    return q[0] * p[2] - p[0] * q[2], q[1] * p[2] - p[1] * q[2]
 
 
 def edges_of(ring: Sequence[Any]) -> Iterator[tuple[Any, Any]]:
@@ -194,90 +194,43 @@ def doubled_area(ring: Sequence[Any]) -> Any:
 def is_convex(directions: Sequence[Vector]) -> bool:
     """Whether edges of these directions turn left, or go straight on, once around in all."""
     upwards = [d[1] > 0 or (d[1] == 0 and d[0] > 0) for d in directions]
-    turns = all(
-        cross(d, e) > 0 or (cross(d, e) == 0 and dot(d, e) > 0) for d, e in edges_of(directions)
-    )
+    pairs = list(edges_of(directions))
+    turns = all(cross(d, e) > 0 or (cross(d, e) == 0 and dot(d, e) > 0) for d, e in pairs)
     return turns and sum(not before and now for before, now in edges_of(upwards)) == 1
 
 
-def hull(points: Iterable[Vector]) -> list[Vector]:
+def hull(points: Iterable[Triple]) -> list[Triple]:
     """The vertices of the convex hull, counter-clockwise."""
     ordered = sorted(set(points))
-    both: list[Vector] = []
+    both: list[Triple] = []
     for run in (ordered, ordered[::-1]):
-        chain: list[Vector] = []
+        chain: list[Triple] = []
         for p in run:
-            while len(chain) > 1 and cross(minus(chain[-1], chain[-2]), minus(p, chain[-1])) <= 0:
+            while len(chain) > 1 and cross(direction(*chain[-2:]), direction(chain[-1], p)) <= 0:
                 chain.pop()
             chain.append(p)
         both += chain[:-1]
     return both or ordered
 
 
-def divides(A: list[Vector], B: list[Vector]) -> bool:
+def divides(A: list[Triple], B: list[Triple]) -> bool:
     """Whether the line of an edge of A has all of B on its other side."""
-    return any(all(cross(minus(b, a), minus(p, a)) <= 0 for p in B) for a, b in edges_of(A))
+    sides = ([cross(direction(a, b), direction(a, p)) for p in B] for a, b in edges_of(A))
+    return any(max(side) <= 0 for side in sides)
 
 
 def add_up_to_nothing(edges: Iterable[tuple[Any, Any, int]]) -> bool:
     """Whether directed edges, each so many times, cancel: on each line their ends do."""
     ends: dict[Any, int] = defaultdict(int)
-    for a, b, times in edges:
-        (x, y), (X, Y) = a, b
+    for (x, y, *_), (X, Y, *_), times in edges:
         slope = Fraction(Y - y) / (X - x) if X != x else None
         line = x if slope is None else (slope, y - slope * x)
-        ends[line, a] += times
-        ends[line, b] -= times
+        ends[line, x, y] += times
+        ends[line, X, Y] -= times
     return not any(ends.values())
 
 
-def reduced(a: int, b: int, c: int) -> Triple:
-    divisor = gcd(a, b, c) or 1
-    return a // divisor, b // divisor, c // divisor
-
-
-def meet(first: Triple, second: Triple) -> Triple:
-    (a, b, c), (d, e, f) = first, second
-    w = a * e - b * d
-    demand(w != 0, "parallel lines do not meet")
-    sign = 1 if w > 0 else -1
-    return reduced(sign * (c * e - b * f), sign * (a * f - c * d), sign * w)
-
-
-def direction(p: Triple, q: Triple) -> Vector:
-    return q[0] * p[2] - p[0] * q[2], q[1] * p[2] - p[1] * q[2]
-
-
 # The steps. An object of one of these classes exists only if its step holds.
-
-
-class Proof:
-    """The operands, the steps that hold so far, and what may still be spent."""
-
-    def __init__(self, P: Operand, Q: Operand, seconds: float, tests: int) -> None:
-        require(not (P.thin and Q.thin), "both operands are points or segments")
-        self.operands = {"P": P, "Q": Q}
-        self.unit = lcm(*(c.denominator for o in (P, Q) for point in o.exact for c in point))
-        P.scale_up(self.unit)
-        Q.scale_up(self.unit)
-        self.steps: list[Any] = []
-        self.used: set[int] = set()
-        self.deadline, self.tests = time.monotonic() + seconds, tests
-
-    def spend(self, tests: int) -> None:
-        self.tests -= tests
-        within = self.tests >= 0 and time.monotonic() <= self.deadline
-        demand(within, "a limit is reached (--seconds, --tests)", OUT_OF_BUDGET)
-
-    def step(self, value: Json, kind: type[Kind]) -> Kind:
-        step = self.steps[index(value, len(self.steps))]
-        require(isinstance(step, kind), f"step {value} is no {kind.__name__.lower()}")
-        self.used.add(value)
-        return step  # type: ignore[no-any-return]
-
-    def operand(self, name: Json) -> Operand:
-        require(name in ("P", "Q"), f"{name!r} is no operand")
-        return self.operands[name]
 
 
 class Pieces:
@@ -292,11 +245,11 @@ class Pieces:
         self.hulls = [[points[i] for i in piece] for piece in pieces]
         self.check_tiling(pieces)
         self.children: list[list[int]] = [[] for _ in pieces]
-        self.leaves = [1 << i for i in range(len(pieces))]
+        self.leaves = [{i} for i in range(len(pieces))]
         self.solid = [True for _ in pieces]
         for group in items(groups):
             self.add_group([index(child, len(self.hulls)) for child in items(group)])
-        whole = not pieces or self.leaves[-1] == (1 << len(pieces)) - 1
+        whole = not pieces or len(self.leaves[-1]) == len(pieces)
         demand(whole, "the last node does not hold all pieces")
         self.support: dict[tuple[int, Vector], int] = {}
 
@@ -308,15 +261,15 @@ class Pieces:
         made = [(a, b, 1) for piece in self.hulls for a, b in edges_of(piece)]
         demand(add_up_to_nothing(given + made), f"the pieces do not add up to {name}")
         for piece in self.hulls:
-            demand(is_convex([minus(b, a) for a, b in edges_of(piece)]), "a piece is not convex")
+            demand(
+                is_convex([direction(*edge) for edge in edges_of(piece)]), "a piece is not convex"
+            )
 
     def add_group(self, children: list[int]) -> None:
         require(bool(children), "a group has no member")
         parts = [self.hulls[child] for child in children]
         self.children.append(children)
-        self.leaves.append(0)
-        for child in children:
-            self.leaves[-1] |= self.leaves[child]
+        self.leaves.append(set().union(*(self.leaves[child] for child in children)))
         self.hulls.append(hull(corner for part in parts for corner in part))
         whole = doubled_area(self.hulls[-1]) == sum(map(doubled_area, parts))
         solid = whole and len(parts) == 2 and all(self.solid[child] for child in children)
@@ -340,30 +293,27 @@ class Region:
 
     def __init__(self, step: Json, proof: Proof) -> None:
         names = "rule scales by box elements cells normals proofs contacts polygons"
-        rule, scales, by, box, elements, cells, normals, proofs, contacts, rings = members(
-            step, names
-        )
+        rule, scales, by, *lists = members(step, names)
+        box, elements, cells, normals, proofs, contacts, rings = map(items, lists)
         self.proof = proof
         self.scales = [scale_of(scale) for scale in items(scales, 1 if rule == "eq" else 2)]
         require(self.scales == sorted(set(self.scales)), "the scales do not ascend")
         self.P, self.Q = (proof.step(value, Pieces) for value in items(by, 2))
         require((self.P.operand.name, self.Q.operand.name) == ("P", "Q"), "`by` is not of P and Q")
-        self.roots = [(len(self.P.hulls) - 1, len(self.Q.hulls) - 1)]
-        if -1 in self.roots[0]:
-            self.roots = []  # an operand is empty, and so is the sum
+        empty = not (self.P.hulls and self.Q.hulls)  # and so is the sum
+        self.roots = [] if empty else [(len(self.P.hulls) - 1, len(self.Q.hulls) - 1)]
         self.box = [number(value) * proof.unit for value in items(box, 4)]
         self.lines = {wall: self.wall(wall) for wall in range(4)}
         self.points: dict[int, list[Triple]] = {}
-        for entry in items(elements):
-            self.add_element(items(entry))
-        self.cells = [[self.point(i) for i in items(cell)] for cell in items(cells)]
+        for entry in map(items, elements):
+            self.add_element(entry)
+        self.cells = [[self.point(i) for i in items(cell)] for cell in cells]
         self.owner: dict[Edge, int] = {}
         self.directions: dict[Edge, Vector] = {}
         for cell in range(len(self.cells)):
             self.check_cell(cell)
         self.check_box()
-        self.normals = [(whole(x), whole(y)) for x, y in (items(n, 2) for n in items(normals))]
-        require((0, 0) not in self.normals, "a normal is zero")
+        self.normals = [self.normal(vector(normal)) for normal in normals]
         self.inside = set()
         for cell, (how, *code) in enumerate(map(items, items(proofs, len(self.cells)))):
             require(how in ("cov", "sep"), f"cell {cell} has no proof")
@@ -371,18 +321,23 @@ class Region:
             check(self.cells[cell], code)
             self.inside |= {cell} if how == "cov" else set()
         self.contacts = set()
-        for ids, *code in map(items, items(contacts)):
+        for ids, *code in map(items, contacts):
             contact = tuple(self.point(i) for i in items(ids))
             require(len(contact) in (1, 2), "a contact is a point or a segment")
             self.check_apart(list(contact), code)
             self.contacts.add(contact)
         self.count()
-        self.polygons = self.canonical([[items(r) for r in items(p)] for p in items(rings)])
+        self.polygons = self.canonical([[items(r) for r in items(p)] for p in rings])
 
     def wall(self, wall: int) -> list[Triple]:
         at = self.box[wall]
         normal = (at.denominator, 0) if wall % 2 == 0 else (0, at.denominator)
-        return [(*normal, at.numerator) for _ in self.scales]
+        return [(*normal, -at.numerator) for _ in self.scales]
+
+    def normal(self, value: Vertex) -> Vector:
+        require(all(c.denominator == 1 for c in value), "a normal is not of whole numbers")
+        require(any(value), "a normal is zero")
+        return int(value[0]), int(value[1])
 
     def point(self, value: Json) -> int:
         require(integer(value) in self.points, f"element {value} is no point before this")
@@ -398,55 +353,54 @@ class Region:
             self.points[own] = [meet(first, second) for first, second in pairs]
         elif kind == "up":
             at = self.points[self.point(items(entry, 2)[1])]
-            self.lines[own] = [(w, 0, x) for x, _, w in at]
+            self.lines[own] = [(w, 0, -x) for x, _, w in at]
         else:
             self.lines[own] = self.moving_line(self.proof.operand(kind), items(entry, 4)[1:])
 
     def moving_line(self, mover: Operand, entry: list[Json]) -> list[Triple]:
         """Through vertices i and k of one operand, moved by vertex j of the other."""
         other = self.proof.operands["Q" if mover.name == "P" else "P"]
-        i, k = (index(value, len(mover.points)) for value in entry[:2])
-        dx, dy = minus(mover.points[k], mover.points[i])
-        demand((dx, dy) != (0, 0), "a line has no direction")
-        parts = (
-            dot((-dy, dx), mover.points[i]),
-            dot((-dy, dx), other.points[index(entry[2], len(other.points))]),
-        )
-        p, q = parts if mover.name == "P" else parts[::-1]
+        i, k = (mover.points[index(value, len(mover.points))] for value in entry[:2])
+        j = other.points[index(entry[2], len(other.points))]
+        demand(i != k, "a line has no direction")
+        dx, dy = direction(i, k)
+        p, q = (i, j) if mover.name == "P" else (j, i)
+        p, q = dot((-dy, dx), p), dot((-dy, dx), q)
         fractions = ((s.numerator, s.denominator) for s in self.scales)
-        return [reduced(-dy * v, dx * v, u * p + v * q) for u, v in fractions]
+        return [(-dy * v, dx * v, -u * p - v * q) for u, v in fractions]
 
     def check_cell(self, cell: int) -> None:
         self.proof.spend(len(self.cells[cell]))
         turns = []
-        for u, v in edges_of(self.cells[cell]):
-            pairs = zip(self.points[u], self.points[v], strict=True)
+        for edge in edges_of(self.cells[cell]):
+            pairs = zip(*(self.points[end] for end in edge), strict=True)
             moves = [d for d in (direction(a, b) for a, b in pairs) if d != (0, 0)]
             demand(bool(moves), f"cell {cell} has an edge without length")
             straight = len(moves) == 1 or (cross(*moves) == 0 and dot(*moves) > 0)
             demand(straight, f"cell {cell} has an edge that turns")
-            demand((u, v) not in self.owner, f"two cells have the edge {u}, {v}")
-            self.owner[u, v], self.directions[u, v] = cell, moves[0]
+            demand(edge not in self.owner, f"two cells have the edge {edge}")
+            self.owner[edge], self.directions[edge] = cell, moves[0]
             turns.append(moves[0])
         demand(len(turns) > 2 and is_convex(turns), f"cell {cell} is not convex")
 
     def check_box(self) -> None:
         """What is left of the edges of all cells is the rim of the box, which holds the sum."""
-        rim = [(u, v) for u, v in self.owner if (v, u) not in self.owner]
+        rim = [edge for edge in self.owner if edge[::-1] not in self.owner]
         for u, v in rim:
             ends = [*self.points[u], *self.points[v]]
-            walls = [w for w in range(4) if all(self.box[w] * p[2] == p[w % 2] for p in ends)]
-            demand(bool(walls), f"the edge {u}, {v} of a cell has no cell on its other side")
-        at = {i: tuple(Fraction(c, p[0][2]) for c in p[0][:2]) for i, p in self.points.items()}
+            on_wall = any(all(self.box[w] * p[2] == p[w % 2] for p in ends) for w in range(4))
+            demand(on_wall, f"the edge {u}, {v} of a cell has no cell on its other side")
+        at = {i: [Fraction(c, p[0][2]) for c in p[0][:2]] for i, p in self.points.items()}
         x, y, X, Y = self.box
         frame = [(a, b, -1) for a, b in edges_of([(x, y), (X, y), (X, Y), (x, Y)])]
         made = [(at[u], at[v], 1) for u, v in rim]
         demand(add_up_to_nothing(frame + made), "the cells do not add up to the box")
-        for end, s in enumerate(self.scales):
-            for A, B in self.roots:
-                for wall, normal in enumerate([(-1, 0), (0, -1), (1, 0), (0, 1)]):
-                    most = Fraction(self.most(end, A, B, normal), s.denominator)
-                    demand(most < sum(normal) * self.box[wall], "the box does not hold the sum")
+        walls = zip(self.box, [(-1, 0), (0, -1), (1, 0), (0, 1)], strict=True)
+        for (end, s), (A, B), (c, normal) in itertools.product(
+            enumerate(self.scales), self.roots, walls
+        ):
+            most = Fraction(self.most(end, A, B, normal), s.denominator)
+            demand(most < sum(normal) * c, "the box does not hold the sum")
 
     def most(self, end: int, A: int, B: int, normal: Vector) -> int:
         """The largest value of normal * x on sA + B, times the denominator of s."""
@@ -463,9 +417,8 @@ class Region:
 
     def check_cover(self, corners: list[int], nodes: list[Json]) -> None:
         """`cov`: the hull of the corners lies in sA + B, both nodes solid."""
-        A, B = (
-            index(n, len(o.hulls)) for n, o in zip(items(nodes, 2), (self.P, self.Q), strict=True)
-        )
+        A, B = items(nodes, 2)
+        A, B = index(A, len(self.P.hulls)), index(B, len(self.Q.hulls))
         demand(self.P.solid[A] and self.Q.solid[B], f"{A} or {B} is not convex")
         for a, b in [*edges_of(self.P.hulls[A]), *edges_of(self.Q.hulls[B])]:
             self.proof.spend(len(corners))
@@ -505,8 +458,8 @@ class Region:
                 root[cell] = cell = root[root[cell]]
             return cell
 
-        for (u, v), cell in self.owner.items():
-            other = self.owner.get((v, u), cell)
+        for edge, cell in self.owner.items():
+            other = self.owner.get(edge[::-1], cell)
             if (cell in self.inside) == (other in self.inside):
                 root[find(cell)] = find(other)
         self.root = [find(cell) for cell in range(len(root))]
@@ -574,79 +527,65 @@ def plain(polygons: list[Rings]) -> Json:
     return {"polygons": [{"holes": polygon[1:], "outer": polygon[0]} for polygon in rings]}
 
 
-# Polynomials in s on [a, b], by their Bernstein coefficients times the binomials: these multiply
-# like those of powers, and where all have one sign, so has the polynomial.
+class Proof:
+    """The operands, the steps and the claims that hold so far, and what may still be spent. Each
+    member of a claim is compared with what the steps have shown."""
 
-Polynomial = list[Fraction]
-
-
-def times(f: Polynomial, g: Polynomial) -> Polynomial:
-    product = [Fraction(0)] * (len(f) + len(g) - 1)
-    for i, x in enumerate(f):
-        for j, y in enumerate(g):
-            product[i + j] += x * y
-    return product
-
-
-def minors(u: list[Polynomial], v: list[Polynomial]) -> list[Polynomial]:
-    """The cross product of two vectors of three polynomials."""
-    products = [(times(u[i], v[j]), times(u[j], v[i])) for i, j in ((1, 2), (2, 0), (0, 1))]
-    return [[x - y for x, y in zip(*pair, strict=True)] for pair in products]
-
-
-def predicate(value: Json, proof: Proof, a: Fraction, b: Fraction) -> set[int]:
-    """The signs of the coefficients of `orientation` of three points s p + q (positive: they turn
-    left), or of `concurrent`, three lines, each through two such points (zero: they meet in a point
-    or are parallel)."""
-    name, entries = items(value, 2)
-
-    def point(entry: Json) -> list[Polynomial]:
-        vertices = [
-            operand.exact[index(i, len(operand.exact))] if i is not None else [Fraction(0)] * 2
-            for i, operand in zip(items(entry, 2), proof.operands.values(), strict=True)
-        ]
-        return [
-            *([a * p + q, b * p + q] for p, q in zip(*vertices, strict=True)),
-            [Fraction(1)] * 2,
-        ]
-
-    require(name in ("orientation", "concurrent"), f"there is no predicate {name!r}")
-    rows = [
-        point(entry) if name == "orientation" else minors(*map(point, items(entry, 2)))
-        for entry in items(entries, 3)
-    ]
-    terms = [times(x, y) for x, y in zip(rows[0], minors(rows[1], rows[2]), strict=True)]
-    return {(c > 0) - (c < 0) for c in map(sum, zip(*terms, strict=True))}
-
-
-# The claims: what is certified. Each member is compared with what the steps have shown.
-
-
-class Claims:
-    def __init__(self, proof: Proof) -> None:
-        self.proof = proof
+    def __init__(self, P: Operand, Q: Operand, seconds: float, tests: int) -> None:
+        require(not (P.thin and Q.thin), "both operands are points or segments")
+        self.operands = {"P": P, "Q": Q}
+        self.unit = lcm(*(c.denominator for o in (P, Q) for point in o.exact for c in point))
+        for o in (P, Q):
+            o.points = [(int(x * self.unit), int(y * self.unit), 1) for x, y in o.exact]
+        self.steps: list[Any] = []
+        self.used: set[int] = set()
         self.shown: list[Any] = []  # the region, or the regions, that a claim is about
         self.said: list[str] = []
+        self.deadline, self.tests = time.monotonic() + seconds, tests
 
-    def add(self, claim: Json) -> None:
+    def spend(self, tests: int) -> None:
+        self.tests -= tests
+        within = self.tests >= 0 and time.monotonic() <= self.deadline
+        demand(within, "a limit is reached (--seconds, --tests)", OUT_OF_BUDGET)
+
+    def operand(self, name: Json) -> Operand:
+        require(name in ("P", "Q"), f"{name!r} is no operand")
+        return self.operands[name]
+
+    def step(self, value: Json, kind: type[Kind]) -> Kind:
+        step = self.steps[index(value, len(self.steps))]
+        require(isinstance(step, kind), f"step {value} is no {kind.__name__.lower()}")
+        self.used.add(value)
+        return step  # type: ignore[no-any-return]
+
+    def claim(self, value: Json, kind: type[Kind]) -> Kind:
+        shown = self.shown[index(value, len(self.shown))]
+        require(isinstance(shown, kind), f"claim {value} is of another kind")
+        return shown  # type: ignore[no-any-return]
+
+    def region(self, step: Json, scale: Json) -> Region:
+        region = self.step(step, Region)
+        demand(region.scales == [scale_of(scale)], "the step is about another scale")
+        return region
+
+    def add_step(self, step: Json) -> None:
+        rule = step.get("rule") if isinstance(step, dict) else None
+        require(rule in ("pieces", "eq", "move"), f"there is no rule {rule!r}")
+        self.steps.append((Pieces if rule == "pieces" else Region)(step, self))
+
+    def add_claim(self, claim: Json) -> None:
         kind = claim.get("claim") if isinstance(claim, dict) else None
         known = ("sum", "interval", "event", "point", "passage", "sign")
         require(kind in known, f"there is no claim {kind!r}")
-        said, shown = getattr(self, str(kind))(claim)
+        said, shown = getattr(self, f"add_{kind}")(claim)
         self.said.append(f"{kind}: {said}")
         self.shown.append(shown)
 
-    def earlier(self, value: Json, kind: type[Kind]) -> Kind:
-        found = self.shown[index(value, len(self.shown))]
-        require(isinstance(found, kind), f"claim {value} is of another kind")
-        return found  # type: ignore[no-any-return]
-
-    def sum(self, claim: Json) -> tuple[str, Region]:
+    def add_sum(self, claim: Json) -> tuple[str, Region]:
         """The sum at a scale, by its digest, and by its canonical form if that is given."""
         names = "claim scale step components holes digest polygons?"
         scale, step, components, holes, digest, polygons = members(claim, names)[1:]
-        region = self.proof.step(step, Region)
-        demand(region.scales == [scale_of(scale)], "the step is about another scale")
+        region = self.region(step, scale)
         numbers = [integer(components), integer(holes)]
         demand(region.counts == numbers, "components or holes are others")
         form = plain(region.polygons)
@@ -654,18 +593,17 @@ class Claims:
         demand(polygons in (None, form["polygons"]), "the polygons are others")
         return f"at {scale}, {components} components, {holes} holes, {digest}", region
 
-    def interval(self, claim: Json) -> tuple[str, list[Region]]:
+    def add_interval(self, claim: Json) -> tuple[str, list[Region]]:
         """No event of the boundary between two scales: its vertices are linear in s."""
         names = "claim from to steps components holes digest"
         a, b, steps, components, holes, digest = members(claim, names)[1:]
-        regions = [self.proof.step(step, Region) for step in items(steps)]
+        regions = [self.step(step, Region) for step in items(steps)]
         lengths = [len(region.scales) for region in regions]
         require(lengths == [2, *[1, 2] * (len(regions) // 2)], "moves, and scales between")
         ends = [s for region in regions for s in region.scales]
         joints = [s for region in regions[1::2] for s in region.scales * 3]
-        demand(
-            ends == [scale_of(a), *joints, scale_of(b)], "the steps do not reach from end to end"
-        )
+        reach = ends == [scale_of(a), *joints, scale_of(b)]
+        demand(reach, "the steps do not reach from end to end")
         numbers = [integer(components), integer(holes)]
         for region in regions:
             demand(region.counts == numbers, "components or holes are others")
@@ -675,62 +613,86 @@ class Claims:
         demand(digest_of(plain(regions[0].polygons)) == digest, "the digest is another")
         return f"from {a} to {b}, {components} components, {holes} holes, {digest}", regions
 
-    def event(self, claim: Json) -> tuple[str, None]:
+    def add_event(self, claim: Json) -> tuple[str, None]:
         """At a scale, and just below and above it, the boundary or the topology is not the same."""
         scale, kind, before, at, after = members(claim, "claim scale kind before at after")[1:]
         require(kind in ("boundary", "topology"), f"there is no event {kind!r}")
-        low, high = self.earlier(before, list), self.earlier(after, list)
-        here, s = self.earlier(at, Region), scale_of(scale)
+        low, high = self.claim(before, list), self.claim(after, list)
+        here, s = self.claim(at, Region), scale_of(scale)
         demand(low[-1].scales[1] == here.scales[0] == high[0].scales[0] == s, "not at one scale")
         same = low[0].polygons == high[0].polygons and low[0].at(s) == here.polygons
         if kind == "topology":
             same = low[0].counts == here.counts == high[0].counts
         demand(not same, "nothing changes")
-        return (
-            f"{kind} at {scale}, and no event of the boundary from {low[0].scales[0]} to it",
-            None,
-        )
+        return f"{kind} at {scale}, no event of the boundary from {low[0].scales[0]} to it", None
 
-    def point(self, claim: Json) -> tuple[str, None]:
+    def add_point(self, claim: Json) -> tuple[str, None]:
         """A point of the sum: s p + q, p in a piece of P and q in one of Q."""
         scale, point, p, q, steps, nodes = members(claim, "claim scale point p q by pieces")[1:]
         parts = vector(p), vector(q)
         made = tuple(scale_of(scale) * x + y for x, y in zip(*parts, strict=True))
         demand(made == vector(point), "s p + q is another point")
-        for name, at, step, node in zip("PQ", parts, items(steps, 2), items(nodes, 2), strict=True):
-            pieces = self.proof.step(step, Pieces)
+        for name, part, step, node in zip(
+            "PQ", parts, items(steps, 2), items(nodes, 2), strict=True
+        ):
+            pieces = self.step(step, Pieces)
             require(pieces.operand.name == name and not pieces.operand.thin, f"no pieces of {name}")
-            ring = pieces.hulls[index(node, pieces.solid.count(True))]
-            at = tuple(c * self.proof.unit for c in at)
-            turns = (cross(minus(b, a), minus(at, a)) for a, b in edges_of(ring))
-            demand(all(turn >= 0 for turn in turns), f"{at} is not in piece {node} of {name}")
+            ring = pieces.hulls[index(node, pieces.children.count([]))]
+            at = part[0] * self.unit, part[1] * self.unit, 1
+            turns = (cross(direction(a, b), direction(a, at)) for a, b in edges_of(ring))
+            demand(all(turn >= 0 for turn in turns), f"{part} is not in piece {node} of {name}")
         return f"{point} at {scale}", None
 
-    def passage(self, claim: Json) -> tuple[str, None]:
+    def add_passage(self, claim: Json) -> tuple[str, None]:
         """Points inside the sum, along edges of cells, that the sum of the interiors misses."""
         scale, step, points, path = members(claim, "claim scale step points path")[1:]
-        region = self.proof.step(step, Region)
-        demand(region.scales == [scale_of(scale)], "the step is about another scale")
+        region = self.region(step, scale)
         ids = [region.point(i) for i in items(path)]
         demand([region.vertex(i) for i in ids] == list(map(vector, items(points))), "other points")
         contacts = [(ids[0],)] if len(ids) == 1 else list(itertools.pairwise(ids))
         require(bool(contacts), "a passage has no point")
         for contact in contacts:
-            shown = contact in region.contacts and region.is_within(contact)
-            demand(
-                shown, f"{contact} is not inside the sum, or not apart from that of the interiors"
-            )
+            demand(contact in region.contacts, f"{contact} is no contact")
+            demand(region.is_within(contact), f"{contact} is not inside the sum")
         return f"{points} at {scale}", None
 
-    def sign(self, claim: Json) -> tuple[str, None]:
+    def add_sign(self, claim: Json) -> tuple[str, None]:
         """The sign of a predicate between two scales, or at one; zero at one means a root there."""
         of, a, b, sign = members(claim, "claim of from to sign")[1:]
         require(scale_of(a) <= scale_of(b), "the scales do not ascend")
         require(integer(sign) in (-1, 0, 1), "this is no sign")
-        signs = predicate(of, self.proof, number(a), number(b))
+        signs = self.signs(of, [number(a), number(b)])
         good = signs == {0} if sign == 0 else {sign} <= signs <= {0, sign}
         demand(good, f"{of} has the signs {sorted(signs)} from {a} to {b}")
         return f"{of} has the sign {sign} from {a} to {b}", None
+
+    def signs(self, predicate: Json, ends: list[Fraction]) -> set[int]:
+        """Those of the Bernstein coefficients, from one scale to another, of `orientation` of three
+        points s p + q (positive: they turn left), or of `concurrent`, three lines, each through two
+        such points (zero: they meet in a point or are parallel). Both are linear in each point, and
+        a coefficient adds up the values with so many points at the second scale."""
+        name, entries = items(predicate, 2)
+        require(name in ("orientation", "concurrent"), f"there is no predicate {name!r}")
+        points = items(entries, 3)
+        if name == "concurrent":
+            points = [point for line in points for point in items(line, 2)]
+        moving = [[self.point(point, s) for s in ends] for point in points]
+        sums = [Fraction(0)] * (len(points) + 1)
+        for choice in itertools.product((0, 1), repeat=len(points)):
+            u, v, w, *more = (point[end] for point, end in zip(moving, choice, strict=True))
+            if more:
+                u, v, w = across(u, v), across(w, more[0]), across(more[1], more[2])
+            sums[sum(choice)] += sum(x * y for x, y in zip(u, across(v, w), strict=True))
+        return {(c > 0) - (c < 0) for c in sums}
+
+    def point(self, value: Json, s: Fraction) -> Triple:
+        """Vertex i of sP plus vertex j of Q, null for none of it."""
+        x, y = Fraction(0), Fraction(0)
+        for i, name in zip(items(value, 2), "PQ", strict=True):
+            if i is not None:
+                at = self.operands[name].exact[index(i, len(self.operands[name].exact))]
+                x, y = (c + (s if name == "P" else 1) * d for c, d in zip((x, y), at, strict=True))
+        return x, y, Fraction(1)
 
 
 def check(path: Path, case: Path | None, seconds: float, tests: int, size: int) -> list[str]:
@@ -744,28 +706,20 @@ def check(path: Path, case: Path | None, seconds: float, tests: int, size: int) 
     value = read_json(case or path.parent / name, 1 << 30, decimals=True)
     require(isinstance(value, dict), "this is no case")
     P, Q = (Operand(value.get(operand), operand) for operand in "PQ")
-    demand(
-        digest_of({"P": P.plain, "Q": Q.plain}) == digest, "this is not the case that is certified"
-    )
+    found = digest_of({"P": P.plain, "Q": Q.plain})
+    demand(found == digest, "this is not the case that is certified")
     proof = Proof(P, Q, seconds, tests)
-    for i, step in enumerate(items(steps)):
-        rule = step.get("rule") if isinstance(step, dict) else None
-        require(rule in ("pieces", "eq", "move"), f"step {i}: there is no rule {rule!r}")
-        try:
-            proof.steps.append((Pieces if rule == "pieces" else Region)(step, proof))
-        except NotVerified as error:
-            raise NotVerified(error.code, f"step {i} ({rule}): {error}") from error
-    different = {digest_of(claim) for claim in items(claims)}
-    require(len(different) == len(claims), "a claim is made twice")
-    shown = Claims(proof)
-    for i, claim in enumerate(items(claims)):
-        try:
-            shown.add(claim)
-        except NotVerified as error:
-            raise NotVerified(error.code, f"claim {i}: {error}") from error
-    require(bool(shown.said), "nothing is claimed")
+    for what, entries, add in (("step", steps, proof.add_step), ("claim", claims, proof.add_claim)):
+        twice = what == "claim" and len(set(map(digest_of, items(entries)))) < len(entries)
+        require(not twice, "a claim is made twice")
+        for i, entry in enumerate(items(entries)):
+            try:
+                add(entry)
+            except NotVerified as error:
+                raise NotVerified(error.code, f"{what} {i}: {error}") from error
+    require(bool(claims), "nothing is claimed")
     require(len(proof.used) == len(proof.steps), "a step is not used")
-    return shown.said
+    return proof.said
 
 
 def verdict(

@@ -84,11 +84,17 @@ def another(value: dict[str, Any]) -> Spoil:
         (lambda c: c["case"].__setitem__("sha256", "0" * 64), REFUTED, "not the case"),
         (another(POINT | {"point": ["3", "1"]}), REFUTED, "s p + q is another"),
         (another(POINT | {"p": ["2", "1/2"], "point": ["5/2", "1"]}), REFUTED, "not in"),
+        (lambda c: (c["steps"][0].update(pieces=[[0, 1, 2], [0, 2, 3]], groups=[[0, 1]]),
+                    entry(2, "proofs", 0, ["cov", 2, 0])(c),
+                    another(POINT | {"pieces": [2, 0]})(c)), MALFORMED, "no number 2"),
         (another(SIGN | {"sign": -1}), REFUTED, "sign"),
         (another(SIGN | {"sign": 0}), REFUTED, "sign"),
         (another(SIGN | {"of": ["area", []]}), MALFORMED, "predicate"),
         (another({"claim": "passage", "scale": "1", "step": 2, "points": [["2", "0"]],
-                  "path": [9]}), REFUTED, "not inside"),
+                  "path": [9]}), REFUTED, "no contact"),
+        (lambda c: (c["steps"][2]["contacts"].append([[9], 0]), another({
+            "claim": "passage", "scale": "1", "step": 2, "points": [["2", "0"]], "path": [9]
+            })(c)), REFUTED, "not inside"),
         (another({"claim": "passage", "scale": "1", "step": 2, "points": [["1", "0"]],
                   "path": [9]}), REFUTED, "other points"),
         (another({"claim": "event", "scale": "1", "kind": "boundary", "before": 0, "at": 0,

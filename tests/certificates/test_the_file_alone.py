@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import ast
 import gzip
+import io
 import json
 import shutil
 import subprocess
 import sys
+import tokenize
 from pathlib import Path
 from typing import Any
 
@@ -86,3 +89,18 @@ def test_the_worst_of_several_counts(folder: Path) -> None:
     (folder / "no.cert.json").write_text(json.dumps(spoilt), encoding="utf-8")
     assert alone(folder, "nowhere", "no.cert.json", "it.cert.json").returncode == 1
     assert alone(folder, "nowhere", "it.cert.json").returncode == 2
+
+
+def test_it_is_short_enough_to_be_read() -> None:
+    """Fewer than 600 lines of code; blank lines, comments and docstrings apart."""
+    text = CHECKER.read_text(encoding="utf-8")
+    passed = {tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT}
+    tokens = tokenize.generate_tokens(io.StringIO(text).readline)
+    lines = {token.start[0] for token in tokens if token.type not in passed}
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.Module | ast.ClassDef | ast.FunctionDef) and ast.get_docstring(
+            node
+        ):
+            first = node.body[0]
+            lines -= set(range(first.lineno, (first.end_lineno or first.lineno) + 1))
+    assert len(lines) < 600
