@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
+from fractions import Fraction
 from typing import Any
 
 from minkref import _core
@@ -18,6 +20,26 @@ def case_digest(P: _core.PolygonSet, Q: _core.PolygonSet) -> str:
     """SHA-256 of both operands with numbers in lowest terms (docs/certificates.md)."""
     value = {"P": _polygons(P), "Q": _polygons(Q)}
     return digest(json.dumps(value, sort_keys=True, separators=(",", ":")))
+
+
+def places(operand: _core.PolygonSet) -> list[tuple[Fraction, Fraction]]:
+    """Its vertices as a certificate numbers them."""
+    return [(Fraction(x), Fraction(y)) for ring in _rings(operand) for x, y in ring]
+
+
+def ring_numbers(operand: _core.PolygonSet) -> list[range]:
+    """The numbers of the vertices of each ring."""
+    numbers: list[range] = []
+    first = 0
+    for ring in _rings(operand):
+        numbers.append(range(first, first + len(ring)))
+        first += len(ring)
+    return numbers
+
+
+def _rings(operand: _core.PolygonSet) -> Iterator[list[list[str]]]:
+    for polygon in _polygons(operand):
+        yield from (polygon["outer"], *polygon["holes"])
 
 
 def _polygons(operand: _core.PolygonSet) -> list[Any]:

@@ -8,8 +8,10 @@ from pathlib import Path
 from typing import Any
 
 from minkref import _core
-from minkref.certify.case_text import case_digest, case_text
+from minkref.certify.case_text import case_digest, case_text, places
+from minkref.certify.coincidence import coincidences
 from minkref.certify.moving_form import form_at, moving_form
+from minkref.certify.predicate import Place, Predicate, Vertices
 from minkref.certify.simplest import simplest_between
 from minkref.exact import digest
 from minkref.version import version
@@ -30,14 +32,15 @@ class Certificate:
     def __init__(self, P: _core.PolygonSet, Q: _core.PolygonSet) -> None:
         self.P, self.Q = P, Q
         self._prover = _core.Prover(P, Q)
-        self._steps = [self._prover.pieces("P"), self._prover.pieces("Q")]
+        self._steps: list[str] = []
+        self._vertices = Vertices(places(P), places(Q))
         self.claims: list[dict[str, Any]] = []
 
     def sum(self, scale: str | Fraction, passages: bool = False) -> int:
         """The sum at a scale; with its tight passages, each a claim of its own, after it."""
         text = str(Fraction(scale))
         step, region, components, holes, found = self._prover.prove(
-            text, self._prover.box(text), PIECES, passages
+            text, self._prover.box(text), self._pieces(), passages
         )
         number = self._step(step)
         claim = self._claim(
@@ -56,7 +59,8 @@ class Certificate:
         at, first = a, ""
         while at < b:
             if steps:
-                step, *_ = self._prover.prove(str(at), self._prover.box(str(at)), PIECES, False)
+                box = self._prover.box(str(at))
+                step, *_ = self._prover.prove(str(at), box, self._pieces(), False)
                 steps.append(self._step(step))
             step, at, form, components, holes = self._move(at, b)
             steps.append(self._step(step))
@@ -68,21 +72,68 @@ class Certificate:
             holes=holes, digest=digest(first),
         )  # fmt: skip
 
-    def event(self, scale: str | Fraction, kind: str, from_scale: str | Fraction) -> int:
+    def event(
+        self, scale: str | Fraction, from_scale: str | Fraction, kind: str | None = None
+    ) -> int:
         """A boundary or topology event at a scale: what is below, none in between, what is at it,
-        and what is just above."""
+        and what is just above. Without `kind` a topology event if it is one."""
         s = Fraction(scale)
         before = self.interval(from_scale, s)
         at = self.sum(s)
         step, end, form, components, holes = self._move(s, 2 * s)
-        if kind == "boundary" and (holds := self.claims[before])["digest"] == digest(form):
-            if self._is_at(form, s, at):
-                raise NoProof(f"the boundary has no event at {s}, and none after {holds['from']}")
+        below, here = self.claims[before], self.claims[at]
+        counts = {(c["components"], c["holes"]) for c in (below, here)} | {(components, holes)}
+        kind = kind or ("topology" if len(counts) > 1 else "boundary")
+        if kind == "topology" and len(counts) == 1:
+            raise NoProof(f"components and holes are the same below, at and above {s}")
+        if kind == "boundary" and below["digest"] == digest(form) and self._is_at(form, s, at):
+            raise NoProof(f"the boundary has no event at {s}, and none after {below['from']}")
         after = self._claim(
             "interval", **{"from": str(s), "to": str(end)}, steps=[self._step(step)],
             components=components, holes=holes, digest=digest(form),
         )  # fmt: skip
         return self._claim("event", scale=str(s), kind=kind, before=before, at=at, after=after)
+
+    def point(self, scale: str | Fraction, point: tuple[str, str]) -> int:
+        """That a point is in the sum."""
+        s = Fraction(scale)
+        answer = _core.decide(self.P, self.Q, str(s), *point)
+        if answer["contact"] == "empty":
+            raise NoProof(f"the point ({point[0]}, {point[1]}) is not in the sum at {s}")
+        parts = [(Fraction(x), Fraction(y)) for x, y in (answer["p"], answer["q"])]
+        by = self._pieces()
+        pieces = [self._piece(step, part) for step, part in zip(by, parts, strict=True)]
+        p, q = ([str(x) for x in part] for part in parts)
+        return self._claim(
+            "point", scale=str(s), point=list(point), p=p, q=q, by=list(by), pieces=pieces
+        )
+
+    def sign(self, of: Predicate, from_scale: str | Fraction, to_scale: str | Fraction) -> int:
+        """The sign of a predicate (certify/predicate.py) at all scales between two, or at one."""
+        a, b = Fraction(from_scale), Fraction(to_scale)
+        sign = self._vertices.sign_between(of, a, b)
+        if sign is None:
+            raise NoProof(f"no one sign between {a} and {b} is seen in the coefficients")
+        return self._claim("sign", of=of, **{"from": str(a), "to": str(b)}, sign=sign)
+
+    def zero(self, of: Predicate, scale: str | Fraction) -> list[int]:
+        """That a predicate is zero at a scale, and its signs just below and above; or that it is
+        zero at all scales, said of half to double of this one."""
+        s = Fraction(scale)
+        if self._vertices.value(of, s) != 0:
+            raise NoProof(f"{of[0]} is not zero at {s}")
+        if self._vertices.sign_between(of, s, s + 1) == 0:
+            return [self.sign(of, s / 2, 2 * s)]
+        return [self.sign(of, *ends) for ends in (self._beside(of, s, 0), (s, s),
+                                                  self._beside(of, s, 2 * s))]  # fmt: skip
+
+    def degeneracy(self, scale: str | Fraction) -> list[int]:
+        """What makes a scale critical: for all edges of the convolution that start or stop to meet
+        there, alone or three in a point, the predicate that is zero at it, and its signs beside."""
+        found = coincidences(self.P, self.Q, self._vertices, Fraction(scale))
+        if not found:
+            raise NoProof(f"no edges of the convolution start or stop to meet at {scale}")
+        return [claim for of in found for claim in self.zero(of, scale)]
 
     def text(self, case: Path | str, title: str = "") -> str:
         """The certificate; `case`: the path of its case, relative to its own."""
@@ -106,6 +157,31 @@ class Certificate:
         wanted: str = self.claims[claim]["digest"]
         return digest(form_at(form, s)) == wanted
 
+    def _pieces(self) -> tuple[int, int]:
+        if not self._steps:
+            self._steps += [self._prover.pieces("P"), self._prover.pieces("Q")]
+        return PIECES
+
+    def _piece(self, step: int, place: Place) -> int:
+        """The piece of an operand that a point of it is in."""
+        value = json.loads(self._steps[step])
+        vertices = (self._vertices.P, self._vertices.Q)[step]
+        for number, piece in enumerate(value["pieces"]):
+            corners = [vertices[i] for i in piece]
+            sides = zip(corners, corners[1:] + corners[:1], strict=True)
+            if len(piece) > 2 and all(_turn(a, b, place) >= 0 for a, b in sides):
+                return number
+        raise NoProof("a point or a segment has no pieces for a claim about a point")
+
+    def _beside(self, of: Predicate, s: Fraction, end: Fraction | int) -> tuple[Fraction, Fraction]:
+        """Scales from s towards an end, in order, between which the sign of a predicate is seen."""
+        other = Fraction(end)
+        while True:
+            other = simplest_between(*sorted(((s + other) / 2, (s + 3 * other) / 4)))
+            low, high = sorted((s, other))
+            if self._vertices.sign_between(of, low, high):
+                return low, high
+
     def _step(self, text: str) -> int:
         self._steps.append(text)
         return len(self._steps) - 1
@@ -121,7 +197,7 @@ class Certificate:
         for _ in range(MOST_ATTEMPTS):
             third = (low - a) / 3
             s = simplest_between(a + third, low - third)
-            found = self._prover.prove_around(str(s), box, PIECES, str(a), str(b))
+            found = self._prover.prove_around(str(s), box, self._pieces(), str(a), str(b))
             if found is None:  # lines meet at this scale that do not at others
                 low = s
                 continue
@@ -131,3 +207,7 @@ class Certificate:
                 return step, Fraction(end), form, components, holes
             low = Fraction(begin)
         raise RuntimeError(f"there is no proof from {a} on")
+
+
+def _turn(a: Place, b: Place, c: Place) -> Fraction:
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])

@@ -38,7 +38,7 @@ def read_scale(text: str, option: str = "--scale") -> str:
             "give one positive number",
             "scale-not-uniform",
         )
-    value = _read(text, where, mend)
+    value = _read(text, "scale", where, mend)
     if value == 0:
         raise Refusal("the scale is zero: 0 P is a point", where, mend, "scale-zero")
     if value < 0:
@@ -46,15 +46,28 @@ def read_scale(text: str, option: str = "--scale") -> str:
     return str(value)
 
 
-def _read(text: str, where: str, mend: str) -> Fraction:
+def read_point(text: str, option: str = "--point") -> tuple[str, str]:
+    """`x,y` in lowest terms, each read as a scale is. Refuses what are not two finite numbers."""
+    where = f"{option} {text[:40]}{'...' if len(text) > 40 else ''}"
+    mend = "give two numbers, for example 1/3,-0.25"
+    parts = text.split(",")
+    if len(text) > 2 * LONGEST_SCALE:
+        raise Refusal("the point has too many characters", where, mend, "limit")
+    if len(parts) != 2:
+        raise Refusal("this is no point", where, mend, "point-not-two-numbers")
+    x, y = (str(_read(part.strip(), "point", where, mend)) for part in parts)
+    return x, y
+
+
+def _read(text: str, what: str, where: str, mend: str) -> Fraction:
     fraction = _FRACTION.fullmatch(text)
     if fraction:
         if int(fraction[2]) == 0:
-            raise Refusal("the denominator is zero", where, mend, "scale-not-a-number")
+            raise Refusal("the denominator is zero", where, mend, f"{what}-not-a-number")
         return Fraction(int(fraction[1]), int(fraction[2]))
     decimal = _DECIMAL.fullmatch(text)
     if not decimal:
-        raise Refusal("the scale is not a number", where, mend, "scale-not-a-number")
+        raise Refusal(f"the {what} is not a number", where, mend, f"{what}-not-a-number")
     if decimal[2] and abs(int(decimal[2][1:])) > LARGEST_EXPONENT:
         raise Refusal(
             f"the exponent is beyond {LARGEST_EXPONENT}",

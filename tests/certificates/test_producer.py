@@ -55,7 +55,7 @@ def test_events(check: Any, tmp_path: Path, family: str) -> None:
     scales = sorted({Fraction(row[0]) for row in dynamic.boundary_events()})
     for i, scale in enumerate(scales[:2]):
         certificate = Certificate(case.P, case.Q)
-        certificate.event(scale, "boundary", scales[i - 1] if i else scale / 2)
+        certificate.event(scale, scales[i - 1] if i else scale / 2)
         code, said = check(written(certificate, tmp_path))
         assert code == 0, (case.name.text, str(scale), said)
 
@@ -71,19 +71,59 @@ def triangle_in_frame() -> tuple[_core.PolygonSet, _core.PolygonSet]:
 
 def test_the_death_of_a_hole(check: Any, tmp_path: Path) -> None:
     certificate = Certificate(*triangle_in_frame())
-    certificate.event("541/186", "topology", 1)
+    certificate.event("541/186", 1)
+    assert certificate.claims[-1]["kind"] == "topology"
     code, said = check(written(certificate, tmp_path))
     assert code == 0, said
     holes = [claim["holes"] for claim in certificate.claims if "holes" in claim]
     assert holes == [1, 0, 0]
 
 
+@pytest.mark.parametrize("family", ["random", "holes", "comb", "touching", "degenerate", "fit"])
+def test_degeneracies(check: Any, tmp_path: Path, family: str) -> None:
+    """What makes each of the first critical scales critical: a zero there, and the signs beside."""
+    case = case_of(f"{family}:{SEED}:2")
+    events = _core.ArrangementEvents(case.P, case.Q)
+    rows = events.rows(events.of_kind("arrangement"))
+    for scale in list(dict.fromkeys(row[0] for row in rows))[:5]:
+        certificate = Certificate(case.P, case.Q)
+        certificate.degeneracy(scale)
+        zeros = [claim for claim in certificate.claims if claim["sign"] == 0]
+        assert any(claim["from"] == claim["to"] == scale for claim in zeros)
+        code, said = check(written(certificate, tmp_path))
+        assert code == 0, (case.name.text, scale, said)
+
+
+def test_three_edges_in_one_point(check: Any, tmp_path: Path) -> None:
+    certificate = Certificate(*triangle_in_frame())
+    certificate.degeneracy("541/186")
+    assert [claim["sign"] for claim in certificate.claims] in ([-1, 0, 1], [1, 0, -1])
+    assert {claim["of"][0] for claim in certificate.claims} == {"concurrent"}
+    code, said = check(written(certificate, tmp_path))
+    assert code == 0, said
+
+
+def test_points_of_the_sum(check: Any, tmp_path: Path) -> None:
+    certificate = Certificate(*triangle_in_frame())
+    corner = json.loads(certificate.case())["Q"]["polygons"][0]["outer"][0]
+    certificate.point(2, (str(2 * -3 + int(corner[0])), str(2 * -2 + int(corner[1]))))
+    certificate.point("7/3", ("45", "1/3"))
+    code, said = check(written(certificate, tmp_path))
+    assert code == 0, said
+    with pytest.raises(NoProof, match="not in the sum"):
+        certificate.point(1, ("0", "0"))
+
+
 def test_what_does_not_hold_has_no_proof() -> None:
     certificate = Certificate(*triangle_in_frame())
+    with pytest.raises(NoProof, match="start or stop to meet"):
+        certificate.degeneracy(2)
+    with pytest.raises(NoProof, match="is not zero"):
+        certificate.zero(("orientation", ((0, 0), (1, 0), (2, 0))), 2)
     with pytest.raises(NoProof, match="has an event between"):
         certificate.interval(2, 3)
     with pytest.raises(NoProof, match="has no event at 2"):
-        certificate.event(2, "boundary", 1)
+        certificate.event(2, 1)
 
 
 @pytest.mark.parametrize("name", [f"holes:{SEED}:1", f"touching:{SEED}:2"])

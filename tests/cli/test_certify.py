@@ -26,6 +26,8 @@ def operands(tmp_path: Path) -> tuple[str, str]:
         (["--scale", "541/186"], ["sum"]),
         (["--event", "541/186"], ["interval", "sum", "interval", "event"]),
         (["--from", "1", "--to", "541/186"], ["interval"]),
+        (["--degeneracy", "541/186"], ["sign", "sign", "sign"]),
+        (["--scale", "2", "--point", "45,1/3"], ["point"]),
     ],
 )
 @pytest.mark.parametrize("ending", [".cert.json", ".cert.json.gz"])
@@ -58,6 +60,13 @@ def test_what_is_certified_is_verified(
         (["--from", "2", "--to", "1"], "the interval is empty"),
         (["--event", "1", "--from", "2"], "not below the event"),
         (["--event", "1", "--scale", "2"], "do not go together"),
+        (["--degeneracy", "1", "--scale", "2"], "do not go together"),
+        (["--degeneracy", "1", "--from", "2"], "do not go together"),
+        (["--event", "1", "--point", "2,3"], "do not go together"),
+        (["--degeneracy", "2"], "start or stop to meet at 2"),
+        (["--point", "0,0"], "not in the sum"),
+        (["--point", "0"], "no point"),
+        (["--point", "0,x"], "the point is not a number"),
         (["--scale", "0"], "--scale"),
     ],
 )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gzip
 import sys
+from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
 from typing import Annotated
@@ -22,7 +23,7 @@ from minkref.documents import (
     write_atomically,
 )
 from minkref.errors import Refusal, refusing
-from minkref.exact import read_scale
+from minkref.exact import read_point, read_scale
 from minkref.operand import read_operand
 from minkref.options import Json, Schema
 from minkref.signals import interruptible
@@ -33,6 +34,10 @@ EXAMPLES = """Examples:
 minkref certify disc1 cells1815 -o sum.cert.json
 
 minkref certify P.wkt Q.wkt --event 541/186 -o event.cert.json
+
+minkref certify P.wkt Q.wkt --degeneracy 541/186 -o zero.cert.json
+
+minkref certify P.wkt Q.wkt --scale 2 --point 1/3,5 -o point.cert.json
 
 minkref certify g1 g2 --from 1 --to 11/10 -o interval.cert.json.gz"""
 
@@ -61,6 +66,19 @@ def command(
         str | None, typer.Option("--from", metavar="A", help="No event between A and --to.")
     ] = None,
     to_scale: Annotated[str | None, typer.Option("--to", metavar="B", help="See --from.")] = None,
+    degeneracy: Annotated[
+        str | None,
+        typer.Option(
+            "--degeneracy",
+            metavar="S",
+            help="What makes the scale critical: which edges of the convolution meet there, as "
+            "predicates that are zero at it, and their signs below and above.",
+        ),
+    ] = None,
+    point: Annotated[
+        str | None,
+        typer.Option("--point", metavar="X,Y", help="Only that this point is in the sum at S."),
+    ] = None,
     json: Json = False,
     schema: Schema = False,
 ) -> None:
@@ -69,9 +87,8 @@ def command(
     watch = Stopwatch()
     stem = _stem(output)
     case = output.with_name(f"{stem}.case.json")
-    if (scale is not None and event is not None) or (to_scale is not None and event is not None):
-        mend = "choose --scale S, --event S, or --from A --to B"
-        raise Refusal("these options do not go together", "options", mend)
+    wish = Wish(scale, event, from_scale, to_scale, degeneracy, point)
+    wish.check()
     with interruptible():
         first, second = read_operand(P), read_operand(Q)
         for path in (output, case):
@@ -80,7 +97,7 @@ def command(
         operands = f"{first.name} and {second.name}"
         certificate = refusing(operands, lambda: Certificate(first.set, second.set))
         try:
-            _claim(certificate, scale, event, from_scale, to_scale)
+            wish.claim(certificate)
         except NoProof as error:
             mend = "`minkref events P Q --kind boundary` lists the events"
             raise Refusal(str(error), operands, mend, "no-proof") from error
@@ -113,28 +130,50 @@ def _stem(output: Path) -> str:
     raise Refusal("this is no name for a certificate", str(output), mend)
 
 
-def _claim(
-    certificate: Certificate,
-    scale: str | None,
-    event: str | None,
-    from_scale: str | None,
-    to_scale: str | None,
-) -> None:
-    if event is not None:
-        s = read_scale(event, "--event")
-        a = read_scale(from_scale, "--from") if from_scale else _before(certificate, s)
-        if Fraction(a) >= Fraction(s):
-            raise Refusal("this is not below the event", "--from", "give a smaller scale")
-        certificate.event(s, "boundary", a)
-    elif from_scale is not None or to_scale is not None:
-        if from_scale is None or to_scale is None:
+@dataclass(frozen=True)
+class Wish:
+    """What is to be certified, as the options say it."""
+
+    scale: str | None
+    event: str | None
+    from_scale: str | None
+    to_scale: str | None
+    degeneracy: str | None
+    point: str | None
+
+    def check(self) -> None:
+        """Refuses options that do not go together."""
+        ends = self.from_scale is not None, self.to_scale is not None
+        if any(ends) and not all(ends) and self.event is None and self.degeneracy is None:
             raise Refusal("an interval has two ends", "options", "give both --from and --to")
-        a, b = read_scale(from_scale, "--from"), read_scale(to_scale, "--to")
-        if Fraction(a) >= Fraction(b):
-            raise Refusal("the interval is empty", "--to", "give a larger scale than --from")
-        certificate.interval(a, b)
-    else:
-        certificate.sum(read_scale(scale or "1"), passages=True)
+        chosen = [self.event is not None, self.degeneracy is not None, self.to_scale is not None]
+        alone = sum(chosen) + (self.scale is not None or self.point is not None) <= 1
+        if not alone or (self.from_scale is not None and not (chosen[0] or chosen[2])):
+            mend = "choose --scale S [--point X,Y], --event S [--from A], --from A --to B, or "
+            raise Refusal("these options do not go together", "options", mend + "--degeneracy S")
+
+    def claim(self, certificate: Certificate) -> None:
+        if self.event is not None:
+            s = read_scale(self.event, "--event")
+            a = (
+                read_scale(self.from_scale, "--from")
+                if self.from_scale
+                else _before(certificate, s)
+            )
+            if Fraction(a) >= Fraction(s):
+                raise Refusal("this is not below the event", "--from", "give a smaller scale")
+            certificate.event(s, a)
+        elif self.to_scale is not None:
+            a, b = read_scale(self.from_scale or "", "--from"), read_scale(self.to_scale, "--to")
+            if Fraction(a) >= Fraction(b):
+                raise Refusal("the interval is empty", "--to", "give a larger scale than --from")
+            certificate.interval(a, b)
+        elif self.degeneracy is not None:
+            certificate.degeneracy(read_scale(self.degeneracy, "--degeneracy"))
+        elif self.point is not None:
+            certificate.point(read_scale(self.scale or "1"), read_point(self.point))
+        else:
+            certificate.sum(read_scale(self.scale or "1"), passages=True)
 
 
 def _before(certificate: Certificate, scale: str) -> str:
