@@ -73,6 +73,12 @@ def items(value: Json, length: int | None = None) -> list[Json]:
     return list(value)
 
 
+def headed(value: Json) -> tuple[Json, list[Json]]:
+    """The first entry of a list, and the others."""
+    require(items(value) != [], "a list is empty")
+    return value[0], value[1:]
+
+
 def integer(value: Json) -> int:
     require(isinstance(value, int) and not isinstance(value, bool), f"{value!r} is no integer")
     return int(value)
@@ -109,17 +115,20 @@ def read_json(path: Path, most: int, decimals: bool) -> Json:
     def refuse(text: str) -> Json:
         raise NotVerified(MALFORMED, f"{text[:60]} is no number here")
 
-    def whole(text: str) -> int:
+    def whole_number(text: str) -> int:
         return int(text) if len(text) <= MOST_DIGITS else refuse(text)
 
     try:
         with path.open("rb") as file:
             data = file.read(most + 1)
-        if data[:2] == b"\x1f\x8b":
-            data = zlib.decompressobj(wbits=31).decompress(data, most + 1)
+        if data[:2] == b"\x1f\x8b" and len(data) <= most:
+            packed = zlib.decompressobj(wbits=31)
+            data = packed.decompress(data, most + 1)
+            whole = len(data) > most or (packed.eof and not packed.unused_data)
+            require(whole, f"{path} is not one whole compressed file")
         demand(len(data) <= most, f"{path} has over {most:,} bytes (--bytes)", OUT_OF_BUDGET)
         real = str if decimals else refuse
-        hooks: Json = {"parse_constant": refuse, "parse_float": real, "parse_int": whole}
+        hooks: Json = {"parse_constant": refuse, "parse_float": real, "parse_int": whole_number}
         return json.loads(data, object_pairs_hook=unique, **hooks)
     except OSError as error:
         raise NotVerified(MALFORMED, f"{path} cannot be read: {error.strerror}") from error
@@ -305,8 +314,8 @@ class Region:
         self.box = [number(value) * proof.unit for value in items(box, 4)]
         self.lines = {wall: self.wall(wall) for wall in range(4)}
         self.points: dict[int, list[Triple]] = {}
-        for entry in map(items, elements):
-            self.add_element(entry)
+        for entry in elements:
+            self.add_element(*headed(entry))
         self.cells = [[self.point(i) for i in items(cell)] for cell in cells]
         self.owner: dict[Edge, int] = {}
         self.directions: dict[Edge, Vector] = {}
@@ -315,13 +324,13 @@ class Region:
         self.check_box()
         self.normals = [self.normal(vector(normal)) for normal in normals]
         self.inside = set()
-        for cell, (how, *code) in enumerate(map(items, items(proofs, len(self.cells)))):
+        for cell, (how, code) in enumerate(map(headed, items(proofs, len(self.cells)))):
             require(how in ("cov", "sep"), f"cell {cell} has no proof")
             check = self.check_cover if how == "cov" else self.check_apart
             check(self.cells[cell], code)
             self.inside |= {cell} if how == "cov" else set()
         self.contacts = set()
-        for ids, *code in map(items, contacts):
+        for ids, code in map(headed, contacts):
             contact = tuple(self.point(i) for i in items(ids))
             require(len(contact) in (1, 2), "a contact is a point or a segment")
             self.check_apart(list(contact), code)
@@ -343,19 +352,18 @@ class Region:
         require(integer(value) in self.points, f"element {value} is no point before this")
         return int(value)
 
-    def add_element(self, entry: list[Json]) -> None:
+    def add_element(self, kind: Json, entry: list[Json]) -> None:
         self.proof.spend(1)
         own = len(self.lines) + len(self.points)
-        kind = entry[0] if entry else None
         if kind == "meet":
-            require(len(entry) == 3 and all(integer(i) in self.lines for i in entry[1:]), "no meet")
-            pairs = zip(self.lines[entry[1]], self.lines[entry[2]], strict=True)
+            require(all(integer(i) in self.lines for i in items(entry, 2)), "no lines to meet")
+            pairs = zip(*(self.lines[i] for i in entry), strict=True)
             self.points[own] = [meet(first, second) for first, second in pairs]
         elif kind == "up":
-            at = self.points[self.point(items(entry, 2)[1])]
+            at = self.points[self.point(items(entry, 1)[0])]
             self.lines[own] = [(w, 0, -x) for x, _, w in at]
         else:
-            self.lines[own] = self.moving_line(self.proof.operand(kind), items(entry, 4)[1:])
+            self.lines[own] = self.moving_line(self.proof.operand(kind), items(entry, 3))
 
     def moving_line(self, mover: Operand, entry: list[Json]) -> list[Triple]:
         """Through vertices i and k of one operand, moved by vertex j of the other."""

@@ -8,6 +8,7 @@
 #include <new>
 
 #include "oracle/checker/claims.hpp"
+#include "oracle/checker/gzip.hpp"
 
 namespace {
 
@@ -15,7 +16,7 @@ using namespace minkref::checker;
 
 constexpr const char* usage =
     "usage: minkref-check [--case FILE] [--seconds N] [--tests N] [--bytes N] FILE...\n"
-    "FILE - is standard input: zcat FILE.gz | minkref-check --case CASE -\n"
+    "FILE may be compressed by gzip; - is standard input.\n"
     "Exit codes: 0 verified, 1 refuted, 2 malformed, 4 out of budget.\n";
 
 std::string read(const std::string& path, std::size_t most) {
@@ -31,7 +32,7 @@ std::string read(const std::string& path, std::size_t most) {
     require(file.good(), path + " cannot be read");
     text.assign(std::istreambuf_iterator<char>(file), {});
   }
-  require(text.substr(0, 2) != "\x1f\x8b", path + " is compressed: zcat it to standard input");
+  if (is_gzip(text)) text = gunzip(text, most);
   demand(text.size() <= most, path + " is too large (--bytes)", Code::out_of_budget);
   return text;
 }

@@ -3,25 +3,31 @@
 from __future__ import annotations
 
 import json
-import sys
+import subprocess
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
-from both_checkers import CHECKER, Check, Verdict, in_cpp, run
+from minkref.reports.evidence.certificates.checkers import in_cpp, in_python
+
+Verdict = tuple[int, str]
+Check = Callable[..., Verdict]
+
+
+def run(command: list[str], *arguments: str) -> Verdict:
+    ran = subprocess.run([*command, *arguments], capture_output=True, text=True, check=False)
+    assert ran.stderr == "", ran.stderr
+    return ran.returncode, ran.stdout
 
 
 @pytest.fixture
 def check() -> Check:
     """Runs both checkers: they exit alike. What the one in Python says."""
-    program = in_cpp()
-    if program is None:
-        pytest.fail("minkref-check is not built: make setup")
 
     def call(path: Path, *options: str) -> Verdict:
-        python = run([sys.executable, str(CHECKER)], *options, str(path))
-        cpp = run([program], *options, str(path))
+        python = run(in_python(), *options, str(path))
+        cpp = run(in_cpp(), *options, str(path))
         assert cpp[0] == python[0], (python[1], cpp[1])
         return python
 

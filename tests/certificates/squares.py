@@ -63,3 +63,63 @@ def certificate() -> dict[str, Any]:
         "claims": [CLAIM],
     }
     return copy.deepcopy(value)
+
+
+MOVING = [
+    {
+        "holes": [],
+        "outer": [
+            ["0", "0", "0", "0"],
+            ["1", "1", "0", "0"],
+            ["1", "1", "1", "1"],
+            ["0", "0", "1", "1"],
+        ],
+    }
+]
+_VERTICAL, _HORIZONTAL = (0, 7, 5, 2), (1, 4, 6, 3)  # lines of EQ, from left to right and upwards
+
+
+def _corner(i: int, j: int) -> int:
+    return 8 + 4 * i + j
+
+
+# Nine cells, as all edges must keep their directions; the one in the middle is the sum.
+MOVE: dict[str, Any] = {
+    **EQ,
+    "rule": "move",
+    "scales": ["1", "2"],
+    "box": ["-1", "-1", "4", "4"],
+    "elements": [
+        *EQ["elements"][:4],
+        *(["meet", a, b] for a in _VERTICAL for b in _HORIZONTAL),
+    ],
+    "cells": [
+        [_corner(i, j), _corner(i + 1, j), _corner(i + 1, j + 1), _corner(i, j + 1)]
+        for i in range(3)
+        for j in range(3)
+    ],
+    "proofs": [
+        *(["sep", 3],) * 3,
+        *(["sep", 0], ["cov", 0, 0], ["sep", 2]),
+        *(["sep", 1],) * 3,
+    ],
+    "polygons": [[[_corner(1, 1), _corner(2, 1), _corner(2, 2), _corner(1, 2)]]],
+}
+BEFORE = {**MOVE, "scales": ["1/2", "1"]}
+INTERVAL: dict[str, Any] = {
+    "claim": "interval",
+    "from": "1",
+    "to": "2",
+    "steps": [3],
+    "components": 1,
+    "holes": 0,
+    "digest": _digest({"polygons": MOVING}),
+}
+
+
+def moving_certificate() -> dict[str, Any]:
+    """No event from 1 to 2: the sum is [0, s + 1] x [0, s + 1]."""
+    value = certificate()
+    value["steps"].append(copy.deepcopy(MOVE))
+    value["claims"].append(copy.deepcopy(INTERVAL))
+    return value

@@ -66,6 +66,9 @@ def another(value: dict[str, Any]) -> Spoil:
         (entry(2, "elements", 1, ["P", 1, 1, 1]), REFUTED, "no direction"),
         (entry(2, "elements", 8, ["meet", 0, 99]), MALFORMED, ""),
         (step(2, "polygons", [[[11, 10, 9, 8]]]), REFUTED, "not on the boundary"),
+        (entry(2, "elements", 8, []), MALFORMED, "a list is empty"),
+        (entry(2, "proofs", 0, []), MALFORMED, "a list is empty"),
+        (step(2, "contacts", [[]]), MALFORMED, "a list is empty"),
         (step(2, "polygons", []), REFUTED, "not the boundary"),
         (step(2, "polygons", [[]]), MALFORMED, "no ring"),
         (step(2, "scales", ["1", "2"]), MALFORMED, ""),
@@ -121,3 +124,63 @@ def test_numbers_of_a_case_may_be_written_otherwise(check_value: Any) -> None:
     outer = [[0, 0], ["1.0", "0"], ["2/2", 1], ["0", "10e-1"]]
     case = {"P": {"polygons": [{"outer": outer, "holes": []}]}, "Q": squares.SQUARE, "title": "?"}
     assert check_value(squares.certificate(), case)[0] == 0
+
+
+def test_a_true_move_is_verified(check_value: Any) -> None:
+    """Alone; and with a scale between two moves."""
+    value = squares.moving_certificate()
+    assert check_value(value, squares.CASE)[0] == 0
+    value["steps"].append(squares.BEFORE)
+    value["claims"][1] |= {"from": "1/2", "steps": [4, 2, 3]}
+    code, said = check_value(value, squares.CASE)
+    assert code == 0, said
+
+
+def interval(member: str, value: Any) -> Spoil:
+    return lambda c: c["claims"][1].__setitem__(member, value)
+
+
+def before(c: dict[str, Any]) -> None:
+    """An interval that ends at 1, as claim 2."""
+    c["steps"].append(squares.BEFORE)
+    c["claims"].append({**squares.INTERVAL, "from": "1/2", "to": "1", "steps": [4]})
+
+
+EVENT = {"claim": "event", "scale": "1", "kind": "boundary", "before": 2, "at": 0, "after": 1}
+
+
+@pytest.mark.parametrize(
+    ("spoil", "code", "why"),
+    [
+        (step(3, "scales", ["2", "1"]), MALFORMED, "do not ascend"),
+        (step(3, "scales", ["1", "1"]), MALFORMED, "do not ascend"),
+        (step(3, "box", ["-1", "-1", "3", "4"]), REFUTED, ""),
+        (entry(3, "elements", 1, ["P", 1, 2, 0]), REFUTED, ""),
+        (entry(3, "elements", 4 + 3, ["meet", 0, 6]), REFUTED, ""),
+        (entry(3, "cells", 0, squares.MOVE["cells"][1]), REFUTED, "two cells have the edge"),
+        (entry(3, "proofs", 4, ["sep", 0]), REFUTED, "does not separate"),
+        (entry(3, "proofs", 5, ["cov", 0, 0]), REFUTED, "is not in the sum"),
+        (step(3, "polygons", [squares.MOVE["polygons"][0][0][::-1]]), MALFORMED, ""),
+        (step(3, "polygons", [[squares.MOVE["polygons"][0][0][::-1]]]), REFUTED, "boundary"),
+        (lambda c: c["steps"][3].update(cells=squares.EQ["cells"], proofs=squares.EQ["proofs"],
+                                        elements=squares.EQ["elements"]), REFUTED, "that turns"),
+        (interval("to", "3"), REFUTED, "from end to end"),
+        (interval("from", "1/2"), REFUTED, "from end to end"),
+        (interval("steps", [3, 3]), MALFORMED, "scales between"),
+        (interval("steps", [2]), MALFORMED, "scales between"),
+        (interval("steps", []), MALFORMED, "scales between"),
+        (interval("holes", 1), REFUTED, "components or holes"),
+        (interval("digest", squares.CLAIM["digest"]), REFUTED, "the digest is another"),
+        (lambda c: (before(c), another(EVENT)(c)), REFUTED, "nothing changes"),
+        (lambda c: (before(c), another(EVENT | {"kind": "topology"})(c)), REFUTED, "nothing"),
+        (lambda c: (before(c), another(EVENT | {"scale": "2"})(c)), REFUTED, "not at one scale"),
+        (lambda c: (before(c), another(EVENT | {"before": 1, "after": 2})(c)), REFUTED, "scale"),
+        (lambda c: (before(c), another(EVENT | {"kind": "end"})(c)), MALFORMED, "no event"),
+    ],
+)  # fmt: skip
+def test_a_false_move_is_not(check_value: Any, spoil: Spoil, code: int, why: str) -> None:
+    value = squares.moving_certificate()
+    spoil(value)
+    got, said = check_value(value, squares.CASE)
+    assert got == code, said
+    assert why in said

@@ -8,7 +8,6 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-import mutations
 import pytest
 from minkref import _core
 from minkref.certify.certificate import Certificate, NoProof
@@ -16,6 +15,7 @@ from minkref.exact import digest
 from minkref.fuzz.cases import naming
 from minkref.fuzz.cases.case import Case, CaseName
 from minkref.fuzz.families.catalogue import FAMILIES
+from minkref.reports.evidence.certificates.mutants import mutants
 
 SEED = 7
 
@@ -135,9 +135,10 @@ def test_a_changed_sum_is_refused_or_still_proven(check: Any, tmp_path: Path, na
     certificate.sum(case.scale, passages=True)
     path = written(certificate, tmp_path)
     value = json.loads(path.read_text(encoding="utf-8"))
-    for where, what, changed in mutations.mutants(value, 120, random.Random(SEED)):
-        path.write_text(json.dumps(changed), encoding="utf-8")
+    dice = random.Random(SEED)
+    for mutant in dice.sample(list(mutants(value, 1, dice)), 100):
+        path.write_text(json.dumps(mutant.value), encoding="utf-8")
         code, said = check(path)
-        assert code in (0, 1, 2), (where, what, said)
-        if where[0] in ("claims", "case", "certificate"):
-            assert code, (where, what, said)
+        assert code in (0, 1, 2), (mutant, said)
+        if mutant.path[0] in ("claims", "case", "certificate"):
+            assert code, (mutant, said)

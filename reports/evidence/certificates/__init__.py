@@ -1,0 +1,1 @@
+"""What the parts about certificates share: cases, both checkers, mutants, confirmation."""

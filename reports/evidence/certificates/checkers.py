@@ -1,0 +1,55 @@
+"""Both checkers as commands, on many files at once."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+import sys
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[3]
+CHECKER = ROOT / "oracle" / "checker" / "check.py"
+WORDS = {"verified": 0, "refuted": 1, "malformed": 2, "out of budget": 4}
+LINE = re.compile(r"^(\S.*): (verified|refuted|malformed|out of budget)(?:: (.*))?$")
+
+
+@dataclass(frozen=True)
+class Verdict:
+    code: int
+    why: str
+
+
+def in_python() -> list[str]:
+    """The file alone: no package, no site."""
+    return [sys.executable, "-I", "-S", str(CHECKER)]
+
+
+def in_cpp() -> list[str]:
+    """Raises FileNotFoundError if it is not built."""
+    beside = Path(sys.executable).parent / "minkref-check"
+    built = ROOT / "build" / "release" / "oracle" / "checker" / "minkref-check"
+    found = next((str(path) for path in (beside, built) if path.exists()), None)
+    program = found or shutil.which("minkref-check")
+    if program is None:
+        raise FileNotFoundError("minkref-check is not built: make setup")
+    return [program]
+
+
+def verdicts(command: Sequence[str], files: Sequence[Path]) -> list[Verdict]:
+    """One for each file. Raises RuntimeError if the checker breaks down."""
+    ran = subprocess.run([*command, *map(str, files)], capture_output=True, text=True, check=False)
+    found = [match for line in ran.stdout.splitlines() if (match := LINE.match(line))]
+    if ran.stderr or [match[1] for match in found] != list(map(str, files)):
+        raise RuntimeError(f"{command[-1]} ended with {ran.returncode}: {ran.stderr[-400:]}")
+    return [Verdict(WORDS[match[2]], match[3] or "") for match in found]
+
+
+def timed(command: Sequence[str], file: Path) -> tuple[Verdict, float]:
+    """The verdict, and the seconds of the whole command with its start."""
+    began = time.perf_counter()
+    (verdict,) = verdicts(command, [file])
+    return verdict, time.perf_counter() - began

@@ -1,0 +1,68 @@
+"""The checker in Python copied to an empty folder; false certificates written by hand."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from minkref import _core
+from minkref.certify.certificate import Certificate
+from minkref.reports.evidence.certificates.certified_cases import cases, written
+from minkref.reports.evidence.certificates.checkers import CHECKER
+from minkref.reports.evidence.framework.part import READERS, REFERENCE, Findings
+from minkref.reports.evidence.framework.store import ROOT
+
+SUBJECT = (
+    "The checker in Python alone in an empty folder, in an empty environment: true certificates "
+    "and a changed case; by both checkers, certificates written by hand that break each rule and "
+    "each claim."
+)
+MINUTES = (0.5, None)
+DEPENDS = (
+    *REFERENCE, *READERS, "certify/*", "oracle/checker/*", "reports/evidence/certificates/*.py",
+    "tests/certificates/*.py",
+)  # fmt: skip
+
+SEED = 1201
+FALSE = "tests/certificates/test_false_certificates.py"
+ALONE = "tests/certificates/test_the_file_alone.py"
+
+
+def run(quick: bool) -> Findings:
+    findings = Findings()
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        shutil.copy(CHECKER, folder)
+        case = next(case for case in cases(SEED, ("holes",)))
+        certificate = Certificate(case.P, case.Q)
+        certificate.sum(case.scale, passages=True)
+        dynamic = _core.DynamicSum(case.P, case.Q)
+        certificate.degeneracy(dynamic.event_scales()[0][0])
+        file = written(certificate, folder, "it")
+        _follow(findings, "a true one", folder, file.name, 0)
+        text = (folder / "it.case.json").read_text(encoding="utf-8")
+        changed = re.sub(
+            r'(\[")(-?\d+)', lambda found: f"{found[1]}{int(found[2]) + 1}", text, count=1
+        )
+        (folder / "it.case.json").write_text(changed, encoding="utf-8")
+        _follow(findings, "a case that was changed", folder, file.name, 1)
+        (folder / "it.case.json").unlink()
+        _follow(findings, "a case that is missing", folder, file.name, 2)
+    for what, path in (("false certificates by hand", FALSE), ("the file alone", ALONE)):
+        command = [sys.executable, "-m", "pytest", "-q", "-p", "no:xdist", path]
+        ran = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
+        tail = ran.stdout.strip().splitlines()[-1] if ran.stdout.strip() else ran.stderr[-200:]
+        findings.law(f"{what}: pytest {path}", ran.returncode == 0, "all pass", tail)
+    return findings
+
+
+def _follow(findings: Findings, what: str, folder: Path, file: str, wanted: int) -> None:
+    """As a stranger does who has Python and nothing else."""
+    command = [sys.executable, "-I", "-S", "check.py", file]
+    ran = subprocess.run(command, cwd=folder, env={}, capture_output=True, text=True)
+    findings.law(f"check.py alone, {what}: exit code", ran.returncode == wanted, wanted,
+                 f"{ran.returncode} {ran.stderr[-100:]}".strip())  # fmt: skip
