@@ -8,7 +8,7 @@ SHELL := /bin/bash
 .PHONY: run test evidence lint format setup environment clean
 
 CXX_SOURCES = $(shell find reference formats certify oracle python fuzz tests -name '*.cpp' -o -name '*.hpp')
-PYTHON_SOURCES = python certify fuzz oracle reports models tests scripts
+PYTHON_SOURCES = python certify degeneracies fuzz oracle reports models tests scripts
 
 setup:
 	@scripts/set_up.sh

@@ -73,13 +73,18 @@ class Certificate:
         )  # fmt: skip
 
     def event(
-        self, scale: str | Fraction, from_scale: str | Fraction, kind: str | None = None
+        self,
+        scale: str | Fraction,
+        from_scale: str | Fraction,
+        kind: str | None = None,
+        passages: bool = False,
     ) -> int:
         """A boundary or topology event at a scale: what is below, none in between, what is at it,
-        and what is just above. Without `kind` a topology event if it is one."""
+        perhaps with its tight passages, and what is just above. Without `kind` a topology event if
+        it is one."""
         s = Fraction(scale)
         before = self.interval(from_scale, s)
-        at = self.sum(s)
+        at = self.sum(s, passages)
         step, end, form, components, holes = self._move(s, 2 * s)
         below, here = self.claims[before], self.claims[at]
         counts = {(c["components"], c["holes"]) for c in (below, here)} | {(components, holes)}
@@ -135,12 +140,12 @@ class Certificate:
             raise NoProof(f"no edges of the convolution start or stop to meet at {scale}")
         return [claim for of in found for claim in self.zero(of, scale)]
 
-    def text(self, case: Path | str, title: str = "") -> str:
+    def text(self, case: Path | str, title: str = "", producer: str = "") -> str:
         """The certificate; `case`: the path of its case, relative to its own."""
         head = {
             "certificate": "certificate-v1",
             "title": title,
-            "producer": f"minkref {version()}",
+            "producer": producer or f"minkref {version()}",
             "case": {"path": str(case), "sha256": case_digest(self.P, self.Q)},
         }
         parts = [f"{json.dumps(name)}:{json.dumps(value)}" for name, value in head.items() if value]

@@ -24,7 +24,7 @@ def coincidences(
     rings = ring_numbers(P), ring_numbers(Q)
     text = str(scale)
     events = _core.ArrangementEvents(P, Q, text, text)
-    edges = [_ends(edge, rings) for edge in events.edges()]
+    edges = [ends_of(edge, rings) for edge in events.edges()]
     found: dict[Predicate, None] = {}
     for _, kind, _, members, at, _ in events.rows(events.of_kind("arrangement")):
         involved = [edges[member] for member in members]
@@ -71,7 +71,8 @@ def _meeting(end: Point, there: Point, vertices: Vertices, scale: Fraction) -> I
             return
 
 
-def _ends(edge: Edge, rings: tuple[Sequence[range], Sequence[range]]) -> Ends:
+def ends_of(edge: Edge, rings: tuple[Sequence[range], Sequence[range]]) -> Ends:
+    """The points s p + q at its ends; `rings`: the numbers of each ring's vertices, of P and Q."""
     kind, _, edge_ring, start, vertex_ring, vertex = edge
     of_edge, of_vertex = rings if kind == "S" else rings[::-1]
     ring, j = of_edge[edge_ring], of_vertex[vertex_ring][vertex]

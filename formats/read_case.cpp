@@ -20,7 +20,7 @@ class CaseReader {
     const JsonObject members(
         root, input_, "a case",
         {"schema", "id", "title", "comment", "dimension", "P", "Q", "scales", "interval", "tags",
-         "flags", "expected", "source", "licence", "certificate"},
+         "flags", "expected", "source", "licence", "certificate", "degeneracy"},
         JsonObject::Others::refused);
     version(members);
     CaseReading reading;
@@ -31,6 +31,9 @@ class CaseReader {
     value.source = optional_text(members, "source");
     value.licence = optional_text(members, "licence");
     value.certificate = optional_text(members, "certificate");
+    if (const auto told = members.find("degeneracy")) {  // for people: not read any further
+      expect(*told, JsonKind::object, "degeneracy", input_);
+    }
     Reading P = operand(members.require("P"), "P");
     Reading Q = operand(members.require("Q"), "Q");
     value.P = std::move(P.set);

@@ -162,9 +162,10 @@ Region::Triple Region::moving_line(bool of_P, const std::vector<Value>& entry,
   const auto& other = (of_P ? Q_ : P_).operand.points;
   const Vector& from = ours[index(entry[1], ours.size())];
   const Vector d = minus(ours[index(entry[2], ours.size())], from);
+  const Vector& by = other[index(entry[3], other.size())];
   demand(d.x != 0 || d.y != 0, "a line has no direction");
   const Vector n{-d.y, d.x};
-  const mpz_class own = dot(n, from), moved = dot(n, other[index(entry[3], other.size())]);
+  const mpz_class own = dot(n, from), moved = dot(n, by);
   const mpz_class &u = s.get_num(), &v = s.get_den();
   Triple line{n.x * v, n.y * v, of_P ? u * own + v * moved : v * own + u * moved};
   const mpz_class divisor = gcd(gcd(line.a, line.b), line.c);

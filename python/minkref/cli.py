@@ -62,6 +62,7 @@ def _register() -> None:
         check,
         events,
         families,
+        generate,
         models,
         shrink,
         sum,
@@ -78,6 +79,7 @@ def _register() -> None:
     app.command("verify", epilog=verify.EXAMPLES)(verify.command)
     app.command("certify", epilog=certify.EXAMPLES)(certify.command)
     app.command("check", epilog=check.EXAMPLES)(check.command)
+    app.command("generate", epilog=generate.EXAMPLES)(generate.command)
     app.command("shrink", epilog=shrink.EXAMPLES)(shrink.command)
     app.add_typer(adapter.app, name="adapter")
     app.command("bench", epilog=bench.EXAMPLES)(bench.command)

@@ -64,6 +64,7 @@ def another(value: dict[str, Any]) -> Spoil:
         (entry(2, "elements", 4, ["meet", 7, 5]), REFUTED, "parallel"),
         (entry(2, "elements", 1, ["P", 1, 2, 0]), REFUTED, ""),
         (entry(2, "elements", 1, ["P", 1, 1, 1]), REFUTED, "no direction"),
+        (entry(2, "elements", 1, ["P", 1, 1, 4]), MALFORMED, "no number 4"),
         (entry(2, "elements", 8, ["meet", 0, 99]), MALFORMED, ""),
         (step(2, "polygons", [[[11, 10, 9, 8]]]), REFUTED, "not on the boundary"),
         (entry(2, "elements", 8, []), MALFORMED, "a list is empty"),

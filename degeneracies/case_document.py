@@ -1,0 +1,168 @@
+"""A member of a family as a case file with its certificate."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+from minkref import _core
+from minkref.certify.case_text import case_digest
+from minkref.certify.certificate import Certificate
+from minkref.degeneracies.draft import Facts, Family
+from minkref.degeneracies.generate import member
+from minkref.degeneracies.verdict_of_floats import counts_of, precision
+from minkref.exact import digest
+
+LICENCE = "Apache-2.0"
+FINE = 60  # a sibling is this near: doubles that are neighbours of 1 are 2^-52 apart
+IN_FULL = 60  # results of up to this many vertices are given in full
+
+VARIES = {
+    "closed": "The sum is closed. An implementation that computes the closure of its interior has "
+    "the same canonical form; one that leaves out the points at which only boundaries touch "
+    "(tight passages) differs by these, and should say so.",
+    "form": "Rings may start anywhere, holes and components come in any order, and vertices in the "
+    "middle of straight edges may be kept: compare sets, or canonical forms.",
+    "rounding": "Vertices that are no floating-point numbers can only be rounded; components and "
+    "holes can be right all the same.",
+}
+
+
+@dataclass(frozen=True)
+class Degenerate:
+    """A member with its number, and the files that it becomes. The bytes depend on the family, the
+    seed and the number alone."""
+
+    family: Family
+    seed: int
+    index: int
+    facts: Facts
+
+    @classmethod
+    def of(cls, family: Family, seed: int, index: int) -> Degenerate:
+        return cls(family, seed, index, member(family, seed, index))
+
+    @cached_property
+    def scales(self) -> list[Fraction]:
+        """The scale, and its siblings on both sides: the nearest powers of two apart from other
+        critical scales, and still nearer ones."""
+        s, gap = self.facts.scale, self.facts.gap
+        steps = sorted({gap, max(gap, FINE)})
+        near = [Fraction(1, 2**k) for k in steps]
+        return [s, *(s - d for d in near), *(s + d for d in near)]
+
+    @cached_property
+    def sums(self) -> list[_core.Sum]:
+        P, Q = self.facts.P, self.facts.Q
+        return [_core.minkowski_sum(P, Q, str(scale)) for scale in self.scales]
+
+    @cached_property
+    def id(self) -> str:
+        """The family, and a hash of operands and scales, numbers in lowest terms."""
+        content = [case_digest(self.facts.P, self.facts.Q), *map(str, self.scales)]
+        return f"{self.family.name}-{digest(json.dumps(content))[:12]}"
+
+    @cached_property
+    def document(self) -> dict[str, Any]:
+        """case-v1."""
+        facts, name = self.facts, self.family.name
+        return {
+            "schema": "case-v1",
+            "id": self.id,
+            "title": self.family.title,
+            "dimension": 2,
+            "P": json.loads(facts.P.to_json()),
+            "Q": json.loads(facts.Q.to_json()),
+            "scales": [str(scale) for scale in self.scales],
+            "tags": [name],
+            "flags": list(self.family.flags),
+            "expected": [
+                self._expected(*pair) for pair in zip(self.scales, self.sums, strict=True)
+            ],
+            "degeneracy": {
+                "at": facts.text,
+                "why": self.family.why,
+                "events": [_event(row) for row in facts.arrangement],
+                "topology": facts.topology,
+                "tight_passages": facts.passages,
+                "below_at_above": [list(counts) for counts in facts.counts],
+                "varies": [VARIES[name] for name in self._varies()],
+                "floats": [
+                    precision(facts.P, facts.Q, str(scale), counts_of(found))
+                    for scale, found in zip(self.scales, self.sums, strict=True)
+                ],
+            },
+            "source": f"minkref generate {name} --seed {self.seed}, member {self.index}",
+            "licence": LICENCE,
+            "certificate": f"{self.id}.cert.json",
+        }
+
+    @cached_property
+    def case_text(self) -> str:
+        """A member a line: the canonical form of a case file."""
+        return canonical_text(self.document)
+
+    @cached_property
+    def certificate(self) -> Certificate:
+        """The event of the boundary at the scale, or the sum there, with its tight passages; what
+        meets there; what is expected at the siblings."""
+        facts = self.facts
+        made = Certificate(facts.P, facts.Q)
+        if facts.boundary:
+            before = facts.scale - Fraction(1, 2**facts.gap)
+            made.event(facts.scale, before, passages=True)
+        else:
+            made.sum(facts.scale, passages=True)
+        if facts.arrangement:
+            made.degeneracy(facts.scale)
+        for zero in facts.zeros:
+            made.zero(zero, facts.scale)
+        for scale in self.scales[1:]:
+            made.sum(scale)
+        return made
+
+    @cached_property
+    def certificate_text(self) -> str:
+        return self.certificate.text(f"{self.id}.json", self.id, "minkref")
+
+    def _expected(self, scale: Fraction, found: _core.Sum) -> dict[str, Any]:
+        told: dict[str, Any] = {
+            "scale": str(scale),
+            "digest": digest(found.region.canonical_json()),
+            "components": found.components,
+            "holes": found.holes,
+            "vertices": found.region.vertices,
+            "area": found.region.area(),
+        }
+        if scale == self.facts.scale and found.region.vertices <= IN_FULL:
+            told["result"] = json.loads(found.region.canonical_json())
+        return told
+
+    def _varies(self) -> list[str]:
+        coordinates = json.loads(self.sums[0].region.canonical_json())["polygons"]
+        rings = [ring for p in coordinates for ring in (p["outer"], *p["holes"])]
+        exact = all(_is_double(x) for ring in rings for point in ring for x in point)
+        named = ["form"] + ["closed"] * bool(self.facts.passages) + ["rounding"] * (not exact)
+        return named
+
+
+def canonical_text(document: dict[str, Any]) -> str:
+    parts = [f'"{name}": {json.dumps(document[name])}' for name in document]
+    return "{" + ",\n".join(parts) + "}\n"
+
+
+def _event(row: dict[str, Any]) -> dict[str, Any]:
+    edges = [dict(zip(("kind", "sign", "edge_ring", "edge", "vertex_ring", "vertex"), edge,
+                      strict=True)) for edge in row["edges"]]  # fmt: skip
+    return {**row, "edges": edges}
+
+
+def _is_double(text: str) -> bool:
+    value = Fraction(text)
+    try:
+        return Fraction(float(value)) == value
+    except OverflowError:
+        return False

@@ -1,0 +1,152 @@
+"""What a generator draws, and what is found out about it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from pathlib import Path
+from random import Random
+from typing import Any
+
+from minkref import _core
+from minkref.certify.case_text import places
+from minkref.certify.predicate import Predicate, Vertices
+from minkref.fuzz.families.drawing import Shape, shape_text
+
+Place = tuple[str, str]
+PAGES = Path(__file__).parent / "pages"
+LARGEST_GAP = 2000  # 2^-k beside a scale is looked at down to this k
+
+
+class NothingDrawn(Exception):
+    """A generator has no candidate; another draw may have one."""
+
+
+@dataclass(frozen=True)
+class Draft:
+    """Two operands and the scale at which they are degenerate. `zeros`: predicates that are zero
+    there, or at all scales, beyond those of the events. Vertices are numbered in the order of the
+    shapes; shapes are drawn counter-clockwise, holes clockwise."""
+
+    P: Shape
+    Q: Shape
+    scale: Fraction
+    zeros: tuple[Predicate, ...] = ()
+
+
+@dataclass(frozen=True)
+class Facts:
+    """A draft as the reference sees it. All exact, computed when asked for."""
+
+    P: _core.PolygonSet
+    Q: _core.PolygonSet
+    scale: Fraction
+    zeros: tuple[Predicate, ...] = ()
+
+    @classmethod
+    def of(cls, draft: Draft) -> Facts:
+        """Raises _core.BadInput where an operand is none."""
+        operands = []
+        for name, shape in (("P", draft.P), ("Q", draft.Q)):
+            operand = _core.PolygonSet.from_json(shape_text(shape))
+            operand.validate(name)
+            operands.append(operand)
+        return cls(operands[0], operands[1], draft.scale, draft.zeros)
+
+    @classmethod
+    def of_valid(cls, draft: Draft) -> Facts | None:
+        """None where an operand is none."""
+        try:
+            return cls.of(draft)
+        except _core.BadInput:
+            return None
+
+    @cached_property
+    def text(self) -> str:
+        return str(self.scale)
+
+    @cached_property
+    def vertices(self) -> Vertices:
+        return Vertices(places(self.P), places(self.Q))
+
+    @cached_property
+    def arrangement(self) -> list[dict[str, Any]]:
+        """The pair, parallel and triple events at the scale."""
+        events = _core.ArrangementEvents(self.P, self.Q, self.text, self.text)
+        edges = events.edges()
+        return [
+            {"kind": kind, "change": change, "edges": [edges[i] for i in on], "at": at, "to": to}
+            for _, kind, change, on, at, to in events.rows(events.of_kind("arrangement"))
+        ]
+
+    @cached_property
+    def _here(self) -> _core.DynamicSum:
+        return _core.DynamicSum(self.P, self.Q, self.text, self.text)
+
+    @cached_property
+    def boundary(self) -> list[dict[str, Any]]:
+        """The events of the boundary at the scale."""
+        names = ("scale", "change", "edges", "at")
+        return [dict(zip(names, row, strict=True)) for row in self._here.boundary_events()]
+
+    @cached_property
+    def topology(self) -> list[dict[str, Any]]:
+        """What happens to holes and components at the scale."""
+        names = ("scale", "feature", "change", "before", "after", "parts", "at")
+        return [dict(zip(names, row, strict=True)) for row in self._here.topology_events()]
+
+    @cached_property
+    def gap(self) -> int:
+        """The least k > 0 such that no other scale within 2^-k is critical."""
+        for k in range(1, LARGEST_GAP):
+            near = Fraction(1, 2**k)
+            if near < self.scale and self.is_alone(near):
+                return k
+        raise ValueError(f"another event is within 2^-{LARGEST_GAP} of {self.scale}")
+
+    def is_alone(self, near: Fraction) -> bool:
+        low, high = str(self.scale - near), str(self.scale + near)
+        events = _core.ArrangementEvents(self.P, self.Q, low, high)
+        rows = events.rows(events.of_kind("arrangement"))
+        return all(row[0] == self.text for row in rows)
+
+    @cached_property
+    def sums(self) -> tuple[_core.Sum, _core.Sum, _core.Sum]:
+        """Below, at with its tight passages, above, with no critical scale between."""
+        near = Fraction(1, 2**self.gap)
+        below, above = (
+            _core.minkowski_sum(self.P, self.Q, str(s))
+            for s in (self.scale - near, self.scale + near)
+        )
+        at = _core.minkowski_sum(self.P, self.Q, self.text, tight_passages=True)
+        return below, at, above
+
+    @cached_property
+    def passages(self) -> list[list[Place]]:
+        return [points for points, _ in self.sums[1].tight_passages or []]
+
+    @cached_property
+    def counts(self) -> tuple[tuple[int, int], ...]:
+        """Components and holes below, at and above."""
+        below, at, above = ((s.components, s.holes) for s in self.sums)
+        return below, at, above
+
+
+@dataclass(frozen=True)
+class Family:
+    """`draw` draws a candidate of about `size` vertices; it belongs to the family if `belongs`
+    says so of its facts. What makes good code get it wrong: pages/NAME.md. `flags`: flags.json."""
+
+    name: str
+    title: str
+    flags: tuple[str, ...]
+    draw: Callable[[Random, int], Draft]
+    belongs: Callable[[Facts], bool]
+
+    @property
+    def why(self) -> str:
+        """The page without its heading."""
+        _, _, text = (PAGES / f"{self.name}.md").read_text(encoding="utf-8").partition("\n")
+        return text.strip()

@@ -1,0 +1,104 @@
+"""Parallel edges, and edges on one line."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from random import Random
+
+from minkref.degeneracies.draft import Draft, Facts, Family
+from minkref.degeneracies.plane.mining import mined, of_kind, upright_pair
+from minkref.degeneracies.shapes import changed, left_of
+from minkref.fuzz.families.drawing import Point, Ring
+
+
+def _with_edge(dice: Random, a: Point, b: Point) -> Ring:
+    """A triangle or a quadrangle on the left of an edge."""
+    c = left_of(dice, a, b, 9)
+    between = [(left_of(dice, a, b, 9))] if dice.random() < 0.5 else []
+    for d in between:
+        sides = ((b, d, c), (d, c, a))
+        if all((q[0] - p[0]) * (r[1] - p[1]) > (q[1] - p[1]) * (r[0] - p[0]) for p, q, r in sides):
+            return [a, b, d, c]
+    return [a, b, c]
+
+
+def _parallel(dice: Random, sense: int) -> Draft:
+    d = dice.randint(1, 5), dice.randint(-4, 4)
+    p, q = dice.randint(1, 3), dice.randint(1, 3) * sense
+    P = _with_edge(dice, (0, 0), (p * d[0], p * d[1]))
+    Q = _with_edge(dice, (0, 0), (q * d[0], q * d[1]))
+    zero = ("orientation", ((0, 0), (1, 0), (1, 1)))
+    scale = Fraction(dice.randint(1, 9), dice.randint(1, 9))
+    return changed(dice, Draft([[P]], [[Q]], scale, (zero,)))
+
+
+def _same(dice: Random, size: int) -> Draft:
+    return _parallel(dice, 1)
+
+
+def _opposite(dice: Random, size: int) -> Draft:
+    return _parallel(dice, -1)
+
+
+def _edge(facts: Facts, operand: int) -> tuple[Fraction, Fraction]:
+    (x, y), (u, v) = (facts.vertices.P, facts.vertices.Q)[operand][:2]
+    return u - x, v - y
+
+
+def _sense(facts: Facts) -> Fraction:
+    """Positive where the first edges of P and Q have the same direction."""
+    (x, y), (u, v) = _edge(facts, 0), _edge(facts, 1)
+    return x * u + y * v
+
+
+def _once(dice: Random, size: int) -> Draft:
+    return mined(dice, upright_pair, of_kind("parallel"))
+
+
+def _always(dice: Random, size: int) -> Draft:
+    """An edge of P on the axis, and two of Q, on the feet of an arch."""
+    a, b, gap = (dice.randint(1, 6) for _ in range(3))
+    low = dice.randint(1, 4)
+    high = low + dice.randint(1, 4)
+    P = _with_edge(dice, (0, 0), (a, 0))
+    Q: Ring = [
+        (0, 0), (b, 0), (b, low), (b + gap, low), (b + gap, 0), (2 * b + gap, 0),
+        (2 * b + gap, high), (0, high),
+    ]  # fmt: skip
+    zero = ("orientation", ((0, 0), (1, 0), (0, 4)))
+    scale = Fraction(dice.randint(1, 9), dice.randint(1, 9))
+    return changed(dice, Draft([[P]], [[Q]], scale, (zero,)))
+
+
+FAMILIES = (
+    Family(
+        "parallel-same",
+        "an edge of P and one of Q with the same direction",
+        ("parallel-edges",),
+        _same,
+        lambda facts: _sense(facts) > 0,
+    ),
+    Family(
+        "parallel-opposite",
+        "an edge of P and one of Q with opposite directions",
+        ("parallel-edges",),
+        _opposite,
+        lambda facts: _sense(facts) < 0,
+    ),
+    Family(
+        "one-line-at-a-scale",
+        "an S-edge and a T-edge on one supporting line at one scale",
+        ("parallel-edges", "event"),
+        _once,
+        lambda facts: any(row["kind"] == "parallel" for row in facts.arrangement),
+    ),
+    Family(
+        "one-line-always",
+        "an S-edge and a T-edge on one supporting line at all scales",
+        ("parallel-edges",),
+        _always,
+        lambda facts: (
+            facts.vertices.sign_between(facts.zeros[0], facts.scale, 2 * facts.scale) == 0
+        ),
+    ),
+)
