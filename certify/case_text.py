@@ -12,8 +12,10 @@ from minkref.exact import digest, set_json
 
 
 def case_text(P: _core.PolygonSet, Q: _core.PolygonSet) -> str:
-    """Both operands in plain JSON, their vertices in the order that certificates number."""
-    return f'{{"P":{P.to_json()},\n"Q":{Q.to_json()}}}\n'
+    """A case of all scales (case-v1): both operands, their vertices in the order that certificates
+    number."""
+    head = f'"schema":"case-v1","id":"{case_digest(P, Q)[:12]}","dimension":2,"interval":{{}}'
+    return f'{{{head},\n"P":{P.to_json()},\n"Q":{Q.to_json()}}}\n'
 
 
 def case_digest(P: _core.PolygonSet, Q: _core.PolygonSet) -> str:

@@ -13,6 +13,7 @@ from minkref.certify.coincidence import coincidences
 from minkref.certify.moving_form import form_at, moving_form
 from minkref.certify.predicate import Place, Predicate, Vertices
 from minkref.certify.simplest import simplest_between
+from minkref.errors import cut
 from minkref.exact import digest
 from minkref.version import version
 
@@ -37,8 +38,10 @@ class Certificate:
         self.claims: list[dict[str, Any]] = []
 
     def sum(self, scale: str | Fraction, passages: bool = False) -> int:
-        """The sum at a scale; with its tight passages, each a claim of its own, after it."""
+        """The sum at a scale; with its tight passages, each a claim of its own, after it. Contacts
+        prove none where an operand is a point or a segment: then there are no such claims."""
         text = str(Fraction(scale))
+        passages = passages and all(o.is_region for o in (self.P, self.Q))
         step, region, components, holes, found = self._prover.prove(
             text, self._prover.box(text), self._pieces(), passages
         )
@@ -104,7 +107,7 @@ class Certificate:
         s = Fraction(scale)
         answer = _core.decide(self.P, self.Q, str(s), *point)
         if answer["contact"] == "empty":
-            raise NoProof(f"the point ({point[0]}, {point[1]}) is not in the sum at {s}")
+            raise NoProof(f"the point ({cut(point[0])}, {cut(point[1])}) is not in the sum at {s}")
         parts = [(Fraction(x), Fraction(y)) for x, y in (answer["p"], answer["q"])]
         by = self._pieces()
         pieces = [self._piece(step, part) for step, part in zip(by, parts, strict=True)]
@@ -148,7 +151,8 @@ class Certificate:
             "producer": producer or f"minkref {version()}",
             "case": {"path": str(case), "sha256": case_digest(self.P, self.Q)},
         }
-        parts = [f"{json.dumps(name)}:{json.dumps(value)}" for name, value in head.items() if value]
+        told = {name: value for name, value in head.items() if value}
+        parts = [f'"{name}":{json.dumps(told[name], ensure_ascii=False)}' for name in told]
         parts.append(f'"steps":[{",".join(self._steps)}]')
         parts.append(f'"claims":{json.dumps(self.claims, separators=(",", ":"))}')
         return "{" + ",\n".join(parts) + "}\n"

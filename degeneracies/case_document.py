@@ -17,7 +17,7 @@ from minkref.degeneracies.verdict_of_floats import counts_of, precision
 from minkref.exact import digest
 
 LICENCE = "Apache-2.0"
-FINE = 60  # a sibling is this near: doubles that are neighbours of 1 are 2^-52 apart
+FINE = 60  # bits: a sibling is this near, where neighbouring doubles are 52 or 53 bits apart
 IN_FULL = 60  # results of up to this many vertices are given in full
 
 VARIES = {
@@ -50,7 +50,8 @@ class Degenerate:
         """The scale, and its siblings on both sides: the nearest powers of two apart from other
         critical scales, and still nearer ones."""
         s, gap = self.facts.scale, self.facts.gap
-        steps = sorted({gap, max(gap, FINE)})
+        size = s.denominator.bit_length() - s.numerator.bit_length()  # s is about 2^-size
+        steps = sorted({gap, max(gap, FINE + size)})
         near = [Fraction(1, 2**k) for k in steps]
         return [s, *(s - d for d in near), *(s + d for d in near)]
 
@@ -61,9 +62,8 @@ class Degenerate:
 
     @cached_property
     def id(self) -> str:
-        """The family, and a hash of operands and scales, numbers in lowest terms."""
-        content = [case_digest(self.facts.P, self.facts.Q), *map(str, self.scales)]
-        return f"{self.family.name}-{digest(json.dumps(content))[:12]}"
+        content = case_digest(self.facts.P, self.facts.Q)
+        return id_of(self.family.name, content, [str(scale) for scale in self.scales])
 
     @cached_property
     def document(self) -> dict[str, Any]:
@@ -147,6 +147,11 @@ class Degenerate:
         exact = all(_is_double(x) for ring in rings for point in ring for x in point)
         named = ["form"] + ["closed"] * bool(self.facts.passages) + ["rounding"] * (not exact)
         return named
+
+
+def id_of(family: str, content: str, scales: list[str]) -> str:
+    """The family, and a hash of operands (their digest as a certificate has it) and scales."""
+    return f"{family}-{digest(json.dumps([content, *scales]))[:12]}"
 
 
 def canonical_text(document: dict[str, Any]) -> str:

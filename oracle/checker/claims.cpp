@@ -9,14 +9,14 @@
 namespace minkref::checker {
 namespace {
 
-/// JSON written out, to be compared.
+/// JSON written out, to be compared: texts with their lengths.
 std::string texts(const Value& value) {
   std::ostringstream out;
-  out << static_cast<int>(value.kind) << value.truth << '"' << value.text << '"';
+  out << static_cast<int>(value.kind) << value.truth << value.text.size() << '"' << value.text;
   for (const Value& item : value.items) out << ',' << texts(item);
   std::map<std::string, std::string> sorted;
   for (const auto& [name, member] : value.members) sorted[name] = texts(member);
-  for (const auto& [name, member] : sorted) out << ';' << name << '=' << member;
+  for (const auto& [name, member] : sorted) out << ';' << name.size() << '"' << name << member;
   out << '.';
   return out.str();
 }
@@ -31,12 +31,17 @@ class Certificate {
     require(!(P_.thin && Q_.thin), "both operands are points or segments");
     unit_ = 1;
     for (const Operand* operand : {&P_, &Q_}) {
-      for (const Point& p : operand->exact) unit_ = lcm(lcm(unit_, p.x.get_den()), p.y.get_den());
+      for (const Point& p : operand->exact) {
+        unit_ = lcm(lcm(unit_, p.x.get_den()), p.y.get_den());
+        budget_.spend(1 + mpz_sizeinbase(unit_.get_mpz_t(), 2) / 64);
+      }
     }
     for (Operand* operand : {&P_, &Q_}) {
       for (const Point& p : operand->exact) {
+        budget_.spend(1 + mpz_sizeinbase(unit_.get_mpz_t(), 2) / 64);
         operand->points.push_back({mpz_class(p.x * unit_), mpz_class(p.y * unit_)});
       }
+      check_orientation(*operand);
     }
   }
 
@@ -47,8 +52,8 @@ class Certificate {
       const auto parts = members(step, "rule of pieces groups");
       const std::string of = parts[1]->kind == Value::Kind::text ? parts[1]->text : "";
       require(of == "P" || of == "Q", "there is no such operand");
-      pieces_.push_back(
-          std::make_unique<Pieces>(*parts[1], *parts[2], *parts[3], of == "P" ? P_ : Q_, normals_));
+      pieces_.push_back(std::make_unique<Pieces>(*parts[1], *parts[2], *parts[3],
+                                                 of == "P" ? P_ : Q_, normals_, budget_));
       regions_.emplace_back();
     } else {
       require(rule == "eq" || rule == "move", "there is no rule " + rule);
@@ -66,6 +71,7 @@ class Certificate {
   std::string add_claim(const Value& claim) {
     require(claim.kind == Value::Kind::object, "a claim is no object");
     const std::string kind = rule_of(claim, "claim");
+    budget_.spend(64);
     shown_.emplace_back();
     if (kind == "sum") return kind + sum(claim);
     if (kind == "interval") return kind + interval(claim);
@@ -82,6 +88,19 @@ class Certificate {
   }
 
  private:
+  static void check_orientation(const Operand& operand) {
+    if (operand.thin) return;
+    for (std::size_t n = 0; n < operand.rings.size(); ++n) {
+      const auto& ring = operand.rings[n];
+      mpz_class area;
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        area += cross(operand.points[ring[i]], operand.points[ring[(i + 1) % ring.size()]]);
+      }
+      require(sgn(area) == (operand.outer[n] ? 1 : -1),
+              operand.name + " has a ring that runs the wrong way");
+    }
+  }
+
   static std::string rule_of(const Value& object, const std::string& name) {
     for (const auto& [member, value] : object.members) {
       if (member == name && value.kind == Value::Kind::text) return value.text;
@@ -130,7 +149,8 @@ class Certificate {
     same_counts(found, *m[3], *m[4]);
     same_digest(found, *m[5]);
     if (!m[6]->is_null()) {
-      demand(texts(*m[6]) == texts(parse_json(canonical_json(found.polygons())).members[0].value),
+      demand(texts(*m[6]) ==
+                 texts(parse_json(canonical_json(found.polygons()), false).members[0].value),
              "the polygons are others");
     }
     shown_.back() = {&found};
@@ -204,15 +224,17 @@ class Certificate {
   std::string passage(const Value& claim) {
     const auto m = members(claim, "claim scale step points path");
     const Region& found = region_at(*m[2], *m[1]);
+    require(!P_.thin && !Q_.thin, "passages of a point or a segment are not proven by contacts");
     std::vector<std::uint32_t> ids;
     for (const Value& id : items(*m[4])) ids.push_back(found.point_number(id));
-    const auto& points = items(*m[3]);
-    demand(points.size() == ids.size(), "other points");
-    require(!ids.empty(), "a passage has no point");
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-      const Point p = point(points[i]);
-      demand(found.vertex(ids[i]) == Vertex{p.x, p.y}, "other points");
+    std::vector<Vertex> points, places;
+    for (const Value& value : items(*m[3])) {
+      const Point p = point(value);
+      points.push_back({p.x, p.y});
     }
+    for (const std::uint32_t id : ids) places.push_back(found.vertex(id));
+    demand(points == places, "other points");
+    require(!ids.empty(), "a passage has no point");
     for (std::size_t i = 0; i + 1 < ids.size() || i == 0; ++i) {
       const Region::Contact contact = ids.size() == 1 ? ids : Region::Contact{ids[i], ids[i + 1]};
       demand(found.is_contact(contact) && found.is_within(contact),
@@ -263,6 +285,9 @@ std::vector<std::string> check(const Value& certificate,
   const auto m = members(certificate, "certificate title? comment? producer? case steps claims");
   require(m[0]->kind == Value::Kind::text && m[0]->text == "certificate-v1",
           "this is no certificate-v1");
+  for (const Value* told : {m[1], m[2], m[3]}) {
+    require(told->is_null() || told->kind == Value::Kind::text, "what carries no truth is no text");
+  }
   const auto of = members(*m[4], "path sha256");
   const Value value = read_case(text(*of[0]));
   require(value.kind == Value::Kind::object, "this is no case");

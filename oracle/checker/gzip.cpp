@@ -40,6 +40,8 @@ class Bits {
     for (unsigned i = 0; i < count; ++i) value |= bit() << i;
     return value;
   }
+  /// Whole bytes.
+  std::size_t passed() const { return next_; }
   bool at_end() const { return next_ == data_.size(); }
 
  private:
@@ -196,7 +198,7 @@ std::uint32_t checksum(std::string_view data) {
   return ~crc;
 }
 
-void pass_header(Bits& in) {
+void pass_header(Bits& in, std::string_view data) {
   require(in.bytes(2) == 0x8b1f && in.byte() == 8, "this is not compressed by gzip");
   const std::uint32_t flags = in.byte();
   require((flags & 0xe0U) == 0, "a compressed file has unknown flags");
@@ -210,7 +212,9 @@ void pass_header(Bits& in) {
     while (in.byte() != 0) {
     }
   }
-  if ((flags & 2U) != 0) in.bytes(2);
+  if ((flags & 2U) == 0) return;
+  const std::uint32_t wanted = checksum(data.substr(0, in.passed())) & 0xffffU;
+  require(in.bytes(2) == wanted, "a compressed file has another checksum of its header");
 }
 
 }  // namespace
@@ -219,7 +223,7 @@ bool is_gzip(std::string_view data) { return data.substr(0, 2) == "\x1f\x8b"; }
 
 std::string gunzip(std::string_view data, std::size_t most) {
   Bits in(data);
-  pass_header(in);
+  pass_header(in, data);
   std::string out = Inflation(in, most).run();
   require(in.bytes(4) == checksum(out), "a compressed file has another checksum");
   require(in.bytes(4) == static_cast<std::uint32_t>(out.size()),

@@ -9,9 +9,10 @@ constexpr int deepest = 500;
 
 class Parser {
  public:
-  explicit Parser(std::string_view text) : text_(text) {}
+  Parser(std::string_view text, bool reals) : text_(text), reals_(reals) {}
 
   Value whole() {
+    check_utf8();
     Value value = parse(0);
     skip();
     require(at_ == text_.size(), "there is something after the JSON value");
@@ -19,6 +20,22 @@ class Parser {
   }
 
  private:
+  void check_utf8() const {
+    for (std::size_t i = 0; i < text_.size();) {
+      const auto byte = [&](std::size_t k) {
+        return i + k < text_.size() ? static_cast<unsigned char>(text_[i + k]) : 0U;
+      };
+      const unsigned first = byte(0);
+      const std::size_t length = first < 0x80 ? 1 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+      bool good = first < 0x80 || (first >= 0xc2 && first <= 0xf4);
+      for (std::size_t k = 1; k < length; ++k) good = good && (byte(k) & 0xc0) == 0x80;
+      good = good && !(first == 0xe0 && byte(1) < 0xa0) && !(first == 0xed && byte(1) > 0x9f) &&
+             !(first == 0xf0 && byte(1) < 0x90) && !(first == 0xf4 && byte(1) > 0x8f);
+      require(good, "this is not UTF-8, at byte " + std::to_string(i));
+      i += length;
+    }
+  }
+
   void skip() {
     while (at_ < text_.size() && std::string_view(" \t\r\n").find(text_[at_]) != text_.npos) ++at_;
   }
@@ -115,12 +132,26 @@ class Parser {
         require(kind == 'u' && text_.size() - at_ >= 4, "a bad escape in a text");
         const std::string_view hex = text_.substr(at_, 4);
         require(hex.find_first_not_of("0123456789abcdefABCDEF") == hex.npos, "a bad escape");
-        result.append("\\u").append(hex);  // kept as it is: no name or number has one
+        append_utf8(result, static_cast<unsigned>(std::stoul(std::string(hex), nullptr, 16)));
         at_ += 4;
       }
     }
     ++at_;
     return result;
+  }
+
+  static void append_utf8(std::string& text, unsigned code) {
+    require(code < 0xd800 || code > 0xdfff, "an escape of a surrogate");
+    if (code < 0x80) {
+      text += static_cast<char>(code);
+    } else if (code < 0x800) {
+      text += static_cast<char>(0xc0 | code >> 6);
+      text += static_cast<char>(0x80 | (code & 0x3f));
+    } else {
+      text += static_cast<char>(0xe0 | code >> 12);
+      text += static_cast<char>(0x80 | (code >> 6 & 0x3f));
+      text += static_cast<char>(0x80 | (code & 0x3f));
+    }
   }
 
   void digits(std::string& text) {
@@ -147,15 +178,20 @@ class Parser {
       if (peek() == '+' || peek() == '-') value.text += text_[at_++];
       digits(value.text);
     }
+    require(reals_ || value.kind == Value::Kind::integer, "a number with a point or an exponent");
+    require(value.kind == Value::Kind::real || value.text.size() <= most_digits,
+            "a number has too many digits");
+    if (value.text == "-0") value.text = "0";
     return value;
   }
 
   std::string_view text_;
+  bool reals_;
   std::size_t at_ = 0;
 };
 
 }  // namespace
 
-Value parse_json(std::string_view text) { return Parser(text).whole(); }
+Value parse_json(std::string_view text, bool reals) { return Parser(text, reals).whole(); }
 
 }  // namespace minkref::checker

@@ -41,8 +41,11 @@ struct Member {
   Value value;
 };
 
-/// The value that a text is. Throws NotVerified (malformed): also for a member that occurs twice,
-/// for what comes after the value, and for more than 500 levels.
-Value parse_json(std::string_view text);
+constexpr std::size_t most_digits = 100'000;  ///< of one number
+
+/// The value that a text is, in UTF-8. Throws NotVerified (malformed): also for a member that
+/// occurs twice, for what comes after the value, for more than 500 levels, for escapes of
+/// surrogates, and for numbers with a point or an exponent unless `reals`.
+Value parse_json(std::string_view text, bool reals);
 
 }  // namespace minkref::checker

@@ -1,6 +1,7 @@
 #include "oracle/checker/pieces.hpp"
 
 #include <algorithm>
+#include <set>
 
 namespace minkref::checker {
 namespace {
@@ -100,8 +101,8 @@ std::uint32_t Normals::add(const Vector& normal) {
 }
 
 Pieces::Pieces(const Value& of, const Value& pieces, const Value& groups, const Operand& set,
-               Normals& normals)
-    : operand(set), normals_(normals) {
+               Normals& normals, Budget& budget)
+    : operand(set), normals_(normals), budget_(budget) {
   require(text(of) == set.name, "this is another operand");
   for (const Value& piece : items(pieces)) {
     auto& hull = hulls.emplace_back();
@@ -117,7 +118,9 @@ Pieces::Pieces(const Value& of, const Value& pieces, const Value& groups, const 
   }
   for (const Value& group : items(groups)) {
     const auto list = indices(group, hulls.size());
-    require(!list.empty(), "a group has no member");
+    require(!list.empty() && std::set(list.begin(), list.end()).size() == list.size(),
+            "a group has no member, or one twice");
+    budget_.spend(list.size() * count);
     auto& own = leaves.emplace_back(count);
     for (const std::uint32_t child : list) {
       for (std::size_t i = 0; i < count; ++i) own[i] = own[i] || leaves[child][i];
@@ -138,6 +141,7 @@ void Pieces::check_tiling(const Value& pieces) const {
   }
   EdgeSum sum;
   for (const auto& ring : operand.rings) {
+    budget_.spend(ring.size());
     for (std::size_t i = 0; i < ring.size(); ++i) {
       sum.add(rational(operand.points[ring[i]]),
               rational(operand.points[ring[(i + 1) % ring.size()]]), -1);
@@ -145,6 +149,7 @@ void Pieces::check_tiling(const Value& pieces) const {
   }
   for (std::size_t n = 0; n < count; ++n) {
     const auto& hull = hulls[n];
+    budget_.spend(hull.size());
     for (std::size_t i = 0; i < hull.size(); ++i) {
       sum.add(rational(hull[i]), rational(hull[(i + 1) % hull.size()]), 1);
     }
@@ -160,6 +165,7 @@ void Pieces::add_group(const std::vector<std::uint32_t>& members) {
   mpz_class area;
   bool all_solid = members.size() == 2;
   for (const std::uint32_t child : members) {
+    budget_.spend(hulls[child].size());
     corners.insert(corners.end(), hulls[child].begin(), hulls[child].end());
     area += doubled_area(hulls[child]);
     all_solid = all_solid && solid[child];
@@ -177,6 +183,7 @@ const mpz_class& Pieces::most(std::uint32_t node, std::uint32_t normal) const {
   const auto [place, fresh] = most_.try_emplace(std::uint64_t{node} << 32 | normal);
   if (!fresh) return place->second;
   const Vector& n = normals_[normal];
+  budget_.spend(hulls[node].size());
   bool first = true;
   for (const Vector& corner : hulls[node]) {
     mpz_class value = dot(n, corner);

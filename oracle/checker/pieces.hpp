@@ -5,6 +5,7 @@
 #include <memory>
 #include <unordered_map>
 
+#include "oracle/checker/budget.hpp"
 #include "oracle/checker/reading.hpp"
 
 namespace minkref::checker {
@@ -46,7 +47,7 @@ class Pieces {
  public:
   /// Checks the step. Throws NotVerified.
   Pieces(const Value& of, const Value& pieces, const Value& groups, const Operand& operand,
-         Normals& normals);
+         Normals& normals, Budget& budget);
 
   const Operand& operand;
   std::size_t count = 0;  ///< of pieces
@@ -63,6 +64,7 @@ class Pieces {
   void add_group(const std::vector<std::uint32_t>& members);
 
   Normals& normals_;
+  Budget& budget_;
   mutable std::unordered_map<std::uint64_t, mpz_class> most_;
 };
 

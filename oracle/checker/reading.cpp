@@ -1,33 +1,43 @@
 #include "oracle/checker/reading.hpp"
 
 #include <algorithm>
-#include <regex>
 #include <sstream>
 
 namespace minkref::checker {
 namespace {
-
-constexpr std::size_t most_digits = 100'000;  // of one number
 
 mpz_class from_digits(std::string digits) {
   if (!digits.empty() && digits.front() == '+') digits.erase(0, 1);
   return mpz_class(digits, 10);
 }
 
-/// A decimal: digits, perhaps a point, perhaps an exponent of at most four digits.
+bool is_digits(std::string_view text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == text.npos;
+}
+
+std::string_view without_sign(std::string_view text) {
+  return text.substr(!text.empty() && (text[0] == '+' || text[0] == '-') ? 1 : 0);
+}
+
+/// Of an exponent: at most three digits, or 1000.
+bool is_exponent(std::string_view text) {
+  const std::string_view digits = without_sign(text);
+  return is_digits(digits) && (digits.size() <= 3 || digits == "1000");
+}
+
+/// Digits, perhaps a point, perhaps an exponent.
 mpq_class decimal(const std::string& text) {
-  std::string digits, exponent;
-  std::size_t after_point = 0, i = 0;
-  bool point = false;
-  for (; i < text.size() && text[i] != 'e' && text[i] != 'E'; ++i) {
-    if (text[i] == '.') {
-      point = true;
-    } else {
-      digits += text[i];
-      after_point += point;
-    }
+  const std::size_t e = std::min(text.find_first_of("eE"), text.size());
+  std::string digits = text.substr(0, e);
+  const std::string exponent = e < text.size() ? text.substr(e + 1) : "";
+  const std::size_t point = digits.find('.');
+  std::size_t after_point = 0;
+  if (point != digits.npos) {
+    after_point = digits.size() - point - 1;
+    digits.erase(point, 1);
   }
-  if (i < text.size()) exponent = text.substr(i + 1);
+  require(is_digits(without_sign(digits)) && (e == text.size() || is_exponent(exponent)),
+          text.substr(0, 60) + " is no number");
   const long shift = (exponent.empty() ? 0 : std::stol(exponent)) - static_cast<long>(after_point);
   mpz_class power;
   mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(std::abs(shift)));
@@ -38,22 +48,19 @@ mpq_class decimal(const std::string& text) {
 }
 
 mpq_class parse_number(const std::string& text) {
-  static const std::regex fraction(R"([+-]?\d+/\d+)"),
-      real(R"([+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d{1,4})?)");
   require(text.size() <= most_digits, "a number has too many digits");
-  if (std::regex_match(text, fraction)) {
-    const std::size_t bar = text.find('/');
-    const mpz_class denominator(text.substr(bar + 1), 10);
-    require(denominator != 0, text.substr(0, 60) + " is no number");
-    mpq_class value(from_digits(text.substr(0, bar)), denominator);
-    value.canonicalize();
-    return value;
-  }
-  require(std::regex_match(text, real), text.substr(0, 60) + " is no number");
-  return decimal(text);
+  const std::size_t bar = text.find('/');
+  if (bar == text.npos) return decimal(text);
+  const std::string above = text.substr(0, bar), below = text.substr(bar + 1);
+  require(is_digits(without_sign(above)) && is_digits(below) &&
+              below.find_first_not_of('0') != below.npos,
+          text.substr(0, 60) + " is no number");
+  mpq_class value(from_digits(above), mpz_class(below, 10));
+  value.canonicalize();
+  return value;
 }
 
-std::string ring_text(const Value& value, Operand& operand) {
+std::string ring_text(const Value& value, bool outer, Operand& operand) {
   std::vector<std::uint32_t> ring;
   std::string plain;
   for (const Value& entry : items(value)) {
@@ -63,6 +70,7 @@ std::string ring_text(const Value& value, Operand& operand) {
     plain += (plain.empty() ? "[\"" : ",[\"") + p.x.get_str() + "\",\"" + p.y.get_str() + "\"]";
   }
   require(!ring.empty(), operand.name + " has an empty ring");
+  operand.outer.push_back(outer);
   operand.thin = operand.thin || ring.size() < 3;
   operand.rings.push_back(std::move(ring));
   return "[" + plain + "]";
@@ -150,11 +158,11 @@ Operand read_operand(const Value& value, const std::string& name) {
   operand.name = name;
   for (const Value& polygon : items(*members(value, "polygons")[0])) {
     const auto rings = members(polygon, "outer holes?");
-    const std::string outer = ring_text(*rings[0], operand);
+    const std::string outer = ring_text(*rings[0], true, operand);
     std::string holes;
     if (!rings[1]->is_null()) {
       for (const Value& hole : items(*rings[1])) {
-        holes += (holes.empty() ? "" : ",") + ring_text(hole, operand);
+        holes += (holes.empty() ? "" : ",") + ring_text(hole, false, operand);
       }
     }
     operand.plain += operand.plain.empty() ? "" : ",";

@@ -45,8 +45,9 @@ struct Operand {
   std::vector<Point> exact;
   std::vector<Vector> points;  ///< in units of the proof
   std::vector<std::vector<std::uint32_t>> rings;
-  std::string plain;  ///< what is hashed
-  bool thin = false;  ///< a point or a segment
+  std::vector<bool> outer;  ///< of each ring: whether it is one
+  std::string plain;        ///< what is hashed
+  bool thin = false;        ///< a point or a segment
 };
 Operand read_operand(const Value& value, const std::string& name);
 

@@ -64,10 +64,12 @@ Region::Region(const Value& step, const Pieces& P, const Pieces& Q, const mpz_cl
     : P_(P), Q_(Q), unit_(unit), normals_(normals), budget_(budget) {
   const auto parts =
       members(step, "rule scales by box elements cells normals proofs contacts polygons");
+  for (std::size_t i = 3; i < parts.size(); ++i) items(*parts[i]);
   const bool moves = text(*parts[0]) == "move";
   for (const Value& s : items(*parts[1], moves ? 2 : 1)) scales_.push_back(scale(s));
   require(!moves || scales_[0] < scales_[1], "the scales do not ascend");
   for (std::size_t i = 0; i < 4; ++i) box_[i] = number(items(*parts[3], 4)[i]) * unit_;
+  demand(box_[0] < box_[2] && box_[1] < box_[3], "the box is empty");
   for (std::size_t wall = 0; wall < 4; ++wall) {
     const mpz_class& d = box_[wall].get_den();
     const Triple line{wall % 2 ? mpz_class(0) : d, wall % 2 ? d : mpz_class(0),
@@ -107,7 +109,8 @@ Region::Region(const Value& step, const Pieces& P, const Pieces& Q, const mpz_cl
     require(!contact.empty(), "a contact is empty");
     Contact points;
     for (const Value& point : items(contact[0])) points.push_back(point_number(point));
-    require(points.size() == 1 || points.size() == 2, "a contact is a point or a segment");
+    require(points.size() == 1 || (points.size() == 2 && points[0] != points[1]),
+            "this is no point or segment");
     check_apart(points, contact.data() + 1, contact.data() + contact.size());
     contacts_.insert(points);
   }

@@ -10,14 +10,6 @@
 namespace minkref::checker {
 
 /// What may still be spent.
-struct Budget {
-  std::function<bool()> in_time;
-  mpz_class tests;
-  void spend(std::size_t count) {
-    tests -= count;
-    demand(tests >= 0 && in_time(), "a limit is reached", Code::out_of_budget);
-  }
-};
 
 /// x, y; or x0, x1, y0, y1: the point (x0 + s x1, y0 + s y1).
 using Vertex = std::vector<mpq_class>;

@@ -2,31 +2,29 @@
 
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstdint>
 
 namespace minkref::checker {
 namespace {
 
-/// The first primes: their roots give the constants.
-constexpr std::array<int, 64> primes = {
-    2,   3,   5,   7,   11,  13,  17,  19,  23,  29,  31,  37,  41,  43,  47,  53,
-    59,  61,  67,  71,  73,  79,  83,  89,  97,  101, 103, 107, 109, 113, 127, 131,
-    137, 139, 149, 151, 157, 163, 167, 173, 179, 181, 191, 193, 197, 199, 211, 223,
-    227, 229, 233, 239, 241, 251, 257, 263, 269, 271, 277, 281, 283, 293, 307, 311};
-
-/// The first 32 bits of the fractional part.
-std::uint32_t fraction(double root) {
-  return static_cast<std::uint32_t>((root - std::floor(root)) * 4294967296.0);
-}
+/// The first 32 bits of the fractional parts of the square roots of the first 8 primes, and of the
+/// cube roots of the first 64.
+constexpr std::array<std::uint32_t, 8> square_roots = {
+    0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a, 0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
+constexpr std::array<std::uint32_t, 64> cube_roots = {
+    0x428a2f98, 0x71374491, 0xb5c0fbcf, 0xe9b5dba5, 0x3956c25b, 0x59f111f1, 0x923f82a4, 0xab1c5ed5,
+    0xd807aa98, 0x12835b01, 0x243185be, 0x550c7dc3, 0x72be5d74, 0x80deb1fe, 0x9bdc06a7, 0xc19bf174,
+    0xe49b69c1, 0xefbe4786, 0x0fc19dc6, 0x240ca1cc, 0x2de92c6f, 0x4a7484aa, 0x5cb0a9dc, 0x76f988da,
+    0x983e5152, 0xa831c66d, 0xb00327c8, 0xbf597fc7, 0xc6e00bf3, 0xd5a79147, 0x06ca6351, 0x14292967,
+    0x27b70a85, 0x2e1b2138, 0x4d2c6dfc, 0x53380d13, 0x650a7354, 0x766a0abb, 0x81c2c92e, 0x92722c85,
+    0xa2bfe8a1, 0xa81a664b, 0xc24b8b70, 0xc76c51a3, 0xd192e819, 0xd6990624, 0xf40e3585, 0x106aa070,
+    0x19a4c116, 0x1e376c08, 0x2748774c, 0x34b0bcb5, 0x391c0cb3, 0x4ed8aa4a, 0x5b9cca4f, 0x682e6ff3,
+    0x748f82ee, 0x78a5636f, 0x84c87814, 0x8cc70208, 0x90befffa, 0xa4506ceb, 0xbef9a3f7, 0xc67178f2};
 
 }  // namespace
 
 std::string sha256(std::string_view data) {
-  std::array<std::uint32_t, 8> hash{};
-  std::array<std::uint32_t, 64> k{};
-  for (std::size_t i = 0; i < 8; ++i) hash[i] = fraction(std::sqrt(static_cast<double>(primes[i])));
-  for (std::size_t i = 0; i < 64; ++i) k[i] = fraction(std::cbrt(static_cast<double>(primes[i])));
+  std::array<std::uint32_t, 8> hash = square_roots;
   std::string padded(data);
   padded += '\x80';
   while (padded.size() % 64 != 56) padded += '\0';
@@ -45,7 +43,7 @@ std::string sha256(std::string_view data) {
     auto [a, b, c, d, e, f, g, h] = hash;
     for (std::size_t i = 0; i < 64; ++i) {
       const std::uint32_t first = h + (std::rotr(e, 6) ^ std::rotr(e, 11) ^ std::rotr(e, 25)) +
-                                  ((e & f) ^ (~e & g)) + k[i] + w[i];
+                                  ((e & f) ^ (~e & g)) + cube_roots[i] + w[i];
       const std::uint32_t second =
           (std::rotr(a, 2) ^ std::rotr(a, 13) ^ std::rotr(a, 22)) + ((a & b) ^ (a & c) ^ (b & c));
       h = g, g = f, f = e, e = d + first, d = c, c = b, b = a, a = first + second;

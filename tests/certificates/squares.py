@@ -17,7 +17,15 @@ def _digest(value: Any) -> str:
 
 
 def _plain(operand: Any) -> Any:
-    return [{"holes": [], "outer": polygon["outer"]} for polygon in operand["polygons"]]
+    return [{"holes": p.get("holes", []), "outer": p["outer"]} for p in operand["polygons"]]
+
+
+def digest_of_case(case: Any) -> str:
+    return _digest({name: _plain(case[name]) for name in "PQ"})
+
+
+def digest_of_polygons(polygons: Any) -> str:
+    return _digest({"polygons": polygons})
 
 
 SUM = [{"holes": [], "outer": [["0", "0"], ["2", "0"], ["2", "2"], ["0", "2"]]}]

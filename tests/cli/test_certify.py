@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import json
+import subprocess
 from pathlib import Path
 from typing import Any
 
 import pytest
+from minkref.reports.evidence.certificates.checkers import in_cpp
 
 TRIANGLE = "POLYGON((-3 -2, 4 -1, 1 3, -3 -2))"
 FRAME = "POLYGON((-40 -40, 40 -40, 40 40, -40 40, -40 -40), (0 20, 17 -11, -19 -9, 0 20))"
@@ -92,3 +94,27 @@ def test_a_limit_is_undecided(minkref: Any, operands: Any, tmp_path: Path) -> No
     file = tmp_path / "it.cert.json"
     minkref("certify", *operands, "-o", str(file))
     assert minkref("check", str(file), "--tests", "5").code == 4
+
+
+def test_the_case_is_one_that_other_commands_read(
+    minkref: Any, operands: Any, tmp_path: Path
+) -> None:
+    """And it is not written over another file of its name."""
+    minkref("certify", *operands, "-o", str(tmp_path / "it.cert.json"))
+    case = tmp_path / "it.case.json"
+    ran = minkref("sum", f"{case}#P", f"{case}#Q", "--json")
+    assert (ran.code, ran.json["holes"]) == (0, 1)
+    again = minkref("certify", *operands, "--scale", "2", "-o", str(tmp_path / "it.cert.json.gz"))
+    assert again.code == 0
+    case.write_text("mine", encoding="utf-8")
+    ran = minkref("certify", *operands, "-o", str(tmp_path / "it.cert.json"))
+    assert (ran.code, "another file" in ran.err) == (2, True)
+    assert case.read_text(encoding="utf-8") == "mine"
+
+
+def test_names_beyond_ascii(minkref: Any, operands: Any, tmp_path: Path) -> None:
+    file = tmp_path / "é\U0001d54a.cert.json"
+    assert minkref("certify", *operands, "-o", str(file)).code == 0
+    assert minkref("check", str(file)).code == 0
+    program = in_cpp()
+    assert subprocess.run([*program, str(file)], capture_output=True).returncode == 0

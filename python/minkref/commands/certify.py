@@ -99,8 +99,11 @@ def command(
         try:
             wish.claim(certificate)
         except NoProof as error:
-            mend = "`minkref events P Q --kind boundary` lists the events"
+            mend = "`minkref events P Q --kind boundary` (or arrangement) lists the events"
+            if wish.point is not None:
+                mend = "`minkref sum P Q --scale S -o sum.svg` draws the sum"
             raise Refusal(str(error), operands, mend, "no-proof") from error
+        _check_case(case, certificate.case())
         text = certificate.text(case.name, operands)
     write_atomically(case, certificate.case())
     _write(output, text)
@@ -120,6 +123,13 @@ def command(
             f"{value['seconds']:.2f} s\nits case: {shown(str(case))}\n"
             f"check it: minkref check {shown(str(output))}\n"
         )
+
+
+def _check_case(path: Path, text: str) -> None:
+    """Refuses to replace a file that is not this case."""
+    if path.exists() and path.read_bytes() != text.encode():
+        mend = "give -o another name, or remove it"
+        raise Refusal("another file has the name of the case", str(path), mend, "file-exists")
 
 
 def _stem(output: Path) -> str:
@@ -157,7 +167,7 @@ class Wish:
             s = read_scale(self.event, "--event")
             a = (
                 read_scale(self.from_scale, "--from")
-                if self.from_scale
+                if self.from_scale is not None
                 else _before(certificate, s)
             )
             if Fraction(a) >= Fraction(s):
@@ -171,9 +181,12 @@ class Wish:
         elif self.degeneracy is not None:
             certificate.degeneracy(read_scale(self.degeneracy, "--degeneracy"))
         elif self.point is not None:
-            certificate.point(read_scale(self.scale or "1"), read_point(self.point))
+            certificate.point(self._scale(), read_point(self.point))
         else:
-            certificate.sum(read_scale(self.scale or "1"), passages=True)
+            certificate.sum(self._scale(), passages=True)
+
+    def _scale(self) -> str:
+        return read_scale("1" if self.scale is None else self.scale)
 
 
 def _before(certificate: Certificate, scale: str) -> str:

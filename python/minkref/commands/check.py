@@ -23,6 +23,7 @@ minkref check certificates/ --json
 minkref check event.cert.json --case event.case.json --seconds 60"""
 
 ENDINGS = ("*.cert.json", "*.cert.json.gz")
+MOST = 1e18
 WORDS = {
     checker.VERIFIED: "verified",
     checker.REFUTED: "refuted",
@@ -39,10 +40,12 @@ def command(
     case: Annotated[
         Path | None, typer.Option("--case", help="The case, instead of the path that is named.")
     ] = None,
-    seconds: Annotated[float, typer.Option(help="For one certificate.", min=0.0)] = 600.0,
-    tests: Annotated[int, typer.Option(help="Elementary tests for one.", min=1)] = 10**10,
-    bytes_: Annotated[int, typer.Option("--bytes", help="Of one certificate, unpacked.", min=1)] = 1
-    << 30,
+    seconds: Annotated[float, typer.Option(help="For one certificate.", min=0, max=MOST)] = 600.0,
+    tests: Annotated[float, typer.Option(help="Elementary tests for one.", min=0, max=MOST)] = 1e10,
+    bytes_: Annotated[
+        float,
+        typer.Option("--bytes", help="Of a certificate, or a case, unpacked.", min=0, max=MOST),
+    ] = 2**28,
     json: Json = False,
     schema: Schema = False,
 ) -> None:
@@ -72,7 +75,7 @@ def _found(files: list[Path]) -> list[Path]:
         if not path.is_dir():
             found.append(path)
             continue
-        inside = sorted(p for ending in ENDINGS for p in path.rglob(ending))
+        inside = sorted(p for ending in ENDINGS for p in path.rglob(ending) if p.is_file())
         if not inside:
             mend = f"name files, or a folder that holds {' or '.join(ENDINGS)}"
             raise Refusal("there is no certificate in this folder", str(path), mend)

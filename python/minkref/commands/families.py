@@ -7,6 +7,7 @@ from typing import Any
 
 from rich.table import Table
 
+from minkref.degeneracies.catalogue import FAMILIES as DEGENERATE
 from minkref.documents import Stopwatch, as_text, document
 from minkref.fuzz.cases.space_case import SPACE_FAMILIES
 from minkref.fuzz.families.catalogue import FAMILIES
@@ -17,18 +18,26 @@ EXAMPLES = """Examples:
 
 minkref families
 
-minkref verify cgal-reduced --family comb --case comb:1:42"""
+minkref verify cgal-reduced --family comb --case comb:1:42
+
+minkref generate fits-hole --count 5 -o cases"""
 
 
 def command(json: Json = False, schema: Schema = False) -> None:
-    """The families of generated cases that `minkref verify` draws from. A case is named
-    FAMILY:SEED:INDEX."""
+    """The families of generated cases: those that `minkref verify` draws from (a case is named
+    FAMILY:SEED:INDEX), and those that `minkref generate` makes with certificates."""
     watch = Stopwatch()
     rows = [
-        {"name": name, "dimension": 2, "title": family.title} for name, family in FAMILIES.items()
+        {"name": name, "dimension": 2, "title": family.title, "command": "verify"}
+        for name, family in FAMILIES.items()
     ]
     rows += [
-        {"name": name, "dimension": 3, "title": title} for name, title in SPACE_FAMILIES.items()
+        {"name": name, "dimension": 3, "title": title, "command": "verify"}
+        for name, title in SPACE_FAMILIES.items()
+    ]
+    rows += [
+        {"name": name, "dimension": 2, "title": family.title, "command": "generate"}
+        for name, family in DEGENERATE.items()
     ]
     value = document("families", watch, families=rows)
     if json:
@@ -39,8 +48,8 @@ def command(json: Json = False, schema: Schema = False) -> None:
 
 def _print(value: dict[str, Any]) -> None:
     table = Table(box=None, pad_edge=False)
-    for heading in ("family", "dimension", "what it makes"):
+    for heading in ("family", "dimension", "command", "what it makes"):
         table.add_column(heading)
     for row in value["families"]:
-        table.add_row(row["name"], str(row["dimension"]), row["title"])
+        table.add_row(row["name"], str(row["dimension"]), row["command"], row["title"])
     console().print(table)
