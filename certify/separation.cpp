@@ -1,6 +1,8 @@
 #include "certify/separation.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <unordered_map>
 
@@ -96,8 +98,10 @@ class Separation {
     double least = std::numeric_limits<double>::infinity(), error = 0;
     for (const std::uint32_t corner : corners_) {
       const double left = n.dx * at(corner).x, right = n.dy * at(corner).y;
+      const double bound = (std::abs(left) + std::abs(right)) * 0x1p-49 + 1e-290;
+      if (!std::isfinite(bound)) return place->second = {0, bound};  // nothing is decided by it
       least = std::min(least, left + right);
-      error = std::max(error, (std::abs(left) + std::abs(right)) * 0x1p-49 + 1e-290);
+      error = std::max(error, bound);
     }
     return place->second = {least, error};
   }

@@ -142,3 +142,19 @@ def test_a_changed_sum_is_refused_or_still_proven(check: Any, tmp_path: Path, na
         assert code in (0, 1, 2), (mutant, said)
         if mutant.path[0] in ("claims", "case", "certificate"):
             assert code, (mutant, said)
+
+
+def test_coordinates_near_the_largest_double(check: Any, tmp_path: Path) -> None:
+    """In doubles, sums and products of them are infinite, or no numbers: no filter may decide."""
+    size = 2**1020
+
+    def ring(x: int, y: int, width: int, height: int) -> str:
+        corners = ((x, y), (x + width, y), (x + width, y + height), (x, y + height), (x, y))
+        return "(" + ", ".join(f"{a * size} {b * size}" for a, b in corners) + ")"
+
+    P = _core.read_text(f"POLYGON({ring(0, 0, 9, 6)})", "wkt", "P")
+    Q = _core.read_text(f"POLYGON({ring(-2, -2, 13, 12)}, {ring(0, 0, 9, 8)})", "wkt", "Q")
+    certificate = Certificate(P, Q)
+    certificate.event(1, Fraction(3, 4), passages=True)
+    code, said = check(written(certificate, tmp_path))
+    assert code == 0, said
