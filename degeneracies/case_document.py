@@ -95,7 +95,7 @@ class Degenerate:
                     for scale, found in zip(self.scales, self.sums, strict=True)
                 ],
             },
-            "source": f"minkref generate {name} --seed {self.seed}, member {self.index}",
+            "source": self._source,
             "licence": LICENCE,
             "certificate": f"{self.id}.cert.json",
         }
@@ -127,6 +127,12 @@ class Degenerate:
     @cached_property
     def certificate_text(self) -> str:
         return self.certificate.text(f"{self.id}.json", self.id, "minkref")
+
+    @property
+    def _source(self) -> str:
+        if self.family.name == "found":
+            return "found by verification, or published"
+        return f"minkref generate {self.family.name} --seed {self.seed}, member {self.index}"
 
     def _expected(self, scale: Fraction, found: _core.Sum) -> dict[str, Any]:
         told: dict[str, Any] = {

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 from minkref import _core
-from minkref.fuzz.least_precision import least_bits
 
-MOST_BITS = 4096
+FEWEST_BITS, MOST_BITS = 8, 4096
 
 
 def answer_in(arithmetic: str, P: _core.PolygonSet, Q: _core.PolygonSet, scale: str) -> list[int]:
@@ -24,13 +24,34 @@ def counts_of(sum_: _core.Sum) -> list[int]:
 
 
 def precision(P: _core.PolygonSet, Q: _core.PolygonSet, scale: str, truth: list[int]) -> Any:
-    """At one scale: the answer of doubles, whether it is right in these counts, and the least
-    number of bits of a significand that is (None where 4096 are too few)."""
+    """At one scale: the answer of doubles, whether it is right in these counts, and the number of
+    bits of a significand from which on it is."""
     doubles = answer_in("double", P, Q, scale)
-    bits = least_bits(lambda bits: answer_in(f"mpfr:{bits}", P, Q, scale) == truth, MOST_BITS)
+    bits = bits_from_which(lambda bits: answer_in(f"mpfr:{bits}", P, Q, scale) == truth)
     return {
         "scale": scale,
         "doubles": doubles,
         "doubles_are_right": doubles == truth,
         "deciding_bits": bits,
     }
+
+
+def bits_from_which(right: Callable[[int], bool]) -> int | None:
+    """Found by halving from 4096 bits until an answer is wrong, then by bisection between the last
+    two: fewer bits may be right by luck, and bits between those that were tried may be wrong. None
+    where 4096 are too few."""
+    high = MOST_BITS
+    if not right(high):
+        return None
+    while high > FEWEST_BITS and right(high // 2):
+        high //= 2
+    low = high // 2
+    if high == FEWEST_BITS:
+        return high
+    while high - low > 1:
+        middle = (low + high) // 2
+        if right(middle):
+            high = middle
+        else:
+            low = middle
+    return high

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-
 from minkref import _core
 
 FEWEST_BITS, MOST_BITS = 8, 2048
@@ -20,12 +18,6 @@ def least_precision(
     def enough(bits: int) -> bool:
         return bool(_core.precision_trial(P, Q, f"mpfr:{bits}", form)["all_right"])
 
-    return least_bits(enough, most)
-
-
-def least_bits(enough: Callable[[int], bool], most: int = MOST_BITS) -> int | None:
-    """The least number of bits that is enough, found by doubling, then halving the last step; None
-    where no doubling up to `most` is enough."""
     bits = FEWEST_BITS
     while not enough(bits):
         bits *= 2

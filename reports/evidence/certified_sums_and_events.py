@@ -26,8 +26,8 @@ from minkref.reports.evidence.framework.part import READERS, REFERENCE, Findings
 
 SUBJECT = (
     "500 certificates of sums with their tight passages and 500 of events, of all families, "
-    "followed by both checkers, each in a process of its own; sizes and times of these, of pairs "
-    "of 12 vertices, of 100 and 30."
+    "followed by both checkers, each in a process of its own; sizes and processor times of these, "
+    "of pairs of 12 vertices, of 100 and 30."
 )
 MINUTES = (8, None)
 DEPENDS = (

@@ -60,7 +60,7 @@ def command(
     names = _chosen(families)
     if output.exists() and not output.is_dir():
         raise Refusal("this is not a folder", str(output), "name a folder", "cannot-write")
-    check_writable(output / names[0] if output.is_dir() else output)
+    check_writable(output / "ID.json" if output.is_dir() else output)
     tasks = [(name, seed, index, output) for name in names for index in range(count)]
     rows: list[FileRow] = []
     began = time.perf_counter()
@@ -117,8 +117,9 @@ def _print(value: dict[str, Any]) -> None:
         rows = [row for row in value["cases"] if row["family"] == name]
         table.add_row(name, f"{len(rows):,}", f"{sum(row['bytes'] for row in rows):,}")
     console().print(table)
+    different = len({row["id"] for row in value["cases"]})
     sys.stdout.write(
-        f"{counted(len(value['cases']), 'case')}, {value['bytes']:,} bytes, "
-        f"{value['cases_per_second']:.1f} a second\n"
+        f"{counted(len(value['cases']), 'case')}, {different:,} different, "
+        f"{value['bytes']:,} bytes, {value['cases_per_second']:.1f} a second\n"
         f"check them: minkref check {shown(value['output'])}\n"
     )

@@ -1,0 +1,32 @@
+"""Makes the corpus that ships with the project: `python -m minkref.degeneracies.make_corpus`."""
+
+from __future__ import annotations
+
+import multiprocessing
+import sys
+from pathlib import Path
+
+from minkref.degeneracies.catalogue import FAMILIES
+from minkref.degeneracies.files import write_found, write_member
+from minkref.degeneracies.found import FOUND
+
+SEED = 1
+COUNT = 11  # of each family
+CORPUS = Path(__file__).parent / "corpus"
+
+
+def make(folder: Path) -> None:
+    """Members of all families, and the cases that verification has found."""
+    tasks = [(family, index, folder) for family in FAMILIES for index in range(COUNT)]
+    with multiprocessing.Pool() as pool:
+        pool.starmap(_make, tasks, chunksize=4)
+    for found in FOUND:
+        write_found(found, folder)
+
+
+def _make(family: str, index: int, folder: Path) -> None:
+    write_member(FAMILIES[family], SEED, index, folder)
+
+
+if __name__ == "__main__":
+    make(Path(sys.argv[1]) if len(sys.argv) > 1 else CORPUS)

@@ -1,0 +1,55 @@
+"""The corpus made again: the same bytes."""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+
+from minkref.degeneracies import lint
+from minkref.degeneracies.make_corpus import make
+from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, verdicts
+from minkref.reports.evidence.framework.part import READERS, REFERENCE, Findings
+
+SUBJECT = (
+    "The corpus of degenerate cases: made again it has the same bytes; its form, and its "
+    "certificates by both checkers; its size."
+)
+MINUTES = (5, None)
+DEPENDS = (
+    *REFERENCE, *READERS, "certify/*", "oracle/checker/*", "degeneracies/*.py",
+    "degeneracies/plane/*.py", "degeneracies/pages/*", "degeneracies/*.json",
+    "degeneracies/corpus/*/*.json",
+)  # fmt: skip
+
+LEAST_CASES, MOST_BYTES = 400, 20_000_000
+BATCH = 200
+
+
+def run(quick: bool) -> Findings:
+    findings = Findings()
+    there = _contents(lint.CORPUS)
+    with tempfile.TemporaryDirectory() as name:
+        make(Path(name))
+        again = _contents(Path(name))
+    changed = sorted(path for path in there | again if there.get(path) != again.get(path))
+    findings.law("files that are others when made again", not changed, 0,
+                 "; ".join(changed[:3]) or 0)  # fmt: skip
+    faults = list(lint.faults())
+    findings.law("faults of form", not faults, 0, "; ".join(faults[:3]) or 0)
+    cases = len(lint.case_paths(lint.CORPUS))
+    size = sum(map(len, there.values()))
+    findings.target("cases", cases >= LEAST_CASES, f"at least {LEAST_CASES}", cases)
+    findings.target("bytes", size < MOST_BYTES, f"under {MOST_BYTES:,}", f"{size:,}")
+    files = sorted(lint.CORPUS.rglob(f"*{lint.ENDING}"))
+    for what, command in (("Python", in_python()), ("C++", in_cpp())):
+        good = sum(
+            verdict.code == 0
+            for i in range(0, len(files), BATCH)
+            for verdict in verdicts(command, files[i : i + BATCH])
+        )
+        findings.law(f"certificates verified by the checker in {what}", good == cases, cases, good)
+    return findings
+
+
+def _contents(folder: Path) -> dict[str, bytes]:
+    return {str(p.relative_to(folder)): p.read_bytes() for p in folder.rglob("*.json")}

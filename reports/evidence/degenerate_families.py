@@ -1,0 +1,96 @@
+"""A hundred cases of every degenerate family: made, followed, and asked in floating point."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import tempfile
+import time
+from collections import Counter
+from pathlib import Path
+from typing import Any
+
+from minkref.degeneracies import lint
+from minkref.degeneracies.catalogue import FAMILIES
+from minkref.reports.evidence.certificates.checkers import in_cpp, verdicts
+from minkref.reports.evidence.framework.part import READERS, REFERENCE, Findings
+from minkref.reports.evidence.framework.store import ROOT
+
+SUBJECT = (
+    "`minkref generate`, every degenerate family, 100 cases each, all verified by `minkref check` "
+    "and by the checker in C++; cases per second; on how many of their scales doubles are wrong, "
+    "and how many bits decide."
+)
+MINUTES = (25, None)
+DEPENDS = (
+    *REFERENCE, *READERS, "certify/*", "oracle/checker/*", "degeneracies/*.py",
+    "degeneracies/plane/*.py", "degeneracies/pages/*", "degeneracies/flags.json",
+)  # fmt: skip
+
+SEED = 20
+COUNT = 100
+BATCH = 200
+BITS = (8, 16, 24, 32, 53, 64, 113, 256, 1024, 4096)
+PROGRAM = ROOT / ".venv" / "bin" / "minkref"
+
+
+def run(quick: bool) -> Findings:
+    findings = Findings()
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        made = _minkref("generate", "all", "--count", str(COUNT), "--seed", str(SEED), "-o", name)
+        rows = made["cases"]
+        per_family = Counter(row["family"] for row in rows)
+        counts = sorted({per_family[family] for family in FAMILIES})
+        findings.law("cases of each family", counts == [COUNT], COUNT, counts)
+        different = {row["id"] for row in rows}
+        findings.figures["cases, different ones, megabytes"] = [
+            len(rows), len(different), round(made["bytes"] / 1e6, 1)
+        ]  # fmt: skip
+        findings.figures["cases per second, with their certificates"] = made["cases_per_second"]
+        began = time.perf_counter()
+        checked = _minkref("check", name)["files"]
+        seconds = time.perf_counter() - began
+        bad = [row["file"] for row in checked if row["verdict"] != "verified"]
+        good = len(checked) - len(bad)
+        findings.law("certificates verified by `minkref check`",
+                     not bad and good == len(different), len(different), good)  # fmt: skip
+        findings.figures["certificates followed per second, Python"] = round(good / seconds, 1)
+        files = sorted(folder.rglob("*.cert.json"))
+        batches = [files[i : i + BATCH] for i in range(0, len(files), BATCH)]
+        codes = Counter(v.code for batch in batches for v in verdicts(in_cpp(), batch))
+        findings.law("verified by the checker in C++", codes == Counter({0: len(files)}),
+                     len(files), codes[0])  # fmt: skip
+        faults = list(lint.faults(folder))
+        findings.law("faults of form", not faults, 0, "; ".join(faults[:3]) or 0)
+        _floats(findings, folder)
+    return findings
+
+
+def _floats(findings: Findings, folder: Path) -> None:
+    wrong: dict[str, Counter[bool]] = {}
+    bits: Counter[str] = Counter()
+    for path in lint.case_paths(folder):
+        value = json.loads(path.read_text(encoding="utf-8"))
+        tally = wrong.setdefault(value["tags"][0], Counter())
+        for row in value["degeneracy"]["floats"]:
+            tally[row["doubles_are_right"]] += 1
+            bits[_bin(row["deciding_bits"])] += 1
+    names = [*(f"up to {most}" for most in BITS), f"more than {BITS[-1]}"]
+    findings.figures["scales by bits that decide"] = {name: bits[name] for name in names}
+    findings.figures["share of scales at which doubles are wrong"] = {
+        family: f"{tally[False] / tally.total():.0%}" for family, tally in sorted(wrong.items())
+    }
+
+
+def _bin(bits: int | None) -> str:
+    least = next((most for most in BITS if bits is not None and bits <= most), None)
+    return f"up to {least}" if least else f"more than {BITS[-1]}"
+
+
+def _minkref(*words: str) -> dict[str, Any]:
+    ran = subprocess.run([str(PROGRAM), *words, "--json"], capture_output=True, text=True)
+    if ran.returncode not in (0, 1):
+        raise RuntimeError(f"minkref {words[0]} ended with {ran.returncode}: {ran.stderr[-400:]}")
+    value: dict[str, Any] = json.loads(ran.stdout)
+    return value

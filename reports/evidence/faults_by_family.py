@@ -1,0 +1,138 @@
+"""Which of the seeded faults each degenerate family shows."""
+
+from __future__ import annotations
+
+import importlib
+import json
+import multiprocessing
+import signal
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from fractions import Fraction
+from pathlib import Path
+from types import FrameType
+from typing import Any
+
+from minkref import _core
+from minkref.degeneracies.case_document import Degenerate
+from minkref.degeneracies.catalogue import FAMILIES
+from minkref.fuzz.verdicts.region import region_of_rings
+from minkref.reports.evidence.framework.part import COMPARISON, READERS, REFERENCE, Findings
+
+SUBJECT = (
+    "Which of over a hundred seeded faults in a small implementation each degenerate family shows "
+    "on ten of its members at their scales: the mutation score by family."
+)
+MINUTES = (12, None)
+DEPENDS = (
+    *REFERENCE, *READERS, *COMPARISON, "degeneracies/*.py", "degeneracies/plane/*.py",
+    "tests/seeded/*.py",
+)  # fmt: skip
+
+FOLDER = Path(__file__).resolve().parents[2] / "tests" / "seeded"
+SEED = 11
+MEMBERS = 10
+SCALES = 3  # of a member: the critical one, and one on each side
+SECONDS = 1.0  # of one call; a fault that takes longer shows
+PROCESSES = 2
+# Families that may show none, and why.
+BLAND: dict[str, str] = {}
+
+
+class OutOfTime(Exception):
+    pass
+
+
+def run(quick: bool) -> Findings:
+    findings = Findings()
+    names = sorted(_seeded().FAULTS)
+    shown: dict[str, set[str]] = {}
+    with multiprocessing.Pool(PROCESSES) as pool:
+        for family, found, alarms in pool.imap_unordered(_of_family, list(FAMILIES)):
+            shown[family] = set(found)
+            findings.law(f"{family}: answers of the sound implementation that are wrong",
+                         not alarms, 0, "; ".join(alarms[:2]) or 0)  # fmt: skip
+            print(f"{family}: {len(found)} of {len(names)}", flush=True)
+    for family in FAMILIES:
+        findings.figures[family] = f"{len(shown[family])} of {len(names)}"
+    bland = [family for family in FAMILIES if not shown[family] and family not in BLAND]
+    findings.target("families that show no fault, without a reason", not bland, 0,
+                    ", ".join(bland) or 0)  # fmt: skip
+    together = set().union(*shown.values())
+    findings.figures["all families together"] = f"{len(together)} of {len(names)}"
+    findings.figures["faults that none shows"] = sorted(set(names) - together)
+    only = {
+        family: sorted(shown[family] - set().union(*(shown[o] for o in shown if o != family)))
+        for family in FAMILIES
+    }
+    findings.figures["faults that one family alone shows"] = {k: v for k, v in only.items() if v}
+    return findings
+
+
+def _seeded() -> Any:
+    if str(FOLDER) not in sys.path:
+        sys.path.insert(0, str(FOLDER))
+    return importlib.import_module("seeded_sums")
+
+
+def _of_family(family: str) -> tuple[str, list[str], list[str]]:
+    """Its name, the faults that it shows, and where the sound sum is wrong."""
+    seeded = _seeded()
+    made = importlib.import_module("seeded_adapter").made
+    cases = [_questions(family, index) for index in range(MEMBERS)]
+    found = [name for name in sorted(seeded.FAULTS) if _differences(made(name), cases, first=True)]
+    return family, found, _differences(made("sound"), cases, first=False)
+
+
+Question = tuple[Any, Any, list[tuple[str, Any, str]]]  # P, Q; scale, sP, the canonical sum
+
+
+def _questions(family: str, index: int) -> Question:
+    member = Degenerate.of(FAMILIES[family], SEED, index)
+    facts = member.facts
+    asked = []
+    for scale in (member.scales[0], member.scales[1], member.scales[-1])[:SCALES]:
+        sP = json.loads(facts.P.scaled(str(scale)).to_json())
+        truth = _core.minkowski_sum(facts.P, facts.Q, str(scale)).region.canonical_json()
+        asked.append((str(scale), sP, truth))
+    return json.loads(facts.P.to_json()), json.loads(facts.Q.to_json()), asked
+
+
+def _differences(target: Any, cases: list[Question], first: bool) -> list[str]:
+    """Where the answers of an implementation, which keeps its state from case to case, differ."""
+    found = []
+    for P, Q, asked in cases:
+        target.load(P, Q)
+        for scale, sP, truth in asked:
+            if _answer(target, scale, sP) not in (truth, "no region"):
+                found.append(f"at {Fraction(scale)} of {json.dumps([P, Q])[:300]}")
+                if first:
+                    return found
+    return found
+
+
+def _answer(target: Any, scale: str, sP: Any) -> str:
+    try:
+        with _limited():
+            result = target.at(scale, sP)
+    except Exception as error:  # noqa: BLE001 a fault may raise anything
+        return type(error).__name__
+    if result is None:
+        return "no region"
+    region = region_of_rings(result, turned=True)
+    return region.json if region.overlap is None and region.degenerate is None else "no set"
+
+
+@contextmanager
+def _limited() -> Iterator[None]:
+    def end(number: int, frame: FrameType | None) -> None:
+        raise OutOfTime
+
+    before = signal.signal(signal.SIGALRM, end)
+    signal.setitimer(signal.ITIMER_REAL, SECONDS)
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)

@@ -1,0 +1,35 @@
+"""`minkref generate`, and its cases in other commands."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+from minkref.degeneracies import lint
+
+
+@pytest.mark.parametrize(
+    ("words", "code", "told"),
+    [
+        (["fits-hole", "--count", "2"], 0, "2 cases"),
+        (["comb"], 2, "no such family"),
+        (["fits-hole", "--count", "0"], 2, "--count"),
+    ],
+)
+def test_generate(minkref: Any, tmp_path: Path, words: list[str], code: int, told: str) -> None:
+    ran = minkref("generate", *words, "-o", str(tmp_path / "out"))
+    assert (ran.code, told in ran.out + ran.err) == (code, True)
+    if code == 0:
+        assert minkref("check", str(tmp_path / "out")).code == 0
+        value = minkref("generate", *words, "-o", str(tmp_path / "out"), "--json").json
+        assert [Path(row["case"]).exists() for row in value["cases"]] == [True, True]
+    else:
+        assert not (tmp_path / "out").exists()
+
+
+def test_a_case_can_be_verified(minkref: Any) -> None:
+    (path,) = list((lint.CORPUS / "fits-slot").glob("*.json"))[:2][:1]
+    name = str(path).replace(".cert.json", ".json")
+    ran = minkref("verify", "minkref", "--case", name, "--json")
+    assert ran.code == 0
