@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import hashlib
+import json
 from pathlib import Path
 from typing import TypedDict
 
 from minkref.degeneracies.case_document import Degenerate
 from minkref.degeneracies.draft import Family
 from minkref.degeneracies.found import Story
-from minkref.documents import write_atomically
+from minkref.degeneracies.invalid.catalogue import invalid_member
+from minkref.degeneracies.invalid.member import InvalidFamily
+from minkref.documents import replacing, write_atomically
 
 
 class FileRow(TypedDict):
@@ -16,7 +20,7 @@ class FileRow(TypedDict):
     index: int
     id: str
     case: str
-    certificate: str
+    certificate: str | None  # an invalid input has none
     bytes: int
 
 
@@ -27,6 +31,36 @@ def write_member(family: Family, seed: int, index: int, folder: Path) -> FileRow
 
 def write_found(story: Story, folder: Path) -> FileRow:
     return _write(Degenerate(story, 0, 0, story.facts), folder)
+
+
+def write_invalid(family: InvalidFamily, seed: int, index: int, folder: Path) -> FileRow:
+    """FOLDER/FAMILY/ID.EXT, which must be refused; ID.refusal.json: what a message should say."""
+    made = invalid_member(family, seed, index)
+    content = made.content + (made.scale or "").encode()
+    stem = f"{family.name}-{hashlib.sha256(content).hexdigest()[:12]}"
+    where = folder / family.name
+    where.mkdir(parents=True, exist_ok=True)
+    case = where / f"{stem}{Path(made.file_name).suffix}"
+    told = {
+        "file": case.name,
+        "operand": f"{case.name}{made.part}",
+        "scale": made.scale,
+        "code": made.code,
+        "place": list(made.place),
+        "source": f"minkref generate {family.name} --seed {seed}, member {index}",
+    }
+    refusal = where / f"{stem}.refusal.json"
+    write_atomically(refusal, json.dumps(told) + "\n")
+    with replacing(case) as part:
+        part.write_bytes(made.content)
+    return {
+        "family": family.name,
+        "index": index,
+        "id": stem,
+        "case": str(case),
+        "certificate": None,
+        "bytes": case.stat().st_size + refusal.stat().st_size,
+    }
 
 
 def _write(made: Degenerate, folder: Path) -> FileRow:

@@ -64,6 +64,7 @@ def _register() -> None:
         families,
         generate,
         models,
+        report,
         shrink,
         sum,
         sweep,
@@ -83,6 +84,7 @@ def _register() -> None:
     app.command("shrink", epilog=shrink.EXAMPLES)(shrink.command)
     app.add_typer(adapter.app, name="adapter")
     app.command("bench", epilog=bench.EXAMPLES)(bench.command)
+    app.command("report", epilog=report.EXAMPLES)(report.command)
     app.command("models", epilog=models.EXAMPLES)(models.command)
     app.command("targets", epilog=targets.EXAMPLES)(targets.command)
     app.command("families", epilog=families.EXAMPLES)(families.command)

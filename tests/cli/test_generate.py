@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 from typing import Any
 
@@ -13,6 +14,7 @@ from minkref.degeneracies import lint
     ("words", "code", "told"),
     [
         (["fits-hole", "--count", "2"], 0, "2 cases"),
+        (["invalid-self-intersection", "--count", "3"], 0, "3 cases"),
         (["comb"], 2, "no such family"),
         (["fits-hole", "--count", "0"], 2, "--count"),
     ],
@@ -20,7 +22,12 @@ from minkref.degeneracies import lint
 def test_generate(minkref: Any, tmp_path: Path, words: list[str], code: int, told: str) -> None:
     ran = minkref("generate", *words, "-o", str(tmp_path / "out"))
     assert (ran.code, told in ran.out + ran.err) == (code, True)
-    if code == 0:
+    if words[0].startswith("invalid"):
+        for path in (tmp_path / "out").rglob("*.refusal.json"):
+            told = json.loads(path.read_text(encoding="utf-8"))
+            bad = minkref("sum", str(path.with_name(told["operand"])), "g1")
+            assert bad.code == 2 and all(place in bad.err for place in told["place"])
+    elif code == 0:
         assert minkref("check", str(tmp_path / "out")).code == 0
         value = minkref("generate", *words, "-o", str(tmp_path / "out"), "--json").json
         assert [Path(row["case"]).exists() for row in value["cases"]] == [True, True]

@@ -8,6 +8,7 @@ from typing import Any
 from rich.table import Table
 
 from minkref.degeneracies.catalogue import FAMILIES as DEGENERATE
+from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES
 from minkref.documents import Stopwatch, as_text, document
 from minkref.fuzz.cases.space_case import SPACE_FAMILIES
 from minkref.fuzz.families.catalogue import FAMILIES
@@ -35,9 +36,11 @@ def command(json: Json = False, schema: Schema = False) -> None:
         {"name": name, "dimension": 3, "title": title, "command": "verify"}
         for name, title in SPACE_FAMILIES.items()
     ]
+    titles = {name: family.title for name, family in DEGENERATE.items()}
+    titles |= {name: family.title for name, family in INVALID_FAMILIES.items()}
     rows += [
-        {"name": name, "dimension": 2, "title": family.title, "command": "generate"}
-        for name, family in DEGENERATE.items()
+        {"name": name, "dimension": 2, "title": title, "command": "generate"}
+        for name, title in titles.items()
     ]
     value = document("families", watch, families=rows)
     if json:

@@ -15,7 +15,8 @@ import typer
 from rich.table import Table
 
 from minkref.degeneracies.catalogue import FAMILIES
-from minkref.degeneracies.files import FileRow, write_member
+from minkref.degeneracies.files import FileRow, write_invalid, write_member
+from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES
 from minkref.documents import Stopwatch, as_text, check_writable, document
 from minkref.errors import Refusal
 from minkref.options import Json, Schema
@@ -29,9 +30,11 @@ minkref generate hole-to-segment --count 100 -o cases
 
 minkref generate all --seed 7 -o cases && minkref check cases
 
+minkref generate invalid --count 3 -o bad
+
 minkref verify cgal-reduced --suite corpus --corpus cases"""
 
-ALL = "all"
+ALL, INVALID = "all", "invalid"
 DEFAULT_FOLDER = Path("degenerate-cases")
 Task = tuple[str, int, int, Path]
 
@@ -39,7 +42,11 @@ Task = tuple[str, int, int, Path]
 def command(
     families: Annotated[
         list[str],
-        typer.Argument(help="Families (`minkref families`), or all.", metavar="FAMILY...|all"),
+        typer.Argument(
+            help="Families (`minkref families`); all: those with certificates; invalid: those "
+            "that must be refused.",
+            metavar="FAMILY...|all|invalid",
+        ),
     ],
     count: Annotated[int, typer.Option("--count", help="Cases of each family.", min=1)] = 10,
     seed: Annotated[int, typer.Option("--seed", help="Another seed, other cases.")] = 1,
@@ -85,11 +92,13 @@ def command(
 
 
 def _chosen(families: list[str]) -> list[str]:
-    unknown = [name for name in families if name != ALL and name not in FAMILIES]
+    known = {ALL: list(FAMILIES), INVALID: list(INVALID_FAMILIES)}
+    known |= {name: [name] for name in (*FAMILIES, *INVALID_FAMILIES)}
+    unknown = [name for name in families if name not in known]
     if unknown:
         mend = "`minkref families` lists those that are generated with certificates"
         raise Refusal("there is no such family", shown(unknown[0]), mend, "unknown-family")
-    return list(FAMILIES) if ALL in families else list(dict.fromkeys(families))
+    return list(dict.fromkeys(name for word in families for name in known[word]))
 
 
 def _made(tasks: list[Task], jobs: int) -> Iterator[FileRow]:
@@ -106,6 +115,8 @@ def _made(tasks: list[Task], jobs: int) -> Iterator[FileRow]:
 
 def _make(task: Task) -> FileRow:
     name, seed, index, folder = task
+    if name in INVALID_FAMILIES:
+        return write_invalid(INVALID_FAMILIES[name], seed, index, folder)
     return write_member(FAMILIES[name], seed, index, folder)
 
 
@@ -118,8 +129,9 @@ def _print(value: dict[str, Any]) -> None:
         table.add_row(name, f"{len(rows):,}", f"{sum(row['bytes'] for row in rows):,}")
     console().print(table)
     different = len({row["id"] for row in value["cases"]})
+    certified = any(row["certificate"] for row in value["cases"])
     sys.stdout.write(
         f"{counted(len(value['cases']), 'case')}, {different:,} different, "
         f"{value['bytes']:,} bytes, {value['cases_per_second']:.1f} a second\n"
-        f"check them: minkref check {shown(value['output'])}\n"
+        + (f"check them: minkref check {shown(value['output'])}\n" if certified else "")
     )

@@ -1,0 +1,1 @@
+"""Invalid input, one family for each refusal: what is damaged, where, and what has to be named."""

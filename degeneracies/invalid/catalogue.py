@@ -1,0 +1,45 @@
+"""The families of invalid input by name, one for each refusal that reading an operand, a case or a
+scale may give.
+
+Not among them, for nothing can be drawn or a file would be too large: `cannot-read` and
+`unknown-format` (a file that is not there, an ending), `cannot-write` and `not-representable`
+(writing), `file-too-large` (64 MiB) and `too-many-values` (32 MB at least).
+"""
+
+from __future__ import annotations
+
+from random import Random
+
+from minkref.degeneracies.invalid import (
+    cases_and_scales,
+    encoding,
+    geometries,
+    limits,
+    numbers,
+    pairs_of_rings,
+    rings,
+    structure,
+    words,
+)
+from minkref.degeneracies.invalid.member import Invalid, InvalidFamily
+
+INVALID_FAMILIES: dict[str, InvalidFamily] = {
+    family.name: family
+    for module in (
+        rings,
+        pairs_of_rings,
+        numbers,
+        words,
+        encoding,
+        structure,
+        geometries,
+        cases_and_scales,
+        limits,
+    )
+    for family in module.FAMILIES
+}
+
+
+def invalid_member(family: InvalidFamily, seed: int, index: int) -> Invalid:
+    """The member of this number. It depends on nothing else, on any machine."""
+    return family.draw(Random(f"minkref invalid {family.name} {seed} {index}"))

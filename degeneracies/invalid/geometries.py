@@ -1,0 +1,124 @@
+"""What is well-formed and no operand in the plane."""
+
+from __future__ import annotations
+
+from random import Random
+
+from minkref.degeneracies.invalid.json_text import MARK, Marked, Raw, json_text
+from minkref.degeneracies.invalid.member import Invalid, family
+from minkref.degeneracies.invalid.operands import coordinates, region, thin
+from minkref.degeneracies.invalid.sheet import (
+    CLOSED,
+    JSON_FORMS,
+    Sheet,
+    geojson,
+    geometry_of,
+    place_of,
+    refused,
+    sheet,
+    text_of,
+    token,
+    tokens,
+)
+from minkref.degeneracies.invalid.structure import holders
+from minkref.fuzz.families.drawing import mapped
+
+WORDS = (
+    "MULTIPOINT", "MULTILINESTRING", "CIRCULARSTRING", "CURVEPOLYGON", "TRIANGLE", "TIN", "CIRCLE",
+    "POLYHEDRALSURFACE", "POLYGONE", "LINEARRING", "BOX", "MULTISURFACE", "COMPOUNDCURVE", "RASTER",
+)  # fmt: skip
+MIXED = (*JSON_FORMS, *CLOSED)
+TYPES = ("MultiPoint", "MultiLineString", "polygon", "POLYGON", "Topology", "LinearRing", "Circle")
+
+
+def unsupported_geometry(dice: Random) -> Invalid:
+    """Another geometry in place of one, or a prefix that says where on the globe it lies."""
+    page = sheet(dice, region(dice), CLOSED)
+    if page.form == "wkt":
+        text = text_of(dice, page)
+        if dice.random() < 0.25:
+            return refused(
+                dice, page, "unsupported-geometry", "SRID", text=f"{MARK}SRID=4326;{text}"
+            )
+        word = dice.choice(WORDS)
+        old = "MULTIPOLYGON" if "MULTIPOLYGON" in text else "POLYGON"
+        shown = word.lower() if dice.random() < 0.3 else word
+        text = text.replace(old, MARK + shown, 1)
+        return refused(dice, page, "unsupported-geometry", word, text=text)
+    tree, name = geojson(dice, page), dice.choice(TYPES)
+    some = [where for where, _ in holders(tree, ("type",)) if dict(where)["type"] != "Feature"]
+    dice.choice([where for where in some if dict(where).get("coordinates")]).put(
+        "type", Marked(name)
+    )
+    return refused(dice, page, "unsupported-geometry", name, text=json_text(tree, page.tall))
+
+
+def three_dimensional(dice: Random) -> Invalid:
+    """A coordinate too many, at one vertex or at all; Z and M of well-known text."""
+    page = sheet(dice, region(dice) if dice.random() < 0.8 else thin(dice))
+    if page.form == "wkt" and dice.random() < 0.4:
+        return _dimension_word(dice, page)
+    rings = [ring for part in page.polygons for ring in part]
+    number = dice.randrange(len(rings))
+    vertex = dice.randrange(len(rings[number]))
+    for r, ring in enumerate(rings):
+        for v, corner in enumerate(ring):
+            if (r, v) == (number, vertex) or ((r, v) > (number, vertex) and dice.random() < 0.8):
+                corner.append(token(dice, page.form, dice.randint(0, 9)))
+    rings[number][vertex][0] = MARK + rings[number][vertex][0]
+    return refused(dice, page, "three-dimensional", f"ring {number}", f"vertex {vertex}")
+
+
+def _dimension_word(dice: Random, page: Sheet) -> Invalid:
+    word = dice.choice((" Z", " M", " ZM", "Z", "M", "ZM", " z", " Zm"))
+    for ring in (ring for part in page.polygons for ring in part):
+        for corner in ring:
+            corner += ["0"] * len(word.strip())
+    text = text_of(dice, page)
+    first = text.replace("\n", " ").split(" ", 1)[0]
+    return refused(dice, page, "three-dimensional", text=f"{MARK}{first}{word}{text[len(first) :]}")
+
+
+def not_a_segment(dice: Random) -> Invalid:
+    """A line of another number of points than two: open, closed, or of one point."""
+    shape = region(dice, parts=1)
+    shape[0] = shape[0][:1]
+    page = sheet(dice, shape, CLOSED)
+    ring = page.polygons[0][0]
+    count = dice.choice((1, 3, len(ring) - 1, len(ring)))
+    ring[count:] = []
+    ring.mark = True
+    if page.form == "wkt":
+        text = text_of(dice, page)
+        body = text[text.index(MARK) : text.index(")") + 1]
+        text = f"{dice.choice(('LINESTRING', 'LineString'))} {body}"
+    else:
+        tree = geometry_of("LineString", Marked([[Raw(each) for each in c] for c in ring]))
+        text = json_text(tree, page.tall)
+    return refused(dice, page, "not-a-segment", "ring 0", f"{len(ring)} p", text=text)
+
+
+def mixed_operand(dice: Random) -> Invalid:
+    """A point or a segment beside polygons or beside another."""
+    page = sheet(dice, region(dice), MIXED)
+    shape = mapped(thin(dice), coordinates(dice, True))
+    if dice.random() < 0.2:
+        page.polygons = tokens(dice, page.form, mapped(thin(dice), coordinates(dice, True)))
+        number = 1
+    else:
+        number = dice.randint(0, len(page.polygons))
+    page.polygons[number:number] = tokens(dice, page.form, shape)
+    if page.polygons[0][0].thin:  # the first of two is named
+        number, shape = 0, []
+    ring = page.number(number, 0)
+    page.mark(number, 0, 0)
+    place = place_of(*(rings[0][0] for rings in shape))
+    return refused(dice, page, "mixed-operand", f"ring {ring}", "vertex 0", *place)
+
+
+FAMILIES = (
+    family("unsupported-geometry", "a geometry that is no operand", unsupported_geometry),
+    family("three-dimensional", "coordinates beyond x and y", three_dimensional),
+    family("not-a-segment", "a line of other than two points", not_a_segment),
+    family("mixed-operand", "a point or a segment beside other parts", mixed_operand),
+)

@@ -1,0 +1,1 @@
+"""Pages about the degenerate families, with drawings."""
