@@ -99,12 +99,21 @@ class Facts:
 
     @cached_property
     def gap(self) -> int:
-        """The least k > 0 such that no other scale within 2^-k is critical."""
-        for k in range(1, LARGEST_GAP):
-            near = Fraction(1, 2**k)
-            if near < self.scale and self.is_alone(near):
-                return k
-        raise ValueError(f"another event is within 2^-{LARGEST_GAP} of {self.scale}")
+        """The least k > 0 such that no other scale within 2^-k is critical: by bisection, for what
+        is alone within a distance is alone within a smaller one."""
+        low, high = 0, 1
+        while not self._is_free(high):
+            if high >= LARGEST_GAP:
+                raise ValueError(f"another event is within 2^-{high} of {self.scale}")
+            low, high = high, 2 * high
+        while high - low > 1:
+            middle = (low + high) // 2
+            low, high = (low, middle) if self._is_free(middle) else (middle, high)
+        return high
+
+    def _is_free(self, k: int) -> bool:
+        near = Fraction(1, 2**k)
+        return near < self.scale and self.is_alone(near)
 
     def is_alone(self, near: Fraction) -> bool:
         low, high = str(self.scale - near), str(self.scale + near)
@@ -113,25 +122,34 @@ class Facts:
         return all(row[0] == self.text for row in rows)
 
     @cached_property
-    def sums(self) -> tuple[_core.Sum, _core.Sum, _core.Sum]:
-        """Below, at with its tight passages, above, with no critical scale between."""
+    def at(self) -> _core.Sum:
+        """The sum at the scale, with its tight passages."""
+        return _core.minkowski_sum(self.P, self.Q, self.text, tight_passages=True)
+
+    @cached_property
+    def beside(self) -> tuple[_core.Sum, _core.Sum]:
+        """The sums below and above, with no critical scale between."""
         near = Fraction(1, 2**self.gap)
         below, above = (
             _core.minkowski_sum(self.P, self.Q, str(s))
             for s in (self.scale - near, self.scale + near)
         )
-        at = _core.minkowski_sum(self.P, self.Q, self.text, tight_passages=True)
-        return below, at, above
+        return below, above
 
     @cached_property
     def passages(self) -> list[list[Place]]:
-        return [points for points, _ in self.sums[1].tight_passages or []]
+        return [points for points, _ in self.at.tight_passages or []]
 
     @cached_property
     def counts(self) -> tuple[tuple[int, int], ...]:
         """Components and holes below, at and above."""
-        below, at, above = ((s.components, s.holes) for s in self.sums)
-        return below, at, above
+        below, above = self.beside
+        return tuple((s.components, s.holes) for s in (below, self.at, above))
+
+    @property
+    def has_zeros(self) -> bool:
+        """Whether all predicates of the draft are zero."""
+        return all(self.vertices.value(zero, self.scale) == 0 for zero in self.zeros)
 
 
 @dataclass(frozen=True)

@@ -18,6 +18,6 @@ def member(family: Family, seed: int, index: int) -> Facts:
             facts = Facts.of_valid(family.draw(dice, dice.randint(FEWEST, MOST)))
         except NothingDrawn:
             continue
-        if facts is not None and family.belongs(facts):
+        if facts is not None and facts.has_zeros and family.belongs(facts):
             return facts
     raise RuntimeError(f"{family.name}:{seed}:{index}: nothing drawn belongs to the family")

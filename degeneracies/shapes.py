@@ -36,6 +36,11 @@ def turned(ring: Ring) -> Ring:
     return ring if signed_area(ring) < 0 else [ring[0], *ring[:0:-1]]
 
 
+def turned_left(ring: Ring) -> Ring:
+    """Counter-clockwise, as outer rings run; the first vertex stays."""
+    return ring if signed_area(ring) > 0 else [ring[0], *ring[:0:-1]]
+
+
 def framed(holes: Sequence[Ring], margin: int = 2) -> Polygon:
     """A box around holes."""
     x, y, width, height = extent([p for hole in holes for p in hole])

@@ -9,15 +9,8 @@ from random import Random
 from minkref.degeneracies.invalid.json_text import Marked, Object, Raw, json_text
 from minkref.degeneracies.invalid.member import Invalid, family
 from minkref.degeneracies.invalid.operands import region
-from minkref.degeneracies.invalid.sheet import (
-    Sheet,
-    of_bytes,
-    place_of,
-    refused,
-    sheet,
-    text_of,
-    tree_of,
-)
+from minkref.degeneracies.invalid.sheet import Sheet, place_of, sheet
+from minkref.degeneracies.invalid.writing import of_bytes, refused, text_of, tree_of
 
 VERSIONS = ("case-v2", "case-v0", "case", "", "CASE-V1", "case-v1 ", "case-v1.1", "case-v10")
 DIMENSIONS = ('"2"', "3", "1", "0", "-2", "2.0", "2e0", "null", "[2]", "true")

@@ -8,7 +8,8 @@ from random import Random
 from minkref.degeneracies.invalid.json_text import MARK
 from minkref.degeneracies.invalid.member import Invalid, family
 from minkref.degeneracies.invalid.operands import region
-from minkref.degeneracies.invalid.sheet import CLOSED, Sheet, of_bytes, refused, sheet, text_of
+from minkref.degeneracies.invalid.sheet import CLOSED, Sheet, sheet
+from minkref.degeneracies.invalid.writing import of_bytes, refused, text_of
 
 BLANK = (b"", b"", b"\n", b" \t\r\n", b"\n" * 50, b"\xef\xbb\xbf", b"\xef\xbb\xbf \n", b"\f\v")
 # Not UTF-8: Latin-1, a lone continuation, cut short, overlong, half a surrogate pair, too large.

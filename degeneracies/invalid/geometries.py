@@ -11,16 +11,13 @@ from minkref.degeneracies.invalid.sheet import (
     CLOSED,
     JSON_FORMS,
     Sheet,
-    geojson,
-    geometry_of,
     place_of,
-    refused,
     sheet,
-    text_of,
     token,
     tokens,
 )
 from minkref.degeneracies.invalid.structure import holders
+from minkref.degeneracies.invalid.writing import geojson, geometry_of, refused, text_of
 from minkref.fuzz.families.drawing import mapped
 
 WORDS = (

@@ -9,16 +9,8 @@ from random import Random
 from minkref.degeneracies.invalid.json_text import MARK, Marked, Object, Raw, json_text
 from minkref.degeneracies.invalid.member import Invalid, family
 from minkref.degeneracies.invalid.operands import region
-from minkref.degeneracies.invalid.sheet import (
-    CLOSED,
-    JSON_FORMS,
-    Sheet,
-    of_bytes,
-    refused,
-    sheet,
-    text_of,
-    tree_of,
-)
+from minkref.degeneracies.invalid.sheet import CLOSED, JSON_FORMS, Sheet, sheet
+from minkref.degeneracies.invalid.writing import of_bytes, refused, text_of, tree_of
 
 DIGITS = 10_000
 EXPONENT = 10_000

@@ -8,7 +8,8 @@ from random import Random
 from minkref.degeneracies.invalid.json_text import MARK
 from minkref.degeneracies.invalid.member import Invalid, family
 from minkref.degeneracies.invalid.operands import region, thin
-from minkref.degeneracies.invalid.sheet import FORMS, JSON_FORMS, Sheet, refused, sheet
+from minkref.degeneracies.invalid.sheet import FORMS, JSON_FORMS, Sheet, sheet
+from minkref.degeneracies.invalid.writing import refused
 
 NO_NUMBERS = (
     "NaN", "nan", "-nan", "Infinity", "-Infinity", "inf", "+inf", "1e", "1e+", "--1", "+-1", "0x1F",

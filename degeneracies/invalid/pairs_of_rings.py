@@ -7,7 +7,8 @@ from random import Random
 
 from minkref.degeneracies.invalid.member import Invalid, family
 from minkref.degeneracies.invalid.operands import Spot, region, spot
-from minkref.degeneracies.invalid.sheet import FORMS, Sheet, place_of, refused, sheet
+from minkref.degeneracies.invalid.sheet import FORMS, Sheet, place_of, sheet
+from minkref.degeneracies.invalid.writing import refused
 from minkref.degeneracies.shapes import turned
 from minkref.fuzz.families.drawing import Ring, Shape, box, extent
 

@@ -6,15 +6,8 @@ from random import Random
 
 from minkref.degeneracies.invalid.member import Invalid, family
 from minkref.degeneracies.invalid.operands import region, spot
-from minkref.degeneracies.invalid.sheet import (
-    CLOSED,
-    JSON_FORMS,
-    Tokens,
-    place_of,
-    refused,
-    sheet,
-    token,
-)
+from minkref.degeneracies.invalid.sheet import CLOSED, JSON_FORMS, Tokens, place_of, sheet, token
+from minkref.degeneracies.invalid.writing import refused
 from minkref.fuzz.families.drawing import Shape, box
 
 Damage = tuple[tuple[tuple[int, int], ...], tuple[int, ...]]

@@ -8,7 +8,8 @@ from random import Random
 from minkref.degeneracies.invalid.json_text import MARK, Marked, Object, Raw, json_text
 from minkref.degeneracies.invalid.member import Invalid, family
 from minkref.degeneracies.invalid.operands import region
-from minkref.degeneracies.invalid.sheet import Sheet, geojson, refused, sheet, tree_of
+from minkref.degeneracies.invalid.sheet import Sheet, sheet
+from minkref.degeneracies.invalid.writing import geojson, refused, tree_of
 
 FORMS = ("json", "case", "geojson")
 MISSPELT = {

@@ -9,7 +9,8 @@ from random import Random
 from minkref.degeneracies.invalid.json_text import MARK
 from minkref.degeneracies.invalid.member import Invalid, family
 from minkref.degeneracies.invalid.operands import region
-from minkref.degeneracies.invalid.sheet import Sheet, refused, sheet, text_of
+from minkref.degeneracies.invalid.sheet import Sheet, sheet
+from minkref.degeneracies.invalid.writing import refused, text_of
 
 Change = tuple[str, str]  # a pattern, and what its first or another match becomes
 

@@ -12,7 +12,7 @@ from minkref.certify.case_text import ring_numbers
 from minkref.certify.coincidence import ends_of
 from minkref.certify.predicate import Place
 from minkref.degeneracies.draft import Draft, Facts, Family
-from minkref.degeneracies.shapes import changed, framed, number
+from minkref.degeneracies.shapes import changed, framed, number, turned_left
 from minkref.fuzz.families.drawing import Point, Polygon, Ring, Shape, box, convex, extent, moved
 from minkref.fuzz.families.hard_numbers import polygon
 from minkref.fuzz.families.outlines import spiral
@@ -34,8 +34,8 @@ def _cut(dice: Random, ring: Ring) -> tuple[Ring, list[int]]:
 
 
 def _collinear(dice: Random, size: int) -> Draft:
-    P, first = _cut(dice, polygon(dice, dice.randint(3, 6), False)[0])
-    Q, second = _cut(dice, polygon(dice, dice.randint(3, 6), False)[0])
+    P, first = _cut(dice, turned_left(polygon(dice, dice.randint(3, 6), False)[0]))
+    Q, second = _cut(dice, turned_left(polygon(dice, dice.randint(3, 6), False)[0]))
     n, m = len(P), len(Q)
     zeros = (
         *(("orientation", ((i - 1, 0), (i, 0), ((i + 1) % n, 0))) for i in first),
@@ -46,7 +46,7 @@ def _collinear(dice: Random, size: int) -> Draft:
 
 
 def _is_collinear(facts: Facts) -> bool:
-    return all(facts.vertices.value(zero, facts.scale) == 0 for zero in facts.zeros)
+    return len(facts.zeros) >= 2 and facts.has_zeros
 
 
 def _full(facts: Facts) -> Iterator[tuple[Place, Place]]:
@@ -141,13 +141,12 @@ def _spirals(dice: Random, size: int) -> Draft:
 
 def _is_large(facts: Facts) -> bool:
     """More vertices of the sum than of the operands."""
-    region = facts.sums[1].region
-    return region.vertices > facts.P.vertices + facts.Q.vertices
+    return facts.at.region.vertices > facts.P.vertices + facts.Q.vertices >= 24
 
 
 def _is_wound(facts: Facts) -> bool:
-    """The boundary of the sum winds as Q does."""
-    return facts.sums[1].region.vertices >= facts.Q.vertices // 2
+    """The boundary of the sum winds as Q does, and Q as many turns."""
+    return facts.Q.vertices >= 16 and facts.at.region.vertices >= facts.Q.vertices // 2
 
 
 def _away(dice: Random, size: int) -> Draft:

@@ -67,7 +67,9 @@ def _wholly(dice: Random, size: int) -> Draft:
 
 
 def _several(dice: Random, size: int) -> Draft:
-    return mined(dice, dice.choice((small_pair, convex_pair, upright_pair)), _is_several)
+    return mined(
+        dice, lambda dice: dice.choice((small_pair, convex_pair, upright_pair))(dice), _is_several
+    )
 
 
 FAMILIES = (

@@ -46,9 +46,10 @@ def _edge(facts: Facts, operand: int) -> tuple[Fraction, Fraction]:
 
 
 def _sense(facts: Facts) -> Fraction:
-    """Positive where the first edges of P and Q have the same direction."""
+    """Positive where the first edges of P and Q have the same direction, negative where opposite
+    ones, zero where they are not parallel."""
     (x, y), (u, v) = _edge(facts, 0), _edge(facts, 1)
-    return x * u + y * v
+    return x * u + y * v if x * v == y * u else Fraction(0)
 
 
 def _once(dice: Random, size: int) -> Draft:

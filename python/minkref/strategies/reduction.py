@@ -1,0 +1,130 @@
+"""Smaller candidates out of a draft: what can be left out, and simpler numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from fractions import Fraction
+from math import gcd, lcm
+from typing import Any, Literal
+
+from minkref.certify.predicate import Predicate
+from minkref.degeneracies.draft import Draft
+from minkref.fuzz.families.drawing import Shape, extent, mapped, moved, scaled
+from minkref.strategies.values import points_of
+
+Operand = Literal["P", "Q"]
+Place = tuple[int, ...]  # polygon; its ring, the outer one being 0; vertex
+KINDS = ("polygon", "hole", "vertex")
+
+
+def places(draft: Draft, kind: str) -> list[tuple[Operand, Place]]:
+    """What can be left out, the last first: leaving one out moves none of those that follow."""
+    found: list[tuple[Operand, Place]] = []
+    for name, shape in _operands(draft):
+        for i, polygon in enumerate(shape):
+            if kind == "polygon":
+                found += [(name, (i,))] if len(shape) > 1 else []
+                continue
+            for j, ring in enumerate(polygon):
+                if kind == "hole":
+                    found += [(name, (i, j))] if j else []
+                elif len(ring) > 3:
+                    found += [(name, (i, j, k)) for k in range(len(ring))]
+    return found[::-1]
+
+
+def without(draft: Draft, name: Operand, place: Place) -> Draft | None:
+    """Without a polygon, hole or vertex; None where a ring would have two vertices, or a vertex is
+    one by which the draft is degenerate."""
+    shape = draft.P if name == "P" else draft.Q
+    numbers = _numbers(shape)
+    gone = {number for number, where in enumerate(numbers) if where[: len(place)] == place}
+    if len(place) == 3 and len(shape[place[0]][place[1]]) == 3:
+        return None
+    left = [n for n in range(len(numbers)) if n not in gone]
+    try:
+        zeros = tuple(_renumbered(zero, name, left) for zero in draft.zeros)
+    except ValueError:  # it is one of those left out
+        return None
+    rest = _left_out(shape, place)
+    P, Q = (rest, draft.Q) if name == "P" else (draft.P, rest)
+    return replace(draft, P=P, Q=Q, zeros=zeros)
+
+
+def simpler() -> tuple[Callable[[Draft], Draft], ...]:
+    """Changes of all numbers, to be made one after the other: P as large as at the scale; both at
+    the origin; whole, without a common divisor; few distances between levels, which often loses
+    what is degenerate."""
+    return (
+        lambda d: replace(d, P=scaled(d.P, d.scale), scale=Fraction(1)),
+        lambda d: replace(d, P=_at_origin(d.P)),
+        lambda d: replace(d, Q=_at_origin(d.Q)),
+        _whole,
+        lambda d: replace(d, P=_ranked(d.P)),
+        lambda d: replace(d, Q=_ranked(d.Q)),
+    )
+
+
+def _operands(draft: Draft) -> tuple[tuple[Operand, Shape], tuple[Operand, Shape]]:
+    return ("P", draft.P), ("Q", draft.Q)
+
+
+def _numbers(shape: Shape) -> list[Place]:
+    """The place of each vertex by its number."""
+    return [
+        (i, j, k)
+        for i, polygon in enumerate(shape)
+        for j, ring in enumerate(polygon)
+        for k in range(len(ring))
+    ]
+
+
+def _left_out(shape: Shape, place: Place) -> Shape:
+    def keeps(*where: int) -> bool:
+        return where != place
+
+    return [
+        [
+            [point for k, point in enumerate(ring) if keeps(i, j, k)]
+            for j, ring in enumerate(polygon)
+            if keeps(i, j)
+        ]
+        for i, polygon in enumerate(shape)
+        if keeps(i)
+    ]
+
+
+def _renumbered(zero: Predicate, name: Operand, left: list[int]) -> Predicate:
+    """Raises ValueError where a vertex is left no more."""
+    operand = ("P", "Q").index(name)
+
+    def entries(value: Any) -> Any:
+        if isinstance(value[0], tuple):
+            return tuple(entries(entry) for entry in value)
+        number = value[operand]
+        if number is None:
+            return value
+        return (*value[:operand], left.index(number), *value[operand + 1 :])
+
+    return zero[0], entries(zero[1])
+
+
+def _at_origin(shape: Shape) -> Shape:
+    x, y, _, _ = extent(points_of(shape))
+    return moved(shape, -x, -y)
+
+
+def _whole(draft: Draft) -> Draft:
+    """Both operands by the same factor."""
+    numbers = [Fraction(c) for shape in (draft.P, draft.Q) for p in points_of(shape) for c in p]
+    denominator = lcm(*(number.denominator for number in numbers))
+    divisor = gcd(*(int(number * denominator) for number in numbers))
+    factor = Fraction(denominator, divisor or 1)
+    return replace(draft, P=scaled(draft.P, factor), Q=scaled(draft.Q, factor))
+
+
+def _ranked(shape: Shape) -> Shape:
+    """Each coordinate by its place among the others."""
+    xs, ys = (sorted(set(values)) for values in zip(*points_of(shape), strict=True))
+    return mapped(shape, lambda p: (xs.index(p[0]), ys.index(p[1])))
