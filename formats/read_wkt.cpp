@@ -85,8 +85,10 @@ class WktReader {
     const std::string_view x = tokens_.number();
     const std::string_view y = tokens_.number();
     if (tokens_.at_number()) {
+      Place where = ring.place_of(ring.points.size());
+      where.line = line;
       input_.refuse("three-dimensional", "a vertex has more than two coordinates",
-                    "drop all but x and y", ring.place_of(ring.points.size()));
+                    "drop all but x and y", where);
     }
     set_.vertex(ring, x, y, line);
   }

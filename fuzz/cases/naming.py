@@ -202,14 +202,16 @@ def _named(name: CaseName) -> Case:
         scales = scales_of(Path(operands))
         if scales:
             P, Q = read_operand(f"{operands}#P"), read_operand(f"{operands}#Q")
-            at_scale = read_scale(scale or scales[0])
+            at_scale = read_scale(scale if at else scales[0])
             return Case(name, P.set, Q.set, at_scale, P.name, Q.name)
+        if "+" not in operands:
+            read_operand(f"{operands}#P")  # says what is wrong with it
     known = all_models()
     for k in (k for k, letter in enumerate(operands) if letter == "+"):
         first, second = operands[:k], operands[k + 1 :]
         if all(part in known or is_file(part) for part in (first, second)):
             P, Q = read_operand(first), read_operand(second)
-            return Case(name, P.set, Q.set, read_scale(scale or "1"), P.name, Q.name)
+            return Case(name, P.set, Q.set, read_scale(scale if at else "1"), P.name, Q.name)
     raise Refusal(
         "this names no pair of files or models",
         f"--case {cut(name.text)}",

@@ -6,7 +6,7 @@ import re
 from fractions import Fraction
 from math import gcd
 
-NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d{1,5})?")
+NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?\d+)?")
 FRACTION = re.compile(r"([+-]?\d+)/(\d+)")
 MOST_DIGITS = 4_000  # an interpreter converts 4,300, unless it is set otherwise
 
@@ -19,20 +19,22 @@ class InputError(ValueError):
 
 
 def number(text: str) -> Fraction:
-    """The number that the text names: integer, decimal, power of ten, or fraction of integers."""
-    text = text.strip()
+    """The number that the text names: integer, decimal, power of ten, or fraction of integers.
+    White space is no part of it."""
     if len(text) > MOST_DIGITS:
-        raise InputError(f"a number of more than {MOST_DIGITS} letters")
+        raise InputError(f"a number of more than {MOST_DIGITS} letters: {text[:40]}...")
+    if not text.isascii():
+        raise InputError(f"{text!r} is not a number")
     ratio = FRACTION.fullmatch(text)
     if ratio:
         if not ratio[2].strip("0"):
             raise InputError(f"{text}: the denominator is zero")
         return fraction(text)
-    if not text.isascii() or not NUMBER.fullmatch(text):
+    if not NUMBER.fullmatch(text):
         raise InputError(f"{text!r} is not a number")
     exponent = re.search(r"[eE](.*)", text)
     if exponent and abs(int(exponent[1])) > MOST_DIGITS:
-        raise InputError(f"{text}: the exponent is beyond {MOST_DIGITS}")
+        raise InputError(f"{text[:60]}: the exponent is beyond {MOST_DIGITS}")
     return fraction(text)
 
 
@@ -45,7 +47,7 @@ def fraction(text: str) -> Fraction:
 
 def positive(text: str) -> Fraction:
     """A scale."""
-    value = number(text)
+    value = number(text.strip())
     if value <= 0:
         raise InputError(f"a scale is positive, and {text} is not")
     return value

@@ -234,13 +234,35 @@ class Validator {
       const Location location = locate(filtered_[outer], p);
       if (location != Location::boundary) return location == Location::inside;
     }
+    // All vertices touch: parts of edges between the points at which vertices of `outer` touch
+    // them.
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Point &a = ring[i].exact(), &b = ring[(i + 1) % ring.size()].exact();
-      const FilteredPoint middle(Point{(a.x + b.x) / 2, (a.y + b.y) / 2});
-      const Location location = locate(filtered_[outer], middle);
-      if (location != Location::boundary) return location == Location::inside;
+      const std::vector<Point> cuts = contacts(a, b, outer);
+      for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+        const FilteredPoint middle(
+            Point{(cuts[k].x + cuts[k + 1].x) / 2, (cuts[k].y + cuts[k + 1].y) / 2});
+        const Location location = locate(filtered_[outer], middle);
+        if (location != Location::boundary) return location == Location::inside;
+      }
     }
     return false;  // not reached: the rings would overlap
+  }
+
+  /// The ends of an edge and the vertices of a ring on it, in order.
+  std::vector<Point> contacts(const Point& a, const Point& b, std::size_t other) const {
+    std::vector<Point> found{a, b};
+    for (const FilteredPoint& filtered : filtered_[other]) {
+      const Point& p = filtered.exact();
+      const Rational along = (p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y);
+      const Rational length = (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
+      const Rational off = (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+      if (off == 0 && along > 0 && along < length) found.push_back(p);
+    }
+    std::sort(found.begin(), found.end(),
+              [](const Point& p, const Point& q) { return p.x != q.x ? p.x < q.x : p.y < q.y; });
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
   }
 
   void check_nesting() const {

@@ -40,3 +40,33 @@ def test_a_case_can_be_verified(minkref: Any) -> None:
     name = str(path).replace(".cert.json", ".json")
     ran = minkref("verify", "minkref", "--case", name, "--json")
     assert ran.code == 0
+
+
+@pytest.mark.parametrize(
+    ("text", "code"),
+    [
+        ('{"schema": "case-v1", "id"', "syntax"),
+        ('{"schema": "case-v9", "id": "x", "dimension": 2}', "unsupported-version"),
+        (
+            '{"schema": "case-v1", "id": "x", "dimension": 2, "scales": ["1"], '
+            '"P": {"polygons": [{"outer": [["0","0"],["0","0"],["1","0"],["0","1"]]}]}, '
+            '"Q": {"polygons": []}}',
+            "zero-length-edge",
+        ),
+    ],
+)
+def test_a_bad_case_in_a_corpus_is_refused(
+    minkref: Any, tmp_path: Path, text: str, code: str
+) -> None:
+    """Not passed over in silence."""
+    path = tmp_path / "bad.json"
+    path.write_text(text, encoding="utf-8")
+    words = ("verify", "minkref", "--suite", "corpus", "--corpus", str(tmp_path), "--json")
+    ran = minkref(*words)
+    assert (ran.code, ran.json["error"]["code"]) == (2, code)
+    ran = minkref("verify", "minkref", "--case", str(path), "--json")
+    assert ran.code == 2 and "bad.json" in ran.out
+
+
+def test_an_empty_scale_is_no_scale(minkref: Any) -> None:
+    assert minkref("verify", "minkref", "--case", "g1+g2@").code == 2

@@ -96,7 +96,7 @@ def test_json_numbers_never_pass_through_a_double(tmp_path: Path) -> None:
 def test_operands_of_a_case_are_named_and_their_orientation_counts(tmp_path: Path) -> None:
     ring = [["0", "0"], ["1", "0"], ["0", "1"]]
     sides = {"P": ring, "Q": [["5", "5"]]}
-    case = {"schema": "case-v1", "scales": ["1"]}
+    case = {"schema": "case-v1", "id": "one", "dimension": 2, "scales": ["1"]}
     case |= {k: {"polygons": [{"outer": r}]} for k, r in sides.items()}
     name = written(tmp_path, "case.json", json.dumps(case))
     assert len(read_operand(name + "#P").polygons) == 1

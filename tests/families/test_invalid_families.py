@@ -1,0 +1,207 @@
+"""Families of invalid input: each member is refused, by every command, for the reason named.
+
+Laws: a refusal has exit code 2, the code of the family, and all that a good message names; nothing
+is written; what is damaged is all that is wrong, so the operand was valid before; the slow engine,
+which shares no reader, refuses the same files.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from functools import cache
+from pathlib import Path
+from random import Random
+
+import pytest
+from minkref.cli import run
+from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, invalid_member
+from minkref.degeneracies.invalid.member import Invalid
+from minkref.degeneracies.invalid.operands import region, thin
+from minkref.degeneracies.invalid.sheet import FORMS, sheet
+from minkref.degeneracies.invalid.writing import of_bytes, text_of
+from minkref.errors import Refusal, refusal_text
+from minkref.exact import read_scale
+from minkref.operand import read_operand
+from minkref.oracle import slow
+from minkref.oracle.slow.command import main as slow_command
+from minkref.oracle.slow.exact import positive
+
+SEED = 31
+COUNT = 30  # of a family, read only
+FEW = 3  # for each of the commands
+LARGE = {"invalid-too-many-vertices": 2, "invalid-too-many-digits": 2}  # some seconds each
+COMMANDS: dict[str, tuple[str, ...]] = {
+    "sum": ("sum", "P", "Q", "--scale=S", "-o", "it.json"),
+    "events": ("events", "P", "Q", "--from=S", "-o", "it.json"),
+    "sweep": ("sweep", "P", "Q", "--from=S", "--to=2", "--steps=2", "-o", "it"),
+    "view": ("view", "P", "Q", "--from=S", "--to=2", "-o", "it.html"),
+    "certify": ("certify", "P", "Q", "--scale=S", "-o", "it.cert.json"),
+    "verify": ("verify", "minkref", "--case", "P+Q@S", "--junit", "it.xml", "--lines", "it.jsonl"),
+}
+DOCUMENTED = Path(__file__).parents[2] / "docs" / "formats.md"
+
+
+@cache
+def members(name: str, count: int) -> list[Invalid]:
+    family = INVALID_FAMILIES[name]
+    return [invalid_member(family, SEED, k) for k in range(LARGE.get(name, count))]
+
+
+def written(folder: Path, member: Invalid) -> str:
+    """The argument that names the operand."""
+    (folder / member.file_name).write_bytes(member.content)
+    return str(folder / member.argument)
+
+
+def left_out(member: Invalid, text: str) -> list[str]:
+    """What a good message holds and this one does not."""
+    named = member.file_name if member.scale is None else "--"
+    return [each for each in (*member.place, named) if each not in text]
+
+
+def test_there_is_a_family_for_each_documented_refusal() -> None:
+    absent = {
+        "cannot-read", "cannot-write", "unknown-format", "not-representable", "file-too-large",
+        "too-many-values",
+    }  # fmt: skip
+    rows = [line for line in DOCUMENTED.read_text(encoding="utf-8").splitlines() if "`" in line]
+    table = [line for line in rows if line.startswith("|")]
+    codes = {
+        word
+        for line in table[table.index(next(r for r in table if "`cannot-read`" in r)) :]
+        for word in line.split("`")[1::2]
+        if "-" in word or word in ("syntax", "truncated")
+    } - {"formats/limits.hpp", ".poly"}
+    drawn = {family.code for family in INVALID_FAMILIES.values()}
+    assert codes - drawn == absent
+    assert {code for code in drawn - codes if not code.startswith("scale-")} == {"limit"}
+
+
+@pytest.mark.parametrize("name", INVALID_FAMILIES)
+def test_a_family_has_its_name_its_page_and_many_members(name: str) -> None:
+    family = INVALID_FAMILIES[name]
+    assert name == family.name == f"invalid-{family.code}"
+    assert len(family.why) > 100
+    drawn = members(name, COUNT)
+    assert all((m.family, m.code) == (name, family.code) for m in drawn)
+    assert all(m.place and m.operand in ("P", "Q", "scale") for m in drawn)
+    assert len({(m.content, m.scale) for m in drawn}) >= min(6, len(drawn))
+    if name not in LARGE:
+        assert len({m.file_name for m in drawn}) > 1 or drawn[0].part
+        assert max(len(m.content) for m in drawn) < 3_000_000
+    assert max(len(m.content) for m in drawn) < 30_000_000
+
+
+CODE = """
+import hashlib
+from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, invalid_member
+for name, family in reversed(INVALID_FAMILIES.items()):
+    if name not in ("invalid-too-many-vertices", "invalid-too-many-digits"):
+        drawn = [repr(invalid_member(family, 5, k)) for k in reversed(range(6))]
+        print(name, hashlib.sha256("".join(reversed(drawn)).encode()).hexdigest()[:16])
+"""
+
+
+def test_a_member_depends_on_seed_and_number_only() -> None:
+    found = []
+    for hash_seed in "01":
+        env = {**os.environ, "PYTHONHASHSEED": hash_seed}
+        ran = subprocess.run(
+            [sys.executable, "-c", CODE], capture_output=True, text=True, env=env, check=True
+        )
+        found.append(ran.stdout)
+    assert found[0] == found[1] and len(found[0].splitlines()) == len(INVALID_FAMILIES) - len(LARGE)
+    family = INVALID_FAMILIES["invalid-syntax"]
+    assert invalid_member(family, 1, 2) != invalid_member(family, 2, 2)
+
+
+def test_without_damage_both_readers_take_the_operands(tmp_path: Path) -> None:
+    dice = Random(f"undamaged {SEED}")
+    seen = set()
+    for k in range(300):
+        page = sheet(dice, thin(dice) if k % 10 == 0 else region(dice))
+        member = of_bytes(page, "none", text_of(dice, page).encode())
+        name = written(tmp_path, member)
+        vertices = read_operand(name).set.vertices
+        if member.slow_reads:
+            assert len(slow.read_operand(name).points()) == vertices
+        seen.add(page.form)
+    assert seen == set(FORMS)
+
+
+@pytest.mark.parametrize("name", INVALID_FAMILIES)
+def test_the_reader_refuses_and_names_the_place(name: str, tmp_path: Path) -> None:
+    for k, member in enumerate(members(name, COUNT)):
+        argument = written(tmp_path, member)
+        with pytest.raises(Refusal) as refused:
+            read_operand(argument)
+            if member.scale is not None:
+                read_scale(member.scale)
+        text = refusal_text(refused.value.document())
+        assert refused.value.code == member.code, f"{name}:{SEED}:{k} {text}"
+        assert refused.value.mend
+        assert not left_out(member, text), f"{name}:{SEED}:{k} {text}"
+
+
+@pytest.mark.parametrize("name", INVALID_FAMILIES)
+def test_the_slow_engine_refuses(name: str, tmp_path: Path) -> None:
+    for k, member in enumerate(members(name, COUNT)):
+        if member.slow_reads:
+            argument = written(tmp_path, member)
+            with pytest.raises(slow.InputError):
+                slow.read_operand(argument)
+                if member.scale is not None:
+                    positive(member.scale)
+                pytest.fail(f"{name}:{SEED}:{k} is taken")
+
+
+def arguments(command: str, member: Invalid, folder: Path) -> list[str]:
+    other = folder / "valid.wkt"
+    other.write_text("POLYGON((0 0, 2 0, 1 3, 0 0))", encoding="utf-8")
+    P, Q = written(folder, member), str(other)
+    if member.operand == "Q":
+        P, Q = Q, P
+    scale = "1" if member.scale is None else member.scale
+    filled = []
+    for word in COMMANDS[command]:
+        if word in ("P", "Q", "P+Q@S"):
+            word = {"P": P, "Q": Q, "P+Q@S": f"{P}+{Q}@{scale}"}[word]
+        elif word.startswith("it"):
+            word = str(folder / word)
+        filled.append(word[:-1] + scale if word.endswith("=S") else word)
+    return filled
+
+
+@pytest.mark.parametrize("command", COMMANDS)
+@pytest.mark.parametrize("name", INVALID_FAMILIES)
+def test_every_command_refuses_and_writes_nothing(
+    name: str, command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for k, member in enumerate(members(name, FEW)[: 1 if name in LARGE else FEW]):
+        words = arguments(command, member, tmp_path)
+        before = sorted(tmp_path.rglob("*"))
+        code = run([*words, "--json"])
+        out, err = capsys.readouterr()
+        where = f"{name}:{SEED}:{k} {words} {err}"
+        assert code == 2, where
+        error = json.loads(out)["error"]
+        assert error["code"] == member.code, where
+        assert not left_out(member, err), where
+        assert not left_out(member, " ".join(str(part) for part in error.values())), where
+        assert sorted(tmp_path.rglob("*")) == before, where
+
+
+@pytest.mark.parametrize("name", INVALID_FAMILIES)
+def test_the_command_of_the_slow_engine_exits_with_two(
+    name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for member in members(name, FEW)[: 1 if name in LARGE else FEW]:
+        if member.slow_reads:
+            words = arguments("sum", member, tmp_path)[:4]
+            assert slow_command(words) == 2
+            out, err = capsys.readouterr()
+            assert not out and err.startswith("slow: ")
+            assert member.scale is not None or member.file_name in err
