@@ -11,7 +11,7 @@ from typing import Any
 from minkref import _core
 from minkref.certify.case_text import case_digest
 from minkref.certify.certificate import Certificate
-from minkref.degeneracies.draft import Facts, Family
+from minkref.degeneracies.draft import Facts, Family, Subject
 from minkref.degeneracies.generate import member
 from minkref.degeneracies.verdict_of_floats import counts_of, precision
 from minkref.exact import digest
@@ -33,17 +33,17 @@ VARIES = {
 
 @dataclass(frozen=True)
 class Degenerate:
-    """A member with its number, and the files that it becomes. The bytes depend on the family, the
-    seed and the number alone."""
+    """A case, and the texts that it becomes. They depend on these three alone."""
 
-    family: Family
-    seed: int
-    index: int
+    subject: Subject
     facts: Facts
+    source: str
 
     @classmethod
     def of(cls, family: Family, seed: int, index: int) -> Degenerate:
-        return cls(family, seed, index, member(family, seed, index))
+        """The member of this number."""
+        source = f"minkref generate {family.name} --seed {seed}, member {index}"
+        return cls(family, member(family, seed, index), source)
 
     @cached_property
     def scales(self) -> list[Fraction]:
@@ -63,28 +63,28 @@ class Degenerate:
     @cached_property
     def id(self) -> str:
         content = case_digest(self.facts.P, self.facts.Q)
-        return id_of(self.family.name, content, [str(scale) for scale in self.scales])
+        return id_of(self.subject.name, content, [str(scale) for scale in self.scales])
 
     @cached_property
     def document(self) -> dict[str, Any]:
         """case-v1."""
-        facts, name = self.facts, self.family.name
+        facts, name = self.facts, self.subject.name
         return {
             "schema": "case-v1",
             "id": self.id,
-            "title": self.family.title,
+            "title": self.subject.title,
             "dimension": 2,
             "P": json.loads(facts.P.to_json()),
             "Q": json.loads(facts.Q.to_json()),
             "scales": [str(scale) for scale in self.scales],
             "tags": [name],
-            "flags": list(self.family.flags),
+            "flags": list(self.subject.flags),
             "expected": [
                 self._expected(*pair) for pair in zip(self.scales, self.sums, strict=True)
             ],
             "degeneracy": {
                 "at": facts.text,
-                "why": self.family.why,
+                "why": self.subject.why,
                 "events": [_event(row) for row in facts.arrangement],
                 "topology": facts.topology,
                 "tight_passages": facts.passages,
@@ -95,7 +95,7 @@ class Degenerate:
                     for scale, found in zip(self.scales, self.sums, strict=True)
                 ],
             },
-            "source": self._source,
+            "source": self.source,
             "licence": LICENCE,
             "certificate": f"{self.id}.cert.json",
         }
@@ -127,12 +127,6 @@ class Degenerate:
     @cached_property
     def certificate_text(self) -> str:
         return self.certificate.text(f"{self.id}.json", self.id, "minkref")
-
-    @property
-    def _source(self) -> str:
-        if self.family.name == "found":
-            return "found by verification, or published"
-        return f"minkref generate {self.family.name} --seed {self.seed}, member {self.index}"
 
     def _expected(self, scale: Fraction, found: _core.Sum) -> dict[str, Any]:
         told: dict[str, Any] = {

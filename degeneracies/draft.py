@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
@@ -106,10 +107,7 @@ class Facts:
             if high >= LARGEST_GAP:
                 raise ValueError(f"another event is within 2^-{high} of {self.scale}")
             low, high = high, 2 * high
-        while high - low > 1:
-            middle = (low + high) // 2
-            low, high = (low, middle) if self._is_free(middle) else (middle, high)
-        return high
+        return bisect_left(range(high), True, low + 1, key=self._is_free)
 
     def _is_free(self, k: int) -> bool:
         near = Fraction(1, 2**k)
@@ -153,18 +151,24 @@ class Facts:
 
 
 @dataclass(frozen=True)
-class Family:
-    """`draw` draws a candidate of about `size` vertices; it belongs to the family if `belongs`
-    says so of its facts. What makes good code get it wrong: pages/NAME.md. `flags`: flags.json."""
+class Subject:
+    """What a case is about. What makes good code get it wrong: `why`. `flags`: flags.json."""
 
     name: str
     title: str
     flags: tuple[str, ...]
-    draw: Callable[[Random, int], Draft]
-    belongs: Callable[[Facts], bool]
 
     @property
     def why(self) -> str:
-        """The page without its heading."""
+        """pages/NAME.md without its heading."""
         _, _, text = (PAGES / f"{self.name}.md").read_text(encoding="utf-8").partition("\n")
         return text.strip()
+
+
+@dataclass(frozen=True)
+class Family(Subject):
+    """`draw` draws a candidate of about `size` vertices; it belongs to the family if `belongs`
+    says so of its facts."""
+
+    draw: Callable[[Random, int], Draft]
+    belongs: Callable[[Facts], bool]

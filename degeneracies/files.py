@@ -26,11 +26,11 @@ class FileRow(TypedDict):
 
 def write_member(family: Family, seed: int, index: int, folder: Path) -> FileRow:
     """FOLDER/FAMILY/ID.json and FOLDER/FAMILY/ID.cert.json."""
-    return _write(Degenerate.of(family, seed, index), folder)
+    return _write(Degenerate.of(family, seed, index), index, folder)
 
 
 def write_found(story: Story, folder: Path) -> FileRow:
-    return _write(Degenerate(story, 0, 0, story.facts), folder)
+    return _write(Degenerate(story, story.facts, "found by verification, or published"), 0, folder)
 
 
 def write_invalid(family: InvalidFamily, seed: int, index: int, folder: Path) -> FileRow:
@@ -63,16 +63,16 @@ def write_invalid(family: InvalidFamily, seed: int, index: int, folder: Path) ->
     }
 
 
-def _write(made: Degenerate, folder: Path) -> FileRow:
+def _write(made: Degenerate, index: int, folder: Path) -> FileRow:
     """The certificate first: a case that is there has its certificate."""
-    where = folder / made.family.name
+    where = folder / made.subject.name
     where.mkdir(parents=True, exist_ok=True)
     case, certificate = where / f"{made.id}.json", where / f"{made.id}.cert.json"
     write_atomically(certificate, made.certificate_text)
     write_atomically(case, made.case_text)
     return {
-        "family": made.family.name,
-        "index": made.index,
+        "family": made.subject.name,
+        "index": index,
         "id": made.id,
         "case": str(case),
         "certificate": str(certificate),

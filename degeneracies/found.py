@@ -10,21 +10,20 @@ from pathlib import Path
 from typing import Any
 
 from minkref import _core
-from minkref.degeneracies.draft import Draft, Facts, Family
+from minkref.degeneracies.draft import Facts, Subject
 
 NAME = "found"
 
 
 @dataclass(frozen=True)
-class Story(Family):
-    """A family of one."""
+class Story(Subject):
+    """One of these cases; `value` is its entry in found.json."""
 
-    story: str
     value: dict[str, Any]
 
     @property
     def why(self) -> str:
-        return self.story
+        return f"{self.value['story']} Wrong: {'; '.join(self.value['victims'])}."
 
     @property
     def facts(self) -> Facts:
@@ -34,16 +33,7 @@ class Story(Family):
         return Facts(operands[0], operands[1], Fraction(self.value["scale"]))
 
 
-def _story(value: dict[str, Any]) -> Story:
-    def draw(*_: object) -> Draft:
-        raise NotImplementedError("a case that was found is not drawn")
-
-    story = f"{value['story']} Wrong: {'; '.join(value['victims'])}."
-    flags = tuple(value["flags"])
-    return Story(NAME, value["title"], flags, draw, lambda facts: True, story, value)
-
-
 FOUND: tuple[Story, ...] = tuple(
-    _story(value)
+    Story(NAME, value["title"], tuple(value["flags"]), value)
     for value in json.loads(Path(__file__).with_name("found.json").read_text(encoding="utf-8"))
 )

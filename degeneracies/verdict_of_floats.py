@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_left
 from collections.abc import Callable
 from typing import Any
 
@@ -45,13 +46,6 @@ def bits_from_which(right: Callable[[int], bool]) -> int | None:
         return None
     while high > FEWEST_BITS and right(high // 2):
         high //= 2
-    low = high // 2
     if high == FEWEST_BITS:
         return high
-    while high - low > 1:
-        middle = (low + high) // 2
-        if right(middle):
-            high = middle
-        else:
-            low = middle
-    return high
+    return bisect_left(range(high), True, high // 2 + 1, key=right)

@@ -5,13 +5,9 @@ from __future__ import annotations
 import importlib
 import json
 import multiprocessing
-import signal
 import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
 from fractions import Fraction
 from pathlib import Path
-from types import FrameType
 from typing import Any
 
 from minkref import _core
@@ -40,13 +36,9 @@ PROCESSES = 2
 BLAND: dict[str, str] = {}
 
 
-class OutOfTime(Exception):
-    pass
-
-
 def run(quick: bool) -> Findings:
     findings = Findings()
-    names = sorted(_seeded().FAULTS)
+    names = sorted(_beside("seeded_sums").FAULTS)
     shown: dict[str, set[str]] = {}
     with multiprocessing.Pool(PROCESSES) as pool:
         for family, found, alarms in pool.imap_unordered(_of_family, list(FAMILIES)):
@@ -70,16 +62,17 @@ def run(quick: bool) -> Findings:
     return findings
 
 
-def _seeded() -> Any:
+def _beside(name: str) -> Any:
+    """A module of the seeded implementation."""
     if str(FOLDER) not in sys.path:
         sys.path.insert(0, str(FOLDER))
-    return importlib.import_module("seeded_sums")
+    return importlib.import_module(name)
 
 
 def _of_family(family: str) -> tuple[str, list[str], list[str]]:
     """Its name, the faults that it shows, and where the sound sum is wrong."""
-    seeded = _seeded()
-    made = importlib.import_module("seeded_adapter").made
+    seeded = _beside("seeded_sums")
+    made = _beside("seeded_adapter").made
     cases = [_questions(family, index) for index in range(MEMBERS)]
     found = [name for name in sorted(seeded.FAULTS) if _differences(made(name), cases, first=True)]
     return family, found, _differences(made("sound"), cases, first=False)
@@ -114,7 +107,7 @@ def _differences(target: Any, cases: list[Question], first: bool) -> list[str]:
 
 def _answer(target: Any, scale: str, sP: Any) -> str:
     try:
-        with _limited():
+        with _beside("time_limit").limited(SECONDS):
             result = target.at(scale, sP)
     except Exception as error:  # noqa: BLE001 a fault may raise anything
         return type(error).__name__
@@ -122,17 +115,3 @@ def _answer(target: Any, scale: str, sP: Any) -> str:
         return "no region"
     region = region_of_rings(result, turned=True)
     return region.json if region.overlap is None and region.degenerate is None else "no set"
-
-
-@contextmanager
-def _limited() -> Iterator[None]:
-    def end(number: int, frame: FrameType | None) -> None:
-        raise OutOfTime
-
-    before = signal.signal(signal.SIGALRM, end)
-    signal.setitimer(signal.ITIMER_REAL, SECONDS)
-    try:
-        yield
-    finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, before)

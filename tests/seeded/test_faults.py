@@ -4,11 +4,7 @@ for each a case P, Q (P scaled already), or the calls that lead to the wrong one
 from __future__ import annotations
 
 import json
-import signal
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
-from types import FrameType
 from typing import Any
 
 import pytest
@@ -16,6 +12,7 @@ import seeded_sums
 from minkref.fuzz.verdicts.region import region_of_rings
 from plain_sum import PlainSum, Set
 from seeded_sums import CALLABLE, FAULTS, sound
+from time_limit import limited
 
 SHOWN_BY: dict[str, list[list[Set]]] = json.loads(
     (Path(__file__).parent / "shown_by.json").read_text(encoding="utf-8")
@@ -24,28 +21,10 @@ SECONDS = 0.5
 BY_CHANCE = 64  # calls; each goes wrong with a chance of a quarter or more
 
 
-class OutOfTime(Exception):
-    pass
-
-
-@contextmanager
-def limited() -> Iterator[None]:
-    def end(number: int, frame: FrameType | None) -> None:
-        raise OutOfTime
-
-    before = signal.signal(signal.SIGALRM, end)
-    signal.setitimer(signal.ITIMER_REAL, SECONDS)
-    try:
-        yield
-    finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, before)
-
-
 def answer(function: PlainSum, P: Set, Q: Set) -> tuple[Any, ...]:
     """The canonical result and what is amiss with its rings; or the name of what was raised."""
     try:
-        with limited():
+        with limited(SECONDS):
             result = function(P, Q)
     except Exception as error:  # noqa: BLE001 a fault may raise anything
         return (type(error).__name__,)
