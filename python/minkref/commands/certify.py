@@ -51,15 +51,18 @@ def command(
     ],
     scale: Annotated[
         str | None,
-        typer.Option("--scale", metavar="S", help="The sum and its tight passages there [1]."),
+        typer.Option(
+            "--scale", metavar="S", help="The sum and its tight passages there; 1 by default."
+        ),
     ] = None,
     event: Annotated[
         str | None,
         typer.Option(
             "--event",
             metavar="S",
-            help="The event of the boundary there: what is below, at and above, and that there is "
-            "none after --from [the event before, or half of S].",
+            help="The event of the topology, or else of the boundary, there: what is below, at and "
+            "above, and that there is none after --from (by default the event before, or half of "
+            "S).",
         ),
     ] = None,
     from_scale: Annotated[

@@ -26,7 +26,7 @@ minkref generate fits-hole --count 5 -o cases"""
 
 def command(json: Json = False, schema: Schema = False) -> None:
     """The families of generated cases: those that `minkref verify` draws from (a case is named
-    FAMILY:SEED:INDEX), and those that `minkref generate` makes with certificates."""
+    FAMILY:SEED:INDEX), and those that `minkref generate` makes, with certificates or invalid."""
     watch = Stopwatch()
     rows = [
         {"name": name, "dimension": 2, "title": family.title, "command": "verify"}

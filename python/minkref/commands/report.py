@@ -31,7 +31,12 @@ def command(
         "report"
     ),
     corpus: Annotated[
-        Path, typer.Option("--corpus", help="Cases, as `minkref generate` makes them.")
+        Path,
+        typer.Option(
+            "--corpus",
+            help="Cases, as `minkref generate` makes them.",
+            show_default="the corpus that comes with minkref",
+        ),
     ] = lint.CORPUS,
     json: Json = False,
     schema: Schema = False,
