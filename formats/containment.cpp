@@ -45,6 +45,21 @@ bool strictly_outside(const Point& p, const Ring& ring) {
   return !inside;
 }
 
+/// The vertex of `ring` inside the edge from `a` to `b` that is the nearest to `a`, or else `b`.
+Point first_contact(const Point& a, const Point& b, const Ring& ring) {
+  const Rational dx = b.x - a.x, dy = b.y - a.y;
+  Point found = b;
+  Rational least = dx * dx + dy * dy;
+  for (const Point& p : ring) {
+    if (dx * (p.y - a.y) != dy * (p.x - a.x)) continue;
+    const Rational along = dx * (p.x - a.x) + dy * (p.y - a.y);
+    if (sign(along) <= 0 || along >= least) continue;
+    found = p;
+    least = along;
+  }
+  return found;
+}
+
 }  // namespace
 
 bool lies_inside(const Ring& inner, const Ring& outer, std::size_t& steps) {
@@ -55,7 +70,10 @@ bool lies_inside(const Ring& inner, const Ring& outer, std::size_t& steps) {
     if (strictly_outside(a, outer)) return false;
     if (strictly_outside({(a.x + b.x) / 2, (a.y + b.y) / 2}, outer)) return false;
   }
-  return true;
+  // They may touch at each of these points. Between two contacts they do not.
+  const Point contact = first_contact(inner[0], inner[1], outer);
+  steps += 2 * outer.size();
+  return !strictly_outside({(inner[0].x + contact.x) / 2, (inner[0].y + contact.y) / 2}, outer);
 }
 
 std::vector<std::size_t> containing_outers(const std::vector<const Ring*>& outers,
@@ -69,7 +87,7 @@ std::vector<std::size_t> containing_outers(const std::vector<const Ring*>& outer
   const auto inside = [&](const Ring& inner, const Box& box, std::size_t outer,
                           const Place& place) {
     steps += 1;
-    const std::size_t work = 2 * inner.size() * outers[outer]->size();
+    const std::size_t work = 2 * (inner.size() + 1) * outers[outer]->size();
     if (!within(box, boxes[outer])) return false;
     if (steps + work > input.limits().containment_steps) {
       input.exceed(

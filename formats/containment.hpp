@@ -9,9 +9,10 @@
 
 namespace minkref {
 
-/// Whether no vertex and no midpoint of an edge of `inner` lies strictly outside `outer`: for rings
-/// that touch at points only this says that `inner` lies in the closed region of `outer`. Exact.
-/// O(m n), `steps` counts the edges visited.
+/// Whether no vertex and no midpoint of an edge of `inner` lies strictly outside `outer`, nor the
+/// start of its first edge up to where they touch: for rings that touch at points only this says
+/// that `inner` lies in the closed region of `outer`. Exact. O(m n), `steps` counts the edges
+/// visited.
 bool lies_inside(const Ring& inner, const Ring& outer, std::size_t& steps);
 
 /// For each hole the index of the smallest outer ring that contains it. A lone outer ring takes all

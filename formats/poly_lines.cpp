@@ -10,6 +10,15 @@ namespace {
 
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
 
+/// The line without its comment, which begins with a `#` at the start of a word: inside a word it
+/// begins none (`-1.#IND` is no number).
+std::string_view without_comment(std::string_view line) {
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == '#' && (i == 0 || is_space(line[i - 1]))) return line.substr(0, i);
+  }
+  return line;
+}
+
 void append_token(std::string_view token, PolyLine& line, Input& input) {
   const bool two_points = std::count(token.begin(), token.end(), '.') == 2;
   if (!two_points) {
@@ -39,9 +48,8 @@ void PolyLines::advance() {
   while (!line_ && !rest_.empty()) {
     ++number_;
     const std::size_t end = std::min(rest_.find('\n'), rest_.size());
-    std::string_view content = rest_.substr(0, end);
+    const std::string_view content = without_comment(rest_.substr(0, end));
     rest_.remove_prefix(std::min(end + 1, rest_.size()));
-    content = content.substr(0, content.find('#'));
     PolyLine line;
     line.number = number_;
     for (std::size_t i = 0; i < content.size();) {

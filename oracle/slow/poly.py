@@ -11,6 +11,7 @@ from .operand import Operand, Ring, operand_of, twice_area
 from .validity import containments
 
 WORD = re.compile(r"[^ \t\r\v\f]+")
+COMMENT = re.compile(r"(?:^|(?<=[ \t\r\v\f]))#.*")
 
 
 class Lines:
@@ -21,7 +22,7 @@ class Lines:
         self.at = 0
         count = 0
         for at, line in enumerate(text.split("\n"), start=1):
-            words = [part for word in WORD.findall(line.split("#")[0]) for part in split(word)]
+            words = [part for word in WORD.findall(COMMENT.sub("", line)) for part in split(word)]
             count += len(words)
             if count > MOST_WORDS:
                 raise InputError(f"there are more than {MOST_WORDS} words and numbers")

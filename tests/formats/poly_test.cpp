@@ -38,6 +38,11 @@ TEST(Poly, WarningsAreCountedBeyondAHundred) {
   EXPECT_EQ(reading.warnings.back(), "and 900 more warnings of this kind");
 }
 
+TEST(Poly, AHashInsideAWordBeginsNoComment) {
+  EXPECT_EQ(code("1\n3 out\n0 -1.#IND\n1 0\n0 1\n"), "not-a-number");
+  EXPECT_EQ(code("1\n3 out#\n0 -1\n1 0\n0 1\n"), "syntax");
+}
+
 TEST(Poly, ATokenWithThreeDecimalPointsIsRefused) {
   EXPECT_EQ(code("1\n3 out\n1.2.3.4\n1 0\n0 1\n"), "syntax");
 }
@@ -54,6 +59,22 @@ TEST(Poly, HolesGoToTheSmallestOuterRingThatContainsThem) {
   EXPECT_EQ(set.polygons[0].holes[0].size(), 4U);
   ASSERT_EQ(set.polygons[1].holes.size(), 1U);
   EXPECT_EQ(set.polygons[1].holes[0].size(), 3U);
+}
+
+// The C-shaped ring touches the hole at all its vertices and middles of edges, from the outside; so
+// does the ring that the hole lies in, which the C surrounds.
+TEST(Poly, AHoleThatTouchesAnotherRingEverywhereIsOutsideOfIt) {
+  const PolygonSet set =
+      poly(
+          "3\n17 out\n0 0\n-20 0\n-20 -20\n30 -20\n30 20\n-20 20\n-20 4\n2 4\n2 6.5\n4 8\n6 6.5\n"
+          "6 4\n8 2.5\n8 0\n6 -1\n4 0\n2 -1\n"
+          "12 out\n0 0\n2 -0.5\n4 0\n6 -0.5\n8 0\n7.5 2.25\n6 4\n5.5 6.25\n4 8\n2.5 6.25\n2 4\n"
+          "0.5 2.25\n3 in\n0 0\n4 8\n8 0\n")
+          .set;
+  ASSERT_EQ(set.polygons.size(), 2U);
+  for (const Polygon& polygon : set.polygons) {
+    EXPECT_EQ(polygon.holes.size(), polygon.outer.size() == 12U ? 1U : 0U);
+  }
 }
 
 TEST(Poly, AHoleThatTouchesItsOuterRingAtAPointIsInside) {

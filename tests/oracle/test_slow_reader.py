@@ -86,6 +86,11 @@ def test_poly_splits_two_numbers_run_together_and_finds_the_outer_ring(tmp_path:
     assert (Fraction("7.84688"), Fraction("0.042924")) in found.polygons[0].holes[0]
 
 
+def test_poly_has_comments_at_the_start_of_words_only(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="#IND"):
+        read_operand(written(tmp_path, "a.poly", "1\n3 out\n0 -1.#IND\n1 0\n0 1\n"))
+
+
 def test_json_numbers_never_pass_through_a_double(tmp_path: Path) -> None:
     text = '{"polygons":[{"outer":[[0,0],[0.1,0],[0,12345678901234567891]]}]}'
     ring = read_operand(written(tmp_path, "a.json", text)).polygons[0].outer
