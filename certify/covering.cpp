@@ -53,9 +53,7 @@ Covering::Covering(CellComplex& complex) : complex_(complex) {
   std::vector<Box> boxes;
   for (std::uint32_t a = 0; a < P.pieces(); ++a) {
     for (std::uint32_t b = 0; b < Q.pieces(); ++b) {
-      const Box &p = P.nodes()[a].box, &q = Q.nodes()[b].box;
-      boxes.push_back({below(below(below(s) * p.xmin) + q.xmin), below(below(s) * p.ymin + q.ymin),
-                       above(above(s) * p.xmax + q.xmax), above(above(s) * p.ymax + q.ymax)});
+      boxes.push_back(sum_of(scaled(P.nodes()[a].box, below(s), above(s)), Q.nodes()[b].box));
       pairs_.emplace_back(a, b);
     }
   }

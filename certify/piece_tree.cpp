@@ -1,6 +1,7 @@
 #include "certify/piece_tree.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 
@@ -126,7 +127,8 @@ std::uint32_t PieceTree::group(Ids items) {
   const bool wide = box.xmax - box.xmin >= box.ymax - box.ymin;
   const auto middle = [&](std::uint32_t i) {
     const Box& b = nodes_[i].box;
-    return wide ? b.xmin + b.xmax : b.ymin + b.ymax;
+    const double sum = wide ? b.xmin + b.xmax : b.ymin + b.ymax;
+    return std::isnan(sum) ? 0 : sum;  // of two infinities
   };
   const auto half = items.begin() + static_cast<std::ptrdiff_t>(items.size() / 2);
   std::sort(items.begin(), items.end(), [&](std::uint32_t i, std::uint32_t j) {

@@ -48,6 +48,18 @@ def test_sums_and_their_tight_passages(check: Any, tmp_path: Path, family: str) 
         assert len(certificate.claims) == 1 + len(found.tight_passages or [])
 
 
+# In sums of large coordinates of both signs, the box of a piece times a scale that is no double.
+@pytest.mark.parametrize("flip", ["1", "-1"])
+def test_triangles_far_out_on_both_sides(check: Any, tmp_path: Path, flip: str) -> None:
+    unit = _core.PolygonSet.from_json('{"polygons":[{"outer":[[0,0],[1,0],[0,1]]}]}')
+    x = int(flip) * 10**17
+    certificate = Certificate(unit.translated(str(-x), "0"), unit.translated(str(x), "0"))
+    for scale in ("29/28", "28/29", "1/3", "3"):
+        certificate.sum(scale)
+    code, said = check(written(certificate, tmp_path))
+    assert code == 0, said
+
+
 @pytest.mark.parametrize("family", ["random", "holes", "nested", "comb", "touching", "spiral"])
 def test_events(check: Any, tmp_path: Path, family: str) -> None:
     case = case_of(f"{family}:{SEED}:2")

@@ -18,6 +18,7 @@ from random import Random
 import pytest
 from minkref.cli import run
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, invalid_member
+from minkref.degeneracies.invalid.commands import COMMANDS, left_out, words, written
 from minkref.degeneracies.invalid.member import Invalid
 from minkref.degeneracies.invalid.operands import region, thin
 from minkref.degeneracies.invalid.sheet import FORMS, sheet
@@ -33,14 +34,6 @@ SEED = 31
 COUNT = 30  # of a family, read only
 FEW = 3  # for each of the commands
 LARGE = {"invalid-too-many-vertices": 2, "invalid-too-many-digits": 2}  # some seconds each
-COMMANDS: dict[str, tuple[str, ...]] = {
-    "sum": ("sum", "P", "Q", "--scale=S", "-o", "it.json"),
-    "events": ("events", "P", "Q", "--from=S", "-o", "it.json"),
-    "sweep": ("sweep", "P", "Q", "--from=S", "--to=2", "--steps=2", "-o", "it"),
-    "view": ("view", "P", "Q", "--from=S", "--to=2", "-o", "it.html"),
-    "certify": ("certify", "P", "Q", "--scale=S", "-o", "it.cert.json"),
-    "verify": ("verify", "minkref", "--case", "P+Q@S", "--junit", "it.xml", "--lines", "it.jsonl"),
-}
 DOCUMENTED = Path(__file__).parents[2] / "docs" / "formats.md"
 
 
@@ -48,18 +41,6 @@ DOCUMENTED = Path(__file__).parents[2] / "docs" / "formats.md"
 def members(name: str, count: int) -> list[Invalid]:
     family = INVALID_FAMILIES[name]
     return [invalid_member(family, SEED, k) for k in range(LARGE.get(name, count))]
-
-
-def written(folder: Path, member: Invalid) -> str:
-    """The argument that names the operand."""
-    (folder / member.file_name).write_bytes(member.content)
-    return str(folder / member.argument)
-
-
-def left_out(member: Invalid, text: str) -> list[str]:
-    """What a good message holds and this one does not."""
-    named = member.file_name if member.scale is None else "--"
-    return [each for each in (*member.place, named) if each not in text]
 
 
 def test_there_is_a_family_for_each_documented_refusal() -> None:
@@ -124,7 +105,7 @@ def test_without_damage_both_readers_take_the_operands(tmp_path: Path) -> None:
     for k in range(300):
         page = sheet(dice, thin(dice) if k % 10 == 0 else region(dice))
         member = of_bytes(page, "none", text_of(dice, page).encode())
-        name = written(tmp_path, member)
+        name = written(member, tmp_path)
         vertices = read_operand(name).set.vertices
         if member.slow_reads:
             assert len(slow.read_operand(name).points()) == vertices
@@ -135,7 +116,7 @@ def test_without_damage_both_readers_take_the_operands(tmp_path: Path) -> None:
 @pytest.mark.parametrize("name", INVALID_FAMILIES)
 def test_the_reader_refuses_and_names_the_place(name: str, tmp_path: Path) -> None:
     for k, member in enumerate(members(name, COUNT)):
-        argument = written(tmp_path, member)
+        argument = written(member, tmp_path)
         with pytest.raises(Refusal) as refused:
             read_operand(argument)
             if member.scale is not None:
@@ -150,29 +131,12 @@ def test_the_reader_refuses_and_names_the_place(name: str, tmp_path: Path) -> No
 def test_the_slow_engine_refuses(name: str, tmp_path: Path) -> None:
     for k, member in enumerate(members(name, COUNT)):
         if member.slow_reads:
-            argument = written(tmp_path, member)
+            argument = written(member, tmp_path)
             with pytest.raises(slow.InputError):
                 slow.read_operand(argument)
                 if member.scale is not None:
                     positive(member.scale)
                 pytest.fail(f"{name}:{SEED}:{k} is taken")
-
-
-def arguments(command: str, member: Invalid, folder: Path) -> list[str]:
-    other = folder / "valid.wkt"
-    other.write_text("POLYGON((0 0, 2 0, 1 3, 0 0))", encoding="utf-8")
-    P, Q = written(folder, member), str(other)
-    if member.operand == "Q":
-        P, Q = Q, P
-    scale = "1" if member.scale is None else member.scale
-    filled = []
-    for word in COMMANDS[command]:
-        if word in ("P", "Q", "P+Q@S"):
-            word = {"P": P, "Q": Q, "P+Q@S": f"{P}+{Q}@{scale}"}[word]
-        elif word.startswith("it"):
-            word = str(folder / word)
-        filled.append(word[:-1] + scale if word.endswith("=S") else word)
-    return filled
 
 
 @pytest.mark.parametrize("command", COMMANDS)
@@ -181,11 +145,11 @@ def test_every_command_refuses_and_writes_nothing(
     name: str, command: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     for k, member in enumerate(members(name, FEW)[: 1 if name in LARGE else FEW]):
-        words = arguments(command, member, tmp_path)
+        line = words(command, member, tmp_path)
         before = sorted(tmp_path.rglob("*"))
-        code = run([*words, "--json"])
+        code = run([*line, "--json"])
         out, err = capsys.readouterr()
-        where = f"{name}:{SEED}:{k} {words} {err}"
+        where = f"{name}:{SEED}:{k} {line} {err}"
         assert code == 2, where
         error = json.loads(out)["error"]
         assert error["code"] == member.code, where
@@ -200,8 +164,7 @@ def test_the_command_of_the_slow_engine_exits_with_two(
 ) -> None:
     for member in members(name, FEW)[: 1 if name in LARGE else FEW]:
         if member.slow_reads:
-            words = arguments("sum", member, tmp_path)[:4]
-            assert slow_command(words) == 2
+            assert slow_command(words("sum", member, tmp_path)[:4]) == 2
             out, err = capsys.readouterr()
             assert not out and err.startswith("slow: ")
             assert member.scale is not None or member.file_name in err

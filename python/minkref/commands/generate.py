@@ -115,9 +115,14 @@ def _made(tasks: list[Task], jobs: int) -> Iterator[FileRow]:
 
 def _make(task: Task) -> FileRow:
     name, seed, index, folder = task
-    if name in INVALID_FAMILIES:
-        return write_invalid(INVALID_FAMILIES[name], seed, index, folder)
-    return write_member(FAMILIES[name], seed, index, folder)
+    try:
+        if name in INVALID_FAMILIES:
+            return write_invalid(INVALID_FAMILIES[name], seed, index, folder)
+        return write_member(FAMILIES[name], seed, index, folder)
+    except (Refusal, OSError):
+        raise
+    except Exception as error:
+        raise RuntimeError(f"member {name}:{seed}:{index}: {error}") from error
 
 
 def _print(value: dict[str, Any]) -> None:

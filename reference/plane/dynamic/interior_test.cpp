@@ -112,18 +112,6 @@ struct InteriorTest::Impl {
     for (auto& v : b) v = {x - v[0], y - v[1]};
     return {a, b};
   }
-
-  /// Doubles that enclose the box of s a.
-  static Box scaled(const Box& box, double low, double high) {
-    const auto least = [&](double v) { return below(v < 0 ? v * high : v * low); };
-    const auto most = [&](double v) { return above(v < 0 ? v * low : v * high); };
-    return {least(box.xmin), least(box.ymin), most(box.xmax), most(box.ymax)};
-  }
-  /// x - b, x within a box.
-  static Box reflected(const Box& box, const Box& x) {
-    return {below(x.xmin - box.xmax), below(x.ymin - box.ymax), above(x.xmax - box.xmin),
-            above(x.ymax - box.ymin)};
-  }
 };
 
 InteriorTest::InteriorTest(const PolygonSet& P, const PolygonSet& Q)
@@ -160,7 +148,7 @@ bool InteriorTest::inside(const Point& x, const Rational& scale) const {
   return impl_->p.tree.pairs_with(
       impl_->q.tree,
       [&](const Box& a, const Box& b) {
-        return Impl::scaled(a, low, high).overlaps(Impl::reflected(b, box));
+        return scaled(a, low, high).overlaps(reflected(b, box));
       },
       [&](std::uint32_t i, std::uint32_t j) {
         const auto [near_a, near_b] = impl_->placed(i, j, at.x(), at.y(), s);

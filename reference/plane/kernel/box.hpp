@@ -25,12 +25,25 @@ struct Box {
   }
 };
 
-/// The next double downwards and upwards: what makes a rounded bound a certain one.
+/// The next double downwards and upwards: what makes a rounded bound a certain one. A difference of
+/// infinities bounds nothing.
 inline double below(double value) {
-  return std::nextafter(value, -std::numeric_limits<double>::infinity());
+  constexpr double bottom = -std::numeric_limits<double>::infinity();
+  return std::isnan(value) ? bottom : std::nextafter(value, bottom);
 }
-inline double above(double value) {
-  return std::nextafter(value, std::numeric_limits<double>::infinity());
+inline double above(double value) { return -below(-value); }
+
+/// The box of s a for a in `box` and low <= s <= high, low > 0; outward rounded.
+inline Box scaled(const Box& box, double low, double high) {
+  const auto least = [&](double v) { return below(v < 0 ? v * high : v * low); };
+  const auto most = [&](double v) { return above(v < 0 ? v * low : v * high); };
+  return {least(box.xmin), least(box.ymin), most(box.xmax), most(box.ymax)};
+}
+
+/// The box of a + b for a and b in the boxes; outward rounded.
+inline Box sum_of(const Box& a, const Box& b) {
+  return {below(a.xmin + b.xmin), below(a.ymin + b.ymin), above(a.xmax + b.xmax),
+          above(a.ymax + b.ymax)};
 }
 
 /// The box of x - q for q in `box` and x in `at`; outward rounded.
