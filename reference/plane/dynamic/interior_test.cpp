@@ -147,9 +147,7 @@ bool InteriorTest::inside(const Point& x, const Rational& scale) const {
   const double e = impl_->error(at.x(), at.y(), s, 0);
   return impl_->p.tree.pairs_with(
       impl_->q.tree,
-      [&](const Box& a, const Box& b) {
-        return scaled(a, low, high).overlaps(reflected(b, box));
-      },
+      [&](const Box& a, const Box& b) { return scaled(a, low, high).overlaps(reflected(b, box)); },
       [&](std::uint32_t i, std::uint32_t j) {
         const auto [near_a, near_b] = impl_->placed(i, j, at.x(), at.y(), s);
         const auto known = in_filter_range(s) ? told(near_a, near_b, e) : std::nullopt;
