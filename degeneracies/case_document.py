@@ -9,11 +9,11 @@ from functools import cached_property
 from typing import Any
 
 from minkref import _core
-from minkref.certify.case_text import case_digest
 from minkref.certify.certificate import Certificate
 from minkref.degeneracies.draft import Facts, Family, Subject
+from minkref.degeneracies.flags import flags_of
 from minkref.degeneracies.generate import member
-from minkref.degeneracies.verdict_of_floats import counts_of, precision
+from minkref.degeneracies.verdict_of_floats import precision
 from minkref.exact import digest
 
 LICENCE = "Apache-2.0"
@@ -40,10 +40,11 @@ class Degenerate:
     source: str
 
     @classmethod
-    def of(cls, family: Family, seed: int, index: int) -> Degenerate:
-        """The member of this number."""
-        source = f"minkref generate {family.name} --seed {seed}, member {index}"
-        return cls(family, member(family, seed, index), source)
+    def of(cls, family: Family, seed: int, index: int, size: int | None = None) -> Degenerate:
+        """The member of this number; of about so many vertices, where a size is given."""
+        source = f"minkref generate {family.name} --seed {seed} --index {index}"
+        source += f" --size {size}" if size is not None else ""
+        return cls(family, member(family, seed, index, size), source)
 
     @cached_property
     def scales(self) -> list[Fraction]:
@@ -62,7 +63,7 @@ class Degenerate:
 
     @cached_property
     def id(self) -> str:
-        content = case_digest(self.facts.P, self.facts.Q)
+        content = content_of(self.facts.P, self.facts.Q)
         return id_of(self.subject.name, content, [str(scale) for scale in self.scales])
 
     @cached_property
@@ -78,7 +79,7 @@ class Degenerate:
             "Q": json.loads(facts.Q.to_json()),
             "scales": [str(scale) for scale in self.scales],
             "tags": [name],
-            "flags": list(self.subject.flags),
+            "flags": flags_of(facts),
             "expected": [
                 self._expected(*pair) for pair in zip(self.scales, self.sums, strict=True)
             ],
@@ -88,10 +89,11 @@ class Degenerate:
                 "events": [_event(row) for row in facts.arrangement],
                 "topology": facts.topology,
                 "tight_passages": facts.passages,
+                **self._wound_zero_times(),
                 "below_at_above": [list(counts) for counts in facts.counts],
                 "varies": [VARIES[name] for name in self._varies()],
                 "floats": [
-                    precision(facts.P, facts.Q, str(scale), counts_of(found))
+                    precision(facts.P, facts.Q, str(scale), found)
                     for scale, found in zip(self.scales, self.sums, strict=True)
                 ],
             },
@@ -108,7 +110,8 @@ class Degenerate:
     @cached_property
     def certificate(self) -> Certificate:
         """The event of the boundary at the scale, or the sum there, with its tight passages; what
-        meets there; what is expected at the siblings."""
+        meets there; the point that the convolution winds around zero times is in the sum; what is
+        expected at the siblings."""
         facts = self.facts
         made = Certificate(facts.P, facts.Q)
         if facts.boundary:
@@ -120,6 +123,9 @@ class Degenerate:
             made.degeneracy(facts.scale)
         for zero in facts.zeros:
             made.zero(zero, facts.scale)
+        if facts.wound_zero_times is not None:
+            x, y = facts.wound_zero_times
+            made.point(facts.scale, (str(x), str(y)))
         for scale in self.scales[1:]:
             made.sum(scale)
         return made
@@ -141,6 +147,10 @@ class Degenerate:
             told["result"] = json.loads(found.region.canonical_json())
         return told
 
+    def _wound_zero_times(self) -> dict[str, list[str]]:
+        point = self.facts.wound_zero_times
+        return {} if point is None else {"wound_zero_times": [str(x) for x in point]}
+
     def _varies(self) -> list[str]:
         coordinates = json.loads(self.sums[0].region.canonical_json())["polygons"]
         rings = [ring for p in coordinates for ring in (p["outer"], *p["holes"])]
@@ -149,8 +159,23 @@ class Degenerate:
         return named
 
 
+def content_of(P: _core.PolygonSet, Q: _core.PolygonSet) -> str:
+    """Both operands, the same text for the same rings: whatever vertex they start at, in whatever
+    order they, or the polygons, are."""
+    return json.dumps([_content(P), _content(Q)])
+
+
+def _content(operand: _core.PolygonSet) -> list[Any]:
+    def turned(ring: list[list[str]]) -> list[list[str]]:
+        first = ring.index(min(ring))
+        return ring[first:] + ring[:first]
+
+    polygons = json.loads(operand.to_json())["polygons"]
+    return sorted([turned(p["outer"]), sorted(map(turned, p["holes"]))] for p in polygons)
+
+
 def id_of(family: str, content: str, scales: list[str]) -> str:
-    """The family, and a hash of operands (their digest as a certificate has it) and scales."""
+    """The family, and a hash of operands and scales."""
     return f"{family}-{digest(json.dumps([content, *scales]))[:12]}"
 
 

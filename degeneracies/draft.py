@@ -14,6 +14,7 @@ from typing import Any
 from minkref import _core
 from minkref.certify.case_text import places
 from minkref.certify.predicate import Predicate, Vertices
+from minkref.degeneracies.convolution_at import ConvolutionAt
 from minkref.fuzz.families.drawing import Shape, shape_text
 
 Place = tuple[str, str]
@@ -144,6 +145,15 @@ class Facts:
         below, above = self.beside
         return tuple((s.components, s.holes) for s in (below, self.at, above))
 
+    @cached_property
+    def convolution(self) -> ConvolutionAt:
+        return ConvolutionAt(self.P, self.Q, self.vertices, self.scale)
+
+    @cached_property
+    def wound_zero_times(self) -> tuple[Fraction, Fraction] | None:
+        """A point inside the sum around which the full convolution winds zero times."""
+        return self.convolution.wound_zero_times()
+
     @property
     def has_zeros(self) -> bool:
         """Whether all predicates of the draft are zero."""
@@ -152,17 +162,16 @@ class Facts:
 
 @dataclass(frozen=True)
 class Subject:
-    """What a case is about. What makes good code get it wrong: `why`. `flags`: flags.json."""
+    """What a case is about. What makes good code get it wrong: `why`."""
 
     name: str
     title: str
-    flags: tuple[str, ...]
 
     @property
     def why(self) -> str:
-        """pages/NAME.md without its heading."""
+        """pages/NAME.md without its heading, a paragraph a line."""
         _, _, text = (PAGES / f"{self.name}.md").read_text(encoding="utf-8").partition("\n")
-        return text.strip()
+        return "\n\n".join(" ".join(part.split()) for part in text.strip().split("\n\n"))
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,6 @@
 """Checks an implementation of the Minkowski sum with the corpus. Plain Python, none of our code.
 
-python3 example.py [FOLDER]
+python3 example.py [FOLDER]: exit code 0 if all is right, 1 if something is wrong, 2 without cases
 """
 
 import json
@@ -10,8 +10,9 @@ from itertools import pairwise
 from pathlib import Path
 
 
-def area_of_sum(P, Q, s):
-    """Put yours here. This one takes the hull of sums of vertices: right for convex operands."""
+def minkowski_sum(P, Q, s):
+    """Put yours here: area, components and holes of sP + Q, None for what it does not tell. This
+    one takes the hull of sums of vertices: right for convex operands."""
     corners = [
         [tuple(map(Fraction, v)) for polygon in operand["polygons"] for v in polygon["outer"]]
         for operand in (P, Q)
@@ -27,7 +28,7 @@ def area_of_sum(P, Q, s):
                 chain.pop()
             chain.append((x, y))
         area += sum(a * d - b * c for (a, b), (c, d) in pairwise(chain)) / 2
-    return area
+    return area, 1, 0
 
 
 corpus = Path(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).parent / "corpus")
@@ -36,9 +37,15 @@ cases = [case for case in cases if case.get("schema") == "case-v1"]
 wrong = {}
 for case in cases:
     for expected in case["expected"]:
-        answer = area_of_sum(case["P"], case["Q"], Fraction(expected["scale"]))
-        if answer != Fraction(expected["area"]):
-            wrong.setdefault(case["id"], f"{answer} at {expected['scale']}")
+        truth = Fraction(expected["area"]), expected["components"], expected["holes"]
+        try:
+            answer = minkowski_sum(case["P"], case["Q"], Fraction(expected["scale"]))
+            right = all(a is None or a == t for a, t in zip(answer, truth, strict=True))
+        except Exception as error:  # noqa: BLE001 yours may raise anything
+            answer, right = [repr(error)], False
+        if not right:
+            wrong.setdefault(case["id"], f"{', '.join(map(str, answer))} at {expected['scale']}")
 for name, answer in wrong.items():
-    print(f"wrong: {name}: area {answer[:60]}")
+    print(f"wrong: {name}: {answer[:70]}")
 print(f"{len(cases)} cases, {len(wrong)} wrong")
+sys.exit(1 if wrong else 0 if cases else 2)

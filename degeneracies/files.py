@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import hashlib
 import json
+import os
+from collections.abc import Iterable
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TypedDict
 
@@ -12,7 +15,8 @@ from minkref.degeneracies.draft import Family
 from minkref.degeneracies.found import Story
 from minkref.degeneracies.invalid.catalogue import invalid_member
 from minkref.degeneracies.invalid.member import InvalidFamily
-from minkref.documents import replacing, write_atomically
+from minkref.documents import check_writable, replacing
+from minkref.errors import Refusal
 
 
 class FileRow(TypedDict):
@@ -24,57 +28,122 @@ class FileRow(TypedDict):
     bytes: int
 
 
-def write_member(family: Family, seed: int, index: int, folder: Path) -> FileRow:
+@dataclass(frozen=True)
+class Made:
+    """The two files of a member, by name, before they are written. `beside`: the certificate of a
+    case, what a message should say of an invalid input."""
+
+    family: str
+    index: int
+    id: str
+    case: tuple[str, bytes]
+    beside: tuple[str, bytes]
+    certified: bool = True
+
+    def row(self, folder: Path) -> FileRow:
+        """Of the files as they are in FOLDER/FAMILY."""
+        (case, content), (beside, more) = self.case, self.beside
+        where = folder / self.family
+        return {
+            "family": self.family,
+            "index": self.index,
+            "id": self.id,
+            "case": str(where / case),
+            "certificate": str(where / beside) if self.certified else None,
+            "bytes": len(content) + len(more),
+        }
+
+    def write(self, folder: Path) -> FileRow:
+        """Both or none: a case that is there has its certificate, which takes its place first."""
+        where = folder / self.family
+        make_folder(where)
+        (case, content), (beside, more) = self.case, self.beside
+        with replacing(where / case) as part:
+            part.write_bytes(content)
+            with replacing(where / beside) as other:
+                other.write_bytes(more)
+        return self.row(folder)
+
+
+def made_member(family: Family, seed: int, index: int, size: int | None = None) -> Made:
+    """ID.json and ID.cert.json."""
+    return _made(Degenerate.of(family, seed, index, size), index)
+
+
+def made_invalid(family: InvalidFamily, seed: int, index: int) -> Made:
+    """ID.EXT, which must be refused; ID.refusal.json: what a message should say."""
+    drawn = invalid_member(family, seed, index)
+    ending = Path(drawn.file_name).suffix
+    told = json.dumps([ending, drawn.part, drawn.scale]).encode() + drawn.content
+    stem = f"{family.name}-{hashlib.sha256(told).hexdigest()[:12]}"
+    name = f"{stem}{ending}"
+    renamed = {drawn.file_name: name, drawn.argument: f"{name}{drawn.part}"}
+    refusal = {
+        "file": name,
+        "operand": renamed[drawn.argument],
+        "scale": drawn.scale,
+        "code": drawn.code,
+        "place": [renamed.get(text, text) for text in drawn.place],
+        "source": f"minkref generate {family.name} --seed {seed} --index {index}",
+    }
+    beside = f"{stem}.refusal.json", (json.dumps(refusal) + "\n").encode()
+    return Made(family.name, index, stem, (name, drawn.content), beside, certified=False)
+
+
+def write_member(
+    family: Family, seed: int, index: int, folder: Path, size: int | None = None
+) -> FileRow:
     """FOLDER/FAMILY/ID.json and FOLDER/FAMILY/ID.cert.json."""
-    return _write(Degenerate.of(family, seed, index), index, folder)
+    return made_member(family, seed, index, size).write(folder)
 
 
 def write_found(story: Story, folder: Path) -> FileRow:
-    return _write(Degenerate(story, story.facts, "found by verification, or published"), 0, folder)
+    return _made(Degenerate(story, story.facts, story.value["source"]), 0).write(folder)
 
 
 def write_invalid(family: InvalidFamily, seed: int, index: int, folder: Path) -> FileRow:
-    """FOLDER/FAMILY/ID.EXT, which must be refused; ID.refusal.json: what a message should say."""
-    made = invalid_member(family, seed, index)
-    content = made.content + (made.scale or "").encode()
-    stem = f"{family.name}-{hashlib.sha256(content).hexdigest()[:12]}"
-    where = folder / family.name
-    where.mkdir(parents=True, exist_ok=True)
-    case = where / f"{stem}{Path(made.file_name).suffix}"
-    told = {
-        "file": case.name,
-        "operand": f"{case.name}{made.part}",
-        "scale": made.scale,
-        "code": made.code,
-        "place": list(made.place),
-        "source": f"minkref generate {family.name} --seed {seed}, member {index}",
-    }
-    refusal = where / f"{stem}.refusal.json"
-    write_atomically(refusal, json.dumps(told) + "\n")
-    with replacing(case) as part:
-        part.write_bytes(made.content)
-    return {
-        "family": family.name,
-        "index": index,
-        "id": stem,
-        "case": str(case),
-        "certificate": None,
-        "bytes": case.stat().st_size + refusal.stat().st_size,
-    }
+    """FOLDER/FAMILY/ID.EXT and FOLDER/FAMILY/ID.refusal.json."""
+    return made_invalid(family, seed, index).write(folder)
 
 
-def _write(made: Degenerate, index: int, folder: Path) -> FileRow:
-    """The certificate first: a case that is there has its certificate."""
-    where = folder / made.subject.name
-    where.mkdir(parents=True, exist_ok=True)
-    case, certificate = where / f"{made.id}.json", where / f"{made.id}.cert.json"
-    write_atomically(certificate, made.certificate_text)
-    write_atomically(case, made.case_text)
-    return {
-        "family": made.subject.name,
-        "index": index,
-        "id": made.id,
-        "case": str(case),
-        "certificate": str(certificate),
-        "bytes": case.stat().st_size + certificate.stat().st_size,
-    }
+def _made(made: Degenerate, index: int) -> Made:
+    case = f"{made.id}.json", made.case_text.encode()
+    certificate = f"{made.id}.cert.json", made.certificate_text.encode()
+    return Made(made.subject.name, index, made.id, case, certificate)
+
+
+def folder_to_write(name: str, inside: Iterable[str] = ()) -> Path:
+    """The folder that -o names. Refuses one in which no file can be made, or not in the folders
+    `inside` it, before any work is done; makes none."""
+    if not name:
+        raise Refusal("the name of the folder is empty", "-o ''", "name one; . is where you are")
+    folder = Path(name)
+    for path in (folder, *(folder / each for each in inside)):
+        try:
+            _check_folder(path)
+        except OSError as error:
+            raise _cannot_make(path, error) from error
+    return folder
+
+
+def _check_folder(path: Path) -> None:
+    """Of those that it is in, the nearest that is there is where it will be made."""
+    for each in (path, *path.absolute().parents):
+        if each.is_dir():
+            check_writable(each / "ID.json")
+            return
+        if os.path.lexists(each):
+            mend = "name another folder, or take this out of the way"
+            raise Refusal("this is not a folder", str(each), mend, "cannot-write")
+
+
+def make_folder(folder: Path) -> None:
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise _cannot_make(folder, error) from error
+
+
+def _cannot_make(folder: Path, error: OSError) -> Refusal:
+    what = f"the folder cannot be made: {error.strerror}"
+    return Refusal(what, str(folder), "choose another place", "cannot-write")

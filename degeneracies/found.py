@@ -34,6 +34,6 @@ class Story(Subject):
 
 
 FOUND: tuple[Story, ...] = tuple(
-    Story(NAME, value["title"], tuple(value["flags"]), value)
+    Story(NAME, value["title"], value)
     for value in json.loads(Path(__file__).with_name("found.json").read_text(encoding="utf-8"))
 )

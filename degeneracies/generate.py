@@ -5,19 +5,29 @@ from __future__ import annotations
 from random import Random
 
 from minkref.degeneracies.draft import Facts, Family, NothingDrawn
+from minkref.errors import Refusal
 
 PATIENCE = 400
 FEWEST, MOST = 8, 24  # vertices of a pair, about
 
 
-def member(family: Family, seed: int, index: int) -> Facts:
-    """The member of this number. It depends on nothing else, on any machine."""
+def member(family: Family, seed: int, index: int, size: int | None = None) -> Facts:
+    """The member of this number, of about `size` vertices where the family can be large. It depends
+    on nothing else, on any machine. Refuses a size that no draw has come to."""
     dice = Random(f"minkref degeneracy {family.name} {seed} {index}")
     for _ in range(PATIENCE):
+        wanted = dice.randint(FEWEST, MOST) if size is None else size
         try:
-            facts = Facts.of_valid(family.draw(dice, dice.randint(FEWEST, MOST)))
+            facts = Facts.of_valid(family.draw(dice, wanted))
         except NothingDrawn:
             continue
         if facts is not None and facts.has_zeros and family.belongs(facts):
             return facts
+    if size is not None:
+        raise Refusal(
+            f"no member of about {size} vertices was found in {PATIENCE} draws",
+            f"{family.name} --seed {seed} --index {index} --size {size}",
+            "choose another --size or --seed, or leave out --size",
+            "nothing-drawn",
+        )
     raise RuntimeError(f"{family.name}:{seed}:{index}: nothing drawn belongs to the family")

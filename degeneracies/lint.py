@@ -1,8 +1,11 @@
-"""What must hold of a corpus: schema, canonical form, ids, flags, certificates, no case twice."""
+"""What must hold of a corpus: schema, canonical form, ids, flags, certificates, no case twice; and
+each case is what its source makes. `python -m minkref.degeneracies.lint [FOLDER]`: a line for each
+fault, exit code 1 if there is one."""
 
 from __future__ import annotations
 
 import json
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -10,57 +13,85 @@ from typing import Any
 import jsonschema
 from minkref import _core
 from minkref.certify.case_text import case_digest
-from minkref.degeneracies.case_document import canonical_text, id_of
+from minkref.degeneracies.case_document import Degenerate, canonical_text, content_of, id_of
+from minkref.degeneracies.catalogue import FAMILIES
+from minkref.degeneracies.flags import FLAGS, explained
+from minkref.degeneracies.found import FOUND
+from minkref.degeneracies.found import NAME as FOUND_NAME
 
 ROOM = Path(__file__).parent
 CORPUS = ROOM / "corpus"
 ENDING = ".cert.json"
-
-
-def flags() -> dict[str, dict[str, Any]]:
-    """What each flag means, what it breaks, who is known to be broken by it."""
-    value: dict[str, dict[str, Any]] = json.loads((ROOM / "flags.json").read_text(encoding="utf-8"))
-    return value
+GENERATE = "minkref generate"
 
 
 def case_paths(folder: Path) -> list[Path]:
     return sorted(p for p in folder.rglob("*.json") if not p.name.endswith(ENDING))
 
 
-def faults(folder: Path = CORPUS) -> Iterator[str]:
-    """A line for each fault. Certificates are compared with their cases, not followed: that is
-    `minkref check FOLDER`."""
+def faults(folder: Path = CORPUS, again: bool = True) -> Iterator[str]:
+    """A line for each fault. `again`: each case is made again by its source, and compared, which
+    takes as long as to generate it. Certificates are compared with their cases, not followed: that
+    is `minkref check FOLDER`."""
     schema = json.loads((ROOM / "schema" / "case-v1.json").read_text(encoding="utf-8"))
     validator = jsonschema.Draft202012Validator(schema)
-    known, used = flags(), set[str]()
     seen: dict[str, Path] = {}
-    paths = case_paths(folder)
-    for path in paths:
+    for path in case_paths(folder):
         text = path.read_text(encoding="utf-8")
-        value = json.loads(text)
-        for error in validator.iter_errors(value):
-            yield f"{path}: {error.json_path}: {error.message}"
+        try:
+            value = json.loads(text)
+        except ValueError as error:
+            yield f"{path}: {error}"
+            continue
+        errors = [f"{e.json_path}: {e.message}" for e in validator.iter_errors(value)]
+        absent = sorted({"tags", "flags", "expected", "degeneracy", "certificate"} - set(value))
+        errors += [f"the member {name} is missing" for name in absent]
+        if errors:
+            yield from (f"{path}: {error}" for error in errors)
+            continue
         if text != canonical_text(value):
             yield f"{path}: not in canonical form"
-        used |= set(value["flags"])
-        for flag in set(value["flags"]) - set(known):
-            yield f"{path}: the flag {flag} is not explained"
-        operands = [_core.PolygonSet.from_json(json.dumps(value[name])) for name in "PQ"]
-        content = case_digest(*operands)
-        family = value["tags"][0]
-        if value["id"] != id_of(family, content, value["scales"]) or path.stem != value["id"]:
-            yield f"{path}: the id is not that of the content"
-        if path.parent.name != family:
-            yield f"{path}: not in the folder of its family"
-        if content in seen:
-            yield f"{path}: the operands are those of {seen[content]}"
-        seen[content] = path
-        yield from _certificate_faults(path, value, content)
-    for flag in sorted(set(known) - used):
-        yield f"flags.json: no case has the flag {flag}"
+        yield from _case_faults(path, value, seen)
+        if again:
+            yield from _differences(path, value)
     for path in sorted(folder.rglob(f"*{ENDING}")):
         if not path.with_name(path.name.removesuffix(ENDING) + ".json").exists():
             yield f"{path}: a certificate without its case"
+
+
+def corpus_faults(folder: Path = CORPUS) -> Iterator[str]:
+    """Of the corpus as a whole: no flag goes unused, none unexplained."""
+    used = {
+        flag
+        for path in case_paths(folder)
+        for flag in json.loads(path.read_text(encoding="utf-8"))["flags"]
+    }
+    for flag in sorted(set(explained()) - used):
+        yield f"flags.json: no case has the flag {flag}"
+    for flag in sorted(set(explained()) ^ set(FLAGS)):
+        yield f"flags.json: {flag} is explained and never given, or given and not explained"
+
+
+def _case_faults(path: Path, value: dict[str, Any], seen: dict[str, Path]) -> Iterator[str]:
+    for flag in set(value["flags"]) - set(explained()):
+        yield f"{path}: the flag {flag} is not explained"
+    try:
+        operands = [_core.PolygonSet.from_json(json.dumps(value[name])) for name in "PQ"]
+        for name, operand in zip("PQ", operands, strict=True):
+            operand.validate(name)
+    except _core.BadInput as error:
+        yield f"{path}: {error}"
+        return
+    content = content_of(operands[0], operands[1])
+    family = value["tags"][0]
+    if value["id"] != id_of(family, content, value["scales"]) or path.stem != value["id"]:
+        yield f"{path}: the id is not that of the content"
+    if path.parent.name != family:
+        yield f"{path}: not in the folder of its family"
+    if content in seen:
+        yield f"{path}: the operands are those of {seen[content]}"
+    seen[content] = path
+    yield from _certificate_faults(path, value, case_digest(operands[0], operands[1]))
 
 
 def _certificate_faults(path: Path, value: dict[str, Any], content: str) -> Iterator[str]:
@@ -83,3 +114,55 @@ def _certificate_faults(path: Path, value: dict[str, Any], content: str) -> Iter
             yield f"{path}: what is expected at {expected['scale']} is not certified"
     if {expected["scale"] for expected in value["expected"]} != set(value["scales"]):
         yield f"{path}: not each scale has its expected result"
+
+
+def _differences(path: Path, value: dict[str, Any]) -> Iterator[str]:
+    """Between a case and what its source makes, the certificate with it."""
+    made = _made_again(value)
+    if made is None:
+        yield f"{path}: the source {value.get('source')!r} makes nothing"
+        return
+    document = json.loads(made.case_text)
+    for name in sorted(set(document) | set(value)):
+        if document.get(name) != value.get(name):
+            yield f"{path}: {name} is not what the source makes"
+    parts, others = document["degeneracy"], value["degeneracy"]
+    for name in sorted(set(parts) | set(others)):
+        if parts.get(name) != others.get(name):
+            yield f"{path}: {name} of degeneracy is not what the source makes"
+    file = path.with_name(value["certificate"])
+    if file.exists() and file.read_text(encoding="utf-8") != made.certificate_text:
+        yield f"{file}: not the certificate that the source makes"
+
+
+def _made_again(value: dict[str, Any]) -> Degenerate | None:
+    if value["tags"][0] == FOUND_NAME:
+        return next(
+            (
+                Degenerate(story, story.facts, story.value["source"])
+                for story in FOUND
+                if story.title == value.get("title")
+            ),
+            None,
+        )
+    words = str(value.get("source", "")).removeprefix(GENERATE).split()
+    try:
+        family = FAMILIES[words[0]]
+        options = {words[i]: int(words[i + 1]) for i in range(1, len(words), 2)}
+        made = (options["--seed"], options["--index"], options.get("--size"))
+    except (IndexError, KeyError, ValueError):
+        return None
+    return Degenerate.of(family, *made)
+
+
+def main(arguments: list[str]) -> int:
+    folder = Path(arguments[0]) if arguments else CORPUS
+    found = [*faults(folder), *(corpus_faults() if folder == CORPUS else ())]
+    for fault in found:
+        print(fault)
+    print(f"{folder}: {len(case_paths(folder))} cases, {len(found)} faults")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

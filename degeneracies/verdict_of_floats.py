@@ -2,50 +2,45 @@
 
 from __future__ import annotations
 
-from bisect import bisect_left
 from collections.abc import Callable
+from itertools import takewhile
 from typing import Any
 
 from minkref import _core
 
-FEWEST_BITS, MOST_BITS = 8, 4096
+# Of a significand; all that are asked, from the least to the greatest.
+WIDTHS = (8, 12, 16, 20, 24, 28, 32, 40, 48, 53, 64, 80, 96, 113, 160, 237, 320, 512, 1024, 2048,
+          4096)  # fmt: skip
 
 
 def answer_in(arithmetic: str, P: _core.PolygonSet, Q: _core.PolygonSet, scale: str) -> list[int]:
-    """Components, holes and vertices of the sum, all signs decided in this arithmetic; nothing
-    where it breaks down."""
+    """Components, holes and vertices of the sum, operands rounded and all signs decided in this
+    arithmetic; nothing where it breaks down."""
     try:
-        return counts_of(_core.minkowski_sum(P, Q, scale, "paper", arithmetic))
+        found = _core.minkowski_sum(P, Q, scale, "paper", arithmetic)
     except (_core.BadInput, _core.UndecidedSign, RuntimeError):
         return []
+    return [found.components, found.holes, found.region.vertices]
 
 
-def counts_of(sum_: _core.Sum) -> list[int]:
-    return [sum_.components, sum_.holes, sum_.region.vertices]
-
-
-def precision(P: _core.PolygonSet, Q: _core.PolygonSet, scale: str, truth: list[int]) -> Any:
-    """At one scale: the answer of doubles, whether it is right in these counts, and the number of
-    bits of a significand from which on it is."""
+def precision(P: _core.PolygonSet, Q: _core.PolygonSet, scale: str, truth: _core.Sum) -> Any:
+    """At one scale: the answer of doubles; whether its components and holes are as many as they
+    should be (a vertex in the middle of a straight edge is no fault); and the least of WIDTHS from
+    which on all of them answer so."""
+    right = [truth.components, truth.holes]
     doubles = answer_in("double", P, Q, scale)
-    bits = bits_from_which(lambda bits: answer_in(f"mpfr:{bits}", P, Q, scale) == truth)
     return {
         "scale": scale,
         "doubles": doubles,
-        "doubles_are_right": doubles == truth,
-        "deciding_bits": bits,
+        "doubles_are_right": doubles[:2] == right,
+        "deciding_bits": deciding_bits(
+            lambda bits: answer_in(f"mpfr:{bits}", P, Q, scale)[:2] == right
+        ),
     }
 
 
-def bits_from_which(right: Callable[[int], bool]) -> int | None:
-    """Found by halving from 4096 bits until an answer is wrong, then by bisection between the last
-    two: fewer bits may be right by luck, and bits between those that were tried may be wrong. None
-    where 4096 are too few."""
-    high = MOST_BITS
-    if not right(high):
-        return None
-    while high > FEWEST_BITS and right(high // 2):
-        high //= 2
-    if high == FEWEST_BITS:
-        return high
-    return bisect_left(range(high), True, high // 2 + 1, key=right)
+def deciding_bits(right: Callable[[int], bool]) -> int | None:
+    """The least of WIDTHS at which, and at all greater ones of which, the answer is right. None
+    where it is wrong at the greatest."""
+    good = list(takewhile(right, reversed(WIDTHS)))
+    return good[-1] if good else None

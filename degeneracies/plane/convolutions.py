@@ -3,20 +3,16 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
 from fractions import Fraction
 from random import Random
 
-from minkref import _core
-from minkref.certify.case_text import ring_numbers
-from minkref.certify.coincidence import ends_of
-from minkref.certify.predicate import Place
 from minkref.degeneracies.draft import Draft, Facts, Family
-from minkref.degeneracies.shapes import changed, framed, number, turned_left
-from minkref.fuzz.families.drawing import Point, Polygon, Ring, Shape, box, convex, extent, moved
+from minkref.degeneracies.shapes import changed, corridor, framed, number, turned_left
+from minkref.fuzz.families.drawing import Point, Ring, Shape, box, convex, extent, moved
 from minkref.fuzz.families.hard_numbers import polygon
-from minkref.fuzz.families.outlines import spiral
 from minkref.fuzz.families.random_pairs import random_pair
+
+MOST_TEETH = 12  # of both operands
 
 
 def _cut(dice: Random, ring: Ring) -> tuple[Ring, list[int]]:
@@ -49,14 +45,6 @@ def _is_collinear(facts: Facts) -> bool:
     return len(facts.zeros) >= 2 and facts.has_zeros
 
 
-def _full(facts: Facts) -> Iterator[tuple[Place, Place]]:
-    """The segments of the full convolution as its cycles pass them."""
-    rings = ring_numbers(facts.P), ring_numbers(facts.Q)
-    for edge in _core.full_convolution(facts.P, facts.Q):
-        a, b = (facts.vertices.at(end, facts.scale) for end in ends_of(edge, rings))
-        yield (a, b) if edge[1] > 0 else (b, a)
-
-
 def _antenna(dice: Random, size: int) -> Draft:
     """Polygons on small grids, where edges of one direction abound."""
     pair = random_pair(dice.randrange(10**9), dice.randrange(240))
@@ -69,20 +57,6 @@ def _shape(text: str) -> Shape:
         [[(Fraction(x), Fraction(y)) for x, y in ring] for ring in (p["outer"], *p["holes"])]
         for p in json.loads(text)["polygons"]
     ]
-
-
-def _is_antenna(facts: Facts) -> bool:
-    """A segment of the full convolution comes to a point and another leaves it by the same way."""
-    segments = list(_full(facts))
-    leaving: dict[Place, list[Place]] = {}
-    for a, b in segments:
-        leaving.setdefault(a, []).append((b[0] - a[0], b[1] - a[1]))
-    for a, b in segments:
-        back = a[0] - b[0], a[1] - b[1]
-        for d in leaving.get(b, []):
-            if back[0] * d[1] == back[1] * d[0] and back[0] * d[0] + back[1] * d[1] > 0:
-                return True
-    return False
 
 
 def _euler(dice: Random, size: int) -> Draft:
@@ -103,19 +77,37 @@ def _euler(dice: Random, size: int) -> Draft:
 
 
 def _is_euler(facts: Facts) -> bool:
-    """P, which has a hole, fits inside a box in Q; the sum has none."""
-    return facts.P.ring_count > 1 and facts.counts[1] == (1, 0)
+    """The convolution winds zero times around a point of the sum, which has no hole."""
+    return facts.wound_zero_times is not None and facts.counts[1] == (1, 0)
 
 
-def _combs(dice: Random, size: int) -> Draft:
+def _counts(dice: Random, both: int, least: int) -> tuple[int, int]:
+    """Two numbers of at least `least`, neither much larger, that are `both` together if they can,
+    but no more than MOST_TEETH: the sum has thousands of vertices then."""
+    both = max(2 * least, min(both, MOST_TEETH))
+    least = max(least, both // 3)
+    m = dice.randint(least, both - least)
+    return m, both - m
+
+
+def _row(count: int, step: int, x0: int, side: Fraction) -> Shape:
+    """Squares side by side."""
+    return [[box(x0 + k * step, 0, side, side)] for k in range(count)]
+
+
+def _flipped(shape: Shape) -> Shape:
+    """At the diagonal."""
+    return [[[(y, x) for x, y in ring][::-1] for ring in polygon] for polygon in shape]
+
+
+def crossing_combs(m: int, n: int, thick: Fraction, room: int) -> tuple[Shape, Shape]:
     """P: a comb of m level teeth, and far off m squares side by side. Q: n squares, one above the
     other, and far off a comb of n upright teeth. The teeth of each with the squares of the other
-    give m n strips that lie level and m n that are upright, in one place."""
-    m, n = dice.choice(((2, 2), (2, 3), (3, 2)))
-    length, thick, far = 3 * m * n + dice.randint(0, 3), Fraction(1, dice.randint(2, 4)), 100
-
-    def row(count: int, step: int, x0: int) -> list[Polygon]:
-        return [[box(x0 + k * step, 0, thick, thick)] for k in range(count)]
+    give m n strips that lie level and m n that are upright, in one place. There the backs of the
+    combs are part of the first strips, and every two neighbours of the one kind close a hole with
+    two of the other: (m n - 1)^2 holes."""
+    length = 2 * m * n + 1 + room
+    far = 3 * length
 
     def teeth(count: int, step: int) -> Ring:
         """Upright ones on a back."""
@@ -125,28 +117,60 @@ def _combs(dice: Random, size: int) -> Draft:
             ring += [(k * step, 0), ((k - 1) * step + thick, 0)] if k else []
         return ring
 
-    level: Ring = [(y, x) for x, y in teeth(m, 2)][::-1]
-    column = [[[(x, y) for y, x in square][::-1]] for (square,) in row(n, 2 * m, 0)]
-    upright = moved([[teeth(n, 2 * m)]], -far, 0)
-    return changed(dice, Draft([[level], *row(m, 2, far)], [*column, *upright], Fraction(1)))
+    level, upright = _flipped([[teeth(m, 2)]]), [[teeth(n, 2 * m)]]
+    column = _flipped(_row(n, 2 * m, 0, thick))
+    return [*level, *_row(m, 2, far, thick)], [*column, *moved(upright, -far, 0)]
+
+
+def _combs(dice: Random, size: int) -> Draft:
+    m, n = _counts(dice, max(size // 8, dice.randint(4, 5)), 2)
+    thick = Fraction(1, dice.randint(2, 4))
+    return changed(dice, Draft(*crossing_combs(m, n, thick, dice.randint(0, 3)), Fraction(1)))
+
+
+def crossing_spirals(
+    m: int, n: int, steps: tuple[int, int], wall: Fraction, side: Fraction, room: int
+) -> tuple[Shape, Shape]:
+    """P: a spiral of m level legs that are long and m - 1 upright ones that are short, and far off
+    m - 1 squares side by side. Q: n - 1 squares, one above the other, and far off a spiral of n
+    upright legs and n - 1 level ones. The spirals of each with the squares of the other give
+    n - 1 spirals one above the other and m - 1 side by side, and every long leg of the ones
+    crosses every long leg of the others. A region of this kind, of k simple ways that cross one
+    another c times and hang together, has c - k + 1 holes, by Euler's formula:
+    m n (m - 1) (n - 1) - m - n + 3."""
+    p, q = steps  # from leg to leg, of P and of Q
+    length = max(p, q) * (m * n + max(m, n)) + room
+    far = 3 * length
+
+    def spiral(legs: int, step: int) -> Ring:
+        line: list[tuple[int, int]] = []
+        x = 0
+        for k in range(legs):
+            y = step * ((k + 1) // 2) * (1 if k % 2 else -1)
+            line.append((x, y))
+            x = -step * ((k + 1) // 2) if k % 2 else length + step * (k // 2)
+            line.append((x, y))
+        return corridor(line, wall)
+
+    level, upright = [[spiral(m, p)]], _flipped([[spiral(n, q)]])
+    column = _flipped(_row(n - 1, p * m, 0, side))
+    return (
+        [*level, *_row(m - 1, q * n, far, side)],
+        [*column, *moved(upright, q * n - far, -p * m)],
+    )
 
 
 def _spirals(dice: Random, size: int) -> Draft:
-    pitch = dice.randint(3, 5)
-    wall = Fraction(1, dice.randint(2, 4))
-    P = spiral(dice.randint(3, 6), pitch, wall)
-    Q = spiral(dice.randint(7, 14), 2 * pitch, wall)
-    return changed(dice, Draft([[P]], [[Q]], Fraction(1, dice.randint(1, 4))))
+    m, n = _counts(dice, size // 8 + 1, 3)
+    steps = dice.randint(3, 5), dice.randint(3, 5)
+    wall, side = (Fraction(1, dice.randint(2, 4)) for _ in range(2))
+    P, Q = crossing_spirals(m, n, steps, wall, side, dice.randint(0, 3))
+    return changed(dice, Draft(P, Q, Fraction(1)))
 
 
 def _is_large(facts: Facts) -> bool:
-    """More vertices of the sum than of the operands."""
-    return facts.at.region.vertices > facts.P.vertices + facts.Q.vertices >= 24
-
-
-def _is_wound(facts: Facts) -> bool:
-    """The boundary of the sum winds as Q does, and Q as many turns."""
-    return facts.Q.vertices >= 16 and facts.at.region.vertices >= facts.Q.vertices // 2
+    """The sum has more than twice as many vertices as both operands."""
+    return facts.at.region.vertices > 2 * (facts.P.vertices + facts.Q.vertices)
 
 
 def _away(dice: Random, size: int) -> Draft:
@@ -166,42 +190,36 @@ FAMILIES = (
     Family(
         "collinear-vertices",
         "vertices in the middle of straight edges, in both operands",
-        ("collinear-vertices",),
         _collinear,
         _is_collinear,
     ),
     Family(
         "antennas",
         "a convolution cycle that runs forth and back on one line",
-        ("antenna", "parallel-edges"),
         _antenna,
-        _is_antenna,
+        lambda facts: facts.convolution.runs_back(),
     ),
     Family(
         "euler-zero",
         "a point inside the sum over which the intersection has the Euler characteristic zero",
-        ("winding-zero", "vanishing-holes"),
         _euler,
         _is_euler,
     ),
     Family(
         "combs",
         "combs whose sum has far more vertices than they have",
-        ("large-sum", "parallel-edges"),
         _combs,
         _is_large,
     ),
     Family(
         "spirals",
-        "a spiral along a spiral",
-        ("large-sum", "parallel-edges"),
+        "spirals whose sum has far more vertices than they have",
         _spirals,
-        _is_wound,
+        _is_large,
     ),
     Family(
         "origin-outside",
         "a scaled operand that does not contain the origin",
-        ("origin-outside",),
         _away,
         _is_away,
     ),

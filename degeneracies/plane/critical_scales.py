@@ -6,9 +6,13 @@ from collections.abc import Callable
 from fractions import Fraction
 from random import Random
 
+from minkref import _core
 from minkref.degeneracies.draft import Draft, Facts, Family
 from minkref.degeneracies.shapes import changed, framed, number
 from minkref.fuzz.families.drawing import Ring, box
+
+FAR, FARTHEST = Fraction(2) ** 10, Fraction(2) ** 200
+APART = 8  # scales that accumulate: each this many times the one before, at least
 
 
 def _rooms(widths: list[Fraction], heights: list[Fraction]) -> list[Ring]:
@@ -74,8 +78,8 @@ def _is_float(facts: Facts) -> bool:
 
 def _many(dice: Random, sign: int) -> Draft:
     step = dice.choice((8, 16, 30))
-    widths = [Fraction(2) ** (sign * step * k) for k in range(1, dice.randint(3, 5))]
-    return changed(dice, _rooms_for(dice, widths, widths[-1]))
+    widths = [Fraction(2) ** (sign * step * k) for k in range(1, dice.randint(3, 5) + 1)]
+    return changed(dice, _rooms_for(dice, widths, dice.choice(widths[1:])))
 
 
 def _near_zero(dice: Random, size: int) -> Draft:
@@ -87,53 +91,68 @@ def _far_out(dice: Random, size: int) -> Draft:
 
 
 def _is_tiny(facts: Facts) -> bool:
-    return bool(facts.topology) and facts.scale < Fraction(1, 2**10)
+    return facts.scale < 1 / FAR and _accumulates(facts, 1 / FARTHEST, Fraction(1))
 
 
 def _is_large(facts: Facts) -> bool:
-    return bool(facts.topology) and facts.scale > 2**10
+    return facts.scale > FAR and _accumulates(facts, Fraction(1), FARTHEST)
+
+
+def _accumulates(facts: Facts, low: Fraction, high: Fraction) -> bool:
+    """The scale is one of at least three in this interval at which a hole of the sum dies, each at
+    least APART times the one before."""
+    events = _core.DynamicSum(facts.P, facts.Q, str(low), str(high)).topology_events()
+    deaths = {
+        Fraction(scale)
+        for scale, feature, change, *_ in events
+        if (feature, change) == ("hole", "death")
+    }
+    if facts.scale not in deaths:
+        return False
+    found = [facts.scale]
+    for scale in sorted(deaths):
+        if scale >= APART * found[-1]:
+            found.append(scale)
+    for scale in sorted(deaths, reverse=True):
+        if APART * scale <= found[0]:
+            found.insert(0, scale)
+    return len(found) >= 3
 
 
 FAMILIES = (
     Family(
         "scales-within-60-bits",
         "event scales that differ by less than 2^-60",
-        ("event", "hole-closes", "close-scales", "parallel-edges", "overlap", "tight-passage"),
         _close(60),
         _is_close(60),
     ),
     Family(
         "scales-within-200-bits",
         "event scales that differ by less than 2^-200",
-        ("event", "hole-closes", "close-scales", "parallel-edges", "overlap", "tight-passage"),
         _close(200),
         _is_close(200),
     ),
     Family(
         "scale-is-no-float",
         "an event scale that is no binary fraction",
-        ("event", "hole-closes", "scale-is-no-float", "parallel-edges", "overlap", "tight-passage"),
         _no_float,
         _is_no_float,
     ),
     Family(
         "scale-is-a-float",
         "an event scale that is a double",
-        ("event", "hole-closes", "parallel-edges", "overlap", "tight-passage"),
         _float,
         _is_float,
     ),
     Family(
         "scales-near-zero",
         "event scales that accumulate near zero",
-        ("event", "hole-closes", "magnitudes", "parallel-edges", "overlap", "tight-passage"),
         _near_zero,
         _is_tiny,
     ),
     Family(
         "scales-far-out",
         "event scales that accumulate far out",
-        ("event", "hole-closes", "magnitudes", "parallel-edges", "overlap", "tight-passage"),
         _far_out,
         _is_large,
     ),

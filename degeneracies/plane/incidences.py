@@ -5,11 +5,11 @@ from __future__ import annotations
 from random import Random
 
 from minkref.degeneracies.draft import Draft, Facts, Family
+from minkref.degeneracies.flags import three_lines_meet
 from minkref.degeneracies.plane.mining import (
     convex_pair,
     ends_at,
     mined,
-    of_kind,
     overlap_is_whole,
     small_pair,
     upright_pair,
@@ -46,8 +46,21 @@ def _is_several(facts: Facts) -> bool:
     return len({row["at"] for row in facts.arrangement}) >= 3
 
 
+def _is_concurrent(facts: Facts) -> bool:
+    """Three edges, no two of them parallel, pass through a place that is an end of none, and at
+    which no two edges start or stop to meet."""
+    others = {row["at"] for row in facts.arrangement if row["kind"] != "triple"}
+    return any(
+        row["kind"] == "triple"
+        and row["at"] not in others
+        and three_lines_meet(facts, row)
+        and not any(ends_at(facts, row))
+        for row in facts.arrangement
+    )
+
+
 def _concurrent(dice: Random, size: int) -> Draft:
-    return mined(dice, small_pair, of_kind("triple"))
+    return mined(dice, small_pair, _is_concurrent)
 
 
 def _vertex_on_edge(dice: Random, size: int) -> Draft:
@@ -76,42 +89,36 @@ FAMILIES = (
     Family(
         "concurrent-edges",
         "three edges of the convolution through one point at one scale",
-        ("concurrent", "event"),
         _concurrent,
-        of_kind("triple"),
+        _is_concurrent,
     ),
     Family(
         "vertex-on-edge",
         "a vertex of the convolution on another edge at one scale",
-        ("event",),
         _vertex_on_edge,
         _is_vertex_on_edge,
     ),
     Family(
         "vertices-meet",
         "two vertices of the convolution in one place at one scale",
-        ("event", "several-events"),
         _vertices_meet,
         _is_vertices_meeting,
     ),
     Family(
         "coincident-partly",
         "edges of the convolution that share a segment, no edge wholly, at one scale",
-        ("parallel-edges", "event", "overlap"),
         _partly,
         _is_partly,
     ),
     Family(
         "coincident-wholly",
         "edges of the convolution of which one lies on another, at one scale",
-        ("parallel-edges", "event", "overlap"),
         _wholly,
         _is_wholly,
     ),
     Family(
         "several-events",
         "events in three or more places at one scale",
-        ("event", "several-events"),
         _several,
         _is_several,
     ),

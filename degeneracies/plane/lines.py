@@ -5,8 +5,10 @@ from __future__ import annotations
 from fractions import Fraction
 from random import Random
 
+from minkref.certify.case_text import ring_numbers
+from minkref.certify.coincidence import ends_of
 from minkref.degeneracies.draft import Draft, Facts, Family
-from minkref.degeneracies.plane.mining import mined, of_kind, upright_pair
+from minkref.degeneracies.plane.mining import mined, upright_pair
 from minkref.degeneracies.shapes import changed, left_of
 from minkref.fuzz.families.drawing import Point, Ring
 
@@ -53,7 +55,21 @@ def _sense(facts: Facts) -> Fraction:
 
 
 def _once(dice: Random, size: int) -> Draft:
-    return mined(dice, upright_pair, of_kind("parallel"))
+    return mined(dice, upright_pair, _is_once)
+
+
+def _is_once(facts: Facts) -> bool:
+    """An S-edge and a T-edge meet on a line that they share at this scale and at no other."""
+    rings = ring_numbers(facts.P), ring_numbers(facts.Q)
+    for row in facts.arrangement:
+        kinds = {edge[0] for edge in row["edges"]}
+        if row["kind"] != "parallel" or kinds != {"S", "T"}:
+            continue
+        first, second = (ends_of(edge, rings) for edge in row["edges"])
+        apart = ("orientation", (*first, second[0]))
+        if facts.vertices.sign_between(apart, facts.scale, 2 * facts.scale) != 0:
+            return True
+    return False
 
 
 def _always(dice: Random, size: int) -> Draft:
@@ -75,28 +91,24 @@ FAMILIES = (
     Family(
         "parallel-same",
         "an edge of P and one of Q with the same direction",
-        ("parallel-edges",),
         _same,
         lambda facts: _sense(facts) > 0,
     ),
     Family(
         "parallel-opposite",
         "an edge of P and one of Q with opposite directions",
-        ("parallel-edges",),
         _opposite,
         lambda facts: _sense(facts) < 0,
     ),
     Family(
         "one-line-at-a-scale",
         "an S-edge and a T-edge on one supporting line at one scale",
-        ("parallel-edges", "event"),
         _once,
-        lambda facts: any(row["kind"] == "parallel" for row in facts.arrangement),
+        _is_once,
     ),
     Family(
         "one-line-always",
         "an S-edge and a T-edge on one supporting line at all scales",
-        ("parallel-edges",),
         _always,
         lambda facts: (
             facts.vertices.sign_between(facts.zeros[0], facts.scale, 2 * facts.scale) == 0

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
+from math import gcd, lcm
 from random import Random
 
 from minkref.degeneracies.draft import Draft, Facts, Family
 from minkref.degeneracies.plane.contacts import FAMILIES as CONTACTS
 from minkref.degeneracies.plane.holes import FAMILIES as HOLES
-from minkref.degeneracies.shapes import framed
-from minkref.fuzz.families.drawing import box, moved, scaled
+from minkref.fuzz.families.drawing import Point, Shape, mapped, moved, scaled
 
 BASES = tuple(
     family
@@ -20,7 +20,14 @@ BASES = tuple(
     in ("hole-to-segment", "hole-to-polyline", "fits-hole", "fits-notch", "fits-slot")
 )
 LARGEST_DOUBLE = Fraction(2) ** 1024 - Fraction(2) ** 971
+LEAST_NORMAL = Fraction(1, 2**1022)
 LEAST_DOUBLE = Fraction(1, 2**1074)
+INTEGERS = (
+    (-(2**31), 2**31 - 1),
+    (-(2**53), 2**53),  # beyond, doubles leave out integers
+    (-(2**62), 2**62),  # two differ by 2^63, which 64 bits do not hold
+    (-(2**63), 2**63 - 1),
+)
 
 
 def _base(dice: Random, size: int) -> Draft:
@@ -41,28 +48,72 @@ def _far(dice: Random, size: int) -> Draft:
 
 
 def _doubles(dice: Random, size: int) -> Draft:
-    """In units of the least double, or near the largest one."""
-    a, b = dice.randint(1, 9), dice.randint(1, 9)
-    P, Q = box(0, 0, a, b), framed([box(0, 0, a, b + dice.randint(1, 9))])
-    unit = LEAST_DOUBLE
-    if dice.random() < 0.5:
-        most = max(abs(Fraction(c)) for ring in Q for point in ring for c in point)
-        unit = Fraction(2) ** (int(LARGEST_DOUBLE / most).bit_length() - 1)
-    return Draft(scaled([[P]], unit), scaled([Q], unit), Fraction(1))
+    """Whole multiples of the least double, or of the step from the largest to the next below."""
+    kind = dice.randrange(3)
+    if kind == 0:
+        reach = 2 ** dice.choice((0, 12, 24, 36, 48))
+        unit, low, high, ends = LEAST_DOUBLE, 1, 2**20 + 2 * reach, (1, 1)
+    else:
+        most = LEAST_NORMAL if kind == 1 else LARGEST_DOUBLE
+        reach = 2**52 if kind == 1 else 2**53 - 1
+        unit, low, high = most / reach, -reach, reach
+        ends = dice.choice(((low, high), (high, low)))
+    P, Q = _placed(dice, _base(dice, size), low, high, ends, reach)
+    unit *= dice.choice((1, -1))
+    return Draft(scaled(P, unit), scaled(Q, unit), Fraction(1))
 
 
-def _grid(dice: Random, size: int) -> Draft:
-    """Integers up to those of 64, 53 or 32 bits; sums go beyond."""
-    most = 2 ** dice.choice((63, 62, 53, 31, 30)) - 1
-    a, b = dice.randint(most // 8, most // 4), dice.randint(most // 8, most // 4)
-    hole = box(-a, -b, a, 2 * b)
-    P = box(0, 0, a, b)
-    outer = box(-most, -most, 2 * most, 2 * most)
-    return Draft([[P]], [[outer, [hole[0], *hole[:0:-1]]]], Fraction(1))
+def _integers(dice: Random, size: int) -> Draft:
+    turn = dice.randrange(2)
+    low, high = dice.choice(INTEGERS)
+    ends = ((low, high), (high, low))[turn]
+    P, Q = _placed(dice, _base(dice, size), low, high, ends, high)
+    return Draft(P, Q, Fraction(1))
 
 
-def _largest(facts: Facts) -> Fraction:
-    return max(abs(c) for point in (*facts.vertices.P, *facts.vertices.Q) for c in point)
+def _placed(
+    dice: Random, draft: Draft, low: int, high: int, ends: tuple[int, int], reach: int
+) -> tuple[Shape, Shape]:
+    """A draft at the scale 1 in whole coordinates from `low` to `high`. Along each axis both
+    operands are stretched, the longer one to more than a quarter of `reach` if it is not longer
+    already; one of the two goes to the end of this axis, and the other has points on the same side
+    of 0, so that the sum goes further."""
+    shapes = [scaled(draft.P, draft.scale), draft.Q]
+    for axis, end in enumerate(ends):
+        rows = [[Fraction(p[axis]) for polygon in s for ring in polygon for p in ring]
+                for s in shapes]  # fmt: skip
+        step = _measure([c - min(row) for row in rows for c in row])
+        lengths = [int((max(row) - min(row)) / step) for row in rows]
+        most = max(1, reach // max(lengths))
+        stretch = dice.randint((most + 1) // 2, most)
+        first = dice.randrange(2)
+        for k, (row, length) in enumerate(zip(rows, lengths, strict=True)):
+            least, last = low, high - stretch * length
+            if k == first:
+                least = last = low if end == low else last
+            elif end > 0:
+                least = max(low, 1 - stretch * length)
+            else:
+                last = min(last, -1)
+            start = dice.randint(least, last)
+            shapes[k] = _along(shapes[k], axis, min(row), stretch / step, start)
+    return shapes[0], shapes[1]
+
+
+def _measure(lengths: list[Fraction]) -> Fraction:
+    """The largest number of which all are multiples."""
+    below = lcm(*(length.denominator for length in lengths))
+    return Fraction(gcd(*(int(length * below) for length in lengths)), below)
+
+
+def _along(shape: Shape, axis: int, least: Fraction, factor: Fraction, start: int) -> Shape:
+    """With `least` at `start`, and lengths along this axis multiplied."""
+
+    def change(p: Point) -> Point:
+        c = (p[axis] - least) * factor + start
+        return (c, p[1]) if axis == 0 else (p[0], c)
+
+    return mapped(shape, change)
 
 
 def _is(condition: Callable[[Facts], bool]) -> Callable[[Facts], bool]:
@@ -71,43 +122,66 @@ def _is(condition: Callable[[Facts], bool]) -> Callable[[Facts], bool]:
 
 
 def _ratio(facts: Facts) -> Fraction:
+    """Of the sizes of the operands, and of the scale and 1: the less extreme."""
     p, q = (max(abs(c) for v in vs for c in v) for vs in (facts.vertices.P, facts.vertices.Q))
-    return max(p / q, q / p)
+    return min(max(p / q, q / p), max(facts.scale, 1 / facts.scale))
 
 
 def _are_doubles(facts: Facts) -> bool:
-    values = {abs(c) for point in (*facts.vertices.P, *facts.vertices.Q) for c in point}
-    low, high = min(values - {0}), max(values)
-    return high > Fraction(2) ** 1020 or low < Fraction(1, 2**1060)
+    """Below the least normal double in magnitude and one of them the least; or the largest, or the
+    least normal, in both directions."""
+    values = {abs(c) for c in _coordinates(facts)}
+    if max(values) > LARGEST_DOUBLE or any(Fraction(float(c)) != c for c in values):
+        return False
+    if max(values) < LEAST_NORMAL:
+        return min(values - {0}) == LEAST_DOUBLE
+    return any(_goes_beyond(facts, -most, most) for most in (LEAST_NORMAL, LARGEST_DOUBLE))
+
+
+def _are_integers(facts: Facts) -> bool:
+    return all(c.denominator == 1 for c in _coordinates(facts)) and any(
+        _goes_beyond(facts, Fraction(low), Fraction(high)) for low, high in INTEGERS
+    )
+
+
+def _goes_beyond(facts: Facts, low: Fraction, high: Fraction) -> bool:
+    """The operands go from the one to the other exactly, the sum further both ways."""
+    values = _coordinates(facts)
+    least, most = (
+        [extreme(p[axis] for p in facts.vertices.P) * facts.scale
+         + extreme(q[axis] for q in facts.vertices.Q) for axis in (0, 1)]
+        for extreme in (min, max)
+    )  # fmt: skip
+    return (min(values), max(values)) == (low, high) and min(least) < low and max(most) > high
+
+
+def _coordinates(facts: Facts) -> list[Fraction]:
+    return [c for point in (*facts.vertices.P, *facts.vertices.Q) for c in point]
 
 
 FAMILIES = (
     Family(
         "mixed-magnitudes",
         "operands of very different size that meet at a scale as different",
-        ("event", "magnitudes", "tight-passage"),
         _mixed,
         _is(lambda facts: _ratio(facts) > 10**6),
     ),
     Family(
         "large-translation",
         "operands far from the origin",
-        ("event", "large-translation", "tight-passage"),
         _far,
-        _is(lambda facts: _largest(facts) > 10**11),
+        _is(lambda facts: min(map(abs, _coordinates(facts))) > 10**11),
     ),
     Family(
         "limits-of-float64",
-        "coordinates near the largest double, or in units of the least",
-        ("event", "limits", "magnitudes", "tight-passage"),
+        "doubles up to the largest, up to the least normal, or down to the least",
         _doubles,
         _is(_are_doubles),
     ),
     Family(
         "limits-of-integers",
-        "coordinates at the limits of integers of 32, 53 and 64 bits",
-        ("event", "limits", "tight-passage"),
-        _grid,
-        _is(lambda facts: _largest(facts) >= 2**30 - 1),
+        "integers from limit to limit of 32, 53, 62 or 64 bits, and a sum beyond",
+        _integers,
+        _is(_are_integers),
     ),
 )

@@ -24,6 +24,10 @@ class Refusal(Exception):
         self.mend = mend
         self.code = code
 
+    def __reduce__(self) -> tuple[type[Refusal], tuple[str, str, str, str]]:
+        """Whole out of a worker process too."""
+        return type(self), (self.what, self.where, self.mend, self.code)
+
     def document(self) -> dict[str, object]:
         return {"code": self.code, "what": self.what, "where": self.where, "mend": self.mend}
 

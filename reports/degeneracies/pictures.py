@@ -8,6 +8,7 @@ import itertools
 import json
 from collections.abc import Iterable
 from dataclasses import dataclass
+from decimal import Decimal
 from fractions import Fraction
 from typing import Any
 
@@ -101,4 +102,7 @@ def _flat(rings: Rings, frame: Frame) -> list[list[list[tuple[float, float]]]]:
 
 
 def _short(number: str) -> str:
-    return number if len(number) <= 12 else f"s = {float(Fraction(number)):.6g}"
+    """A number for a caption, of any size."""
+    value = Fraction(number)
+    rounded = Decimal(value.numerator) / Decimal(value.denominator)
+    return number if len(number) <= 12 else f"s = {rounded:.6g}"

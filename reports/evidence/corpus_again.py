@@ -34,7 +34,7 @@ def run(quick: bool) -> Findings:
     changed = sorted(path for path in there | again if there.get(path) != again.get(path))
     findings.law("files that are others when made again", not changed, 0,
                  "; ".join(changed[:3]) or 0)  # fmt: skip
-    faults = list(lint.faults())
+    faults = [*lint.faults(again=False), *lint.corpus_faults()]
     findings.law("faults of form", not faults, 0, "; ".join(faults[:3]) or 0)
     cases = len(lint.case_paths(lint.CORPUS))
     size = sum(map(len, there.values()))

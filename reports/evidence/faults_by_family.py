@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import importlib
 import json
 import multiprocessing
@@ -15,19 +16,21 @@ from minkref.degeneracies.case_document import Degenerate
 from minkref.degeneracies.catalogue import FAMILIES
 from minkref.fuzz.verdicts.region import region_of_rings
 from minkref.reports.evidence.framework.part import COMPARISON, READERS, REFERENCE, Findings
+from minkref.reports.evidence.framework.store import FOLDER, ROOT
 
 SUBJECT = (
     "Which of over a hundred seeded faults in a small implementation each degenerate family shows "
     "on ten of its members at their scales: the mutation score by family."
 )
-MINUTES = (12, None)
+MINUTES = (5, None)
 DEPENDS = (
     *REFERENCE, *READERS, *COMPARISON, "degeneracies/*.py", "degeneracies/plane/*.py",
     "tests/seeded/*.py",
 )  # fmt: skip
 
-FOLDER = Path(__file__).resolve().parents[2] / "tests" / "seeded"
+SEEDED = Path(__file__).resolve().parents[2] / "tests" / "seeded"
 SEED = 11
+MATRIX = FOLDER / "faults_by_family.csv"
 MEMBERS = 10
 SCALES = 3  # of a member: the critical one, and one on each side
 SECONDS = 1.0  # of one call; a fault that takes longer shows
@@ -51,6 +54,8 @@ def run(quick: bool) -> Findings:
     bland = [family for family in FAMILIES if not shown[family] and family not in BLAND]
     findings.target("families that show no fault, without a reason", not bland, 0,
                     ", ".join(bland) or 0)  # fmt: skip
+    _write_matrix(names, shown)
+    findings.note(f"Which family shows which fault: {MATRIX.relative_to(ROOT)}.")
     together = set().union(*shown.values())
     findings.figures["all families together"] = f"{len(together)} of {len(names)}"
     findings.figures["faults that none shows"] = sorted(set(names) - together)
@@ -62,10 +67,20 @@ def run(quick: bool) -> Findings:
     return findings
 
 
+def _write_matrix(names: list[str], shown: dict[str, set[str]]) -> None:
+    """A row for each fault, a column for each family: 1 where it shows the fault."""
+    MATRIX.parent.mkdir(parents=True, exist_ok=True)
+    with MATRIX.open("w", encoding="utf-8", newline="") as file:
+        table = csv.writer(file, lineterminator="\n")
+        table.writerow(["fault", *FAMILIES])
+        for name in names:
+            table.writerow([name, *(int(name in shown[family]) for family in FAMILIES)])
+
+
 def _beside(name: str) -> Any:
     """A module of the seeded implementation."""
-    if str(FOLDER) not in sys.path:
-        sys.path.insert(0, str(FOLDER))
+    if str(SEEDED) not in sys.path:
+        sys.path.insert(0, str(SEEDED))
     return importlib.import_module(name)
 
 

@@ -23,9 +23,13 @@ COMMANDS = (
     "verify",
     "certify",
     "check",
+    "generate",
+    "shrink",
     "bench",
+    "report",
     "models",
     "targets",
+    "families",
 )
 
 

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import json
 import re
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import pytest
 from minkref.degeneracies import lint
 from minkref.degeneracies.catalogue import FAMILIES
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES
@@ -33,3 +36,123 @@ def test_what_cannot_be_reported_is_refused(minkref: Any, tmp_path: Path) -> Non
     ran = minkref("report", "degeneracies", "--corpus", str(tmp_path), "-o", out)
     assert (ran.code, "no case" in ran.err) == (2, True)
     assert not (tmp_path / "pages").exists()
+
+
+Value = dict[str, Any]
+
+
+def corpus_of(folder: Path, change: Callable[[Value], str | None]) -> Path:
+    """A corpus of two cases: one of the corpus, and it changed. Returns the file of the latter."""
+    whole = lint.case_paths(lint.CORPUS / "fits-slot")[0].read_text(encoding="utf-8")
+    value = json.loads(whole)
+    text = change(value)
+    where = folder / "cases" / "mine"
+    where.mkdir(parents=True)
+    (where / "a.json").write_text(whole, encoding="utf-8")
+    (where / "b.json").write_text(text or json.dumps(value), encoding="utf-8")
+    return where / "b.json"
+
+
+def without(*names: str) -> Callable[[Value], None]:
+    def change(value: Value) -> None:
+        for name in names:
+            del value[name]
+
+    return change
+
+
+def put(name: str, member: Any) -> Callable[[Value], None]:
+    return lambda value: value.__setitem__(name, member)
+
+
+def told(name: str, member: Any) -> Callable[[Value], None]:
+    return lambda value: value["degeneracy"].__setitem__(name, member)
+
+
+@pytest.mark.parametrize(
+    ("change", "code"),
+    [
+        (lambda value: "{", "truncated"),
+        (lambda value: "[]", "not-a-case"),
+        (lambda value: json.dumps({"file": "x.wkt", "place": []}), "not-a-case"),
+        (without("P"), "missing-member"),
+        (without("degeneracy"), "missing-member"),
+        (lambda value: value.__setitem__("interval", {"from": value.pop("scales")[0]}),
+         "missing-member"),
+        (put("scales", ["1"]), "wrong-type"),
+        (told("floats", []), "wrong-type"),
+        (told("why", 7), "wrong-type"),
+        (told("tight_passages", [[["1e999999999", "0"]]]), "not-drawable"),
+    ],
+)  # fmt: skip
+def test_a_case_of_which_no_page_can_be_made_is_refused(
+    minkref: Any, tmp_path: Path, change: Callable[[Value], str | None], code: str
+) -> None:
+    """By the name of its file; and no page is written."""
+    path = corpus_of(tmp_path, change)
+    words = ("--corpus", tmp_path / "cases", "-o", tmp_path / "pages", "--json")
+    ran = minkref("report", "degeneracies", *words)
+    assert (ran.code, ran.json["error"]["code"]) == (2, code)
+    assert ran.json["error"]["where"].startswith(str(path)) and ran.json["error"]["mend"]
+    assert not (tmp_path / "pages").exists()
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        without("title", "tags", "flags", "expected", "source", "licence", "certificate"),
+        put("flags", ["of-my-own"]),
+        put("scales", [2, 1, 3]),
+    ],
+)
+def test_what_a_page_can_do_without_may_be_left_out(
+    minkref: Any, tmp_path: Path, change: Callable[[Value], str | None]
+) -> None:
+    corpus_of(tmp_path, change)
+    words = ("--corpus", tmp_path / "cases", "-o", tmp_path / "new" / "pages")
+    assert minkref("report", "degeneracies", *words).code == 0
+    page = (tmp_path / "new" / "pages" / "mine.html").read_text(encoding="utf-8")
+    assert page.count("<tr>") == 3 and "minkref generate mine" not in page
+
+
+def a_file(folder: Path) -> str:
+    (folder / "pages").touch()
+    return str(folder / "pages")
+
+
+def a_folder_for_a_page(folder: Path) -> str:
+    (folder / "pages" / "index.html").mkdir(parents=True)
+    return str(folder / "pages")
+
+
+@pytest.mark.parametrize(
+    "made",
+    [a_file, a_folder_for_a_page, lambda folder: a_file(folder) + "/x", lambda _: "/proc/x"],
+)
+def test_pages_that_cannot_be_written_are_refused(minkref: Any, tmp_path: Path, made: Any) -> None:
+    """Before the first of them is."""
+    name = made(tmp_path)
+    corpus_of(tmp_path, lambda value: None)
+    ran = minkref("report", "degeneracies", "--corpus", tmp_path / "cases", "-o", name, "--json")
+    assert (ran.code, ran.json["error"]["code"]) == (2, "cannot-write")
+    assert not list(tmp_path.glob("pages/*.html/*")) and not (tmp_path / "pages/mine.html").exists()
+
+
+@pytest.mark.parametrize("option", ["-o", "--corpus"])
+def test_an_empty_name_is_not_the_folder_where_you_are(
+    minkref: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, option: str
+) -> None:
+    """It is a variable of a shell that is not set."""
+    corpus_of(tmp_path, lambda value: None)
+    monkeypatch.chdir(tmp_path / "cases")
+    ran = minkref("report", "degeneracies", option, "")
+    assert (ran.code, f"{option} ''" in ran.err) == (2, True)
+    assert [path.name for path in Path.cwd().iterdir()] == ["mine"]
+
+
+def test_no_family_takes_the_place_of_the_front_page(minkref: Any, tmp_path: Path) -> None:
+    path = corpus_of(tmp_path, lambda value: None)
+    path.parent.rename(tmp_path / "cases" / "index")
+    words = ("--corpus", tmp_path / "cases", "-o", tmp_path / "pages")
+    ran = minkref("report", "degeneracies", *words)
+    assert (ran.code, "the front page has this name" in ran.err) == (2, True)

@@ -11,6 +11,7 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
+import hypothesis
 import minkref
 import pytest
 from hypothesis import Phase, find, given, settings
@@ -219,7 +220,22 @@ def test_any_family_may_be_drawn(monkeypatch: pytest.MonkeyPatch) -> None:
     assert seen == set(DEGENERATE_FAMILIES) == set(FAMILIES)
 
 
-@pytest.mark.parametrize("name", ["one-line-always", "collinear-vertices", "rings-touching"])
+CLAIMING = ["one-line-always", "collinear-vertices"]  # what is zero at all scales
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        *CLAIMING,
+        "rings-touching",
+        "combs",
+        "spirals",
+        "limits-of-float64",
+        "limits-of-integers",
+        "scales-near-zero",
+        "scales-far-out",
+    ],
+)
 def test_all_steps_leave_a_member(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
     asked: list[bool] = []
     drafts: list[Draft] = []
@@ -240,7 +256,7 @@ def test_all_steps_leave_a_member(name: str, monkeypatch: pytest.MonkeyPatch) ->
         assert case["P"] == data_of(last.P) and case["scale"] == str(last.scale)
         assert FAMILIES[name].belongs(facts)
         assert all(facts.vertices.value(zero, last.scale) == 0 for zero in last.zeros)
-        assert name == "rings-touching" or last.zeros
+        assert bool(last.zeros) == (name in CLAIMING)
 
     drawn()
     assert asked.count(False) and len(drafts) > 40
@@ -374,11 +390,25 @@ def test_minkref_needs_no_hypothesis() -> None:
     assert "pip install 'minkref[strategies]'" in ran.stdout
 
 
-def test_the_documented_example() -> None:
+@pytest.fixture(scope="module")
+def documented() -> tuple[str, str]:
+    """The example, and what it prints."""
     text = DOCS.read_text(encoding="utf-8")
+    assert f"with Hypothesis {hypothesis.__version__}," in text
+    assert all(name in text for name in ("DEGENERATE_FAMILIES", "to_fractions", "to_data"))
     code = re.search(r"```python\n(.*?)```", text, re.S)
     shown = re.search(r"```\n(Failing test case.*?)```", text, re.S)
     assert code and shown
-    ran = subprocess.run([sys.executable, "-c", code[1]], capture_output=True, text=True)
-    assert ran.returncode == 1 and shown[1].strip() in ran.stderr
-    assert all(name in text for name in ("DEGENERATE_FAMILIES", "to_fractions", "to_data"))
+    return code[1], shown[1].strip()
+
+
+@pytest.mark.parametrize("name", ["example.py", "another/place/my_sum.py"])
+def test_the_documented_example(documented: tuple[str, str], tmp_path: Path, name: str) -> None:
+    code, shown = documented
+    path = tmp_path / name
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.write_text(code, encoding="utf-8")
+    ran = subprocess.run(
+        [sys.executable, path.name], cwd=path.parent, capture_output=True, text=True
+    )
+    assert ran.returncode == 1 and shown in ran.stderr

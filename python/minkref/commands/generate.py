@@ -3,22 +3,30 @@
 from __future__ import annotations
 
 import os
+import shlex
+import signal
 import sys
 import time
-from collections.abc import Iterator
-from concurrent.futures import ProcessPoolExecutor
-from multiprocessing import get_context
+from collections import deque
+from collections.abc import Generator, Iterable
+from concurrent.futures import Future, ProcessPoolExecutor
+from contextlib import closing
+from dataclasses import dataclass, field
+from multiprocessing import active_children, get_context
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
 import typer
 from rich.table import Table
 
+from minkref import _core
+from minkref.commands.verify_limits import MOST_JOBS
 from minkref.degeneracies.catalogue import FAMILIES
-from minkref.degeneracies.files import FileRow, write_invalid, write_member
+from minkref.degeneracies.files import FileRow, Made, folder_to_write, made_invalid, made_member
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES
-from minkref.documents import Stopwatch, as_text, check_writable, document
-from minkref.errors import Refusal
+from minkref.documents import Stopwatch, document, listing
+from minkref.errors import Refusal, refusal_of
+from minkref.fuzz.run import child
 from minkref.options import Json, Schema
 from minkref.progress import progress
 from minkref.signals import ending_in_order
@@ -28,6 +36,10 @@ EXAMPLES = """Examples:
 
 minkref generate hole-to-segment --count 100 -o cases
 
+minkref generate fits-hole --seed 7 --index 42
+
+minkref generate rings-touching --size 200 --count 5 -o large
+
 minkref generate all --seed 7 -o cases && minkref check cases
 
 minkref generate invalid --count 3 -o bad
@@ -35,8 +47,12 @@ minkref generate invalid --count 3 -o bad
 minkref verify cgal-reduced --suite corpus --corpus cases"""
 
 ALL, INVALID = "all", "invalid"
-DEFAULT_FOLDER = Path("degenerate-cases")
-Task = tuple[str, int, int, Path]
+DEFAULT_FOLDER = "degenerate-cases"
+DEFAULT_COUNT = 10
+MOST_CASES = 10_000_000  # of a family
+LEAST_SIZE, MOST_SIZE = 8, 2000
+AHEAD = 4  # members for each process that are being made, or wait for one before them
+Task = tuple[str, int, int, int | None]  # family, seed, index, size
 
 
 def command(
@@ -45,50 +61,117 @@ def command(
         typer.Argument(
             help="Families (`minkref families`); all: those with certificates; invalid: those "
             "that must be refused.",
-            metavar="FAMILY...|all|invalid",
+            metavar="FAMILY|all|invalid",
         ),
     ],
-    count: Annotated[int, typer.Option("--count", help="Cases of each family.", min=1)] = 10,
+    count: Annotated[
+        int | None,
+        typer.Option(
+            "--count",
+            help="Cases of each family.",
+            min=1,
+            max=MOST_CASES,
+            show_default=str(DEFAULT_COUNT),
+        ),
+    ] = None,
+    index: Annotated[
+        int | None,
+        typer.Option(
+            "--index", help="Instead of --count: only the case of this number, from 0 on.", min=0
+        ),
+    ] = None,
     seed: Annotated[int, typer.Option("--seed", help="Another seed, other cases.")] = 1,
+    size: Annotated[
+        int | None,
+        typer.Option(
+            "--size",
+            help="Vertices of both operands, about, of families that can be large (combs and "
+            "spirals up to 96: their sums grow with the fourth power).",
+            min=LEAST_SIZE,
+            max=MOST_SIZE,
+            show_default="drawn for each case, 8 to 24",
+        ),
+    ] = None,
     output: Annotated[
-        Path,
+        str,
         typer.Option(
             "-o", help="Folder for FAMILY/ID.json and FAMILY/ID.cert.json.", metavar="DIR"
         ),
     ] = DEFAULT_FOLDER,
-    jobs: Annotated[int, typer.Option("--jobs", help="Processes; 0: as many as cores.", min=0)] = 0,
+    jobs: Annotated[
+        int,
+        typer.Option("--jobs", help="Processes; 0: as many as cores.", min=0, max=MOST_JOBS),
+    ] = 0,
     json: Json = False,
     schema: Schema = False,
 ) -> None:
     """Make degenerate cases by the hundred (docs/degeneracies.md): files with operands, scales,
     what is expected at each, and why good code gets it wrong; beside each a certificate of all
-    that. The same family, seed and number give the same bytes on every machine."""
+    that. The same family, seed, number and size give the same bytes on every machine."""
     watch = Stopwatch()
     names = _chosen(families)
-    if output.exists() and not output.is_dir():
-        raise Refusal("this is not a folder", str(output), "name a folder", "cannot-write")
-    check_writable(output / "ID.json" if output.is_dir() else output)
-    tasks = [(name, seed, index, output) for name in names for index in range(count)]
+    numbers = _numbers(count, index)
+    _check_size(size, names)
+    folder = folder_to_write(output, names)
+    total = len(names) * len(numbers)
+    tasks = ((name, seed, number, size) for name in names for number in numbers)
+    tallies = {name: _Tally() for name in names}
     rows: list[FileRow] = []
     began = time.perf_counter()
-    with ending_in_order(), progress(len(tasks)) as line:
-        for row in _made(tasks, jobs or os.cpu_count() or 1):
-            line.now(row["family"])
-            rows.append(row)
+    with (
+        ending_in_order(),
+        progress(total) as line,
+        closing(_made(tasks, min(jobs or os.cpu_count() or 1, total))) as members,
+    ):
+        line.now(names[0])
+        for made in members:
+            line.now(made.family)
+            row = tallies[made.family].add(made, folder)
+            if json:
+                rows.append(row)
             line.done()
     value = document(
         "generate",
         watch,
-        output=str(output),
+        output=output,
         seed=seed,
-        cases_per_second=round(len(rows) / (time.perf_counter() - began), 3),
-        bytes=sum(row["bytes"] for row in rows),
-        cases=rows,
+        cases_per_second=round(total / (time.perf_counter() - began), 3),
+        different=sum(tally.different for tally in tallies.values()),
+        bytes=sum(tally.bytes for tally in tallies.values()),
     )
     if json:
-        sys.stdout.write(as_text(value))
-    else:
-        _print(value)
+        sys.stdout.writelines(listing(value, "cases", rows))
+        return
+    _print_table(tallies)
+    sys.stdout.write(
+        f"{counted(total, 'case')}, {value['different']:,} different, {value['bytes']:,} bytes, "
+        f"{value['cases_per_second']:.1f} a second\n"
+    )
+    if any(name in FAMILIES for name in names):
+        sys.stdout.write(f"check them: minkref check {_quoted(output)}\n")
+
+
+@dataclass
+class _Tally:
+    """Of a family."""
+
+    cases: int = 0
+    _bytes: dict[str, int] = field(default_factory=dict)  # by id
+
+    @property
+    def different(self) -> int:
+        return len(self._bytes)
+
+    @property
+    def bytes(self) -> int:
+        return sum(self._bytes.values())
+
+    def add(self, made: Made, folder: Path) -> FileRow:
+        """Writes the files, unless an earlier member was the same case."""
+        self.cases += 1
+        row = made.row(folder) if made.id in self._bytes else made.write(folder)
+        row["bytes"] = self._bytes.setdefault(made.id, row["bytes"])
+        return row
 
 
 def _chosen(families: list[str]) -> list[str]:
@@ -96,47 +179,90 @@ def _chosen(families: list[str]) -> list[str]:
     known |= {name: [name] for name in (*FAMILIES, *INVALID_FAMILIES)}
     unknown = [name for name in families if name not in known]
     if unknown:
-        mend = "`minkref families` lists those that are generated with certificates"
+        mend = (
+            "`minkref families` lists all families: name those that it says `generate` makes, "
+            f"{ALL} or {INVALID}"
+        )
         raise Refusal("there is no such family", shown(unknown[0]), mend, "unknown-family")
     return list(dict.fromkeys(name for word in families for name in known[word]))
 
 
-def _made(tasks: list[Task], jobs: int) -> Iterator[FileRow]:
-    if jobs == 1 or len(tasks) == 1:
+def _numbers(count: int | None, index: int | None) -> range:
+    if index is None:
+        return range(DEFAULT_COUNT if count is None else count)
+    if count is not None:
+        raise Refusal(
+            "it is said twice which cases are made",
+            f"--count {count} and --index {index}",
+            "leave out --index to make the first ones, or --count to make one",
+        )
+    return range(index, index + 1)
+
+
+def _check_size(size: int | None, names: list[str]) -> None:
+    invalid = next((name for name in names if name in INVALID_FAMILIES), None)
+    if size is not None and invalid is not None:
+        what = f"{invalid} is a family of invalid input, which has no size"
+        raise Refusal(what, f"--size {size}", "leave out --size, or this family")
+
+
+def _made(tasks: Iterable[Task], jobs: int) -> Generator[Made, None, None]:
+    """In the order of the tasks. Processes make members and write nothing, so that they can be
+    killed, and files do not depend on which is faster."""
+    if jobs == 1:
         yield from map(_make, tasks)
         return
-    with ProcessPoolExecutor(min(jobs, len(tasks)), get_context("spawn")) as pool:
-        try:
-            yield from pool.map(_make, tasks, chunksize=4)
-        except BaseException:
-            pool.shutdown(wait=True, cancel_futures=True)
-            raise
+    before = set(active_children())
+    pool = ProcessPoolExecutor(jobs, get_context("spawn"), initializer=child.begin)
+    waiting: deque[Future[Made]] = deque()
+    try:
+        for task in tasks:
+            waiting.append(_submitted(pool, task))
+            if len(waiting) >= AHEAD * jobs:
+                yield waiting.popleft().result()
+        while waiting:
+            yield waiting.popleft().result()
+    except BaseException:
+        for process in set(active_children()) - before:
+            process.kill()
+        raise
+    finally:
+        pool.shutdown(cancel_futures=True)
 
 
-def _make(task: Task) -> FileRow:
-    name, seed, index, folder = task
+def _submitted(pool: ProcessPoolExecutor, task: Task) -> Future[Made]:
+    """A process that starts for it is deaf to Ctrl-C from its first instruction on."""
+    mask = signal.pthread_sigmask(signal.SIG_BLOCK, (signal.SIGINT,))
+    try:
+        return pool.submit(_make, task)
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, mask)
+
+
+def _make(task: Task) -> Made:
+    name, seed, index, size = task
+    member = f"{name} --seed {seed} --index {index}"
     try:
         if name in INVALID_FAMILIES:
-            return write_invalid(INVALID_FAMILIES[name], seed, index, folder)
-        return write_member(FAMILIES[name], seed, index, folder)
-    except (Refusal, OSError):
+            return made_invalid(INVALID_FAMILIES[name], seed, index)
+        return made_member(FAMILIES[name], seed, index, size)
+    except Refusal:
         raise
     except Exception as error:
-        raise RuntimeError(f"member {name}:{seed}:{index}: {error}") from error
+        if size is not None and isinstance(error, _core.BadInput):  # a limit of the readers
+            raise refusal_of(error, f"{member} --size {size}") from error
+        raise RuntimeError(f"member {member}: {error}") from error
 
 
-def _print(value: dict[str, Any]) -> None:
+def _print_table(tallies: dict[str, _Tally]) -> None:
     table = Table(box=None, pad_edge=False)
-    for heading in ("family", "cases", "bytes"):
-        table.add_column(heading)
-    for name in dict.fromkeys(row["family"] for row in value["cases"]):
-        rows = [row for row in value["cases"] if row["family"] == name]
-        table.add_row(name, f"{len(rows):,}", f"{sum(row['bytes'] for row in rows):,}")
+    for heading in ("family", "cases", "different", "bytes"):
+        table.add_column(heading, justify="left" if heading == "family" else "right")
+    for name, tally in tallies.items():
+        table.add_row(name, f"{tally.cases:,}", f"{tally.different:,}", f"{tally.bytes:,}")
     console().print(table)
-    different = len({row["id"] for row in value["cases"]})
-    certified = any(row["certificate"] for row in value["cases"])
-    sys.stdout.write(
-        f"{counted(len(value['cases']), 'case')}, {different:,} different, "
-        f"{value['bytes']:,} bytes, {value['cases_per_second']:.1f} a second\n"
-        + (f"check them: minkref check {shown(value['output'])}\n" if certified else "")
-    )
+
+
+def _quoted(folder: str) -> str:
+    """As a word of a shell that is no option."""
+    return shown(shlex.quote(f"./{folder}" if folder.startswith("-") else folder))

@@ -9,9 +9,11 @@ from typing import Annotated
 import typer
 
 from minkref.degeneracies import lint
+from minkref.degeneracies.files import folder_to_write
 from minkref.documents import Stopwatch, as_text, document
 from minkref.errors import Refusal
 from minkref.options import Json, Schema
+from minkref.progress import progress
 from minkref.reports.degeneracies.page import write_report
 from minkref.signals import ending_in_order
 from minkref.terminal import shown
@@ -26,18 +28,21 @@ SUBJECTS = ("degeneracies",)
 
 
 def command(
-    subject: Annotated[str, typer.Argument(help=f"{', '.join(SUBJECTS)}.", metavar="SUBJECT")],
-    output: Annotated[Path, typer.Option("-o", help="Folder for the pages.", metavar="DIR")] = Path(
-        "report"
-    ),
+    subject: Annotated[
+        str, typer.Argument(help=f"Of the pages: {', '.join(SUBJECTS)}.", metavar="SUBJECT")
+    ],
+    output: Annotated[
+        str, typer.Option("-o", help="Folder for the pages.", metavar="DIR")
+    ] = "report",
     corpus: Annotated[
-        Path,
+        str | None,
         typer.Option(
             "--corpus",
-            help="Cases, as `minkref generate` makes them.",
+            help="Folder of cases, as `minkref generate` makes them.",
+            metavar="DIR",
             show_default="the corpus that comes with minkref",
         ),
-    ] = lint.CORPUS,
+    ] = None,
     json: Json = False,
     schema: Schema = False,
 ) -> None:
@@ -46,12 +51,28 @@ def command(
     watch = Stopwatch()
     if subject not in SUBJECTS:
         raise Refusal("there is no such report", shown(subject), f"name {' or '.join(SUBJECTS)}")
-    if not lint.case_paths(corpus):
-        mend = "make some with `minkref generate all -o DIR`"
-        raise Refusal("there is no case in this folder", str(corpus), mend, "no-case-files")
-    with ending_in_order():
-        front = write_report(output, corpus)
+    folder = folder_to_write(output)
+    cases = _corpus(corpus)
+    with ending_in_order(), progress(len(lint.case_paths(cases))) as line:
+
+        def reading(family: str) -> None:
+            line.now(family)
+            line.done()
+
+        front = write_report(folder, cases, reading)
     if json:
         sys.stdout.write(as_text(document("report", watch, subject=subject, front=str(front))))
     else:
         sys.stdout.write(f"{shown(str(front))}\n")
+
+
+def _corpus(name: str | None) -> Path:
+    """The folder with cases; Path would take an empty name for the folder where you are."""
+    folder = lint.CORPUS if name is None else Path(name)
+    if name == "" or not folder.is_dir():
+        mend = "name a folder that `minkref generate all -o DIR` has made"
+        raise Refusal("there is no such folder", f"--corpus {shown(name or repr(name))}", mend)
+    if not lint.case_paths(folder):
+        mend = "make some with `minkref generate all -o DIR`"
+        raise Refusal("there is no case in this folder", str(folder), mend, "no-case-files")
+    return folder
