@@ -41,7 +41,8 @@ class Row:
     vertices: int
     scale: str
     counts: str
-    wrong: str
+    wrong: int  # of so many scales, those at which doubles are
+    scales: int
     bits: str
     why: str
 
@@ -194,7 +195,8 @@ def _row(path: Path, value: dict[str, Any]) -> Row:
         vertices,
         shown(value["scales"][0])[:40],
         counts,
-        f"{wrong} of {len(bits)}",
+        wrong,
+        len(bits),
         most,
         told["why"],
     )

@@ -41,11 +41,14 @@ def case_pictures(value: dict[str, Any]) -> list[Drawn]:
         Drawn(name, picture([Layer(style, _flat(rings, _frame(rings)))], name, 220))
         for name, rings, style in (("P", P, "first"), ("Q", Q, "second"))
     ]
+    wound = "wound_zero_times" in value["degeneracy"]
     for (scale, where), rings in zip(wanted, sums, strict=True):
         caption = f"the sum {where} {_short(value['scales'][0])}"
         layers = [Layer("sum", _flat(rings, frame))]
         if scale == scales[0]:
             layers += _passages(value["degeneracy"]["tight_passages"], frame)
+            if wound:
+                layers += _passages([[value["degeneracy"]["wound_zero_times"]]], frame)
         drawn.append(
             Drawn(caption, picture(layers, caption, 300, (0.0, 0.0, 1.0, _height(frame, sums))))
         )
