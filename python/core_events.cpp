@@ -14,6 +14,8 @@
 #include "python/core.hpp"
 #include "reference/error.hpp"
 #include "reference/plane/critical/event_places.hpp"
+#include "reference/plane/critical/line_intersection.hpp"
+#include "reference/plane/critical/pair_interval.hpp"
 #include "reference/plane/critical/parallel_pair.hpp"
 #include "reference/plane/critical/precision_trial.hpp"
 #include "reference/plane/kernel/grid_kernel.hpp"
@@ -195,6 +197,56 @@ using EdgeNumbers = std::tuple<std::string, std::array<std::int64_t, 6>>;
 using IntervalRow =
     std::tuple<std::string, bool, std::optional<std::string>, std::optional<std::string>>;
 
+MovingEdge<Vector2<Rational>> exact_edge(const EdgeNumbers& numbers) {
+  const auto& [kind, n] = numbers;
+  const auto vector = [&](std::size_t i) {
+    return Vector2<Rational>(Rational(n[i]), Rational(n[i + 1]));
+  };
+  return {kind == "S" ? ConvolutionEdge::Kind::S : ConvolutionEdge::Kind::T, vector(0), vector(2),
+          vector(4)};
+}
+
+using Bounds = std::optional<std::pair<std::optional<std::string>, std::optional<std::string>>>;
+
+Bounds bounds(const BoundedScales<Rational>& interval) {
+  if (interval.empty) return std::nullopt;
+  const auto text = [](const std::optional<Rational>& bound) {
+    return bound ? std::optional(to_string(*bound)) : std::nullopt;
+  };
+  return std::pair(text(interval.lower), text(interval.upper));
+}
+
+Fields pair_by_paper(const EdgeNumbers& first, const EdgeNumbers& second) {
+  const auto a = exact_edge(first), b = exact_edge(second);
+  const Rational turn = cross<Rational>(a.d, b.d);
+  if (sign(turn) == 0) {
+    throw BadInput("parallel-edges", "the lines of the two edges are parallel",
+                   "ask pair_intervals");
+  }
+  const auto conditions = end_conditions<Rational>(a, b);
+  const auto scales = end_scales<Rational>(conditions, Form::corrected);
+  std::vector<std::optional<std::string>> ends;
+  for (const auto& solution : scales) {
+    ends.push_back(solution.kind == Solution::root ? std::optional(to_string(solution.scale))
+                                                   : std::nullopt);
+  }
+  Fields fields;
+  fields["ends"] = ends;
+  fields["printed"] = bounds(printed_interval(scales));
+  fields["convex"] = bounds(convex_interval(scales, sign(turn)));
+  fields["corrected"] = bounds(corrected_interval(conditions));
+  return fields;
+}
+
+std::string observation_1_in(const std::array<std::string, 2>& v,
+                             const std::array<std::string, 2>& w,
+                             const std::array<std::string, 2>& u, const std::string& form) {
+  const auto vector = [](const std::array<std::string, 2>& texts) {
+    return Vector2<Rational>(Rational(texts[0]), Rational(texts[1]));
+  };
+  return to_string(observation_1<Rational>(vector(v), vector(w), vector(u), form_named(form)));
+}
+
 std::vector<IntervalRow> pair_intervals(
     const std::vector<std::pair<EdgeNumbers, EdgeNumbers>>& pairs) {
   using K = GridKernel<Grid64>;
@@ -267,6 +319,13 @@ void bind_events(nb::module_& module) {
   module.def("pair_intervals", pair_intervals, "pairs"_a, Released(),
              "When two edges meet: for pairs of (kind, (px, py, qx, qy, dx, dy)), an edge from "
              "s p + q along d, rows (case, empty, lower, upper).");
+  module.def(
+      "pair_by_paper", pair_by_paper, "a"_a, "b"_a,
+      "Two edges as for pair_intervals, not parallel, by the paper's way: the scale at which "
+      "the lines cross in each end (a0, a1, b0, b1), and the interval in which they meet, "
+      "printed, by the rule for convex P, and corrected: (lower, upper), or None.");
+  module.def("observation_1", observation_1_in, "v"_a, "w"_a, "u"_a, "form"_a,
+             "The parameter of Observation 1, printed or corrected.");
   module.def("precision_trial", trial, "P"_a, "Q"_a, "arithmetic"_a, "form"_a,
              "The paper's way to the pair events in an arithmetic, against the exact ones.");
   module.def("compare_forms", forms, "P"_a, "Q"_a,

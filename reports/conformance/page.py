@@ -3,12 +3,9 @@ stand-alone programs."""
 
 from __future__ import annotations
 
-from importlib import resources
 from pathlib import Path
 from typing import Any
 
-from jinja2 import Environment, FunctionLoader, StrictUndefined
-from markupsafe import Markup
 from minkref.commands.verify_output import conclusion
 from minkref.documents import write_atomically
 from minkref.fuzz.run.runner import Run
@@ -19,6 +16,7 @@ from minkref.reports.conformance.finding_page import FindingPage, finding_pages
 from minkref.reports.conformance.showcase import showcases
 from minkref.reports.conformance.target_page import TargetPage, target_pages
 from minkref.reports.conformance.words import SIGNS, VERDICTS, ending
+from minkref.reports.pages import environment
 from minkref.terminal import shown
 
 ONE_FILE = "report.html"
@@ -41,16 +39,16 @@ def write_report(
     targets = target_pages(run, value, findings)
     files = _programs(findings)
     shared = _shared(run, value, targets, findings, again)
-    environment = _environment()
+    templates = environment("conformance")
 
     def page(template: str, **more: Any) -> str:
-        return environment.get_template(template).render(**shared, one=False, **more)
+        return templates.get_template(template).render(**shared, one=False, **more)
 
     for target in targets:
         files[f"target-{target.name}.html"] = page("target.html.j2", target=target)
     for finding in findings:
         files[f"finding-{finding.name}.html"] = page("finding.html.j2", finding=finding)
-    files[ONE_FILE] = environment.get_template("one.html.j2").render(**shared, one=True)
+    files[ONE_FILE] = templates.get_template("one.html.j2").render(**shared, one=True)
     files[FRONT] = page("index.html.j2")
     for name, text in files.items():
         write_atomically(folder / name, text)
@@ -93,23 +91,3 @@ def _shared(
         "showcases": showcases(),
         "target_of": {target.target: target for target in targets},
     }
-
-
-def _environment() -> Environment:
-    folder = resources.files("minkref.reports.conformance") / "templates"
-
-    def load(name: str) -> str | None:
-        file = folder / name
-        return file.read_text(encoding="utf-8") if file.is_file() else None
-
-    environment = Environment(
-        loader=FunctionLoader(load),
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
-    environment.filters["drawn"] = lambda picture: Markup(picture)
-    environment.filters["number"] = lambda number: f"{number:,}"
-    environment.filters["line"] = lambda text: shown(str(text))
-    return environment

@@ -6,13 +6,10 @@ import json
 import os
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from importlib import resources
 from pathlib import Path
 from typing import Any
 
 import jsonschema
-from jinja2 import Environment, FunctionLoader, StrictUndefined
-from markupsafe import Markup
 from minkref import _core
 from minkref.degeneracies import found, lint
 from minkref.degeneracies.catalogue import FAMILIES
@@ -23,6 +20,7 @@ from minkref.documents import check_writable, write_atomically
 from minkref.errors import Refusal, cut, message_of
 from minkref.operand import read_operand
 from minkref.reports.degeneracies.pictures import Drawn, case_pictures
+from minkref.reports.pages import environment
 from minkref.terminal import shown
 
 INDEX = "index"
@@ -89,12 +87,12 @@ def write_report(
         raise Refusal("the front page has this name", where, "give the folder another name")
     pages = [_family(name, paths, reading) for name, paths in sorted(by_family.items())]
     invalid = [_invalid(name) for name in INVALID_FAMILIES]
-    environment = _environment()
+    templates = environment("degeneracies")
     files = {
-        f"{page.name}.html": environment.get_template("family.html.j2").render(page=page)
+        f"{page.name}.html": templates.get_template("family.html.j2").render(page=page)
         for page in pages
     }
-    index = environment.get_template("index.html.j2")
+    index = templates.get_template("index.html.j2")
     files[f"{INDEX}.html"] = index.render(pages=pages, invalid=invalid, flags=explained())
     make_folder(folder)
     for name in files:
@@ -210,21 +208,3 @@ def _invalid(name: str) -> InvalidPage:
     page = (lint.ROOM / "pages" / f"{name}.md").read_text(encoding="utf-8")
     why = page.partition("\n")[2].strip()
     return InvalidPage(name, family.title, why, family.code, sample, member.place)
-
-
-def _environment() -> Environment:
-    folders = [
-        resources.files("minkref.reports.degeneracies") / "templates",
-        resources.files("minkref.reports.conformance") / "templates",
-    ]
-
-    def load(name: str) -> str | None:
-        files = [folder / name for folder in folders]
-        return next((f.read_text(encoding="utf-8") for f in files if f.is_file()), None)
-
-    environment = Environment(
-        loader=FunctionLoader(load), autoescape=True, undefined=StrictUndefined,
-        trim_blocks=True, lstrip_blocks=True,
-    )  # fmt: skip
-    environment.filters["drawn"] = lambda picture: Markup(picture)
-    return environment

@@ -1,4 +1,4 @@
-"""`minkref report degeneracies`: a page for each family, with drawings of finite coordinates."""
+"""`minkref report`: pages that work from a file, with drawings of finite coordinates."""
 
 from __future__ import annotations
 
@@ -8,16 +8,19 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import jsonschema
 import pytest
 from minkref.degeneracies import lint
 from minkref.degeneracies.catalogue import FAMILIES
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES
+from minkref.reports.audit.catalogue import ENTRIES
+from minkref.schemas import schema
 
 
 def test_a_page_for_each_family(minkref: Any, tmp_path: Path) -> None:
     ran = minkref("report", "degeneracies", "-o", str(tmp_path / "pages"), "--json")
     assert ran.code == 0
-    front = Path(ran.json["front"]).read_text(encoding="utf-8")
+    front = Path(ran.json["pages"][0]).read_text(encoding="utf-8")
     assert f"{len(lint.case_paths(lint.CORPUS))} cases" in front
     for name in (*FAMILIES, "found"):
         page = (tmp_path / "pages" / f"{name}.html").read_text(encoding="utf-8")
@@ -156,3 +159,25 @@ def test_no_family_takes_the_place_of_the_front_page(minkref: Any, tmp_path: Pat
     words = ("--corpus", tmp_path / "cases", "-o", tmp_path / "pages")
     ran = minkref("report", "degeneracies", *words)
     assert (ran.code, "the front page has this name" in ran.err) == (2, True)
+
+
+def test_both_reports_by_one_command(minkref: Any, tmp_path: Path) -> None:
+    ran = minkref("report", "audit", "paper", "--quick", "-o", str(tmp_path), "--json")
+    assert ran.code == 0
+    jsonschema.validate(ran.json, schema("report"))
+    audit, paper = (Path(page).read_text(encoding="utf-8") for page in ran.json["pages"])
+    assert all(f'id="{name}"' in audit for name in ENTRIES)
+    for page in (audit, paper):
+        assert "http://" not in re.sub(r"http://www\.w3\.org/[^\"]*", "", page)
+        assert "https://" not in page and "<script" not in page
+        assert page.count("<svg") >= 7
+    for name in re.findall(r'href="([a-z0-9]+\.(?:csv|json))"', paper):
+        assert (tmp_path / name).stat().st_size > 50
+    rows = json.loads((tmp_path / "audit.json").read_text(encoding="utf-8"))
+    assert {row["outcome"] for row in rows} <= {"passed", "left out"}
+    assert len(json.loads((tmp_path / "table1.json").read_text(encoding="utf-8"))["rows"]) == 25
+
+
+def test_unknown_reports_are_refused(minkref: Any, tmp_path: Path) -> None:
+    ran = minkref("report", "audit", "weather", "-o", str(tmp_path / "pages"))
+    assert (ran.code, (tmp_path / "pages").exists()) == (2, False)

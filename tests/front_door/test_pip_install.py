@@ -51,6 +51,14 @@ def test_pip_install_gives_a_working_command(tmp_path: Path) -> None:
         env=clean,
     )
     assert Path(where.stdout.strip()).is_relative_to(tmp_path / "clean")
+    lacking = subprocess.run(
+        [str(binary / "minkref"), "report", "audit"],
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+        env=clean,
+    )
+    assert lacking.returncode == 2 and "pip install 'minkref[reports]'" in lacking.stderr
     assert "view.html" in minkref_command("view", "g1", "g2")
     assert (tmp_path / "view.html").stat().st_size > 10_000
     here = subprocess.run(

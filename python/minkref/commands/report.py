@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Callable
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
@@ -12,6 +13,7 @@ from minkref.degeneracies import lint
 from minkref.degeneracies.files import folder_to_write
 from minkref.documents import Stopwatch, as_text, document
 from minkref.errors import Refusal
+from minkref.exits import ExitCode
 from minkref.options import Json, Schema
 from minkref.progress import progress
 from minkref.reports.degeneracies.page import write_report
@@ -20,50 +22,119 @@ from minkref.terminal import shown
 
 EXAMPLES = """Examples:
 
-minkref report degeneracies -o report
+minkref report audit paper -o report
 
-minkref report degeneracies --corpus cases -o report"""
+minkref report audit --quick
 
-SUBJECTS = ("degeneracies",)
+minkref report degeneracies --corpus cases -o report
+
+MINKREF_MODELS=folder minkref report paper"""
+
+SUBJECTS = ("audit", "paper", "degeneracies")
+PACKAGES = "the packages matplotlib, sympy, markdown-it-py, mdit-py-plugins and latex2mathml"
 
 
 def command(
-    subject: Annotated[
-        str, typer.Argument(help=f"Of the pages: {', '.join(SUBJECTS)}.", metavar="SUBJECT")
+    subjects: Annotated[
+        list[str],
+        typer.Argument(help=f"Of the pages: {', '.join(SUBJECTS)}.", metavar="SUBJECT..."),
     ],
     output: Annotated[
         str, typer.Option("-o", help="Folder for the pages.", metavar="DIR")
     ] = "report",
+    quick: Annotated[
+        bool,
+        typer.Option("--quick", help="audit, paper: without what takes long; two minutes or less."),
+    ] = False,
+    seed: Annotated[
+        int, typer.Option("--seed", help="paper: of the re-scalings of Table 1.", metavar="K")
+    ] = 1,
     corpus: Annotated[
         str | None,
         typer.Option(
             "--corpus",
-            help="Folder of cases, as `minkref generate` makes them.",
+            help="degeneracies: folder of cases, as `minkref generate` makes them.",
             metavar="DIR",
             show_default="the corpus that comes with minkref",
         ),
     ] = None,
     json: Json = False,
     schema: Schema = False,
-) -> None:
-    """Write pages to be looked at. degeneracies: for each family what makes good code get it
-    wrong, drawings of cases, and a table of all; what flags mean; invalid input."""
+) -> ExitCode:
+    """Write pages to be looked at. audit: which formulas of the paper hold, a check behind each
+    (exit code 1 if one fails). paper: its tables, figures and times beside ours. degeneracies: for
+    each family what makes good code get it wrong, drawings of cases, and a table of all; what flags
+    mean; invalid input."""
     watch = Stopwatch()
-    if subject not in SUBJECTS:
-        raise Refusal("there is no such report", shown(subject), f"name {' or '.join(SUBJECTS)}")
+    for subject in subjects:
+        if subject not in SUBJECTS:
+            mend = f"name some of {', '.join(SUBJECTS)}"
+            raise Refusal("there is no such report", shown(subject), mend)
     folder = folder_to_write(output)
     cases = _corpus(corpus)
-    with ending_in_order(), progress(len(lint.case_paths(cases))) as line:
+    fronts: list[Path] = []
+    failed: list[dict[str, Any]] = []
+    with ending_in_order():
+        for subject in dict.fromkeys(subjects):
+            if subject == "audit":
+                front, failures = _audit(folder, quick)
+                failed += failures
+            elif subject == "paper":
+                front = _paper(folder, quick, seed)
+            else:
+                front = _degeneracies(folder, cases)
+            fronts.append(front)
+    if json:
+        pages = [str(front) for front in fronts]
+        sys.stdout.write(
+            as_text(document("report", watch, subjects=subjects, pages=pages, failed=failed))
+        )
+    else:
+        for front in fronts:
+            sys.stdout.write(f"{shown(str(front))}\n")
+        for failure in failed:
+            sys.stdout.write(f"check failed: {failure['entry']}: {shown(failure['failure'])}\n")
+    return ExitCode.WRONG if failed else ExitCode.ALL_WELL
+
+
+def _audit(folder: Path, quick: bool) -> tuple[Path, list[dict[str, Any]]]:
+    page, catalogue = _needing(lambda: _imported("audit.page", "audit.catalogue"))
+    with progress(len(catalogue.ENTRIES)) as line:
+        outcomes = page.write_audit(folder, quick, line.now, line.done)
+    failed = [{"entry": o.entry.name, "failure": o.failure} for o in outcomes if o.failure]
+    return folder / page.PAGE, failed
+
+
+def _paper(folder: Path, quick: bool, seed: int) -> Path:
+    page, made = _needing(lambda: _imported("paper.page", "paper.entries"))
+    with progress(made.steps(quick)) as line:
+        front: Path = page.write_paper(folder, quick, seed, line.now, line.done)
+    return front
+
+
+def _degeneracies(folder: Path, cases: Path) -> Path:
+    with progress(len(lint.case_paths(cases))) as line:
 
         def reading(family: str) -> None:
             line.now(family)
             line.done()
 
-        front = write_report(folder, cases, reading)
-    if json:
-        sys.stdout.write(as_text(document("report", watch, subject=subject, front=str(front))))
-    else:
-        sys.stdout.write(f"{shown(str(front))}\n")
+        return write_report(folder, cases, reading)
+
+
+def _imported(*names: str) -> tuple[Any, ...]:
+    """Modules of `reports/`, which take a second and packages of their own."""
+    from importlib import import_module
+
+    return tuple(import_module(f"minkref.reports.{name}") for name in names)
+
+
+def _needing(load: Callable[[], tuple[Any, ...]]) -> tuple[Any, ...]:
+    try:
+        return load()
+    except ModuleNotFoundError as error:
+        mend = f"install {PACKAGES}: pip install 'minkref[reports]'"
+        raise Refusal("a package is missing", str(error.name), mend, "missing-package") from error
 
 
 def _corpus(name: str | None) -> Path:

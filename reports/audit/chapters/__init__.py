@@ -1,0 +1,1 @@
+"""The entries, by section of the paper."""

@@ -1,0 +1,398 @@
+"""Sections 1 and 3: what the convolution is, and what follows from it."""
+
+from __future__ import annotations
+
+import json
+import random
+from fractions import Fraction
+from typing import Any
+
+from minkref import _core
+from minkref.reports.audit.entry import Chapter, Shown, Status
+from minkref.reports.audit.pictures import sum_and_convolution
+from minkref.reports.audit.plane import (
+    Ring,
+    box,
+    covered,
+    operand,
+    random_operand,
+    reduced_by_rule,
+    winding,
+)
+
+CHAPTER = Chapter("section-3", "Sections 1 and 3: the convolution")
+SEED = 3
+DRAWS = 60
+
+
+def _boundary(P: Any, Q: Any) -> list[Any]:
+    region = json.loads(_core.minkowski_sum(P, Q, "1").region.canonical_json())
+    found = []
+    for polygon in region["polygons"]:
+        for ring in (polygon["outer"], *polygon["holes"]):
+            places = [(Fraction(x), Fraction(y)) for x, y in ring]
+            found += [(places[k - 1], places[k]) for k in range(len(places))]
+    return found
+
+
+def _missing(P: Any, Q: Any, ends: str) -> int:
+    """Of the edges of the sum, how many the reduced convolution with such turns does not cover."""
+    segments = reduced_by_rule(P, Q, ends)
+    return sum(not covered(edge, segments) for edge in _boundary(P, Q))
+
+
+@CHAPTER.entry(
+    "range-of-scales",
+    "The range of scales",
+    place="Sections 1, 4.1 and 7.1",
+    status=Status.MISPRINT,
+    printed=r"""$s \in (0, \infty)$ in Sections 1 and 4.1, $s \in (0, \infty]$ in Section 7.1.""",
+    right=r"""$s \in (0, \infty)$: no operand is scaled by infinity.""",
+    code=("reference/plane/critical/scale_interval.hpp",),
+)
+def _(shown: Shown) -> None:
+    """The events of a pair have scales that are positive numbers; asked for a scale of zero or
+    below the code refuses."""
+    P, Q = operand([box(0, 0, 1, 1)]), operand([box(0, 0, 3, 2)])
+    told = _core.ArrangementEvents(P, Q)
+    scales = [Fraction(row[0]) for row in told.rows(told.of_kind("arrangement"))]
+    shown.true("all event scales of two boxes are positive", all(x > 0 for x in scales))
+    for scale in ("0", "-1"):
+        try:
+            _core.minkowski_sum(P, Q, scale)
+        except _core.BadInput:
+            shown.tell(f"the scale {scale} is refused.")
+        else:
+            shown.true(f"the scale {scale} is refused", False)
+
+
+@CHAPTER.entry(
+    "sum-in-convolution",
+    "The convolution is called a superset of the sum",
+    place="Section 3",
+    status=Status.FALSE,
+    printed=r"""$P \oplus Q \subseteq P \otimes Q$, and $\partial(P \oplus Q) = \partial(P \otimes
+    Q)$.""",
+    right=r"""The convolution is a set of curves, which no region is a part of. What holds is
+    $\partial(P \oplus Q) \subseteq$ reduced convolution $\subseteq$ full convolution
+    $\subseteq P \oplus Q$.""",
+    code=("reference/plane/convolution/convolution.hpp",),
+)
+def _(shown: Shown) -> None:
+    """The centre of a sum of two boxes is in the sum and on no edge of the convolution. For sixty
+    random pairs, with holes, every edge of the sum is covered by the reduced convolution, and the
+    ends and middles of all segments of the full one are in the sum."""
+    P, Q = operand([box(0, 0, 2, 2)]), operand([box(0, 0, 2, 2)])
+    shown.equal("contact of $P$ and $x - Q$ at $x = (2, 2)$",
+                _core.decide(P, Q, "1", "2", "2")["contact"], "overlapping")  # fmt: skip
+    x = (Fraction(2), Fraction(2))
+    shown.true(
+        "$x$ is on no edge of the reduced convolution",
+        not covered((x, x), reduced_by_rule(P, Q, "[)(]")),
+    )
+    dice = random.Random(SEED)
+    edges = bare = outside = 0
+    for _ in range(DRAWS):
+        P, Q = random_operand(dice), random_operand(dice)
+        segments = reduced_by_rule(P, Q, "[)(]")
+        for edge in _boundary(P, Q):
+            edges += 1
+            bare += not covered(edge, segments)
+        places = [
+            p
+            for a, b in reduced_by_rule(P, Q, "[)(]", reflex=True)
+            for p in (a, b, ((a[0] + b[0]) / 2, (a[1] + b[1]) / 2))
+        ]
+        contacts = _core.decide_many(P, Q, "1", [(str(u), str(v)) for u, v in places])
+        outside += contacts.count("empty")
+    shown.equal(f"of {edges:,} edges of sums, not covered by the reduced convolution", bare, 0)
+    shown.equal("ends and middles of the full convolution outside the sum", outside, 0)
+
+
+@CHAPTER.entry(
+    "between",
+    "What “between” means at its ends",
+    place="Section 3",
+    status=Status.INCOMPLETE,
+    printed=r"""An edge and a vertex are compatible if the edge's direction is on the
+    counter-clockwise turn from the vertex's incoming edge to its outgoing one.""",
+    right=r"""The turn has to be half-open, with complementary ends: $[d_{in}, d_{out})$ at
+    vertices of $Q$ and $(d_{in}, d_{out}]$ at vertices of $P$, or both the other way round. With
+    the same ends on both sides, or with open ones, parallel edges leave parts of the boundary
+    bare; with closed ones they are there twice.""",
+    code=("reference/plane/convolution/convolution.cpp", "docs/definitions.md"),
+)
+def _(shown: Shown) -> None:
+    """Two boxes, all of whose edges are parallel, and sixty random pairs on small grids: edges of
+    the sum that are not covered by the convolution, for each rule of ends. The rule is written
+    down here once more, in plain Python; the one with complementary ends has the edges of the
+    code."""
+    P, Q = operand([box(0, 0, 2, 1)]), operand([box(0, 0, 3, 4)])
+    told = {rule: _missing(P, Q, rule) for rule in RULES}
+    for rule, words in RULES.items():
+        shown.tell(f"two boxes, {words}: {told[rule]} of 4 edges are not covered.")
+    shown.equal("with complementary ends, not covered", (told["[)(]"], told["(][)"]), (0, 0))
+    shown.true("with the same ends, or open ones, some are not covered",
+               all(told[rule] > 0 for rule in ("[)[)", "(](]", "()()")))  # fmt: skip
+    dice = random.Random(SEED)
+    pairs = [(random_operand(dice), random_operand(dice)) for _ in range(DRAWS)]
+    sums = {rule: sum(_missing(P, Q, rule) for P, Q in pairs) for rule in RULES}
+    for rule, words in RULES.items():
+        shown.tell(f"{DRAWS} random pairs, {words}: {sums[rule]} edges are not covered.")
+    shown.equal("random pairs, complementary ends", (sums["[)(]"], sums["(][)"]), (0, 0))
+    shown.true("random pairs, the others, closed ones aside: some are bare",
+               min(sums["[)[)"], sums["(](]"], sums["()()"]) > 0)  # fmt: skip
+    same = all(
+        len(reduced_by_rule(P, Q, "[)(]")) == len(_core.reduced_convolution(P, Q)) for P, Q in pairs
+    )
+    shown.true("the code has as many edges as the rule, for each pair", same)
+
+
+RULES = {
+    "[)(]": "$[d_{in}, d_{out})$ at $Q$, $(d_{in}, d_{out}]$ at $P$",
+    "(][)": "$(d_{in}, d_{out}]$ at $Q$, $[d_{in}, d_{out})$ at $P$",
+    "[)[)": "$[d_{in}, d_{out})$ at both",
+    "(](]": "$(d_{in}, d_{out}]$ at both",
+    "()()": "open at both",
+    "[][]": "closed at both",
+}
+
+
+@CHAPTER.entry(
+    "straight-vertices",
+    "Vertices in the middle of straight edges",
+    place="Section 3",
+    status=Status.INCOMPLETE,
+    printed=r"""Reflex vertices, those with an interior angle above 180 degrees, are left out.""",
+    right=r"""Straight vertices contribute nothing either: with half-open turns theirs is empty,
+    and the boundary stays covered. Kept with closed turns they give edges twice.""",
+    code=("reference/plane/convolution/convolution.cpp",),
+)
+def _(shown: Shown) -> None:
+    """A box with vertices inside its edges and a triangle: with complementary ends the boundary is
+    covered, and the convolution has the edges of the box without these vertices, cut."""
+    P = operand([[(0, 0), (1, 0), (3, 0), (3, 2), (3, 3), (0, 3), (0, 1)]])
+    Q = operand([[(0, 0), (2, 0), (0, 1)]])
+    shown.equal("edges of the sum that are not covered", _missing(P, Q, "[)(]"), 0)
+    plain = operand([box(0, 0, 3, 3)])
+    same = (
+        _core.minkowski_sum(P, Q, "1").region.canonical_json()
+        == _core.minkowski_sum(plain, Q, "1").region.canonical_json()
+    )
+    shown.true("the sum is that of the box without these vertices", same)
+    shown.equal("edges of the convolution, and without these vertices",
+                (len(_core.reduced_convolution(P, Q)), len(_core.reduced_convolution(plain, Q))),
+                (10, 7))  # fmt: skip
+
+
+@CHAPTER.entry(
+    "reflex-vertices",
+    "Reflex vertices contribute nothing to the boundary",
+    place="Section 3",
+    status=Status.HOLDS,
+    printed=r"""Contributions of reflex vertices are interior to the sum.""",
+    right=r"""So it is in the plane: near a reflex vertex an operand has more than a half-plane,
+    and with the half-plane beside the edge of the other one it gives a neighbourhood.""",
+    code=("reference/plane/convolution/convolution.cpp",),
+)
+def _(shown: Shown) -> None:
+    """The middles of all segments that reflex vertices contribute to sixty random pairs are in the
+    interior of the sum, or on a boundary that another edge covers; the half-open ends decide
+    which."""
+    dice = random.Random(SEED)
+    count = inside = 0
+    for _ in range(DRAWS):
+        P, Q = random_operand(dice), random_operand(dice)
+        own = reduced_by_rule(P, Q, "[)(]")
+        both = reduced_by_rule(P, Q, "[)(]", reflex=True)
+        extra = both[len(own) :]
+        middles = [((a[0] + b[0]) / 2, (a[1] + b[1]) / 2) for a, b in extra]
+        contacts = _core.decide_many(P, Q, "1", [(str(u), str(v)) for u, v in middles])
+        count += len(extra)
+        inside += contacts.count("overlapping")
+    shown.true(f"{count:,} segments from reflex vertices, all middles inside", 0 < count == inside)
+
+
+@CHAPTER.entry(
+    "winding-numbers",
+    "Cells with winding numbers that are not zero",
+    place="Section 3 (of earlier work)",
+    status=Status.CONDITION,
+    printed=r"""The cells of the arrangement of the convolution whose winding number is not zero
+    are kept.""",
+    right=r"""The number at $x$ is the Euler characteristic of $P \cap (x - Q)$. It is positive
+    inside the sum if the operands are simply connected. With holes it may be zero inside.""",
+    code=("degeneracies/pages/euler-zero.md", "reference/plane/routes/winding_route.cpp"),
+)
+def _(shown: Shown) -> None:
+    """A box with a hole and a larger box: a point inside, around which the full convolution winds
+    zero times. For sixty random pairs without holes, the winding number is positive exactly
+    inside, at the points that the arrangement's faces give."""
+    P = operand([box(0, 0, 8, 8), box(3, 3, 2, 2)[::-1]])
+    Q = operand([box(0, 0, 20, 20)])
+    x = (Fraction(151, 10), Fraction(149, 10))
+    shown.equal("winding number at $x = (15.1, 14.9)$", winding(P, Q, x), 0)
+    shown.equal("contact of $P$ and $x - Q$", _core.decide(P, Q, "1", *map(str, x))["contact"],
+                "overlapping")  # fmt: skip
+    shown.draw("the sum and its convolution, and the point", sum_and_convolution(P, Q, "1", x))
+    dice = random.Random(SEED)
+    points = 0
+    for _ in range(DRAWS):
+        P, Q = random_operand(dice, holes=False), random_operand(dice, holes=False)
+        for u, v, inside in _core.face_points(P, Q, "1"):
+            points += 1
+            if (winding(P, Q, (Fraction(u), Fraction(v))) > 0) != inside:
+                raise AssertionError((P.to_json(), Q.to_json(), u, v))
+    shown.true(f"{points:,} points of faces, without holes: positive exactly inside", points > 50)
+
+
+@CHAPTER.entry(
+    "reduced-is-no-cycle",
+    "The reduced convolution is no cycle",
+    place="Section 3",
+    status=Status.INCOMPLETE,
+    printed=r"""Any method based on the convolution can be used, such as one by winding numbers.""",
+    right=r"""The full convolution is a closed cycle, the reduced one need not be: crossing numbers
+    with respect to it do not tell inside from outside. It needs the test of a point of each
+    face.""",
+    code=("reference/plane/routes/paper_route.hpp",),
+)
+def _(shown: Shown) -> None:
+    """Of sixty random pairs: nodes at which not as many edges of the convolution arrive as leave,
+    for the full and the reduced one."""
+    dice = random.Random(SEED)
+    full = reduced = 0
+    for _ in range(DRAWS):
+        P, Q = random_operand(dice), random_operand(dice)
+        full += _unbalanced(reduced_by_rule(P, Q, "[)(]", reflex=True, signed=True))
+        reduced += _unbalanced(reduced_by_rule(P, Q, "[)(]"))
+    shown.equal("pairs whose full convolution is not closed", full, 0)
+    shown.true(f"pairs whose reduced convolution is not closed: {reduced}", reduced > 0)
+
+
+def _unbalanced(segments: list[Any]) -> bool:
+    nodes: dict[Any, int] = {}
+    for a, b in segments:
+        nodes[a] = nodes.get(a, 0) + 1
+        nodes[b] = nodes.get(b, 0) - 1
+    return any(nodes.values())
+
+
+@CHAPTER.entry(
+    "orientable-loops",
+    "Nested orientable loops, and collision detection",
+    place="Section 3",
+    status=Status.CONDITION,
+    printed=r"""Properly nested orientable loops are extracted from the intersections, and a step
+    of collision detection removes those that are left in error.""",
+    right=r"""For each face of the arrangement the collision of $P$ and $x - Q$, $x$ inside the
+    face, decides alone, and nothing else does: orientability is necessary for a face outside the
+    sum, and not sufficient. Loops have to be taken as faces, since they may touch at vertices.""",
+    code=("reference/plane/routes/paper_route.hpp",),
+)
+def _(shown: Shown) -> None:
+    """Sixty random pairs: faces that no edge sees from inside (all run clockwise around it), and
+    how many of these the collision test puts inside the sum after all."""
+    dice = random.Random(SEED)
+    faces = 0
+    agreed = True
+    for _ in range(DRAWS):
+        P, Q = random_operand(dice), random_operand(dice)
+        points = _core.face_points(P, Q, "1")
+        contacts = _core.decide_many(P, Q, "1", [(u, v) for u, v, _ in points])
+        faces += len(points)
+        agreed &= all(
+            (contact != "empty") == inside
+            for contact, (_, _, inside) in zip(contacts, points, strict=True)
+        )
+    shown.true(f"{faces:,} bounded faces: inside exactly where $P$ and $x - Q$ meet", agreed)
+
+
+@CHAPTER.entry(
+    "events-of-pairs",
+    "The arrangement changes at critical scales of pairs only",
+    place="Sections 1, 3 and 4",
+    status=Status.INCOMPLETE,
+    printed=r"""The structure of the arrangement changes at the scales at which two edges start or
+    stop to meet, and at no other.""",
+    right=r"""It also changes where three edges come to pass through one point: the order of nodes
+    along an edge changes, and holes begin and end. The condition is a determinant of three lines
+    $n_i \cdot x = s \alpha_i + \beta_i$, linear in $s$. There may be $O(N^3)$ such scales.""",
+    code=("reference/plane/dynamic/triple_events.hpp",),
+)
+def _(shown: Shown) -> None:
+    """A triangle and a box with a triangular hole: the hole of the sum ends at 541/186, where no
+    two edges start or stop to meet; sums just below, at and above it. The determinant is linear in
+    s, by computer algebra."""
+    import sympy as sp
+
+    P = operand([[(-3, -2), (4, -1), (1, 3)]])
+    hole: Ring = [(0, 20), (17, -11), (-19, -9)]
+    Q = operand([box(-40, -40, 80, 80), hole])
+    s = Fraction(541, 186)
+    pairs = _core.pair_events(P, Q)
+    at = {Fraction(row[0]) for row in pairs.rows(0, len(pairs))}
+    shown.true("541/186 is no scale of an event of two edges", s not in at)
+    near = Fraction(1, 10**6)
+    holes = [_core.minkowski_sum(P, Q, str(x)).holes for x in (s - near, s, s + near)]
+    shown.equal("holes just below, at and above it", tuple(holes), (1, 0, 0))
+    told = _core.ArrangementEvents(P, Q, str(s), str(s))
+    kinds = {row[1] for row in told.rows(told.of_kind("arrangement"))}
+    shown.equal("kinds of events there", tuple(sorted(kinds)), ("triple",))
+    t = sp.Symbol("s")
+    rows = [
+        [*sp.symbols(f"n{i}x n{i}y"), t * sp.Symbol(f"alpha{i}") + sp.Symbol(f"beta{i}")]
+        for i in range(3)
+    ]
+    shown.identity("second derivative of the determinant", sp.Matrix(rows).det().diff(t, 2))
+    shown.draw("the sum and its convolution at 2.5", sum_and_convolution(P, Q, "5/2"))
+
+
+@CHAPTER.entry(
+    "worst-case",
+    "The worst case of the static sum",
+    place="Section 3",
+    status=Status.HOLDS,
+    printed=r"""The complexity is $O(m^d n^d)$, as that of the boundary of the sum: $m^2 n^2$ in
+    the plane.""",
+    right=r"""So it is. Two combs of $m$ and $n$ teeth, each beside squares, have a sum with
+    $\Theta(m^2 n^2)$ holes.""",
+    code=("degeneracies/plane/convolutions.py",),
+)
+def _(shown: Shown) -> None:
+    """Sums of growing combs: the number of their holes against $m^2 n^2$."""
+    from minkref.reports.audit.plane import combs
+
+    ratios = []
+    for m, n in ((2, 2), (3, 3), (4, 4), (5, 5)):
+        P, Q = combs(m, n)
+        holes = _core.minkowski_sum(P, Q, "1").holes
+        ratios.append(Fraction(holes, m * m * n * n))
+        shown.tell(f"$m = n = {m}$: {holes} holes, {float(ratios[-1]):.2f} $m^2 n^2$.")
+    shown.true("the ratio does not fall", ratios == sorted(ratios))
+
+
+@CHAPTER.entry(
+    "size-of-preprocessing",
+    "Pre-processing in O(n²)",
+    place="Sections 4.2.3 and 7.1",
+    status=Status.CONDITION,
+    printed=r"""Intervals for all pairs of segments are computed in $O(n^2)$.""",
+    right=r"""So it is if $n$ is the number $N$ of edges of the convolution, which may be $\Theta(m
+    n)$ for operands of $m$ and $n$ vertices: then it is $m^2 n^2$ pairs. Sorting the events adds a
+    logarithm. "Output-sensitive" (Section 1) is said of updates; the pre-processing is not.""",
+    code=("reference/plane/critical/pair_events.hpp",),
+)
+def _(shown: Shown) -> None:
+    """Edges of the convolutions of stars, against the product of the numbers of vertices."""
+    from minkref.reports.audit.plane import star
+
+    shares = []
+    for n in (8, 16, 32):
+        P, Q = star(n, 1), star(n, 2)
+        edges = len(_core.reduced_convolution(P, Q))
+        shares.append(edges / (4 * n * n))
+        shown.tell(
+            f"two stars of {2 * n} vertices: {edges:,} edges, {shares[-1]:.2f} times the product."
+        )
+    shown.true("the share of the product does not vanish", shares[-1] > 0.5 * shares[0])

@@ -1,0 +1,76 @@
+"""Writes the audit as Markdown, docs/audit/: `python -m minkref.reports.audit.docs`. What slow
+checks show, and those of the models at hand, is left to the report."""
+
+from __future__ import annotations
+
+from collections import Counter
+from pathlib import Path
+
+from minkref.documents import write_atomically
+from minkref.reports.audit.catalogue import CHAPTERS, ENTRIES
+from minkref.reports.audit.entry import Chapter, Entry, Status
+from minkref.reports.audit.page import ROOT
+
+FOLDER = ROOT / "docs" / "audit"
+HEAD = """# The paper on trial
+
+What *Dynamic Minkowski Sums Under Scaling* (E. Behar and J.-M. Lien, preprint of 11 August 2012)
+says, what holds, and a check behind every entry. Each check is an identity that computer algebra
+proves, an exact counterexample, or exact trials on drawn cases; none has a tolerance. `minkref
+report audit` runs them all and writes a page with the counterexamples drawn; they are also tests.
+
+These pages are written by `python -m minkref.reports.audit.docs` from `reports/audit/chapters/`,
+and a test holds them to it. What is printed in the paper is told in our words and formulas.
+"""
+
+
+def pages() -> dict[str, str]:
+    """The text of each file."""
+    return {"README.md": _index(), **{f"{c.name}.md": _chapter(c) for c in CHAPTERS}}
+
+
+def _index() -> str:
+    counts = Counter(entry.status for entry in ENTRIES.values())
+    told = ", ".join(f"{counts[status]} {status}" for status in Status if counts[status])
+    rows = [
+        f"| [{entry.title}]({chapter.name}.md#{entry.name}) | {entry.place} | {entry.status} |"
+        for chapter in CHAPTERS
+        for entry in chapter.entries
+    ]
+    table = ["| entry | place in the paper | status |", "|---|---|---|", *rows]
+    return f"{HEAD}\n{len(ENTRIES)} entries: {told}.\n\n" + "\n".join(table) + "\n"
+
+
+def _chapter(chapter: Chapter) -> str:
+    return f"# {chapter.title}\n\n" + "\n".join(map(_entry, chapter.entries))
+
+
+def _entry(entry: Entry) -> str:
+    lines = [
+        f'## <a id="{entry.name}"></a>{entry.title}',
+        "",
+        f"{entry.place}. Status: **{entry.status}**.",
+        "",
+        f"**The paper.** {entry.printed}",
+        "",
+        f"**Right.** {entry.right}",
+        "",
+        f"**Check.** {entry.how}",
+        "",
+    ]
+    if not (entry.slow or entry.of_models):
+        lines += [*(f"- {fact}" for fact in entry.run().facts), ""]
+    if entry.code:
+        links = (f"[{path}](../../{path})" for path in entry.code)
+        lines += [f"Code: {', '.join(links)}", ""]
+    return "\n".join(lines)
+
+
+def write(folder: Path = FOLDER) -> None:
+    folder.mkdir(parents=True, exist_ok=True)
+    for name, text in pages().items():
+        write_atomically(folder / name, text)
+
+
+if __name__ == "__main__":
+    write()

@@ -1,0 +1,194 @@
+"""A robot of uncertain size on a path: the scales at which it does not overlap an obstacle.
+
+Nothing of the convolution is used for it: every edge of the one at every vertex of the other is
+tried, and whether robot and obstacle overlap at a place the code decides by triangles.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from itertools import combinations, pairwise
+
+from minkref import _core
+from minkref.fuzz.families.drawing import shape_text
+from minkref.reports.audit.edges import Interval
+from minkref.reports.audit.plane import Place, Ring, rings_of
+
+Moving = tuple[str, Place, Place, Place]  # from s p + q along d, or along s d for an S-edge
+
+
+def operands(polygons: Sequence[Ring]) -> _core.PolygonSet:
+    """Polygons without holes."""
+    return _core.PolygonSet.from_json(shape_text([[ring] for ring in polygons]))
+
+
+def reflected(robot: _core.PolygonSet) -> _core.PolygonSet:
+    """-R: the obstacle of places is O + s (-R)."""
+    polygons = json.loads(robot.to_json())["polygons"]
+    return _core.PolygonSet.from_json(
+        shape_text(
+            [
+                [[(-Fraction(x), -Fraction(y)) for x, y in r] for r in (p["outer"], *p["holes"])]
+                for p in polygons
+            ]
+        )
+    )
+
+
+def overlaps(robot: _core.PolygonSet, obstacle: _core.PolygonSet, s: Fraction, at: Place) -> str:
+    """empty, touching or overlapping: the robot of scale s at a place."""
+    return str(_core.decide(reflected(robot), obstacle, str(s), *map(str, at))["contact"])
+
+
+def moving_edges(robot: _core.PolygonSet, obstacle: _core.PolygonSet) -> list[Moving]:
+    """Every edge of the one at every vertex of the other."""
+    P, Q = rings_of(reflected(robot)), rings_of(obstacle)
+    corners = {"S": [v for ring in Q for v in ring], "T": [v for ring in P for v in ring]}
+    found: list[Moving] = []
+    for kind, rings in (("S", P), ("T", Q)):
+        for ring in rings:
+            for k, b in enumerate(ring):
+                a = ring[k - 1]
+                d = _minus(b, a)
+                for v in corners[kind]:
+                    found.append((kind, a, v, d) if kind == "S" else (kind, v, a, d))
+    return found
+
+
+def contacts(
+    robot: _core.PolygonSet, obstacle: _core.PolygonSet, a: Place, b: Place
+) -> set[Fraction]:
+    """Scales at which a step from a to b starts or stops to meet an edge of the reduced
+    convolution, by the code for two edges. Whole coordinates."""
+    P = reflected(robot)
+    rings = {"S": (rings_of(P), rings_of(obstacle)), "T": (rings_of(obstacle), rings_of(P))}
+    step = ("T", tuple(int(x) for x in (0, 0, *a, *_minus(b, a))))
+    pairs = []
+    for kind, _, edge_ring, edge, corner_ring, corner in _core.reduced_convolution(P, obstacle):
+        edges, corners = rings[kind]
+        ring, v = edges[edge_ring], corners[corner_ring][corner]
+        p, d = ring[edge], _minus(ring[(edge + 1) % len(ring)], ring[edge])
+        row = (*p, *v, *d) if kind == "S" else (*v, *p, *d)
+        pairs.append((step, (kind, tuple(map(int, row)))))
+    found = set()
+    for _, empty, low, high in _core.pair_intervals(pairs):
+        if not empty:
+            found |= {Fraction(x) for x in (low, high) if x is not None}
+    return found
+
+
+def candidates(edges: Sequence[Moving], path: Sequence[Place]) -> list[Fraction]:
+    """Scales s > 0 at which an end of a moving edge comes to the line of a step of the path, or
+    level with an end of it where they are parallel, or an end of the path comes to the line of an
+    edge. Each is the root of a linear equation."""
+    found = set()
+    steps = list(pairwise(path)) or [(path[0], path[0])]
+    for kind, p, q, d in edges:
+        ends = [(p, q), (_plus(p, d), q) if kind == "S" else (p, _plus(q, d))]
+        for a, b in steps:
+            step = _minus(b, a)
+            conditions = [(_turned(d), (a, b)), (_turned(step), (a,))]
+            if _dot(_turned(d), step) == 0:
+                conditions.append((step, (a, b)))
+            for normal, known in conditions:
+                for u, v in ends:
+                    slope = _dot(normal, u)
+                    found |= {_dot(normal, _minus(x, v)) / slope for x in known if slope}
+    return sorted(s for s in found if s > 0)
+
+
+def concurrencies(edges: Sequence[Moving], a: Place, b: Place) -> set[Fraction]:
+    """Scales s > 0 at which the lines of two edges, and that through a and b, pass through one
+    point: roots of a determinant, which is linear in s."""
+    step = _turned(_minus(b, a))
+    rows = [(_turned(d), _dot(_turned(d), p), _dot(_turned(d), q)) for _, p, q, d in edges]
+    found = set()
+    for (m, u, v), (n, w, x) in combinations(rows, 2):
+        first, second = _cross(step, n), _cross(step, m)
+        slope = w * second - u * first
+        if slope:
+            found.add((v * first - x * second - _dot(step, a) * _cross(m, n)) / slope)
+    return {s for s in found if s > 0}
+
+
+def is_valid(
+    robot: _core.PolygonSet,
+    obstacle: _core.PolygonSet,
+    edges: Sequence[Moving],
+    path: Sequence[Place],
+    s: Fraction,
+) -> bool:
+    """Whether the robot of scale s overlaps the obstacle nowhere on the path; touching is allowed.
+    The places of overlap are an open set, bounded by the edges: one place between any two crossings
+    decides."""
+    places = [path[0]] if len(path) == 1 else list(_places(edges, path, s))
+    rows = [(str(x), str(y)) for x, y in places]
+    return "overlapping" not in _core.decide_many(reflected(robot), obstacle, str(s), rows)
+
+
+def _places(edges: Sequence[Moving], path: Sequence[Place], s: Fraction) -> Iterator[Place]:
+    for a, b in pairwise(path):
+        step = _minus(b, a)
+        cuts = {Fraction(0), Fraction(1)}
+        for kind, p, q, d in edges:
+            start = s * p[0] + q[0], s * p[1] + q[1]
+            span = (s * d[0], s * d[1]) if kind == "S" else d
+            across = _dot(_turned(span), step)
+            if across:
+                cuts.add(_dot(_turned(span), _minus(start, a)) / across)
+            else:
+                ends = start, _plus(start, span)
+                cuts |= {_dot(step, _minus(x, a)) / _dot(step, step) for x in ends}
+        inside = sorted(t for t in cuts if 0 <= t <= 1)
+        for t in (*inside, *((x + y) / 2 for x, y in pairwise(inside))):
+            yield a[0] + t * step[0], a[1] + t * step[1]
+
+
+def valid_scales(
+    robot: _core.PolygonSet, obstacle: _core.PolygonSet, path: Sequence[Place]
+) -> list[Interval]:
+    """The components of the set of valid scales: closed in (0, oo), ascending. Decided at every
+    candidate and between any two."""
+    edges = moving_edges(robot, obstacle)
+    marks = candidates(edges, path)
+    inner = [(a + b) / 2 for a, b in pairwise(marks)]
+    probes: list[tuple[Fraction | None, Fraction | None, Fraction]] = [
+        *((s, s, s) for s in marks),
+        *((a, b, s) for (a, b), s in zip(pairwise(marks), inner, strict=True)),
+        (None, marks[0] if marks else None, marks[0] / 2 if marks else Fraction(1)),
+    ]
+    if marks:
+        probes.append((marks[-1], None, marks[-1] + 1))
+    found: list[Interval] = []
+    joined = False
+    for low, high, s in sorted(probes, key=lambda probe: probe[2]):
+        if not is_valid(robot, obstacle, edges, path, s):
+            joined = False
+        elif joined and found[-1] is not None:
+            found[-1] = (found[-1][0], high)
+        else:
+            found.append((low, high))
+            joined = True
+    return found
+
+
+def _plus(a: Place, b: Place) -> Place:
+    return a[0] + b[0], a[1] + b[1]
+
+
+def _minus(a: Place, b: Place) -> Place:
+    return a[0] - b[0], a[1] - b[1]
+
+
+def _dot(u: Place, v: Place) -> Fraction:
+    return u[0] * v[0] + u[1] * v[1]
+
+
+def _cross(u: Place, v: Place) -> Fraction:
+    return u[0] * v[1] - u[1] * v[0]
+
+
+def _turned(d: Place) -> Place:
+    return d[1], -d[0]

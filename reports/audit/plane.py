@@ -1,0 +1,203 @@
+"""Operands in the plane for checks, and the rule of the convolution once more, in plain Python:
+nothing of `reference/` is used for it."""
+
+from __future__ import annotations
+
+import json
+import math
+import random
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from typing import Any
+
+from minkref import _core
+from minkref.fuzz.families.drawing import Ring, box, shape_text
+from minkref.fuzz.families.random_pairs import random_pair
+
+__all__ = [
+    "Ring",
+    "box",
+    "combs",
+    "covered",
+    "operand",
+    "random_operand",
+    "reduced_by_rule",
+    "star",
+]
+
+Place = tuple[Fraction, Fraction]
+Segment = tuple[Place, Place]
+
+
+def operand(polygon: Sequence[Ring]) -> _core.PolygonSet:
+    """One polygon: an outer ring, counter-clockwise, and holes, turned as they should be."""
+    outer, *holes = polygon
+    return _core.PolygonSet.from_json(shape_text([[outer, *(_clockwise(h) for h in holes)]]))
+
+
+def _clockwise(ring: Ring) -> Ring:
+    area = sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(ring, ring[1:] + ring[:1], strict=True))
+    return ring if area < 0 else ring[::-1]
+
+
+def random_operand(dice: random.Random, holes: bool = True) -> _core.PolygonSet:
+    """Of a pair of small polygons on a grid, where parallel edges abound."""
+    while True:
+        pair = random_pair(dice.randrange(10**9), dice.randrange(240))
+        found = _core.PolygonSet.from_json(dice.choice((pair.P, pair.Q)))
+        polygons = json.loads(found.to_json())["polygons"]
+        simple = found.is_region and len(polygons) == 1 and not polygons[0]["holes"]
+        if found.is_region and (holes or simple):
+            return found
+
+
+def rings_of(value: _core.PolygonSet) -> list[list[Place]]:
+    return [
+        [(Fraction(x), Fraction(y)) for x, y in ring]
+        for polygon in json.loads(value.to_json())["polygons"]
+        for ring in (polygon["outer"], *polygon["holes"])
+    ]
+
+
+def _cross(u: Place, v: Place) -> Fraction:
+    return u[0] * v[1] - u[1] * v[0]
+
+
+def _dot(u: Place, v: Place) -> Fraction:
+    return u[0] * v[0] + u[1] * v[1]
+
+
+def _minus(a: Place, b: Place) -> Place:
+    return a[0] - b[0], a[1] - b[1]
+
+
+def _same(u: Place, v: Place) -> bool:
+    return _cross(u, v) == 0 and _dot(u, v) > 0
+
+
+def _in_turn(d: Place, start: Place, end: Place, ends: str) -> bool:
+    """Whether d is on the turn of less than 180 degrees to the left from `start` to `end`; `ends`:
+    which of its ends belong to it, such as `[)`."""
+    if _same(d, start):
+        return ends[0] == "["
+    if _same(d, end):
+        return ends[1] == "]"
+    return _cross(start, d) > 0 and _cross(d, end) > 0
+
+
+def _contributions(
+    edges_of: _core.PolygonSet, corners_of: _core.PolygonSet, ends: str, reflex: bool
+) -> Iterator[tuple[Segment, int]]:
+    """Edges of the one at the vertices of the other, and the sign: 1 at convex vertices, -1 at
+    reflex ones, which are left out unless `reflex`."""
+    for corner_ring in rings_of(corners_of):
+        for k, v in enumerate(corner_ring):
+            come = _minus(v, corner_ring[k - 1])
+            go = _minus(corner_ring[(k + 1) % len(corner_ring)], v)
+            turn = _cross(come, go)
+            if turn == 0 or (turn < 0 and not reflex):
+                continue
+            for ring in rings_of(edges_of):
+                for i, a in enumerate(ring):
+                    b = ring[(i + 1) % len(ring)]
+                    d = _minus(b, a)
+                    if turn > 0 and _in_turn(d, come, go, ends):
+                        yield ((a[0] + v[0], a[1] + v[1]), (b[0] + v[0], b[1] + v[1])), 1
+                    if turn < 0 and _in_turn(d, go, come, ends):
+                        yield ((a[0] + v[0], a[1] + v[1]), (b[0] + v[0], b[1] + v[1])), -1
+
+
+def reduced_by_rule(
+    P: _core.PolygonSet, Q: _core.PolygonSet, ends: str, reflex: bool = False, signed: bool = False
+) -> list[Segment]:
+    """The edges of the convolution with given ends of turns at vertices of Q, then of P: those of
+    convex vertices, then those of reflex ones if `reflex`, backwards if `signed`."""
+    found = [
+        *_contributions(P, Q, ends[:2], reflex),
+        *_contributions(Q, P, ends[2:], reflex),
+    ]
+    convex = [segment for segment, sign in found if sign > 0]
+    other = [segment[::-1] if signed else segment for segment, sign in found if sign < 0]
+    return [*convex, *((b[0], b[1]) for b in other)]
+
+
+def covered(edge: Segment, segments: list[Segment]) -> bool:
+    """Whether a segment, or a point, is covered by the union of segments."""
+    a, b = edge
+    d = _minus(b, a)
+    spans = []
+    for u, v in segments:
+        if a == b:
+            w = _minus(v, u)
+            along = _dot(_minus(a, u), w)
+            if _cross(_minus(a, u), w) == 0 and 0 <= along <= _dot(w, w):
+                return True
+        elif _cross(_minus(u, a), d) == 0 == _cross(_minus(v, a), d):
+            spans.append(sorted((_dot(_minus(u, a), d), _dot(_minus(v, a), d))))
+    if a == b:
+        return False
+    reach, end = Fraction(0), _dot(d, d)
+    for low, high in sorted(spans):
+        if low > reach:
+            break
+        reach = max(reach, high)
+    return reach >= end
+
+
+def winding(P: _core.PolygonSet, Q: _core.PolygonSet, x: Place) -> int:
+    """The winding number of the full convolution around a point that is on none of its segments."""
+    number = 0
+    for a, b in reduced_by_rule(P, Q, "[)(]", reflex=True, signed=True):
+        if (a[0] <= x[0]) != (b[0] <= x[0]):
+            y = a[1] + (b[1] - a[1]) * (x[0] - a[0]) / (b[0] - a[0])
+            if y < x[1]:
+                number += 1 if b[0] > a[0] else -1
+    return number
+
+
+def star(n: int, phase: int) -> _core.PolygonSet:
+    """2 n vertices, every other one far out."""
+    ring: Ring = []
+    for k in range(2 * n):
+        angle = math.pi * (k + 0.1 * phase) / n
+        radius = 1000 if k % 2 else 300
+        ring.append((round(radius * math.cos(angle)), round(radius * math.sin(angle))))
+    return operand([ring])
+
+
+def combs(m: int, n: int) -> tuple[_core.PolygonSet, _core.PolygonSet]:
+    """P: a comb of m level teeth, and m squares in a row far off. Q: n squares, one above the
+    other, and a comb of n upright teeth far off to the other side."""
+    length, thick, far = 3 * m * n, Fraction(1, 3), 100 * m * n
+
+    def teeth(count: int, step: int) -> Ring:
+        ring: Ring = [(0, -1), ((count - 1) * step + thick, -1)]
+        for k in reversed(range(count)):
+            ring += [(k * step + thick, length), (k * step, length)]
+            ring += [(k * step, 0), ((k - 1) * step + thick, 0)] if k else []
+        return ring
+
+    level: Ring = [(y, x) for x, y in teeth(m, 2)][::-1]
+    row = [[box(far + 2 * k, 0, thick, thick)] for k in range(m)]
+    column = [[box(0, 2 * m * k, thick, thick)] for k in range(n)]
+    upright: Ring = [(x - far, y) for x, y in teeth(n, 2 * m)]
+    texts: list[Any] = [shape_text([[level], *row]), shape_text([*column, [upright]])]
+    return _core.PolygonSet.from_json(texts[0]), _core.PolygonSet.from_json(texts[1])
+
+
+def regular(n: int, phase: float) -> _core.PolygonSet:
+    """A regular polygon, its vertices rounded to 12 decimals."""
+    angles = [phase + 2 * math.pi * k / n for k in range(n)]
+    ring: Ring = [
+        (Fraction(f"{math.cos(a):.12f}"), Fraction(f"{math.sin(a):.12f}")) for a in angles
+    ]
+    return operand([ring])
+
+
+def turned_by(value: _core.PolygonSet, cosine: Fraction, sine: Fraction) -> _core.PolygonSet:
+    """A rotation with rational cosine and sine."""
+
+    def turned(ring: list[Place]) -> Ring:
+        return [(cosine * x - sine * y, sine * x + cosine * y) for x, y in ring]
+
+    return operand([turned(ring) for ring in rings_of(value)])

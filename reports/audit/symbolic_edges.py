@@ -1,0 +1,58 @@
+"""Edges of a convolution with symbols for all coordinates, and at one scale in exact numbers."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+import sympy as sp
+from minkref.reports.audit.edges import Edge
+
+
+@dataclass(frozen=True)
+class SymbolicEdge:
+    """From s p + q along d, which an S-edge takes s times."""
+
+    kind: str
+    p: Any
+    q: Any
+    d: Any
+
+    def start(self, s: Any) -> Any:
+        return s * self.p + self.q
+
+    def span(self, s: Any) -> Any:
+        return s * self.d if self.kind == "S" else self.d
+
+
+def kinds_of(kinds: str) -> tuple[SymbolicEdge, SymbolicEdge]:
+    """Two edges whose coordinates are all symbols."""
+    a, b = (
+        SymbolicEdge(kind, *(sp.Matrix(sp.symbols(f"{x}_{edge}x {x}_{edge}y")) for x in "pqd"))
+        for edge, kind in zip("ab", kinds, strict=True)
+    )
+    return a, b
+
+
+def cross(u: Any, v: Any) -> Any:
+    return u[0] * v[1] - u[1] * v[0]
+
+
+def direction(edge: SymbolicEdge) -> Any:
+    return edge.d
+
+
+def moving(a: SymbolicEdge, b: SymbolicEdge, s: Any) -> tuple[Any, Any]:
+    """Where the lines cross at the scale s, and the parameter of that place on a."""
+    v, w, u = a.span(s), b.span(s), a.start(s) - b.start(s)
+    r = sp.cancel(cross(w, u) / cross(v, w))
+    return (a.start(s) + r * v).applyfunc(sp.cancel), r
+
+
+def ends(edge: Edge, scale: Fraction) -> tuple[tuple[Fraction, Fraction], ...]:
+    """Of an edge in numbers, exact."""
+    start = tuple(scale * p + q for p, q in zip(edge.p, edge.q, strict=True))
+    factor = scale if edge.kind == "S" else Fraction(1)
+    end = tuple(x + factor * d for x, d in zip(start, edge.d, strict=True))
+    return (start[0], start[1]), (end[0], end[1])

@@ -1,0 +1,99 @@
+"""Both reports on the paper: written in time, all checks passing, and drawn by a browser."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import tempfile
+import time
+from pathlib import Path
+from typing import Any
+
+from minkref.reports.audit.catalogue import ENTRIES
+from minkref.reports.evidence.framework.browser import absent, browser
+from minkref.reports.evidence.framework.part import COMPARISON, MODELS, READERS, REFERENCE, Findings
+from minkref.reports.evidence.framework.store import ROOT
+from minkref.reports.paper.speedups import REPETITIONS
+
+SUBJECT = (
+    "`minkref report audit paper`: minutes on two cores, of --quick too; the checks of all entries "
+    "pass; speed-ups as ratios of one run, with their spread; every figure drawn in a browser."
+)
+MINUTES = (14, None)
+DEPENDS = (
+    *REFERENCE, *READERS, *COMPARISON, *MODELS, "reports/audit/**/*", "reports/paper/**/*",
+    "reports/bench/*.py", "reports/*.py", "reports/templates/*", "oracle/symbolic/*.py",
+)  # fmt: skip
+
+PROGRAM = ROOT / ".venv" / "bin" / "minkref"
+MOST_SECONDS, MOST_QUICK_SECONDS = 900, 120
+LEAST_ENTRIES = 40
+FIGURES = """
+return {
+  svg: Array.from(document.querySelectorAll("figure svg")).map(e => {
+    const box = e.getBoundingClientRect();
+    return [box.width, box.height, e.querySelectorAll("path, circle, use, line").length];
+  }),
+  formulas: Array.from(document.querySelectorAll("math")).map(e => e.getBoundingClientRect().width),
+  wide: document.documentElement.scrollWidth > window.innerWidth,
+};
+"""
+
+
+def run(quick: bool) -> Findings:
+    findings = Findings()
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        for words, most in ((("--quick",), MOST_QUICK_SECONDS), ((), MOST_SECONDS)):
+            seconds, told = _report(folder, words)
+            what = " ".join(("minkref report audit paper", *words))
+            findings.target(f"seconds of `{what}`", seconds < most, f"under {most}", round(seconds))
+            findings.law(f"checks of `{what}` that fail", not told["failed"], 0,
+                         len(told["failed"]))  # fmt: skip
+        rows = json.loads((folder / "audit.json").read_text(encoding="utf-8"))
+        passed = sum(row["outcome"] == "passed" for row in rows)
+        findings.law("entries of the audit whose check passes", passed == len(ENTRIES),
+                     len(ENTRIES), passed)  # fmt: skip
+        findings.target("entries of the audit", passed >= LEAST_ENTRIES,
+                        f"at least {LEAST_ENTRIES}", passed)  # fmt: skip
+        findings.law("repetitions of each speed-up", REPETITIONS >= 5, "at least 5", REPETITIONS)
+        findings.figures["entries by status"] = {
+            status: sum(row["status"] == status for row in rows)
+            for status in dict.fromkeys(row["status"] for row in rows)
+        }
+        reason = absent()
+        if reason is not None:
+            findings.target("pages drawn by a browser", False, 2, reason)
+            return findings
+        for page in map(Path, told["pages"]):
+            _drawn(findings, page)
+    return findings
+
+
+def _report(folder: Path, words: tuple[str, ...]) -> tuple[float, dict[str, Any]]:
+    line = [str(PROGRAM), "report", "audit", "paper", *words, "-o", str(folder), "--json"]
+    began = time.perf_counter()
+    ran = subprocess.run(line, capture_output=True, text=True)
+    seconds = time.perf_counter() - began
+    if ran.returncode not in (0, 1):
+        raise RuntimeError(f"minkref report ended with {ran.returncode}: {ran.stderr[-400:]}")
+    told: dict[str, Any] = json.loads(ran.stdout)
+    return seconds, told
+
+
+def _drawn(findings: Findings, page: Path) -> None:
+    """Each figure has a size and something in it, each formula a width; nothing is said on the
+    console, and the page is no wider than the window."""
+    with browser() as window:
+        window.resize(1200, 900)
+        window.open(page)
+        seen = window.run(FIGURES)
+        said = window.messages()
+    empty = [one for one in seen["svg"] if min(one) <= 0]
+    findings.law(f"{page.name}: figures, empty ones", seen["svg"] and not empty, "some, 0",
+                 f"{len(seen['svg'])}, {len(empty)}")  # fmt: skip
+    flat = sum(width <= 0 for width in seen["formulas"])
+    findings.law(f"{page.name}: formulas without a width", flat == 0, 0, flat)
+    findings.law(f"{page.name}: messages on the console", not said, 0, "; ".join(said[:2]) or 0)
+    findings.law(f"{page.name}: wider than the window", not seen["wide"], False, seen["wide"])
+    findings.figures[f"{page.name}: figures, formulas"] = [len(seen["svg"]), len(seen["formulas"])]

@@ -1,0 +1,33 @@
+"""What all pages share: templates that escape, a frame, a style."""
+
+from __future__ import annotations
+
+from importlib import resources
+
+from jinja2 import Environment, FunctionLoader, StrictUndefined
+from markupsafe import Markup
+from minkref.terminal import shown
+
+ROOM = "minkref.reports"
+
+
+def environment(room: str) -> Environment:
+    """Templates of a room of `reports/`, and those of all: `base.html.j2`, `style.css`. Filters:
+    `drawn`, an SVG element as it is; `number`, with commas; `line`, without control characters."""
+    folders = [resources.files(f"{ROOM}.{room}") / "templates", resources.files(ROOM) / "templates"]
+
+    def load(name: str) -> str | None:
+        files = [folder / name for folder in folders]
+        return next((f.read_text(encoding="utf-8") for f in files if f.is_file()), None)
+
+    found = Environment(
+        loader=FunctionLoader(load),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    found.filters["drawn"] = lambda picture: Markup(picture)
+    found.filters["number"] = lambda number: f"{number:,}"
+    found.filters["line"] = lambda text: shown(str(text))
+    return found

@@ -1,0 +1,53 @@
+"""The report on the paper's tables and figures: a page, and its data as JSON and CSV."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from collections import Counter
+from collections.abc import Callable
+from pathlib import Path
+
+from minkref.documents import write_atomically
+from minkref.reports.pages import environment
+from minkref.reports.paper.entries import entries
+from minkref.reports.paper.entry import Table
+
+PAGE = "paper.html"
+
+
+def write_paper(
+    folder: Path, quick: bool, seed: int, tell: Callable[[str], None], done: Callable[[], None]
+) -> Path:
+    """Times what is timed; writes `paper.html`, and NAME.csv and NAME.json for each table."""
+    found = entries(quick, seed, tell, done)
+    page = (
+        environment("paper")
+        .get_template("paper.html.j2")
+        .render(
+            entries=found,
+            counts=Counter(str(one.verdict) for one in found),
+            command="minkref report paper" + " --quick" * quick,
+        )
+    )
+    folder.mkdir(parents=True, exist_ok=True)
+    for one in found:
+        for table in one.tables:
+            write_atomically(folder / f"{table.name}.csv", _csv(table))
+            write_atomically(folder / f"{table.name}.json", _json(table))
+    write_atomically(folder / PAGE, page)
+    return folder / PAGE
+
+
+def _csv(table: Table) -> str:
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(table.columns)
+    writer.writerows(table.rows)
+    return text.getvalue()
+
+
+def _json(table: Table) -> str:
+    """Columns may have one name, so rows are lists."""
+    return json.dumps({"columns": list(table.columns), "rows": list(table.rows)}, indent=1) + "\n"

@@ -1,0 +1,36 @@
+"""Plots as SVG, by matplotlib; the same data go to CSV and JSON beside the page."""
+
+from __future__ import annotations
+
+import io
+import re
+from collections.abc import Sequence
+
+import matplotlib as mpl
+from matplotlib.figure import Figure
+from minkref.reports.paper.speedups import Rescaling
+
+
+def speedup_plot(rescalings: Sequence[Rescaling], against: str, label: str) -> str:
+    """A point for each re-scaling, the median of its repetitions; the bar goes from the least to
+    the greatest."""
+    xs = [float(getattr(one, against)) for one in rescalings]
+    ys = [one.speedup for one in rescalings]
+    low = [y - one.ratios[0] for y, one in zip(ys, rescalings, strict=True)]
+    high = [one.ratios[-1] - y for y, one in zip(ys, rescalings, strict=True)]
+    with mpl.rc_context({"svg.hashsalt": "minkref", "svg.fonttype": "none", "font.size": 9}):
+        figure = Figure(figsize=(4.6, 3.2), layout="constrained")
+        axes = figure.add_subplot()
+        axes.errorbar(xs, ys, yerr=[low, high], fmt="o", markersize=3, linewidth=0.8, capsize=1.5)
+        axes.set_xlabel(label)
+        axes.set_ylabel("speed-up of the intersections")
+        axes.set_yscale("log")
+        axes.grid(alpha=0.3)
+        return _svg(figure)
+
+
+def _svg(figure: Figure) -> str:
+    """An element to be put into a page, the same bytes for the same data."""
+    buffer = io.StringIO()
+    figure.savefig(buffer, format="svg", metadata={"Date": None})
+    return re.sub(r"^.*?(?=<svg)", "", buffer.getvalue(), count=1, flags=re.DOTALL)
