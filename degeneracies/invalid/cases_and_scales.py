@@ -103,8 +103,8 @@ def empty_interval(dice: Random) -> Invalid:
 def with_scale(dice: Random, code: str, text: str) -> Invalid:
     """A valid operand and a scale that is refused."""
     page = sheet(dice, region(dice), ("wkt", "poly", "json"))
-    shown = text[:SHOWN].strip() if text.isascii() else ""
-    made = of_bytes(page, code, text_of(dice, page).encode(), shown or "--scale")
+    shown = text[:SHOWN].strip() or f'"{text}"'
+    made = of_bytes(page, code, text_of(dice, page).encode(), shown)
     return replace(made, operand="scale", scale=text)
 
 

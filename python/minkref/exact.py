@@ -24,7 +24,8 @@ _FRACTION = re.compile(r"([+-]?\d+)/(\d+)", re.ASCII)
 def read_scale(text: str, option: str = "--scale") -> str:
     """The scale in lowest terms, `n` or `n/d`. Decimals and fractions are read as what they say.
     Refuses what is not a finite positive number."""
-    where = f"{option} {text[:40]}{'...' if len(text) > 40 else ''}"
+    told = text if text.strip() else f'"{text}"'
+    where = f"{option} {told[:40]}{'...' if len(told) > 40 else ''}"
     mend = "give a positive number, for example 1, 7/5, 0.25 or 541/186"
     if len(text) > LONGEST_SCALE:
         raise Refusal(f"the scale has more than {LONGEST_SCALE} characters", where, mend, "limit")
