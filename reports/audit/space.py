@@ -1,0 +1,203 @@
+"""Facets and edges of a convolution in space, and what they have in common at one scale: exact,
+in plain Python. Nothing of the oracle is used for it."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import pairwise
+
+from minkref.fuzz.judges import paper_space
+
+Vector = tuple[Fraction, Fraction, Fraction]
+Whole = tuple[int, int, int]
+
+
+def vector(numbers: Sequence[int | Fraction]) -> Vector:
+    x, y, z = map(Fraction, numbers)
+    return x, y, z
+
+
+def minus(a: Vector, b: Vector) -> Vector:
+    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
+
+
+def dot(a: Vector, b: Vector) -> Fraction:
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def cross(a: Vector, b: Vector) -> Vector:
+    return (
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    )
+
+
+def determinant(a: Vector, b: Vector, c: Vector) -> Fraction:
+    return dot(cross(a, b), c)
+
+
+@dataclass(frozen=True)
+class Vertex:
+    """s p + q."""
+
+    p: Vector
+    q: Vector
+
+    def at(self, s: Fraction) -> Vector:
+        return (
+            s * self.p[0] + self.q[0],
+            s * self.p[1] + self.q[1],
+            s * self.p[2] + self.q[2],
+        )
+
+    @property
+    def numbers(self) -> paper_space.Vertex:
+        return self.p, self.q
+
+
+@dataclass(frozen=True)
+class Edge:
+    """An S-edge, a T-edge, or (D) a diagonal of an ee-facet."""
+
+    kind: str
+    start: Vertex
+    end: Vertex
+
+    def at(self, s: Fraction) -> tuple[Vector, Vector]:
+        return self.start.at(s), self.end.at(s)
+
+    @property
+    def direction(self) -> Vector:
+        """Of the parent of an S- or T-edge."""
+        if self.kind == "S":
+            return minus(self.end.p, self.start.p)
+        return minus(self.end.q, self.start.q)
+
+    @property
+    def numbers(self) -> paper_space.Edge:
+        return self.kind, self.start.numbers, self.end.numbers
+
+
+@dataclass(frozen=True)
+class Facet:
+    """fv: a facet of P at a vertex of Q; vf: the other way round; ee: the parallelogram of two
+    edges. Convex."""
+
+    kind: str
+    P: tuple[Vector, ...]
+    Q: tuple[Vector, ...]
+
+    @property
+    def vertices(self) -> list[Vertex]:
+        """In order around it."""
+        if self.kind == "ee":
+            (a, b), (c, d) = self.P, self.Q
+            return [Vertex(a, c), Vertex(b, c), Vertex(b, d), Vertex(a, d)]
+        return [Vertex(p, q) for p in self.P for q in self.Q]
+
+    @property
+    def edges(self) -> list[Edge]:
+        around = self.vertices
+        return [Edge("S" if a.q == b.q else "T", a, b) for a, b in pairwise([*around, around[0]])]
+
+    def corners(self, s: Fraction) -> list[Vector]:
+        return [vertex.at(s) for vertex in self.vertices]
+
+    @property
+    def normal(self) -> Vector:
+        """The same at all scales, but for its length."""
+        return normal(self.corners(Fraction(1)))
+
+    @property
+    def numbers(self) -> paper_space.Facet:
+        return self.kind, self.P, self.Q
+
+
+def facet(kind: str, P: Sequence[Whole], Q: Sequence[Whole]) -> Facet:
+    return Facet(kind, tuple(map(vector, P)), tuple(map(vector, Q)))
+
+
+def s_edge(p0: Whole, p1: Whole, q: Whole) -> Edge:
+    return Edge("S", Vertex(vector(p0), vector(q)), Vertex(vector(p1), vector(q)))
+
+
+def t_edge(q0: Whole, q1: Whole, p: Whole) -> Edge:
+    return Edge("T", Vertex(vector(p), vector(q0)), Vertex(vector(p), vector(q1)))
+
+
+def normal(corners: Sequence[Vector]) -> Vector:
+    a, b, c = corners[:3]
+    return cross(minus(b, a), minus(c, a))
+
+
+def in_polygon(x: Vector, corners: Sequence[Vector]) -> bool:
+    """Of a point in the plane of a convex polygon."""
+    n = normal(corners)
+    around = pairwise([*corners, corners[0]])
+    return all(dot(n, cross(minus(b, a), minus(x, a))) >= 0 for a, b in around)
+
+
+def segments_meet(a: Vector, b: Vector, c: Vector, d: Vector) -> bool:
+    u, v, w = minus(b, a), minus(d, c), minus(c, a)
+    n = cross(u, v)
+    if any(n):
+        t, r = dot(cross(w, v), n), dot(cross(w, u), n)
+        return dot(n, w) == 0 and 0 <= t <= dot(n, n) and 0 <= r <= dot(n, n)
+    if any(cross(u, w)):
+        return False
+    ends = sorted((dot(u, w), dot(u, minus(d, a))))
+    return ends[0] <= dot(u, u) and ends[1] >= 0
+
+
+def segment_meets(a: Vector, b: Vector, corners: Sequence[Vector]) -> bool:
+    """A segment and a convex polygon."""
+    n = normal(corners)
+    below, above = dot(n, minus(a, corners[0])), dot(n, minus(b, corners[0]))
+    if below == above == 0:
+        return in_polygon(a, corners) or any(
+            segments_meet(a, b, c, d) for c, d in pairwise([*corners, corners[0]])
+        )
+    if below * above > 0:
+        return False
+    t = below / (below - above)
+    d = minus(b, a)
+    return in_polygon((a[0] + t * d[0], a[1] + t * d[1], a[2] + t * d[2]), corners)
+
+
+def polygons_meet(a: Sequence[Vector], b: Sequence[Vector]) -> bool:
+    """Convex ones: where they do, an edge of one meets the other."""
+    return any(
+        segment_meets(x, y, other)
+        for one, other in ((a, b), (b, a))
+        for x, y in pairwise([*one, one[0]])
+    )
+
+
+def drawn(dice: random.Random, kind: str, size: int) -> Facet:
+    """A triangle or a parallelogram with small integers, with an area."""
+    cut = {"fv": 3, "vf": 1, "ee": 2}[kind]
+    while True:
+        points = [vector([dice.randint(-size, size) for _ in "xyz"]) for _ in range(4)]
+        found = Facet(kind, tuple(points[:cut]), tuple(points[cut:]))
+        if any(found.normal):
+            return found
+
+
+def events_of_facets(a: Facet, b: Facet) -> dict[str, list[Fraction]]:
+    """All vertex events and edge events of a pair, by the symbolic oracle: scales at which a vertex
+    of one is on the other, and those at which two edges start or stop to meet."""
+    found: dict[str, list[Fraction]] = {"vertex": [], "edge": []}
+    for one, other in ((a, b), (b, a)):
+        for vertex in one.vertices:
+            _, s, meet = paper_space.vertex_event(other.numbers, vertex.numbers)
+            if s is not None and s > 0 and meet:
+                found["vertex"].append(s)
+    for x in a.edges:
+        for y in b.edges:
+            bounds = paper_space.edge_contact(x.numbers, y.numbers)
+            found["edge"] += [s for s in bounds or () if s is not None]
+    return found
