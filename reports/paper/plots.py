@@ -33,4 +33,5 @@ def _svg(figure: Figure) -> str:
     """An element to be put into a page, the same bytes for the same data."""
     buffer = io.StringIO()
     figure.savefig(buffer, format="svg", metadata={"Date": None})
-    return re.sub(r"^.*?(?=<svg)", "", buffer.getvalue(), count=1, flags=re.DOTALL)
+    without_head = re.sub(r"^.*?(?=<svg)", "", buffer.getvalue(), count=1, flags=re.DOTALL)
+    return re.sub(r"<metadata>.*?</metadata>", "", without_head, flags=re.DOTALL)
