@@ -74,6 +74,11 @@ class Facts:
         return Vertices(places(self.P), places(self.Q))
 
     @cached_property
+    def coordinates(self) -> list[Fraction]:
+        """Of all vertices of both operands."""
+        return [c for place in (*self.vertices.P, *self.vertices.Q) for c in place]
+
+    @cached_property
     def arrangement(self) -> list[dict[str, Any]]:
         """The pair, parallel and triple events at the scale."""
         events = _core.ArrangementEvents(self.P, self.Q, self.text, self.text)

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import hashlib
 import json
-import os
-from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TypedDict
@@ -15,8 +13,8 @@ from minkref.degeneracies.draft import Family
 from minkref.degeneracies.found import Story
 from minkref.degeneracies.invalid.catalogue import invalid_member
 from minkref.degeneracies.invalid.member import InvalidFamily
-from minkref.documents import check_writable, replacing
-from minkref.errors import Refusal
+from minkref.documents import replacing
+from minkref.output_folder import make_folder
 
 
 class FileRow(TypedDict):
@@ -101,49 +99,7 @@ def write_found(story: Story, folder: Path) -> FileRow:
     return _made(Degenerate(story, story.facts, story.value["source"]), 0).write(folder)
 
 
-def write_invalid(family: InvalidFamily, seed: int, index: int, folder: Path) -> FileRow:
-    """FOLDER/FAMILY/ID.EXT and FOLDER/FAMILY/ID.refusal.json."""
-    return made_invalid(family, seed, index).write(folder)
-
-
 def _made(made: Degenerate, index: int) -> Made:
     case = f"{made.id}.json", made.case_text.encode()
     certificate = f"{made.id}.cert.json", made.certificate_text.encode()
     return Made(made.subject.name, index, made.id, case, certificate)
-
-
-def folder_to_write(name: str, inside: Iterable[str] = ()) -> Path:
-    """The folder that -o names. Refuses one in which no file can be made, or not in the folders
-    `inside` it, before any work is done; makes none."""
-    if not name:
-        raise Refusal("the name of the folder is empty", "-o ''", "name one; . is where you are")
-    folder = Path(name)
-    for path in (folder, *(folder / each for each in inside)):
-        try:
-            _check_folder(path)
-        except OSError as error:
-            raise _cannot_make(path, error) from error
-    return folder
-
-
-def _check_folder(path: Path) -> None:
-    """Of those that it is in, the nearest that is there is where it will be made."""
-    for each in (path, *path.absolute().parents):
-        if each.is_dir():
-            check_writable(each / "ID.json")
-            return
-        if os.path.lexists(each):
-            mend = "name another folder, or take this out of the way"
-            raise Refusal("this is not a folder", str(each), mend, "cannot-write")
-
-
-def make_folder(folder: Path) -> None:
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise _cannot_make(folder, error) from error
-
-
-def _cannot_make(folder: Path, error: OSError) -> Refusal:
-    what = f"the folder cannot be made: {error.strerror}"
-    return Refusal(what, str(folder), "choose another place", "cannot-write")

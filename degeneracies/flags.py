@@ -94,17 +94,13 @@ def _directions(facts: Facts, side: int) -> set[Fraction | None]:
     return found
 
 
-def _coordinates(facts: Facts) -> set[Fraction]:
-    return {c for place in (*facts.vertices.P, *facts.vertices.Q) for c in place}
-
-
 def _at_limits(facts: Facts) -> bool:
-    sizes = {abs(c) for c in _coordinates(facts)} - {0}
+    sizes = {abs(c) for c in facts.coordinates} - {0}
     return bool(sizes & LIMITS) or max(sizes) > LARGE or min(sizes) < SMALL
 
 
 def _magnitudes(facts: Facts) -> bool:
-    sizes = {abs(c) for c in (*_coordinates(facts), facts.scale)} - {0}
+    sizes = {abs(c) for c in (*facts.coordinates, facts.scale)} - {0}
     return max(sizes) > APART * min(sizes)
 
 

@@ -130,7 +130,7 @@ def _ratio(facts: Facts) -> Fraction:
 def _are_doubles(facts: Facts) -> bool:
     """Below the least normal double in magnitude and one of them the least; or the largest, or the
     least normal, in both directions."""
-    values = {abs(c) for c in _coordinates(facts)}
+    values = {abs(c) for c in facts.coordinates}
     if max(values) > LARGEST_DOUBLE or any(Fraction(float(c)) != c for c in values):
         return False
     if max(values) < LEAST_NORMAL:
@@ -139,24 +139,20 @@ def _are_doubles(facts: Facts) -> bool:
 
 
 def _are_integers(facts: Facts) -> bool:
-    return all(c.denominator == 1 for c in _coordinates(facts)) and any(
+    return all(c.denominator == 1 for c in facts.coordinates) and any(
         _goes_beyond(facts, Fraction(low), Fraction(high)) for low, high in INTEGERS
     )
 
 
 def _goes_beyond(facts: Facts, low: Fraction, high: Fraction) -> bool:
     """The operands go from the one to the other exactly, the sum further both ways."""
-    values = _coordinates(facts)
+    values = facts.coordinates
     least, most = (
         [extreme(p[axis] for p in facts.vertices.P) * facts.scale
          + extreme(q[axis] for q in facts.vertices.Q) for axis in (0, 1)]
         for extreme in (min, max)
     )  # fmt: skip
     return (min(values), max(values)) == (low, high) and min(least) < low and max(most) > high
-
-
-def _coordinates(facts: Facts) -> list[Fraction]:
-    return [c for point in (*facts.vertices.P, *facts.vertices.Q) for c in point]
 
 
 FAMILIES = (
@@ -170,7 +166,7 @@ FAMILIES = (
         "large-translation",
         "operands far from the origin",
         _far,
-        _is(lambda facts: min(map(abs, _coordinates(facts))) > 10**11),
+        _is(lambda facts: min(map(abs, facts.coordinates)) > 10**11),
     ),
     Family(
         "limits-of-float64",

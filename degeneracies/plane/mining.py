@@ -8,8 +8,6 @@ from random import Random
 from typing import Any
 
 from minkref import _core
-from minkref.certify.case_text import ring_numbers
-from minkref.certify.coincidence import ends_of
 from minkref.degeneracies.draft import Draft, Facts, NothingDrawn
 from minkref.degeneracies.shapes import changed, number
 from minkref.fuzz.families.drawing import Shape, box, convex, shape_text
@@ -69,19 +67,11 @@ def upright_pair(dice: Random) -> Pair:
 
 def ends_at(facts: Facts, row: Row) -> list[int]:
     """How many of its ends each edge of an event has at the place of the event."""
-    rings = ring_numbers(facts.P), ring_numbers(facts.Q)
     place = Fraction(row["at"][0]), Fraction(row["at"][1])
-    return [
-        sum(facts.vertices.at(end, facts.scale) == place for end in ends_of(edge, rings))
-        for edge in row["edges"]
-    ]
+    return [facts.convolution.ends(edge).count(place) for edge in row["edges"]]
 
 
 def overlap_is_whole(facts: Facts, row: Row) -> bool:
     """Whether the segment that two edges share is one of them."""
-    rings = ring_numbers(facts.P), ring_numbers(facts.Q)
     shared = {tuple(map(Fraction, row[name])) for name in ("at", "to")}
-    return any(
-        {facts.vertices.at(end, facts.scale) for end in ends_of(edge, rings)} == shared
-        for edge in row["edges"]
-    )
+    return any(set(facts.convolution.ends(edge)) == shared for edge in row["edges"])

@@ -23,6 +23,8 @@ __all__ = [
     "compatible_pairs",
     "cross",
     "dot",
+    "drawn_body",
+    "drawn_scaling",
     "edge_pairs",
     "facet_pairs",
     "hull",
@@ -164,3 +166,11 @@ def random_body(dice: random.Random, count: int, size: int = 9) -> Body:
             continue
         if all(len(facet) == 3 for facet in found.facets):
             return found
+
+
+def drawn_body(dice: random.Random) -> Body:
+    return random_body(dice, dice.randint(4, 6))
+
+
+def drawn_scaling(dice: random.Random, most: int = 9) -> Whole:
+    return dice.randint(1, most), dice.randint(1, most), dice.randint(1, most)

@@ -16,8 +16,10 @@ HEAD = """# The paper on trial
 
 What *Dynamic Minkowski Sums Under Scaling* (E. Behar and J.-M. Lien, preprint of 11 August 2012)
 says, what holds, and a check behind every entry. Each check is an identity that computer algebra
-proves, an exact counterexample, or exact trials on drawn cases; none has a tolerance. `minkref
-report audit` runs them all and writes a page with the counterexamples drawn; they are also tests.
+proves, an exact counterexample, exact trials on drawn cases, or arithmetic with the printed
+numbers; none has a tolerance. Trials on drawn cases are no proof: where a statement is proved, the
+entry says how. `minkref report audit` runs all checks and writes a page with the counterexamples
+drawn; they are also tests.
 
 These pages are written by `python -m minkref.reports.audit.docs` from `reports/audit/chapters/`,
 and a test holds them to it. What is printed in the paper is told in our words and formulas.

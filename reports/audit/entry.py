@@ -39,9 +39,12 @@ class Shown:
     drawings: list[Drawing] = field(default_factory=list)
 
     def identity(self, what: str, expression: Any) -> None:
-        """An expression that is zero for all values of its symbols, by computer algebra."""
-        left = sympy.simplify(sympy.together(sympy.expand(expression)))
-        self._must(left == 0, what, f"what is left is {left}")
+        """An expression, or each of a vector, that is zero for all values of its symbols, by
+        computer algebra."""
+        parts = expression if isinstance(expression, sympy.MatrixBase) else [expression]
+        for part in parts:
+            left = sympy.simplify(sympy.together(sympy.expand(part)))
+            self._must(left == 0, what, f"what is left is {left}")
         self._add(f"{what}: the difference of both sides is zero, by computer algebra.")
 
     def equal(self, what: str, found: Any, wanted: Any) -> None:

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from fractions import Fraction
 
 from minkref import _core
 from minkref.reports.audit.edges import Edge, Interval
 from minkref.reports.audit.symbolic_edges import ends
-from minkref.reports.conformance.drawing import Layer, Segment, picture
+from minkref.reports.drawing import Layer, Segment, picture
 
 FROM, TO, STEPS = Fraction(1, 5), Fraction(4), 12
 
@@ -41,16 +40,8 @@ def sum_and_convolution(
     point: tuple[Fraction, Fraction] | None = None,
 ) -> str:
     """The sum, the edges of the reduced convolution, and perhaps a marked point."""
-    region = json.loads(_core.minkowski_sum(P, Q, scale).region.canonical_json())
-    polygons = [
-        [
-            [(float(Fraction(x)), float(Fraction(y))) for x, y in ring]
-            for ring in (p["outer"], *p["holes"])
-        ]
-        for p in region["polygons"]
-    ]
     layers = [
-        Layer("sum", polygons),
+        Layer("sum", _core.minkowski_sum(P, Q, scale).region.rings()),
         Layer("convolution", segments=_core.convolution_segments(P, Q, scale, True)),
     ]
     if point is not None:

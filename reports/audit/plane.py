@@ -8,25 +8,29 @@ import math
 import random
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from typing import Any
 
 from minkref import _core
+from minkref.degeneracies.plane.convolutions import crossing_combs
 from minkref.fuzz.families.drawing import Ring, box, shape_text
 from minkref.fuzz.families.random_pairs import random_pair
 
 __all__ = [
     "Ring",
+    "bay",
     "box",
     "combs",
     "covered",
+    "crossings",
     "operand",
     "random_operand",
+    "reduced_by_rings",
     "reduced_by_rule",
     "star",
 ]
 
 Place = tuple[Fraction, Fraction]
 Segment = tuple[Place, Place]
+Rings = list[list[Place]]
 
 
 def operand(polygon: Sequence[Ring]) -> _core.PolygonSet:
@@ -86,18 +90,18 @@ def _in_turn(d: Place, start: Place, end: Place, ends: str) -> bool:
 
 
 def _contributions(
-    edges_of: _core.PolygonSet, corners_of: _core.PolygonSet, ends: str, reflex: bool
+    edges_of: Rings, corners_of: Rings, ends: str, reflex: bool
 ) -> Iterator[tuple[Segment, int]]:
     """Edges of the one at the vertices of the other, and the sign: 1 at convex vertices, -1 at
     reflex ones, which are left out unless `reflex`."""
-    for corner_ring in rings_of(corners_of):
+    for corner_ring in corners_of:
         for k, v in enumerate(corner_ring):
             come = _minus(v, corner_ring[k - 1])
             go = _minus(corner_ring[(k + 1) % len(corner_ring)], v)
             turn = _cross(come, go)
             if turn == 0 or (turn < 0 and not reflex):
                 continue
-            for ring in rings_of(edges_of):
+            for ring in edges_of:
                 for i, a in enumerate(ring):
                     b = ring[(i + 1) % len(ring)]
                     d = _minus(b, a)
@@ -112,6 +116,13 @@ def reduced_by_rule(
 ) -> list[Segment]:
     """The edges of the convolution with given ends of turns at vertices of Q, then of P: those of
     convex vertices, then those of reflex ones if `reflex`, backwards if `signed`."""
+    return reduced_by_rings(rings_of(P), rings_of(Q), ends, reflex, signed)
+
+
+def reduced_by_rings(
+    P: Rings, Q: Rings, ends: str, reflex: bool = False, signed: bool = False
+) -> list[Segment]:
+    """The same of rings that need not run as they should."""
     found = [
         *_contributions(P, Q, ends[:2], reflex),
         *_contributions(Q, P, ends[2:], reflex),
@@ -146,13 +157,30 @@ def covered(edge: Segment, segments: list[Segment]) -> bool:
 
 def winding(P: _core.PolygonSet, Q: _core.PolygonSet, x: Place) -> int:
     """The winding number of the full convolution around a point that is on none of its segments."""
+    return crossings(reduced_by_rule(P, Q, "[)(]", reflex=True, signed=True), x)
+
+
+def crossings(segments: Sequence[Segment], x: Place) -> int:
+    """How often segments run to the left across the ray upwards from a point that is on none of
+    them, less how often to the right: for a closed cycle its winding number."""
     number = 0
-    for a, b in reduced_by_rule(P, Q, "[)(]", reflex=True, signed=True):
+    for a, b in segments:
         if (a[0] <= x[0]) != (b[0] <= x[0]):
             y = a[1] + (b[1] - a[1]) * (x[0] - a[0]) / (b[0] - a[0])
-            if y < x[1]:
-                number += 1 if b[0] > a[0] else -1
+            if y > x[1]:
+                number += 1 if b[0] < a[0] else -1
     return number
+
+
+def bay(dice: random.Random) -> _core.PolygonSet:
+    """A box with a bay whose mouth is narrower than itself. A sum with it often has a hole."""
+    w, h = dice.randint(7, 10), dice.randint(5, 9)
+    a, b, t = dice.randint(1, 2), w - dice.randint(1, 2), h - dice.randint(1, 2)
+    left = dice.randint(a + 1, b - 2)
+    right = left + 1
+    ring: Ring = [(0, 0), (w, 0), (w, h), (right, h), (right, t), (b, t), (b, 1), (a, 1), (a, t),
+            (left, t), (left, h), (0, h)]  # fmt: skip
+    return operand([ring])
 
 
 def star(n: int, phase: int) -> _core.PolygonSet:
@@ -166,23 +194,9 @@ def star(n: int, phase: int) -> _core.PolygonSet:
 
 
 def combs(m: int, n: int) -> tuple[_core.PolygonSet, _core.PolygonSet]:
-    """P: a comb of m level teeth, and m squares in a row far off. Q: n squares, one above the
-    other, and a comb of n upright teeth far off to the other side."""
-    length, thick, far = 3 * m * n, Fraction(1, 3), 100 * m * n
-
-    def teeth(count: int, step: int) -> Ring:
-        ring: Ring = [(0, -1), ((count - 1) * step + thick, -1)]
-        for k in reversed(range(count)):
-            ring += [(k * step + thick, length), (k * step, length)]
-            ring += [(k * step, 0), ((k - 1) * step + thick, 0)] if k else []
-        return ring
-
-    level: Ring = [(y, x) for x, y in teeth(m, 2)][::-1]
-    row = [[box(far + 2 * k, 0, thick, thick)] for k in range(m)]
-    column = [[box(0, 2 * m * k, thick, thick)] for k in range(n)]
-    upright: Ring = [(x - far, y) for x, y in teeth(n, 2 * m)]
-    texts: list[Any] = [shape_text([[level], *row]), shape_text([*column, [upright]])]
-    return _core.PolygonSet.from_json(texts[0]), _core.PolygonSet.from_json(texts[1])
+    """Operands of 8 (m + n) vertices whose sum has of the order of m^2 n^2 holes."""
+    P, Q = (shape_text(shape) for shape in crossing_combs(m, n, Fraction(1, 3), 0))
+    return _core.PolygonSet.from_json(P), _core.PolygonSet.from_json(Q)
 
 
 def regular(n: int, phase: float) -> _core.PolygonSet:

@@ -11,7 +11,7 @@ from minkref import _core
 from minkref.fuzz.judges.paper_disc import Corner, Vertex
 from minkref.reports.audit.disc import along, corner, sides
 from minkref.reports.audit.plane import Place, rings_of
-from minkref.reports.conformance.drawing import Box, Layer, Segment, picture
+from minkref.reports.drawing import Box, Layer, Segment, picture
 
 STEP = 0.06  # of an arc, in radians
 Disc = tuple[float, float, float]  # centre, radius

@@ -8,8 +8,8 @@ from itertools import pairwise
 
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.reports.audit.space import Vector
-from minkref.reports.conformance.drawing import Layer, Segment, picture
 from minkref.reports.conformance.solid_drawing import projected, solid_layers, wire_layer
+from minkref.reports.drawing import Layer, Segment, picture
 
 WIDTH = 300
 Lines = Iterable[tuple[Vector, Vector]]

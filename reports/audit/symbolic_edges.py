@@ -39,10 +39,6 @@ def cross(u: Any, v: Any) -> Any:
     return u[0] * v[1] - u[1] * v[0]
 
 
-def direction(edge: SymbolicEdge) -> Any:
-    return edge.d
-
-
 def moving(a: SymbolicEdge, b: SymbolicEdge, s: Any) -> tuple[Any, Any]:
     """Where the lines cross at the scale s, and the parameter of that place on a."""
     v, w, u = a.span(s), b.span(s), a.start(s) - b.start(s)

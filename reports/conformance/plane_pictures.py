@@ -12,7 +12,7 @@ from minkref import _core
 from minkref.exact import approximate
 from minkref.fuzz.verdicts.region import minus
 from minkref.fuzz.verdicts.verdict import Outcome, Witness
-from minkref.reports.conformance.drawing import Box, Layer, Polygons, bounds, picture
+from minkref.reports.drawing import Box, Layer, Polygons, bounds, picture
 
 CLOSE = 0.12  # of the frame: a difference less wide and less high is drawn by itself too
 

@@ -8,7 +8,7 @@ from minkref import _core
 from minkref.fuzz.cases.case import CaseName
 from minkref.fuzz.cases.case_list import REAL_PAIRS
 from minkref.model_catalogue import all_models, or_look_alike
-from minkref.reports.conformance.drawing import Layer, picture
+from minkref.reports.drawing import Layer, picture
 
 
 @dataclass(frozen=True)

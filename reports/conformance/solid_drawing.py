@@ -6,7 +6,7 @@ import math
 
 from minkref.exact import approximate
 from minkref.fuzz.space.polyhedron import Polyhedron
-from minkref.reports.conformance.drawing import Layer, Segment
+from minkref.reports.drawing import Layer, Segment
 
 MOST_FACES = 1500
 _COS = math.sqrt(3) / 2

@@ -8,7 +8,6 @@ from minkref.fuzz.cases.space_case import SpaceCase
 from minkref.fuzz.run.worker import CaseResult
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.verdicts.verdict import Outcome
-from minkref.reports.conformance.drawing import Layer, bounds, picture
 from minkref.reports.conformance.plane_pictures import Picture
 from minkref.reports.conformance.solid_drawing import (
     place_of,
@@ -17,6 +16,7 @@ from minkref.reports.conformance.solid_drawing import (
     wire_layer,
 )
 from minkref.reports.conformance.space_argument import scale_of
+from minkref.reports.drawing import Layer, bounds, picture
 
 
 def expected_in_space(case: CaseResult) -> Polyhedron | None:

@@ -13,12 +13,12 @@ import jsonschema
 from minkref import _core
 from minkref.degeneracies import found, lint
 from minkref.degeneracies.catalogue import FAMILIES
-from minkref.degeneracies.files import make_folder
 from minkref.degeneracies.flags import explained
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, invalid_member
 from minkref.documents import check_writable, write_atomically
 from minkref.errors import Refusal, cut, message_of
 from minkref.operand import read_operand
+from minkref.output_folder import make_folder
 from minkref.reports.degeneracies.pictures import Drawn, case_pictures
 from minkref.reports.pages import environment
 from minkref.terminal import shown

@@ -13,7 +13,7 @@ from fractions import Fraction
 from typing import Any
 
 from minkref import _core
-from minkref.reports.conformance.drawing import Layer, picture
+from minkref.reports.drawing import Layer, picture
 
 Rings = list[list[list[tuple[Fraction, Fraction]]]]  # by polygon
 Frame = tuple[Fraction, Fraction, Fraction]  # left, bottom, the longer side

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-import json
-from fractions import Fraction
-
 from minkref import _core
 from minkref.operand import read_operand
 from minkref.reports.bench.pairs import Pair
-from minkref.reports.conformance.drawing import Layer, picture
+from minkref.reports.drawing import Layer, picture
 from minkref.reports.paper.entry import Picture
 
 # Fig. 2: small polygons of which one is reflex, as in the paper's figure.
@@ -32,12 +29,12 @@ def figure_1(pair: Pair) -> list[Picture]:
 
 def figure_2() -> list[Picture]:
     P, Q = (_core.PolygonSet.from_json(text) for text in FIGURE_2)
-    shapes = [Layer("first", _rings(P)), Layer("second", _rings(Q.translated("6", "0")))]
+    shapes = [Layer("first", P.rings()), Layer("second", Q.translated("6", "0").rings())]
     found = [Picture("P and Q", picture(shapes, "P and Q", 300))]
     for reduced, what in ((False, "convolution"), (True, "reduced convolution")):
         segments = _core.convolution_segments(P, Q, "1", reduced)
         layers = [
-            Layer("sum", _rings(_core.minkowski_sum(P, Q, "1").region)),
+            Layer("sum", _core.minkowski_sum(P, Q, "1").region.rings()),
             Layer("first-edge", segments=segments),
         ]
         found.append(Picture(f"{what}: {len(segments)} edges", picture(layers, what, 300)))
@@ -49,7 +46,7 @@ def figure_6() -> list[Picture]:
     found = []
     for name in ("g1", "g2", "g3", "g4", "dog145"):
         operand = read_operand(name).set
-        svg = picture([Layer("first", _rings(operand))], name, 180)
+        svg = picture([Layer("first", operand.rings())], name, 180)
         found.append(Picture(f"{name} ({operand.vertices})", svg))
     return found
 
@@ -57,30 +54,20 @@ def figure_6() -> list[Picture]:
 def figure_7_inputs(pair: Pair) -> list[Picture]:
     return [
         Picture(f"{one.name} ({one.set.vertices})",
-                picture([Layer("first", _rings(one.set))], one.name, 300))
+                picture([Layer("first", one.set.rings())], one.name, 300))
         for one in (pair.P, pair.Q)
     ]  # fmt: skip
 
 
 def _operands(pair: Pair) -> str:
-    layers = [Layer("second", _rings(pair.Q.set)), Layer("first", _rings(pair.P.set))]
+    layers = [Layer("second", pair.Q.set.rings()), Layer("first", pair.P.set.rings())]
     return picture(layers, "the operands", 300)
 
 
 def _sum(region: _core.PolygonSet) -> str:
-    return picture([Layer("sum", _rings(region))], "the sum", 300)
+    return picture([Layer("sum", region.rings())], "the sum", 300)
 
 
 def _edges(pair: Pair, scale: str, reduced: bool) -> str:
     segments = _core.convolution_segments(pair.P.set, pair.Q.set, scale, reduced)
     return picture([Layer("convolution", segments=segments)], "the convolution", 300)
-
-
-def _rings(value: _core.PolygonSet) -> list[list[list[tuple[float, float]]]]:
-    return [
-        [
-            [(float(Fraction(x)), float(Fraction(y))) for x, y in ring]
-            for ring in (polygon["outer"], *polygon["holes"])
-        ]
-        for polygon in json.loads(value.to_json())["polygons"]
-    ]

@@ -48,7 +48,7 @@ MISUSES = [
     (["verify", "--jobs", "0"], "too small"),
     (["verify", "--call-memory", "99999999999999"], "too large"),
     (["verify", "--case", "random:\u0663:1"], "names no generated case"),
-    (["verify", "--report", "/dev/null"], "needs a folder"),
+    (["verify", "--report", "/dev/null"], "not a folder"),
     (["sum", "g1", "g2", "-o", "/proc/sum.wkt"], "no file can be made"),
     (["verify", "--seconds", "nan"], "too small"),
     (["verify", "--call-seconds", "0"], "out of range"),

@@ -22,12 +22,13 @@ from rich.table import Table
 from minkref import _core
 from minkref.commands.verify_limits import MOST_JOBS
 from minkref.degeneracies.catalogue import FAMILIES
-from minkref.degeneracies.files import FileRow, Made, folder_to_write, made_invalid, made_member
+from minkref.degeneracies.files import FileRow, Made, made_invalid, made_member
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES
 from minkref.documents import Stopwatch, document, listing
 from minkref.errors import Refusal, refusal_of
 from minkref.fuzz.run import child
 from minkref.options import Json, Schema
+from minkref.output_folder import folder_to_write
 from minkref.progress import progress
 from minkref.signals import ending_in_order
 from minkref.terminal import console, counted, shown

@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
+from importlib import import_module
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
 from minkref.degeneracies import lint
-from minkref.degeneracies.files import folder_to_write
 from minkref.documents import Stopwatch, as_text, document
 from minkref.errors import Refusal
 from minkref.exits import ExitCode
 from minkref.options import Json, Schema
+from minkref.output_folder import folder_to_write
 from minkref.progress import progress
 from minkref.reports.degeneracies.page import write_report
 from minkref.signals import ending_in_order
@@ -98,7 +98,7 @@ def command(
 
 
 def _audit(folder: Path, quick: bool) -> tuple[Path, list[dict[str, Any]]]:
-    page, catalogue = _needing(lambda: _imported("audit.page", "audit.catalogue"))
+    page, catalogue = _imported("audit.page", "audit.catalogue")
     with progress(len(catalogue.ENTRIES)) as line:
         outcomes = page.write_audit(folder, quick, line.now, line.done)
     failed = [{"entry": o.entry.name, "failure": o.failure} for o in outcomes if o.failure]
@@ -106,7 +106,7 @@ def _audit(folder: Path, quick: bool) -> tuple[Path, list[dict[str, Any]]]:
 
 
 def _paper(folder: Path, quick: bool, seed: int) -> Path:
-    page, made = _needing(lambda: _imported("paper.page", "paper.entries"))
+    page, made = _imported("paper.page", "paper.entries")
     with progress(made.steps(quick)) as line:
         front: Path = page.write_paper(folder, quick, seed, line.now, line.done)
     return front
@@ -122,16 +122,10 @@ def _degeneracies(folder: Path, cases: Path) -> Path:
         return write_report(folder, cases, reading)
 
 
-def _imported(*names: str) -> tuple[Any, ...]:
-    """Modules of `reports/`, which take a second and packages of their own."""
-    from importlib import import_module
-
-    return tuple(import_module(f"minkref.reports.{name}") for name in names)
-
-
-def _needing(load: Callable[[], tuple[Any, ...]]) -> tuple[Any, ...]:
+def _imported(*names: str) -> list[Any]:
+    """Modules of `reports/`, which take a second, and packages that other commands do not need."""
     try:
-        return load()
+        return [import_module(f"minkref.reports.{name}") for name in names]
     except ModuleNotFoundError as error:
         mend = f"install {PACKAGES}: pip install 'minkref[reports]'"
         raise Refusal("a package is missing", str(error.name), mend, "missing-package") from error

@@ -11,7 +11,7 @@ from typing import Annotated
 import typer
 
 from minkref.commands.verify_cases import case_list
-from minkref.commands.verify_limits import check_numbers, make_folder
+from minkref.commands.verify_limits import check_numbers
 from minkref.commands.verify_output import ProgressLine, document_of, print_tables
 from minkref.documents import Stopwatch, as_text, check_writable, write_atomically
 from minkref.errors import refusal_text
@@ -25,6 +25,7 @@ from minkref.fuzz.targets.catalogue import select
 from minkref.fuzz.targets.declared import declarations_of
 from minkref.fuzz.verdicts.baseline import Baseline, read_baseline
 from minkref.options import Json, Schema
+from minkref.output_folder import make_folder
 from minkref.reports.conformance.again import command_line
 from minkref.reports.conformance.junit import junit
 from minkref.reports.conformance.lines import json_lines

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 from minkref.errors import Refusal
 
 MOST_JOBS = 1024
@@ -35,18 +33,3 @@ def check_numbers(
         raise Refusal(
             f"{call_seconds} is out of range", "--call-seconds", "give 0 to 86400 seconds"
         )
-
-
-def make_folder(folder: Path) -> None:
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except FileExistsError as error:
-        raise Refusal(
-            "this is a file, and the report needs a folder",
-            str(folder),
-            "name a folder that exists or is to be made",
-        ) from error
-    except OSError as error:
-        raise Refusal(
-            f"the folder cannot be made: {error.strerror}", str(folder), "choose another place"
-        ) from error

@@ -12,7 +12,7 @@ from minkref.fuzz.judges.paper_disc import circles, ring_touches
 from minkref.fuzz.judges.small_operands import star
 from minkref.reports.audit.disc import corner, crossing, exact, reflex_pairs, squared_distance
 from minkref.reports.audit.edges import Edge, Interval, answers, written
-from minkref.reports.audit.entry import Chapter, Shown, Status
+from minkref.reports.audit.entry import Chapter, CheckFailed, Shown, Status, text
 from minkref.reports.audit.paths import (
     concurrencies,
     contacts,
@@ -96,17 +96,19 @@ def _obstacle_in_the_way(ring: list[Place]) -> tuple[Fraction, _core.PolygonSet]
 @CHAPTER.entry(
     "largest-valid-scale",
     "The largest scale for which a path is valid",
-    place="Section 8.1",
+    place="Sections 1 and 8.1",
     status=Status.CONDITION,
-    printed=r"""For a robot of uncertain size on a given path, the question is what the largest
-    scale is for which the path is valid; the answer is the scale of the first contact.""",
+    printed=r"""For a robot of a given size on a given path, the question is what the largest scale
+    is for which the path is valid (in Section 1: the largest and the smallest); the answer is the
+    scale of the first contact.""",
     right=r"""The valid scales are those at which no place of the path is a sum of inner points of
-    $O$ and of $-s R$. They are an interval that begins at 0, for every path and obstacle, if and
-    only if $R$ is star-shaped about its reference point, about which it is scaled. Then $s' R
-    \subseteq s R$ for $s' < s$. Otherwise some $\lambda p$ is outside $R$ for a $p \in R$ and
-    $0 < \lambda < 1$, and a small obstacle there is met at the scale $\lambda$ and not at 1. The
-    valid scales are then a union of intervals, all of which have to be told; there may be no
-    largest one.""",
+    $O$ and of $-s R$. For every path and obstacle they are an interval that begins at 0, or none,
+    if and only if $R$ is star-shaped about its reference point, about which it is scaled. Then $s'
+    R \subseteq s R$ for $s' < s$. Otherwise some $\lambda p$ is outside $R$ for a $p \in R$ and $0
+    < \lambda < 1$, and a small obstacle there is met at the scale $\lambda$ and not at 1. The valid
+    scales are then a union of intervals, all of which have to be told: the first contact above the
+    given size ends one of them, beyond which there may be others, and there may be no largest
+    scale.""",
     code=("reports/audit/paths.py",),
 )  # fmt: skip
 def _(shown: Shown) -> None:
@@ -129,7 +131,7 @@ def _(shown: Shown) -> None:
         ends = [(dice.randint(-9, 9), dice.randint(-9, 9)) for _ in range(2 if k % 3 == 0 else 1)]
         found = valid_scales(robot, obstacle, _places(*ends))
         if len(found) > 1 or any(x is not None and x[0] is not None for x in found):
-            raise AssertionError((ring, obstacle.to_json(), ends, found))
+            raise CheckFailed(text((ring, obstacle.to_json(), ends, found)))
         bounded += any(x is not None and x[1] is not None for x in found)
     shown.true(f"18 random robots that are star-shaped: one interval from 0, or none ({bounded} "
                "have an end)", bounded > 6)  # fmt: skip
@@ -146,7 +148,7 @@ def _(shown: Shown) -> None:
             "overlapping",
             "empty",
         ]:
-            raise AssertionError((ring, obstacle.to_json(), factor))
+            raise CheckFailed(text((ring, obstacle.to_json(), factor)))
         refuted += 1
     shown.tell(f"{refuted} random robots that are not: for each an obstacle that is not met at a "
                "small scale, is met at a greater one, and not at a still greater one.")  # fmt: skip
@@ -234,7 +236,7 @@ def _(shown: Shown) -> None:
             continue
         told = answers(step, edge_2)
         if told.corrected != told.symbolic:
-            raise AssertionError((step, edge_2, told))
+            raise CheckFailed(text((step, edge_2, told)))
         compared += 1
         meeting += told.corrected is not None
     shown.true(f"{compared} random steps and edges, {meeting} of which meet: the code has the "
@@ -250,13 +252,13 @@ def _(shown: Shown) -> None:
         bounds = [x for interval in found for x in interval or () if x is not None]
         ends += len(bounds)
         if not known.issuperset(bounds):
-            raise AssertionError((robot.to_json(), obstacle.to_json(), path, found))
+            raise CheckFailed(text((robot.to_json(), obstacle.to_json(), path, found)))
         edges = moving_edges(robot, obstacle)
         triples = sorted(concurrencies(edges, path[0], path[1]))
         for scale in dice.sample(triples, min(len(triples), 15)):
             probes += 1
             if is_valid(robot, obstacle, edges, path, scale) != _in_one(scale, found):
-                raise AssertionError((robot.to_json(), obstacle.to_json(), path, scale))
+                raise CheckFailed(text((robot.to_json(), obstacle.to_json(), path, scale)))
     shown.true(f"{ends} ends of intervals of valid scales: each is a scale of contact", ends > 4)
     shown.true(f"{probes} scales at which two edges and the path pass through one point: valid as "
                "those around them", probes > 50)  # fmt: skip
@@ -300,9 +302,10 @@ def _(shown: Shown) -> None:
     printed=r"""The smallest scale at which an assembly traps a part is found by giving one escape
     path and computing the largest scale for which it is valid.""",
     right=r"""One path gives a lower bound: the part escapes at that scale. The smallest trapping
-    scale is the supremum over all paths, and equal to the bound only if the path is a widest one.
-    It is where the place of the part comes to lie in a bounded component of the complement of $O
-    \oplus (-s R)$, that is, where a hole of the sum is born around it: a topology event.""",
+    scale, of a part that is star-shaped about its reference point, is the supremum over all paths,
+    and equal to the bound only if the path is a widest one. It is where the place of the part comes
+    to lie in a bounded component of the complement of $O \oplus (-s R)$, that is, where a hole of
+    the sum is born around it: a topology event.""",
     code=("reference/plane/dynamic/topology_timeline.hpp", "reports/audit/paths.py"),
 )
 def _(shown: Shown) -> None:
@@ -428,13 +431,15 @@ def _bridges_of_pocket(t: Fraction) -> int:
     "Persistence is not the length of Voronoi segments",
     place="Section 8.2",
     status=Status.FALSE,
-    printed=r"""The persistence of bridges, their life in $\alpha$, amounts to the length of
-    segments of the Voronoi diagram of the exterior.""",
+    printed=r"""The intersections trace out the Voronoi diagram of the exterior; thus the analysis
+    of the persistence of bridges, their life in $\alpha$, corresponds to measuring the length of
+    its segments.""",
     right=r"""It is the change of clearance along the segment, $\Delta \alpha = 2 \Delta \rho$.
     Since the clearance $\rho$ changes by no more than the way, a life is at most twice the length,
-    and may be anything below it. Between two vertices at the distance $D$, $\rho = \sqrt{h^2 +
-    D^2/4}$ at the height $h$ above the middle; between parallel walls $\rho$ is constant; between
-    walls at the angle $2 \theta$ it is $\sin \theta$ times the distance from their corner.""",
+    and may be less, down to nothing: the one does not tell the other. Between two vertices at the
+    distance $D$, $\rho = \sqrt{h^2 + D^2/4}$ at the height $h$ above the middle; between parallel
+    walls $\rho$ is constant; between walls at the angle $2 \theta$ it is $\sin \theta$ times the
+    distance from their corner.""",
     code=("oracle/symbolic/disc_contact.py",),
 )
 def _(shown: Shown) -> None:
@@ -454,12 +459,14 @@ def _(shown: Shown) -> None:
     low, high = (_clearance(Fraction(8) - x) for x in (Fraction(0), Fraction(3)))
     shown.equal("the bridge between the tips of the pocket: radii of its discs at $h = 0$ and $h = "
                 "3$", (low, high), (4, 5))  # fmt: skip
-    shown.different("its life in alpha", Fraction(3), 2 * (high - low))
+    shown.different("its life in alpha, which is not the length of the segment", Fraction(3 - 0),
+                    2 * (high - low))  # fmt: skip
     slot = [(0, 0), (12, 0), (12, 6), (8, 6), (8, 2), (4, 2), (4, 6), (0, 6)]
     radii = {squared_distance((Fraction(6), Fraction(y)), slot) for y in (4, 5, 6)}
     shown.equal("squared radii on the Voronoi segment of a slot from $(6, 4)$ to $(6, 6)$",
                 sorted(radii), [4])  # fmt: skip
-    shown.different("the life of a bridge of the slot", Fraction(2), Fraction(0))
+    shown.different("the life of a bridge of the slot", 6 - 4,
+                    2 * (_root(max(radii)) - _root(min(radii))))  # fmt: skip
     theta, way = sp.symbols("theta l", positive=True)
     place = sp.Matrix([way, 0])
     normal = sp.Matrix([-sp.sin(theta), sp.cos(theta)])
@@ -469,12 +476,18 @@ def _(shown: Shown) -> None:
     squares = [squared_distance((Fraction(x), Fraction(0)), wedge) for x in (0, 5)]
     shown.equal(r"a corner with $\sin \theta = 3/5$: squared radii at the ways 0 and 5", squares,
                 [0, 9])  # fmt: skip
-    shown.different("the life of that bridge over this way", Fraction(5), Fraction(6))
+    shown.different("the life of that bridge over this way", 5 - 0,
+                    2 * (_root(squares[1]) - _root(squares[0])))  # fmt: skip
 
 
 def _clearance(y: Fraction) -> Fraction:
-    """Of $(0, y)$ in the pocket; the root is rational where it is asked for."""
-    root = sp.sqrt(sp.Rational(*squared_distance((Fraction(0), y), POCKET).as_integer_ratio()))
+    """Of $(0, y)$ in the pocket."""
+    return _root(squared_distance((Fraction(0), y), POCKET))
+
+
+def _root(square: Fraction) -> Fraction:
+    """Rational where it is asked for."""
+    root = sp.sqrt(sp.Rational(*square.as_integer_ratio()))
     return Fraction(int(root.p), int(root.q))
 
 
@@ -487,10 +500,11 @@ def _clearance(y: Fraction) -> Fraction:
     edges of the convex hull.""",
     right=r"""So it is in the limit. Below the least event the only curves that cross are the two
     offset edges at a reflex vertex, at $v + s r (n_1 + n_2) / (1 + n_1 \cdot n_2)$, and the feet of
-    that disc come to $v$. For large $\alpha$ a bridge between vertices $u$ and $v$ at the distance
-    $D$, $m$ their middle and $n$ normal to it, excludes a vertex $w$ if $|w - m|^2 - D^2/4 - 2 h n
-    \cdot (w - m) \ge 0$, for all large $h$ only if $w$ is not beyond the line $u v$. What is meant
-    are the edges of the hull that are no edges of $P$.""",
+    that disc come to $v$. For large $\alpha$ let $u$ and $v$ be vertices at the distance $D$, $m$
+    their middle, and $n$ a unit vector normal to $u v$. The disc through both with the centre $m +
+    h n$ has no vertex $w$ inside if $|w - m|^2 - D^2/4 - 2 h n \cdot (w - m) \ge 0$, for all large
+    $h$ only if $w$ is not beyond the line $u v$. What is meant are the edges of the hull that are
+    no edges of $P$.""",
     code=("oracle/symbolic/disc_contact.py",),
 )  # fmt: skip
 def _(shown: Shown) -> None:

@@ -1,0 +1,53 @@
+"""A folder that a command writes its files to."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from pathlib import Path
+
+from minkref.documents import check_writable
+from minkref.errors import Refusal
+
+
+def folder_to_write(name: str, inside: Iterable[str] = ()) -> Path:
+    """The folder that -o names. Refuses one in which no file can be made, or not in the folders
+    `inside` it, before any work is done; makes none."""
+    if not name:
+        raise Refusal("the name of the folder is empty", "-o ''", "name one; . is where you are")
+    folder = Path(name)
+    for path in (folder, *(folder / each for each in inside)):
+        try:
+            _check_folder(path)
+        except OSError as error:
+            raise _cannot_make(path, error) from error
+    return folder
+
+
+def _check_folder(path: Path) -> None:
+    """Of those that it is in, the nearest that is there is where it will be made."""
+    for each in (path, *path.absolute().parents):
+        if each.is_dir():
+            check_writable(each / "ID.json")
+            return
+        if os.path.lexists(each):
+            raise _no_folder(each)
+
+
+def make_folder(folder: Path) -> None:
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except FileExistsError as error:
+        raise _no_folder(folder) from error
+    except OSError as error:
+        raise _cannot_make(folder, error) from error
+
+
+def _no_folder(path: Path) -> Refusal:
+    mend = "name another folder, or take this out of the way"
+    return Refusal("this is not a folder", str(path), mend, "cannot-write")
+
+
+def _cannot_make(folder: Path, error: OSError) -> Refusal:
+    what = f"the folder cannot be made: {error.strerror}"
+    return Refusal(what, str(folder), "choose another place", "cannot-write")
