@@ -8,7 +8,7 @@ DIGITS = Context(prec=60, rounding=ROUND_HALF_EVEN)
 
 
 def pi() -> Decimal:
-    """Machin's formula, 16 arctan 1/5 - 4 arctan 1/239, to 58 digits or more."""
+    """Machin's formula, 16 arctan 1/5 - 4 arctan 1/239, to 27 decimals."""
 
     def arctan_of_reciprocal(n: int) -> Decimal:
         total, power, k = Decimal(0), DIGITS.divide(Decimal(1), Decimal(n)), 0
@@ -22,7 +22,9 @@ def pi() -> Decimal:
 
 
 def cosine_and_sine(turns: Decimal) -> tuple[Decimal, Decimal]:
-    """cos and sin of 2 pi `turns` by their series, to 50 digits or more for |turns| <= 1."""
+    """cos and sin of 2 pi `turns` by their series, to 25 decimals for |turns| <= 1.
+
+    A change of sign rounds to the 28 digits of Decimal itself; the models hold what comes of it."""
     angle = DIGITS.multiply(DIGITS.multiply(Decimal(2), pi()), turns)
     sums, term, k = [Decimal(0), Decimal(0)], Decimal(1), 0
     while k < 2 or abs(term) > Decimal("1e-62"):

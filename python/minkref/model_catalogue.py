@@ -6,6 +6,7 @@ import json
 import os
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from minkref.errors import Refusal
 
@@ -28,6 +29,17 @@ class Model:
     about: str
 
 
+@dataclass(frozen=True)
+class SpaceModel:
+    """A convex polyhedron in OFF. No operand in the plane."""
+
+    name: str
+    path: Path
+    vertices: int
+    facets: int
+    about: str
+
+
 def shipped_folder() -> Path | None:
     """The folder `models`: package data of an installed package, or that of the checkout."""
     here = Path(__file__).resolve()
@@ -38,14 +50,26 @@ def shipped_folder() -> Path | None:
 
 
 def shipped_models() -> list[Model]:
+    return [
+        Model(entry["name"], path, "shipped", entry.get("what", ""))
+        for path, entry in _index("models")
+    ]
+
+
+def shipped_polyhedra() -> list[SpaceModel]:
+    return [
+        SpaceModel(entry["name"], path, entry["vertices"], entry["facets"], entry.get("what", ""))
+        for path, entry in _index("polyhedra")
+    ]
+
+
+def _index(kind: str) -> list[tuple[Path, dict[str, Any]]]:
+    """The files of one list of index.json, and what it says of them."""
     folder = shipped_folder()
     if folder is None:
         return []
     index = json.loads((folder / "index.json").read_text(encoding="utf-8"))
-    return [
-        Model(entry["name"], folder / entry["file"], "shipped", entry.get("what", ""))
-        for entry in index["models"]
-    ]
+    return [(folder / entry["file"], entry) for entry in index[kind]]
 
 
 def extra_models() -> list[Model]:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from minkref import _core
 from minkref.errors import Refusal, refusing
-from minkref.model_catalogue import PAPER_MODELS, VARIABLE, all_models
+from minkref.model_catalogue import PAPER_MODELS, VARIABLE, all_models, shipped_polyhedra
 from minkref.terminal import shown
 
 FORMATS = (".wkt", ".geojson", ".poly", ".json")
@@ -50,6 +50,13 @@ def read_operand(name: str) -> Operand:
             name,
             f"set {VARIABLE} to the folder that holds it, or take our look-alike {alike}",
             "no-such-model",
+        )
+    if name in {polyhedron.name for polyhedron in shipped_polyhedra()}:
+        raise Refusal(
+            "this model is a polyhedron, and an operand lies in the plane",
+            name,
+            "`minkref models` lists the polygons",
+            "three-dimensional",
         )
     near = difflib.get_close_matches(name, list(models), n=1)
     hint = f"did you mean {near[0]}? " if near else ""

@@ -22,6 +22,13 @@ SHIPPED = {
     "disc1": (32, 0),
     "disc5": (32, 0),
 }
+POLYHEDRA = {
+    "ellipsoid": (482, 960),
+    "gs3": (162, 320),
+    "gs4": (252, 500),
+    "rod": (164, 84),
+    "ti": (120, 236),
+}
 PAPER = {"monkey": (1204, 0), "bird": (275, 0), "neuron": (1815, 18)}
 
 
@@ -32,6 +39,20 @@ def test_shipped_models_have_the_sizes_that_their_names_promise(
     value = minkref("models", "--json").json
     assert {row["name"]: (row["vertices"], row["holes"]) for row in value["models"]} == SHIPPED
     assert {row["name"] for row in value["absent"]} == set(PAPER)
+
+
+def test_polyhedra_are_listed_apart_with_their_facets(minkref: Minkref) -> None:
+    rows = minkref("models", "--json").json["polyhedra"]
+    assert {row["name"]: (row["vertices"], row["facets"]) for row in rows} == POLYHEDRA
+    assert all(Path(row["file"]).read_text(encoding="ascii").startswith("OFF") for row in rows)
+    lines = [line.split() for line in minkref("models").out.splitlines()]
+    assert ["gs3", "162", "320", "shipped"] in [words[:4] for words in lines]
+
+
+def test_polyhedron_is_refused_as_an_operand_in_the_plane(minkref: Minkref) -> None:
+    ran = minkref("events", "gs3", "g1", "--json")
+    assert ran.code == 2
+    assert ran.json["error"]["code"] == "three-dimensional"
 
 
 def test_absent_model_of_the_paper_names_its_look_alike(

@@ -11,7 +11,8 @@ from pathlib import Path
 import pytest
 
 MODELS = Path(__file__).resolve().parents[2] / "models"
-INDEX = json.loads((MODELS / "index.json").read_text(encoding="ascii"))["models"]
+LISTS = json.loads((MODELS / "index.json").read_text(encoding="ascii"))
+INDEX, POLYHEDRA = LISTS["models"], LISTS["polyhedra"]
 STATED = {
     "glyph1204": (1204, 0),
     "glyph275": (275, 0),
@@ -45,7 +46,8 @@ def test_regenerating_gives_identical_bytes(tmp_path: Path) -> None:
     script = [sys.executable, "-I", str(MODELS / "generate.py"), str(tmp_path)]
     subprocess.run(script, check=True, timeout=300)
     written = sorted(path.name for path in tmp_path.iterdir())
-    assert written == sorted(["index.json", *(entry["file"] for entry in INDEX)])
+    files = [entry["file"] for entry in [*INDEX, *POLYHEDRA]]
+    assert written == sorted(["index.json", *files])
     for name in written:
         assert (tmp_path / name).read_bytes() == (MODELS / name).read_bytes(), name
 

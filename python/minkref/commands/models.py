@@ -1,4 +1,4 @@
-"""`minkref models`: what P and Q can be named."""
+"""`minkref models`: what P and Q can be named, and polyhedra."""
 
 from __future__ import annotations
 
@@ -10,7 +10,14 @@ from rich.table import Table
 
 from minkref.documents import Stopwatch, as_text, document
 from minkref.errors import Refusal
-from minkref.model_catalogue import PAPER_MODELS, VARIABLE, Model, all_models
+from minkref.model_catalogue import (
+    PAPER_MODELS,
+    VARIABLE,
+    Model,
+    SpaceModel,
+    all_models,
+    shipped_polyhedra,
+)
 from minkref.operand import read_set
 from minkref.options import Json, Schema
 from minkref.terminal import console, shown
@@ -23,7 +30,7 @@ MINKREF_MODELS=folder minkref models --json"""
 
 
 def command(json: Json = False, schema: Schema = False) -> None:
-    """The models that can be named instead of a file, with their sizes."""
+    """The models that can be named instead of a file, and polyhedra, with their sizes."""
     watch = Stopwatch()
     models = all_models()
     rows: list[dict[str, Any]] = []
@@ -40,7 +47,15 @@ def command(json: Json = False, schema: Schema = False) -> None:
     ]
     folder = os.environ.get(VARIABLE) or None
     value = document(
-        "models", watch, folder=folder, models=rows, unreadable=unreadable, absent=absent
+        "models",
+        watch,
+        folder=folder,
+        models=rows,
+        polyhedra=[
+            _space_row(model) for model in sorted(shipped_polyhedra(), key=lambda m: m.name)
+        ],
+        unreadable=unreadable,
+        absent=absent,
     )
     if json:
         sys.stdout.write(as_text(value))
@@ -61,20 +76,20 @@ def _row(model: Model) -> dict[str, Any]:
     }
 
 
+def _space_row(model: SpaceModel) -> dict[str, Any]:
+    return {
+        "name": model.name,
+        "vertices": model.vertices,
+        "facets": model.facets,
+        "origin": "shipped",
+        "file": str(model.path),
+        "about": model.about,
+    }
+
+
 def _print(value: dict[str, Any]) -> None:
-    table = Table(box=None, pad_edge=False)
-    for heading in ("model", "vertices", "holes", "from", "what it is"):
-        table.add_column(heading, justify="right" if heading in ("vertices", "holes") else "left")
-    for row in value["models"]:
-        table.add_row(
-            shown(row["name"]),
-            f"{row['vertices']:,}",
-            str(row["holes"]),
-            row["origin"],
-            row["about"],
-        )
     out = console()
-    out.print(table)
+    out.print(_table("model", "holes", value["models"]))
     for row in value["unreadable"]:
         out.print(f"{shown(row['file'])} cannot be read: {shown(row['why'])}", soft_wrap=True)
     for row in value["absent"]:
@@ -83,3 +98,21 @@ def _print(value: dict[str, Any]) -> None:
             f"our look-alike is {row['look_alike']}",
             soft_wrap=True,
         )
+    if value["polyhedra"]:
+        out.print()
+        out.print(_table("polyhedron", "facets", value["polyhedra"]))
+
+
+def _table(kind: str, parts: str, rows: list[dict[str, Any]]) -> Table:
+    table = Table(box=None, pad_edge=False)
+    for heading in (kind, "vertices", parts, "from", "what it is"):
+        table.add_column(heading, justify="right" if heading in ("vertices", parts) else "left")
+    for row in rows:
+        table.add_row(
+            shown(row["name"]),
+            f"{row['vertices']:,}",
+            str(row[parts]),
+            row["origin"],
+            row["about"],
+        )
+    return table
