@@ -56,13 +56,17 @@ std::string read_whole_file(const std::string& path, const ReadLimits& limits) {
   return text;
 }
 
-std::string_view plain_text(std::string_view text, const std::string& source,
-                            const ReadLimits& limits) {
-  using namespace std::literals;
+void require_size(std::string_view text, const std::string& source, const ReadLimits& limits) {
   // Positions are kept in 32 bits.
   if (text.size() > limits.bytes || text.size() >= std::numeric_limits<std::uint32_t>::max()) {
     too_large(source, limits);
   }
+}
+
+std::string_view plain_text(std::string_view text, const std::string& source,
+                            const ReadLimits& limits, std::string_view empty_set) {
+  using namespace std::literals;
+  require_size(text, source, limits);
   if (starts_with(text, "\xEF\xBB\xBF"sv)) text.remove_prefix(3);
   if (starts_with(text, "\xFE\xFF"sv) || starts_with(text, "\xFF\xFE"sv) ||
       starts_with(text, "\0\0\xFE\xFF"sv)) {
@@ -76,9 +80,10 @@ std::string_view plain_text(std::string_view text, const std::string& source,
                    "give a text file in UTF-8, not binary data", place);
   }
   if (text.find_first_not_of(" \t\r\n\v\f") == std::string_view::npos) {
-    throw BadInput("empty-file", "the text is empty",
-                   "write the empty set in the words of the format, for example POLYGON EMPTY",
-                   in(source));
+    throw BadInput(
+        "empty-file", "the text is empty",
+        "write the empty set in the words of the format, for example " + std::string(empty_set),
+        in(source));
   }
   return text;
 }

@@ -37,11 +37,16 @@ Format format_named(std::string_view wanted) {
                  "name one of wkt, geojson, poly, json, case, svg");
 }
 
-Format format_of_file(const std::string& path) {
+std::string extension_of(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(), [](char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   });
+  return extension;
+}
+
+Format format_of_file(const std::string& path) {
+  const std::string extension = extension_of(path);
   if (extension == ".wkt") return Format::wkt;
   if (extension == ".geojson") return Format::geojson;
   if (extension == ".json") return Format::json;

@@ -21,6 +21,9 @@ std::string name(Format format);
 /// The format of that name. Throws BadInput ("unknown-format").
 Format format_named(std::string_view name);
 
+/// The extension of a file name in small letters, with its point; "" where there is none.
+std::string extension_of(const std::string& path);
+
 /// The format by the extension of a file name (any case); `.json` is Format::json, whose reader
 /// tells GeoJSON and cases by their members. Throws BadInput ("unknown-format").
 Format format_of_file(const std::string& path);

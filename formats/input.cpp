@@ -2,6 +2,8 @@
 
 #include <gmp.h>
 
+#include <charconv>
+#include <system_error>
 #include <utility>
 
 #include "formats/message_text.hpp"
@@ -42,6 +44,16 @@ void Input::exceed(const std::string& code, const std::string& problem, const st
   throw LimitExceeded(code, problem, mend, named(std::move(place)));
 }
 
+void Input::charge(const Rational& value, const Place& place) {
+  used_.number_bytes += bytes_of(value);
+  if (used_.number_bytes > limits_.number_bytes) {
+    exceed(
+        "too-many-digits",
+        "the numbers up to here take more than " + std::to_string(limits_.number_bytes) + " bytes",
+        "use shorter numbers, or raise the limit on the memory of numbers", place);
+  }
+}
+
 Rational Input::number(std::string_view token, const Place& place) {
   Rational value;
   try {
@@ -51,12 +63,27 @@ Rational Input::number(std::string_view token, const Place& place) {
   } catch (const BadInput& e) {
     refuse(e.code(), printable(e.problem()), e.mend(), place);
   }
-  used_.number_bytes += bytes_of(value);
-  if (used_.number_bytes > limits_.number_bytes) {
-    exceed(
-        "too-many-digits",
-        "the numbers up to here take more than " + std::to_string(limits_.number_bytes) + " bytes",
-        "use shorter numbers, or raise the limit on the memory of numbers", place);
+  charge(value, place);
+  return value;
+}
+
+Rational Input::number(double value, const Place& place) {
+  Rational exact;
+  try {
+    exact = from_double(value);
+  } catch (const BadInput& e) {
+    refuse(e.code(), e.problem(), e.mend(), place);
+  }
+  charge(exact, place);
+  return exact;
+}
+
+std::size_t Input::whole_number(std::string_view token, const char* what,
+                                const Place& place) const {
+  std::size_t value = 0;
+  const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
+  if (error != std::errc{} || end != token.data() + token.size()) {
+    refuse("syntax", in_quotes(token) + " is not " + what, "write a whole number", place);
   }
   return value;
 }
@@ -66,6 +93,22 @@ void Input::count_vertex(const Place& place) {
     exceed("too-many-vertices",
            "there are more than " + std::to_string(limits_.vertices) + " vertices",
            "simplify the input, or raise the limit on vertices", place);
+  }
+}
+
+void Input::count_face(const Place& place) {
+  if (++used_.faces > limits_.faces) {
+    exceed("too-many-faces", "there are more than " + std::to_string(limits_.faces) + " faces",
+           "simplify the input, or raise the limit on faces", place);
+  }
+}
+
+void Input::count_face_corner(const Place& place) {
+  if (++used_.face_corners > limits_.face_corners) {
+    exceed("too-many-face-corners",
+           "the faces have more than " + std::to_string(limits_.face_corners) +
+               " vertices, each counted in every face",
+           "simplify the input, or raise the limit on the vertices of faces", place);
   }
 }
 

@@ -34,9 +34,18 @@ class Input {
 
   /// The exact number that a token names, charged to `number_bytes`. Refusals carry `place`.
   Rational number(std::string_view token, const Place& place);
+  /// The exact value of a double, charged likewise. Refuses NaN and infinity ("not-a-number").
+  Rational number(double value, const Place& place);
+
+  /// The decimal digits of a count or an index, no sign. Refuses other tokens ("syntax"); `what` as
+  /// in "a number of rings".
+  std::size_t whole_number(std::string_view token, const char* what, const Place& place) const;
 
   /// Charges one vertex.
   void count_vertex(const Place& place);
+  /// Charges one face, one vertex of a face.
+  void count_face(const Place& place);
+  void count_face_corner(const Place& place);
 
   /// Keeps the first hundred warnings and counts the rest: the text of those need not be made.
   bool keeps_warnings() const { return warnings_.size() < 100; }
@@ -46,9 +55,12 @@ class Input {
  private:
   struct Used {
     std::size_t vertices = 0;
+    std::size_t faces = 0;
+    std::size_t face_corners = 0;
     std::size_t number_bytes = 0;
   };
 
+  void charge(const Rational& value, const Place& place);
   Place named(Place place) const;
 
   std::string source_;

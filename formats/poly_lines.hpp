@@ -3,17 +3,13 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
-#include <vector>
 
 #include "formats/input.hpp"
+#include "formats/text_lines.hpp"
 
 namespace minkref {
-
-struct PolyLine {
-  std::size_t number = 0;  ///< 1-based
-  std::vector<std::string_view> tokens;
-};
 
 /// Walks the lines that are not empty; `#` begins a comment. A token with two decimal points, as in
 /// "7.84688.042924", is two numbers run together: it is split before its second point, with a
@@ -23,15 +19,17 @@ class PolyLines {
   PolyLines(std::string_view text, Input& input);
 
   /// The line at hand; none at the end of the text.
-  const std::optional<PolyLine>& line() const { return line_; }
+  const std::optional<TextLine>& line() const { return lines_.line(); }
+  /// The line at hand. Refuses its absence ("truncated").
+  const TextLine& due(const std::string& expected) const { return lines_.due(expected, input_); }
   void advance();
-  std::size_t last_number() const { return number_; }
+  std::size_t last_number() const { return lines_.last_number(); }
 
  private:
-  std::string_view rest_;
+  void split_tokens();
+
+  TextLines lines_;
   Input& input_;
-  std::size_t number_ = 0;
-  std::optional<PolyLine> line_;
 };
 
 }  // namespace minkref

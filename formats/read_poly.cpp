@@ -1,11 +1,9 @@
 #include "formats/read_poly.hpp"
 
-#include <charconv>
 #include <string>
 #include <utility>
 
 #include "formats/containment.hpp"
-#include "formats/message_text.hpp"
 #include "formats/poly_lines.hpp"
 
 namespace minkref {
@@ -30,25 +28,12 @@ class PolyReader {
  private:
   using Tokens = std::vector<std::string_view>;
 
-  const PolyLine& due(const std::string& expected) const {
-    if (!lines_.line()) {
-      input_.refuse("truncated", "the text ends where " + expected + " is due", "complete the file",
-                    lines_.last_number());
-    }
-    return *lines_.line();
-  }
-
-  std::size_t count_of(std::string_view token, const std::string& what, std::size_t line) const {
-    std::size_t value = 0;
-    const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
-    if (error != std::errc{} || end != token.data() + token.size()) {
-      input_.refuse("syntax", in_quotes(token) + " is not " + what, "write a whole number", line);
-    }
-    return value;
+  std::size_t count_of(std::string_view token, const char* what, std::size_t line) const {
+    return input_.whole_number(token, what, at_line(line));
   }
 
   std::size_t ring_count() {
-    const PolyLine& line = due("the number of rings");
+    const TextLine& line = lines_.due("the number of rings");
     if (line.tokens.size() != 1) {
       input_.refuse("syntax", "the first line must hold the number of rings alone",
                     "write the number of rings on a line of its own", line.number);
@@ -63,8 +48,8 @@ class PolyReader {
   }
 
   void ring(std::size_t index, std::size_t count) {
-    const PolyLine& header =
-        due("ring " + std::to_string(index + 1) + " of " + std::to_string(count));
+    const TextLine& header =
+        lines_.due("ring " + std::to_string(index + 1) + " of " + std::to_string(count));
     if (!is_header(header.tokens)) {
       input_.refuse("syntax", "a ring must begin with its number of vertices and `in` or `out`",
                     "write, for example, \"275 out\"", header.number);
@@ -84,8 +69,8 @@ class PolyReader {
   }
 
   void vertex(TextRing& ring, std::size_t size) {
-    const PolyLine& line =
-        due("vertex " + std::to_string(ring.points.size() + 1) + " of " + std::to_string(size));
+    const TextLine& line = lines_.due("vertex " + std::to_string(ring.points.size() + 1) + " of " +
+                                      std::to_string(size));
     if (line.tokens.size() != 2 || is_header(line.tokens)) {
       Place where = ring.place_of(ring.points.size());
       where.line = line.number;
@@ -101,7 +86,7 @@ class PolyReader {
   void indices(std::size_t size) {
     std::size_t next = 1;
     while (lines_.line() && next <= size) {
-      const PolyLine& line = *lines_.line();
+      const TextLine& line = *lines_.line();
       if (is_header(line.tokens)) break;
       for (const std::string_view token : line.tokens) {
         if (next > size || count_of(token, "an index", line.number) != next) {

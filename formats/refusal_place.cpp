@@ -29,18 +29,8 @@ Place place_in_file(Place place, const std::vector<RingOrigin>& origins) {
 
 void validate_as_read(const PolygonSet& set, const std::vector<RingOrigin>& origins,
                       const std::string& source) {
-  const auto named = [&](const BadInput& e) {
-    Place place = place_in_file(e.place(), origins);
-    if (place.source.empty()) place.source = source;
-    return place;
-  };
-  try {
-    validate(set);
-  } catch (const LimitExceeded& e) {
-    throw LimitExceeded(e.code(), e.problem(), e.mend(), named(e));
-  } catch (const BadInput& e) {
-    throw BadInput(e.code(), e.problem(), e.mend(), named(e));
-  }
+  refuse_in_file([&] { validate(set); },
+                 [&](const Place& place) { return place_in_file(place, origins); }, source);
 }
 
 }  // namespace minkref

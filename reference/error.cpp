@@ -18,9 +18,11 @@ std::string message(const std::string& code, const std::string& problem, const s
   if (!place.source.empty()) text += place.source + ": ";
   if (place.line) text += "line " + std::to_string(*place.line) + ": ";
   if (place.ring) text += "ring " + std::to_string(*place.ring) + ": ";
+  if (place.face) text += "face " + std::to_string(*place.face) + ": ";
   if (!place.vertices.empty()) {
     text += (place.vertices.size() > 1 ? "vertices " : "vertex ") + list(place.vertices) + ": ";
   }
+  if (place.other_face) text += "with face " + std::to_string(*place.other_face) + ": ";
   if (place.other_ring) {
     text += "with ring " + std::to_string(*place.other_ring);
     if (!place.other_vertices.empty()) {

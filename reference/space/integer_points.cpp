@@ -1,0 +1,38 @@
+#include "reference/space/integer_points.hpp"
+
+namespace minkref {
+
+IntegerVector primitive(const IntegerVector& vector) {
+  const Integer divisor = gcd(gcd(vector[0], vector[1]), vector[2]);
+  if (divisor.is_zero()) return vector;
+  return {vector[0] / divisor, vector[1] / divisor, vector[2] / divisor};
+}
+
+IntegerPoints integer_points(const std::vector<SpacePoint>& vertices) {
+  using boost::multiprecision::denominator;
+  using boost::multiprecision::numerator;
+  IntegerPoints result;
+  for (const SpacePoint& v : vertices) {
+    for (const Rational* coordinate : {&v.x, &v.y, &v.z}) {
+      const Integer own = denominator(*coordinate);
+      if (result.denominator % own != 0) result.denominator = lcm(result.denominator, own);
+    }
+  }
+  const auto whole = [&](const Rational& coordinate) {
+    return Integer(numerator(coordinate) * (result.denominator / denominator(coordinate)));
+  };
+  result.points.reserve(vertices.size());
+  for (const SpacePoint& v : vertices)
+    result.points.push_back({whole(v.x), whole(v.y), whole(v.z)});
+  return result;
+}
+
+IntegerVector area_vector(const std::vector<IntegerVector>& points, const Face& face) {
+  IntegerVector sum{0, 0, 0};
+  for (std::size_t k = 2; k < face.size(); ++k) {
+    sum = sum + cross(points[face[k - 1]] - points[face[0]], points[face[k]] - points[face[0]]);
+  }
+  return sum;
+}
+
+}  // namespace minkref

@@ -1,0 +1,62 @@
+// The operand and the result in space: a closed surface of planar faces, exact coordinates.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "reference/number/rational.hpp"
+
+namespace minkref {
+
+struct SpacePoint {
+  Rational x, y, z;
+  friend bool operator==(const SpacePoint&, const SpacePoint&) = default;
+};
+
+/// Indices of vertices, counter-clockwise seen from outside.
+using Face = std::vector<std::uint32_t>;
+
+/// A closed, orientable, 2-manifold surface mesh (docs/definitions.md, "Polyhedron"). Three
+/// degenerate operands are written in the same form, without faces: the empty set (no vertex), a
+/// point (one) and a segment (two).
+struct Polyhedron {
+  std::vector<SpacePoint> vertices;
+  std::vector<Face> faces;
+
+  bool empty() const { return vertices.empty(); }
+  bool is_point() const { return faces.empty() && vertices.size() == 1; }
+  bool is_segment() const { return faces.empty() && vertices.size() == 2; }
+  bool is_solid() const { return !faces.empty(); }
+  friend bool operator==(const Polyhedron&, const Polyhedron&) = default;
+};
+
+/// One factor for each axis, each positive.
+using Scaling = std::array<Rational, 3>;
+
+/// Refuses what is no closed 2-manifold of planar simple faces: the first fault in this order.
+/// Throws BadInput that names face, vertices and coordinates. Codes: "index-out-of-range",
+/// "too-few-vertices", "repeated-vertex" (a face visits a vertex twice), "unused-vertex",
+/// "zero-length-edge", "zero-area", "non-planar-face", "face-not-simple", "wrong-orientation" (two
+/// faces run along an edge the same way; or the surface bounds a negative volume), "open-mesh" (an
+/// edge with one face), "non-manifold-edge" (more than two), "non-manifold-vertex" (its faces are
+/// no single fan). That faces do not cross each other is not looked at. Exact. O(n log n).
+void validate(const Polyhedron& polyhedron);
+
+/// Six times the volume, signed. Exact.
+Rational sextuple_volume(const Polyhedron& polyhedron);
+
+/// The same surface with one vertex for all that have the same coordinates, numbered in the order
+/// of their first use by a face; vertices of no face are dropped, unless there is no face at all.
+/// Exact. O(n log n).
+Polyhedron with_shared_vertices(const Polyhedron& polyhedron);
+
+/// Throws BadInput ("bad-scale") for a factor that is not positive.
+void require_positive(const Scaling& scaling);
+
+/// Every coordinate times the factor of its axis, which has to be positive.
+Polyhedron scaled(const Polyhedron& polyhedron, const Scaling& by);
+Polyhedron translated(const Polyhedron& polyhedron, const SpacePoint& by);
+
+}  // namespace minkref
