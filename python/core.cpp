@@ -2,7 +2,7 @@
 #include "python/core.hpp"
 
 NB_MODULE(_core, module) {
-  module.doc() = "The exact reference in the plane; numbers are strings, n or n/d.";
+  module.doc() = "The exact reference, in the plane and in space; numbers are strings, n or n/d.";
   minkref::python::bind_errors(module);
   minkref::python::bind_polygon_set(module);
   minkref::python::bind_files(module);
@@ -14,4 +14,7 @@ NB_MODULE(_core, module) {
   minkref::python::bind_evidence(module);
   minkref::python::bind_search(module);
   minkref::python::bind_certify(module);
+  minkref::python::bind_space(module);
+  minkref::python::bind_mesh_files(module);
+  minkref::python::bind_convex(module);
 }

@@ -49,5 +49,8 @@ void bind_comparison(nanobind::module_& module);
 void bind_evidence(nanobind::module_& module);
 void bind_search(nanobind::module_& module);
 void bind_certify(nanobind::module_& module);
+void bind_space(nanobind::module_& module);
+void bind_mesh_files(nanobind::module_& module);
+void bind_convex(nanobind::module_& module);
 
 }  // namespace minkref::python

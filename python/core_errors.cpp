@@ -32,8 +32,10 @@ void raise(PyObject* type, const BadInput& error) {
   value.attr("source") = place.source;
   value.attr("line") = place.line;
   value.attr("ring") = place.ring;
+  value.attr("face") = place.face;
   value.attr("vertices") = place.vertices;
   value.attr("coordinates") = place.coordinates;
+  value.attr("other_face") = place.other_face;
   value.attr("other_ring") = place.other_ring;
   value.attr("other_vertices") = place.other_vertices;
   PyErr_SetObject(type, value.ptr());
@@ -57,7 +59,7 @@ void bind_errors(nb::module_& module) {
   bad_input =
       new_type(module, "BadInput",
                "An input that is refused. Attributes: code, problem, mend, source, line, ring, "
-               "vertices, coordinates, other_ring, other_vertices.",
+               "face, vertices, coordinates, other_face, other_ring, other_vertices.",
                PyExc_ValueError);
   limit_exceeded = new_type(module, "LimitExceeded", "A stated limit was reached.", bad_input);
   undecided_sign =

@@ -53,7 +53,8 @@ def cut(text: str) -> str:
 
 
 def refusal_of(error: _core.BadInput, source: str = "") -> Refusal:
-    """The refusal that a reader or the validation raised, with ring, vertices and coordinates."""
+    """The refusal that a reader or the validation raised, with ring or face, vertices and
+    coordinates."""
     where = [str(getattr(error, "source", "") or source)]
     line = getattr(error, "line", None)
     ring = getattr(error, "ring", None)
@@ -63,6 +64,9 @@ def refusal_of(error: _core.BadInput, source: str = "") -> Refusal:
         where.append(f"line {line}")
     if ring is not None:
         where.append(f"ring {ring}")
+    face = getattr(error, "face", None)
+    if face is not None:
+        where.append(f"face {face}")
     if vertices:
         word = "vertex" if len(vertices) == 1 else "vertices"
         where.append(f"{word} {', '.join(str(v) for v in vertices)}")
@@ -70,6 +74,9 @@ def refusal_of(error: _core.BadInput, source: str = "") -> Refusal:
     if other is not None:
         others = [str(v) for v in getattr(error, "other_vertices", None) or []]
         where.append(f"and ring {other}" + (f", vertices {', '.join(others)}" if others else ""))
+    other_face = getattr(error, "other_face", None)
+    if other_face is not None:
+        where.append(f"and face {other_face}")
     if coordinates:
         where.append("at " + ", ".join(str(c) for c in coordinates))
     return Refusal(

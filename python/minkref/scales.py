@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from fractions import Fraction
 from pathlib import Path
+from typing import TypeVar
 
 from minkref.errors import Refusal
 from minkref.exact import read_scale
 from minkref.operand import LONGEST_FILE
 from minkref.terminal import shown
+
+S = TypeVar("S")
 
 MOST_SCALES = 1_000_000
 
@@ -24,8 +28,13 @@ def evenly_spaced(first: str, last: str, count: int) -> list[str]:
 def read_scales(path: Path) -> list[str]:
     """The scales in a file, one a line, in its order. What follows a # is a comment; lines may be
     blank. Refuses by file and line."""
+    return lines_of_scales(path, read_scale)
+
+
+def lines_of_scales(path: Path, read: Callable[[str, str], S]) -> list[S]:
+    """What `read` makes of each line of such a file."""
     name = shown(str(path))
-    scales: list[str] = []
+    scales: list[S] = []
     for number, line in enumerate(_text(path, name).splitlines(), start=1):
         scale = line.partition("#")[0].strip()
         if not scale:
@@ -34,7 +43,7 @@ def read_scales(path: Path) -> list[str]:
             mend = "split the file"
             raise Refusal(f"there are more than {MOST_SCALES:,} scales", name, mend, "limit")
         try:
-            scales.append(read_scale(scale, "the scale"))
+            scales.append(read(scale, "the scale"))
         except Refusal as refusal:
             where = f"{name}, line {number}, {shown(refusal.where)}"
             raise Refusal(refusal.what, where, refusal.mend, refusal.code) from refusal

@@ -19,8 +19,11 @@ from minkref.terminal import shown
 INDEX = "index.json"
 UNFINISHED = f"{TEMPORARY}sweep"
 FORMATS = ("json", "wkt", "geojson", "poly", "svg")
+SPACE_FORMATS = ("json", "off", "obj", "stl", "ply")
 _OURS = re.compile(
-    rf"sum-[0-9]{{4,}}\.({'|'.join(FORMATS)})|{re.escape(INDEX)}|{re.escape(TEMPORARY)}.*", re.ASCII
+    rf"sum-[0-9]{{4,}}\.({'|'.join({*FORMATS, *SPACE_FORMATS})})|{re.escape(INDEX)}"
+    rf"|{re.escape(TEMPORARY)}.*",
+    re.ASCII,
 )
 
 

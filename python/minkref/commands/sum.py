@@ -25,6 +25,9 @@ from minkref.operand import Operand, read_operand
 from minkref.options import Json, Schema
 from minkref.parents import PassageRows, passages_of
 from minkref.signals import interruptible
+from minkref.space.operand import in_space
+from minkref.space.sum_command import sum_in_space
+from minkref.space.sums import ROUTES as SPACE_ROUTES
 from minkref.sum_fields import SUM_FIELDS, sum_fields
 from minkref.terminal import lines, shown
 
@@ -36,7 +39,9 @@ minkref sum disc1 cells1815 --scale 541/186 --json
 
 minkref sum P.wkt Q.geojson --scale 7/5 -o sum.svg
 
-minkref sum g1 g2 --arithmetic mpfr:53"""
+minkref sum g1 g2 --arithmetic mpfr:53
+
+minkref sum gs3 rod --scale 2,1/3,5 -o sum.off"""
 
 ROUTES = ("paper", "winding", "definition", "dynamic")
 SHOWN = 5  # tight passages that people see
@@ -47,10 +52,17 @@ def command(
     P: Annotated[str, typer.Argument(help="First operand, the scaled one: a file or a model.")],
     Q: Annotated[str, typer.Argument(help="Second operand: a file or a model.")],
     scale: Annotated[
-        str, typer.Option("--scale", help="Scale of P, exact: 3, 7/5, 0.25.", metavar="S")
+        str,
+        typer.Option(
+            "--scale", help="Scale of P, exact: 3, 7/5, 0.25; in space also SX,SY,SZ.", metavar="S"
+        ),
     ] = "1",
     route: Annotated[
-        str, typer.Option("--route", help=f"How it is computed: {', '.join(ROUTES)}.")
+        str,
+        typer.Option(
+            "--route",
+            help=f"How it is computed: {', '.join(ROUTES)}; in space {', '.join(SPACE_ROUTES)}.",
+        ),
     ] = "paper",
     arithmetic: Annotated[
         str,
@@ -63,14 +75,20 @@ def command(
     output: Annotated[
         Path | None,
         typer.Option(
-            "-o", help="Write the sum there: .wkt, .geojson, .poly, .json or .svg.", metavar="FILE"
+            "-o",
+            help="Write the sum there: .wkt, .geojson, .poly, .json or .svg; in space .off, .obj, "
+            ".stl, .ply or .json.",
+            metavar="FILE",
         ),
     ] = None,
     json: Json = False,
     schema: Schema = False,
 ) -> None:
     """The Minkowski sum of P, scaled by S about the origin, and Q: exact, in canonical form, and
-    its tight passages."""
+    its tight passages. In space P and Q are convex polyhedra (.off, .obj, .stl, .ply, .json)."""
+    if in_space(P, Q):
+        sum_in_space(P, Q, scale, route, arithmetic, output, json)
+        return
     watch = Stopwatch()
     exact_scale = read_scale(scale)
     _check_route(route, arithmetic)

@@ -19,6 +19,8 @@ from minkref.options import Json, Schema
 from minkref.progress import progress
 from minkref.scales import MOST_SCALES, evenly_spaced, read_scales
 from minkref.signals import ending_in_order, interruptible
+from minkref.space.operand import in_space
+from minkref.space.sweep_command import sweep_in_space
 from minkref.sum_fields import sum_fields
 from minkref.sweep_folder import FORMATS, INDEX, SweepFolder
 from minkref.terminal import console, counted, lines, shown
@@ -29,7 +31,9 @@ minkref sweep g1 g2 --from 1/2 --to 2 --steps 16
 
 minkref sweep disc1 cells1815 --from 1 --to 2 --steps 11 -o sums --format svg
 
-minkref sweep P.wkt Q.wkt --scales scales.txt --json"""
+minkref sweep P.wkt Q.wkt --scales scales.txt --json
+
+minkref sweep gs3 rod --scales scalings.txt -o sums --format off"""
 
 Row = dict[str, Any]
 
@@ -56,7 +60,8 @@ def command(
         Path | None,
         typer.Option(
             "--scales",
-            help="Take the scales from a file instead: one a line, in any order.",
+            help="Take the scales from a file instead: one a line, in any order; in space "
+            "SX,SY,SZ.",
             metavar="FILE",
         ),
     ] = None,
@@ -73,6 +78,9 @@ def command(
 ) -> None:
     """The sums at many scales: all events between the least and the greatest are found once, then
     each sum is got from the one before by dynamic update. Exact, in canonical form."""
+    if in_space(P, Q):
+        sweep_in_space(P, Q, scales_file, _given(from_scale, to_scale, steps), output, form, json)
+        return
     watch = Stopwatch()
     scales = _scales(from_scale, to_scale, steps, scales_file)
     if form is not None and output is None:
@@ -149,12 +157,13 @@ def _text(region: _core.PolygonSet, form: str, name: str) -> str:
     return refusing(name, lambda: _core.write(region, form))
 
 
+def _given(first: str | None, last: str | None, steps: int | None) -> list[str]:
+    options = (("--from", first), ("--to", last), ("--steps", steps))
+    return [option for option, value in options if value is not None]
+
+
 def _scales(first: str | None, last: str | None, steps: int | None, file: Path | None) -> list[str]:
-    given = [
-        option
-        for option, value in (("--from", first), ("--to", last), ("--steps", steps))
-        if value is not None
-    ]
+    given = _given(first, last, steps)
     if file is not None:
         if given:
             raise Refusal(

@@ -8,15 +8,23 @@ from typing import Any
 
 
 def schema(command: str) -> dict[str, Any]:
-    """The schema of all that `--json` prints: the document of the command, or a refusal."""
+    """The schema of all that `--json` prints: the document of the command, in the plane or in
+    space, or a refusal."""
     result, error = result_schema(command), error_schema()
-    shared = result.pop("$defs", {})
     top = {"$schema": result.pop("$schema"), "title": result.pop("title")}
-    del error["$schema"]
+    kinds = {"result": result, "error": error}
+    if _file(f"{command}_in_space").is_file():
+        kinds["result_in_space"] = result_schema(f"{command}_in_space")
+        del kinds["result_in_space"]["title"]
+    shared: dict[str, Any] = {}
+    for kind in kinds.values():
+        kind.pop("$schema", None)
+        shared |= kind.pop("$defs", {})
+    names = ("result", "result_in_space", "error")
     return {
         **top,
-        "oneOf": [{"$ref": "#/$defs/result"}, {"$ref": "#/$defs/error"}],
-        "$defs": {"result": result, "error": error, **shared},
+        "oneOf": [{"$ref": f"#/$defs/{name}"} for name in names if name in kinds],
+        "$defs": {**kinds, **shared},
     }
 
 
@@ -35,6 +43,9 @@ def error_schema() -> dict[str, Any]:
 
 
 def _read(name: str) -> dict[str, Any]:
-    text = resources.files(__name__).joinpath(f"{name}.json").read_text(encoding="utf-8")
-    value: dict[str, Any] = json.loads(text)
+    value: dict[str, Any] = json.loads(_file(name).read_text(encoding="utf-8"))
     return value
+
+
+def _file(name: str) -> Any:
+    return resources.files(__name__).joinpath(f"{name}.json")

@@ -1,8 +1,8 @@
 // Where the lines of two convolution edges meet, at one scale and as a function of it.
 #pragma once
 
+#include "reference/form.hpp"
 #include "reference/number/eigen.hpp"
-#include "reference/plane/critical/form.hpp"
 #include "reference/plane/critical/moving_edge.hpp"
 
 namespace minkref {

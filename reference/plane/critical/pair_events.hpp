@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "reference/plane/critical/form.hpp"
+#include "reference/form.hpp"
 #include "reference/plane/critical/pair_conditions.hpp"
 #include "reference/plane/sum.hpp"
 

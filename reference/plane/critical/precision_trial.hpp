@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "reference/plane/critical/form.hpp"
+#include "reference/form.hpp"
 #include "reference/plane/polygon_set.hpp"
 
 namespace minkref {

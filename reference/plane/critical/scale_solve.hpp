@@ -3,9 +3,9 @@
 
 #include <cmath>
 
+#include "reference/form.hpp"
 #include "reference/number/eigen.hpp"
 #include "reference/number/scalar.hpp"
-#include "reference/plane/critical/form.hpp"
 
 namespace minkref {
 

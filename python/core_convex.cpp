@@ -1,0 +1,220 @@
+// Sums of convex polyhedra under non-uniform scaling in Python.
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+#include <nanobind/stl/vector.h>
+
+#include <chrono>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "python/core.hpp"
+#include "python/core_space.hpp"
+#include "reference/convex/convex_sum.hpp"
+#include "reference/convex/static_convex_sum.hpp"
+#include "reference/convex/sum_coordinates.hpp"
+#include "reference/error.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace minkref::python {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Body = std::shared_ptr<const ConvexPolyhedron>;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// What Python calls a ConvexPolyhedron: shared by the sums that refer to it.
+struct ConvexBody {
+  Body value;
+};
+
+ConvexBody certified(const Surface& surface, const std::string& source) {
+  ConvexBody body;
+  refuse_as_read(surface.reading, source,
+                 [&] { body.value = std::make_shared<const ConvexPolyhedron>(surface.value()); });
+  return body;
+}
+
+Compatibility by_route(const Contacts& contacts, const std::string& route) {
+  if (route == "traversal") return by_traversal(contacts);
+  if (route == "brute-force") return by_brute_force(contacts);
+  throw BadInput("unknown-route", "there is no route \"" + route + "\"",
+                 "choose traversal or brute-force");
+}
+
+ConvexSum static_sum(const ConvexBody& P, const ConvexBody& Q, const ExactSpacePoint& scaling,
+                     const std::string& route) {
+  const Scaling at = to_scaling(scaling);
+  require_positive(at);
+  Contacts contacts(*P.value, *Q.value);
+  contacts.rescale(at);
+  return surface_of(*P.value, *Q.value, at, by_route(contacts, route));
+}
+
+/// Keeps its operands alive.
+struct MovingConvexSum {
+  Body P, Q;
+  DynamicConvexSum sum;
+  MovingConvexSum(const ConvexBody& p, const ConvexBody& q, const ExactSpacePoint& scaling)
+      : P(p.value), Q(q.value), sum(*P, *Q, to_scaling(scaling)) {}
+};
+
+Fields fields_of(const UpdateCounts& counts) {
+  Fields fields;
+  fields["fv_errors"] = counts.fv_errors;
+  fields["vf_errors"] = counts.vf_errors;
+  fields["descent_steps"] = counts.descent_steps;
+  fields["ee_errors"] = counts.ee_errors;
+  fields["ee_pairs_added"] = counts.ee_pairs_added;
+  fields["chains_walked"] = counts.chains_walked;
+  fields["chains_mended_by_proof"] = counts.chains_mended_by_proof;
+  fields["chains_without_error"] = counts.chains_without_error;
+  fields["facets_examined"] = counts.facets_examined;
+  fields["chains_examined"] = counts.chains_examined;
+  fields["signs"] = counts.signs;
+  fields["exact_signs"] = counts.exact_signs;
+  return fields;
+}
+
+Fields update(MovingConvexSum& dynamic, const ExactSpacePoint& scaling) {
+  const Scaling to = to_scaling(scaling);
+  const auto start = Clock::now();
+  const UpdateCounts counts = dynamic.sum.update(to);
+  const double seconds = seconds_since(start);
+  Fields fields = fields_of(counts);
+  fields["seconds"] = seconds;
+  return fields;
+}
+
+std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs_of(
+    const std::vector<SumVertices::Pair>& pairs) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> rows;
+  rows.reserve(pairs.size());
+  for (const auto& [p, q] : pairs) rows.emplace_back(p, q);
+  return rows;
+}
+
+bool same_state(const MovingConvexSum& dynamic, const std::string& route) {
+  Contacts contacts(*dynamic.P, *dynamic.Q);
+  contacts.rescale(dynamic.sum.scaling());
+  return by_route(contacts, route) == dynamic.sum.compatibility();
+}
+
+/// Seconds of each step, of one walk through the scalings: the update, the coordinates of all
+/// vertices, and the static routes with the coordinates of their vertices.
+Fields timed_walk(const ConvexBody& P, const ConvexBody& Q,
+                  const std::vector<ExactSpacePoint>& scalings, std::size_t brute_force_every) {
+  std::vector<Scaling> list;
+  for (const ExactSpacePoint& scaling : scalings) list.push_back(to_scaling(scaling));
+  std::vector<double> updates, coordinates, traversals, brute_force;
+  std::vector<std::uint64_t> vertices, ee_pairs;
+  UpdateCounts counts;
+  {
+    const nb::gil_scoped_release unlocked;
+    DynamicConvexSum dynamic(*P.value, *Q.value, list.at(0));
+    Contacts contacts(*P.value, *Q.value);
+    HomogeneousPoints points, fresh_points;
+    sum_coordinates(*P.value, *Q.value, list[0], dynamic.vertices(), points);
+    for (std::size_t k = 1; k < list.size(); ++k) {
+      const auto start = Clock::now();
+      counts += dynamic.update(list[k]);
+      updates.push_back(seconds_since(start));
+      const auto updated = Clock::now();
+      sum_coordinates(*P.value, *Q.value, list[k], dynamic.vertices(), points);
+      coordinates.push_back(seconds_since(updated));
+      vertices.push_back(dynamic.vertices().size());
+      ee_pairs.push_back(dynamic.ee_pairs());
+      const auto afresh = Clock::now();
+      contacts.rescale(list[k]);
+      const Compatibility found = by_traversal(contacts);
+      const SumVertices fresh(*P.value, *Q.value, found);
+      sum_coordinates(*P.value, *Q.value, list[k], fresh, fresh_points);
+      traversals.push_back(seconds_since(afresh));
+      if (brute_force_every > 0 && k % brute_force_every == 0) {
+        const auto all_pairs = Clock::now();
+        const Compatibility compared = by_brute_force(contacts);
+        const SumVertices again(*P.value, *Q.value, compared);
+        sum_coordinates(*P.value, *Q.value, list[k], again, fresh_points);
+        brute_force.push_back(seconds_since(all_pairs));
+      }
+    }
+  }
+  Fields fields = fields_of(counts);
+  fields["update_seconds"] = updates;
+  fields["coordinate_seconds"] = coordinates;
+  fields["traversal_seconds"] = traversals;
+  fields["brute_force_seconds"] = brute_force;
+  fields["vertices"] = vertices;
+  fields["ee_pairs"] = ee_pairs;
+  return fields;
+}
+
+using ParentRow = std::pair<std::vector<std::uint32_t>, std::vector<std::uint32_t>>;
+
+}  // namespace
+
+void bind_convex(nb::module_& module) {
+  nb::class_<ConvexBody>(module, "ConvexPolyhedron",
+                         "A strictly convex polyhedron, certified: coplanar faces merged, flat "
+                         "vertices dropped, vertices in lexicographic order.")
+      .def(
+          "__init__",
+          [](ConvexBody* self, const Surface& surface, const std::string& source) {
+            new (self) ConvexBody(certified(surface, source));
+          },
+          "surface"_a, "source"_a = "",
+          "Refuses (BadInput) what is not valid, not convex or has no volume. Exact.")
+      .def_prop_ro("vertices", [](const ConvexBody& self) { return self.value->vertices(); })
+      .def_prop_ro("edges", [](const ConvexBody& self) { return self.value->edges(); })
+      .def_prop_ro("facets", [](const ConvexBody& self) { return self.value->facets(); })
+      .def(
+          "surface", [](const ConvexBody& self) { return Surface(self.value->surface()); },
+          "In canonical form.");
+  nb::class_<ConvexSum>(module, "ConvexSum", "A sum of convex polyhedra, in canonical form.")
+      .def_prop_ro("surface", [](const ConvexSum& self) { return Surface(self.surface); })
+      .def_prop_ro(
+          "vertex_parents", [](const ConvexSum& self) { return pairs_of(self.vertex_parents); },
+          "For each vertex the vertices of P and of Q whose sum it is.")
+      .def_prop_ro(
+          "facet_parents",
+          [](const ConvexSum& self) {
+            std::vector<ParentRow> rows;
+            for (const auto& [P, Q] : self.facet_parents) rows.emplace_back(P, Q);
+            return rows;
+          },
+          "For each facet the vertices of the face of P and of that of Q.");
+  module.def("convex_sum", &static_sum, "P"_a, "Q"_a, "scaling"_a, "route"_a = "traversal",
+             nb::call_guard<nb::gil_scoped_release>(),
+             "S P + Q from scratch, by the route traversal or brute-force. Exact, certified closed "
+             "and convex.");
+  nb::class_<MovingConvexSum>(module, "DynamicConvexSum",
+                              "S P + Q kept up to date (Behar & Lien 2012, Sec. 6).")
+      .def(nb::init<const ConvexBody&, const ConvexBody&, const ExactSpacePoint&>(), "P"_a, "Q"_a,
+           "scaling"_a)
+      .def(
+          "update", &update, "scaling"_a,
+          "Mends what the new scaling makes wrong: what was found, walked and mended, and seconds.")
+      .def(
+          "sum", [](const MovingConvexSum& self) { return surface_of(self.sum); },
+          nb::call_guard<nb::gil_scoped_release>(), "In canonical form, certified.")
+      .def(
+          "pairs",
+          [](const MovingConvexSum& self) { return pairs_of(self.sum.vertices().pairs()); },
+          "The pairs of vertices whose sums are corners of facets in generic position.")
+      .def_prop_ro("ee_pairs", [](const MovingConvexSum& self) { return self.sum.ee_pairs(); })
+      .def("equals_route", &same_state, "route"_a, nb::call_guard<nb::gil_scoped_release>(),
+           "Whether all compatible pairs are those that a static route finds.");
+  module.def("timed_convex_walk", &timed_walk, "P"_a, "Q"_a, "scalings"_a,
+             "brute_force_every"_a = 0,
+             "Walks through the scalings and times each step: the update, the coordinates of all "
+             "vertices, the static routes.");
+}
+
+}  // namespace minkref::python

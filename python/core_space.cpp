@@ -1,0 +1,91 @@
+// Polyhedra in Python.
+#include "python/core_space.hpp"
+
+#include <nanobind/stl/array.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+#include <nanobind/stl/vector.h>
+
+#include "python/core.hpp"
+#include "reference/space/canonical_polyhedron.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace minkref::python {
+namespace {
+
+Polyhedron polyhedron_of(const std::vector<ExactSpacePoint>& vertices,
+                         const std::vector<Face>& faces) {
+  Polyhedron result;
+  for (const auto& [x, y, z] : vertices) {
+    result.vertices.push_back({parse_rational(x), parse_rational(y), parse_rational(z)});
+  }
+  result.faces = faces;
+  return result;
+}
+
+std::vector<ExactSpacePoint> points(const Polyhedron& polyhedron) {
+  std::vector<ExactSpacePoint> result;
+  result.reserve(polyhedron.vertices.size());
+  for (const SpacePoint& vertex : polyhedron.vertices) result.push_back(to_strings(vertex));
+  return result;
+}
+
+std::vector<std::array<double, 3>> approximate_points(const Polyhedron& polyhedron) {
+  std::vector<std::array<double, 3>> result;
+  result.reserve(polyhedron.vertices.size());
+  for (const SpacePoint& v : polyhedron.vertices) {
+    result.push_back({to_double(v.x), to_double(v.y), to_double(v.z)});
+  }
+  return result;
+}
+
+}  // namespace
+
+void bind_space(nb::module_& module) {
+  using Released = nb::call_guard<nb::gil_scoped_release>;
+  nb::class_<Surface>(module, "Polyhedron",
+                      "A closed surface of planar faces, exact; faces run counter-clockwise seen "
+                      "from outside. Without faces: the empty set, a point, a segment.")
+      .def(
+          "__init__",
+          [](Surface* self, const std::vector<ExactSpacePoint>& vertices,
+             const std::vector<Face>& faces) {
+            new (self) Surface(polyhedron_of(vertices, faces));
+          },
+          "vertices"_a, "faces"_a)
+      .def(
+          "points", [](const Surface& self) { return points(self.value()); },
+          "The vertices, exact.")
+      .def(
+          "approximate_points",
+          [](const Surface& self) { return approximate_points(self.value()); },
+          "The nearest doubles, for drawing.")
+      .def(
+          "rings", [](const Surface& self) { return self.value().faces; },
+          "For each face the numbers of its vertices.")
+      .def_prop_ro("vertices", [](const Surface& self) { return self.value().vertices.size(); })
+      .def_prop_ro("faces", [](const Surface& self) { return self.value().faces.size(); })
+      .def(
+          "validate",
+          [](const Surface& self, const std::string& source) {
+            validate_as_read(self.reading, source);
+          },
+          "source"_a = "", Released(),
+          "Refuses what is no closed 2-manifold of planar simple faces (BadInput). That faces do "
+          "not cross each other is not looked at. Exact.")
+      .def(
+          "sextuple_volume",
+          [](const Surface& self) { return to_string(sextuple_volume(self.value())); },
+          "Six times the volume. Exact.")
+      .def(
+          "with_shared_vertices",
+          [](const Surface& self) { return Surface(with_shared_vertices(self.value())); },
+          "One vertex for all that have the same coordinates.")
+      .def(
+          "canonical_json", [](const Surface& self) { return canonical_json(self.value()); },
+          "The text of which the digest is taken; of a surface in canonical form.");
+}
+
+}  // namespace minkref::python

@@ -1,0 +1,33 @@
+// Points in space and scalings across the border of Python.
+#pragma once
+
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "formats/mesh_reading.hpp"
+
+namespace minkref::python {
+
+using ExactSpacePoint = std::tuple<std::string, std::string, std::string>;
+
+/// What Python calls a Polyhedron: the surface, and where its vertices and faces stood in the file
+/// that it was read from.
+struct Surface {
+  MeshReading reading;
+
+  explicit Surface(MeshReading from) : reading(std::move(from)) {}
+  explicit Surface(Polyhedron polyhedron) { reading.polyhedron = std::move(polyhedron); }
+  const Polyhedron& value() const { return reading.polyhedron; }
+};
+
+inline ExactSpacePoint to_strings(const SpacePoint& point) {
+  return {to_string(point.x), to_string(point.y), to_string(point.z)};
+}
+
+inline Scaling to_scaling(const ExactSpacePoint& factors) {
+  const auto& [x, y, z] = factors;
+  return {parse_rational(x), parse_rational(y), parse_rational(z)};
+}
+
+}  // namespace minkref::python

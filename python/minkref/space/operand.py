@@ -1,0 +1,99 @@
+"""A polyhedron of the command line: a file, or the name of a model, read exactly and certified
+convex."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from minkref import _core
+from minkref.errors import Refusal, refusing
+from minkref.model_catalogue import shipped_polyhedra
+from minkref.operand import LONGEST_FILE, is_utf8
+from minkref.terminal import shown
+
+FORMATS = (".off", ".obj", ".stl", ".ply")
+
+
+@dataclass(frozen=True)
+class SpaceOperand:
+    """`body` is None of the empty set, a point and a segment."""
+
+    name: str
+    file: Path
+    surface: _core.Polyhedron
+    body: _core.ConvexPolyhedron | None
+    warnings: list[str] = field(default_factory=list)
+
+
+def in_space(P: str, Q: str) -> bool:
+    """Whether two names mean polyhedra. Refuses one of the plane beside one in space."""
+    kinds = [_is_polyhedron(name) for name in (P, Q)]
+    if kinds[0] != kinds[1]:
+        flat, solid = (P, Q) if kinds[1] else (Q, P)
+        raise Refusal(
+            f"this operand lies in the plane, and {solid} in space",
+            flat,
+            "give two polygon sets, or two polyhedra",
+            "mixed-dimensions",
+        )
+    return kinds[0]
+
+
+def read_space_operand(name: str) -> SpaceOperand:
+    """A file wins over a model of the same name. Refuses what does not exist, is not valid, or is
+    not convex."""
+    path = Path(name)
+    if not path.is_file():
+        path = _models().get(name, path)
+    if not path.exists():
+        raise Refusal("there is no such file", name, "check the path", "no-such-file")
+    if not path.is_file():
+        mend = f"write it to a file first whose ending names the format: {', '.join(FORMATS)}"
+        raise Refusal("this is not a regular file", name, mend, "not-a-file")
+    source = shown(str(path))
+    surface, warnings = _read(path, source)
+    if surface.faces == 0:
+        refusing(source, lambda: surface.validate(source))
+        return SpaceOperand(name, path, surface, None, warnings)
+    body = refusing(source, lambda: _core.ConvexPolyhedron(surface, source))
+    return SpaceOperand(name, path, surface, body, warnings)
+
+
+def _models() -> dict[str, Path]:
+    return {model.name: model.path for model in shipped_polyhedra()}
+
+
+def _is_polyhedron(name: str) -> bool:
+    path = Path(name)
+    if "\0" in name or not name:
+        return False
+    if path.suffix.lower() in FORMATS:
+        return True
+    if path.is_file():
+        return path.suffix.lower() == ".json" and _holds_vertices(path)
+    return name in _models()
+
+
+def _holds_vertices(path: Path) -> bool:
+    """A JSON object with a member `vertices`. What else is wrong with it the reader says."""
+    try:
+        with path.open("rb") as stream:
+            document: Any = json.loads(stream.read(LONGEST_FILE), parse_int=str, parse_float=str)
+    except (OSError, ValueError, RecursionError):
+        return False
+    return isinstance(document, dict) and "vertices" in document
+
+
+def _read(path: Path, source: str) -> tuple[_core.Polyhedron, list[str]]:
+    if is_utf8(str(path)):
+        return refusing(source, lambda: _core.read_mesh_file(str(path)))
+    try:
+        content = path.read_bytes()
+    except OSError as error:
+        what = f"the file cannot be read: {error.strerror}"
+        raise Refusal(what, source, "name a file that you may read", "cannot-read") from error
+    form = path.suffix.lower().removeprefix(".")
+    return refusing(source, lambda: _core.read_mesh_text(content, form, source))

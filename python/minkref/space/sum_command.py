@@ -1,0 +1,121 @@
+"""`minkref sum` of convex polyhedra."""
+
+from __future__ import annotations
+
+import json as json_text
+import sys
+from pathlib import Path
+from typing import Any
+
+from minkref import _core
+from minkref.documents import (
+    Stopwatch,
+    as_text,
+    check_spares,
+    check_writable,
+    document,
+    write_atomically,
+)
+from minkref.errors import Refusal, refusing
+from minkref.exact import scientific
+from minkref.signals import interruptible
+from minkref.space.operand import read_space_operand
+from minkref.space.scaling import read_scaling, text_of
+from minkref.space.sums import ROUTES, compute, sum_fields
+from minkref.sweep_folder import SPACE_FORMATS
+from minkref.terminal import lines, shown
+
+OUTPUTS = tuple(f".{form}" for form in SPACE_FORMATS)
+
+
+def sum_in_space(
+    P: str, Q: str, scale: str, route: str, arithmetic: str, output: Path | None, json: bool
+) -> None:
+    """The command, its options read but not yet checked."""
+    watch = Stopwatch()
+    scaling = read_scaling(scale)
+    route = _checked_route(route, arithmetic)
+    if output is not None:
+        _check_output(output)
+    with interruptible():
+        first, second = read_space_operand(P), read_space_operand(Q)
+        if output is not None:
+            check_spares(output, [first.file, second.file])
+        answer = compute(first, second, scaling, route)
+    exact = None
+    if output is not None:
+        form = output.suffix.lower().removeprefix(".")
+        text = refusing(str(output), lambda: _core.write_mesh(answer.surface, form))
+        exact = _core.writes_mesh_exactly(answer.surface, form)
+        write_atomically(output, text)
+    value = document(
+        "sum",
+        watch,
+        dimension=3,
+        P=first.name,
+        Q=second.name,
+        scale=list(scaling),
+        warnings=first.warnings + second.warnings,
+        output=str(output) if output else None,
+        output_exact=exact,
+        route=route,
+        compute_seconds=answer.seconds,
+        **sum_fields(answer),
+        result=json_text.loads(answer.surface.canonical_json()),
+        vertex_parents=answer.vertex_parents,
+        facet_parents=[{"P": list(p), "Q": list(q)} for p, q in answer.facet_parents],
+        operands={
+            name: json_text.loads(operand.body.surface().canonical_json())
+            for name, operand in (("P", first), ("Q", second))
+            if operand.body is not None
+        },
+    )
+    if json:
+        sys.stdout.write(as_text(value))
+    else:
+        _print(value, text_of(scaling))
+
+
+def _checked_route(route: str, arithmetic: str) -> str:
+    """`paper`, the default, is the traversal of the Gaussian maps: there is nothing to cull."""
+    if arithmetic != "rational":
+        raise Refusal(
+            "sums in space are exact only", f"--arithmetic {arithmetic}", "leave the option out"
+        )
+    chosen = "traversal" if route == "paper" else route
+    if chosen not in ROUTES:
+        mend = f"in space choose one of {', '.join(ROUTES)}"
+        raise Refusal(f"there is no route {route!r} in space", "--route", mend)
+    return chosen
+
+
+def _check_output(output: Path) -> None:
+    if output.suffix.lower() not in OUTPUTS:
+        raise Refusal(
+            f"the ending {output.suffix or '(none)'} names no format that a polyhedron can be "
+            "written in",
+            str(output),
+            f"choose one of {', '.join(OUTPUTS)}",
+        )
+    check_writable(output)
+
+
+def _print(value: dict[str, Any], scaling: str) -> None:
+    volume = value["volume"]
+    exactly = volume if len(volume) <= 60 else f"({len(volume):,} characters; --json prints it)"
+    near = value["volume_approximate"]
+    rows = [
+        ("sum", f"{scaling} {value['P']} + {value['Q']}"),
+        ("route", f"{value['route']}, exact"),
+        ("volume", f"{scientific(volume) if near is None else f'{near:.10g}'} = {exactly}"),
+        ("vertices, edges, facets",
+         f"{value['vertices']:,}, {value['edges']:,}, {value['facets']:,}"),
+        ("digest", value["digest"]),
+        ("seconds", f"{value['seconds']:.3f}"),
+    ]  # fmt: skip
+    if value["output"]:
+        rounded = "" if value["output_exact"] else " (rounded; .json is exact)"
+        rows.append(("written", value["output"] + rounded))
+    sys.stdout.write(lines(rows))
+    for warning in value["warnings"]:
+        sys.stderr.write(f"warning: {shown(warning)}\n")

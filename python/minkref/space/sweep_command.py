@@ -1,0 +1,136 @@
+"""`minkref sweep` of convex polyhedra: each sum got from the one before."""
+
+from __future__ import annotations
+
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+from rich.table import Table
+
+from minkref import _core
+from minkref.documents import Stopwatch, as_text, document
+from minkref.errors import Refusal, refusing
+from minkref.exact import approximate
+from minkref.progress import progress
+from minkref.signals import ending_in_order
+from minkref.space.operand import read_space_operand
+from minkref.space.scaling import Scaling, read_scalings, text_of
+from minkref.space.sums import bodies, sum_fields, timed
+from minkref.sweep_folder import INDEX, SPACE_FORMATS, SweepFolder
+from minkref.terminal import console, counted, lines, shown
+
+COUNTS = ("fv_errors", "vf_errors", "ee_errors", "descent_steps", "chains_walked")
+Row = dict[str, Any]
+
+
+def sweep_in_space(
+    P: str, Q: str, scales: Path | None, given: list[str], output: Path | None, form: str | None,
+    json: bool,
+) -> None:  # fmt: skip
+    """The command, its options read but not yet checked. `given` are options of the plane."""
+    watch = Stopwatch()
+    scalings = _scalings(scales, given)
+    if form is not None and output is None:
+        raise Refusal(
+            "there are no files without -o", f"--format {form}", "add -o DIR, or leave out --format"
+        )
+    form = form or "json"
+    if form not in SPACE_FORMATS:
+        mend = f"in space choose one of {', '.join(SPACE_FORMATS)}"
+        raise Refusal(f"there is no format {form!r}", "--format", mend)
+    folder = SweepFolder(output, form) if output is not None else None
+    first, second = read_space_operand(P), read_space_operand(Q)
+    if folder is not None:
+        folder.check_spares([first.file, second.file])
+    operands = bodies(first, second)
+    with ending_in_order(), progress(len(scalings)) as line:
+        where = f"{first.name} and {second.name}"
+        start = time.perf_counter()
+        moving = refusing(where, lambda: _core.DynamicConvexSum(*operands, scalings[0]))
+        first_seconds = time.perf_counter() - start
+        rows: list[Row] = []
+        for number, scaling in enumerate(scalings, start=1):
+            line.now(f"scale {shown(text_of(scaling))[:30]}")
+            row, surface = _step(moving, scaling, where)
+            row["file"] = row["file_exact"] = None
+            if folder is not None:
+                row["file"] = folder.name(number)
+                row["file_exact"] = _core.writes_mesh_exactly(surface, form)
+                folder.write(row["file"], _core.write_mesh(surface, form))
+            rows.append(row)
+            line.done()
+        value = document(
+            "sweep",
+            watch,
+            dimension=3,
+            P=first.name,
+            Q=second.name,
+            warnings=first.warnings + second.warnings,
+            output=str(output) if output else None,
+            format=form if output else None,
+            preprocessing_seconds=first_seconds,
+            rows=rows,
+        )
+        if folder is not None:
+            folder.write(INDEX, as_text(value))
+    if json:
+        sys.stdout.write(as_text(value))
+    else:
+        _print(value)
+
+
+def _step(
+    moving: _core.DynamicConvexSum, scaling: Scaling, where: str
+) -> tuple[Row, _core.Polyhedron]:
+    did = dict(refusing(where, lambda: moving.update(scaling)))
+    answer = timed(where, moving.sum)
+    row: Row = {
+        "scale": list(scaling),
+        **sum_fields(answer),
+        **{name: did[name] for name in COUNTS},
+        "update_seconds": did["seconds"],
+        "sum_seconds": answer.seconds,
+    }
+    return row, answer.surface
+
+
+def _scalings(scales: Path | None, given: list[str]) -> list[Scaling]:
+    mend = "give --scales FILE with SX,SY,SZ (or S) in each line"
+    if given:
+        raise Refusal("these options are for scales in the plane", ", ".join(given), mend)
+    if scales is None:
+        raise Refusal("it is not said which scales", "minkref sweep", mend)
+    return read_scalings(scales)
+
+
+def _print(value: dict[str, Any]) -> None:
+    table = Table(box=None, pad_edge=False)
+    for heading in ("scale", "volume", "vertices", "facets", "fv", "vf", "ee", "steps", "chains",
+                    "update µs", "sum ms"):  # fmt: skip
+        table.add_column(heading, justify="right", no_wrap=True)
+    for row in value["rows"]:
+        table.add_row(
+            text_of((row["scale"][0], row["scale"][1], row["scale"][2]))[:24],
+            f"{approximate(row['volume']):.8g}",
+            f"{row['vertices']:,}",
+            f"{row['facets']:,}",
+            *(f"{row[name]:,}" for name in COUNTS),
+            f"{row['update_seconds'] * 1e6:,.1f}",
+            f"{row['sum_seconds'] * 1000:,.2f}",
+        )
+    console().print(table)
+    summary = [
+        ("sweep", f"{value['P']} + {value['Q']}, {counted(len(value['rows']), 'scaling')}"),
+        (
+            "fv, vf, ee",
+            "facets of P and Q whose vertex changed, pairs of edges that are no more",
+        ),
+        ("seconds", f"{value['seconds']:.3f}"),
+    ]
+    if value["output"]:
+        summary.append(("written", value["output"]))
+    sys.stdout.write("\n" + lines(summary))
+    for warning in value["warnings"]:
+        sys.stderr.write(f"warning: {shown(warning)}\n")

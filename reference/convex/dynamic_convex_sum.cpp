@@ -1,0 +1,165 @@
+#include "reference/convex/dynamic_convex_sum.hpp"
+
+#include <algorithm>
+
+#include "reference/convex/static_convex_sum.hpp"
+
+namespace minkref {
+
+UpdateCounts& UpdateCounts::operator+=(const UpdateCounts& other) {
+  fv_errors += other.fv_errors;
+  vf_errors += other.vf_errors;
+  descent_steps += other.descent_steps;
+  ee_errors += other.ee_errors;
+  ee_pairs_added += other.ee_pairs_added;
+  chains_walked += other.chains_walked;
+  chains_mended_by_proof += other.chains_mended_by_proof;
+  chains_without_error += other.chains_without_error;
+  facets_examined += other.facets_examined;
+  chains_examined += other.chains_examined;
+  signs += other.signs;
+  exact_signs += other.exact_signs;
+  return *this;
+}
+
+namespace {
+
+Compatibility from_scratch(Contacts& contacts, const RoundedScaling& scaling) {
+  require_positive(scaling.exact);
+  contacts.rescale(scaling);
+  return by_traversal(contacts);
+}
+
+}  // namespace
+
+DynamicConvexSum::DynamicConvexSum(const ConvexPolyhedron& P, const ConvexPolyhedron& Q,
+                                   const Scaling& at)
+    : contacts_(P, Q),
+      scaling_(at),
+      state_(from_scratch(contacts_, scaling_)),
+      vertices_(P, Q, state_),
+      deadline_P_(P.facets(), 0),
+      deadline_Q_(Q.facets(), 0),
+      deadline_chain_(P.edges(), 0),
+      suspects_(P.edges()),
+      moved_(Q.facets()),
+      changed_at_P_(P.vertices()),
+      changed_at_Q_(Q.vertices()) {
+  for (const auto& chain : state_.chains) ee_pairs_ += chain.size();
+}
+
+UpdateCounts DynamicConvexSum::update(const Scaling& to) {
+  require_positive(to);
+  UpdateCounts counts;
+  const std::uint64_t signs = contacts_.evaluations(), exact = contacts_.exact_evaluations();
+  RoundedScaling next(to);
+  drift_ += drift(scaling_, next);
+  scaling_ = std::move(next);
+  contacts_.rescale(scaling_);
+  mend_facets_of_P(counts);
+  mend_facets_of_Q(counts);
+  mend_chains(counts);
+  renew_vertices();
+  counts.signs = contacts_.evaluations() - signs;
+  counts.exact_signs = contacts_.exact_evaluations() - exact;
+  return counts;
+}
+
+/// fv-errors, and beside each the edges of its facet.
+void DynamicConvexSum::mend_facets_of_P(UpdateCounts& counts) {
+  const ConvexPolyhedron& body = P();
+  for (const auto& [f, before] : body.traversal()) {
+    if (drift_ < deadline_P_[f]) continue;
+    ++counts.facets_examined;
+    const Climb found =
+        climb(contacts_.across_P, f, state_.vertex_of_Q[f], state_.vertex_of_Q[before], way_);
+    deadline_P_[f] = drift_ + found.slack;
+    if (found.vertex == state_.vertex_of_Q[f]) continue;
+    ++counts.fv_errors;
+    counts.descent_steps += found.steps;
+    state_.vertex_of_Q[f] = found.vertex;
+    const std::uint32_t start = body.start(f);
+    std::uint32_t h = start;
+    do suspects_.insert(body.edge(h));
+    while ((h = body.next(h)) != start);
+  }
+}
+
+/// vf-errors, and beside each the edges of P on the way to the new vertex.
+void DynamicConvexSum::mend_facets_of_Q(UpdateCounts& counts) {
+  moved_.clear();
+  for (const auto& [g, before] : Q().traversal()) {
+    if (drift_ < deadline_Q_[g]) continue;
+    ++counts.facets_examined;
+    const Climb found =
+        climb(contacts_.across_Q, g, state_.vertex_of_P[g], state_.vertex_of_P[before], way_);
+    for (const std::uint32_t h : way_) suspects_.insert(P().edge(h));
+    deadline_Q_[g] = drift_ + found.slack;
+    if (found.vertex == state_.vertex_of_P[g]) continue;
+    ++counts.vf_errors;
+    counts.descent_steps += found.steps;
+    moved_.insert(g);
+    state_.vertex_of_P[g] = found.vertex;
+    for_vertices_of(Q(), g, [&](std::uint32_t q) { changed_at_Q_.insert(q); });
+  }
+}
+
+/// ee-errors: first from the fv- and vf-errors, then whatever the proof of the rest brings up.
+void DynamicConvexSum::mend_chains(UpdateCounts& counts) {
+  for (const std::uint32_t e : suspects_.members()) {
+    mend_chain(e, counts);
+    const ChainState state = examine_chain(contacts_.across_Q, e, state_.chains[e]);
+    deadline_chain_[e] = drift_ + state.slack;
+  }
+  for (std::uint32_t e = 0; e < P().edges(); ++e) {
+    if (drift_ < deadline_chain_[e] || suspects_.contains(e)) continue;
+    ++counts.chains_examined;
+    ChainState state = examine_chain(contacts_.across_Q, e, state_.chains[e]);
+    if (!state.right) {
+      mend_chain(e, counts);
+      ++counts.chains_mended_by_proof;
+      if (!beside_moved_facet(chain_before_) && !beside_moved_facet(state_.chains[e])) {
+        ++counts.chains_without_error;
+      }
+      state = examine_chain(contacts_.across_Q, e, state_.chains[e]);
+    }
+    deadline_chain_[e] = drift_ + state.slack;
+  }
+  suspects_.clear();
+}
+
+bool DynamicConvexSum::beside_moved_facet(const std::vector<std::uint32_t>& chain) const {
+  return std::any_of(chain.begin(), chain.end(), [&](std::uint32_t h) {
+    return moved_.contains(Q().left(h)) || moved_.contains(Q().right(h));
+  });
+}
+
+void DynamicConvexSum::mend_chain(std::uint32_t edge, UpdateCounts& counts) {
+  const std::uint32_t h = P().half_edge(edge);
+  std::vector<std::uint32_t>& chain = state_.chains[edge];
+  ++counts.chains_walked;
+  walk_chain(contacts_.across_Q, edge, state_.vertex_of_Q[P().left(h)],
+             state_.vertex_of_Q[P().right(h)], chain_after_);
+  chain_before_ = chain;
+  changed_at_P_.insert(P().origin(h));  // if only because the arc begins elsewhere
+  changed_at_P_.insert(P().target(h));
+  if (chain == chain_after_) return;
+  for (const std::uint32_t old : chain) {
+    counts.ee_errors +=
+        std::find(chain_after_.begin(), chain_after_.end(), old) == chain_after_.end();
+  }
+  for (const std::uint32_t fresh : chain_after_) {
+    counts.ee_pairs_added += std::find(chain.begin(), chain.end(), fresh) == chain.end();
+  }
+  ee_pairs_ = ee_pairs_ - chain.size() + chain_after_.size();
+  chain.swap(chain_after_);
+}
+
+void DynamicConvexSum::renew_vertices() {
+  for (const std::uint32_t p : changed_at_P_.members()) vertices_.renew_at_P(p, state_);
+  for (const std::uint32_t q : changed_at_Q_.members()) vertices_.renew_at_Q(q, state_);
+  changed_at_P_.clear();
+  changed_at_Q_.clear();
+}
+
+}  // namespace minkref

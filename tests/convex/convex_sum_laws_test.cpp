@@ -1,0 +1,143 @@
+// What holds of every sum of convex bodies.
+#include <gtest/gtest.h>
+
+#include "tests/convex/bodies.hpp"
+
+namespace minkref {
+namespace {
+
+using bodies::random_body;
+using bodies::random_scaling;
+using bodies::sum;
+
+constexpr unsigned seeds = 60;
+
+Polyhedron canonical(const Polyhedron& surface) { return ConvexPolyhedron(surface).surface(); }
+
+TEST(ConvexSum, IsCommutative) {
+  for (unsigned seed = 1; seed <= seeds; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 dice(seed);
+    const Polyhedron P = random_body(dice, 3), Q = random_body(dice, 3);
+    const Scaling s = random_scaling(dice);
+    EXPECT_EQ(sum(P, Q, s).surface, sum(Q, scaled(P, s)).surface);
+  }
+}
+
+TEST(ConvexSum, OfScaledOperandsIsTheScaledSum) {
+  for (unsigned seed = 1; seed <= seeds; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 dice(seed);
+    const Polyhedron P = random_body(dice, 3), Q = random_body(dice, 3);
+    const Scaling s = random_scaling(dice);
+    EXPECT_EQ(sum(P, scaled(Q, s), s).surface, scaled(sum(P, Q).surface, s));
+  }
+}
+
+TEST(ConvexSum, IsTranslatedWithTheUnscaledOperand) {
+  for (unsigned seed = 1; seed <= seeds; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 dice(seed);
+    const Polyhedron P = random_body(dice, 3), Q = random_body(dice, 3);
+    const Scaling s = random_scaling(dice);
+    const SpacePoint by{Rational(1, 3), -7, Rational("123456789123456789123")};
+    EXPECT_EQ(sum(P, translated(Q, by), s).surface, translated(sum(P, Q, s).surface, by));
+  }
+}
+
+TEST(ConvexSum, IsAssociative) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 dice(seed);
+    const Polyhedron a = random_body(dice, 2), b = random_body(dice, 2), c = random_body(dice, 2);
+    EXPECT_EQ(sum(sum(a, b).surface, c).surface, sum(a, sum(b, c).surface).surface);
+  }
+}
+
+TEST(ConvexSum, WithItselfIsTheBodyTwiceAsLarge) {
+  for (unsigned seed = 1; seed <= seeds; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 dice(seed);
+    const Polyhedron P = random_body(dice, 3);
+    EXPECT_EQ(sum(P, P).surface, scaled(canonical(P), {2, 2, 2}));
+  }
+}
+
+TEST(ConvexSum, AllRoutesFindTheSamePairs) {
+  for (unsigned seed = 1; seed <= seeds; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 dice(seed);
+    const ConvexPolyhedron P(random_body(dice, 3)), Q(random_body(dice, 3));
+    Contacts contacts(P, Q);
+    contacts.rescale(random_scaling(dice));
+    EXPECT_EQ(by_traversal(contacts), by_brute_force(contacts));
+  }
+}
+
+TEST(ConvexSum, UpdatesGiveWhatIsFoundFromScratch) {
+  for (unsigned seed = 1; seed <= seeds; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 dice(seed);
+    const ConvexPolyhedron P(random_body(dice, 3)), Q(random_body(dice, 3));
+    DynamicConvexSum moving(P, Q, random_scaling(dice));
+    Contacts contacts(P, Q);
+    for (int step = 0; step < 10; ++step) {
+      const Scaling s = random_scaling(dice);
+      moving.update(s);
+      contacts.rescale(s);
+      const Compatibility found = by_traversal(contacts);
+      ASSERT_EQ(moving.compatibility(), found);
+      EXPECT_EQ(moving.vertices().pairs(), SumVertices(P, Q, found).pairs());
+      EXPECT_EQ(surface_of(moving).surface, surface_of(P, Q, s, found).surface);
+    }
+  }
+}
+
+/// Where many checks are left out because the scaling has hardly drifted.
+TEST(ConvexSum, ManySmallUpdatesGiveWhatIsFoundFromScratch) {
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 dice(seed);
+    const ConvexPolyhedron P(random_body(dice, 9)), Q(random_body(dice, 9));
+    Scaling s = bodies::unit;
+    DynamicConvexSum moving(P, Q, s);
+    Contacts contacts(P, Q);
+    std::uniform_int_distribution<int> percent(-2, 2);
+    std::uint64_t left_out = 0;
+    for (int step = 0; step < 200; ++step) {
+      for (Rational& factor : s) factor *= Rational(100 + percent(dice), 100);
+      left_out += P.facets() + Q.facets() - moving.update(s).facets_examined;
+      contacts.rescale(s);
+      ASSERT_EQ(moving.compatibility(), by_traversal(contacts)) << "step " << step;
+    }
+    EXPECT_GT(left_out, 0U);
+  }
+}
+
+TEST(ConvexSum, OfTheUniformlyScaledKeepsAllPairs) {
+  std::mt19937 dice(1);
+  const ConvexPolyhedron P(random_body(dice, 5)), Q(random_body(dice, 5));
+  DynamicConvexSum moving(P, Q, bodies::unit);
+  const Compatibility before = moving.compatibility();
+  for (const Rational& factor : {Rational(1, 1000), Rational(17), parse_rational("1e400")}) {
+    const UpdateCounts counts = moving.update({factor, factor, factor});
+    EXPECT_EQ(counts.fv_errors + counts.vf_errors + counts.ee_errors, 0U);
+    EXPECT_EQ(moving.compatibility(), before);
+  }
+}
+
+/// Theorem 1 with facets of both operands, on all steps of this walk.
+TEST(ConvexSum, NoChainIsWrongWithoutAnErrorOfAFacet) {
+  UpdateCounts total;
+  for (unsigned seed = 1; seed <= seeds; ++seed) {
+    std::mt19937 dice(seed);
+    const ConvexPolyhedron P(random_body(dice, 4)), Q(random_body(dice, 4));
+    DynamicConvexSum moving(P, Q, random_scaling(dice));
+    for (int step = 0; step < 10; ++step) total += moving.update(random_scaling(dice));
+  }
+  EXPECT_GT(total.ee_errors, 1000U);
+  EXPECT_EQ(total.chains_without_error, 0U);
+}
+
+}  // namespace
+}  // namespace minkref
