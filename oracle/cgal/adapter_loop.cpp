@@ -60,7 +60,9 @@ json answer(const json& request, const json& hello, const SolidSum& sum, std::op
       Q = read_solid(request.at("Q"));
     } else if (verb == "at") {
       if (!Q) throw BadOperand("`at` before any `load`");
-      result.update(write_solid(sum(read_solid(request.at("sP")), *Q)));
+      const Solid found = sum(read_solid(request.at("sP")), *Q);
+      result.update(write_solid(found));
+      if (request.value("timed", false)) result["cgal_seconds"] = found.seconds;
     } else if (verb != "stop") {
       throw Skipped("no verb " + verb + " here");
     }

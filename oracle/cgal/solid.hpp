@@ -22,6 +22,7 @@ using Face = std::vector<std::size_t>;  ///< indices of vertices
 struct Solid {
   std::vector<SpacePoint> vertices;
   std::vector<Face> faces;
+  double seconds = 0;  ///< of a sum: what CGAL took, its operands being in its own form
 };
 
 /// By minkowski_sum_3 of Nef polyhedra. The faces are triangles. Exact. Throws BadOperand where a

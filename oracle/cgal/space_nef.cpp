@@ -4,6 +4,8 @@
 #include <CGAL/Polyhedron_incremental_builder_3.h>
 #include <CGAL/minkowski_sum_3.h>
 
+#include <chrono>
+
 #include "oracle/cgal/facet_triangles.hpp"
 #include "oracle/cgal/kernel.hpp"
 #include "oracle/cgal/polygon.hpp"
@@ -90,7 +92,12 @@ Solid from_nef(const Nef& nef) {
 
 Solid sum_of_nef_polyhedra(const Solid& p, const Solid& q) {
   Nef first = to_nef(p), second = to_nef(q);
-  return from_nef(CGAL::minkowski_sum_3(first, second));
+  const auto start = std::chrono::steady_clock::now();
+  const Nef sum = CGAL::minkowski_sum_3(first, second);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  Solid result = from_nef(sum);
+  result.seconds = taken.count();
+  return result;
 }
 
 std::string cgal_version_of_nef() { return CGAL_VERSION_STR; }

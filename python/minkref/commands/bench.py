@@ -6,27 +6,26 @@ import sys
 from typing import Annotated, Any
 
 import typer
-from rich.table import Table
 
 from minkref.documents import Stopwatch, as_text, document
 from minkref.errors import Refusal
 from minkref.exits import ExitCode
 from minkref.options import Json, Schema
 from minkref.progress import progress
-from minkref.reports.bench.baselines import ABOUT
-from minkref.reports.bench.table1 import PAPER_MEAN, pair_count, run, summary
+from minkref.reports.bench import table1, table2
+from minkref.reports.bench.tables import print_polygons, print_polyhedra
 from minkref.signals import ending_in_order
-from minkref.terminal import console, lines
+from minkref.terminal import lines
 
 EXAMPLES = """Examples:
 
 minkref bench --quick
 
-minkref bench --only table1 --json
+minkref bench --only table2 --json
 
 MINKREF_MODELS=folder minkref bench"""
 
-PARTS = ("table1",)
+PARTS = ("table1", "table2")
 
 
 def command(
@@ -42,98 +41,62 @@ def command(
     json: Json = False,
     schema: Schema = False,
 ) -> None:
-    """Times the dynamic update against finding the same afresh (Table 1 of Behar & Lien 2012):
-    intersections, and whole sums. Some minutes; less than one with --quick."""
+    """Times the dynamic update against finding the same afresh: intersections and sums of polygons
+    (Table 1 of Behar & Lien 2012), sums of convex polyhedra under non-uniform scaling (Table 2).
+    Some minutes each; together about one with --quick."""
     watch = Stopwatch()
     for name in only or []:
         if name not in PARTS:
             mend = f"choose one of {', '.join(PARTS)}"
             raise Refusal(f"there is no part {name!r}", "--only", mend)
-    with ending_in_order(), progress(pair_count(quick)) as line:
-        table = run(quick, seed, line.now, line.done)
+    parts = only or PARTS
+    flat: table1.Table1 | None = None
+    solid: table2.Table2 | None = None
+    count = (table1.pair_count(quick) if "table1" in parts else 0) + (
+        table2.pair_count() if "table2" in parts else 0
+    )
+    with ending_in_order(), progress(count) as line:
+        if "table1" in parts:
+            flat = table1.run(quick, seed, line.now, line.done)
+        if "table2" in parts:
+            solid = table2.run(quick, seed, line.now, line.done)
     value = document(
         "bench",
         watch,
         quick=quick,
-        seed=table.seed,
-        rescalings=table.rescalings,
-        pairs=table.pairs,
-        rows=table.rows,
-        **summary(table),
-        notes=table.notes,
-        wrong=table.wrong,
+        seed=seed,
+        table1=None if flat is None else _table1(flat),
+        table2=None if solid is None else _table2(solid),
     )
     if json:
         sys.stdout.write(as_text(value))
     else:
-        _print(value)
-    if table.wrong:
+        if flat is not None:
+            print_polygons(value["table1"], seed)
+        if solid is not None:
+            print_polyhedra(value["table2"], seed)
+        sys.stdout.write(lines([("seconds", f"{value['seconds']:.1f}")]))
+    if any(table is not None and table.wrong for table in (flat, solid)):
         raise typer.Exit(ExitCode.WRONG)
 
 
-def _print(value: dict[str, Any]) -> None:
-    out = console()
-    out.print(_pairs_table(value["pairs"]))
-    for measure, title in (
-        ("intersections", "Updating all intersections, against finding them afresh"),
-        ("sum", "Updating and giving the sum, against computing the sum afresh"),
-    ):
-        rows = [row for row in value["rows"] if row["measure"] == measure]
-        out.print()
-        out.print(_rows_table(title, rows))
-    text = [
-        ("re-scalings", f"{value['rescalings']} out of 0.1, 0.2, ..., 10; seed {value['seed']}")
-    ]
-    for name, mean in value["mean_ratios"].items():
-        reached = f"{mean:.2f}" if mean is not None else "not all pairs were timed"
-        text.append((f"mean ratio, {name}", f"{reached} over the small pairs: {ABOUT[name]}"))
-    text.append(("the paper's", f"{PAPER_MEAN} over its 25 pairs (as pairwise; another machine)"))
-    text += [("note", note) for note in value["notes"]]
-    text += [("WRONG", f"the sum differs from the static one: {wrong}") for wrong in value["wrong"]]
-    text.append(("seconds", f"{value['seconds']:.1f}"))
-    sys.stdout.write("\n" + lines(text))
+def _table1(table: table1.Table1) -> dict[str, Any]:
+    return {
+        "rescalings": table.rescalings,
+        "pairs": table.pairs,
+        "rows": table.rows,
+        **table1.summary(table),
+        "notes": table.notes,
+        "wrong": table.wrong,
+    }
 
 
-def _pairs_table(rows: list[dict[str, Any]]) -> Table:
-    table = Table(box=None, pad_edge=False, title="Pairs", title_justify="left")
-    headings = ("pair", "edges", "events", "scales crossed", "changes", "update ms", "all events s")
-    for heading in headings:
-        table.add_column(heading, justify="left" if heading == "pair" else "right", no_wrap=True)
-    for row in rows:
-        table.add_row(
-            row["name"],
-            f"{row['edges']:,}",
-            f"{row['events']:,}",
-            f"{row['event_scales_per_step']:,.0f}",
-            f"{row['changes_per_step']:,.0f}",
-            milliseconds(row["update"]["median"]),
-            f"{row['preprocessing_seconds']:.3f}",
-        )
-    return table
-
-
-def _rows_table(title: str, rows: list[dict[str, Any]]) -> Table:
-    table = Table(box=None, pad_edge=False, title=title, title_justify="left")
-    headings = ("pair", "against", "timed", "ours ms", "theirs ms", "ratio", "median", "quartiles",
-                "pays from")  # fmt: skip
-    for heading in headings:
-        left = heading in ("pair", "against")
-        table.add_column(heading, justify="left" if left else "right", no_wrap=True)
-    for row in rows:
-        of_each = row["ratios"]
-        table.add_row(
-            row["name"],
-            row["baseline"],
-            f"{row['rescalings_timed']} of {row['rescalings']}",
-            milliseconds(row["ours_s"]),
-            milliseconds(row["baseline_s"]),
-            f"{row['ratio']:,.2f}",
-            f"{of_each['median']:,.2f}",
-            f"{of_each['lower']:,.1f} - {of_each['upper']:,.1f}",
-            f"{row['break_even']:,}" if row["break_even"] is not None else "never",
-        )
-    return table
-
-
-def milliseconds(seconds: float) -> str:
-    return f"{seconds * 1000:,.4f}" if seconds < 0.01 else f"{seconds * 1000:,.1f}"
+def _table2(table: table2.Table2) -> dict[str, Any]:
+    return {
+        "rescalings": table.rescalings,
+        "rows": table.rows,
+        **table2.summary(table),
+        "paper": table2.PAPER,
+        "notes": table.notes,
+        "wrong": table.wrong,
+    }

@@ -1,0 +1,71 @@
+"""CGAL's convex hull of all sums of vertices, timed: its exact kernel, behind the protocol."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+from types import TracebackType
+from typing import Any
+
+from minkref import _core
+from minkref.fuzz.adapters.catalogue import absence, command
+
+HULL = "cgal-hull"
+
+
+class NoHullError(Exception):
+    """There is no such program, or it gave no answer."""
+
+
+class ConvexHullService:
+    """One process for many sums; close it, or use it in a `with`."""
+
+    def __init__(self) -> None:
+        line = command(HULL)
+        if line is None:
+            raise NoHullError(absence(HULL) or "there is no such adapter")
+        self._process = subprocess.Popen(
+            line, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+        )
+        self._ask({"verb": "hello", "protocols": ["adapter-v1"]})
+
+    def __enter__(self) -> ConvexHullService:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    def load(self, Q: _core.Polyhedron) -> None:
+        self._ask({"verb": "load", "dimension": 3, "Q": _document(Q)})
+
+    def sum(self, sP: _core.Polyhedron) -> tuple[float, dict[str, Any]]:
+        """Seconds of CGAL alone (adding all pairs of vertices, and the hull), and the hull in
+        triangles."""
+        answer = self._ask({"verb": "at", "sP": _document(sP), "timed": True})
+        return answer["cgal_seconds"], answer
+
+    def close(self) -> None:
+        self._process.terminate()
+        self._process.wait()
+        for stream in (self._process.stdin, self._process.stdout):
+            if stream is not None:
+                stream.close()
+
+    def _ask(self, request: dict[str, Any]) -> dict[str, Any]:
+        if self._process.stdin is None or self._process.stdout is None:
+            raise NoHullError("the process has no streams")
+        self._process.stdin.write(json.dumps(request) + "\n")
+        self._process.stdin.flush()
+        answer: dict[str, Any] = json.loads(self._process.stdout.readline() or "{}")
+        if answer.get("status") != "result":
+            raise NoHullError(str(answer.get("reason", "no answer")))
+        return answer
+
+
+def _document(polyhedron: _core.Polyhedron) -> dict[str, Any]:
+    return {"vertices": polyhedron.points(), "faces": polyhedron.rings()}

@@ -1,0 +1,207 @@
+"""Table 2 of Behar & Lien 2012: convex polyhedra under non-uniform scaling, updated and afresh."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable
+from dataclasses import asdict, dataclass, field
+from fractions import Fraction
+from itertools import product
+from statistics import geometric_mean
+from typing import Any
+
+from minkref import _core
+from minkref.fuzz.space.hull import convex_hull
+from minkref.reports.bench.convex_hull_service import ConvexHullService, NoHullError
+from minkref.reports.bench.spread import least, spread
+from minkref.space.operand import SpaceOperand, read_space_operand
+from minkref.space.scaling import Scaling
+
+MODELS = ("ellipsoid", "gs3", "gs4", "ti", "rod")
+PAPER = {"least": 13.050, "mean": 27.7, "greatest": 97.410}
+RANDOM, STEPS = "random", "steps"
+ABOUT = {
+    RANDOM: "each axis log-uniform in [0.1, 10], as in the paper",
+    STEPS: "each axis changed by up to 1 %",
+}
+COUNT, QUICK_COUNT = 100, 10
+PASSES = 3
+BRUTE_FORCE_EVERY = 25  # re-scalings to one that brute force and CGAL are timed at
+SIX_DIGITS = 1_000_000
+
+Row = dict[str, Any]
+Tell = Callable[[str], None]
+
+
+@dataclass
+class Table2:
+    seed: int
+    rescalings: int
+    rows: list[Row] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
+    wrong: list[str] = field(default_factory=list)  # sums that differ from CGAL's hull
+
+
+def pair_count() -> int:
+    return len(MODELS) ** 2
+
+
+def run(quick: bool, seed: int, tell: Tell, done: Callable[[], None]) -> Table2:
+    """Times all pairs, at random factors and at small steps."""
+    table = Table2(seed, QUICK_COUNT if quick else COUNT)
+    operands = [read_space_operand(name) for name in MODELS]
+    service: ConvexHullService | None = None
+    try:
+        service = ConvexHullService()
+    except NoHullError as error:
+        table.notes.append(f"CGAL's hull is left out: {error}")
+    try:
+        for P, Q in product(operands, operands):
+            for kind in (RANDOM, STEPS):
+                tell(f"{P.name}, {Q.name}: {ABOUT[kind]}")
+                _time_pair(table, P, Q, kind, service, tell)
+            done()
+    finally:
+        if service is not None:
+            service.close()
+    return table
+
+
+def random_scalings(seed: int, count: int) -> list[Scaling]:
+    """Factors of six decimals, each axis log-uniform in [0.1, 10]."""
+    dice = random.Random(seed)
+    return [_scaling([10 ** dice.uniform(-1, 1) for _ in range(3)]) for _ in range(count)]
+
+
+def scalings_in_steps(seed: int, count: int) -> list[Scaling]:
+    """A walk: each axis changes by up to 1 %, within [0.1, 10]."""
+    dice = random.Random(seed)
+    factors = [10 ** dice.uniform(-0.5, 0.5) for _ in range(3)]
+    walk = []
+    for _ in range(count):
+        walk.append(_scaling(factors))
+        factors = [min(10, max(0.1, f * dice.uniform(0.99, 1.01))) for f in factors]
+    return walk
+
+
+def _scaling(factors: list[float]) -> Scaling:
+    x, y, z = (str(Fraction(round(f * SIX_DIGITS), SIX_DIGITS)) for f in factors)
+    return (x, y, z)
+
+
+def _time_pair(
+    table: Table2,
+    P: SpaceOperand,
+    Q: SpaceOperand,
+    kind: str,
+    service: ConvexHullService | None,
+    tell: Tell,
+) -> None:
+    choose = random_scalings if kind == RANDOM else scalings_in_steps
+    scalings = choose(table.seed, table.rescalings + 1)
+    if P.body is None or Q.body is None:
+        raise ValueError("the models of Table 2 have volume")
+    walks = [
+        dict(_core.timed_convex_walk(P.body, Q.body, scalings, BRUTE_FORCE_EVERY if first else 0))
+        for first in (True, False, False)[:PASSES]
+    ]
+    updates, coordinates, traversals = (
+        least([walk[f"{name}_seconds"] for walk in walks])
+        for name in ("update", "coordinate", "traversal")
+    )
+    ours = [a + b for a, b in zip(updates, coordinates, strict=True)]
+    every = range(BRUTE_FORCE_EVERY, len(scalings), BRUTE_FORCE_EVERY)
+    brute_force = walks[0]["brute_force_seconds"]
+    row: Row = {
+        "P": P.name,
+        "Q": Q.name,
+        "kind": kind,
+        "facets": [P.body.facets, Q.body.facets],
+        "vertices_mean": sum(walks[0]["vertices"]) / len(ours),
+        "ee_pairs_mean": sum(walks[0]["ee_pairs"]) / len(ours),
+        "update": asdict(spread(updates)),
+        "ours": asdict(spread(ours)),
+        "coordinates": asdict(spread(coordinates)),
+        "floor_ratio": sum(ours) / sum(coordinates),
+        "traversal": asdict(spread(traversals)),
+        "traversal_ratio": _ratio(traversals, ours),
+        "brute_force": asdict(spread(brute_force)) if brute_force else None,
+        "brute_force_ratio": _ratio(brute_force, [ours[k - 1] for k in every])
+        if brute_force
+        else None,
+        "cgal_hull": None,
+        "cgal_hull_ratio": None,
+        **_per_step(walks[0], len(ours)),
+    }
+    if service is not None:
+        tell(f"{P.name}, {Q.name}: CGAL's hull")
+        chosen = list(every) or [len(scalings) - 1]
+        seconds = [_cgal(table, service, P, Q, scalings[k]) for k in chosen]
+        row["cgal_hull"] = asdict(spread(seconds))
+        row["cgal_hull_ratio"] = _ratio(seconds, [ours[k - 1] for k in chosen])
+    table.rows.append(row)
+
+
+def _ratio(theirs: list[float], ours: list[float]) -> float:
+    return sum(theirs) / sum(ours)
+
+
+def _per_step(walk: Row, steps: int) -> Row:
+    """Means over the re-scalings of what the update counted."""
+    errors = walk["fv_errors"] + walk["vf_errors"] + walk["ee_errors"]
+    counts = ("fv_errors", "vf_errors", "ee_errors", "descent_steps", "chains_walked", "signs",
+              "exact_signs")  # fmt: skip
+    return {
+        **{name: walk[name] / steps for name in counts},
+        "signs_per_error": walk["signs"] / errors if errors else None,
+        "chains_without_error": walk["chains_without_error"],
+    }
+
+
+def _cgal(
+    table: Table2, service: ConvexHullService, P: SpaceOperand, Q: SpaceOperand, scaling: Scaling
+) -> float:
+    """Seconds of CGAL's hull. Its vertices, which say all of a convex body, have to be ours."""
+    if P.body is None or Q.body is None:
+        raise ValueError("the models of Table 2 have volume")
+    factors = [Fraction(f) for f in scaling]
+    scaled = [
+        tuple(str(f * Fraction(c)) for f, c in zip(factors, point, strict=True))
+        for point in P.surface.points()
+    ]
+    sP = _core.Polyhedron([(x, y, z) for x, y, z in scaled], P.surface.rings())
+    service.load(Q.surface)
+    seconds, hull = service.sum(sP)
+    mine = set(_core.convex_sum(P.body, Q.body, scaling).surface.points())
+    theirs = {
+        (str(Fraction(x)), str(Fraction(y)), str(Fraction(z))) for x, y, z in hull["vertices"]
+    }
+    if not mine <= theirs or (mine != theirs and not _flat(mine, theirs)):
+        table.wrong.append(f"{P.name}, {Q.name} at {','.join(scaling)}")
+    return seconds
+
+
+def _point(vertex: list[str]) -> tuple[str, str, str]:
+    x, y, z = (str(Fraction(number)) for number in vertex)
+    return (x, y, z)
+
+
+def _flat(mine: set[tuple[str, str, str]], theirs: set[tuple[str, str, str]]) -> bool:
+    """CGAL may keep points inside facets and edges; the hull of its vertices is ours then."""
+    hull = convex_hull((Fraction(x), Fraction(y), Fraction(z)) for x, y, z in theirs)
+    return {(str(x), str(y), str(z)) for x, y, z in hull.vertices} == mine
+
+
+def summary(table: Table2) -> Row:
+    """Geometric means over all pairs, and the extremes."""
+    result: Row = {}
+    for kind in (RANDOM, STEPS):
+        rows = [row for row in table.rows if row["kind"] == kind]
+        for name in ("brute_force_ratio", "traversal_ratio", "cgal_hull_ratio", "floor_ratio"):
+            values = [row[name] for row in rows if row[name] is not None]
+            result[f"{kind}_{name}"] = (
+                {"least": min(values), "mean": geometric_mean(values), "greatest": max(values)}
+                if values
+                else None
+            )
+    return result

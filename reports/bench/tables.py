@@ -1,0 +1,135 @@
+"""The tables of `minkref bench` for people."""
+
+from __future__ import annotations
+
+import sys
+from typing import Any
+
+from minkref.reports.bench.baselines import ABOUT
+from minkref.reports.bench.table1 import PAPER_MEAN
+from minkref.reports.bench.table2 import ABOUT as KINDS
+from minkref.terminal import console, lines
+from rich.table import Table
+
+
+def print_polygons(value: dict[str, Any], seed: int) -> None:
+    out = console()
+    out.print(_pairs_table(value["pairs"]))
+    for measure, title in (
+        ("intersections", "Updating all intersections, against finding them afresh"),
+        ("sum", "Updating and giving the sum, against computing the sum afresh"),
+    ):
+        rows = [row for row in value["rows"] if row["measure"] == measure]
+        out.print()
+        out.print(_rows_table(title, rows))
+    text = [("re-scalings", f"{value['rescalings']} out of 0.1, 0.2, ..., 10; seed {seed}")]
+    for name, mean in value["mean_ratios"].items():
+        reached = f"{mean:.2f}" if mean is not None else "not all pairs were timed"
+        text.append((f"mean ratio, {name}", f"{reached} over the small pairs: {ABOUT[name]}"))
+    text.append(("the paper's", f"{PAPER_MEAN} over its 25 pairs (as pairwise; another machine)"))
+    text += [("note", note) for note in value["notes"]]
+    text += [("WRONG", f"the sum differs from the static one: {wrong}") for wrong in value["wrong"]]
+    sys.stdout.write("\n" + lines(text))
+
+
+def _pairs_table(rows: list[dict[str, Any]]) -> Table:
+    table = Table(box=None, pad_edge=False, title="Pairs", title_justify="left")
+    headings = ("pair", "edges", "events", "scales crossed", "changes", "update ms", "all events s")
+    for heading in headings:
+        table.add_column(heading, justify="left" if heading == "pair" else "right", no_wrap=True)
+    for row in rows:
+        table.add_row(
+            row["name"],
+            f"{row['edges']:,}",
+            f"{row['events']:,}",
+            f"{row['event_scales_per_step']:,.0f}",
+            f"{row['changes_per_step']:,.0f}",
+            milliseconds(row["update"]["median"]),
+            f"{row['preprocessing_seconds']:.3f}",
+        )
+    return table
+
+
+def _rows_table(title: str, rows: list[dict[str, Any]]) -> Table:
+    table = Table(box=None, pad_edge=False, title=title, title_justify="left")
+    headings = ("pair", "against", "timed", "ours ms", "theirs ms", "ratio", "median", "quartiles",
+                "pays from")  # fmt: skip
+    for heading in headings:
+        left = heading in ("pair", "against")
+        table.add_column(heading, justify="left" if left else "right", no_wrap=True)
+    for row in rows:
+        of_each = row["ratios"]
+        table.add_row(
+            row["name"],
+            row["baseline"],
+            f"{row['rescalings_timed']} of {row['rescalings']}",
+            milliseconds(row["ours_s"]),
+            milliseconds(row["baseline_s"]),
+            f"{row['ratio']:,.2f}",
+            f"{of_each['median']:,.2f}",
+            f"{of_each['lower']:,.1f} - {of_each['upper']:,.1f}",
+            f"{row['break_even']:,}" if row["break_even"] is not None else "never",
+        )
+    return table
+
+
+def milliseconds(seconds: float) -> str:
+    return f"{seconds * 1000:,.4f}" if seconds < 0.01 else f"{seconds * 1000:,.1f}"
+
+
+def print_polyhedra(value: dict[str, Any], seed: int) -> None:
+    out = console()
+    for kind, about in KINDS.items():
+        rows = [row for row in value["rows"] if row["kind"] == kind]
+        out.print()
+        out.print(_polyhedra_table(f"Convex polyhedra, {about}", rows))
+    text = [("re-scalings", f"{value['rescalings']} of each pair and kind; seed {seed}")]
+    for kind in KINDS:
+        for name, what in (
+            ("cgal_hull_ratio", "CGAL's hull over ours"),
+            ("brute_force_ratio", "all pairs over ours"),
+            ("traversal_ratio", "best static route over ours"),
+            ("floor_ratio", "ours over coordinates alone"),
+        ):
+            told = value[f"{kind}_{name}"]
+            reached = (
+                f"{told['least']:,.2f} to {told['greatest']:,.2f}, mean {told['mean']:,.2f}"
+                if told
+                else "not timed"
+            )
+            text.append((f"{kind}: {what}", reached))
+    paper = value["paper"]
+    text.append(
+        ("the paper's", f"{paper['least']} to {paper['greatest']}, mean {paper['mean']} (against "
+         "its own recomputation; another machine)")
+    )  # fmt: skip
+    text += [("note", note) for note in value["notes"]]
+    text += [("WRONG", f"not CGAL's hull: {wrong}") for wrong in value["wrong"]]
+    sys.stdout.write("\n" + lines(text))
+
+
+def _polyhedra_table(title: str, rows: list[dict[str, Any]]) -> Table:
+    table = Table(box=None, pad_edge=False, title=title, title_justify="left")
+    headings = ("P", "Q", "vertices", "fv", "vf", "ee", "signs/error", "update µs",
+                "with coord. µs", "/floor", "static/", "all pairs/", "CGAL/")  # fmt: skip
+    for heading in headings:
+        table.add_column(heading, justify="left" if heading in "PQ" else "right", no_wrap=True)
+    for row in rows:
+        table.add_row(
+            row["P"],
+            row["Q"],
+            f"{row['vertices_mean']:,.0f}",
+            *(f"{row[name]:,.1f}" for name in ("fv_errors", "vf_errors", "ee_errors")),
+            _or_none(row["signs_per_error"], ".1f"),
+            f"{row['update']['median'] * 1e6:,.1f}",
+            f"{row['ours']['median'] * 1e6:,.1f}",
+            f"{row['floor_ratio']:.2f}",
+            f"{row['traversal_ratio']:,.2f}",
+            _or_none(row["brute_force_ratio"], ",.0f"),
+            _or_none(row["cgal_hull_ratio"], ",.0f"),
+        )
+    return table
+
+
+def _or_none(value: float | None, form: str) -> str:
+    return "-" if value is None else format(value, form)
