@@ -30,6 +30,7 @@ VERIFIED, REFUTED, MALFORMED, OUT_OF_BUDGET = 0, 1, 2, 4
 NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?(\d{1,3}|1000))?|[+-]?\d+/\d+", re.ASCII)
 SURROGATE = re.compile(r"(?<!\\)(\\\\)*\\u[dD][89a-fA-F]")
 MOST_DIGITS = 100_000  # of one number
+OF_CONVEX_BODIES = "this is a convex-certificate-v1: check_convex.py follows it"
 CLAIMS = ("sum", "interval", "event", "point", "passage", "sign")
 
 Json = Any
@@ -718,20 +719,18 @@ class Proof:
 def check(path: Path, case: Path | None, seconds: float, tests: float, size: float) -> list[str]:
     """What a certificate proves. Raises NotVerified."""
     certificate = read_json(path, size, decimals=False)
-    names = "certificate title? comment? producer? case steps claims"
-    version, *told, of, steps, claims = members(certificate, names)
+    version = certificate.get("certificate") if isinstance(certificate, dict) else None
+    require(version != "convex-certificate-v1", OF_CONVEX_BODIES)
     require(version == "certificate-v1", f"this is no certificate-v1, but {version!r}")
-    require(
-        all(text is None or isinstance(text, str) for text in told),
-        "what carries no truth is no text",
-    )
+    names = "certificate title? comment? producer? case steps claims"
+    _, *told, of, steps, claims = members(certificate, names)
+    require(all(t is None or isinstance(t, str) for t in told), "what carries no truth is no text")
     name, digest = members(of, "path sha256")
     require(isinstance(name, str), "the path of the case is no text")
     value = read_json(case or path.parent / name, size, decimals=True)
     require(isinstance(value, dict), "this is no case")
     P, Q = (Operand(value.get(operand), operand) for operand in "PQ")
-    found = digest_of({"P": P.plain, "Q": Q.plain})
-    demand(found == digest, "this is not the case that is certified")
+    demand(digest_of({"P": P.plain, "Q": Q.plain}) == digest, "not the case that is certified")
     proof = Proof(P, Q, seconds, tests)
     for what, entries, add in (("step", steps, proof.add_step), ("claim", claims, proof.add_claim)):
         twice = what == "claim" and len(set(map(digest_of, items(entries)))) < len(entries)

@@ -1,25 +1,12 @@
 #include "oracle/checker/claims.hpp"
 
 #include <memory>
-#include <sstream>
 
 #include "oracle/checker/predicate.hpp"
 #include "oracle/checker/sha256.hpp"
 
 namespace minkref::checker {
 namespace {
-
-/// JSON written out, to be compared: texts with their lengths.
-std::string texts(const Value& value) {
-  std::ostringstream out;
-  out << static_cast<int>(value.kind) << value.truth << value.text.size() << '"' << value.text;
-  for (const Value& item : value.items) out << ',' << texts(item);
-  std::map<std::string, std::string> sorted;
-  for (const auto& [name, member] : value.members) sorted[name] = texts(member);
-  for (const auto& [name, member] : sorted) out << ';' << name.size() << '"' << name << member;
-  out << '.';
-  return out.str();
-}
 
 /// What a claim is about, for later ones: nothing, the region of a sum, or those of an interval.
 using Shown = std::vector<const Region*>;
@@ -149,8 +136,8 @@ class Certificate {
     same_counts(found, *m[3], *m[4]);
     same_digest(found, *m[5]);
     if (!m[6]->is_null()) {
-      demand(texts(*m[6]) ==
-                 texts(parse_json(canonical_json(found.polygons()), false).members[0].value),
+      demand(written_out(*m[6]) ==
+                 written_out(parse_json(canonical_json(found.polygons()), false).members[0].value),
              "the polygons are others");
     }
     shown_.back() = {&found};
@@ -311,7 +298,7 @@ std::vector<std::string> check(const Value& certificate,
   }
   std::set<std::string> different;
   for (const Value& claim : items(*m[6])) {
-    require(different.insert(texts(claim)).second, "a claim is made twice");
+    require(different.insert(written_out(claim)).second, "a claim is made twice");
   }
   std::vector<std::string> said;
   for (const Value& claim : items(*m[6])) {

@@ -1,6 +1,8 @@
 #include "oracle/checker/json_value.hpp"
 
 #include <algorithm>
+#include <map>
+#include <sstream>
 
 namespace minkref::checker {
 namespace {
@@ -193,5 +195,16 @@ class Parser {
 }  // namespace
 
 Value parse_json(std::string_view text, bool reals) { return Parser(text, reals).whole(); }
+
+std::string written_out(const Value& value) {
+  std::ostringstream out;  // texts with their lengths
+  out << static_cast<int>(value.kind) << value.truth << value.text.size() << '"' << value.text;
+  for (const Value& item : value.items) out << ',' << written_out(item);
+  std::map<std::string, std::string> sorted;
+  for (const auto& [name, member] : value.members) sorted[name] = written_out(member);
+  for (const auto& [name, member] : sorted) out << ';' << name.size() << '"' << name << member;
+  out << '.';
+  return out.str();
+}
 
 }  // namespace minkref::checker

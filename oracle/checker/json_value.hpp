@@ -48,4 +48,7 @@ constexpr std::size_t most_digits = 100'000;  ///< of one number
 /// surrogates, and for numbers with a point or an exponent unless `reals`.
 Value parse_json(std::string_view text, bool reals);
 
+/// A value as one text, to be compared: two are equal iff their values are.
+std::string written_out(const Value& value);
+
 }  // namespace minkref::checker

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "oracle/checker/claims.hpp"
+#include "oracle/checker/convex.hpp"
 #include "oracle/checker/gzip.hpp"
 
 namespace {
@@ -150,7 +151,10 @@ void check_file(const std::string& file, const Options& options) {
     return parse_json(read(options.case_path.value_or(beside.string()), most, false), true);
   };
   try {
-    const auto said = check(parse_json(read(file, most, file == "-"), false), read_case, budget);
+    const Value certificate = parse_json(read(file, most, file == "-"), false);
+    const auto said = is_convex_certificate(certificate)
+                          ? check_convex(certificate, read_case, budget)
+                          : check(certificate, read_case, budget);
     std::cout << shown(file) << ": verified\n";
     for (const std::string& line : said) std::cout << "  " << shown(line) << "\n";
   } catch (const NotVerified& error) {

@@ -12,6 +12,7 @@ from minkref.documents import Stopwatch, as_text, document
 from minkref.errors import Refusal
 from minkref.options import Json, Schema
 from minkref.oracle.checker import check as checker
+from minkref.oracle.checker import check_convex
 from minkref.terminal import shown
 
 EXAMPLES = """Examples:
@@ -50,13 +51,14 @@ def command(
     schema: Schema = False,
 ) -> None:
     """Follow certificates (docs/certificates.md) step by step, in exact arithmetic; nothing of what
-    made them is used. The checker is one file that also runs alone: oracle/checker/check.py. Exits
+    made them is used. The checkers are single files that also run alone: oracle/checker/check.py,
+    and check_convex.py beside it for sums of convex polyhedra (docs/certificates-convex.md). Exits
     with 0 if all are verified, 1 if one is refuted, 2 if one is malformed or its case is missing, 4
     if one is out of budget: the worst of these counts, in this order."""
     watch = Stopwatch()
     rows = []
     for path in _found(files):
-        code, message, claims = checker.verdict(path, case, seconds, tests, bytes_)
+        code, message, claims = _verdict(path, case, seconds, tests, bytes_)
         rows.append(
             {"file": str(path), "verdict": WORDS[code], "message": message, "claims": claims}
         )
@@ -67,6 +69,16 @@ def command(
     verdicts = {row["verdict"] for row in rows}
     worst = (checker.REFUTED, checker.MALFORMED, checker.OUT_OF_BUDGET)
     raise typer.Exit(next((code for code in worst if WORDS[code] in verdicts), checker.VERIFIED))
+
+
+def _verdict(
+    path: Path, case: Path | None, seconds: float, tests: float, most: float
+) -> checker.Verdict:
+    """By the checker of the form that the certificate says it has."""
+    found = checker.verdict(path, case, seconds, tests, most)
+    if found[:2] == (checker.MALFORMED, checker.OF_CONVEX_BODIES):
+        return check_convex.verdict(path, case, seconds, tests, most)
+    return found
 
 
 def _found(files: list[Path]) -> list[Path]:

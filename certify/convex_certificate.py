@@ -1,0 +1,163 @@
+"""The producer of certificates of sums of convex polyhedra (docs/certificates-convex.md). It is not
+trusted: the checker is."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from fractions import Fraction
+from math import gcd, lcm
+from typing import Any, NamedTuple
+
+from minkref import _core
+from minkref.exact import digest
+from minkref.version import version
+
+Scaling = tuple[str, str, str]  # a factor for each axis, n or n/d
+Row = tuple[str, str, str]
+
+
+class Texts(NamedTuple):
+    certificate: str
+    case: str
+
+
+def convex_certificate(
+    P: _core.Polyhedron,
+    Q: _core.Polyhedron,
+    scalings: Iterable[Scaling],
+    case: str,
+    title: str = "",
+    producer: str = "",
+) -> Texts:
+    """A certificate of SP + Q at each of the scalings, and its case, which it will look for at the
+    path `case`. Raises _core.BadInput where an operand is not convex or a scaling not positive."""
+    certificate = ConvexCertificate(P, Q)
+    for scaling in scalings:
+        certificate.sum(scaling)
+    return Texts(certificate.text(case, title, producer), certificate.case())
+
+
+class ConvexCertificate:
+    """Sums of two convex polyhedra, each with its proof and its claim. Exact."""
+
+    def __init__(self, P: _core.Polyhedron, Q: _core.Polyhedron) -> None:
+        """Raises _core.BadInput where an operand is not valid, not convex or has no volume."""
+        self.P, self.Q = _Operand(P, "P"), _Operand(Q, "Q")
+        self.claims: list[dict[str, Any]] = []
+        self._sums: list[dict[str, Any]] = []
+        self._numbers: dict[Scaling, int] = {}  # of the claims
+
+    def sum(self, scaling: Scaling) -> int:
+        """Claims what the sum is at a scaling. Returns the number of the claim, which is an earlier
+        one if that was at this scaling."""
+        at = _lowest_terms(scaling)
+        if at in self._numbers:
+            return self._numbers[at]
+        return self.add(at, _core.convex_sum(self.P.convex, self.Q.convex, at))
+
+    def add(self, scaling: Scaling, found: _core.ConvexSum) -> int:
+        """The same of a result that is there already, of these operands at this scaling."""
+        at = _lowest_terms(scaling)
+        if at in self._numbers:
+            return self._numbers[at]
+        vertices = [[self.P.given[p], self.Q.given[q]] for p, q in found.vertex_parents]
+        parents = [(self.P.face(p), self.Q.face(q)) for p, q in found.facet_parents]
+        rings = found.surface.rings()
+        facets = [[ring, *of] for ring, of in zip(rings, parents, strict=True)]
+        self._sums.append({"scaling": at, "vertices": vertices, "facets": facets})
+        self.claims.append(
+            {
+                "claim": "sum",
+                "sum": len(self._sums) - 1,
+                "scaling": at,
+                "vertices": len(vertices),
+                "facets": len(facets),
+                "volume": str(Fraction(found.surface.sextuple_volume()) / 6),
+                "digest": digest(found.surface.canonical_json()),
+            }
+        )
+        self._numbers[at] = len(self.claims) - 1
+        return self._numbers[at]
+
+    def text(self, case: str, title: str = "", producer: str = "") -> str:
+        """The certificate; `case`: the path of its case, relative to its own."""
+        head = {
+            "certificate": "convex-certificate-v1",
+            "title": title,
+            "producer": producer or f"minkref {version()}",
+            "case": {"path": case, "sha256": digest(f'{{"P":{self.P.plain},"Q":{self.Q.plain}}}')},
+        }
+        told = {name: value for name, value in head.items() if value}
+        parts = [f'"{name}":{json.dumps(told[name], ensure_ascii=False)}' for name in told]
+        parts += [f'"sums":{_compact(self._sums)}', f'"claims":{_compact(self.claims)}']
+        return "{" + ",\n".join(parts) + "}\n"
+
+    def case(self) -> str:
+        """The text of the case that is certified."""
+        return f'{{"dimension":3,\n"P":{self.P.plain},\n"Q":{self.Q.plain}}}\n'
+
+
+class _Operand:
+    """A polyhedron as it is given, and the strictly convex one that the reference makes of it: the
+    same set without the vertices that are inside a facet or an edge, which are flat."""
+
+    def __init__(self, surface: _core.Polyhedron, name: str) -> None:
+        self.convex = _core.ConvexPolyhedron(surface, name)
+        points, rings = surface.points(), surface.rings()
+        self.plain = _compact({"faces": rings, "vertices": points})
+        place = {point: i for i, point in enumerate(points)}
+        hull = self.convex.surface()
+        self.given = [place[point] for point in hull.points()]  # the number of each vertex
+        self._flat: dict[int, list[tuple[int, set[int]]]] = {}
+        if len(self.given) < len(points):
+            facets = ([self.given[i] for i in ring] for ring in hull.rings())
+            self._find_flat(_whole(points), rings, list(facets))
+
+    def face(self, corners: Iterable[int]) -> list[int]:
+        """All vertices of the face with these corners, as they are given: a flat vertex is on it if
+        the smallest face that the vertex is on is."""
+        found = {self.given[corner] for corner in corners}
+        flat = [v for i in found for v, carrier in self._flat.get(i, ()) if carrier <= found]
+        return sorted(found.union(flat))
+
+    def _find_flat(
+        self, points: list[tuple[int, ...]], rings: list[list[int]], facets: list[list[int]]
+    ) -> None:
+        """Sets `_flat`: the flat vertices, each with the corners of the smallest face that it is
+        on, by the least of these corners. That face is the intersection of the facets around."""
+        facet_of = {_normal([points[i] for i in facet]): set(facet) for facet in facets}
+        carriers: dict[int, set[int]] = {}
+        for ring in rings:
+            facet = facet_of[_normal([points[i] for i in ring])]
+            for v in ring:
+                carriers[v] = carriers.get(v, facet) & facet
+        for v in sorted(carriers.keys() - set(self.given)):
+            self._flat.setdefault(min(carriers[v]), []).append((v, carriers[v]))
+
+
+def _whole(points: list[Row]) -> list[tuple[int, ...]]:
+    """The points times a common denominator."""
+    exact = [tuple(map(Fraction, point)) for point in points]
+    unit = lcm(*(c.denominator for point in exact for c in point))
+    return [tuple(int(c * unit) for c in point) for point in exact]
+
+
+def _normal(ring: list[tuple[int, ...]]) -> tuple[int, ...]:
+    """Primitive, to the side from which the ring runs counter-clockwise."""
+    area = [0, 0, 0]
+    for a, b in zip(ring, ring[1:] + ring[:1], strict=True):
+        for k in range(3):
+            u, v = (k + 1) % 3, (k + 2) % 3
+            area[k] += a[u] * b[v] - a[v] * b[u]
+    divisor = gcd(*area)
+    return tuple(c // divisor for c in area)
+
+
+def _lowest_terms(scaling: Scaling) -> Scaling:
+    x, y, z = (str(Fraction(factor)) for factor in scaling)
+    return x, y, z
+
+
+def _compact(value: Any) -> str:
+    return json.dumps(value, separators=(",", ":"))

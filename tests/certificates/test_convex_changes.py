@@ -1,0 +1,173 @@
+"""Sums of convex polyhedra: whatever is changed in a certificate or its case, both checkers give
+one verdict, and what they still verify is true by the independent hull."""
+
+from __future__ import annotations
+
+import copy
+import json
+import random
+from collections.abc import Iterator
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import cubes
+import pytest
+from convex_checker import in_python_of_convex
+from minkref.fuzz.space.generators.convex import random_hull
+from minkref.fuzz.space.hull import convex_hull, is_convex
+from minkref.fuzz.space.polyhedron import Polyhedron
+from minkref.reports.evidence.certificates.checkers import in_cpp, verdicts
+
+Value = dict[str, Any]
+Change = tuple[Value, Value]  # certificate, case
+SCALINGS = [cubes.whole_scaling(1, 1, 1), cubes.whole_scaling("1/2", 3, "7/5")]
+
+
+def flat_top() -> Polyhedron:
+    """A cube whose top is in four triangles."""
+    vertices = [*cubes.CUBE["vertices"], ["1/2", "1/2", "1"]]
+    faces = [*cubes.RINGS[:3], *cubes.RINGS[4:], [1, 5, 8], [5, 7, 8], [7, 3, 8], [3, 1, 8]]
+    return Polyhedron.from_document({"vertices": vertices, "faces": faces})
+
+
+def tetrahedron() -> Polyhedron:
+    corners = [(0, 0, 0), (2, 0, 0), (0, 1, 0), (1, 1, 3)]
+    return convex_hull(cubes.whole_scaling(*corner) for corner in corners)
+
+
+def random_pair(number: int) -> tuple[Polyhedron, Polyhedron]:
+    dice = random.Random(number)
+    return random_hull(dice, 5, 2), random_hull(dice, 6, 3)
+
+
+PAIRS = {
+    "flat vertex": (flat_top(), tetrahedron()),
+    "cubes": (cubes.polyhedron(cubes.CUBE), cubes.polyhedron(cubes.CUBE)),
+    "random 1": random_pair(1),
+    "random 2": random_pair(2),
+}
+
+
+def places(value: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
+    if path:
+        yield path
+    if not isinstance(value, dict | list):
+        return
+    for name in value if isinstance(value, dict) else range(len(value)):
+        yield from places(value[name], (*path, name))
+
+
+def others(value: Any) -> Iterator[Any]:
+    """What may stand there instead: near numbers, shorter, longer and reordered lists."""
+    if isinstance(value, int):
+        yield from (value - 1, value + 1, -value, value + 7, str(value))
+    elif isinstance(value, str):
+        if value.lstrip("-").replace("/", "").isdigit():
+            number = Fraction(value)
+            changed = (number + 1, number - 1, -number, number + Fraction(1, 1 << 70))
+            yield from map(str, (*changed, number * 2, number / 2))
+        yield from (value + "0", value[:-1])
+    elif isinstance(value, list):
+        yield from (value[1:], value[:-1], [*value, *value[-1:]], [*value[1:], *value[:1]])
+        yield from (value[::-1], [*value[1:2], *value[:1], *value[2:]], [])
+
+
+def changed(value: Value) -> Iterator[Value]:
+    """Each place in each way; an integer may stand for the text of it."""
+    for path in places(value):
+        parent = value
+        for name in path[:-1]:
+            parent = parent[name]
+        for other in others(parent[path[-1]]):
+            if other == parent[path[-1]]:
+                continue
+            result = copy.deepcopy(value)
+            inside = result
+            for name in path[:-1]:
+                inside = inside[name]
+            inside[path[-1]] = other
+            yield result
+
+
+def changes(certificate: Value, case: Value) -> Iterator[Change]:
+    """Of the certificate, and of the case with its digest as it was and as it has become."""
+    for value in changed(certificate):
+        yield value, case
+    for value in changed(case):
+        yield certificate, value
+        digest = digest_if_it_has_one(value)
+        if digest is not None and digest != certificate["case"]["sha256"]:
+            repaired = copy.deepcopy(certificate)
+            repaired["case"]["sha256"] = digest
+            yield repaired, value
+
+
+def digest_if_it_has_one(case: Value) -> str | None:
+    try:
+        return cubes.digest_of_case(case)
+    except (KeyError, TypeError, ValueError, ZeroDivisionError):
+        return None
+
+
+def is_true(certificate: Value, case: Value) -> bool:
+    """By the independent hull: the operands are hulls, and this is the certificate of their sums,
+    whichever way its numbers are written and its claims are ordered."""
+    operands = [cubes.polyhedron(case[name]) for name in "PQ"]
+    if any(o.fault() or not is_convex(o) for o in operands):
+        return False
+    if any(o.volume != convex_hull(o.vertices).volume for o in operands):
+        return False
+    scalings = [cubes.whole_scaling(*one["scaling"]) for one in certificate["sums"]]
+    true = cubes.certificate_of(*operands, scalings)
+    return all(
+        [in_numbers(one) for one in true[part]]
+        == sorted((in_numbers(one) for one in certificate[part]), key=lambda one: one.get("sum", 0))
+        for part in ("sums", "claims")
+    )
+
+
+def in_numbers(entry: Value) -> Value:
+    result = {**entry, "scaling": list(map(Fraction, entry["scaling"]))}
+    return result | ({"volume": Fraction(entry["volume"])} if "volume" in entry else {})
+
+
+def both_verdicts(folder: Path, given: list[Change]) -> list[int]:
+    """The codes, on which the two checkers agree."""
+    files = []
+    for number, (certificate, case) in enumerate(given):
+        inside = folder / str(number)
+        inside.mkdir()
+        (inside / "case.json").write_text(json.dumps(case), encoding="utf-8")
+        files.append(inside / "it.cert.json")
+        files[-1].write_text(json.dumps(certificate), encoding="utf-8")
+    python = verdicts(in_python_of_convex(), files)
+    cpp = verdicts(in_cpp(), files)
+    for file, one, other in zip(files, python, cpp, strict=True):
+        assert one.code == other.code, (file.read_text(encoding="utf-8"), one.why, other.why)
+    return [one.code for one in python]
+
+
+@pytest.mark.parametrize("name", PAIRS)
+def test_every_change_is_refused_or_true(tmp_path: Path, name: str) -> None:
+    P, Q = PAIRS[name]
+    certificate = cubes.certificate_of(P, Q, SCALINGS if name == "cubes" else SCALINGS[1:])
+    case = cubes.case_of(P, Q)
+    given = list(changes(certificate, case))
+    codes = both_verdicts(tmp_path, [(certificate, case), *given])
+    assert codes[0] == 0
+    held = [one for one, code in zip(given, codes[1:], strict=True) if code == 0]
+    assert all(is_true(*one) for one in held)
+    of_certificate = [one for one in held if one[1] == case]
+    assert all(same_numbers(one[0], certificate) for one in of_certificate)
+    if name == "flat vertex":  # which may be moved in its plane
+        assert any(cubes.digest_of_case(one[1]) != certificate["case"]["sha256"] for one in held)
+    assert len(held) < len(given) / 20
+
+
+def same_numbers(one: Value, other: Value) -> bool:
+    return all(
+        sorted(map(str, map(in_numbers, one[part])))
+        == sorted(map(str, map(in_numbers, other[part])))
+        for part in ("sums", "claims")
+    )
