@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass, field
 from fractions import Fraction
 from itertools import product
@@ -164,29 +164,50 @@ def _cgal(
     """Seconds of CGAL's hull. Its vertices, which say all of a convex body, have to be ours."""
     if P.body is None or Q.body is None:
         raise ValueError("the models of Table 2 have volume")
-    factors = [Fraction(f) for f in scaling]
-    scaled = [
-        tuple(str(f * Fraction(c)) for f, c in zip(factors, point, strict=True))
-        for point in P.surface.points()
-    ]
-    sP = _core.Polyhedron([(x, y, z) for x, y, z in scaled], P.surface.rings())
-    service.load(Q.surface)
-    seconds, hull = service.sum(sP)
-    mine = set(_core.convex_sum(P.body, Q.body, scaling).surface.points())
-    theirs = {
-        (str(Fraction(x)), str(Fraction(y)), str(Fraction(z))) for x, y, z in hull["vertices"]
-    }
-    if not mine <= theirs or (mine != theirs and not _flat(mine, theirs)):
+    mine = _core.convex_sum(P.body, Q.body, scaling).surface
+    seconds, vertices = hull_of_cgal(service, P, Q, scaling)
+    if not _same(mine, vertices):
         table.wrong.append(f"{P.name}, {Q.name} at {','.join(scaling)}")
     return seconds
 
 
-def _point(vertex: list[str]) -> tuple[str, str, str]:
+Corner = tuple[str, str, str]
+
+
+def is_hull_of_cgal(
+    service: ConvexHullService,
+    P: SpaceOperand,
+    Q: SpaceOperand,
+    scaling: Scaling,
+    sum_: _core.Polyhedron,
+) -> bool:
+    """Whether the vertices of a sum are those of CGAL's hull, which of a convex body say all."""
+    return _same(sum_, hull_of_cgal(service, P, Q, scaling)[1])
+
+
+def hull_of_cgal(
+    service: ConvexHullService, P: SpaceOperand, Q: SpaceOperand, scaling: Scaling
+) -> tuple[float, set[Corner]]:
+    """CGAL's seconds, and the vertices of its hull."""
+    factors = [Fraction(f) for f in scaling]
+    scaled = [_point([f * Fraction(c) for f, c in zip(factors, point, strict=True)])
+              for point in P.surface.points()]  # fmt: skip
+    service.load(Q.surface)
+    seconds, hull = service.sum(_core.Polyhedron(scaled, P.surface.rings()))
+    return seconds, {_point(vertex) for vertex in hull["vertices"]}
+
+
+def _same(sum_: _core.Polyhedron, theirs: set[Corner]) -> bool:
+    mine = set(sum_.points())
+    return mine == theirs or (mine < theirs and _flat(mine, theirs))
+
+
+def _point(vertex: Iterable[str | Fraction]) -> Corner:
     x, y, z = (str(Fraction(number)) for number in vertex)
     return (x, y, z)
 
 
-def _flat(mine: set[tuple[str, str, str]], theirs: set[tuple[str, str, str]]) -> bool:
+def _flat(mine: set[Corner], theirs: set[Corner]) -> bool:
     """CGAL may keep points inside facets and edges; the hull of its vertices is ours then."""
     hull = convex_hull((Fraction(x), Fraction(y), Fraction(z)) for x, y, z in theirs)
     return {(str(x), str(y), str(z)) for x, y, z in hull.vertices} == mine

@@ -176,3 +176,19 @@ def test_an_open_mesh_is_refused_and_nothing_written(
     assert ran.code == 2
     assert ran.json["error"]["code"] == "open-mesh"
     assert not output.exists()
+
+
+def test_a_certificate_is_written_and_verified(
+    minkref: Minkref, cubes: tuple[Path, Path], tmp_path: Path
+) -> None:
+    path = tmp_path / "sum.cert.json"
+    ran = minkref("certify", *cubes, "--scale", "1,2,1/2", "-o", path, "--json")
+    assert ran.code == 0
+    jsonschema.validate(ran.json, schema("certify"))
+    checked = minkref("check", path, "--json").json
+    assert [row["verdict"] for row in checked["files"]] == ["verified"]
+    digests = [claim["digest"] for claim in ran.json["claims"]]
+    assert digests == [minkref("sum", *cubes, "--scale", "1,2,1/2", "--json").json["digest"]]
+    refused = minkref("certify", *cubes, "--event", "2", "-o", tmp_path / "e.cert.json")
+    assert refused.code == 2
+    assert not (tmp_path / "e.cert.json").exists()

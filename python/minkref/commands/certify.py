@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gzip
 import sys
+from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 from pathlib import Path
@@ -13,6 +14,7 @@ import typer
 
 from minkref import _core
 from minkref.certify.certificate import Certificate, NoProof
+from minkref.certify.convex_certificate import ConvexCertificate
 from minkref.documents import (
     Stopwatch,
     as_text,
@@ -27,6 +29,9 @@ from minkref.exact import read_point, read_scale
 from minkref.operand import read_operand
 from minkref.options import Json, Schema
 from minkref.signals import interruptible
+from minkref.space.operand import in_space, read_space_operand
+from minkref.space.scaling import Scaling, read_scaling
+from minkref.space.sums import bodies
 from minkref.terminal import shown
 
 EXAMPLES = """Examples:
@@ -39,7 +44,12 @@ minkref certify P.wkt Q.wkt --degeneracy 541/186 -o zero.cert.json
 
 minkref certify P.wkt Q.wkt --scale 2 --point 1/3,5 -o point.cert.json
 
-minkref certify g1 g2 --from 1 --to 11/10 -o interval.cert.json.gz"""
+minkref certify g1 g2 --from 1 --to 11/10 -o interval.cert.json.gz
+
+minkref certify gs3 rod --scale 2,1/3,5 -o convex.cert.json"""
+
+
+Make = Callable[[], Certificate | ConvexCertificate]
 
 
 def command(
@@ -52,7 +62,9 @@ def command(
     scale: Annotated[
         str | None,
         typer.Option(
-            "--scale", metavar="S", help="The sum and its tight passages there; 1 by default."
+            "--scale",
+            metavar="S",
+            help="The sum and its tight passages there; 1 by default. In space also SX,SY,SZ.",
         ),
     ] = None,
     event: Annotated[
@@ -85,27 +97,21 @@ def command(
     json: Json = False,
     schema: Schema = False,
 ) -> None:
-    """Write a certificate (docs/certificates.md): a proof in steps that `minkref check`, or a
-    checker of yours, follows without trusting minkref."""
+    """Write a certificate: a proof in steps that `minkref check`, or a checker of yours, follows
+    without trusting minkref (docs/certificates.md; of convex polyhedra
+    docs/certificates-convex.md)."""
     watch = Stopwatch()
     stem = _stem(output)
     case = output.with_name(f"{stem}.case.json")
     wish = Wish(scale, event, from_scale, to_scale, degeneracy, point)
     wish.check()
     with interruptible():
-        first, second = read_operand(P), read_operand(Q)
+        files, make = (_in_space if in_space(P, Q) else _in_the_plane)(P, Q, wish)
         for path in (output, case):
             check_writable(path)
-            check_spares(path, [first.file, second.file])
-        operands = f"{first.name} and {second.name}"
-        certificate = refusing(operands, lambda: Certificate(first.set, second.set))
-        try:
-            wish.claim(certificate)
-        except NoProof as error:
-            mend = "`minkref events P Q --kind boundary` (or arrangement) lists the events"
-            if wish.point is not None:
-                mend = "`minkref sum P Q --scale S -o sum.svg` draws the sum"
-            raise Refusal(str(error), operands, mend, "no-proof") from error
+            check_spares(path, files)
+        operands = f"{shown(P)} and {shown(Q)}"
+        certificate = refusing(operands, make)
         _check_case(case, certificate.case())
         text = certificate.text(case.name, operands)
     write_atomically(case, certificate.case())
@@ -126,6 +132,39 @@ def command(
             f"{value['seconds']:.2f} s\nits case: {shown(str(case))}\n"
             f"check it: minkref check {shown(str(output))}\n"
         )
+
+
+def _in_the_plane(P: str, Q: str, wish: Wish) -> tuple[list[Path], Make]:
+    """The files of the operands, and what makes the certificate."""
+    first, second = read_operand(P), read_operand(Q)
+
+    def make() -> Certificate:
+        certificate = Certificate(first.set, second.set)
+        try:
+            wish.claim(certificate)
+        except NoProof as error:
+            mend = "`minkref events P Q --kind boundary` (or arrangement) lists the events"
+            if wish.point is not None:
+                mend = "`minkref sum P Q --scale S -o sum.svg` draws the sum"
+            where = f"{first.name} and {second.name}"
+            raise Refusal(str(error), where, mend, "no-proof") from error
+        return certificate
+
+    return [first.file, second.file], make
+
+
+def _in_space(P: str, Q: str, wish: Wish) -> tuple[list[Path], Make]:
+    """The same for convex polyhedra."""
+    scaling = wish.scaling()
+    first, second = read_space_operand(P), read_space_operand(Q)
+    bodies(first, second)  # refuses what has no volume
+
+    def make() -> ConvexCertificate:
+        certificate = ConvexCertificate(first.surface, second.surface)
+        certificate.sum(scaling)
+        return certificate
+
+    return [first.file, second.file], make
 
 
 def _check_case(path: Path, text: str) -> None:
@@ -187,6 +226,14 @@ class Wish:
             certificate.point(self._scale(), read_point(self.point))
         else:
             certificate.sum(self._scale(), passages=True)
+
+    def scaling(self) -> Scaling:
+        """In space, where there are certificates of sums only."""
+        others = (self.event, self.from_scale, self.to_scale, self.degeneracy, self.point)
+        if any(option is not None for option in others):
+            what = "in space there are certificates of sums only"
+            raise Refusal(what, "options", "give --scale SX,SY,SZ and -o alone")
+        return read_scaling("1" if self.scale is None else self.scale)
 
     def _scale(self) -> str:
         return read_scale("1" if self.scale is None else self.scale)

@@ -18,6 +18,8 @@ from minkref.exact import approximate, read_scale
 from minkref.operand import read_operand
 from minkref.options import Json, Schema
 from minkref.signals import interruptible
+from minkref.space.operand import in_space
+from minkref.space.view_command import view_in_space
 from minkref.terminal import lines, shown
 from minkref.view.picture import Progress, Window, picture
 from minkref.view.write_page import page
@@ -28,8 +30,11 @@ minkref view disc1 cells1815
 
 minkref view g1 g2 --from 1/2 --to 2 -o g1-g2.html
 
-minkref view P.wkt Q.geojson --json"""
+minkref view gs3 rod --scale 2,1/3,5 -o gs3-rod.html
 
+minkref view gs3 rod --scales scales.txt -o gs3-rod.html"""
+
+FROM, TO = "1/10", "10"
 ENDINGS = (".html", ".htm")
 
 
@@ -37,11 +42,27 @@ def command(
     P: Annotated[str, typer.Argument(help="First operand, the scaled one: a file or a model.")],
     Q: Annotated[str, typer.Argument(help="Second operand: a file or a model.")],
     from_scale: Annotated[
-        str, typer.Option("--from", help="Begin of the window of scales, in it.", metavar="A")
-    ] = "1/10",
+        str | None,
+        typer.Option(
+            "--from", help=f"Begin of the window of scales, in it: {FROM} by default.", metavar="A"
+        ),
+    ] = None,
     to_scale: Annotated[
-        str, typer.Option("--to", help="End of the window, in it.", metavar="B")
-    ] = "10",
+        str | None,
+        typer.Option("--to", help=f"End of the window, in it: {TO} by default.", metavar="B"),
+    ] = None,
+    scale: Annotated[
+        str | None,
+        typer.Option("--scale", help="In space: the one scale, 1 by default.", metavar="SX,SY,SZ"),
+    ] = None,
+    scales: Annotated[
+        Path | None,
+        typer.Option(
+            "--scales",
+            help="In space: a file with SX,SY,SZ (or S) in each line, for a slider.",
+            metavar="FILE",
+        ),
+    ] = None,
     output: Annotated[
         Path, typer.Option("-o", help="The page to write: .html.", metavar="FILE")
     ] = Path("view.html"),
@@ -49,16 +70,16 @@ def command(
     schema: Schema = False,
 ) -> None:
     """One HTML page, which needs nothing else, with a slider over the scale: the sum, its
-    convolution, and the holes from birth to death."""
+    convolution, and the holes from birth to death. In space P and Q are convex polyhedra: the sum
+    at each scale, to be turned and asked for the parents of its facets and vertices."""
+    if in_space(P, Q):
+        _check_output(output)
+        given = _given(("--from", from_scale), ("--to", to_scale))
+        view_in_space(P, Q, scale, scales, given, output, json)
+        return
     watch = Stopwatch()
-    window = _window(from_scale, to_scale)
-    if output.suffix.lower() not in ENDINGS:
-        raise Refusal(
-            f"the ending {output.suffix or '(none)'} is not that of a page",
-            str(output),
-            "name a file that ends in .html",
-        )
-    check_writable(output)
+    window = _window(from_scale, to_scale, _given(("--scale", scale), ("--scales", scales)))
+    _check_output(output)
     first, second = read_operand(P), read_operand(Q)
     with interruptible(), _progress() as progress:
         data = refusing(
@@ -84,8 +105,29 @@ def command(
         _print(value)
 
 
-def _window(from_scale: str, to_scale: str) -> Window:
-    window = Window(read_scale(from_scale, "--from"), read_scale(to_scale, "--to"))
+def _given(*options: tuple[str, object | None]) -> list[str]:
+    return [name for name, value in options if value is not None]
+
+
+def _check_output(output: Path) -> None:
+    if output.suffix.lower() not in ENDINGS:
+        raise Refusal(
+            f"the ending {output.suffix or '(none)'} is not that of a page",
+            str(output),
+            "name a file that ends in .html",
+        )
+    check_writable(output)
+
+
+def _window(from_scale: str | None, to_scale: str | None, given: list[str]) -> Window:
+    """`given` are options of space."""
+    if given:
+        mend = "give a window, --from A --to B, or convex polyhedra"
+        raise Refusal("these options are for polyhedra in space", ", ".join(given), mend)
+    window = Window(
+        read_scale(FROM if from_scale is None else from_scale, "--from"),
+        read_scale(TO if to_scale is None else to_scale, "--to"),
+    )
     if Fraction(window.first) >= Fraction(window.last):
         raise Refusal(
             f"the window from {window.first} to {window.last} has no length",

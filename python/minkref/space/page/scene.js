@@ -1,0 +1,132 @@
+// A picture in space, drawn by plotly.js: facets by kind, edges, vertices, and what is chosen.
+const colour = (name) => getComputedStyle(document.documentElement).getPropertyValue(`--${name.replace("+", "-")}`).trim();
+const channels = (hex) => [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16));
+const light = ((direction) => direction.map((axis) => axis / Math.hypot(...direction)))([0.75, -0.35, 1]);
+const standOff = 0.0012;  // of vertices before the facets, in the unit of the picture
+const home = { eye: { x: 1.3, y: -1.25, z: 0.85 }, up: { x: 0, y: 0, z: 1 }, center: { x: 0, y: 0, z: 0 } };
+const views = {
+  home: home.eye, x: { x: 2.05, y: 0, z: 0 }, y: { x: 0, y: -2.05, z: 0 }, z: { x: 0, y: 0, z: 2.05 },
+};
+
+function shaded(hex, normal) {
+  const towards = normal.reduce((sum, axis, i) => sum + axis * light[i], 0);
+  const strength = 0.79 + 0.21 * towards;
+  return `rgb(${channels(hex).map((channel) => Math.round(channel * strength)).join()})`;
+}
+
+const off = (body, vertex, direction, distance = standOff) =>
+  body.points[vertex].map((axis, i) => axis + distance * direction[i]);
+const columns = (points) => ({ x: points.map((p) => p?.[0] ?? null), y: points.map((p) => p?.[1] ?? null), z: points.map((p) => p?.[2] ?? null) });
+
+// Facets of one kind as fans of triangles, the vertices of each facet its own: a point of the mesh tells the facet.
+function facets(body, kind, visible) {
+  const points = [], facetOf = [], facecolor = [], i = [], j = [], k = [];
+  const tint = colour(kind);
+  body.rings.forEach((ring, facet) => {
+    if (body.kinds[facet] !== kind) return;
+    const first = points.length, shade = shaded(tint, body.normals[facet]);
+    for (const vertex of ring) {
+      points.push(body.points[vertex]);
+      facetOf.push(facet);
+    }
+    for (let corner = 1; corner + 1 < ring.length; ++corner) {
+      i.push(first);
+      j.push(first + corner);
+      k.push(first + corner + 1);
+      facecolor.push(shade);
+    }
+  });
+  return {
+    type: "mesh3d", name: kind, ...columns(points), i, j, k, facecolor, visible, hoverinfo: "none", showscale: false,
+    lighting: { ambient: 1, diffuse: 0, specular: 0, fresnel: 0, roughness: 1 }, meta: { what: "facet", numbers: facetOf },
+  };
+}
+
+// How long, in the unit of plotly.js, a side of 2 is drawn; and how much is seen from top to bottom.
+const drawnLength = (halves, share) => (1.62 * share) / Math.hypot(...halves);
+const seenHeight = 1.66;
+
+// Pixels between edges, roughly. `pixels`: of the longest side of the body.
+function roominess(body, pixels) {
+  const [, middle, long] = [...body.sides].sort((a, b) => a - b);
+  return (pixels * Math.sqrt(middle * long)) / Math.sqrt(body.edges.length);
+}
+
+// They stand off a third of their width, so that a slanting facet does not cut them in two.
+function edgeLines(body, pixels, visible) {
+  const points = [], width = Math.min(Math.max(roominess(body, pixels) / 9, 0.35), 3);
+  const distance = Math.max((0.2 * width) / pixels, standOff / 1.2);
+  for (const [a, b, one, other] of body.edges) {
+    const direction = body.normals[one].map((axis, i) => axis + body.normals[other][i]);
+    const length = Math.hypot(...direction) || 1;
+    const unit = direction.map((axis) => axis / length);
+    points.push(off(body, a, unit, distance), off(body, b, unit, distance), null);
+  }
+  return {
+    type: "scatter3d", mode: "lines", name: "edges", ...columns(points), visible, hoverinfo: "skip",
+    line: { color: colour("edge"), width },
+  };
+}
+
+function vertexMarks(body, pixels, visible) {
+  const size = Math.min(Math.max(roominess(body, pixels) / 4.5, 0.5), 5);
+  return {
+    type: "scatter3d", mode: "markers", name: "vertices", ...columns(body.points.map((_, v) => off(body, v, body.outward[v]))),
+    visible, hoverinfo: "none", marker: { size, color: colour("vertex"), opacity: 1, line: { width: 0 } },
+    meta: { what: "vertex", numbers: body.points.map((_, v) => v) },
+  };
+}
+
+// `vertices`: of a vertex, an edge or a ring; null for nothing.
+function chosenMark(body, pixels, vertices) {
+  const ring = vertices ?? [];
+  const closed = ring.length > 2 ? [...ring, ring[0]] : ring;
+  return {
+    type: "scatter3d", mode: "lines+markers", name: "chosen", hoverinfo: "skip", visible: closed.length > 0,
+    ...columns(closed.map((v) => off(body, v, body.outward[v], Math.max(3 * standOff, 0.9 / pixels)))),
+    line: { color: colour("chosen"), width: pixels < 40 ? 3 : 6 }, marker: { size: pixels < 40 ? 3 : closed.length === 1 ? 8 : 4, color: colour("chosen") },
+  };
+}
+
+function tickText(value) {
+  const size = Math.abs(value);
+  if (size && (size >= 1e7 || size < 1e-4)) return value.toExponential(6).replace(/\.?0*e\+?/, "e");
+  return Number(value.toPrecision(10)).toLocaleString("en", { maximumFractionDigits: 10 });
+}
+
+// Round numbers of an axis on which the picture shows `centre + size * u` for u within `half`.
+function ticks(centre, size, half) {
+  if (centre === null || size === null || !(size > 1e-9 * Math.abs(centre))) return { tickvals: [], ticktext: [] };
+  const length = 2 * half * size, unit = 10 ** Math.floor(Math.log10(length / 3));
+  const step = [1, 2, 5, 10].map((n) => n * unit).find((n) => length / n <= 5);
+  const values = [];
+  for (let n = Math.ceil((centre - half * size) / step); n * step <= centre + half * size; ++n) values.push(n * step);
+  return {
+    tickvals: values.map((value) => (value - centre) / size),
+    ticktext: values.map((value) => signed(tickText(value))),
+  };
+}
+
+// `halves`: half the sides of the box that is shown; `frame` gives the axes their numbers, null for no axes. `share`: of the
+// height that a picture may fill.
+function layout(halves, frame, camera, share) {
+  const font = { family: getComputedStyle(document.body).fontFamily, size: 11, color: colour("soft") };
+  const axis = (i) => ({
+    visible: frame !== null, range: [-halves[i], halves[i]], title: { text: "xyz"[i] }, showbackground: false, showspikes: false,
+    zeroline: false, gridcolor: colour("rule"), linecolor: colour("rule"), tickfont: font,
+    ...(frame ? ticks(frame.centre[i], frame.size, halves[i]) : {}), tickmode: "array",
+  });
+  const [x, y, z] = halves.map((half) => half * drawnLength(halves, share));
+  return {
+    paper_bgcolor: "rgba(0,0,0,0)", margin: { l: 0, r: 0, t: 0, b: 0 }, showlegend: false, hovermode: "closest", font,
+    autosize: true,
+    scene: {
+      camera, aspectmode: "manual", aspectratio: { x, y, z }, dragmode: "orbit", bgcolor: "rgba(0,0,0,0)",
+      xaxis: axis(0), yaxis: axis(1), zaxis: axis(2),
+    },
+  };
+}
+
+const config = {
+  displaylogo: false, responsive: true, displayModeBar: false, doubleClick: false, plotGlPixelRatio: Math.max(2, devicePixelRatio),
+};

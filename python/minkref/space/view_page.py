@@ -1,0 +1,172 @@
+"""The page of `minkref view` in space: what it shows, as JSON that its scripts read, in one file
+that needs nothing else."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from collections.abc import Iterator
+from fractions import Fraction
+from importlib import resources
+from typing import Any
+
+from jinja2 import Environment, StrictUndefined
+
+from minkref import _core
+from minkref.errors import Refusal
+from minkref.exact import in_double_range
+from minkref.space.scaling import Scaling
+from minkref.space.sums import SpaceSum, sum_fields
+from minkref.terminal import shown
+from minkref.version import version
+
+KINDS = ("fv", "vf", "ee", "facet+edge", "edge+facet", "facet+facet")
+STEPS = ("fv_errors", "vf_errors", "ee_errors", "descent_steps", "chains_walked")
+MOST_BYTES = 100_000_000  # of the frames in a page
+SCRIPTS = ("exact", "solid", "texts", "scene", "panel", "main")
+
+Triple = tuple[Fraction, Fraction, Fraction]
+_FACES = {
+    (3, 1): "fv", (1, 3): "vf", (2, 2): "ee",
+    (3, 2): "facet+edge", (2, 3): "edge+facet", (3, 3): "facet+facet",
+}  # fmt: skip
+
+
+class Body:
+    """An operand: `data` is what the page has of it."""
+
+    def __init__(self, name: str, body: _core.ConvexPolyhedron) -> None:
+        surface = body.surface()
+        exact = surface.points()
+        points = [tuple(Fraction(axis) for axis in point) for point in exact]
+        low, high = ([end(axis) for axis in zip(*points, strict=True)] for end in (min, max))
+        self.centre = _triple((b + a) / 2 for a, b in zip(low, high, strict=True))
+        self.sides = _triple(b - a for a, b in zip(low, high, strict=True))
+        self.data = {
+            "name": shown(name),
+            "points": exact,
+            "near": [
+                [
+                    float((axis - middle) / side)
+                    for axis, middle, side in zip(point, self.centre, self.sides, strict=True)
+                ]
+                for point in points
+            ],
+            "faces": surface.rings(),
+        }
+
+
+def frame_row(scaling: Scaling, answer: SpaceSum, did: dict[str, Any]) -> dict[str, Any]:
+    """What both the document and the page say of a frame."""
+    found = Counter(kind_of(*parents) for parents in answer.facet_parents)
+    return {
+        "scale": list(scaling),
+        **sum_fields(answer),
+        "kinds": {kind: found[kind] for kind in KINDS},
+        **{name: did[name] for name in STEPS},
+    }
+
+
+def kind_of(P: list[int], Q: list[int]) -> str:
+    """Of a facet that is the sum of these faces, given by their vertices."""
+    return _FACES[min(len(P), 3), min(len(Q), 3)]
+
+
+def frame_text(row: dict[str, Any], answer: SpaceSum, P: Body, Q: Body) -> str:
+    """A frame of the page: its row, and what is drawn."""
+    scaling = [Fraction(factor) for factor in row["scale"]]
+    scaled = _triple(s * side for s, side in zip(scaling, P.sides, strict=True))
+    sides = _triple(p + q for p, q in zip(scaled, Q.sides, strict=True))
+    size = max(sides)
+    middle = (
+        s * p + q for s, p, q in zip(scaling, P.centre, Q.centre, strict=True)
+    )  # the box of a sum is the sum of the boxes
+    return _json(
+        {
+            **row,
+            "P": [float(side / size) for side in scaled],
+            "Q": [float(side / size) for side in Q.sides],
+            "size": in_double_range(str(size)),
+            "centre": [in_double_range(str(axis)) for axis in middle],
+            "pairs": [number for pair in answer.vertex_parents for number in pair],
+            "rings": answer.surface.rings(),
+        }
+    )
+
+
+class Frames:
+    """The texts of the frames, as many as a page can hold."""
+
+    def __init__(self, wanted: int) -> None:
+        self.texts: list[str] = []
+        self._wanted = wanted
+        self._bytes = 0
+
+    def add(self, text: str) -> None:
+        self._bytes += len(text)
+        if self._bytes > MOST_BYTES:
+            raise self._refusal()
+        self.texts.append(text)
+
+    def _refusal(self) -> Refusal:
+        held = len(self.texts)
+        most = f"{MOST_BYTES // 10**6} MB, the most that a page takes"
+        if held == 0:
+            mend = "take operands with fewer vertices"
+            return Refusal(f"one frame has more than {most}", "minkref view", mend, "limit")
+        return Refusal(
+            f"{held:,} of the {self._wanted:,} frames fill {most}",
+            "--scales",
+            f"give a file with at most {held:,} scales",
+            "limit",
+        )
+
+
+def viewer() -> str:
+    """The text of plotly.js. Refuses where the package plotly is missing."""
+    try:
+        from plotly.offline import get_plotlyjs
+    except ModuleNotFoundError as error:
+        mend = "install the package plotly: pip install 'minkref[view]'"
+        raise Refusal("a package is missing", str(error.name), mend, "missing-package") from error
+    return str(get_plotlyjs())
+
+
+def viewer_name() -> str:
+    from plotly.offline import get_plotlyjs_version
+
+    return f"plotly.js {get_plotlyjs_version()}"
+
+
+def page(P: Body, Q: Body, frames: Frames, library: str) -> Iterator[str]:
+    """The pieces of the file."""
+    folder = resources.files("minkref.space") / "page"
+
+    def text(name: str) -> str:
+        return (folder / name).read_text(encoding="utf-8")
+
+    environment = Environment(
+        autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True
+    )
+    pieces: Iterator[str] = environment.from_string(text("page.html.j2")).generate(
+        P=P.data["name"],
+        Q=Q.data["name"],
+        operands=_json({"P": P.data, "Q": Q.data}),
+        frames=frames.texts,
+        version=version(),
+        viewer=viewer_name(),
+        library=library,
+        style=text("style.css"),
+        script="\n".join(text(f"{name}.js") for name in SCRIPTS),
+    )
+    return pieces
+
+
+def _json(value: dict[str, Any]) -> str:
+    """JSON that cannot end the element that it stands in."""
+    return json.dumps(value, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")
+
+
+def _triple(axes: Iterator[Fraction]) -> Triple:
+    x, y, z = axes
+    return x, y, z

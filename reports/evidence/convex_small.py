@@ -1,0 +1,119 @@
+"""Small convex pairs on a grid, where parallel facets abound: all ways of summing agree."""
+
+from __future__ import annotations
+
+import random
+import tempfile
+from collections import Counter
+from fractions import Fraction
+from pathlib import Path
+
+from minkref import _core
+from minkref.certify.convex_certificate import ConvexCertificate
+from minkref.exact import digest
+from minkref.fuzz.space.generators.convex import random_hull
+from minkref.fuzz.space.polyhedron import Polyhedron
+from minkref.reports.bench.convex_hull_service import ConvexHullService
+from minkref.reports.bench.table2 import is_hull_of_cgal
+from minkref.reports.evidence.certificates.checkers import in_cpp, timed
+from minkref.reports.evidence.framework import part
+from minkref.reports.evidence.framework.part import Findings
+from minkref.space.operand import SpaceOperand
+from minkref.space.scaling import Scaling
+
+SUBJECT = (
+    "2,000 random pairs of convex polyhedra with 4 to 20 points of an integer grid, 20 scalings "
+    "each: update, static routes and CGAL's hull agree exactly; certificates verified."
+)
+MINUTES = (14, None)
+DEPENDS = (
+    *part.REFERENCE, *part.COMPARISON, *part.CGAL, "certify/*.py", "oracle/checker/*",
+    "reports/bench/*.py", "python/minkref/space/*.py",
+)  # fmt: skip
+PAIRS, SCALINGS = 2000, 20
+SEED = 20121
+
+
+def run(quick: bool) -> Findings:
+    findings = Findings()
+    dice = random.Random(SEED)
+    counts: Counter[str] = Counter()
+    kinds: Counter[str] = Counter()
+    with ConvexHullService() as service, tempfile.TemporaryDirectory() as name:
+        for number in range(PAIRS):
+            P, Q = (_operand(dice) for _ in "PQ")
+            _examine(P, Q, _scalings(dice), service, Path(name), counts, kinds)
+            if number % 100 == 99:
+                print(f"{number + 1} pairs", flush=True)
+    every = PAIRS * SCALINGS
+    for what, key in (
+        ("updates that have the pairs of the traversal", "traversal"),
+        ("updates that have the pairs of all pairs compared", "brute-force"),
+        ("sums equal to CGAL's hull", "hull"),
+        ("certified digests equal to those of the sums", "digest"),
+    ):
+        findings.law(what, counts[key] == every, every, counts[key])
+    findings.law("certificates verified, one for each pair", counts["verified"] == PAIRS, PAIRS,
+                 counts["verified"])  # fmt: skip
+    findings.law("ee-errors without an error of a facet", counts["without error"] == 0, 0,
+                 counts["without error"])  # fmt: skip
+    findings.note(f"seed {SEED}; errors mended: {counts['errors']:,}")
+    told = ", ".join(f"{kind} {count:,}" for kind, count in kinds.most_common())
+    findings.note(f"facets by the faces whose sum they are: {told}")
+    return findings
+
+
+def _operand(dice: random.Random) -> SpaceOperand:
+    hull: Polyhedron = random_hull(dice, dice.randint(4, 20), dice.choice((1, 2, 3, 6)))
+    points = [(str(x), str(y), str(z)) for x, y, z in hull.vertices]
+    surface = _core.Polyhedron(points, [list(face) for face in hull.faces])
+    return SpaceOperand("hull", Path("hull"), surface, _core.ConvexPolyhedron(surface))
+
+
+def _scalings(dice: random.Random) -> list[Scaling]:
+    """Small fractions, which often make facets parallel, and now and then a tiny step."""
+    found: list[Scaling] = []
+    for _ in range(SCALINGS):
+        if found and dice.random() < 0.3:
+            x, y, z = found[-1]
+            nudge = 1 + Fraction(1, 2 ** dice.randint(10, 60))
+            found.append((str(Fraction(x) * nudge), y, z))
+        else:
+            x, y, z = (str(Fraction(dice.randint(1, 7), dice.randint(1, 3))) for _ in range(3))
+            found.append((x, y, z))
+    return found
+
+
+def _examine(
+    P: SpaceOperand,
+    Q: SpaceOperand,
+    scalings: list[Scaling],
+    service: ConvexHullService,
+    folder: Path,
+    counts: Counter[str],
+    kinds: Counter[str],
+) -> None:
+    if P.body is None or Q.body is None:
+        raise ValueError("a hull has volume")
+    certificate = ConvexCertificate(P.surface, Q.surface)
+    moving = _core.DynamicConvexSum(P.body, Q.body, scalings[0])
+    for scaling in scalings:
+        did = dict(moving.update(scaling))
+        counts["errors"] += did["fv_errors"] + did["vf_errors"] + did["ee_errors"]
+        counts["without error"] += did["chains_without_error"]
+        for route in ("traversal", "brute-force"):
+            counts[route] += moving.equals_route(route)
+        found = moving.sum()
+        kinds.update(_kind(p) + " + " + _kind(q) for p, q in found.facet_parents)
+        counts["hull"] += is_hull_of_cgal(service, P, Q, scaling, found.surface)
+        claim = certificate.claims[certificate.sum(scaling)]
+        counts["digest"] += claim["digest"] == digest(found.surface.canonical_json())
+    case, path = folder / "pair.case.json", folder / "pair.cert.json"
+    case.write_text(certificate.case(), encoding="utf-8")
+    path.write_text(certificate.text(case.name), encoding="utf-8")
+    verdict, _ = timed(in_cpp(), path)
+    counts["verified"] += not verdict.code
+
+
+def _kind(face: list[int]) -> str:
+    return {1: "vertex", 2: "edge"}.get(len(face), "facet")

@@ -1,0 +1,88 @@
+"""Table 2 of Behar & Lien 2012: convex polyhedra under non-uniform scaling, updated and afresh."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from minkref.reports.bench import table2
+from minkref.reports.bench.table2 import ABOUT, PAPER, RANDOM, STEPS
+from minkref.reports.evidence.framework import part
+from minkref.reports.evidence.framework.part import Findings
+
+SUBJECT = (
+    "Updates of sums of convex polyhedra (25 pairs; factors at random, and steps within 1 %) "
+    "against CGAL's hull of all sums of vertices, all pairs, our best static route, and the mere "
+    "evaluation of the coordinates."
+)
+MINUTES = (6, None)
+DEPENDS = (
+    *part.REFERENCE, *part.COMPARISON, *part.CGAL, "models/*.off", "reports/bench/*.py",
+    "python/minkref/space/*.py",
+)  # fmt: skip
+SEED = 1
+LEAST = {RANDOM: 15, STEPS: 100}
+MOST_OF_FLOOR = 3
+
+
+def run(quick: bool) -> Findings:
+    findings = Findings()
+    table = table2.run(quick, SEED, lambda text: print(text, flush=True), lambda: None)
+    for note in table.notes:
+        findings.note(note)
+    told = table2.summary(table)
+    findings.law("sums that are not CGAL's hull", not table.wrong, 0,
+                 ", ".join(table.wrong) or 0)  # fmt: skip
+    lost = sum(row["chains_without_error"] for row in table.rows)
+    findings.law("ee-errors without an error of a facet", lost == 0, 0, lost)
+    for kind, least in LEAST.items():
+        hull = told[f"{kind}_cgal_hull_ratio"]
+        findings.target(
+            f"geometric mean ratio of CGAL's hull to ours, {ABOUT[kind]}",
+            hull is not None and hull["mean"] >= least,
+            f"at least {least}",
+            _extent(hull),
+        )
+    static, floor = told[f"{STEPS}_traversal_ratio"], told[f"{STEPS}_floor_ratio"]
+    findings.target(
+        "ratio of our best static route to ours for each pair, at steps of 1 %",
+        static["least"] > 1,
+        "above 1",
+        _extent(static),
+    )
+    findings.target(
+        "ours over the coordinates alone for each pair, at steps of 1 %",
+        floor["greatest"] <= MOST_OF_FLOOR,
+        f"at most {MOST_OF_FLOOR}",
+        _extent(floor),
+    )
+    for kind in ABOUT:
+        findings.note(f"{kind}: {_costs([row for row in table.rows if row['kind'] == kind])}")
+    for name in ("brute_force_ratio", "traversal_ratio", "floor_ratio"):
+        findings.note(f"at random factors, {name}: {_extent(told[f'{RANDOM}_{name}'])}")
+    findings.note(f"at steps, brute_force_ratio: {_extent(told[f'{STEPS}_brute_force_ratio'])}")
+    findings.note(
+        f"the paper, against its own recomputation: {PAPER['least']} to {PAPER['greatest']}, mean "
+        f"{PAPER['mean']}"
+    )
+    findings.figures = {"seed": table.seed, "rescalings": table.rescalings, "rows": table.rows}
+    return findings
+
+
+def _extent(told: dict[str, float] | None) -> str:
+    if told is None:
+        return "not timed"
+    return f"{told['mean']:,.2f} ({told['least']:,.2f} to {told['greatest']:,.2f})"
+
+
+def _costs(rows: list[dict[str, Any]]) -> str:
+    def mean(name: str) -> float:
+        values = [row[name] for row in rows if row[name] is not None]
+        return float(sum(values) / len(values))
+
+    return (
+        f"a re-scaling has {mean('fv_errors'):.1f} fv-, {mean('vf_errors'):.1f} vf- and "
+        f"{mean('ee_errors'):.1f} ee-errors, {mean('descent_steps'):.1f} descent steps and "
+        f"{mean('chains_walked'):.1f} chains walked; {mean('signs'):,.0f} predicates, "
+        f"{mean('exact_signs'):.1f} of them in integers; {mean('signs_per_error'):.1f} predicates "
+        "for each error mended"
+    )
