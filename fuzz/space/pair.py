@@ -7,7 +7,7 @@ from enum import StrEnum
 from functools import cached_property
 
 from minkref.fuzz.space.cells import Cell, CellSum, sum_of_cells
-from minkref.fuzz.space.hull import sum_of_convex
+from minkref.fuzz.space.convex_sum import true_sum
 from minkref.fuzz.space.integers import Scale
 from minkref.fuzz.space.meeting import Meeting
 from minkref.fuzz.space.polyhedron import Polyhedron
@@ -45,7 +45,7 @@ class SpacePair:
 
     @cached_property
     def hull(self) -> Polyhedron:
-        return sum_of_convex(self.P, self.Q, self.scale)
+        return true_sum(self.P, self.Q, self.scale)
 
     @cached_property
     def prism_sum(self) -> Prism:

@@ -20,6 +20,7 @@ from minkref.fuzz.targets.adapter import AdapterTarget
 from minkref.fuzz.targets.adapter_process import named_command
 from minkref.fuzz.targets.answer import LOAD_SECONDS, Limits, Target
 from minkref.fuzz.targets.cgal_method import SLOW_LIMIT, CgalMethod, is_fast
+from minkref.fuzz.targets.convex_reference import CONVEX_ROUTES, ConvexReferenceTarget
 from minkref.fuzz.targets.python_callable import callable_target
 from minkref.fuzz.targets.reference import ROUTES, ReferenceTarget
 from minkref.fuzz.targets.shared_library import library_target
@@ -45,7 +46,7 @@ def list_targets() -> list[TargetEntry]:
     refuse_wrong_folder()
     ours = [
         TargetEntry(f"{REFERENCE}{route}", version(), about, True)
-        for route, about in ROUTES.items()
+        for route, about in (ROUTES | CONVEX_ROUTES).items()
     ]
     judged = [TargetEntry(checks.ALL, version(), "the reference before every judge", True)]
     for name, (_, about) in checks.MODULES.items():
@@ -125,7 +126,9 @@ def _named_adapter(name: str) -> TargetEntry:
 
 
 def is_default(name: str) -> bool:
-    """Whether a run without names takes the target: all of CGAL in the plane, and our routes."""
+    """Whether a run without names takes the target: in the plane all of CGAL, and our routes."""
+    if name.removeprefix(REFERENCE) in CONVEX_ROUTES:
+        return False
     return name.startswith((REFERENCE, "cgal-")) and name not in adapters.ADAPTERS
 
 
@@ -139,7 +142,10 @@ def is_adapter(name: str) -> bool:
 
 def make_target(name: str, limits: Limits) -> Target:
     if name.startswith(REFERENCE):
-        return ReferenceTarget(name, name.removeprefix(REFERENCE))
+        route = name.removeprefix(REFERENCE)
+        if route in CONVEX_ROUTES:
+            return ConvexReferenceTarget(name, route)
+        return ReferenceTarget(name, route)
     if name.startswith("py:"):
         return callable_target(name)
     if name.startswith("so:"):

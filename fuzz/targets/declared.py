@@ -7,8 +7,11 @@ from dataclasses import replace
 from minkref.fuzz.targets.adapter import AdapterTarget
 from minkref.fuzz.targets.answer import REGIONS, Answer, Limits
 from minkref.fuzz.targets.catalogue import TargetEntry, is_adapter, make_target
+from minkref.fuzz.targets.convex_reference import CONVEX_DECLARATIONS
 from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.targets.reference import UPDATING
+
+_OURS = {one.name: one for one in (UPDATING, *CONVEX_DECLARATIONS.values())}
 
 
 def declarations_of(
@@ -28,7 +31,7 @@ def declarations_of(
             if not isinstance(declared, Answer):
                 found[entry.name] = declared
                 entry = replace(entry, version=declared.version or entry.version)
-        elif entry.name == UPDATING.name:
-            found[entry.name] = UPDATING
+        elif entry.name in _OURS:
+            found[entry.name] = _OURS[entry.name]
         named.append(entry)
     return named, found

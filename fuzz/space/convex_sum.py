@@ -1,0 +1,37 @@
+"""Sums of convex polyhedra by the reference, in the types of this room."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from minkref import _core
+from minkref.fuzz.space.hull import sum_of_convex
+from minkref.fuzz.space.integers import Scale, factors
+from minkref.fuzz.space.polyhedron import Polyhedron
+
+MOST_BY_HULL = 400  # sums of two vertices, up to which the hull in plain fractions is quick
+
+
+def true_sum(P: Polyhedron, Q: Polyhedron, scale: Scale) -> Polyhedron:
+    """sP + Q of convex operands: of small ones the hull of all sums of two vertices, which shares
+    nothing with the reference, of larger ones by it."""
+    if len(P.vertices) * len(Q.vertices) <= MOST_BY_HULL:
+        return sum_of_convex(P, Q, scale)
+    found = _core.convex_sum(body_of(P), body_of(Q), scaling_of(scale))
+    return polyhedron_of(found.surface)
+
+
+def body_of(polyhedron: Polyhedron) -> _core.ConvexPolyhedron:
+    """Raises _core.BadInput where it is not convex."""
+    points = [(str(x), str(y), str(z)) for x, y, z in polyhedron.vertices]
+    return _core.ConvexPolyhedron(_core.Polyhedron(points, [list(f) for f in polyhedron.faces]))
+
+
+def polyhedron_of(surface: _core.Polyhedron) -> Polyhedron:
+    vertices = tuple((Fraction(x), Fraction(y), Fraction(z)) for x, y, z in surface.points())
+    return Polyhedron(vertices, tuple(tuple(ring) for ring in surface.rings()))
+
+
+def scaling_of(scale: Scale) -> tuple[str, str, str]:
+    x, y, z = (str(factor) for factor in factors(scale))
+    return (x, y, z)

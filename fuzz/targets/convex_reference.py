@@ -1,0 +1,87 @@
+"""Our own sums of convex polyhedra."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from minkref import _core
+from minkref.errors import message_of
+from minkref.fuzz.cases.case import Case
+from minkref.fuzz.cases.invalid_case import InvalidCase
+from minkref.fuzz.cases.space_case import SpaceCase
+from minkref.fuzz.space.convex_sum import body_of, polyhedron_of, scaling_of
+from minkref.fuzz.targets.answer import Answer, lacking, skipped
+from minkref.fuzz.targets.declaration import Declaration
+from minkref.fuzz.verdicts.verdict import Verdict
+
+DYNAMIC = "convex-dynamic"
+CONVEX_ROUTES = {
+    "convex": "convex polyhedra: traversal of the Gaussian maps",
+    DYNAMIC: "convex polyhedra: dynamic update, from one scaling to another",
+}
+_SPACE = frozenset(("space", "rational", "non-uniform"))
+CONVEX_DECLARATIONS = {
+    "convex": Declaration("minkref:convex", capabilities=_SPACE),
+    DYNAMIC: Declaration(f"minkref:{DYNAMIC}", capabilities=_SPACE | {"update"}),
+}
+
+
+@dataclass
+class ConvexReferenceTarget:
+    """`route` is one of CONVEX_ROUTES."""
+
+    name: str
+    route: str
+
+    @property
+    def declaration(self) -> Declaration:
+        return CONVEX_DECLARATIONS[self.route]
+
+    def sum(self, case: Case | SpaceCase | InvalidCase) -> Answer:
+        return self.updated_sum(case, case) if self.route == DYNAMIC else self._fresh(case)
+
+    def _fresh(self, case: Case | SpaceCase | InvalidCase) -> Answer:
+        def compute(solid: SpaceCase) -> _core.ConvexSum:
+            asked = solid.asked
+            return _core.convex_sum(body_of(asked.P), body_of(asked.Q), scaling_of(asked.scale))
+
+        return self._guarded(case, compute)
+
+    def updated_sum(
+        self, before: Case | SpaceCase | InvalidCase, case: Case | SpaceCase | InvalidCase
+    ) -> Answer:
+        """The sum at the scaling of `case`, updated from that of `before`."""
+        if self.route != DYNAMIC:
+            return skipped("does not declare update", self.declaration)
+
+        def step(solid: SpaceCase) -> _core.ConvexSum:
+            start = before.asked.scale if isinstance(before, SpaceCase) else solid.asked.scale
+            bodies = body_of(solid.asked.P), body_of(solid.asked.Q)
+            moving = _core.DynamicConvexSum(*bodies, scaling_of(start))
+            moving.update(scaling_of(solid.asked.scale))
+            return moving.sum()
+
+        return self._guarded(case, step)
+
+    def _guarded(
+        self,
+        case: Case | SpaceCase | InvalidCase,
+        compute: Callable[[SpaceCase], _core.ConvexSum],
+    ) -> Answer:
+        lack = lacking(self.declaration, case)
+        if lack or not isinstance(case, SpaceCase):
+            return skipped(lack or "in space only", self.declaration)
+        start = time.perf_counter()
+        try:
+            solid = polyhedron_of(compute(case).surface)
+        except MemoryError as error:
+            return Answer(verdict=Verdict.OUT_OF_MEMORY, message=str(error))
+        except Exception as error:  # noqa: BLE001 a fault of the target, whatever it is
+            return Answer(verdict=Verdict.ERRORED, message=message_of(error))
+        seconds = time.perf_counter() - start
+        return Answer(solid=solid, seconds=seconds, declaration=self.declaration)
+
+    def close(self) -> None:
+        pass
