@@ -13,6 +13,8 @@
 #include "python/core.hpp"
 #include "python/core_space.hpp"
 #include "reference/convex/convex_sum.hpp"
+#include "reference/convex/incompatibility.hpp"
+#include "reference/convex/segment_sum.hpp"
 #include "reference/convex/static_convex_sum.hpp"
 #include "reference/convex/sum_coordinates.hpp"
 #include "reference/error.hpp"
@@ -156,6 +158,37 @@ Fields timed_walk(const ConvexBody& P, const ConvexBody& Q,
   return fields;
 }
 
+Form form_named(const std::string& name) {
+  if (name == "printed") return Form::printed;
+  if (name == "corrected") return Form::corrected;
+  throw BadInput("unknown-form", "there is no form \"" + name + "\"",
+                 "choose printed or corrected");
+}
+
+void check_indices(const ConvexBody& P, std::uint32_t facet, const ConvexBody& Q,
+                   std::uint32_t vertex) {
+  if (facet >= P.value->facets()) throw nb::index_error("P has no such facet");
+  if (vertex >= Q.value->vertices()) throw nb::index_error("Q has no such vertex");
+}
+
+/// The squared degree, and the vertex at the other end of the witness.
+std::pair<std::string, std::uint32_t> degree(const ConvexBody& P, std::uint32_t facet,
+                                             const ConvexBody& Q, std::uint32_t vertex,
+                                             const ExactSpacePoint& scaling,
+                                             const std::string& form) {
+  check_indices(P, facet, Q, vertex);
+  const Incompatibility found =
+      incompatibility(*P.value, facet, *Q.value, vertex, to_scaling(scaling), form_named(form));
+  return {to_string(found.squared_degree), Q.value->target(found.witness)};
+}
+
+std::optional<std::uint32_t> descent(const ConvexBody& P, std::uint32_t facet, const ConvexBody& Q,
+                                     std::uint32_t vertex, const ExactSpacePoint& scaling,
+                                     const std::string& form) {
+  check_indices(P, facet, Q, vertex);
+  return descend(*P.value, facet, *Q.value, vertex, to_scaling(scaling), form_named(form));
+}
+
 using ParentRow = std::pair<std::vector<std::uint32_t>, std::vector<std::uint32_t>>;
 
 }  // namespace
@@ -194,6 +227,14 @@ void bind_convex(nb::module_& module) {
              nb::call_guard<nb::gil_scoped_release>(),
              "S P + Q from scratch, by the route traversal or brute-force. Exact, certified closed "
              "and convex.");
+  module.def(
+      "convex_sum_with_segment",
+      [](const ConvexBody& P, const ExactSpacePoint& scaling, const ExactSpacePoint& a,
+         const ExactSpacePoint& b) {
+        return sum_with_segment(*P.value, to_scaling(scaling), to_point(a), to_point(b));
+      },
+      "P"_a, "scaling"_a, "a"_a, "b"_a, nb::call_guard<nb::gil_scoped_release>(),
+      "S P + the segment from a to b. Exact, certified closed and convex.");
   nb::class_<MovingConvexSum>(module, "DynamicConvexSum",
                               "S P + Q kept up to date (Behar & Lien 2012, Sec. 6).")
       .def(nb::init<const ConvexBody&, const ConvexBody&, const ExactSpacePoint&>(), "P"_a, "Q"_a,
@@ -211,6 +252,13 @@ void bind_convex(nb::module_& module) {
       .def_prop_ro("ee_pairs", [](const MovingConvexSum& self) { return self.sum.ee_pairs(); })
       .def("equals_route", &same_state, "route"_a, nb::call_guard<nb::gil_scoped_release>(),
            "Whether all compatible pairs are those that a static route finds.");
+  module.def("incompatibility", &degree, "P"_a, "facet"_a, "Q"_a, "vertex"_a, "scaling"_a,
+             "form"_a = "corrected",
+             "The squared degree of incompatibility of a facet of P, scaled, and a vertex of Q "
+             "(Sec. 6, printed or corrected), and the other end of its witness. Exact.");
+  module.def("descend", &descent, "P"_a, "facet"_a, "Q"_a, "vertex"_a, "scaling"_a,
+             "form"_a = "corrected",
+             "Where the descent on it ends; None where it comes to a vertex again. Exact.");
   module.def("timed_convex_walk", &timed_walk, "P"_a, "Q"_a, "scalings"_a,
              "brute_force_every"_a = 0,
              "Walks through the scalings and times each step: the update, the coordinates of all "

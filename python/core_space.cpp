@@ -18,9 +18,7 @@ namespace {
 Polyhedron polyhedron_of(const std::vector<ExactSpacePoint>& vertices,
                          const std::vector<Face>& faces) {
   Polyhedron result;
-  for (const auto& [x, y, z] : vertices) {
-    result.vertices.push_back({parse_rational(x), parse_rational(y), parse_rational(z)});
-  }
+  for (const ExactSpacePoint& vertex : vertices) result.vertices.push_back(to_point(vertex));
   result.faces = faces;
   return result;
 }
@@ -79,6 +77,18 @@ void bind_space(nb::module_& module) {
           "sextuple_volume",
           [](const Surface& self) { return to_string(sextuple_volume(self.value())); },
           "Six times the volume. Exact.")
+      .def(
+          "scaled",
+          [](const Surface& self, const ExactSpacePoint& by) {
+            return Surface(scaled(self.value(), to_scaling(by)));
+          },
+          "by"_a)
+      .def(
+          "translated",
+          [](const Surface& self, const ExactSpacePoint& by) {
+            return Surface(translated(self.value(), to_point(by)));
+          },
+          "by"_a)
       .def(
           "with_shared_vertices",
           [](const Surface& self) { return Surface(with_shared_vertices(self.value())); },

@@ -25,6 +25,11 @@ inline ExactSpacePoint to_strings(const SpacePoint& point) {
   return {to_string(point.x), to_string(point.y), to_string(point.z)};
 }
 
+inline SpacePoint to_point(const ExactSpacePoint& coordinates) {
+  const auto& [x, y, z] = coordinates;
+  return {parse_rational(x), parse_rational(y), parse_rational(z)};
+}
+
 inline Scaling to_scaling(const ExactSpacePoint& factors) {
   const auto& [x, y, z] = factors;
   return {parse_rational(x), parse_rational(y), parse_rational(z)};

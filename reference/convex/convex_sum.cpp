@@ -1,215 +1,75 @@
 #include "reference/convex/convex_sum.hpp"
 
-#include <algorithm>
-#include <numeric>
-#include <stdexcept>
 #include <unordered_map>
 
-#include "reference/convex/convexity.hpp"
+#include "reference/convex/pieces.hpp"
 #include "reference/convex/sum_coordinates.hpp"
-#include "reference/error.hpp"
 
 namespace minkref {
 namespace {
 
 using Pair = SumVertices::Pair;
 
-/// The pieces, in coordinates over one denominator for each axis: planes stay planes, and convex is
-/// convex.
-class Pieces {
+/// The facets of all compatible pairs.
+class PiecesOfPairs {
  public:
-  Pieces(const ConvexPolyhedron& P, const ConvexPolyhedron& Q, const Scaling& scaling,
-         const Compatibility& compatibility)
+  PiecesOfPairs(const ConvexPolyhedron& P, const ConvexPolyhedron& Q, const Scaling& scaling,
+                const Compatibility& compatibility)
       : P_(P), Q_(Q) {
     const SumVertices vertices(P, Q, compatibility);
-    pairs_ = vertices.pairs();
-    for (std::uint32_t k = 0; k < pairs_.size(); ++k) numbers_.emplace(key(pairs_[k]), k);
+    pieces_.pairs = vertices.pairs();
+    for (std::uint32_t k = 0; k < pieces_.pairs.size(); ++k) {
+      numbers_.emplace(key(pieces_.pairs[k]), k);
+    }
     HomogeneousPoints points;
     sum_coordinates(P, Q, scaling, vertices, points);
-    denominators_ = points.denominators;
-    for (std::size_t k = 0; k < pairs().size(); ++k) {
-      points_.push_back(
+    pieces_.denominators = points.denominators;
+    for (std::size_t k = 0; k < pieces_.pairs.size(); ++k) {
+      pieces_.points.push_back(
           {numerator_at(points, k, 0), numerator_at(points, k, 1), numerator_at(points, k, 2)});
     }
-    build(compatibility);
+    add_facets(compatibility);
   }
 
-  /// Pieces with one normal lie together.
-  std::vector<Face> take() { return std::move(rings_); }
-  const std::vector<Pair>& pairs() const { return pairs_; }
-  const std::vector<IntegerVector>& points() const { return points_; }
-  const std::vector<IntegerVector>& normals() const { return normals_; }
-  const IntegerVector& denominators() const { return denominators_; }
+  const Pieces& pieces() const { return pieces_; }
 
  private:
   static std::uint64_t key(Pair pair) { return std::uint64_t{pair.p} << 32 | pair.q; }
+  std::uint32_t number(std::uint32_t p, std::uint32_t q) const { return numbers_.at(key({p, q})); }
 
-  void build(const Compatibility& compatibility) {
+  void add_facets(const Compatibility& compatibility) {
     for (std::uint32_t f = 0; f < P_.facets(); ++f) {
-      std::vector<Pair> corners;
+      Face ring;
       for_vertices_of(
-          P_, f, [&](std::uint32_t p) { corners.push_back({p, compatibility.vertex_of_Q[f]}); });
-      add(corners);
+          P_, f, [&](std::uint32_t p) { ring.push_back(number(p, compatibility.vertex_of_Q[f])); });
+      pieces_.add(std::move(ring));
     }
     for (std::uint32_t g = 0; g < Q_.facets(); ++g) {
-      std::vector<Pair> corners;
+      Face ring;
       for_vertices_of(
-          Q_, g, [&](std::uint32_t q) { corners.push_back({compatibility.vertex_of_P[g], q}); });
-      add(corners);
+          Q_, g, [&](std::uint32_t q) { ring.push_back(number(compatibility.vertex_of_P[g], q)); });
+      pieces_.add(std::move(ring));
     }
     for (std::uint32_t e = 0; e < P_.edges(); ++e) {
       const std::uint32_t a = P_.origin(P_.half_edge(e)), b = P_.target(P_.half_edge(e));
       for (const std::uint32_t d : compatibility.chains[e]) {
         const std::uint32_t q = Q_.origin(d), r = Q_.target(d);
-        add({{a, q}, {a, r}, {b, r}, {b, q}});
+        pieces_.add({number(a, q), number(a, r), number(b, r), number(b, q)});
       }
     }
-  }
-
-  void add(const std::vector<Pair>& corners) {
-    Face ring;
-    for (const Pair& corner : corners) ring.push_back(numbers_.at(key(corner)));
-    IntegerVector normal = primitive(area_vector(points_, ring));
-    if (is_zero(normal)) return;  // of two parallel edges: it lies in an edge of the sum
-    normals_.push_back(std::move(normal));
-    rings_.push_back(std::move(ring));
   }
 
   const ConvexPolyhedron& P_;
   const ConvexPolyhedron& Q_;
-  std::vector<Pair> pairs_;
   std::unordered_map<std::uint64_t, std::uint32_t> numbers_;
-  std::vector<IntegerVector> points_, normals_;
-  std::vector<Face> rings_;
-  IntegerVector denominators_;
+  Pieces pieces_;
 };
-
-/// The corners of the convex hull of points in a plane, counter-clockwise seen against its normal.
-Face corners_of_hull(const std::vector<IntegerVector>& points, const IntegerVector& normal,
-                     Face among) {
-  std::size_t axis = 0;
-  for (std::size_t k = 1; k < 3; ++k) {
-    if (abs(normal[k]) > abs(normal[axis])) axis = k;
-  }
-  const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
-  const auto same = [&](std::uint32_t a, std::uint32_t b) {
-    return points[a][u] == points[b][u] && points[a][v] == points[b][v];
-  };
-  std::sort(among.begin(), among.end(), [&](std::uint32_t a, std::uint32_t b) {
-    if (points[a][u] != points[b][u]) return points[a][u] < points[b][u];
-    return points[a][v] < points[b][v];
-  });
-  among.erase(std::unique(among.begin(), among.end(), same), among.end());
-  const auto turns_left = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    return (points[b][u] - points[a][u]) * (points[c][v] - points[a][v]) >
-           (points[b][v] - points[a][v]) * (points[c][u] - points[a][u]);
-  };
-  Face hull;
-  for (int side = 0; side < 2; ++side) {
-    const std::size_t base = hull.size();
-    for (const std::uint32_t k : among) {
-      while (hull.size() >= base + 2 && !turns_left(hull[hull.size() - 2], hull.back(), k)) {
-        hull.pop_back();
-      }
-      hull.push_back(k);
-    }
-    hull.pop_back();
-    std::reverse(among.begin(), among.end());
-  }
-  if (normal[axis] < 0) std::reverse(hull.begin(), hull.end());
-  return hull;
-}
-
-FacetParents parents_of(const std::vector<Pair>& pairs, const Face& corners) {
-  FacetParents result;
-  for (const std::uint32_t k : corners) {
-    result.P.push_back(pairs[k].p);
-    result.Q.push_back(pairs[k].q);
-  }
-  for (auto* list : {&result.P, &result.Q}) {
-    std::sort(list->begin(), list->end());
-    list->erase(std::unique(list->begin(), list->end()), list->end());
-  }
-  return result;
-}
-
-/// One ring for each plane, and the parents of each.
-std::pair<std::vector<Face>, std::vector<FacetParents>> merged(Pieces& pieces) {
-  const std::vector<Face> rings = pieces.take();
-  const std::vector<IntegerVector>& normals = pieces.normals();
-  std::vector<std::uint32_t> order(rings.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return normals[a] < normals[b]; });
-  std::pair<std::vector<Face>, std::vector<FacetParents>> result;
-  for (std::size_t k = 0, end = 0; k < order.size(); k = end) {
-    Face corners;
-    for (end = k; end < order.size() && normals[order[end]] == normals[order[k]]; ++end) {
-      corners.insert(corners.end(), rings[order[end]].begin(), rings[order[end]].end());
-    }
-    result.second.push_back(parents_of(pieces.pairs(), corners));
-    if (end - k > 1) corners = corners_of_hull(pieces.points(), normals[order[k]], corners);
-    result.first.push_back(std::move(corners));
-  }
-  return result;
-}
-
-/// Numbers the vertices that are used in lexicographic order, and sorts the facets.
-void make_canonical(ConvexSum& sum, std::vector<Face> rings, std::vector<FacetParents> parents,
-                    const Pieces& pieces, std::vector<IntegerVector>& points) {
-  std::vector<std::uint32_t> used;
-  for (const Face& ring : rings) used.insert(used.end(), ring.begin(), ring.end());
-  std::sort(used.begin(), used.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return std::tie(pieces.points()[a], a) < std::tie(pieces.points()[b], b);
-  });
-  used.erase(std::unique(used.begin(), used.end()), used.end());
-  std::vector<std::uint32_t> number(pieces.pairs().size());
-  const IntegerVector& under = pieces.denominators();
-  for (std::uint32_t k = 0; k < used.size(); ++k) {
-    number[used[k]] = k;
-    const IntegerVector& p = pieces.points()[used[k]];
-    points.push_back(p);
-    sum.vertex_parents.push_back(pieces.pairs()[used[k]]);
-    sum.surface.vertices.push_back(
-        {Rational(p[0], under[0]), Rational(p[1], under[1]), Rational(p[2], under[2])});
-  }
-  for (Face& ring : rings) {
-    for (std::uint32_t& v : ring) v = number[v];
-    std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
-  }
-  std::vector<std::uint32_t> order(rings.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::sort(order.begin(), order.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return rings[a] < rings[b]; });
-  for (const std::uint32_t k : order) {
-    sum.surface.faces.push_back(std::move(rings[k]));
-    sum.facet_parents.push_back(std::move(parents[k]));
-  }
-}
-
-/// Scaling an axis keeps what is asked here, so the points may be those over the denominators.
-void certify(const Polyhedron& surface, const std::vector<IntegerVector>& points) {
-  try {
-    validate(surface);
-    if (certified_convex_facets(surface, points).size() != surface.faces.size()) {
-      throw std::logic_error("two facets of a convex sum lie in one plane");
-    }
-  } catch (const BadInput& fault) {
-    throw std::logic_error(std::string("a convex sum is not closed and convex: ") + fault.what());
-  }
-}
 
 }  // namespace
 
 ConvexSum surface_of(const ConvexPolyhedron& P, const ConvexPolyhedron& Q, const Scaling& scaling,
                      const Compatibility& compatibility) {
-  Pieces pieces(P, Q, scaling, compatibility);
-  auto [rings, parents] = merged(pieces);
-  ConvexSum result;
-  std::vector<IntegerVector> points;
-  make_canonical(result, std::move(rings), std::move(parents), pieces, points);
-  certify(result.surface, points);
-  return result;
+  return united(PiecesOfPairs(P, Q, scaling, compatibility).pieces());
 }
 
 ConvexSum surface_of(const DynamicConvexSum& sum) {

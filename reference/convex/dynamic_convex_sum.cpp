@@ -128,6 +128,17 @@ void DynamicConvexSum::mend_chains(UpdateCounts& counts) {
   suspects_.clear();
 }
 
+/// How many edges of one chain are not in another, either way round.
+std::uint64_t DynamicConvexSum::edges_missing(const std::vector<std::uint32_t>& chain,
+                                              const std::vector<std::uint32_t>& other) const {
+  const auto in_other = [&](std::uint32_t h) {
+    return std::any_of(other.begin(), other.end(),
+                       [&](std::uint32_t d) { return Q().edge(d) == Q().edge(h); });
+  };
+  return chain.size() -
+         static_cast<std::uint64_t>(std::count_if(chain.begin(), chain.end(), in_other));
+}
+
 bool DynamicConvexSum::beside_moved_facet(const std::vector<std::uint32_t>& chain) const {
   return std::any_of(chain.begin(), chain.end(), [&](std::uint32_t h) {
     return moved_.contains(Q().left(h)) || moved_.contains(Q().right(h));
@@ -144,13 +155,8 @@ void DynamicConvexSum::mend_chain(std::uint32_t edge, UpdateCounts& counts) {
   changed_at_P_.insert(P().origin(h));  // if only because the arc begins elsewhere
   changed_at_P_.insert(P().target(h));
   if (chain == chain_after_) return;
-  for (const std::uint32_t old : chain) {
-    counts.ee_errors +=
-        std::find(chain_after_.begin(), chain_after_.end(), old) == chain_after_.end();
-  }
-  for (const std::uint32_t fresh : chain_after_) {
-    counts.ee_pairs_added += std::find(chain.begin(), chain.end(), fresh) == chain.end();
-  }
+  counts.ee_errors += edges_missing(chain, chain_after_);
+  counts.ee_pairs_added += edges_missing(chain_after_, chain);
   ee_pairs_ = ee_pairs_ - chain.size() + chain_after_.size();
   chain.swap(chain_after_);
 }

@@ -62,6 +62,8 @@ class DynamicConvexSum {
   void mend_facets_of_Q(UpdateCounts& counts);
   void mend_chains(UpdateCounts& counts);
   void mend_chain(std::uint32_t edge, UpdateCounts& counts);
+  std::uint64_t edges_missing(const std::vector<std::uint32_t>& chain,
+                              const std::vector<std::uint32_t>& other) const;
   bool beside_moved_facet(const std::vector<std::uint32_t>& chain) const;
   void renew_vertices();
 

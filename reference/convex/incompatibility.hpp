@@ -20,9 +20,9 @@ struct Incompatibility {
 /// The degree of incompatibility of a facet of P and a vertex of Q, P scaled (Behar & Lien 2012,
 /// Sec. 6: IC(f, v) = max d(e, f) over the edges e at v).
 ///
-/// - printed: d(e, f) is the longest Euclidean distance from e to the plane, on whichever side. It
-/// is
-///   never 0: at the apex of an octahedron, over a horizontal facet, it is the edges' height.
+/// - printed: d(e, f) is the longest Euclidean distance from e to the plane, on whichever side. So
+///   the witness may lead down; and at the apex of an octahedron, over a horizontal facet, where
+///   the paper does not define it, it is not 0.
 /// - corrected: only what lies above the plane counts; the degree is 0, and the witness level or
 ///   below, exactly where no edge at v rises above the plane.
 ///

@@ -13,7 +13,7 @@ import jsonschema
 import pytest
 from minkref.exact import digest
 from minkref.fuzz.space.generators.convex import box, random_hull
-from minkref.fuzz.space.hull import sum_of_convex
+from minkref.fuzz.space.hull import convex_hull, sum_of_convex
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.schemas import schema
 
@@ -192,3 +192,46 @@ def test_a_certificate_is_written_and_verified(
     refused = minkref("certify", *cubes, "--event", "2", "-o", tmp_path / "e.cert.json")
     assert refused.code == 2
     assert not (tmp_path / "e.cert.json").exists()
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_segment_is_an_operand_on_either_side(
+    minkref: Minkref, tmp_path: Path, seed: int
+) -> None:
+    dice = random.Random(seed)
+    body = random_hull(dice, 9, 3)
+    a, b = ([dice.randint(-2, 2) for _ in range(3)] for _ in "ab")
+    b[0] += 5  # another point than a
+    paths = tmp_path / "body.off", tmp_path / "segment.off"
+    paths[0].write_text(off(body), encoding="utf-8")
+    rows = "\n".join(" ".join(map(str, end)) for end in (a, b))
+    paths[1].write_text(f"OFF\n2 0 0\n{rows}\n", encoding="utf-8")
+    s = (Fraction(2), Fraction(1, 3), Fraction(5, 4))
+    for P, Q in ((paths[0], paths[1]), (paths[1], paths[0])):
+        value = minkref("sum", P, Q, "--scale", ",".join(map(str, s)), "--json").json
+        jsonschema.validate(value, schema("sum"))
+        scale_of_body = s if P == paths[0] else (ONE, ONE, ONE)
+        scale_of_ends = (ONE, ONE, ONE) if P == paths[0] else s
+        hull = convex_hull(
+            (x * f[0] + end[0] * g[0], y * f[1] + end[1] * g[1], z * f[2] + end[2] * g[2])
+            for f, g in [(scale_of_body, scale_of_ends)]
+            for x, y, z in body.vertices
+            for end in (a, b)
+        )
+        assert value["digest"] == digest(canonical(hull))
+
+
+def test_a_point_moves_and_the_empty_set_empties(
+    minkref: Minkref, cubes: tuple[Path, Path], tmp_path: Path
+) -> None:
+    point, empty = tmp_path / "point.off", tmp_path / "empty.off"
+    point.write_text("OFF\n1 0 0\n1/2 3 -1\n", encoding="utf-8")
+    empty.write_text("OFF\n0 0 0\n", encoding="utf-8")
+    value = minkref("sum", cubes[1], point, "--scale", "2,1,1", "--json").json
+    assert value["result"]["vertices"][0] == ["1/2", "3", "-1"]
+    assert value["volume"] == "2"
+    value = minkref("sum", cubes[0], empty, "--json").json
+    jsonschema.validate(value, schema("sum"))
+    assert (value["facets"], value["volume"]) == (0, "0")
+    ran = minkref("sum", point, point, "--json")
+    assert (ran.code, ran.json["error"]["code"]) == (2, "not-solid")

@@ -1,6 +1,7 @@
 // Sums that can be checked by hand, and degenerate contacts.
 #include <gtest/gtest.h>
 
+#include "reference/convex/segment_sum.hpp"
 #include "reference/error.hpp"
 #include "reference/space/canonical_polyhedron.hpp"
 #include "tests/convex/bodies.hpp"
@@ -61,6 +62,21 @@ TEST(ConvexSumExample, AnEeErrorWithoutAnErrorOfAFacetOfP) {
   EXPECT_GT(counts.ee_errors, 0U);
 }
 
+/// All facets exchange two vertices, and all pairs of edges stay: the second half of Theorem 1 does
+/// not hold either. The chains run the other way round.
+TEST(ConvexSumExample, ErrorsOfAllFacetsWithoutAnEeError) {
+  const ConvexPolyhedron P(
+      bodies::tetrahedron(at(1, -5, 5), at(-2, -5, 3), at(2, 4, 1), at(-2, 2, -4)));
+  const ConvexPolyhedron Q(
+      bodies::tetrahedron(at(5, 4, -2), at(-4, -4, -3), at(5, -3, 1), at(-4, 1, -5)));
+  DynamicConvexSum moving(P, Q, bodies::unit);
+  const UpdateCounts counts = moving.update({5, 5, 1});
+  EXPECT_EQ(counts.fv_errors, 4U);
+  EXPECT_EQ(counts.vf_errors, 4U);
+  EXPECT_EQ(counts.ee_errors, 0U);
+  EXPECT_EQ(counts.ee_pairs_added, 0U);
+}
+
 TEST(ConvexSumExample, CoplanarTrianglesAndFlatVerticesChangeNothing) {
   // A cube in twelve triangles, one edge of it cut, and the middle of its bottom a vertex.
   const Polyhedron cut{{at(0, 0, 0), at(2, 0, 0), at(2, 2, 0), at(0, 2, 0), at(0, 0, 2),
@@ -89,6 +105,24 @@ TEST(ConvexSumExample, CanonicalTextIsTheSameForEveryNumbering) {
   EXPECT_EQ(canonical_json(canonical(tetrahedron)),
             R"({"faces":[[0,1,2],[0,2,3],[0,3,1],[1,3,2]],"vertices":[["0","0","0"],)"
             R"(["0","0","1/2"],["0","1","0"],["1","0","0"]]})");
+}
+
+/// Four facets are parallel to the segment, and swept; two are moved.
+TEST(ConvexSumExample, BoxAndSegmentAlongAnAxisIsALongerBox) {
+  const ConvexPolyhedron P(box(1, 2, 3));
+  const ConvexSum result = sum_with_segment(P, {2, 1, 1}, at(0, 0, 1), at(0, 0, 5));
+  Polyhedron expected = translated(box(2, 2, 7), at(0, 0, 1));
+  EXPECT_EQ(result.surface, canonical(expected));
+  EXPECT_THROW(sum_with_segment(P, bodies::unit, at(1, 1, 1), at(1, 1, 1)), BadInput);
+}
+
+/// A zonotope: four segments in general position make a rhombic dodecahedron.
+TEST(ConvexSumExample, BoxAndDiagonalSegmentIsARhombicDodecahedron) {
+  const ConvexSum result =
+      sum_with_segment(ConvexPolyhedron(box(1, 1, 1)), bodies::unit, at(0, 0, 0), at(1, 1, 1));
+  EXPECT_EQ(result.surface.faces.size(), 12U);
+  EXPECT_EQ(result.surface.vertices.size(), 14U);
+  EXPECT_EQ(sextuple_volume(result.surface), 6 * 4);
 }
 
 /// Far beyond the range of doubles, and ratios that doubles cannot tell from one.

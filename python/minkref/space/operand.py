@@ -62,6 +62,18 @@ def read_space_operand(name: str) -> SpaceOperand:
     return SpaceOperand(name, path, surface, body, warnings)
 
 
+def solid(operand: SpaceOperand) -> _core.ConvexPolyhedron:
+    """Refuses the empty set, a point and a segment."""
+    if operand.body is None:
+        raise Refusal(
+            "the operand has no volume",
+            operand.name,
+            "give a convex polyhedron by its faces",
+            "not-solid",
+        )
+    return operand.body
+
+
 def _models() -> dict[str, Path]:
     return {model.name: model.path for model in shipped_polyhedra()}
 

@@ -19,7 +19,7 @@ from minkref.documents import (
 from minkref.errors import Refusal, refusing
 from minkref.exact import scientific
 from minkref.signals import interruptible
-from minkref.space.operand import read_space_operand
+from minkref.space.operand import SpaceOperand, read_space_operand
 from minkref.space.scaling import read_scaling, text_of
 from minkref.space.sums import ROUTES, compute, sum_fields
 from minkref.sweep_folder import SPACE_FORMATS
@@ -65,15 +65,18 @@ def sum_in_space(
         vertex_parents=answer.vertex_parents,
         facet_parents=[{"P": list(p), "Q": list(q)} for p, q in answer.facet_parents],
         operands={
-            name: json_text.loads(operand.body.surface().canonical_json())
+            name: json_text.loads(_canonical(operand).canonical_json())
             for name, operand in (("P", first), ("Q", second))
-            if operand.body is not None
         },
     )
     if json:
         sys.stdout.write(as_text(value))
     else:
         _print(value, text_of(scaling))
+
+
+def _canonical(operand: SpaceOperand) -> _core.Polyhedron:
+    return operand.surface if operand.body is None else operand.body.surface()
 
 
 def _checked_route(route: str, arithmetic: str) -> str:

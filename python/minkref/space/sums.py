@@ -4,33 +4,26 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
 from minkref import _core
-from minkref.errors import Refusal, refusing
+from minkref.errors import refusing
 from minkref.exact import digest, in_double_range
-from minkref.space.operand import SpaceOperand
+from minkref.space.degenerate_sum import degenerate_sum
+from minkref.space.operand import SpaceOperand, solid
 from minkref.space.scaling import Scaling
+from minkref.space.space_sum import SpaceSum
 
 ROUTES = ("traversal", "brute-force", "dynamic")
-Face = tuple[list[int], list[int]]
-
-
-@dataclass(frozen=True)
-class SpaceSum:
-    """In canonical form; `facet_parents` are faces of P and Q by their vertices."""
-
-    surface: _core.Polyhedron
-    vertex_parents: list[tuple[int, int]]
-    facet_parents: list[Face]
-    seconds: float
 
 
 def compute(P: SpaceOperand, Q: SpaceOperand, scaling: Scaling, route: str) -> SpaceSum:
-    """S P ⊕ Q, exact. Refuses operands without volume."""
-    first, second = _solid(P), _solid(Q)
+    """S P ⊕ Q, exact. One operand may be the empty set, a point or a segment; what route is taken
+    does not matter then."""
+    if P.body is None or Q.body is None:
+        return degenerate_sum(P, Q, scaling)
+    first, second = P.body, Q.body
 
     def call() -> _core.ConvexSum:
         if route == "dynamic":
@@ -64,15 +57,4 @@ def sum_fields(answer: SpaceSum) -> dict[str, Any]:
 def bodies(
     P: SpaceOperand, Q: SpaceOperand
 ) -> tuple[_core.ConvexPolyhedron, _core.ConvexPolyhedron]:
-    return _solid(P), _solid(Q)
-
-
-def _solid(operand: SpaceOperand) -> _core.ConvexPolyhedron:
-    if operand.body is None:
-        raise Refusal(
-            "the operand has no volume",
-            operand.name,
-            "give a convex polyhedron by its faces",
-            "not-solid",
-        )
-    return operand.body
+    return solid(P), solid(Q)

@@ -16,7 +16,8 @@ from minkref import _core
 from minkref.errors import Refusal
 from minkref.exact import in_double_range
 from minkref.space.scaling import Scaling
-from minkref.space.sums import SpaceSum, sum_fields
+from minkref.space.space_sum import SpaceSum
+from minkref.space.sums import sum_fields
 from minkref.terminal import shown
 from minkref.version import version
 

@@ -19,6 +19,7 @@ from minkref.reports.audit.bodies import (
     scaled_normal,
     support,
 )
+from minkref.reports.audit.convex_code import descent
 from minkref.reports.audit.entry import Chapter, Shown, Status
 from minkref.reports.audit.space import vector
 from minkref.reports.audit.space_pictures import solids_picture
@@ -28,6 +29,7 @@ PART = Chapter("section-6", "Section 6: convex polyhedra under non-uniform scali
 SEED = 6
 UP: Whole = (0, 0, 1)
 OCTAHEDRON = hull([(0, 0, 1), (1, 0, 0), (0, 1, 0), (-1, 0, 0), (0, -1, 0), (0, 0, -1)])
+FIVE = hull([(2, -3, -3), (3, -3, 0), (-3, 3, 3), (-1, -2, -1), (-3, 3, 1)])
 CUBE = hull([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
 
 
@@ -87,7 +89,7 @@ def _(shown: Shown) -> None:
     between two vertices, neither of which is compatible. Then 300 random bodies with 5 to 8
     vertices, directions and start vertices that are not compatible: where either walk ends. At its
     upper apex an octahedron has distances that are not zero."""
-    body = hull([(2, -3, -3), (3, -3, 0), (-3, 3, 3), (-1, -2, -1), (-3, 3, 1)])
+    body = FIVE
     shown.equal("heights of the vertices of a body", [p[2] for p in body.points], [-3, 0, 3, -1, 1])
     shown.equal("the one that is compatible", sorted(support(body.points, UP)), [2])
     shown.equal("neighbours of vertex 0", sorted(body.neighbours[0]), [1, 3, 4])
@@ -113,6 +115,9 @@ def _(shown: Shown) -> None:
         right += _walk(body.points, near, start, n) in top
     shown.true(f"of 300 random walks as printed {endless} never end", endless > 0)
     shown.equal("walks by the right $IC$ that end at a compatible vertex", right, 300)
+    found = [descent(CUBE, UP, FIVE, 0, form) for form in ("printed", "corrected")]
+    shown.equal("the code from vertex 0, as printed (none: in a circle) and corrected", found,
+                [None, 2])  # fmt: skip
     shown.different(
         "apex of the octahedron, $n_f = (0, 0, 1)$, where the distances have to tell that it is "
         "compatible",

@@ -20,6 +20,7 @@ from minkref.reports.audit.bodies import (
     scaled_normal,
     support,
 )
+from minkref.reports.audit.convex_code import errors_mended, unmended
 from minkref.reports.audit.entry import Chapter, Shown, Status
 from minkref.reports.audit.space import vector
 from minkref.reports.audit.space_pictures import solids_picture
@@ -116,6 +117,7 @@ def _(shown: Shown) -> None:
     shown.equal(
         "errors of facets of $P$, of facets of $Q$, of edges", _errors(before, after), (0, 1, 1)
     )
+    shown.equal("the same of an update by the code", errors_mended(P, Q, s), (0, 1, 1))
     shown.equal("the lost pair of edges", sorted(before.ee - after.ee), [((0, 1), (0, 3))])
     (moved,) = (k for k in range(4) if before.vf[k] != after.vf[k])
     shown.equal(
@@ -188,6 +190,9 @@ def _(shown: Shown) -> None:
             "pair of edges changes",
             kept == same > 300,
         )
+    edges_lost, alone = unmended(SEED, 200, drawn_body, drawn_scaling)
+    shown.equal(f"by the code, in 2,000 random updates with {edges_lost:,} ee-errors: those "
+                "without an error of a facet", alone, 0)  # fmt: skip
 
 
 @PART.entry(
@@ -212,6 +217,7 @@ def _(shown: Shown) -> None:
     shown.equal(
         "errors of facets of $P$, of facets of $Q$, of edges", _errors(before, after), (4, 4, 0)
     )
+    shown.equal("the same of an update by the code", errors_mended(P, Q, s), (4, 4, 0))
     shown.true(
         f"the {len(before.ee)} pairs of edges are the same, before and after", before.ee == after.ee
     )
