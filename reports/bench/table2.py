@@ -12,7 +12,7 @@ from typing import Any
 
 from minkref import _core
 from minkref.fuzz.space.hull import convex_hull
-from minkref.reports.bench.convex_hull_service import ConvexHullService, NoHullError
+from minkref.reports.bench.cgal_space_service import CgalSpaceService, NoSumError
 from minkref.reports.bench.spread import least, spread
 from minkref.space.operand import SpaceOperand, read_space_operand
 from minkref.space.scaling import Scaling
@@ -50,10 +50,10 @@ def run(quick: bool, seed: int, tell: Tell, done: Callable[[], None]) -> Table2:
     """Times all pairs, at random factors and at small steps."""
     table = Table2(seed, QUICK_COUNT if quick else COUNT)
     operands = [read_space_operand(name) for name in MODELS]
-    service: ConvexHullService | None = None
+    service: CgalSpaceService | None = None
     try:
-        service = ConvexHullService()
-    except NoHullError as error:
+        service = CgalSpaceService()
+    except NoSumError as error:
         table.notes.append(f"CGAL's hull is left out: {error}")
     try:
         for P, Q in product(operands, operands):
@@ -94,7 +94,7 @@ def _time_pair(
     P: SpaceOperand,
     Q: SpaceOperand,
     kind: str,
-    service: ConvexHullService | None,
+    service: CgalSpaceService | None,
     tell: Tell,
 ) -> None:
     choose = random_scalings if kind == RANDOM else scalings_in_steps
@@ -159,13 +159,13 @@ def _per_step(walk: Row, steps: int) -> Row:
 
 
 def _cgal(
-    table: Table2, service: ConvexHullService, P: SpaceOperand, Q: SpaceOperand, scaling: Scaling
+    table: Table2, service: CgalSpaceService, P: SpaceOperand, Q: SpaceOperand, scaling: Scaling
 ) -> float:
     """Seconds of CGAL's hull. Its vertices, which say all of a convex body, have to be ours."""
     if P.body is None or Q.body is None:
         raise ValueError("the models of Table 2 have volume")
     mine = _core.convex_sum(P.body, Q.body, scaling).surface
-    seconds, vertices = hull_of_cgal(service, P, Q, scaling)
+    seconds, vertices = sum_of_cgal(service, P, Q, scaling)
     if not _same(mine, vertices):
         table.wrong.append(f"{P.name}, {Q.name} at {','.join(scaling)}")
     return seconds
@@ -174,21 +174,21 @@ def _cgal(
 Corner = tuple[str, str, str]
 
 
-def is_hull_of_cgal(
-    service: ConvexHullService,
+def is_sum_of_cgal(
+    service: CgalSpaceService,
     P: SpaceOperand,
     Q: SpaceOperand,
     scaling: Scaling,
     sum_: _core.Polyhedron,
 ) -> bool:
-    """Whether the vertices of a sum are those of CGAL's hull, which of a convex body say all."""
-    return _same(sum_, hull_of_cgal(service, P, Q, scaling)[1])
+    """Whether the vertices of a sum are those of CGAL's, which of a convex body say all."""
+    return _same(sum_, sum_of_cgal(service, P, Q, scaling)[1])
 
 
-def hull_of_cgal(
-    service: ConvexHullService, P: SpaceOperand, Q: SpaceOperand, scaling: Scaling
+def sum_of_cgal(
+    service: CgalSpaceService, P: SpaceOperand, Q: SpaceOperand, scaling: Scaling
 ) -> tuple[float, set[Corner]]:
-    """CGAL's seconds, and the vertices of its hull."""
+    """CGAL's seconds, and the vertices of its sum."""
     factors = [Fraction(f) for f in scaling]
     scaled = [_point([f * Fraction(c) for f, c in zip(factors, point, strict=True)])
               for point in P.surface.points()]  # fmt: skip

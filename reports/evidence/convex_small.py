@@ -11,10 +11,11 @@ from pathlib import Path
 from minkref import _core
 from minkref.certify.convex_certificate import ConvexCertificate
 from minkref.exact import digest
+from minkref.fuzz.judges.convex_facets import convex_facets
 from minkref.fuzz.space.generators.convex import random_hull
 from minkref.fuzz.space.polyhedron import Polyhedron
-from minkref.reports.bench.convex_hull_service import ConvexHullService
-from minkref.reports.bench.table2 import is_hull_of_cgal
+from minkref.reports.bench.cgal_space_service import NEF, CgalSpaceService
+from minkref.reports.bench.table2 import is_sum_of_cgal
 from minkref.reports.evidence.certificates.checkers import in_cpp, timed
 from minkref.reports.evidence.framework import part
 from minkref.reports.evidence.framework.part import Findings
@@ -25,12 +26,14 @@ SUBJECT = (
     "2,000 random pairs of convex polyhedra with 4 to 20 points of an integer grid, 20 scalings "
     "each: update, static routes and CGAL's hull agree exactly; certificates verified."
 )
-MINUTES = (14, None)
+MINUTES = (7, None)
 DEPENDS = (
     *part.REFERENCE, *part.COMPARISON, *part.CGAL, "certify/*.py", "oracle/checker/*",
-    "reports/bench/*.py", "python/minkref/space/*.py",
+    "oracle/symbolic/convex.py", "reports/bench/*.py", "python/minkref/space/*.py",
 )  # fmt: skip
 PAIRS, SCALINGS = 2000, 20
+WITH_NEF, WITH_ALGEBRA = 100, 10  # pairs, at their last scaling
+MOST_FOR_ALGEBRA = 6  # vertices of each operand
 SEED = 20121
 
 
@@ -39,10 +42,20 @@ def run(quick: bool) -> Findings:
     dice = random.Random(SEED)
     counts: Counter[str] = Counter()
     kinds: Counter[str] = Counter()
-    with ConvexHullService() as service, tempfile.TemporaryDirectory() as name:
+    with (
+        CgalSpaceService() as service,
+        CgalSpaceService(NEF) as nef,
+        tempfile.TemporaryDirectory() as name,
+    ):
         for number in range(PAIRS):
             P, Q = (_operand(dice) for _ in "PQ")
-            _examine(P, Q, _scalings(dice), service, Path(name), counts, kinds)
+            scalings = _scalings(dice)
+            found = _examine(P, Q, scalings, service, Path(name), counts, kinds)
+            if number < WITH_NEF:
+                counts["nef"] += is_sum_of_cgal(nef, P, Q, scalings[-1], found.surface)
+            if counts["algebra tried"] < WITH_ALGEBRA and _is_tiny(P, Q):
+                counts["algebra tried"] += 1
+                counts["algebra"] += _by_algebra(P, Q, scalings[-1]) == _facets(found)
             if number % 100 == 99:
                 print(f"{number + 1} pairs", flush=True)
     every = PAIRS * SCALINGS
@@ -55,6 +68,10 @@ def run(quick: bool) -> Findings:
         findings.law(what, counts[key] == every, every, counts[key])
     findings.law("certificates verified, one for each pair", counts["verified"] == PAIRS, PAIRS,
                  counts["verified"])  # fmt: skip
+    findings.law("sums equal to CGAL's of Nef polyhedra", counts["nef"] == WITH_NEF, WITH_NEF,
+                 counts["nef"])  # fmt: skip
+    findings.law("facets with their parents equal to those by computer algebra",
+                 counts["algebra"] == WITH_ALGEBRA, WITH_ALGEBRA, counts["algebra"])  # fmt: skip
     findings.law("ee-errors without an error of a facet", counts["without error"] == 0, 0,
                  counts["without error"])  # fmt: skip
     findings.note(f"seed {SEED}; errors mended: {counts['errors']:,}")
@@ -88,11 +105,12 @@ def _examine(
     P: SpaceOperand,
     Q: SpaceOperand,
     scalings: list[Scaling],
-    service: ConvexHullService,
+    service: CgalSpaceService,
     folder: Path,
     counts: Counter[str],
     kinds: Counter[str],
-) -> None:
+) -> _core.ConvexSum:
+    """All scalings in turn. Returns the last sum."""
     if P.body is None or Q.body is None:
         raise ValueError("a hull has volume")
     certificate = ConvexCertificate(P.surface, Q.surface)
@@ -105,7 +123,7 @@ def _examine(
             counts[route] += moving.equals_route(route)
         found = moving.sum()
         kinds.update(_kind(p) + " + " + _kind(q) for p, q in found.facet_parents)
-        counts["hull"] += is_hull_of_cgal(service, P, Q, scaling, found.surface)
+        counts["hull"] += is_sum_of_cgal(service, P, Q, scaling, found.surface)
         claim = certificate.claims[certificate.sum(scaling)]
         counts["digest"] += claim["digest"] == digest(found.surface.canonical_json())
     case, path = folder / "pair.case.json", folder / "pair.cert.json"
@@ -113,6 +131,24 @@ def _examine(
     path.write_text(certificate.text(case.name), encoding="utf-8")
     verdict, _ = timed(in_cpp(), path)
     counts["verified"] += not verdict.code
+    return found
+
+
+Parents = set[tuple[frozenset[int], frozenset[int]]]
+
+
+def _is_tiny(P: SpaceOperand, Q: SpaceOperand) -> bool:
+    return max(P.surface.vertices, Q.surface.vertices) <= MOST_FOR_ALGEBRA
+
+
+def _by_algebra(P: SpaceOperand, Q: SpaceOperand, scaling: Scaling) -> Parents:
+    if P.body is None or Q.body is None:
+        raise ValueError("a hull has volume")
+    return convex_facets(P.body.surface().points(), Q.body.surface().points(), scaling)
+
+
+def _facets(found: _core.ConvexSum) -> Parents:
+    return {(frozenset(p), frozenset(q)) for p, q in found.facet_parents}
 
 
 def _kind(face: list[int]) -> str:

@@ -1,4 +1,4 @@
-"""CGAL's convex hull of all sums of vertices, timed: its exact kernel, behind the protocol."""
+"""CGAL's sums in space, timed: the hull of all sums of vertices, Nef polyhedra; exact kernels."""
 
 from __future__ import annotations
 
@@ -10,26 +10,26 @@ from typing import Any
 from minkref import _core
 from minkref.fuzz.adapters.catalogue import absence, command
 
-HULL = "cgal-hull"
+HULL, NEF = "cgal-hull", "cgal-nef"
 
 
-class NoHullError(Exception):
+class NoSumError(Exception):
     """There is no such program, or it gave no answer."""
 
 
-class ConvexHullService:
+class CgalSpaceService:
     """One process for many sums; close it, or use it in a `with`."""
 
-    def __init__(self) -> None:
-        line = command(HULL)
+    def __init__(self, name: str = HULL) -> None:
+        line = command(name)
         if line is None:
-            raise NoHullError(absence(HULL) or "there is no such adapter")
+            raise NoSumError(absence(name) or "there is no such adapter")
         self._process = subprocess.Popen(
             line, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
         )
         self._ask({"verb": "hello", "protocols": ["adapter-v1"]})
 
-    def __enter__(self) -> ConvexHullService:
+    def __enter__(self) -> CgalSpaceService:
         return self
 
     def __exit__(
@@ -44,7 +44,7 @@ class ConvexHullService:
         self._ask({"verb": "load", "dimension": 3, "Q": _document(Q)})
 
     def sum(self, sP: _core.Polyhedron) -> tuple[float, dict[str, Any]]:
-        """Seconds of CGAL alone (adding all pairs of vertices, and the hull), and the hull in
+        """Seconds of CGAL alone (of the hull with adding all pairs of vertices), and the sum in
         triangles."""
         answer = self._ask({"verb": "at", "sP": _document(sP), "timed": True})
         return answer["cgal_seconds"], answer
@@ -58,12 +58,12 @@ class ConvexHullService:
 
     def _ask(self, request: dict[str, Any]) -> dict[str, Any]:
         if self._process.stdin is None or self._process.stdout is None:
-            raise NoHullError("the process has no streams")
+            raise NoSumError("the process has no streams")
         self._process.stdin.write(json.dumps(request) + "\n")
         self._process.stdin.flush()
         answer: dict[str, Any] = json.loads(self._process.stdout.readline() or "{}")
         if answer.get("status") != "result":
-            raise NoHullError(str(answer.get("reason", "no answer")))
+            raise NoSumError(str(answer.get("reason", "no answer")))
         return answer
 
 
