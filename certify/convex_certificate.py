@@ -86,12 +86,16 @@ class ConvexCertificate:
             "certificate": "convex-certificate-v1",
             "title": title,
             "producer": producer or f"minkref {version()}",
-            "case": {"path": case, "sha256": digest(f'{{"P":{self.P.plain},"Q":{self.Q.plain}}}')},
+            "case": {"path": case, "sha256": self.case_digest()},
         }
         told = {name: value for name, value in head.items() if value}
         parts = [f'"{name}":{json.dumps(told[name], ensure_ascii=False)}' for name in told]
         parts += [f'"sums":{_compact(self._sums)}', f'"claims":{_compact(self.claims)}']
         return "{" + ",\n".join(parts) + "}\n"
+
+    def case_digest(self) -> str:
+        """Of both operands, as the certificate names its case."""
+        return digest(f'{{"P":{self.P.plain},"Q":{self.Q.plain}}}')
 
     def case(self) -> str:
         """The text of the case that is certified."""

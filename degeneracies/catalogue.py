@@ -1,4 +1,4 @@
-"""The families by name, in the order of their subjects."""
+"""The families by name, in the order of their subjects: those of the plane, and those in space."""
 
 from __future__ import annotations
 
@@ -12,6 +12,9 @@ from minkref.degeneracies.plane import (
     lines,
     magnitudes,
 )
+from minkref.degeneracies.space import always, at_a_scaling, shapes, updates
+from minkref.degeneracies.space import magnitudes as magnitudes_in_space
+from minkref.degeneracies.space.draft import SpaceFamily
 
 FAMILIES: dict[str, Family] = {
     family.name: family
@@ -24,5 +27,11 @@ FAMILIES: dict[str, Family] = {
         convolutions,
         magnitudes,
     )
+    for family in module.FAMILIES
+}
+
+SPACE_FAMILIES: dict[str, SpaceFamily] = {
+    family.name: family
+    for module in (always, at_a_scaling, shapes, magnitudes_in_space, updates)
     for family in module.FAMILIES
 }

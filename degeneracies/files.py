@@ -13,6 +13,8 @@ from minkref.degeneracies.draft import Family
 from minkref.degeneracies.found import Story
 from minkref.degeneracies.invalid.catalogue import invalid_member
 from minkref.degeneracies.invalid.member import InvalidFamily
+from minkref.degeneracies.space.case_document import DegenerateInSpace
+from minkref.degeneracies.space.draft import SpaceFamily
 from minkref.documents import replacing
 from minkref.output_folder import make_folder
 
@@ -63,9 +65,21 @@ class Made:
         return self.row(folder)
 
 
-def made_member(family: Family, seed: int, index: int, size: int | None = None) -> Made:
+AnyFamily = Family | SpaceFamily
+
+
+def made_member(family: AnyFamily, seed: int, index: int, size: int | None = None) -> Made:
     """ID.json and ID.cert.json."""
-    return _made(Degenerate.of(family, seed, index, size), index)
+    return _made(member_of(family, seed, index, size), index)
+
+
+def member_of(
+    family: AnyFamily, seed: int, index: int, size: int | None = None
+) -> Degenerate | DegenerateInSpace:
+    """In the plane or in space."""
+    if isinstance(family, SpaceFamily):
+        return DegenerateInSpace.of(family, seed, index, size)
+    return Degenerate.of(family, seed, index, size)
 
 
 def made_invalid(family: InvalidFamily, seed: int, index: int) -> Made:
@@ -89,7 +103,7 @@ def made_invalid(family: InvalidFamily, seed: int, index: int) -> Made:
 
 
 def write_member(
-    family: Family, seed: int, index: int, folder: Path, size: int | None = None
+    family: AnyFamily, seed: int, index: int, folder: Path, size: int | None = None
 ) -> FileRow:
     """FOLDER/FAMILY/ID.json and FOLDER/FAMILY/ID.cert.json."""
     return made_member(family, seed, index, size).write(folder)
@@ -99,7 +113,7 @@ def write_found(story: Story, folder: Path) -> FileRow:
     return _made(Degenerate(story, story.facts, story.value["source"]), 0).write(folder)
 
 
-def _made(made: Degenerate, index: int) -> Made:
+def _made(made: Degenerate | DegenerateInSpace, index: int) -> Made:
     case = f"{made.id}.json", made.case_text.encode()
     certificate = f"{made.id}.cert.json", made.certificate_text.encode()
     return Made(made.subject.name, index, made.id, case, certificate)

@@ -23,11 +23,16 @@ def member(family: Family, seed: int, index: int, size: int | None = None) -> Fa
             continue
         if facts is not None and facts.has_zeros and family.belongs(facts):
             return facts
-    if size is not None:
-        raise Refusal(
-            f"no member of about {size} vertices was found in {PATIENCE} draws",
-            f"{family.name} --seed {seed} --index {index} --size {size}",
-            "choose another --size or --seed, or leave out --size",
-            "nothing-drawn",
-        )
-    raise RuntimeError(f"{family.name}:{seed}:{index}: nothing drawn belongs to the family")
+    raise nothing_drawn(family.name, seed, index, size)
+
+
+def nothing_drawn(family: str, seed: int, index: int, size: int | None) -> Exception:
+    """A refusal of the size; without one it is a fault of ours."""
+    if size is None:
+        return RuntimeError(f"{family}:{seed}:{index}: nothing drawn belongs to the family")
+    return Refusal(
+        f"no member of about {size} vertices was found in {PATIENCE} draws",
+        f"{family} --seed {seed} --index {index} --size {size}",
+        "choose another --size or --seed, or leave out --size",
+        "nothing-drawn",
+    )

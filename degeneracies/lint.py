@@ -13,16 +13,23 @@ from typing import Any
 import jsonschema
 from minkref import _core
 from minkref.certify.case_text import case_digest
-from minkref.degeneracies.case_document import Degenerate, canonical_text, content_of, id_of
-from minkref.degeneracies.catalogue import FAMILIES
+from minkref.degeneracies.case_document import Degenerate, canonical_text, content_of
+from minkref.degeneracies.case_faults import of_certificate, of_place
+from minkref.degeneracies.catalogue import FAMILIES, SPACE_FAMILIES
+from minkref.degeneracies.files import member_of
 from minkref.degeneracies.flags import FLAGS, explained
 from minkref.degeneracies.found import FOUND
 from minkref.degeneracies.found import NAME as FOUND_NAME
+from minkref.degeneracies.space.case_document import DegenerateInSpace
+from minkref.degeneracies.space.case_faults import case_faults as case_faults_in_space
 
 ROOM = Path(__file__).parent
 CORPUS = ROOM / "corpus"
 ENDING = ".cert.json"
 GENERATE = "minkref generate"
+CERTIFIED = ("scale", "components", "holes", "digest")
+IN_SPACE = {"tags", "expected", "degeneracy", "certificate"}
+IN_THE_PLANE = {*IN_SPACE, "flags"}
 
 
 def case_paths(folder: Path) -> list[Path]:
@@ -44,14 +51,15 @@ def faults(folder: Path = CORPUS, again: bool = True) -> Iterator[str]:
             yield f"{path}: {error}"
             continue
         errors = [f"{e.json_path}: {e.message}" for e in validator.iter_errors(value)]
-        absent = sorted({"tags", "flags", "expected", "degeneracy", "certificate"} - set(value))
+        spatial = isinstance(value, dict) and value.get("dimension") == 3
+        absent = sorted((IN_SPACE if spatial else IN_THE_PLANE) - set(value))
         errors += [f"the member {name} is missing" for name in absent]
         if errors:
             yield from (f"{path}: {error}" for error in errors)
             continue
         if text != canonical_text(value):
             yield f"{path}: not in canonical form"
-        yield from _case_faults(path, value, seen)
+        yield from (case_faults_in_space if spatial else _case_faults)(path, value, seen)
         if again:
             yield from _differences(path, value)
     for path in sorted(folder.rglob(f"*{ENDING}")):
@@ -73,6 +81,7 @@ def corpus_faults(folder: Path = CORPUS) -> Iterator[str]:
 
 
 def _case_faults(path: Path, value: dict[str, Any], seen: dict[str, Path]) -> Iterator[str]:
+    """Of a case in the plane."""
     for flag in set(value["flags"]) - set(explained()):
         yield f"{path}: the flag {flag} is not explained"
     try:
@@ -83,37 +92,9 @@ def _case_faults(path: Path, value: dict[str, Any], seen: dict[str, Path]) -> It
         yield f"{path}: {error}"
         return
     content = content_of(operands[0], operands[1])
-    family = value["tags"][0]
-    if value["id"] != id_of(family, content, value["scales"]) or path.stem != value["id"]:
-        yield f"{path}: the id is not that of the content"
-    if path.parent.name != family:
-        yield f"{path}: not in the folder of its family"
-    if content in seen:
-        yield f"{path}: the operands are those of {seen[content]}"
-    seen[content] = path
-    yield from _certificate_faults(path, value, case_digest(operands[0], operands[1]))
-
-
-def _certificate_faults(path: Path, value: dict[str, Any], content: str) -> Iterator[str]:
-    """The certificate is of this case, and claims all that is expected."""
-    file = path.with_name(value["certificate"])
-    if not file.exists():
-        yield f"{path}: the certificate {file.name} is missing"
-        return
-    certificate = json.loads(file.read_text(encoding="utf-8"))
-    if certificate["case"] != {"path": path.name, "sha256": content}:
-        yield f"{file}: the certificate of another case"
-    names = ("scale", "components", "holes", "digest")
-    claimed = {
-        tuple(claim[name] for name in names)
-        for claim in certificate["claims"]
-        if claim["claim"] == "sum"
-    }
-    for expected in value["expected"]:
-        if tuple(expected[name] for name in names) not in claimed:
-            yield f"{path}: what is expected at {expected['scale']} is not certified"
-    if {expected["scale"] for expected in value["expected"]} != set(value["scales"]):
-        yield f"{path}: not each scale has its expected result"
+    yield from of_place(path, value, content, value["scales"], seen)
+    certified = case_digest(operands[0], operands[1])
+    yield from of_certificate(path, value, certified, {name: name for name in CERTIFIED})
 
 
 def _differences(path: Path, value: dict[str, Any]) -> Iterator[str]:
@@ -135,7 +116,7 @@ def _differences(path: Path, value: dict[str, Any]) -> Iterator[str]:
         yield f"{file}: not the certificate that the source makes"
 
 
-def _made_again(value: dict[str, Any]) -> Degenerate | None:
+def _made_again(value: dict[str, Any]) -> Degenerate | DegenerateInSpace | None:
     if value["tags"][0] == FOUND_NAME:
         return next(
             (
@@ -147,12 +128,12 @@ def _made_again(value: dict[str, Any]) -> Degenerate | None:
         )
     words = str(value.get("source", "")).removeprefix(GENERATE).split()
     try:
-        family = FAMILIES[words[0]]
+        family = (FAMILIES | SPACE_FAMILIES)[words[0]]
         options = {words[i]: int(words[i + 1]) for i in range(1, len(words), 2)}
         made = (options["--seed"], options["--index"], options.get("--size"))
     except (IndexError, KeyError, ValueError):
         return None
-    return Degenerate.of(family, *made)
+    return member_of(family, *made)
 
 
 def main(arguments: list[str]) -> int:

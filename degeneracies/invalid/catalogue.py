@@ -3,7 +3,8 @@ scale may give.
 
 Not among them, for nothing can be drawn or a file would be too large: `cannot-read` and
 `unknown-format` (a file that is not there, an ending), `cannot-write` and `not-representable`
-(writing), `file-too-large` (64 MiB) and `too-many-values` (32 MB at least).
+(writing), `file-too-large` (64 MiB) and `too-many-values` (32 MB at least); of meshes besides
+`too-many-vertices`, `too-many-digits`, `too-many-faces` and `too-many-face-corners`.
 """
 
 from __future__ import annotations
@@ -15,6 +16,8 @@ from minkref.degeneracies.invalid import (
     encoding,
     geometries,
     limits,
+    mesh_surfaces,
+    mesh_texts,
     numbers,
     pairs_of_rings,
     rings,
@@ -37,6 +40,10 @@ INVALID_FAMILIES: dict[str, InvalidFamily] = {
         limits,
     )
     for family in module.FAMILIES
+}
+
+INVALID_MESH_FAMILIES: dict[str, InvalidFamily] = {
+    family.name: family for module in (mesh_surfaces, mesh_texts) for family in module.FAMILIES
 }
 
 

@@ -8,7 +8,8 @@ from typing import Any
 from rich.table import Table
 
 from minkref.degeneracies.catalogue import FAMILIES as DEGENERATE
-from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES
+from minkref.degeneracies.catalogue import SPACE_FAMILIES as DEGENERATE_IN_SPACE
+from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, INVALID_MESH_FAMILIES
 from minkref.documents import Stopwatch, as_text, document
 from minkref.fuzz.cases.space_case import SPACE_FAMILIES
 from minkref.fuzz.families.catalogue import FAMILIES
@@ -36,12 +37,15 @@ def command(json: Json = False, schema: Schema = False) -> None:
         {"name": name, "dimension": 3, "title": title, "command": "verify"}
         for name, title in SPACE_FAMILIES.items()
     ]
-    titles = {name: family.title for name, family in DEGENERATE.items()}
-    titles |= {name: family.title for name, family in INVALID_FAMILIES.items()}
-    rows += [
-        {"name": name, "dimension": 2, "title": title, "command": "generate"}
-        for name, title in titles.items()
-    ]
+    for dimension, groups in (
+        (2, (DEGENERATE, INVALID_FAMILIES)),
+        (3, (DEGENERATE_IN_SPACE, INVALID_MESH_FAMILIES)),
+    ):
+        titles = {name: family.title for group in groups for name, family in group.items()}
+        rows += [
+            {"name": name, "dimension": dimension, "title": title, "command": "generate"}
+            for name, title in titles.items()
+        ]
     value = document("families", watch, families=rows)
     if json:
         sys.stdout.write(as_text(value))

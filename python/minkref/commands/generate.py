@@ -21,9 +21,9 @@ from rich.table import Table
 
 from minkref import _core
 from minkref.commands.verify_limits import MOST_JOBS
-from minkref.degeneracies.catalogue import FAMILIES
+from minkref.degeneracies.catalogue import FAMILIES, SPACE_FAMILIES
 from minkref.degeneracies.files import FileRow, Made, made_invalid, made_member
-from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES
+from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, INVALID_MESH_FAMILIES
 from minkref.documents import Stopwatch, document, listing
 from minkref.errors import Refusal, refusal_of
 from minkref.fuzz.run import child
@@ -43,11 +43,14 @@ minkref generate rings-touching --size 200 --count 5 -o large
 
 minkref generate all --seed 7 -o cases && minkref check cases
 
+minkref generate space --count 3 -o bodies && minkref check bodies
+
 minkref generate invalid --count 3 -o bad
 
 minkref verify cgal-reduced --suite corpus --corpus cases"""
 
-ALL, INVALID = "all", "invalid"
+ALL, SPACE, INVALID, INVALID_MESH = "all", "space", "invalid", "invalid-mesh"
+REFUSED = INVALID_FAMILIES | INVALID_MESH_FAMILIES
 DEFAULT_FOLDER = "degenerate-cases"
 DEFAULT_COUNT = 10
 MOST_CASES = 10_000_000  # of a family
@@ -60,9 +63,9 @@ def command(
     families: Annotated[
         list[str],
         typer.Argument(
-            help="Families (`minkref families`); all: those with certificates; invalid: those "
-            "that must be refused.",
-            metavar="FAMILY|all|invalid",
+            help="Families (`minkref families`); all: those of the plane with certificates; space: "
+            "those in space; invalid, invalid-mesh: those that must be refused.",
+            metavar="FAMILY|all|space|invalid|invalid-mesh",
         ),
     ],
     count: Annotated[
@@ -148,7 +151,7 @@ def command(
         f"{counted(total, 'case')}, {value['different']:,} different, {value['bytes']:,} bytes, "
         f"{value['cases_per_second']:.1f} a second\n"
     )
-    if any(name in FAMILIES for name in names):
+    if any(name in FAMILIES or name in SPACE_FAMILIES for name in names):
         sys.stdout.write(f"check them: minkref check {_quoted(output)}\n")
 
 
@@ -176,13 +179,18 @@ class _Tally:
 
 
 def _chosen(families: list[str]) -> list[str]:
-    known = {ALL: list(FAMILIES), INVALID: list(INVALID_FAMILIES)}
-    known |= {name: [name] for name in (*FAMILIES, *INVALID_FAMILIES)}
+    known = {
+        ALL: list(FAMILIES),
+        SPACE: list(SPACE_FAMILIES),
+        INVALID: list(INVALID_FAMILIES),
+        INVALID_MESH: list(INVALID_MESH_FAMILIES),
+    }
+    known |= {name: [name] for names in list(known.values()) for name in names}
     unknown = [name for name in families if name not in known]
     if unknown:
         mend = (
             "`minkref families` lists all families: name those that it says `generate` makes, "
-            f"{ALL} or {INVALID}"
+            f"{ALL}, {SPACE}, {INVALID} or {INVALID_MESH}"
         )
         raise Refusal("there is no such family", shown(unknown[0]), mend, "unknown-family")
     return list(dict.fromkeys(name for word in families for name in known[word]))
@@ -201,7 +209,7 @@ def _numbers(count: int | None, index: int | None) -> range:
 
 
 def _check_size(size: int | None, names: list[str]) -> None:
-    invalid = next((name for name in names if name in INVALID_FAMILIES), None)
+    invalid = next((name for name in names if name in REFUSED), None)
     if size is not None and invalid is not None:
         what = f"{invalid} is a family of invalid input, which has no size"
         raise Refusal(what, f"--size {size}", "leave out --size, or this family")
@@ -244,8 +252,10 @@ def _make(task: Task) -> Made:
     name, seed, index, size = task
     member = f"{name} --seed {seed} --index {index}"
     try:
-        if name in INVALID_FAMILIES:
-            return made_invalid(INVALID_FAMILIES[name], seed, index)
+        if name in REFUSED:
+            return made_invalid(REFUSED[name], seed, index)
+        if name in SPACE_FAMILIES:
+            return made_member(SPACE_FAMILIES[name], seed, index, size)
         return made_member(FAMILIES[name], seed, index, size)
     except Refusal:
         raise

@@ -1,0 +1,314 @@
+"""Meshes that are read, and are no closed surface, or none of a convex body."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from itertools import pairwise
+from random import Random
+
+from minkref.degeneracies.invalid.member import Invalid
+from minkref.degeneracies.invalid.mesh_sheet import (
+    body,
+    mesh_family,
+    middle,
+    refused,
+    sheet,
+    shown,
+    shuffled,
+)
+from minkref.fuzz.families.drawing import convex
+from minkref.fuzz.space.integers import Point
+from minkref.fuzz.space.polyhedron import Face, Polyhedron
+
+Edge = tuple[int, int]
+
+
+def edges_of(face: Sequence[int]) -> list[Edge]:
+    return list(pairwise((*face, face[0])))
+
+
+def least(edges: Sequence[Edge]) -> Edge:
+    """The one that is looked at first."""
+    return min(edges, key=lambda edge: (min(edge), max(edge)))
+
+
+def with_faces(mesh: Polyhedron, faces: Sequence[Face], *more: Point) -> Polyhedron:
+    return Polyhedron((*mesh.vertices, *more), tuple(faces))
+
+
+def owner(faces: Sequence[Face], edge: Edge) -> int:
+    """The face that runs along it."""
+    return next(k for k, face in enumerate(faces) if edge in edges_of(face))
+
+
+def open_mesh(dice: Random) -> Invalid:
+    """A face is missing."""
+    mesh = body(dice)
+    lost = dice.randrange(len(mesh.faces))
+    faces = [face for k, face in enumerate(mesh.faces) if k != lost]
+    a, b = least(edges_of(mesh.faces[lost]))
+    page = sheet(dice, with_faces(mesh, faces))
+    face = owner(faces, (b, a))
+    place = f"face {face}", f"vertices {b}, {a}", f"line {page.line_of_face(face)}"
+    return refused(page, "open-mesh", "open-mesh", *place, shown(page, a))
+
+
+def non_manifold_edge(dice: Random) -> Invalid:
+    """A triangle more at an edge; or two bodies that share one."""
+    mesh = body(dice)
+    a, b = dice.choice(edges_of(dice.choice(mesh.faces)))
+    count = len(mesh.vertices)
+    if dice.random() < 0.5:
+        outside = middle(mesh, (a, b))
+        far = tuple(2 * c - m for c, m in zip(outside, _centre(mesh), strict=True))
+        bad = with_faces(mesh, [*mesh.faces, (a, b, count)], (far[0], far[1], far[2]))
+    else:
+        bad = _glued(mesh, middle(mesh, (a, b)), {a: b, b: a})
+    page = sheet(dice, bad)
+    first = min(owner(bad.faces, (a, b)), owner(bad.faces, (b, a)))
+    start, end = (a, b) if (a, b) in edges_of(bad.faces[first]) else (b, a)
+    place = f"face {first}", f"vertices {start}, {end}", f"line {page.line_of_face(first)}"
+    return refused(page, "non-manifold-edge", "non-manifold-edge", *place)
+
+
+def _centre(mesh: Polyhedron) -> Point:
+    return middle(mesh, range(len(mesh.vertices)))
+
+
+def _glued(mesh: Polyhedron, at: Point, images: dict[int, int]) -> Polyhedron:
+    """With its reflection in a point; vertices whose image is one of the mesh are shared."""
+    numbers = dict(images)
+    more: list[Point] = []
+    for k, vertex in enumerate(mesh.vertices):
+        if k not in numbers:
+            numbers[k] = len(mesh.vertices) + len(more)
+            x, y, z = (2 * c - v for c, v in zip(at, vertex, strict=True))
+            more.append((x, y, z))
+    faces = [tuple(numbers[k] for k in face)[::-1] for face in mesh.faces]
+    return with_faces(mesh, [*mesh.faces, *faces], *more)
+
+
+def non_manifold_vertex(dice: Random) -> Invalid:
+    """Two bodies that share a vertex."""
+    mesh = body(dice)
+    vertex = dice.randrange(len(mesh.vertices))
+    page = sheet(dice, _glued(mesh, mesh.vertices[vertex], {vertex: vertex}))
+    place = f"vertex {vertex}", shown(page, vertex)
+    return refused(page, "non-manifold-vertex", "non-manifold-vertex", *place)
+
+
+def wrong_orientation(dice: Random) -> Invalid:
+    """One face is turned round."""
+    mesh = body(dice)
+    turned = dice.randrange(len(mesh.faces))
+    faces = [face[::-1] if k == turned else face for k, face in enumerate(mesh.faces)]
+    a, b = least(edges_of(faces[turned]))
+    page = sheet(dice, with_faces(mesh, faces))
+    both = sorted((turned, owner(mesh.faces, (a, b))))
+    place = f"face {both[0]}", f"vertices {a}, {b}", f"and face {both[1]}", shown(page, a)
+    return refused(page, "wrong-orientation", "wrong-orientation", *place)
+
+
+def inside_out(dice: Random) -> Invalid:
+    page = sheet(dice, body(dice).turned_inside_out())
+    place = "face 0", "inside out", f"line {page.line_of_face(0)}"
+    return refused(page, "inside-out", "wrong-orientation", *place)
+
+
+def repeated_vertex(dice: Random) -> Invalid:
+    """A face that visits a vertex twice."""
+    mesh = body(dice)
+    face = dice.randrange(len(mesh.faces))
+    ring = mesh.faces[face]
+    again = dice.choice(ring[:-2])
+    faces = [(*f, again) if k == face else f for k, f in enumerate(mesh.faces)]
+    faces[face] = (*ring[:-1], again, ring[-1])
+    page = sheet(dice, with_faces(mesh, faces))
+    place = f"face {face}", f"vertex {again}", f"line {page.line_of_face(face)}"
+    return refused(page, "repeated-vertex", "repeated-vertex", *place)
+
+
+def zero_area(dice: Random) -> Invalid:
+    """A sliver in an edge, between a vertex inside it and its ends."""
+    mesh = body(dice)
+    face = dice.randrange(len(mesh.faces))
+    a, b = edges_of(mesh.faces[face])[0]
+    new = len(mesh.vertices)
+    faces = list(mesh.faces)
+    faces[face] = (a, new, *faces[face][1:])
+    at = dice.randint(0, len(faces))
+    faces.insert(at, (a, b, new))
+    t = Fraction(1, dice.randint(2, 5))
+    ends = mesh.vertices[a], mesh.vertices[b]
+    x, y, z = (p + t * (q - p) for p, q in zip(*ends, strict=True))
+    page = sheet(dice, with_faces(mesh, faces, (x, y, z)))
+    place = f"face {at}", f"line {page.line_of_face(at)}", shown(page, new)
+    return refused(page, "zero-area", "zero-area", *place)
+
+
+def non_planar_face(dice: Random) -> Invalid:
+    """A corner of a face of four or more is moved off its plane, by little or much."""
+    while True:
+        mesh = body(dice, 4)
+        face = max(mesh.faces, key=len)
+        moved = dice.choice(face)
+        step = Fraction(1, 2 ** dice.choice((0, 3, 30, 60)))
+        x, y, z = (c + step * dice.choice((1, 2, 3)) for c in mesh.vertices[moved])
+        vertices = list(mesh.vertices)
+        vertices[moved] = (x, y, z)
+        bad = Polyhedron(tuple(vertices), mesh.faces)
+        found = bad.bad_face()
+        if found and "planar" in found[1]:
+            page = sheet(dice, bad)
+            place = f"face {found[0]}", f"line {page.line_of_face(found[0])}", "vertex "
+            return refused(page, "non-planar-face", "non-planar-face", *place)
+
+
+def face_not_simple(dice: Random) -> Invalid:
+    """Two corners of a face have changed places, so that its edges cross."""
+    while True:
+        mesh = body(dice, 4)
+        face = dice.choice([k for k, ring in enumerate(mesh.faces) if len(ring) > 3])
+        a, b, c, *others = mesh.faces[face]
+        faces = [(a, c, b, *others) if k == face else f for k, f in enumerate(mesh.faces)]
+        bad = with_faces(mesh, faces)
+        if bad.bad_face() is None:
+            page = sheet(dice, bad)
+            place = f"face {face}", f"line {page.line_of_face(face)}", "vertices "
+            return refused(page, "face-not-simple", "face-not-simple", *place)
+
+
+def index_out_of_range(dice: Random) -> Invalid:
+    mesh = body(dice)
+    page = sheet(dice, mesh)
+    face = dice.randrange(len(mesh.faces))
+    beyond = len(mesh.vertices) + dice.choice((0, 0, 1, 7, 10**6, 2**40))
+    if dice.random() < 0.25 and page.form in ("off", "ply", "obj"):
+        beyond = -1  # in OBJ 0
+    page.faces[face][dice.randrange(len(page.faces[face]))] = str(beyond)
+    number = str(beyond + (page.form == "obj"))
+    place = f"face {face}", f"line {page.line_of_face(face)}", number
+    return refused(page, "index-out-of-range", "index-out-of-range", *place)
+
+
+def unused_vertex(dice: Random) -> Invalid:
+    """Inside of the body, on it or far away: it is in no face."""
+    mesh = body(dice)
+    point = dice.choice((_centre(mesh), mesh.vertices[0], (Fraction(99),) * 3))
+    page = sheet(dice, with_faces(mesh, mesh.faces, point))
+    new = len(mesh.vertices)
+    place = f"vertex {new}", shown(page, new), f"line {page.line_of_vertex(new)}"
+    return refused(page, "unused-vertex", "unused-vertex", *place)
+
+
+def zero_length_edge(dice: Random) -> Invalid:
+    """A vertex given twice, and an edge between the two."""
+    mesh = body(dice)
+    face = dice.randrange(len(mesh.faces))
+    ring = mesh.faces[face]
+    new = len(mesh.vertices)
+    faces = [(f[0], new, *f[1:]) if k == face else f for k, f in enumerate(mesh.faces)]
+    page = sheet(dice, with_faces(mesh, faces, mesh.vertices[ring[0]]))
+    place = f"face {face}", f"vertices {ring[0]}, {new}", shown(page, new)
+    return refused(page, "zero-length-edge", "zero-length-edge", *place)
+
+
+def too_few_vertices(dice: Random) -> Invalid:
+    """A face of two vertices, of one or of none."""
+    page = sheet(dice, body(dice))
+    face = dice.randrange(len(page.faces))
+    del page.faces[face][dice.choice((1, 2, 2, 0)) if page.form in ("off", "json") else 2 :]
+    place = f"face {face}", f"line {page.line_of_face(face)}", f"{len(page.faces[face])} vert"
+    return refused(page, "too-few-vertices", "too-few-vertices", *place)
+
+
+def too_few_faces(dice: Random) -> Invalid:
+    """Points alone."""
+    page = sheet(dice, with_faces(body(dice), []))
+    count = f"{len(page.vertices)} vertices"
+    return refused(page, "too-few-faces", "too-few-faces", count)
+
+
+def dent(dice: Random) -> Invalid:
+    """A pyramid is cut out of a body, with a facet as its base: by so little."""
+    mesh = body(dice)
+    face = dice.randrange(len(mesh.faces))
+    t = Fraction(1, 2 ** dice.choice((1, 3, 30, 80)))
+    base, centre = middle(mesh, mesh.faces[face]), _centre(mesh)
+    x, y, z = (b + t * (c - b) for b, c in zip(base, centre, strict=True))
+    new = len(mesh.vertices)
+    faces = [f for k, f in enumerate(mesh.faces) if k != face]
+    faces += [(a, b, new) for a, b in edges_of(mesh.faces[face])]
+    page = sheet(dice, shuffled(dice, with_faces(mesh, faces, (x, y, z))))
+    return refused(page, "dent", "not-convex", "not convex", "face ", "vertex ")
+
+
+def two_bodies(dice: Random) -> Invalid:
+    """Apart; each is convex."""
+    first, second = body(dice), body(dice)
+    far = second.translated((Fraction(dice.randint(20, 60)), Fraction(0), Fraction(0)))
+    page = sheet(dice, first.with_faces_of(far))
+    return refused(page, "two-bodies", "not-convex", "face ")
+
+
+def body_in_another(dice: Random) -> Invalid:
+    """A small one inside of a larger one, its faces as they were, or turned, which makes a
+    cavity."""
+    mesh = body(dice)
+    x, y, z = _centre(mesh)
+    small = Polyhedron(
+        tuple((x + (a - x) / 4, y + (b - y) / 4, z + (c - z) / 4) for a, b, c in mesh.vertices),
+        mesh.faces,
+    )
+    if dice.random() < 0.5:
+        small = small.turned_inside_out()
+    page = sheet(dice, shuffled(dice, mesh.with_faces_of(small)))
+    return refused(page, "body-in-another", "not-convex", "face ")
+
+
+def wound_twice(dice: Random) -> Invalid:
+    """Over a pentagram: convex at each edge, and twice around."""
+    while True:
+        ring = convex(dice, dice.randint(6, 8), 12)[:5]
+        if len(ring) == 5:
+            break
+    star = [ring[k] for k in (0, 2, 4, 1, 3)]
+    x, y = (Fraction(sum(p[k] for p in ring)) / 5 for k in (0, 1))
+    vertices = [(Fraction(a), Fraction(b), Fraction(0)) for a, b in star]
+    ends = [(x, y, Fraction(dice.randint(3, 9))), (x, y, -Fraction(dice.randint(3, 9)))]
+    faces = [(k, (k + 1) % 5, 5) for k in range(5)] + [((k + 1) % 5, k, 6) for k in range(5)]
+    page = sheet(dice, shuffled(dice, Polyhedron((*vertices, *ends), tuple(faces))))
+    return refused(page, "wound-twice", "not-convex", "face ")
+
+
+def flat(dice: Random) -> Invalid:
+    """A polygon from both sides: closed, and there is nothing inside."""
+    ring = convex(dice, dice.randint(3, 8), 12)
+    face = tuple(range(len(ring)))
+    vertices = tuple((Fraction(x), Fraction(y), Fraction(x - 2 * y)) for x, y in ring)
+    page = sheet(dice, shuffled(dice, Polyhedron(vertices, (face, face[::-1]))))
+    return refused(page, "flat", "not-convex", "face ")
+
+
+FAMILIES = (
+    mesh_family("open-mesh", "a surface that lacks a face", open_mesh),
+    mesh_family("non-manifold-edge", "an edge of more than two faces", non_manifold_edge),
+    mesh_family("non-manifold-vertex", "two bodies that share a vertex", non_manifold_vertex),
+    mesh_family("wrong-orientation", "a face that runs the wrong way", wrong_orientation),
+    mesh_family("inside-out", "a surface that faces inwards", inside_out, "wrong-orientation"),
+    mesh_family("repeated-vertex", "a face that visits a vertex twice", repeated_vertex),
+    mesh_family("zero-area", "a face without area", zero_area),
+    mesh_family("non-planar-face", "a face that lies in no plane", non_planar_face),
+    mesh_family("face-not-simple", "a face whose edges cross", face_not_simple),
+    mesh_family("index-out-of-range", "a face of a vertex that is not there", index_out_of_range),
+    mesh_family("unused-vertex", "a vertex of no face", unused_vertex),
+    mesh_family("zero-length-edge", "an edge between equal vertices", zero_length_edge),
+    mesh_family("too-few-vertices", "a face of fewer than three vertices", too_few_vertices),
+    mesh_family("too-few-faces", "vertices and no face", too_few_faces),
+    mesh_family("dent", "a body with a dent", dent, "not-convex"),
+    mesh_family("two-bodies", "two convex bodies in one file", two_bodies, "not-convex"),
+    mesh_family("body-in-another", "a body inside another", body_in_another, "not-convex"),
+    mesh_family("wound-twice", "a surface that goes around twice", wound_twice, "not-convex"),
+    mesh_family("flat", "a polygon from both sides, with nothing inside", flat, "not-convex"),
+)

@@ -1,0 +1,157 @@
+"""A member of a family in space as a case file with its certificate."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+from minkref.degeneracies.case_document import IN_FULL, LICENCE, canonical_text, id_of
+from minkref.degeneracies.draft import Subject
+from minkref.degeneracies.space.body import Body, Corners
+from minkref.degeneracies.space.draft import Coincidence, SpaceFacts, SpaceFamily
+from minkref.degeneracies.space.generate import member_in_space
+from minkref.exact import digest
+from minkref.fuzz.space.integers import Point
+from minkref.fuzz.space.polyhedron import Polyhedron
+
+SHOWN = 12  # coincidences of many
+
+VARIES = {
+    "form": "Vertices and facets come in any order; facets in one plane may stay apart, in "
+    "triangles, say, and vertices inside facets and edges may be kept: compare sets, or canonical "
+    "forms.",
+    "rounding": "Vertices that are no floating-point numbers can only be rounded; facets of many "
+    "corners are then no longer planar.",
+}
+
+
+@dataclass(frozen=True)
+class DegenerateInSpace:
+    """A case, and the texts that it becomes. They depend on these alone."""
+
+    subject: Subject
+    facts: SpaceFacts
+    shown: list[Coincidence]
+    source: str
+
+    @classmethod
+    def of(
+        cls, family: SpaceFamily, seed: int, index: int, size: int | None = None
+    ) -> DegenerateInSpace:
+        """The member of this number; of about so many vertices, where a size is given."""
+        source = f"minkref generate {family.name} --seed {seed} --index {index}"
+        source += f" --size {size}" if size is not None else ""
+        facts, shown = member_in_space(family, seed, index, size)
+        return cls(family, facts, shown, source)
+
+    @cached_property
+    def id(self) -> str:
+        scales = [",".join(_texts(at)) for at in self.facts.scalings]
+        content = content_in_space(self.facts.P.given, self.facts.Q.given)
+        return id_of(self.subject.name, content, scales)
+
+    @cached_property
+    def document(self) -> dict[str, Any]:
+        """case-v1, of dimension 3."""
+        facts = self.facts
+        return {
+            "schema": "case-v1",
+            "id": self.id,
+            "title": self.subject.title,
+            "dimension": 3,
+            "P": facts.P.given.document(),
+            "Q": facts.Q.given.document(),
+            "scales": [_texts(at) for at in facts.scalings],
+            "tags": [self.subject.name],
+            "expected": [self._expected(at) for at in facts.scalings],
+            "degeneracy": {
+                "at": _texts(facts.scaling),
+                "why": self.subject.why,
+                "coincidences": [self._row(each) for each in self.shown[:SHOWN]],
+                "facets": [{"scale": _texts(at), **facts.sum(at).counts} for at in facts.scalings],
+                "varies": [VARIES[name] for name in self._varies()],
+                "floats": [self._floats(at) for at in facts.scalings],
+            },
+            "source": self.source,
+            "licence": LICENCE,
+            "certificate": f"{self.id}.cert.json",
+        }
+
+    @cached_property
+    def case_text(self) -> str:
+        """A member a line: the canonical form of a case file."""
+        return canonical_text(self.document)
+
+    @cached_property
+    def certificate_text(self) -> str:
+        """What the sum is at each of the scalings."""
+        return self.facts.certificate.text(f"{self.id}.json", self.id, "minkref")
+
+    def _expected(self, at: Point) -> dict[str, Any]:
+        surface = self.facts.sum(at).found.surface
+        told: dict[str, Any] = {
+            "scale": _texts(at),
+            "digest": digest(surface.canonical_json()),
+            "vertices": surface.vertices,
+            "facets": surface.faces,
+            "volume": str(Fraction(surface.sextuple_volume()) / 6),
+        }
+        if at == self.facts.scaling and surface.vertices <= IN_FULL:
+            told["result"] = json.loads(surface.canonical_json())
+        return told
+
+    def _row(self, shown: Coincidence) -> dict[str, Any]:
+        """With what the predicate is at each of the scalings."""
+        facts = self.facts
+        return {
+            "what": shown.what,
+            "P": _given(facts.P, shown.P),
+            "Q": _given(facts.Q, shown.Q),
+            "signs": [facts.value(shown, at) for at in facts.scalings],
+        }
+
+    def _floats(self, at: Point) -> dict[str, Any]:
+        return {
+            "scale": _texts(at),
+            "signs": len(self.facts.signs(at)),
+            "wrong_in_doubles": self.facts.wrong_in_doubles(at),
+        }
+
+    def _varies(self) -> list[str]:
+        points = self.facts.sum().found.surface.points()
+        exact = all(_is_double(Fraction(c)) for point in points for c in point)
+        return ["form"] + ["rounding"] * (not exact)
+
+
+def content_in_space(P: Polyhedron, Q: Polyhedron) -> str:
+    """Both bodies, the same text for the same faces: however vertices are numbered, whatever vertex
+    a face starts at, in whatever order faces are."""
+    return json.dumps([_content(P), _content(Q)])
+
+
+def _content(body: Polyhedron) -> list[Any]:
+    order = sorted(range(len(body.vertices)), key=lambda k: body.vertices[k])
+    rank = {k: place for place, k in enumerate(order)}
+    rings = [[rank[k] for k in face] for face in body.faces]
+    first = [ring.index(min(ring)) for ring in rings]
+    turned = sorted(ring[k:] + ring[:k] for ring, k in zip(rings, first, strict=True))
+    return [[[str(c) for c in body.vertices[k]] for k in order], turned]
+
+
+def _texts(at: Point) -> list[str]:
+    return [str(factor) for factor in at]
+
+
+def _given(body: Body, face: Corners) -> list[int]:
+    """As the vertices are numbered in the file."""
+    return sorted(body.numbers[k] for k in face)
+
+
+def _is_double(value: Fraction) -> bool:
+    try:
+        return Fraction(float(value)) == value
+    except OverflowError:
+        return False

@@ -1,0 +1,61 @@
+"""What a family looks for in a sum: which faces of P and of Q meet in its faces."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from minkref.degeneracies.space.draft import (
+    Coincidence,
+    SpaceFacts,
+    SumAt,
+)
+from minkref.fuzz.space.integers import Whole
+
+
+def parallel_facets(at: SumAt) -> list[Coincidence]:
+    """The facets of the sum that are the sum of two facets."""
+    return [
+        Coincidence("parallel-facets", p, q) for p, q in at.parents if len(p) > 2 and len(q) > 2
+    ]
+
+
+def facets_along_edges(at: SumAt) -> list[Coincidence]:
+    """Those that are the sum of a facet and an edge of the other body: the arc of the edge runs
+    through the normal of the facet."""
+    return [
+        Coincidence("facet-and-edge" if len(q) == 2 else "edge-and-facet", p, q)
+        for p, q in at.parents
+        if {min(len(p), 3), min(len(q), 3)} == {2, 3}
+    ]
+
+
+def parallel_edges(at: SumAt) -> list[Coincidence]:
+    return [Coincidence("parallel-edges", p, q) for p, q in at.parallel_edges]
+
+
+def at_all(facts: SpaceFacts, shown: Iterable[Coincidence]) -> list[Coincidence]:
+    """Those that hold at every scaling there is: each of the three terms of the product is zero,
+    or the two that are parallel lie along an axis."""
+    return [each for each in shown if _always(facts, each)]
+
+
+def only_here(facts: SpaceFacts, shown: Iterable[Coincidence]) -> list[Coincidence]:
+    """Those that hold at no other factor along the axis: the predicate, which has one root there,
+    is not zero beside."""
+    return [
+        each
+        for each in shown
+        if facts.value(each, facts.scaling) == 0
+        and all(facts.value(each, near) != 0 for near in facts.near)
+    ]
+
+
+def on_one_axis(vector: Whole) -> bool:
+    return sum(c != 0 for c in vector) == 1
+
+
+def _always(facts: SpaceFacts, shown: Coincidence) -> bool:
+    first, second = facts.P.directions[shown.P], facts.Q.directions[shown.Q]
+    if shown.what in ("facet-and-edge", "edge-and-facet"):
+        return all(a * b == 0 for a, b in zip(first, second, strict=True))
+    return on_one_axis(first) and facts.value(shown, facts.scaling) == 0

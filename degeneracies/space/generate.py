@@ -1,0 +1,29 @@
+"""Members of families in space: drawn until one belongs."""
+
+from __future__ import annotations
+
+from random import Random
+
+from minkref import _core
+from minkref.degeneracies.draft import NothingDrawn
+from minkref.degeneracies.generate import FEWEST, MOST, PATIENCE, nothing_drawn
+from minkref.degeneracies.space.draft import Coincidence, SpaceFacts, SpaceFamily
+
+
+def member_in_space(
+    family: SpaceFamily, seed: int, index: int, size: int | None = None
+) -> tuple[SpaceFacts, list[Coincidence]]:
+    """The member of this number, of about `size` vertices where the family can be large, and what
+    shows that it is one. It depends on nothing else, on any machine. Refuses a size that no draw
+    has come to."""
+    dice = Random(f"minkref degeneracy {family.name} {seed} {index}")
+    for _ in range(PATIENCE):
+        wanted = dice.randint(FEWEST, MOST) if size is None else size
+        try:
+            facts = SpaceFacts.of(family.draw(dice, wanted))
+        except (NothingDrawn, _core.BadInput):
+            continue
+        shown = family.proof(facts)
+        if shown:
+            return facts, shown
+    raise nothing_drawn(family.name, seed, index, size)
