@@ -101,8 +101,9 @@ def _time_pair(
     scalings = choose(table.seed, table.rescalings + 1)
     if P.body is None or Q.body is None:
         raise ValueError("the models of Table 2 have volume")
+    every = min(BRUTE_FORCE_EVERY, table.rescalings)
     walks = [
-        dict(_core.timed_convex_walk(P.body, Q.body, scalings, BRUTE_FORCE_EVERY if first else 0))
+        dict(_core.timed_convex_walk(P.body, Q.body, scalings, every if first else 0))
         for first in (True, False, False)[:PASSES]
     ]
     updates, coordinates, traversals = (
@@ -110,7 +111,7 @@ def _time_pair(
         for name in ("update", "coordinate", "traversal")
     )
     ours = [a + b for a, b in zip(updates, coordinates, strict=True)]
-    every = range(BRUTE_FORCE_EVERY, len(scalings), BRUTE_FORCE_EVERY)
+    chosen = range(every, len(scalings), every)
     brute_force = walks[0]["brute_force_seconds"]
     row: Row = {
         "P": P.name,
@@ -125,17 +126,14 @@ def _time_pair(
         "floor_ratio": sum(ours) / sum(coordinates),
         "traversal": asdict(spread(traversals)),
         "traversal_ratio": _ratio(traversals, ours),
-        "brute_force": asdict(spread(brute_force)) if brute_force else None,
-        "brute_force_ratio": _ratio(brute_force, [ours[k - 1] for k in every])
-        if brute_force
-        else None,
+        "brute_force": asdict(spread(brute_force)),
+        "brute_force_ratio": _ratio(brute_force, [ours[k - 1] for k in chosen]),
         "cgal_hull": None,
         "cgal_hull_ratio": None,
         **_per_step(walks[0], len(ours)),
     }
     if service is not None:
         tell(f"{P.name}, {Q.name}: CGAL's hull")
-        chosen = list(every) or [len(scalings) - 1]
         seconds = [_cgal(table, service, P, Q, scalings[k]) for k in chosen]
         row["cgal_hull"] = asdict(spread(seconds))
         row["cgal_hull_ratio"] = _ratio(seconds, [ours[k - 1] for k in chosen])

@@ -107,7 +107,7 @@ def _table_1(table: table1.Table1) -> Entry:
                 for baseline in (PAIRWISE, STATIC, CGAL)
             }
             rows.append([
-                name, float(printed[scaled, other]), *(
+                name, f"{float(printed[scaled, other]):.3f}", *(
                     text for row in ratios.values()
                     for text in ((round(row["ratio"], 1), _spread(row)) if row else ("", ""))
                 ),

@@ -8,7 +8,7 @@ from typing import Any
 
 import jsonschema
 import pytest
-from minkref.reports.bench import pairs, table1
+from minkref.reports.bench import pairs, table1, table2
 from minkref.reports.bench.rescalings import rescalings
 from minkref.reports.bench.spread import least, spread
 from minkref.schemas import schema
@@ -48,6 +48,24 @@ def test_table_for_people_has_the_papers_figure_and_the_seed(minkref: Minkref, f
     assert ran.code == 0
     for text in ("150.68", "seed 1", "g1 + g3", "pairwise", "pays from"):
         assert text in ran.out
+
+
+def test_table_2_follows_its_schema_and_has_all_pairs_twice(
+    minkref: Minkref, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(table2, "MODELS", ("ti", "rod"))
+    ran = minkref("bench", "--quick", "--only", "table2", "--json")
+    assert (ran.code, ran.err) == (0, "")
+    jsonschema.validate(ran.json, schema("bench"))
+    assert ran.json["table1"] is None
+    value = ran.json["table2"]
+    kinds = [(row["P"], row["Q"], row["kind"]) for row in value["rows"]]
+    assert len(set(kinds)) == len(kinds) == 8
+    for row in value["rows"]:
+        assert row["floor_ratio"] > 1 and row["traversal_ratio"] > 0
+        assert row["chains_without_error"] == 0
+    assert value["wrong"] == []
+    assert "97.41" in minkref("bench", "--quick", "--only", "table2").out
 
 
 def test_sum_that_differs_is_told_by_the_exit_code(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from minkref.errors import Refusal
-from minkref.exact import read_scale
+from minkref.exact import read_scale, scientific
 from minkref.scales import lines_of_scales
 
 Scaling = tuple[str, str, str]
@@ -37,5 +37,6 @@ def read_scalings(path: Path) -> list[Scaling]:
 
 
 def text_of(scaling: Scaling) -> str:
-    """`S` or `SX,SY,SZ`."""
-    return scaling[0] if len(set(scaling)) == 1 else ",".join(scaling)
+    """`S` or `SX,SY,SZ`, for people: long numbers are rounded."""
+    x, y, z = (factor if len(factor) <= 20 else scientific(factor) for factor in scaling)
+    return x if len(set(scaling)) == 1 else f"{x},{y},{z}"

@@ -112,7 +112,7 @@ def _print(value: dict[str, Any]) -> None:
         table.add_column(heading, justify="right", no_wrap=True)
     for row in value["rows"]:
         table.add_row(
-            text_of((row["scale"][0], row["scale"][1], row["scale"][2]))[:24],
+            text_of((row["scale"][0], row["scale"][1], row["scale"][2])),
             f"{approximate(row['volume']):.8g}",
             f"{row['vertices']:,}",
             f"{row['facets']:,}",
