@@ -41,7 +41,7 @@ def read_scale(text: str, option: str = "--scale") -> str:
         )
     value = _read(text, "scale", where, mend)
     if value == 0:
-        raise Refusal("the scale is zero: 0 P is a point", where, mend, "scale-zero")
+        raise Refusal("the scale is zero", where, mend, "scale-zero")
     if value < 0:
         raise Refusal("the scale is negative", where, mend, "scale-negative")
     return str(value)

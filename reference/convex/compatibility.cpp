@@ -106,12 +106,14 @@ void walk_chain(const Contact& across_Q, std::uint32_t edge, std::uint32_t from,
     do h = Q.onward(h);
     while (!across_Q.rises(Q.left(h), e) && h != Q.first(from));
   }
+  const auto fail = [] {
+    throw std::logic_error("a chain of edges is not that of an arc: its ends are wrong");
+  };
+  if (!across_Q.rises(Q.left(h), e) || across_Q.rises(Q.right(h), e)) fail();
   for (;;) {
     chain.push_back(h);
     if (Q.target(h) == to) return;
-    if (chain.size() > Q.vertices()) {
-      throw std::logic_error("a chain of edges does not end: its ends are not those of its edge");
-    }
+    if (chain.size() > Q.vertices()) fail();
     h = Q.onward(Q.twin(h));
     while (!across_Q.rises(Q.left(h), e)) h = Q.onward(h);
   }

@@ -65,7 +65,8 @@ Climb climb(const Contact& contact, std::uint32_t facet, std::uint32_t vertex, s
 /// The chain of an edge of P between the vertices of the facets on its two sides: from the region
 /// of the first, each time through the arc by which the great circle of the edge leaves the region.
 /// The great circle meets each region, which is convex, in one piece, so the walk is the arc's way.
-/// Throws std::logic_error where the ends are not those of the edge.
+/// std::logic_error where it finds that the ends are not those of
+/// the edge.
 void walk_chain(const Contact& across_Q, std::uint32_t edge, std::uint32_t from, std::uint32_t to,
                 std::vector<std::uint32_t>& chain);
 

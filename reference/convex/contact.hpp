@@ -72,10 +72,13 @@ class Contact {
     void include(const Product& product) {
       // Every term is zero where the sum of their magnitudes is, for all weights.
       const bool stays = product.magnitude == 0 && zeros_stay_;
-      const double value = std::fabs(product.value);
-      const bool less = !stays && value * magnitude_ <= value_ * product.magnitude;
+      // Of magnitudes from here on products below do not underflow, but for ratios below 2^-200.
+      const bool tiny = product.magnitude < 0x1p-400;
+      const double value = tiny ? 0 : std::fabs(product.value);
+      const double magnitude = tiny ? 1 : product.magnitude;
+      const bool less = !stays && value * magnitude_ <= value_ * magnitude;
       value_ = less ? value : value_;
-      magnitude_ = less ? product.magnitude : magnitude_;
+      magnitude_ = less ? magnitude : magnitude_;
     }
     /// How far the scaling may drift (see `drift`) with all signs certainly kept.
     double drift() const {
@@ -138,7 +141,8 @@ class Contact {
 };
 
 /// Half the spread of the logarithms of the factors by which weights changed, rounded up: a factor
-/// common to all axes changes no sign. The same for the weights s_i and 1/s_i.
+/// common to all axes changes no sign. The same for the weights s_i and 1/s_i. Infinite where a
+/// factor is beyond 2^±100.
 double drift(const RoundedScaling& from, const RoundedScaling& to);
 
 }  // namespace minkref

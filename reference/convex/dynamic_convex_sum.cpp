@@ -51,9 +51,10 @@ DynamicConvexSum::DynamicConvexSum(const ConvexPolyhedron& P, const ConvexPolyhe
 UpdateCounts DynamicConvexSum::update(const Scaling& to) {
   require_positive(to);
   UpdateCounts counts;
+  for (IndexSet* set : {&suspects_, &moved_, &changed_at_P_, &changed_at_Q_}) set->clear();
   const std::uint64_t signs = contacts_.evaluations(), exact = contacts_.exact_evaluations();
   RoundedScaling next(to);
-  drift_ += drift(scaling_, next);
+  add_drift(drift(scaling_, next));
   scaling_ = std::move(next);
   contacts_.rescale(scaling_);
   mend_facets_of_P(counts);
@@ -65,6 +66,17 @@ UpdateCounts DynamicConvexSum::update(const Scaling& to) {
   return counts;
 }
 
+/// Below 8 the last place of the sum is far below what `drift` adds for rounding; beyond, or where
+/// the drift is not known, all is examined anew.
+void DynamicConvexSum::add_drift(double step) {
+  drift_ += step;
+  if (drift_ < 8) return;  // false for NaN
+  drift_ = 0;
+  for (auto* deadlines : {&deadline_P_, &deadline_Q_, &deadline_chain_}) {
+    std::fill(deadlines->begin(), deadlines->end(), 0);
+  }
+}
+
 /// fv-errors, and beside each the edges of its facet.
 void DynamicConvexSum::mend_facets_of_P(UpdateCounts& counts) {
   const ConvexPolyhedron& body = P();
@@ -73,7 +85,7 @@ void DynamicConvexSum::mend_facets_of_P(UpdateCounts& counts) {
     ++counts.facets_examined;
     const Climb found =
         climb(contacts_.across_P, f, state_.vertex_of_Q[f], state_.vertex_of_Q[before], way_);
-    deadline_P_[f] = drift_ + found.slack;
+    deadline_P_[f] = until(found.slack);
     if (found.vertex == state_.vertex_of_Q[f]) continue;
     ++counts.fv_errors;
     counts.descent_steps += found.steps;
@@ -94,7 +106,7 @@ void DynamicConvexSum::mend_facets_of_Q(UpdateCounts& counts) {
     const Climb found =
         climb(contacts_.across_Q, g, state_.vertex_of_P[g], state_.vertex_of_P[before], way_);
     for (const std::uint32_t h : way_) suspects_.insert(P().edge(h));
-    deadline_Q_[g] = drift_ + found.slack;
+    deadline_Q_[g] = until(found.slack);
     if (found.vertex == state_.vertex_of_P[g]) continue;
     ++counts.vf_errors;
     counts.descent_steps += found.steps;
@@ -109,7 +121,7 @@ void DynamicConvexSum::mend_chains(UpdateCounts& counts) {
   for (const std::uint32_t e : suspects_.members()) {
     mend_chain(e, counts);
     const ChainState state = examine_chain(contacts_.across_Q, e, state_.chains[e]);
-    deadline_chain_[e] = drift_ + state.slack;
+    deadline_chain_[e] = until(state.slack);
   }
   for (std::uint32_t e = 0; e < P().edges(); ++e) {
     if (drift_ < deadline_chain_[e] || suspects_.contains(e)) continue;
@@ -123,7 +135,7 @@ void DynamicConvexSum::mend_chains(UpdateCounts& counts) {
       }
       state = examine_chain(contacts_.across_Q, e, state_.chains[e]);
     }
-    deadline_chain_[e] = drift_ + state.slack;
+    deadline_chain_[e] = until(state.slack);
   }
   suspects_.clear();
 }

@@ -1,6 +1,7 @@
 // The sum of convex polyhedra kept up to date under non-uniform scaling: where to start.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -12,10 +13,12 @@ namespace minkref {
 
 /// What one update found and did (Behar & Lien 2012, Sec. 6).
 struct UpdateCounts {
-  std::uint64_t fv_errors = 0;      ///< facets of P whose vertex of Q changed
-  std::uint64_t vf_errors = 0;      ///< facets of Q whose vertex of P changed
-  std::uint64_t descent_steps = 0;  ///< edges walked from the old vertices to the new ones
-  std::uint64_t ee_errors = 0;      ///< ee-pairs that are no more
+  std::uint64_t fv_errors = 0;  ///< facets of P whose vertex of Q changed
+  std::uint64_t vf_errors = 0;  ///< facets of Q whose vertex of P changed
+  /// Edges walked to the new vertices: from the old ones, or, where that of a neighbouring facet is
+  /// higher, from there.
+  std::uint64_t descent_steps = 0;
+  std::uint64_t ee_errors = 0;  ///< ee-pairs that are no more
   std::uint64_t ee_pairs_added = 0;
   std::uint64_t chains_walked = 0;
   /// Chains found wrong by the proof and not by an error: those beside no facet of P, and along no
@@ -46,7 +49,7 @@ class DynamicConvexSum {
   DynamicConvexSum(const ConvexPolyhedron& P, const ConvexPolyhedron& Q, const Scaling& at);
 
   /// Mends what the new scaling makes wrong. Throws BadInput ("bad-scale"), and the state is as it
-  /// was.
+  /// was; std::logic_error would be a fault of ours, and the state is of no use then.
   UpdateCounts update(const Scaling& to);
 
   const ConvexPolyhedron& P() const { return contacts_.P(); }
@@ -58,6 +61,9 @@ class DynamicConvexSum {
   std::uint64_t ee_pairs() const { return ee_pairs_; }
 
  private:
+  void add_drift(double step);
+  /// The deadline of what has this slack now, rounded down.
+  double until(double slack) const { return std::nextafter(drift_ + slack, 0); }
   void mend_facets_of_P(UpdateCounts& counts);
   void mend_facets_of_Q(UpdateCounts& counts);
   void mend_chains(UpdateCounts& counts);

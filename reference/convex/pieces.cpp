@@ -116,15 +116,25 @@ void make_canonical(ConvexSum& sum, std::vector<Face> rings, std::vector<FacetPa
   }
 }
 
+std::size_t corners(const std::vector<Face>& rings) {
+  std::size_t count = 0;
+  for (const Face& ring : rings) count += ring.size();
+  return count;
+}
+
 /// Scaling an axis keeps what is asked here, so the points may be those over the denominators.
 void certify(const Polyhedron& surface, const std::vector<IntegerVector>& points) {
   try {
     validate(surface);
-    if (certified_convex_facets(surface, points).size() != surface.faces.size()) {
+    const std::vector<Face> facets = certified_convex_facets(surface, points);
+    if (facets.size() != surface.faces.size()) {
       throw std::logic_error("two facets of a convex sum lie in one plane");
     }
+    if (corners(facets) != corners(surface.faces)) {
+      throw std::logic_error("a convex sum has a flat vertex");
+    }
   } catch (const BadInput& fault) {
-    throw std::logic_error(std::string("a convex sum is not closed and convex: ") + fault.what());
+    throw std::logic_error("a convex sum is not closed and convex: " + fault.problem());
   }
 }
 

@@ -1,6 +1,13 @@
 #include "reference/space/integer_points.hpp"
 
+#include "reference/error.hpp"
+
 namespace minkref {
+namespace {
+
+constexpr std::size_t most_bits = 100'000'000;  // of the denominator, over all vertices
+
+}  // namespace
 
 IntegerVector primitive(const IntegerVector& vector) {
   const Integer divisor = gcd(gcd(vector[0], vector[1]), vector[2]);
@@ -16,6 +23,11 @@ IntegerPoints integer_points(const std::vector<SpacePoint>& vertices) {
     for (const Rational* coordinate : {&v.x, &v.y, &v.z}) {
       const Integer own = denominator(*coordinate);
       if (result.denominator % own != 0) result.denominator = lcm(result.denominator, own);
+      if (msb(result.denominator) > most_bits / vertices.size()) {
+        throw LimitExceeded("common-denominator-too-long",
+                            "the coordinates have no common denominator of moderate length",
+                            "round the coordinates to decimals of the same length");
+      }
     }
   }
   const auto whole = [&](const Rational& coordinate) {

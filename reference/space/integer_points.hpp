@@ -34,6 +34,8 @@ struct IntegerPoints {
   Integer denominator = 1;
   std::vector<IntegerVector> points;
 };
+/// Throws LimitExceeded ("common-denominator-too-long") where it would take more than 100 million
+/// bits to write all vertices over it.
 IntegerPoints integer_points(const std::vector<SpacePoint>& vertices);
 
 /// Twice the vector area of a closed ring: for a planar one normal to its plane, on the side from

@@ -36,12 +36,13 @@ struct Polyhedron {
 using Scaling = std::array<Rational, 3>;
 
 /// Refuses what is no closed 2-manifold of planar simple faces: the first fault in this order.
-/// Throws BadInput that names face, vertices and coordinates. Codes: "index-out-of-range",
-/// "too-few-vertices", "repeated-vertex" (a face visits a vertex twice), "unused-vertex",
-/// "zero-length-edge", "zero-area", "non-planar-face", "face-not-simple", "wrong-orientation" (two
-/// faces run along an edge the same way; or the surface bounds a negative volume), "open-mesh" (an
-/// edge with one face), "non-manifold-edge" (more than two), "non-manifold-vertex" (its faces are
-/// no single fan). That faces do not cross each other is not looked at. Exact. O(n log n).
+/// Throws BadInput that names face, vertices and coordinates, and LimitExceeded as integer_points
+/// does. Codes: "index-out-of-range", "too-few-vertices", "too-few-faces", "repeated-vertex" (a
+/// face visits a vertex twice), "unused-vertex", "zero-length-edge", "zero-area",
+/// "non-planar-face", "face-not-simple", "wrong-orientation" (two faces run along an edge the same
+/// way; or the surface bounds a negative volume), "open-mesh" (an edge with one face),
+/// "non-manifold-edge" (more than two), "non-manifold-vertex" (its faces are no single fan). That
+/// faces do not cross each other is not looked at. Exact. O(n log n).
 void validate(const Polyhedron& polyhedron);
 
 /// Six times the volume, signed. Exact.

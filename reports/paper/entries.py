@@ -143,7 +143,8 @@ def _table_2(table: table2.Table2) -> Entry:
     why = (
         "The models are not published with the paper; ours are exactly convex and have as many "
         "facets, but the v-rod, for which a prism stands. All times are of one run, with the "
-        "exact coordinates of all vertices. The paper compares with its own computation from "
+        "exact coordinates of all corners, but without the surface made of them, which CGAL's time "
+        "has in it. The paper compares with its own computation from "
         "scratch, of all pairs of facets and vertices and of edges; "
         f"{_means(told)} Its figures of facets and its table by themselves are in the audit."
     )

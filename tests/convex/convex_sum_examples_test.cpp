@@ -156,6 +156,39 @@ TEST(ConvexSumExample, CoordinatesOfHugeRatioAreExact) {
   }
 }
 
+/// Three factors below all doubles that round to the same double have not the same ratio.
+TEST(ConvexSumExample, FactorsBelowAllDoublesAreToldApart) {
+  const ConvexPolyhedron P(bodies::octahedron()),
+      Q(bodies::tetrahedron(at(0, 0, 0), at(5, 1, 0), at(1, 4, 1), at(0, 1, 6)));
+  DynamicConvexSum moving(P, Q, bodies::unit);
+  const Rational tiny(1, Integer(1) << 1074);
+  const Scaling s{Rational(149, 100) * tiny, Rational(51, 100) * tiny, tiny};
+  moving.update(s);
+  Contacts contacts(P, Q);
+  contacts.rescale(s);
+  EXPECT_EQ(moving.compatibility(), by_brute_force(contacts));
+}
+
+/// Normals and edges whose products lie far below the least double have no slack.
+TEST(ConvexSumExample, ProductsThatUnderflowAreExaminedAgain) {
+  const Rational narrow = 1 / Rational(Integer(1) << 180), high = Rational(Integer(1) << 190);
+  const Polyhedron P =
+      bodies::tetrahedron({0, 0, 0}, {1, narrow, 0}, {narrow, 1, narrow}, {0, narrow, 1});
+  const Polyhedron Q =
+      bodies::tetrahedron({0, 0, 0}, {1, 0, high}, {0, 1, high / 3}, {1, 1, 1 - high});
+  const ConvexPolyhedron p(P), q(Q);
+  const Rational wide = Rational(Integer(1) << 95);
+  Scaling s{wide, wide, 1 / wide};
+  DynamicConvexSum moving(p, q, s);
+  Contacts contacts(p, q);
+  for (int step = 0; step < 200; ++step) {
+    s[static_cast<std::size_t>(step % 3)] *= step % 2 == 0 ? Rational(101, 100) : Rational(98, 100);
+    moving.update(s);
+    contacts.rescale(s);
+    ASSERT_EQ(moving.compatibility(), by_brute_force(contacts)) << step;
+  }
+}
+
 TEST(ConvexSumExample, AFactorThatIsNotPositiveIsRefusedAndChangesNothing) {
   const ConvexPolyhedron P(bodies::octahedron()), Q(box(1, 2, 3));
   DynamicConvexSum moving(P, Q, bodies::unit);

@@ -114,6 +114,47 @@ TEST(ConvexSum, ManySmallUpdatesGiveWhatIsFoundFromScratch) {
   }
 }
 
+/// What has drifted adds up over many updates: steps far below it must not get lost.
+TEST(ConvexSum, TinyStepsAfterManyHugeOnesGiveWhatIsFoundFromScratch) {
+  const Rational half_step = 1 + Rational(1, Integer(1) << 34);
+  const Polyhedron tent{
+      {{2, 0, 1},
+       {-2, 0, 1},
+       {2, 0, -1},
+       {-2, 0, -1},
+       {0, 2, 1},
+       {0, -2, 1},
+       {0, 2, -1},
+       {0, -2, -1}},
+      {{0, 4, 1, 5}, {2, 7, 3, 6}, {0, 2, 6, 4}, {4, 6, 3, 1}, {1, 3, 7, 5}, {5, 7, 2, 0}}};
+  const Polyhedron post{
+      {{0, half_step, 1},
+       {1, 0, 1},
+       {0, -1, 1},
+       {-1, 0, 1},
+       {0, half_step, -1},
+       {1, 0, -1},
+       {0, -1, -1},
+       {-1, 0, -1}},
+      {{1, 0, 3, 2}, {5, 6, 7, 4}, {1, 5, 4, 0}, {0, 4, 7, 3}, {3, 7, 6, 2}, {2, 6, 5, 1}}};
+  const ConvexPolyhedron P(tent), Q(post);
+  const Rational tenth(1, 10);
+  DynamicConvexSum moving(P, Q, bodies::unit);
+  for (int swing = 0; swing < 4000; ++swing) {
+    moving.update({tenth, 1, 10});
+    moving.update({10, 1, tenth});
+  }
+  moving.update(bodies::unit);
+  Contacts contacts(P, Q);
+  const Rational step(1, Integer(1) << 42);
+  for (int k = 1; k <= 700; ++k) {
+    const Scaling s{1 - k * step, 1, 1};
+    moving.update(s);
+    contacts.rescale(s);
+    ASSERT_EQ(moving.compatibility(), by_traversal(contacts)) << "step " << k;
+  }
+}
+
 TEST(ConvexSum, OfTheUniformlyScaledKeepsAllPairs) {
   std::mt19937 dice(1);
   const ConvexPolyhedron P(random_body(dice, 5)), Q(random_body(dice, 5));
