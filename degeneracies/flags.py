@@ -1,10 +1,10 @@
-"""What cases are made of: each flag holds of the facts of a case, or does not. flags.json says what
-each means, what it breaks, and who is known to be broken by it."""
+"""What cases in the plane are made of: each flag holds of the facts of a case, or does not.
+flags.json says what each means, what it breaks, and who is known to be broken by it."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from fractions import Fraction
 from itertools import combinations
 from pathlib import Path
@@ -25,6 +25,7 @@ ORIGIN = '{"polygons":[{"outer":[["0","0"]]}]}'
 
 
 def explained() -> dict[str, dict[str, Any]]:
+    """In the plane and in space."""
     text = Path(__file__).with_name("flags.json").read_text(encoding="utf-8")
     value: dict[str, dict[str, Any]] = json.loads(text)
     return value
@@ -94,24 +95,22 @@ def _directions(facts: Facts, side: int) -> set[Fraction | None]:
     return found
 
 
-def _at_limits(facts: Facts) -> bool:
-    sizes = {abs(c) for c in facts.coordinates} - {0}
+def at_limits(numbers: Iterable[Fraction]) -> bool:
+    sizes = {abs(c) for c in numbers} - {0}
     return bool(sizes & LIMITS) or max(sizes) > LARGE or min(sizes) < SMALL
 
 
-def _magnitudes(facts: Facts) -> bool:
-    sizes = {abs(c) for c in (*facts.coordinates, facts.scale)} - {0}
+def far_apart(numbers: Iterable[Fraction]) -> bool:
+    sizes = {abs(c) for c in numbers} - {0}
     return max(sizes) > APART * min(sizes)
 
 
-def _far(facts: Facts) -> bool:
-    """An operand is further from the origin than it is large, by a factor."""
-    for vertices in (facts.vertices.P, facts.vertices.Q):
-        extent = max(max(v[i] for v in vertices) - min(v[i] for v in vertices) for i in (0, 1))
-        away = max(min(abs(v[i]) for v in vertices) for i in (0, 1))
-        if away > FAR * extent > 0:
-            return True
-    return False
+def far_out(vertices: Iterable[tuple[Fraction, ...]]) -> bool:
+    """Further from the origin than it is large, by a factor."""
+    columns = list(zip(*vertices, strict=True))
+    extent = max(max(c) - min(c) for c in columns)
+    away = max(min(map(abs, c)) for c in columns)
+    return bool(away > FAR * extent > 0)
 
 
 def _origin_outside(facts: Facts) -> bool:
@@ -155,9 +154,9 @@ def _large_sum(facts: Facts) -> bool:
     return facts.at.region.vertices > MANY * (facts.P.vertices + facts.Q.vertices)
 
 
-def _no_double(facts: Facts) -> bool:
+def is_no_double(number: Fraction) -> bool:
     try:
-        return Fraction(float(facts.scale)) != facts.scale
+        return Fraction(float(number)) != number
     except OverflowError:
         return True
 
@@ -173,13 +172,13 @@ FLAGS: dict[str, Callable[[Facts], bool]] = {
     "hole-opens": _more_holes_above,
     "holes-merge": _of_holes("merge"),
     "large-sum": _large_sum,
-    "large-translation": _far,
-    "limits": _at_limits,
-    "magnitudes": _magnitudes,
+    "large-translation": lambda facts: far_out(facts.vertices.P) or far_out(facts.vertices.Q),
+    "limits": lambda facts: at_limits(facts.coordinates),
+    "magnitudes": lambda facts: far_apart((*facts.coordinates, facts.scale)),
     "origin-outside": _origin_outside,
     "overlap": lambda facts: facts.convolution.overlaps(),
     "parallel-edges": _parallel,
-    "scale-is-no-float": _no_double,
+    "scale-is-no-float": lambda facts: is_no_double(facts.scale),
     "several-events": lambda facts: len({row["at"] for row in facts.arrangement}) > 1,
     "tight-passage": lambda facts: bool(facts.passages),
     "touching-rings": _touching,

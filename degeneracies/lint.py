@@ -22,14 +22,14 @@ from minkref.degeneracies.found import FOUND
 from minkref.degeneracies.found import NAME as FOUND_NAME
 from minkref.degeneracies.space.case_document import DegenerateInSpace
 from minkref.degeneracies.space.case_faults import case_faults as case_faults_in_space
+from minkref.degeneracies.space.flags import FLAGS_IN_SPACE
 
 ROOM = Path(__file__).parent
 CORPUS = ROOM / "corpus"
 ENDING = ".cert.json"
 GENERATE = "minkref generate"
 CERTIFIED = ("scale", "components", "holes", "digest")
-IN_SPACE = {"tags", "expected", "degeneracy", "certificate"}
-IN_THE_PLANE = {*IN_SPACE, "flags"}
+WANTED = {"tags", "flags", "expected", "degeneracy", "certificate"}
 
 
 def case_paths(folder: Path) -> list[Path]:
@@ -52,13 +52,15 @@ def faults(folder: Path = CORPUS, again: bool = True) -> Iterator[str]:
             continue
         errors = [f"{e.json_path}: {e.message}" for e in validator.iter_errors(value)]
         spatial = isinstance(value, dict) and value.get("dimension") == 3
-        absent = sorted((IN_SPACE if spatial else IN_THE_PLANE) - set(value))
+        absent = sorted(WANTED - set(value))
         errors += [f"the member {name} is missing" for name in absent]
         if errors:
             yield from (f"{path}: {error}" for error in errors)
             continue
         if text != canonical_text(value):
             yield f"{path}: not in canonical form"
+        for flag in sorted(set(value["flags"]) - set(FLAGS_IN_SPACE if spatial else FLAGS)):
+            yield f"{path}: the flag {flag} is not explained"
         yield from (case_faults_in_space if spatial else _case_faults)(path, value, seen)
         if again:
             yield from _differences(path, value)
@@ -76,14 +78,12 @@ def corpus_faults(folder: Path = CORPUS) -> Iterator[str]:
     }
     for flag in sorted(set(explained()) - used):
         yield f"flags.json: no case has the flag {flag}"
-    for flag in sorted(set(explained()) ^ set(FLAGS)):
+    for flag in sorted(set(explained()) ^ (set(FLAGS) | set(FLAGS_IN_SPACE))):
         yield f"flags.json: {flag} is explained and never given, or given and not explained"
 
 
 def _case_faults(path: Path, value: dict[str, Any], seen: dict[str, Path]) -> Iterator[str]:
     """Of a case in the plane."""
-    for flag in set(value["flags"]) - set(explained()):
-        yield f"{path}: the flag {flag} is not explained"
     try:
         operands = [_core.PolygonSet.from_json(json.dumps(value[name])) for name in "PQ"]
         for name, operand in zip("PQ", operands, strict=True):

@@ -6,18 +6,22 @@ import multiprocessing
 import sys
 from pathlib import Path
 
-from minkref.degeneracies.catalogue import FAMILIES
+from minkref.degeneracies.catalogue import FAMILIES, SPACE_FAMILIES
 from minkref.degeneracies.files import write_found, write_member
 from minkref.degeneracies.found import FOUND
 
 SEED = 1
-COUNT = 11  # of each family
+COUNT = 11  # of each family in the plane
+COUNT_IN_SPACE = 3
 CORPUS = Path(__file__).parent / "corpus"
 
 
 def make(folder: Path) -> None:
     """Members of all families, and the cases that verification has found."""
     tasks = [(family, index, folder) for family in FAMILIES for index in range(COUNT)]
+    tasks += [
+        (family, index, folder) for family in SPACE_FAMILIES for index in range(COUNT_IN_SPACE)
+    ]
     with multiprocessing.Pool() as pool:
         pool.starmap(_make, tasks, chunksize=4)
     for found in FOUND:
@@ -25,7 +29,7 @@ def make(folder: Path) -> None:
 
 
 def _make(family: str, index: int, folder: Path) -> None:
-    write_member(FAMILIES[family], SEED, index, folder)
+    write_member((FAMILIES | SPACE_FAMILIES)[family], SEED, index, folder)
 
 
 if __name__ == "__main__":

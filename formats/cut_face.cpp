@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <numeric>
 
+#include "reference/space/area_vector.hpp"
 #include "reference/space/integer_points.hpp"
 
 namespace minkref {
@@ -13,10 +14,7 @@ class FlatFace {
  public:
   FlatFace(const Face& face, const std::vector<IntegerVector>& points) : points_(points) {
     const IntegerVector normal = area_vector(points, face);
-    std::size_t axis = 0;
-    for (std::size_t k = 1; k < 3; ++k) {
-      if (abs(normal[k]) > abs(normal[axis])) axis = k;
-    }
+    const std::size_t axis = longest_axis(normal);
     first_ = (axis + 1) % 3;
     second_ = (axis + 2) % 3;
     side_ = normal[axis].sign();

@@ -1,11 +1,12 @@
 // Sums of convex polyhedra under non-uniform scaling in Python.
+#include "python/core_convex.hpp"
+
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
-#include <chrono>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -16,7 +17,6 @@
 #include "reference/convex/incompatibility.hpp"
 #include "reference/convex/segment_sum.hpp"
 #include "reference/convex/static_convex_sum.hpp"
-#include "reference/convex/sum_coordinates.hpp"
 #include "reference/error.hpp"
 
 namespace nb = nanobind;
@@ -24,18 +24,6 @@ using namespace nb::literals;
 
 namespace minkref::python {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-using Body = std::shared_ptr<const ConvexPolyhedron>;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// What Python calls a ConvexPolyhedron: shared by the sums that refer to it.
-struct ConvexBody {
-  Body value;
-};
 
 ConvexBody certified(const Surface& surface, const std::string& source) {
   ConvexBody body;
@@ -68,28 +56,11 @@ struct MovingConvexSum {
       : P(p.value), Q(q.value), sum(*P, *Q, to_scaling(scaling)) {}
 };
 
-Fields fields_of(const UpdateCounts& counts) {
-  Fields fields;
-  fields["fv_errors"] = counts.fv_errors;
-  fields["vf_errors"] = counts.vf_errors;
-  fields["descent_steps"] = counts.descent_steps;
-  fields["ee_errors"] = counts.ee_errors;
-  fields["ee_pairs_added"] = counts.ee_pairs_added;
-  fields["chains_walked"] = counts.chains_walked;
-  fields["chains_mended_by_proof"] = counts.chains_mended_by_proof;
-  fields["chains_without_error"] = counts.chains_without_error;
-  fields["facets_examined"] = counts.facets_examined;
-  fields["chains_examined"] = counts.chains_examined;
-  fields["signs"] = counts.signs;
-  fields["exact_signs"] = counts.exact_signs;
-  return fields;
-}
-
 Fields update(MovingConvexSum& dynamic, const ExactSpacePoint& scaling) {
   const Scaling to = to_scaling(scaling);
-  const auto start = Clock::now();
+  const Stopwatch watch;
   const UpdateCounts counts = dynamic.sum.update(to);
-  const double seconds = seconds_since(start);
+  const double seconds = watch.seconds();
   Fields fields = fields_of(counts);
   fields["seconds"] = seconds;
   return fields;
@@ -107,55 +78,6 @@ bool same_state(const MovingConvexSum& dynamic, const std::string& route) {
   Contacts contacts(*dynamic.P, *dynamic.Q);
   contacts.rescale(dynamic.sum.scaling());
   return by_route(contacts, route) == dynamic.sum.compatibility();
-}
-
-/// Seconds of each step, of one walk through the scalings: the update, the coordinates of all
-/// vertices, and the static routes with the coordinates of their vertices.
-Fields timed_walk(const ConvexBody& P, const ConvexBody& Q,
-                  const std::vector<ExactSpacePoint>& scalings, std::size_t brute_force_every) {
-  std::vector<Scaling> list;
-  for (const ExactSpacePoint& scaling : scalings) list.push_back(to_scaling(scaling));
-  std::vector<double> updates, coordinates, traversals, brute_force;
-  std::vector<std::uint64_t> vertices, ee_pairs;
-  UpdateCounts counts;
-  {
-    const nb::gil_scoped_release unlocked;
-    DynamicConvexSum dynamic(*P.value, *Q.value, list.at(0));
-    Contacts contacts(*P.value, *Q.value);
-    HomogeneousPoints points, fresh_points;
-    sum_coordinates(*P.value, *Q.value, list[0], dynamic.vertices(), points);
-    for (std::size_t k = 1; k < list.size(); ++k) {
-      const auto start = Clock::now();
-      counts += dynamic.update(list[k]);
-      updates.push_back(seconds_since(start));
-      const auto updated = Clock::now();
-      sum_coordinates(*P.value, *Q.value, list[k], dynamic.vertices(), points);
-      coordinates.push_back(seconds_since(updated));
-      vertices.push_back(dynamic.vertices().size());
-      ee_pairs.push_back(dynamic.ee_pairs());
-      const auto afresh = Clock::now();
-      contacts.rescale(list[k]);
-      const Compatibility found = by_traversal(contacts);
-      const SumVertices fresh(*P.value, *Q.value, found);
-      sum_coordinates(*P.value, *Q.value, list[k], fresh, fresh_points);
-      traversals.push_back(seconds_since(afresh));
-      if (brute_force_every > 0 && k % brute_force_every == 0) {
-        const auto all_pairs = Clock::now();
-        const Compatibility compared = by_brute_force(contacts);
-        const SumVertices again(*P.value, *Q.value, compared);
-        sum_coordinates(*P.value, *Q.value, list[k], again, fresh_points);
-        brute_force.push_back(seconds_since(all_pairs));
-      }
-    }
-  }
-  Fields fields = fields_of(counts);
-  fields["update_seconds"] = updates;
-  fields["coordinate_seconds"] = coordinates;
-  fields["traversal_seconds"] = traversals;
-  fields["brute_force_seconds"] = brute_force;
-  fields["vertices"] = vertices;
-  fields["ee_pairs"] = ee_pairs;
-  return fields;
 }
 
 Form form_named(const std::string& name) {
@@ -192,6 +114,23 @@ std::optional<std::uint32_t> descent(const ConvexBody& P, std::uint32_t facet, c
 using ParentRow = std::pair<std::vector<std::uint32_t>, std::vector<std::uint32_t>>;
 
 }  // namespace
+
+Fields fields_of(const UpdateCounts& counts) {
+  Fields fields;
+  fields["fv_errors"] = counts.fv_errors;
+  fields["vf_errors"] = counts.vf_errors;
+  fields["descent_steps"] = counts.descent_steps;
+  fields["ee_errors"] = counts.ee_errors;
+  fields["ee_pairs_added"] = counts.ee_pairs_added;
+  fields["chains_walked"] = counts.chains_walked;
+  fields["chains_mended_by_proof"] = counts.chains_mended_by_proof;
+  fields["chains_without_error"] = counts.chains_without_error;
+  fields["facets_examined"] = counts.facets_examined;
+  fields["chains_examined"] = counts.chains_examined;
+  fields["signs"] = counts.signs;
+  fields["exact_signs"] = counts.exact_signs;
+  return fields;
+}
 
 void bind_convex(nb::module_& module) {
   nb::class_<ConvexBody>(module, "ConvexPolyhedron",
@@ -259,10 +198,7 @@ void bind_convex(nb::module_& module) {
   module.def("descend", &descent, "P"_a, "facet"_a, "Q"_a, "vertex"_a, "scaling"_a,
              "form"_a = "corrected",
              "Where the descent on it ends; None where it comes to a vertex again. Exact.");
-  module.def("timed_convex_walk", &timed_walk, "P"_a, "Q"_a, "scalings"_a,
-             "brute_force_every"_a = 0,
-             "Walks through the scalings and times each step: the update, the coordinates of all "
-             "vertices, the static routes.");
+  bind_timed_convex_walk(module);
 }
 
 }  // namespace minkref::python

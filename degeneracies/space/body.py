@@ -110,6 +110,12 @@ class Body:
         return found | {edge.ends: edge.direction for edge in self.edges}
 
     @cached_property
+    def degree(self) -> int:
+        """The most facets at a vertex."""
+        corners = [k for facet in self.facets for k in facet.ring]
+        return max(corners.count(k) for k in range(len(self.vertices)))
+
+    @cached_property
     def volume(self) -> Fraction:
         return Fraction(self._clean.sextuple_volume()) / 6
 

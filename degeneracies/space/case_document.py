@@ -12,6 +12,7 @@ from minkref.degeneracies.case_document import IN_FULL, LICENCE, canonical_text,
 from minkref.degeneracies.draft import Subject
 from minkref.degeneracies.space.body import Body, Corners
 from minkref.degeneracies.space.draft import Coincidence, SpaceFacts, SpaceFamily
+from minkref.degeneracies.space.flags import flags_in_space
 from minkref.degeneracies.space.generate import member_in_space
 from minkref.exact import digest
 from minkref.fuzz.space.integers import Point
@@ -66,6 +67,7 @@ class DegenerateInSpace:
             "Q": facts.Q.given.document(),
             "scales": [_texts(at) for at in facts.scalings],
             "tags": [self.subject.name],
+            "flags": flags_in_space(facts),
             "expected": [self._expected(at) for at in facts.scalings],
             "degeneracy": {
                 "at": _texts(facts.scaling),

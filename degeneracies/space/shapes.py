@@ -91,16 +91,10 @@ def _pyramids(dice: Random, size: int) -> SpaceDraft:
 
 def _many_facets(facts: SpaceFacts) -> list[Coincidence]:
     """At a vertex of a body; and faces that meet."""
-    if max(map(_degree, (facts.P, facts.Q))) < MANY:
+    if max(facts.P.degree, facts.Q.degree) < MANY:
         return []
     here = facts.sum()
     return [*parallel_facets(here), *facets_along_edges(here), *parallel_edges(here)]
-
-
-def _degree(body: Body) -> int:
-    """The most facets at a vertex."""
-    corners = [k for facet in body.facets for k in facet.ring]
-    return max(corners.count(k) for k in range(len(body.vertices)))
 
 
 def _prisms(dice: Random, size: int) -> SpaceDraft:

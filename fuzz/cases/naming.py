@@ -27,12 +27,13 @@ from minkref import _core
 from minkref.errors import Refusal, cut, refusing
 from minkref.exact import read_scale
 from minkref.fuzz.cases.case import Case, CaseName
-from minkref.fuzz.cases.case_files import scales_of
+from minkref.fuzz.cases.case_files import is_space_case, scales_of
 from minkref.fuzz.cases.grid import rounded, unit_for
 from minkref.fuzz.cases.invalid_case import FAMILY as INVALID
 from minkref.fuzz.cases.invalid_case import InvalidCase, load_invalid
 from minkref.fuzz.cases.no_case import NoCase
 from minkref.fuzz.cases.space_case import LAWS_IN_SPACE, SPACE_FAMILIES, SpaceCase, load_space
+from minkref.fuzz.cases.space_case_file import read_space_case
 from minkref.fuzz.families.catalogue import FAMILIES
 from minkref.fuzz.families.mutation import mutate
 from minkref.fuzz.families.probes import scale_probes
@@ -194,12 +195,14 @@ def _valid(text: str, where: str) -> _core.PolygonSet:
     return read
 
 
-def _named(name: CaseName) -> Case:
+def _named(name: CaseName) -> Case | SpaceCase:
     operands, at, scale = name.text.rpartition("@")
     if not at:
         operands, scale = name.text, ""
     if operands.endswith(".json") and Path(operands).is_file():
         scales = scales_of(Path(operands))
+        if scales and is_space_case(Path(operands)):
+            return read_space_case(name, Path(operands), scale if at else scales[0])
         if scales:
             P, Q = read_operand(f"{operands}#P"), read_operand(f"{operands}#Q")
             at_scale = read_scale(scale if at else scales[0])

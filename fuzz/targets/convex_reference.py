@@ -12,15 +12,19 @@ from minkref.fuzz.cases.case import Case
 from minkref.fuzz.cases.invalid_case import InvalidCase
 from minkref.fuzz.cases.space_case import SpaceCase
 from minkref.fuzz.space.convex_sum import body_of, polyhedron_of, scaling_of
+from minkref.fuzz.space.integers import Scale
 from minkref.fuzz.targets.answer import Answer, lacking, skipped
 from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.verdicts.verdict import Verdict
+from minkref.space.scaling import Scaling
 
 DYNAMIC = "convex-dynamic"
 CONVEX_ROUTES = {
     "convex": "convex polyhedra: traversal of the Gaussian maps",
     DYNAMIC: "convex polyhedra: dynamic update, from one scaling to another",
 }
+UNIT: Scaling = ("1", "1", "1")
+UNLIKE_UNIT: Scaling = ("2", "1", "1/3")
 _SPACE = frozenset(("space", "rational", "non-uniform"))
 CONVEX_DECLARATIONS = {
     "convex": Declaration("minkref:convex", capabilities=_SPACE),
@@ -40,7 +44,7 @@ class ConvexReferenceTarget:
         return CONVEX_DECLARATIONS[self.route]
 
     def sum(self, case: Case | SpaceCase | InvalidCase) -> Answer:
-        return self.updated_sum(case, case) if self.route == DYNAMIC else self._fresh(case)
+        return self._updated(case, None) if self.route == DYNAMIC else self._fresh(case)
 
     def _fresh(self, case: Case | SpaceCase | InvalidCase) -> Answer:
         def compute(solid: SpaceCase) -> _core.ConvexSum:
@@ -56,11 +60,17 @@ class ConvexReferenceTarget:
         if self.route != DYNAMIC:
             return skipped("does not declare update", self.declaration)
 
+        return self._updated(case, before.asked.scale if isinstance(before, SpaceCase) else None)
+
+    def _updated(self, case: Case | SpaceCase | InvalidCase, start: Scale | None) -> Answer:
+        """Without a scaling to start at from one that is another than that of the case."""
+
         def step(solid: SpaceCase) -> _core.ConvexSum:
-            start = before.asked.scale if isinstance(before, SpaceCase) else solid.asked.scale
+            to = scaling_of(solid.asked.scale)
+            elsewhere = UNIT if to != UNIT else UNLIKE_UNIT
             bodies = body_of(solid.asked.P), body_of(solid.asked.Q)
-            moving = _core.DynamicConvexSum(*bodies, scaling_of(start))
-            moving.update(scaling_of(solid.asked.scale))
+            moving = _core.DynamicConvexSum(*bodies, scaling_of(start) if start else elsewhere)
+            moving.update(to)
             return moving.sum()
 
         return self._guarded(case, step)

@@ -124,14 +124,17 @@ ChainState examine_chain(const Contact& across_Q, std::uint32_t edge,
   const ConvexPolyhedron& Q = across_Q.normals();
   const std::uint32_t e = across_Q.edges().half_edge(edge);
   Contact::Slack slack(across_Q);
+  // Neighbours in the chain share a facet as a rule: each side is looked at where it is another.
+  std::uint32_t left = UINT32_MAX, right = UINT32_MAX;
+  const auto is_right = [&](std::uint32_t facet, bool rising) {
+    const Contact::Weighted normal = across_Q.weighted(facet);
+    const Contact::Product product = across_Q.approximate(normal, e);
+    slack.include(product);
+    return across_Q.rises(normal, e, product) == rising;
+  };
   for (const std::uint32_t h : chain) {
-    const Contact::Weighted left = across_Q.weighted(Q.left(h)),
-                            right = across_Q.weighted(Q.right(h));
-    const Contact::Product rising = across_Q.approximate(left, e),
-                           falling = across_Q.approximate(right, e);
-    if (!across_Q.rises(left, e, rising) || across_Q.rises(right, e, falling)) return {false, 0};
-    slack.include(rising);
-    slack.include(falling);
+    if (Q.left(h) != left && !is_right(left = Q.left(h), true)) return {false, 0};
+    if (Q.right(h) != right && !is_right(right = Q.right(h), false)) return {false, 0};
   }
   return {true, chain.empty() ? std::numeric_limits<double>::infinity() : slack.drift()};
 }

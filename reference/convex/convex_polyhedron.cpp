@@ -5,6 +5,7 @@
 
 #include "reference/convex/convexity.hpp"
 #include "reference/error.hpp"
+#include "reference/space/area_vector.hpp"
 
 namespace minkref {
 namespace {
@@ -97,7 +98,10 @@ ConvexPolyhedron::ConvexPolyhedron(const Polyhedron& surface) {
   }
   link(rings);
   traverse();
-  for (const Face& ring : rings) normals_.push_back(primitive(area_vector(points_, ring)));
+  for (const Face& ring : rings) {
+    normals_.push_back(primitive(area_vector(points_, ring)));
+    most_corners_ = std::max(most_corners_, ring.size());
+  }
   std::vector<IntegerVector> vectors;
   for (std::uint32_t h = 0; h < half_edges(); ++h) vectors.push_back(vector(h));
   vectors_ = rounded(vectors, bits(vectors));

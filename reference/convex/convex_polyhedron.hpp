@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -49,6 +50,8 @@ class ConvexPolyhedron {
   std::uint32_t next(std::uint32_t half_edge) const { return next_[half_edge]; }
   /// A half-edge of the facet: that which leaves its least vertex.
   std::uint32_t start(std::uint32_t facet) const { return start_[facet]; }
+  /// Of the facet that has the most.
+  std::size_t most_corners() const { return most_corners_; }
   /// Edges are numbered in the order of their half-edges that leave the lesser vertex.
   std::uint32_t edges() const { return static_cast<std::uint32_t>(edge_half_.size()); }
   std::uint32_t edge(std::uint32_t half_edge) const { return edge_[half_edge]; }
@@ -69,11 +72,11 @@ class ConvexPolyhedron {
   /// all of them, so that the largest lies in [1/2, 1).
   const DoubleVector& rounded_vector(std::uint32_t half_edge) const { return vectors_[half_edge]; }
   const DoubleVector& rounded_normal(std::uint32_t facet) const { return rounded_normals_[facet]; }
+  /// A coordinate of these is at least 2^-201 in magnitude, or 0 where the exact one is.
+  bool moderate() const { return moderate_; }
 
   /// Of the points over the same power of two as the vectors; for estimates.
   const DoubleVector& rounded_point(std::uint32_t vertex) const { return rounded_points_[vertex]; }
-  /// A coordinate of these is at least 2^-201, or 0 where the exact one is.
-  bool moderate() const { return moderate_; }
 
   /// All facets, each but the first with a neighbour that comes before it.
   struct Visit {
@@ -95,6 +98,7 @@ class ConvexPolyhedron {
   std::vector<Visit> traversal_;
   bool moderate_ = true;
   long point_bits_ = 0;
+  std::size_t most_corners_ = 0;
   std::vector<std::array<std::int64_t, 3>> words_;
 };
 

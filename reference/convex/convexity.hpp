@@ -5,6 +5,7 @@
 
 #include "reference/space/integer_points.hpp"
 #include "reference/space/polyhedron.hpp"
+#include "reference/space/word_vectors.hpp"
 
 namespace minkref {
 
@@ -20,5 +21,12 @@ namespace minkref {
 /// geometric programs", 1999, Sec. 2).
 std::vector<Face> certified_convex_facets(const Polyhedron& surface,
                                           const std::vector<IntegerVector>& points);
+
+/// Whether any surface is the boundary of a convex body with each facet one face and no flat
+/// vertex: closed, planar, strictly convex at all vertices of all faces and at all edges, and the
+/// above. `points` are its vertices, each axis over a denominator of its own. Throws BadInput where
+/// it is not. Exact. O(n log n).
+void require_strictly_convex(const Polyhedron& surface, const std::vector<IntegerVector>& points);
+void require_strictly_convex(const Polyhedron& surface, const std::vector<WordVector>& points);
 
 }  // namespace minkref

@@ -14,12 +14,10 @@ namespace {
 using Pair = SumVertices::Pair;
 
 /// The corners of the convex hull of points in a plane, counter-clockwise seen against its normal.
-Face corners_of_hull(const std::vector<IntegerVector>& points, const IntegerVector& normal,
+template <class Point>
+Face corners_of_hull(const std::vector<Point>& points, const AreaVector<Point>& normal,
                      Face among) {
-  std::size_t axis = 0;
-  for (std::size_t k = 1; k < 3; ++k) {
-    if (abs(normal[k]) > abs(normal[axis])) axis = k;
-  }
+  const std::size_t axis = longest_axis(normal);
   const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
   const auto same = [&](std::uint32_t a, std::uint32_t b) {
     return points[a][u] == points[b][u] && points[a][v] == points[b][v];
@@ -30,8 +28,7 @@ Face corners_of_hull(const std::vector<IntegerVector>& points, const IntegerVect
   });
   among.erase(std::unique(among.begin(), among.end(), same), among.end());
   const auto turns_left = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    return (points[b][u] - points[a][u]) * (points[c][v] - points[a][v]) >
-           (points[b][v] - points[a][v]) * (points[c][u] - points[a][u]);
+    return cross(points[b] - points[a], points[c] - points[a])[axis] > 0;
   };
   Face hull;
   for (int side = 0; side < 2; ++side) {
@@ -63,29 +60,36 @@ FacetParents parents_of(const std::vector<Pair>& pairs, const Face& corners) {
 }
 
 /// One ring for each plane, and the parents of each.
-std::pair<std::vector<Face>, std::vector<FacetParents>> merged(const Pieces& pieces) {
+template <class Point>
+std::pair<std::vector<Face>, std::vector<FacetParents>> merged(const Pieces<Point>& pieces) {
   const std::vector<Face>& rings = pieces.rings;
-  const std::vector<IntegerVector>& normals = pieces.normals;
+  std::vector<decltype(direction(pieces.normals[0]))> directions;
+  directions.reserve(rings.size());
+  for (const auto& normal : pieces.normals) directions.push_back(direction(normal));
   std::vector<std::uint32_t> order(rings.size());
   std::iota(order.begin(), order.end(), 0U);
+  const auto compared = [&](std::uint32_t a, std::uint32_t b) {
+    return compare(directions[a], directions[b]);
+  };
   std::sort(order.begin(), order.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return normals[a] < normals[b]; });
+            [&](std::uint32_t a, std::uint32_t b) { return compared(a, b) < 0; });
   std::pair<std::vector<Face>, std::vector<FacetParents>> result;
   for (std::size_t k = 0, end = 0; k < order.size(); k = end) {
     Face corners;
-    for (end = k; end < order.size() && normals[order[end]] == normals[order[k]]; ++end) {
+    for (end = k; end < order.size() && compared(order[end], order[k]) == 0; ++end) {
       corners.insert(corners.end(), rings[order[end]].begin(), rings[order[end]].end());
     }
     result.second.push_back(parents_of(pieces.pairs, corners));
-    if (end - k > 1) corners = corners_of_hull(pieces.points, normals[order[k]], corners);
+    if (end - k > 1) corners = corners_of_hull(pieces.points, pieces.normals[order[k]], corners);
     result.first.push_back(std::move(corners));
   }
   return result;
 }
 
 /// Numbers the vertices that are used in lexicographic order, and sorts the facets.
+template <class Point>
 void make_canonical(ConvexSum& sum, std::vector<Face> rings, std::vector<FacetParents> parents,
-                    const Pieces& pieces, std::vector<IntegerVector>& points) {
+                    const Pieces<Point>& pieces, std::vector<Point>& points) {
   std::vector<std::uint32_t> used;
   for (const Face& ring : rings) used.insert(used.end(), ring.begin(), ring.end());
   std::sort(used.begin(), used.end(), [&](std::uint32_t a, std::uint32_t b) {
@@ -96,7 +100,7 @@ void make_canonical(ConvexSum& sum, std::vector<Face> rings, std::vector<FacetPa
   const IntegerVector& under = pieces.denominators;
   for (std::uint32_t k = 0; k < used.size(); ++k) {
     number[used[k]] = k;
-    const IntegerVector& p = pieces.points[used[k]];
+    const Point& p = pieces.points[used[k]];
     points.push_back(p);
     sum.vertex_parents.push_back(pieces.pairs[used[k]]);
     sum.surface.vertices.push_back(
@@ -116,44 +120,29 @@ void make_canonical(ConvexSum& sum, std::vector<Face> rings, std::vector<FacetPa
   }
 }
 
-std::size_t corners(const std::vector<Face>& rings) {
-  std::size_t count = 0;
-  for (const Face& ring : rings) count += ring.size();
-  return count;
-}
-
 /// Scaling an axis keeps what is asked here, so the points may be those over the denominators.
-void certify(const Polyhedron& surface, const std::vector<IntegerVector>& points) {
+template <class Point>
+void certify(const Polyhedron& surface, const std::vector<Point>& points) {
   try {
-    validate(surface);
-    const std::vector<Face> facets = certified_convex_facets(surface, points);
-    if (facets.size() != surface.faces.size()) {
-      throw std::logic_error("two facets of a convex sum lie in one plane");
-    }
-    if (corners(facets) != corners(surface.faces)) {
-      throw std::logic_error("a convex sum has a flat vertex");
-    }
+    require_strictly_convex(surface, points);
   } catch (const BadInput& fault) {
-    throw std::logic_error("a convex sum is not closed and convex: " + fault.problem());
+    throw std::logic_error("a convex sum is not closed and strictly convex: " + fault.problem());
   }
 }
 
-}  // namespace
-
-void Pieces::add(Face ring) {
-  IntegerVector normal = primitive(area_vector(points, ring));
-  if (is_zero(normal)) return;
-  normals.push_back(std::move(normal));
-  rings.push_back(std::move(ring));
-}
-
-ConvexSum united(const Pieces& pieces) {
+template <class Point>
+ConvexSum canonical_sum(const Pieces<Point>& pieces) {
   auto [rings, parents] = merged(pieces);
   ConvexSum result;
-  std::vector<IntegerVector> points;
+  std::vector<Point> points;
   make_canonical(result, std::move(rings), std::move(parents), pieces, points);
   certify(result.surface, points);
   return result;
 }
+
+}  // namespace
+
+ConvexSum united(const Pieces<WordVector>& pieces) { return canonical_sum(pieces); }
+ConvexSum united(const Pieces<IntegerVector>& pieces) { return canonical_sum(pieces); }
 
 }  // namespace minkref

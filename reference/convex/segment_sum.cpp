@@ -30,7 +30,7 @@ ConvexSum sum_with_segment(const ConvexPolyhedron& P, const Scaling& scaling, co
     throw BadInput("zero-length-edge", "the two ends of the segment are equal",
                    "give a point by one vertex");
   }
-  Pieces pieces;
+  Pieces<IntegerVector> pieces;
   std::vector<SpacePoint> points;
   const Polyhedron body = scaled(P.surface(), scaling);
   for (std::uint32_t v = 0; v < P.vertices(); ++v) {

@@ -32,7 +32,7 @@ Number narrowed(const Integer& value) {
     const Integer magnitude = abs(value);
     const auto high = static_cast<std::uint64_t>(Integer(magnitude >> 64)),
                low = static_cast<std::uint64_t>(Integer(magnitude & UINT64_MAX));
-    const Wide wide = static_cast<Wide>(static_cast<Magnitude>(high) << 64 | low);
+    const auto wide = static_cast<Int128>(static_cast<Magnitude>(high) << 64 | low);
     return value < 0 ? -wide : wide;
   }
 }
@@ -92,27 +92,27 @@ void sum_coordinates(const ConvexPolyhedron& P, const ConvexPolyhedron& Q, const
   if (words && width <= 62) {
     add_pairs<std::int64_t>(P, Q, factors, vertices, points.numerators);
   } else if (words && width <= 126) {
-    add_pairs<Wide>(P, Q, factors, vertices, points.numerators);
+    add_pairs<Int128>(P, Q, factors, vertices, points.numerators);
   } else {
     add_pairs<Integer>(P, Q, factors, vertices, points.numerators);
   }
 }
 
-Integer numerator_at(const HomogeneousPoints& points, std::size_t point, std::size_t axis) {
-  return std::visit(
-      [&](const auto& rows) -> Integer {
-        const auto& value = rows[point][axis];
-        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, Wide>) {
-          const bool negative = value < 0;
-          const auto magnitude = static_cast<Magnitude>(negative ? -value : value);
-          Integer wide = static_cast<std::uint64_t>(magnitude >> 64);
-          wide = (wide << 64) + static_cast<std::uint64_t>(magnitude);
-          return negative ? Integer(-wide) : wide;
-        } else {
-          return Integer(value);
-        }
+std::optional<std::vector<WordVector>> in_words(const HomogeneousPoints& points) {
+  const auto* words = std::get_if<std::vector<WordVector>>(&points.numerators);
+  if (words == nullptr || !fit_in_words(*words)) return std::nullopt;
+  return *words;
+}
+
+std::vector<IntegerVector> in_integers(const HomogeneousPoints& points) {
+  std::vector<IntegerVector> result;
+  result.reserve(count(points));
+  std::visit(
+      [&](const auto& rows) {
+        for (const auto& row : rows) result.push_back(to_integers(row));
       },
       points.numerators);
+  return result;
 }
 
 std::size_t count(const HomogeneousPoints& points) {

@@ -3,19 +3,20 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <variant>
 #include <vector>
 
 #include "reference/convex/convex_polyhedron.hpp"
 #include "reference/convex/sum_vertices.hpp"
+#include "reference/number/int128.hpp"
+#include "reference/space/word_vectors.hpp"
 
 namespace minkref {
 
-__extension__ using Wide = __int128;
-
 /// Numerators in the narrowest integers that hold all of them: 64 bits, 128 bits, or any.
-using Numerators = std::variant<std::vector<std::array<std::int64_t, 3>>,
-                                std::vector<std::array<Wide, 3>>, std::vector<IntegerVector>>;
+using Numerators =
+    std::variant<std::vector<WordVector>, std::vector<WideVector>, std::vector<IntegerVector>>;
 
 /// Point k of a list is, along axis i, `numerators[k][i] / denominators[i]`.
 struct HomogeneousPoints {
@@ -28,8 +29,9 @@ struct HomogeneousPoints {
 void sum_coordinates(const ConvexPolyhedron& P, const ConvexPolyhedron& Q, const Scaling& scaling,
                      const SumVertices& vertices, HomogeneousPoints& points);
 
-/// One numerator as an integer.
-Integer numerator_at(const HomogeneousPoints& points, std::size_t point, std::size_t axis);
+/// The numerators as word vectors, where all are short enough.
+std::optional<std::vector<WordVector>> in_words(const HomogeneousPoints& points);
+std::vector<IntegerVector> in_integers(const HomogeneousPoints& points);
 std::size_t count(const HomogeneousPoints& points);
 
 }  // namespace minkref

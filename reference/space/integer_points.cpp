@@ -39,12 +39,4 @@ IntegerPoints integer_points(const std::vector<SpacePoint>& vertices) {
   return result;
 }
 
-IntegerVector area_vector(const std::vector<IntegerVector>& points, const Face& face) {
-  IntegerVector sum{0, 0, 0};
-  for (std::size_t k = 2; k < face.size(); ++k) {
-    sum = sum + cross(points[face[k - 1]] - points[face[0]], points[face[k]] - points[face[0]]);
-  }
-  return sum;
-}
-
 }  // namespace minkref

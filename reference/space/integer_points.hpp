@@ -26,6 +26,21 @@ inline bool is_zero(const IntegerVector& a) {
   return a[0].is_zero() && a[1].is_zero() && a[2].is_zero();
 }
 
+/// The axis along which a vector is longest, the first of them; a plane with this normal is seen as
+/// it is along it.
+template <class Vector>
+std::size_t longest_axis(const Vector& vector) {
+  using Number = typename Vector::value_type;
+  const auto magnitude = [&](std::size_t k) {
+    return vector[k] < 0 ? Number(-vector[k]) : vector[k];
+  };
+  std::size_t axis = 0;
+  for (std::size_t k = 1; k < 3; ++k) {
+    if (magnitude(k) > magnitude(axis)) axis = k;
+  }
+  return axis;
+}
+
 /// The shortest integer vector in the same direction; the zero vector stays.
 IntegerVector primitive(const IntegerVector& vector);
 
@@ -37,9 +52,5 @@ struct IntegerPoints {
 /// Throws LimitExceeded ("common-denominator-too-long") where it would take more than 100 million
 /// bits to write all vertices over it.
 IntegerPoints integer_points(const std::vector<SpacePoint>& vertices);
-
-/// Twice the vector area of a closed ring: for a planar one normal to its plane, on the side from
-/// which it runs counter-clockwise.
-IntegerVector area_vector(const std::vector<IntegerVector>& points, const Face& face);
 
 }  // namespace minkref

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "reference/error.hpp"
+#include "reference/space/area_vector.hpp"
 #include "reference/space/integer_points.hpp"
 
 namespace minkref {

@@ -2,33 +2,17 @@
 #include <algorithm>
 #include <optional>
 #include <string>
-#include <tuple>
 
 #include "reference/error.hpp"
 #include "reference/plane/polygon_set.hpp"
+#include "reference/space/area_vector.hpp"
+#include "reference/space/face_edges.hpp"
 #include "reference/space/integer_points.hpp"
 #include "reference/space/polyhedron.hpp"
+#include "reference/space/polyhedron_place.hpp"
 
 namespace minkref {
 namespace {
-
-std::string text(const SpacePoint& p) {
-  // A coordinate of thousands of digits would drown the message.
-  const auto shortened = [](std::string s) { return s.size() <= 60 ? s : s.substr(0, 57) + "..."; };
-  std::string result = "(";
-  return result.append(shortened(to_string(p.x)))
-      .append(", ")
-      .append(shortened(to_string(p.y)))
-      .append(", ")
-      .append(shortened(to_string(p.z)))
-      .append(")");
-}
-
-/// An edge of a face, in the direction of that face.
-struct FaceEdge {
-  std::uint32_t from, to, face;
-  std::pair<std::uint32_t, std::uint32_t> ends() const { return std::minmax(from, to); }
-};
 
 class Validator {
  public:
@@ -49,15 +33,7 @@ class Validator {
   const std::vector<Face>& faces() const { return polyhedron_.faces; }
 
   Place place(std::optional<std::uint32_t> face, const std::vector<std::uint32_t>& vertices) const {
-    Place result;
-    if (face) result.face = *face;
-    for (const std::uint32_t v : vertices) {
-      result.vertices.push_back(v);
-      if (v < polyhedron_.vertices.size()) {
-        result.coordinates.push_back(text(polyhedron_.vertices[v]));
-      }
-    }
-    return result;
+    return place_in(polyhedron_, face, vertices);
   }
 
   void check_indices() const {
@@ -138,10 +114,7 @@ class Validator {
 
   /// Along the axis in which the normal is longest the face is seen as it is.
   void check_simple(std::uint32_t f, const IntegerVector& normal) const {
-    std::size_t axis = 0;
-    for (std::size_t k = 1; k < 3; ++k) {
-      if (abs(normal[k]) > abs(normal[axis])) axis = k;
-    }
+    const std::size_t axis = longest_axis(normal);
     Ring ring;
     for (const std::uint32_t v : faces()[f]) {
       const IntegerVector& p = integers_.points[v];
@@ -163,25 +136,11 @@ class Validator {
     }
   }
 
-  /// The edges of all faces, those between the same two vertices next to each other.
-  std::vector<FaceEdge> sorted_edges() const {
-    std::vector<FaceEdge> edges;
-    for (std::uint32_t f = 0; f < faces().size(); ++f) {
-      const Face& face = faces()[f];
-      for (std::size_t k = 0; k < face.size(); ++k) {
-        edges.push_back({face[k], face[(k + 1) % face.size()], f});
-      }
-    }
-    std::sort(edges.begin(), edges.end(), [](const FaceEdge& a, const FaceEdge& b) {
-      return std::tuple(a.ends(), a.face) < std::tuple(b.ends(), b.face);
-    });
-    return edges;
-  }
-
   void check_edges() const {
-    const std::vector<FaceEdge> edges = sorted_edges();
+    const std::vector<FaceEdge> edges = sorted_edges(faces());
     for (std::size_t k = 0, end = 0; k < edges.size(); k = end) {
       for (end = k; end < edges.size() && edges[end].ends() == edges[k].ends();) ++end;
+      if (end - k == 2 && edges[k].from != edges[k + 1].from) continue;
       Place at = place(edges[k].face, {edges[k].from, edges[k].to});
       if (end - k == 1) {
         throw BadInput("open-mesh",
@@ -194,11 +153,9 @@ class Validator {
                        "an edge belongs to " + std::to_string(end - k) + " faces",
                        "an edge belongs to two faces: split the surface there", std::move(at));
       }
-      if (edges[k].from == edges[k + 1].from) {
-        throw BadInput("wrong-orientation", "two faces run along their common edge the same way",
-                       "turn one of them: seen from outside every face runs counter-clockwise",
-                       std::move(at));
-      }
+      throw BadInput("wrong-orientation", "two faces run along their common edge the same way",
+                     "turn one of them: seen from outside every face runs counter-clockwise",
+                     std::move(at));
     }
   }
 

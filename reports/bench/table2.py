@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass, field
 from fractions import Fraction
 from itertools import product
-from statistics import geometric_mean
+from statistics import fmean, geometric_mean
 from typing import Any
 
 from minkref import _core
@@ -26,7 +26,9 @@ ABOUT = {
 }
 COUNT, QUICK_COUNT = 100, 10
 PASSES = 3
-BRUTE_FORCE_EVERY = 25  # re-scalings to one that brute force and CGAL are timed at
+ALL_EVERY = 25  # re-scalings to one at which brute force, CGAL and the surface are timed
+RATIOS = ("brute_force_ratio", "traversal_ratio", "cgal_hull_ratio", "cgal_hull_surface_ratio",
+          "floor_ratio")  # fmt: skip
 SIX_DIGITS = 1_000_000
 
 Row = dict[str, Any]
@@ -39,7 +41,7 @@ class Table2:
     rescalings: int
     rows: list[Row] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
-    wrong: list[str] = field(default_factory=list)  # sums that differ from CGAL's hull
+    wrong: list[str] = field(default_factory=list)  # updated sums that differ from others
 
 
 def pair_count() -> int:
@@ -101,42 +103,47 @@ def _time_pair(
     scalings = choose(table.seed, table.rescalings + 1)
     if P.body is None or Q.body is None:
         raise ValueError("the models of Table 2 have volume")
-    every = min(BRUTE_FORCE_EVERY, table.rescalings)
-    walks = [
-        dict(_core.timed_convex_walk(P.body, Q.body, scalings, every if first else 0))
-        for first in (True, False, False)[:PASSES]
-    ]
-    updates, coordinates, traversals = (
+    every = min(ALL_EVERY, table.rescalings)
+    walks = [dict(_core.timed_convex_walk(P.body, Q.body, scalings, every)) for _ in range(PASSES)]
+    updates, coordinates, traversals, brute_force, surfaces = (
         least([walk[f"{name}_seconds"] for walk in walks])
-        for name in ("update", "coordinate", "traversal")
+        for name in ("update", "coordinate", "traversal", "brute_force", "surface")
     )
+    if any(walk["differences"] for walk in walks):
+        table.wrong.append(f"{P.name}, {Q.name}: not the static pairs after an update")
     ours = [a + b for a, b in zip(updates, coordinates, strict=True)]
     chosen = range(every, len(scalings), every)
-    brute_force = walks[0]["brute_force_seconds"]
+    at_chosen = [ours[k - 1] for k in chosen]
+    with_surface = [updates[k - 1] + s for k, s in zip(chosen, surfaces, strict=True)]
+    walk = walks[0]
     row: Row = {
         "P": P.name,
         "Q": Q.name,
         "kind": kind,
         "facets": [P.body.facets, Q.body.facets],
-        "vertices_mean": sum(walks[0]["vertices"]) / len(ours),
-        "ee_pairs_mean": sum(walks[0]["ee_pairs"]) / len(ours),
+        "vertex_pairs_mean": fmean(walk["vertex_pairs"]),
+        "ee_pairs_mean": fmean(walk["ee_pairs"]),
+        "surface_facets_mean": fmean(walk["surface_facets"]),
         "update": asdict(spread(updates)),
         "ours": asdict(spread(ours)),
+        "with_surface": asdict(spread(with_surface)),
         "coordinates": asdict(spread(coordinates)),
         "floor_ratio": sum(ours) / sum(coordinates),
         "traversal": asdict(spread(traversals)),
         "traversal_ratio": _ratio(traversals, ours),
         "brute_force": asdict(spread(brute_force)),
-        "brute_force_ratio": _ratio(brute_force, [ours[k - 1] for k in chosen]),
+        "brute_force_ratio": _ratio(brute_force, at_chosen),
         "cgal_hull": None,
         "cgal_hull_ratio": None,
-        **_per_step(walks[0], len(ours)),
+        "cgal_hull_surface_ratio": None,
+        **_per_step(walk, len(ours)),
     }
     if service is not None:
         tell(f"{P.name}, {Q.name}: CGAL's hull")
-        seconds = [_cgal(table, service, P, Q, scalings[k]) for k in chosen]
+        seconds = _cgal(table, service, P, Q, scalings, chosen)
         row["cgal_hull"] = asdict(spread(seconds))
-        row["cgal_hull_ratio"] = _ratio(seconds, [ours[k - 1] for k in chosen])
+        row["cgal_hull_ratio"] = _ratio(seconds, at_chosen)
+        row["cgal_hull_surface_ratio"] = _ratio(seconds, with_surface)
     table.rows.append(row)
 
 
@@ -157,16 +164,28 @@ def _per_step(walk: Row, steps: int) -> Row:
 
 
 def _cgal(
-    table: Table2, service: CgalSpaceService, P: SpaceOperand, Q: SpaceOperand, scaling: Scaling
-) -> float:
-    """Seconds of CGAL's hull. Its vertices, which say all of a convex body, have to be ours."""
+    table: Table2,
+    service: CgalSpaceService,
+    P: SpaceOperand,
+    Q: SpaceOperand,
+    scalings: list[Scaling],
+    chosen: range,
+) -> list[float]:
+    """Seconds of CGAL's hull at the chosen scalings. Its vertices, which say all of a convex body,
+    have to be those of the sum that was updated through all scalings."""
     if P.body is None or Q.body is None:
         raise ValueError("the models of Table 2 have volume")
-    mine = _core.convex_sum(P.body, Q.body, scaling).surface
-    seconds, vertices = sum_of_cgal(service, P, Q, scaling)
-    if not _same(mine, vertices):
-        table.wrong.append(f"{P.name}, {Q.name} at {','.join(scaling)}")
-    return seconds
+    moving = _core.DynamicConvexSum(P.body, Q.body, scalings[0])
+    result = []
+    for k, scaling in enumerate(scalings):
+        moving.update(scaling)
+        if k not in chosen:
+            continue
+        sums = [sum_of_cgal(service, P, Q, scaling) for _ in range(PASSES)]
+        if not _same(moving.sum().surface, sums[0][1]):
+            table.wrong.append(f"{P.name}, {Q.name} at {','.join(scaling)}: not CGAL's hull")
+        result.append(min(seconds for seconds, _ in sums))
+    return result
 
 
 Corner = tuple[str, str, str]
@@ -216,7 +235,7 @@ def summary(table: Table2) -> Row:
     result: Row = {}
     for kind in (RANDOM, STEPS):
         rows = [row for row in table.rows if row["kind"] == kind]
-        for name in ("brute_force_ratio", "traversal_ratio", "cgal_hull_ratio", "floor_ratio"):
+        for name in RATIOS:
             values = [row[name] for row in rows if row[name] is not None]
             result[f"{kind}_{name}"] = (
                 {"least": min(values), "mean": geometric_mean(values), "greatest": max(values)}

@@ -87,6 +87,7 @@ def print_polyhedra(value: dict[str, Any], seed: int) -> None:
     for kind in KINDS:
         for name, what in (
             ("cgal_hull_ratio", "CGAL's hull over ours"),
+            ("cgal_hull_surface_ratio", "CGAL's hull over ours with the surface"),
             ("brute_force_ratio", "all pairs over ours"),
             ("traversal_ratio", "best static route over ours"),
             ("floor_ratio", "ours over coordinates alone"),
@@ -104,29 +105,32 @@ def print_polyhedra(value: dict[str, Any], seed: int) -> None:
          "its own recomputation; another machine)")
     )  # fmt: skip
     text += [("note", note) for note in value["notes"]]
-    text += [("WRONG", f"not CGAL's hull: {wrong}") for wrong in value["wrong"]]
+    text += [("WRONG", wrong) for wrong in value["wrong"]]
     sys.stdout.write("\n" + lines(text))
 
 
 def _polyhedra_table(title: str, rows: list[dict[str, Any]]) -> Table:
     table = Table(box=None, pad_edge=False, title=title, title_justify="left")
-    headings = ("P", "Q", "vertices", "fv", "vf", "ee", "signs/error", "update µs",
-                "with coord. µs", "/floor", "static/", "all pairs/", "CGAL/")  # fmt: skip
+    headings = ("P", "Q", "pairs", "fv", "vf", "ee", "signs/error", "update µs", "with coord. µs",
+                "with surface µs", "/floor", "static/", "all pairs/", "CGAL/",
+                "CGAL/surface")  # fmt: skip
     for heading in headings:
         table.add_column(heading, justify="left" if heading in "PQ" else "right", no_wrap=True)
     for row in rows:
         table.add_row(
             row["P"],
             row["Q"],
-            f"{row['vertices_mean']:,.0f}",
+            f"{row['vertex_pairs_mean']:,.0f}",
             *(f"{row[name]:,.1f}" for name in ("fv_errors", "vf_errors", "ee_errors")),
             _or_none(row["signs_per_error"], ".1f"),
             f"{row['update']['median'] * 1e6:,.1f}",
             f"{row['ours']['median'] * 1e6:,.1f}",
+            f"{row['with_surface']['median'] * 1e6:,.0f}",
             f"{row['floor_ratio']:.2f}",
             f"{row['traversal_ratio']:,.2f}",
             _or_none(row["brute_force_ratio"], ",.0f"),
             _or_none(row["cgal_hull_ratio"], ",.0f"),
+            _or_none(row["cgal_hull_surface_ratio"], ",.0f"),
         )
     return table
 

@@ -44,7 +44,7 @@ def solid_layers(solid: Polyhedron, style: str) -> list[Layer] | None:
         for line in _outline(face)
     ]
     front = [
-        Layer(f"{style} shade{_shade(normal)}", [[[projected(place) for place in face]]])
+        Layer(f"{style} shade{shade(normal)}", [[[projected(place) for place in face]]])
         for face, normal in zip(faces, normals, strict=True)
         if sum(normal) >= 0
     ]
@@ -76,6 +76,6 @@ def _normal(face: list[Place]) -> Place:
     return (total[0], total[1], total[2])
 
 
-def _shade(normal: Place) -> int:
+def shade(normal: Place) -> int:
     """By the axis that the face looks along the most: z is lightest."""
     return max(range(3), key=lambda k: abs(normal[k]))

@@ -4,28 +4,29 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-import jsonschema
 from minkref import _core
 from minkref.degeneracies import found, lint
-from minkref.degeneracies.catalogue import FAMILIES
+from minkref.degeneracies.catalogue import FAMILIES, SPACE_FAMILIES
 from minkref.degeneracies.flags import explained
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, invalid_member
 from minkref.documents import check_writable, write_atomically
-from minkref.errors import Refusal, cut, message_of
-from minkref.operand import read_operand
+from minkref.errors import Refusal, message_of
+from minkref.fuzz.cases.space_case_file import is_in_space
 from minkref.output_folder import make_folder
+from minkref.reports.degeneracies.cases import cases_in, space_case, unfit
 from minkref.reports.degeneracies.pictures import Drawn, case_pictures
+from minkref.reports.degeneracies.space_pictures import space_case_pictures
 from minkref.reports.pages import environment
+from minkref.space.scaling import read_scaling, text_of
 from minkref.terminal import shown
 
 INDEX = "index"
 DRAWN = 2  # cases of a family
-SIBLINGS = 3  # scales at least: the one, and one below and above
 SAMPLE = 300  # characters of an invalid file that are shown
 
 
@@ -46,17 +47,43 @@ class Row:
 
 
 @dataclass(frozen=True)
+class SpaceRow:
+    """A case in space in the table of its family. `kinds`: how many facets of the sum at its first
+    scaling are the sum of two facets, a facet and an edge, a facet and a vertex, two edges."""
+
+    id: str
+    file: str
+    title: str
+    vertices: int
+    scale: str
+    kinds: str
+    parallel_edges: int
+    signs: str
+    wrong: int  # of so many scalings, those at which some sign is wrong in doubles
+    scales: int
+    why: str
+
+
+@dataclass(frozen=True)
 class FamilyPage:
     name: str
     title: str
     why: str
     flags: list[tuple[str, dict[str, Any] | None]]  # None: it is not explained
-    rows: list[Row]
-    drawings: list[tuple[Row, list[Drawn]]]
+    rows: list[Row | SpaceRow]
+    drawings: list[tuple[Row | SpaceRow, list[Drawn]]]
+
+    @property
+    def in_the_plane(self) -> list[Row]:
+        return [row for row in self.rows if isinstance(row, Row)]
+
+    @property
+    def in_space(self) -> list[SpaceRow]:
+        return [row for row in self.rows if isinstance(row, SpaceRow)]
 
     @property
     def is_generated(self) -> bool:
-        return self.name in FAMILIES
+        return self.name in FAMILIES or self.name in SPACE_FAMILIES
 
     @property
     def has_stories(self) -> bool:
@@ -104,18 +131,19 @@ def write_report(
 
 def _family(name: str, paths: list[Path], reading: Callable[[str], None]) -> FamilyPage:
     title, why, drawn = f"cases of the folder {name}", "", DRAWN
-    if name in FAMILIES:
-        title, why = FAMILIES[name].title, FAMILIES[name].why
+    if name in FAMILIES or name in SPACE_FAMILIES:
+        family = (FAMILIES | SPACE_FAMILIES)[name]
+        title, why = family.title, family.why
     elif name == found.NAME:
         title = "cases on which libraries were found wrong"
         why = "Found by verification and shrunk, or published; each with its story."
         drawn = len(paths)
-    rows: list[Row] = []
-    drawings: list[tuple[Row, list[Drawn]]] = []
+    rows: list[Row | SpaceRow] = []
+    drawings: list[tuple[Row | SpaceRow, list[Drawn]]] = []
     used: set[str] = set()
-    for path, value in _cases(paths):
+    for path, value in cases_in(paths):
         reading(name)
-        rows.append(_row(path, value))
+        rows.append((_space_row if is_in_space(value) else _row)(path, value))
         used |= set(value.get("flags", []))
         if len(drawings) < drawn:
             drawings.append((rows[-1], _pictures(path, value)))
@@ -124,54 +152,16 @@ def _family(name: str, paths: list[Path], reading: Callable[[str], None]) -> Fam
     return FamilyPage(name, title, why, flags, rows, drawings)
 
 
-def _cases(paths: Iterable[Path]) -> Iterator[tuple[Path, dict[str, Any]]]:
-    """One at a time. Refuses what is no case, and one that lacks what the pages are made of."""
-    validator = _validator()
-    for path in paths:
-        _read_operands(path)
-        value = json.loads(path.read_text(encoding="utf-8"))
-        error = next(iter(validator.iter_errors(value)), None)
-        if error is not None:
-            code = "missing-member" if error.validator == "required" else "wrong-type"
-            raise _unfit(path, cut(f"{error.json_path}: {error.message}"), code)
-        yield path, {**value, "scales": [str(scale) for scale in value["scales"]]}
-
-
-def _read_operands(path: Path) -> None:
-    try:
-        for part in ("#P", "#Q"):
-            read_operand(f"{path}{part}")
-    except Refusal as refusal:
-        if refusal.code != "not-a-case":
-            raise
-        raise _unfit(path, "this is no case (case-v1)", refusal.code) from refusal
-
-
-def _validator() -> jsonschema.Draft202012Validator:
-    """Of what pages are made of: a case as its schema has it, with its degeneracy and siblings. The
-    reader of operands has seen to P and Q; what is not shown may be large."""
-    schema = json.loads((lint.ROOM / "schema" / "case-v1.json").read_text(encoding="utf-8"))
-    schema["required"] += ["scales", "degeneracy"]
-    members, parts = schema["properties"], schema["$defs"]["degeneracy"]["properties"]
-    members["scales"]["minItems"] = SIBLINGS
-    parts["floats"]["minItems"] = 1
-    members |= dict.fromkeys(("P", "Q", "expected"), True)
-    parts |= dict.fromkeys(("events", "topology"), True)
-    return jsonschema.Draft202012Validator(schema)
-
-
 def _pictures(path: Path, value: dict[str, Any]) -> list[Drawn]:
     try:
+        if is_in_space(value):
+            case = space_case(path)
+            return space_case_pictures(case.pair.P, case.pair.Q, value)
         for points in value["degeneracy"]["tight_passages"]:  # their numbers have a sane length
             _core.PolygonSet.from_json(json.dumps({"polygons": [{"outer": points}]}))
         return case_pictures(value)
-    except (_core.BadInput, ArithmeticError) as error:
-        raise _unfit(path, f"it cannot be drawn: {message_of(error)}", "not-drawable") from error
-
-
-def _unfit(path: Path, what: str, code: str) -> Refusal:
-    mend = "make it again with `minkref generate`, or take it out of the folder"
-    return Refusal(what, str(path), mend, code)
+    except (_core.BadInput, ArithmeticError, IndexError) as error:
+        raise unfit(path, f"it cannot be drawn: {message_of(error)}", "not-drawable") from error
 
 
 def _row(path: Path, value: dict[str, Any]) -> Row:
@@ -196,6 +186,25 @@ def _row(path: Path, value: dict[str, Any]) -> Row:
         wrong,
         len(bits),
         most,
+        told["why"],
+    )
+
+
+def _space_row(path: Path, value: dict[str, Any]) -> SpaceRow:
+    told = value["degeneracy"]
+    at, floats = told["facets"][0], told["floats"]
+    kinds = ("facet_and_facet", "facet_and_edge", "facet_and_vertex", "edge_and_edge")
+    return SpaceRow(
+        value["id"],
+        str(path),
+        value.get("title", ""),
+        sum(len(value[name]["vertices"]) for name in "PQ"),
+        shown(text_of(read_scaling(value["scales"][0]))),
+        "/".join(str(at[kind]) for kind in kinds),
+        at["parallel_edges"],
+        f"{floats[0]['wrong_in_doubles']} of {floats[0]['signs']}",
+        sum(row["wrong_in_doubles"] > 0 for row in floats),
+        len(floats),
         told["why"],
     )
 

@@ -6,8 +6,10 @@ import tempfile
 from pathlib import Path
 
 from minkref.degeneracies import lint
+from minkref.degeneracies.catalogue import FAMILIES, SPACE_FAMILIES
+from minkref.degeneracies.found import NAME as FOUND
 from minkref.degeneracies.make_corpus import make
-from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, verdicts
+from minkref.reports.evidence.certificates.checkers import in_cpp, verdicts, verdicts_in_python
 from minkref.reports.evidence.framework.part import READERS, REFERENCE, Findings
 
 SUBJECT = (
@@ -17,7 +19,8 @@ SUBJECT = (
 MINUTES = (5, None)
 DEPENDS = (
     *REFERENCE, *READERS, "certify/*", "oracle/checker/*", "degeneracies/*.py",
-    "degeneracies/plane/*.py", "degeneracies/pages/*", "degeneracies/*.json",
+    "degeneracies/plane/*.py", "degeneracies/space/*.py", "degeneracies/pages/*",
+    "degeneracies/*.json", "degeneracies/schema/*", "fuzz/space/*.py",
     "degeneracies/corpus/*/*.json",
 )  # fmt: skip
 
@@ -38,14 +41,22 @@ def run(quick: bool) -> Findings:
     findings.law("faults of form", not faults, 0, "; ".join(faults[:3]) or 0)
     cases = len(lint.case_paths(lint.CORPUS))
     size = sum(map(len, there.values()))
+    for dimension, families in ((2, [*FAMILIES, FOUND]), (3, [*SPACE_FAMILIES])):
+        folders = {path.parent.name for path in lint.case_paths(lint.CORPUS)}
+        absent = [family for family in families if family not in folders]
+        findings.law(f"families of dimension {dimension} without a case", not absent, 0,
+                     ", ".join(absent) or 0)  # fmt: skip
     findings.target("cases", cases >= LEAST_CASES, f"at least {LEAST_CASES}", cases)
     findings.target("bytes", size < MOST_BYTES, f"under {MOST_BYTES:,}", f"{size:,}")
     files = sorted(lint.CORPUS.rglob(f"*{lint.ENDING}"))
-    for what, command in (("Python", in_python()), ("C++", in_cpp())):
+    for what, follow in (
+        ("Python", verdicts_in_python),
+        ("C++", lambda batch: verdicts(in_cpp(), batch)),
+    ):
         good = sum(
             verdict.code == 0
             for i in range(0, len(files), BATCH)
-            for verdict in verdicts(command, files[i : i + BATCH])
+            for verdict in follow(files[i : i + BATCH])
         )
         findings.law(f"certificates verified by the checker in {what}", good == cases, cases, good)
     return findings

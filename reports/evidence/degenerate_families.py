@@ -11,21 +11,22 @@ from pathlib import Path
 from typing import Any
 
 from minkref.degeneracies import lint
-from minkref.degeneracies.catalogue import FAMILIES
+from minkref.degeneracies.catalogue import FAMILIES, SPACE_FAMILIES
 from minkref.degeneracies.verdict_of_floats import WIDTHS
 from minkref.reports.evidence.certificates.checkers import in_cpp, verdicts
 from minkref.reports.evidence.framework.part import READERS, REFERENCE, Findings
 from minkref.reports.evidence.framework.store import ROOT
 
 SUBJECT = (
-    "`minkref generate`, every degenerate family, 100 cases each, all verified by `minkref check` "
-    "and by the checker in C++; cases per second; on how many of their scales doubles find other "
-    "components or holes, and how many bits decide."
+    "`minkref generate`, every degenerate family, in the plane and in space, 100 cases each, all "
+    "verified by `minkref check` and by the checker in C++; cases per second; on how many of their "
+    "scales doubles find other components or holes, or in space a sign, and how many bits decide."
 )
 MINUTES = (15, None)
 DEPENDS = (
     *REFERENCE, *READERS, "certify/*", "oracle/checker/*", "degeneracies/*.py",
-    "degeneracies/plane/*.py", "degeneracies/pages/*", "degeneracies/flags.json",
+    "degeneracies/plane/*.py", "degeneracies/space/*.py", "degeneracies/pages/*",
+    "degeneracies/flags.json", "fuzz/space/*.py",
 )  # fmt: skip
 
 SEED = 20
@@ -39,16 +40,19 @@ def run(quick: bool) -> Findings:
     findings = Findings()
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        made = _minkref("generate", "all", "--count", str(COUNT), "--seed", str(SEED), "-o", name)
-        rows = made["cases"]
+        words = ("--count", str(COUNT), "--seed", str(SEED), "-o", name)
+        made, more = (_minkref("generate", which, *words) for which in ("all", "space"))
+        rows = [*made["cases"], *more["cases"]]
         per_family = Counter(row["family"] for row in rows)
-        counts = sorted({per_family[family] for family in FAMILIES})
+        counts = sorted({per_family[family] for family in (*FAMILIES, *SPACE_FAMILIES)})
         findings.law("cases of each family", counts == [COUNT], COUNT, counts)
         different = {row["id"] for row in rows}
         findings.figures["cases, different ones, megabytes"] = [
-            len(rows), len(different), round(made["bytes"] / 1e6, 1)
+            len(rows), len(different), round((made["bytes"] + more["bytes"]) / 1e6, 1)
         ]  # fmt: skip
-        findings.figures["cases per second, with their certificates"] = made["cases_per_second"]
+        findings.figures["cases per second, with their certificates"] = {
+            "in the plane": made["cases_per_second"], "in space": more["cases_per_second"]
+        }  # fmt: skip
         began = time.perf_counter()
         checked = _minkref("check", name)["files"]
         seconds = time.perf_counter() - began
@@ -64,15 +68,17 @@ def run(quick: bool) -> Findings:
                      len(files), codes[0])  # fmt: skip
         faults = list(lint.faults(folder, again=False))
         findings.law("faults of form", not faults, 0, "; ".join(faults[:3]) or 0)
-        _floats(findings, folder)
+        values = [json.loads(path.read_text(encoding="utf-8")) for path in lint.case_paths(folder)]
+        _floats(findings, [value for value in values if value["dimension"] == 2])
+        _signs(findings, [value for value in values if value["dimension"] == 3])
     return findings
 
 
-def _floats(findings: Findings, folder: Path) -> None:
+def _floats(findings: Findings, values: list[dict[str, Any]]) -> None:
+    """In the plane."""
     wrong: dict[str, Counter[bool]] = {}
     bits: Counter[str] = Counter()
-    for path in lint.case_paths(folder):
-        value = json.loads(path.read_text(encoding="utf-8"))
+    for value in values:
         tally = wrong.setdefault(value["tags"][0], Counter())
         for row in value["degeneracy"]["floats"]:
             tally[row["doubles_are_right"]] += 1
@@ -81,6 +87,18 @@ def _floats(findings: Findings, folder: Path) -> None:
     findings.figures["scales by the bits that decide"] = {n: bits[n] for n in names if bits[n]}
     findings.figures["share of scales at which doubles are wrong"] = {
         family: f"{tally[False] / tally.total():.0%}" for family, tally in sorted(wrong.items())
+    }
+
+
+def _signs(findings: Findings, values: list[dict[str, Any]]) -> None:
+    """In space: of a normal of one body times an edge of the other."""
+    wrong: dict[str, Counter[bool]] = {}
+    for value in values:
+        tally = wrong.setdefault(value["tags"][0], Counter())
+        for row in value["degeneracy"]["floats"]:
+            tally[row["wrong_in_doubles"] > 0] += 1
+    findings.figures["share of scalings at which a sign is wrong in doubles"] = {
+        family: f"{tally[True] / tally.total():.0%}" for family, tally in sorted(wrong.items())
     }
 
 

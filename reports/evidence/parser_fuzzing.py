@@ -1,4 +1,5 @@
-"""libFuzzer on every reader, with the address and undefined behaviour sanitizers."""
+"""libFuzzer on every reader, those of polyhedra too, with the address and undefined behaviour
+sanitizers."""
 
 from __future__ import annotations
 
@@ -12,13 +13,19 @@ from minkref.reports.evidence.framework.part import READERS, Findings
 from minkref.reports.evidence.framework.store import ROOT
 
 SUBJECT = (
-    "libFuzzer (clang, address and undefined behaviour sanitizers) on every parser, 5 minutes "
-    "each: no finding left."
+    "libFuzzer (clang, address and undefined behaviour sanitizers) on every parser, that of meshes "
+    "too, 5 minutes each: no finding left."
 )
-MINUTES = (18, 2.3)
-DEPENDS = (*READERS, "reference/number/*.?pp", "reference/error.?pp", "tests/fuzzing/*")
+MINUTES = (23, 2.3)
+DEPENDS = (
+    *READERS,
+    "reference/number/*.?pp",
+    "reference/space/*.?pp",
+    "reference/error.?pp",
+    "tests/fuzzing/*",
+)
 
-SECONDS, QUICK_SECONDS = 300, 10
+SECONDS, QUICK_SECONDS = 300, 8
 BUILD = ROOT / "build" / "fuzzing"
 SEEDS = ROOT / "tests" / "fuzzing" / "corpus"
 FLAGS = ("-max_len=4096", "-timeout=20", "-rss_limit_mb=2500")

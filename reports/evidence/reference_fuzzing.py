@@ -1,5 +1,5 @@
-"""libFuzzer on the reference itself, over pairs of operands, with the address and undefined
-behaviour sanitizers."""
+"""libFuzzer on the reference itself, over pairs of operands in the plane and of convex bodies, with
+the address and undefined behaviour sanitizers."""
 
 from __future__ import annotations
 
@@ -14,17 +14,23 @@ from minkref.reports.evidence.framework.store import ROOT
 
 SUBJECT = (
     "libFuzzer (clang, address and undefined behaviour sanitizers) on the static sum, the dynamic "
-    "sum, the pair events and the tight passages, over pairs of operands, 5 minutes each: no "
-    "finding left."
+    "sum, the pair events and the tight passages, over pairs of operands, and on sums of convex "
+    "bodies, 5 minutes each: no finding left."
 )
-MINUTES = (22, None)
-DEPENDS = (*REFERENCE, *READERS, "tests/fuzzing/reference/*", "tests/fuzzing/corpus/pair/*")
+MINUTES = (28, None)
+DEPENDS = (
+    *REFERENCE,
+    *READERS,
+    "tests/fuzzing/reference/*",
+    "tests/fuzzing/corpus/pair/*",
+    "tests/fuzzing/corpus/bodies/*",
+)
 
 SECONDS = 300
 BUILD = ROOT / "build" / "fuzzing_reference"
-SEEDS = ROOT / "tests" / "fuzzing" / "corpus" / "pair"
+SEEDS = ROOT / "tests" / "fuzzing" / "corpus"
+OF_BODIES = "fuzz_convex"
 FLAGS = (
-    "-max_len=8192",
     "-len_control=0",
     "-entropic=0",
     "-print_funcs=0",
@@ -32,6 +38,8 @@ FLAGS = (
     "-timeout=60",
     "-rss_limit_mb=3000",
 )
+# Of an input: a case file; for the targets on convex bodies, bytes, of which more are not read.
+MOST_BYTES, MOST_BYTES_OF_BODIES = 8192, 256
 AT_ONCE = 2
 VALID_SHARE = 0.9
 COUNTED = re.compile(r"pairs: inputs (\d+) valid (\d+) refused (\d+) too_large (\d+) no_case (\d+)")
@@ -39,7 +47,10 @@ COUNTED = re.compile(r"pairs: inputs (\d+) valid (\d+) refused (\d+) too_large (
 
 def row_of(target: Path, seconds: int) -> dict[str, Any]:
     corpus = BUILD / "corpus" / target.name.removeprefix("fuzz_")
-    done = fuzz(target, seconds, corpus, SEEDS, *FLAGS)
+    bodies = target.name.startswith(OF_BODIES)
+    most = MOST_BYTES_OF_BODIES if bodies else MOST_BYTES
+    seeds = SEEDS / ("bodies" if bodies else "pair")
+    done = fuzz(target, seconds, corpus, seeds, f"-max_len={most}", *FLAGS)
     counted = COUNTED.findall(done.log)
     inputs, valid, refused, too_large, no_case = map(int, counted[-1] if counted else "00000")
     law = re.search(r"^broken law: .*", done.log, re.MULTILINE)

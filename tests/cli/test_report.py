@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import shutil
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -11,7 +12,7 @@ from typing import Any
 import jsonschema
 import pytest
 from minkref.degeneracies import lint
-from minkref.degeneracies.catalogue import FAMILIES
+from minkref.degeneracies.catalogue import FAMILIES, SPACE_FAMILIES
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES
 from minkref.reports.audit.catalogue import ENTRIES
 from minkref.schemas import schema
@@ -22,7 +23,7 @@ def test_a_page_for_each_family(minkref: Any, tmp_path: Path) -> None:
     assert ran.code == 0
     front = Path(ran.json["pages"][0]).read_text(encoding="utf-8")
     assert f"{len(lint.case_paths(lint.CORPUS))} cases" in front
-    for name in (*FAMILIES, "found"):
+    for name in (*FAMILIES, *SPACE_FAMILIES, "found"):
         page = (tmp_path / "pages" / f"{name}.html").read_text(encoding="utf-8")
         assert f'href="{name}.html"' in front and page.count("<svg") >= 10
         numbers = re.findall(
@@ -31,6 +32,31 @@ def test_a_page_for_each_family(minkref: Any, tmp_path: Path) -> None:
         assert numbers and all(-1e4 < float(number) < 1e4 for number in numbers)
     for name in INVALID_FAMILIES:
         assert f'id="{name}"' in front
+
+
+def test_what_meets_is_drawn_where_the_bodies_are_degenerate_only(
+    minkref: Any, tmp_path: Path
+) -> None:
+    """Facets of the sum that are the sum of two facets, or of a facet and an edge, are marked: some
+    at a scaling at which they are parallel, and none of that kind just beside it. Flags, and a row
+    for each case, are on the page."""
+    names = ("facet-along-edge-at-a-scaling", "needle-and-plate")
+    for name in names:
+        shutil.copytree(lint.CORPUS / name, tmp_path / "cases" / name)
+    words = ("--corpus", tmp_path / "cases", "-o", tmp_path / "pages")
+    assert minkref("report", "degeneracies", *words).code == 0
+    marked = []
+    for name in names:
+        page = (tmp_path / "pages" / f"{name}.html").read_text(encoding="utf-8")
+        cases = lint.case_paths(lint.CORPUS / name)
+        assert page.count("<tr>") == len(cases) + 1 and "index.html#facet-along-edge" in page
+        figures = re.findall(r"<figure>(.*?)<figcaption>(.*?)</figcaption>", page, re.DOTALL)
+        for svg, caption in figures:
+            if "just" in caption:
+                assert 'class="tied' not in svg
+            elif caption.startswith("the sum at"):
+                marked.append('class="tied' in svg)
+    assert len(marked) == 4 and any(marked)
 
 
 def test_what_cannot_be_reported_is_refused(minkref: Any, tmp_path: Path) -> None:
@@ -44,9 +70,11 @@ def test_what_cannot_be_reported_is_refused(minkref: Any, tmp_path: Path) -> Non
 Value = dict[str, Any]
 
 
-def corpus_of(folder: Path, change: Callable[[Value], str | None]) -> Path:
+def corpus_of(
+    folder: Path, change: Callable[[Value], str | None], family: str = "fits-slot"
+) -> Path:
     """A corpus of two cases: one of the corpus, and it changed. Returns the file of the latter."""
-    whole = lint.case_paths(lint.CORPUS / "fits-slot")[0].read_text(encoding="utf-8")
+    whole = lint.case_paths(lint.CORPUS / family)[0].read_text(encoding="utf-8")
     value = json.loads(whole)
     text = change(value)
     where = folder / "cases" / "mine"
@@ -92,12 +120,56 @@ def test_a_case_of_which_no_page_can_be_made_is_refused(
     minkref: Any, tmp_path: Path, change: Callable[[Value], str | None], code: str
 ) -> None:
     """By the name of its file; and no page is written."""
-    path = corpus_of(tmp_path, change)
-    words = ("--corpus", tmp_path / "cases", "-o", tmp_path / "pages", "--json")
+    refused(minkref, tmp_path, corpus_of(tmp_path, change), code)
+
+
+def refused(minkref: Any, folder: Path, path: Path, code: str) -> None:
+    words = ("--corpus", folder / "cases", "-o", folder / "pages", "--json")
     ran = minkref("report", "degeneracies", *words)
     assert (ran.code, ran.json["error"]["code"]) == (2, code)
     assert ran.json["error"]["where"].startswith(str(path)) and ran.json["error"]["mend"]
-    assert not (tmp_path / "pages").exists()
+    assert not (folder / "pages").exists()
+
+
+def first_coincidence(name: str, member: Any) -> Callable[[Value], None]:
+    return lambda value: value["degeneracy"]["coincidences"][0].__setitem__(name, member)
+
+
+@pytest.mark.parametrize(
+    ("change", "code"),
+    [
+        (without("P"), "missing-member"),
+        (without("degeneracy"), "missing-member"),
+        (without("scales"), "missing-member"),
+        (put("P", {"polygons": []}), "unknown-member"),
+        (put("scales", ["1", "2", "3"]), "wrong-type"),
+        (put("scales", [["1", "2", "3"]] * 2), "wrong-type"),
+        (put("scales", [["1", "0", "3"]] * 3), "wrong-type"),
+        (put("scales", [["1", "1e99999", "3"]] * 3), "limit"),
+        (told("facets", []), "wrong-type"),
+        (told("floats", []), "wrong-type"),
+        (told("coincidences", []), "wrong-type"),
+        (first_coincidence("P", [0, 1, 99]), "not-drawable"),
+        (lambda value: value["Q"]["faces"].__delitem__(0), "not-closed"),
+        (lambda value: value["P"]["vertices"][0].__setitem__(2, "-1/7"), "not-closed"),
+    ],
+)  # fmt: skip
+def test_a_case_in_space_of_which_no_page_can_be_made_is_refused(
+    minkref: Any, tmp_path: Path, change: Callable[[Value], str | None], code: str
+) -> None:
+    refused(minkref, tmp_path, corpus_of(tmp_path, change, "facets-parallel-always"), code)
+
+
+def test_a_folder_may_hold_cases_in_the_plane_and_in_space(minkref: Any, tmp_path: Path) -> None:
+    """Each has its row in a table of its kind, and what a page can do without may be left out."""
+    corpus_of(tmp_path, put("scales", [[1, 1, 1], ["1/2", 1, 1], ["3/2", 1, 1]]), "with-itself")
+    plane = lint.case_paths(lint.CORPUS / "fits-slot")[0]
+    (tmp_path / "cases" / "mine" / "c.json").write_bytes(plane.read_bytes())
+    words = ("--corpus", tmp_path / "cases", "-o", tmp_path / "pages")
+    assert minkref("report", "degeneracies", *words).code == 0
+    page = (tmp_path / "pages" / "mine.html").read_text(encoding="utf-8")
+    assert page.count("<table>") == 2 and page.count("<tr>") == 5
+    assert "the sum just above 1<" in page
 
 
 @pytest.mark.parametrize(

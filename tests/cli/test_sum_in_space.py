@@ -235,3 +235,19 @@ def test_a_point_moves_and_the_empty_set_empties(
     assert (value["facets"], value["volume"]) == (0, "0")
     ran = minkref("sum", point, point, "--json")
     assert (ran.code, ran.json["error"]["code"]) == (2, "not-solid")
+
+
+def test_sweep_beside_a_point_a_segment_or_nothing_gives_the_sums(
+    minkref: Minkref, cubes: tuple[Path, Path], tmp_path: Path
+) -> None:
+    scalings = tmp_path / "scalings.txt"
+    scalings.write_text("1\n3,1/2,2\n", encoding="utf-8")
+    for text in ("OFF\n1 0 0\n1/2 3 -1\n", "OFF\n2 0 0\n0 0 0\n1 2 3\n", "OFF\n0 0 0\n"):
+        other = tmp_path / "other.off"
+        other.write_text(text, encoding="utf-8")
+        value = minkref("sweep", cubes[0], other, "--scales", scalings, "--json").json
+        jsonschema.validate(value, schema("sweep"))
+        for row, scale in zip(value["rows"], ("1", "3,1/2,2"), strict=True):
+            single = minkref("sum", cubes[0], other, "--scale", scale, "--json").json
+            assert (row["digest"], row["volume"]) == (single["digest"], single["volume"])
+            assert row["fv_errors"] == row["chains_walked"] == 0

@@ -22,6 +22,8 @@ from minkref.degeneracies.case_document import canonical_text
 from minkref.degeneracies.catalogue import FAMILIES, SPACE_FAMILIES
 from minkref.degeneracies.files import write_member
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, INVALID_MESH_FAMILIES
+from minkref.degeneracies.make_corpus import COUNT_IN_SPACE as IN_CORPUS
+from minkref.degeneracies.make_corpus import SEED as CORPUS_SEED
 from minkref.degeneracies.space.bodies import hull, orbit
 from minkref.degeneracies.space.case_document import SHOWN, DegenerateInSpace
 from minkref.degeneracies.space.shapes import SOLIDS
@@ -129,6 +131,40 @@ def test_a_member_is_certified_as_expected(tmp_path: Path, name: str) -> None:
     files = [Path(str(row["certificate"])) for row in rows]
     for command in ([sys.executable, "-I", "-S", str(CHECK_CONVEX)], in_cpp()):
         assert [verdict.code for verdict in verdicts(command, files)] == [0, 0, 0]
+
+
+@pytest.mark.parametrize("name", SPACE_FAMILIES)
+def test_the_members_of_the_corpus_are_made_again(name: str) -> None:
+    """All of them, and no more: the same bytes."""
+    made = [DegenerateInSpace.of(SPACE_FAMILIES[name], CORPUS_SEED, k) for k in range(IN_CORPUS)]
+    texts = {f"{each.id}.json": each.case_text for each in made}
+    texts |= {f"{each.id}.cert.json": each.certificate_text for each in made}
+    folder = lint.CORPUS / name
+    assert texts == {path.name: path.read_text(encoding="utf-8") for path in folder.iterdir()}
+
+
+@pytest.mark.parametrize(
+    ("spoil", "fault"),
+    [
+        (lambda v: v.pop("flags"), "flags is missing"),
+        (lambda v: v["flags"].append("sparkling"), "not explained"),
+        (lambda v: v["flags"].append("tight-passage"), "not explained"),
+        (lambda v: v["flags"].append("thin-body"), "flags is not what"),
+        (lambda v: v["flags"].pop(), "flags is not what"),
+        (lambda v: v["expected"][0].__setitem__("facets", 7), "not certified"),
+        (lambda v: v["expected"][0].__setitem__("volume", "1"), "not certified"),
+        (lambda v: v["scales"].pop(), "id is not"),
+        (lambda v: v["P"]["faces"].pop(), "edge"),
+        (lambda v: v["degeneracy"].__setitem__("floats", []), "floats of degeneracy is not what"),
+    ],
+)
+def test_lint_finds_what_is_wrong_in_space(tmp_path: Path, spoil: Any, fault: str) -> None:
+    path = Path(str(write_member(SPACE_FAMILIES["with-itself"], SEED, 0, tmp_path)["case"]))
+    value = json.loads(path.read_text(encoding="utf-8"))
+    spoil(value)
+    path.write_text(canonical_text(value), encoding="utf-8")
+    found = list(lint.faults(tmp_path))
+    assert any(fault in line for line in found), found
 
 
 @pytest.mark.parametrize("name", SPACE_FAMILIES)

@@ -11,6 +11,7 @@
 
 #include "reference/error.hpp"
 #include "reference/plane/polygon_set.hpp"
+#include "reference/space/area_vector.hpp"
 #include "reference/space/integer_points.hpp"
 
 namespace minkref {

@@ -35,6 +35,13 @@ inline ReadLimits output_limits() {
   std::abort();
 }
 
+inline void check_refusal(const BadInput& refused) {
+  if (refused.mend().empty() || refused.place().source.empty() ||
+      std::string_view(refused.what()).size() > 2000) {
+    broken("a refusal names its source and how to mend it, shortly", refused.what());
+  }
+}
+
 /// A set that was read is written and read again, in every format that holds it exactly, and is the
 /// same. The formats other than JSON group rings anew, and so hold valid sets only.
 inline void check_round_trip(const PolygonSet& set) {
@@ -61,10 +68,7 @@ inline int check_reader(const std::uint8_t* data, std::size_t size, Format forma
   try {
     reading = read_text(text, format, "input", input_limits());
   } catch (const BadInput& refused) {
-    if (refused.mend().empty() || refused.place().source.empty() ||
-        std::string_view(refused.what()).size() > 2000) {
-      broken("a refusal names its source and how to mend it, shortly", refused.what());
-    }
+    check_refusal(refused);
     return 0;
   }
   if (reading.origins.size() != reading.set.rings()) broken("every ring has an origin", "");

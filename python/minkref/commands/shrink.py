@@ -16,7 +16,7 @@ from minkref.errors import Refusal
 from minkref.exits import ExitCode
 from minkref.fuzz.cases.case import CaseName
 from minkref.fuzz.run.runner import Finding
-from minkref.fuzz.shrink.case_file import case_text
+from minkref.fuzz.shrink.case_file import case_text, has_case_file
 from minkref.fuzz.shrink.finding import SmallFinding, shrink_finding
 from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.shrink.shrinker import MOST_CALLS
@@ -92,9 +92,9 @@ def command(
             "run it again: a target that answers now so, now so cannot be shrunk",
         )
     if output is not None:
-        if small.result.dimension != 2:
+        if not has_case_file(small):
             raise Refusal(
-                "case files are in the plane, and this case is in space",
+                "case files in space are of convex polyhedra, and an operand is not convex",
                 str(output),
                 "leave out -o: the case is in what is printed, as JSON",
             )

@@ -61,7 +61,8 @@ def command(
         str,
         typer.Option(
             "--route",
-            help=f"How it is computed: {', '.join(ROUTES)}; in space {', '.join(SPACE_ROUTES)}.",
+            help=f"How it is computed: {', '.join(ROUTES)}; in space {', '.join(SPACE_ROUTES)}, of "
+            f"which {SPACE_ROUTES[0]} is the default.",
         ),
     ] = "paper",
     arithmetic: Annotated[

@@ -8,7 +8,7 @@ from pathlib import Path
 from minkref.errors import Refusal
 from minkref.fuzz.cases import naming
 from minkref.fuzz.cases.case import CaseName
-from minkref.fuzz.cases.case_files import case_files
+from minkref.fuzz.cases.case_files import CaseFiles, case_files
 from minkref.fuzz.cases.case_list import CaseList
 from minkref.fuzz.cases.no_case import NoCase
 from minkref.fuzz.cases.space_case import SPACE_FAMILIES
@@ -31,7 +31,8 @@ def case_list(
     corpus: Path | None,
     declared: Iterable[Declaration],
 ) -> CaseList:
-    """Families in space only where a target takes them. Refuses what names no case."""
+    """Families and case files in space, or in the plane, only where a target takes them. Refuses
+    what names no case."""
     if suite not in SUITES:
         what = f"there is no suite {suite[:40]!r}"
         raise Refusal(what, "--suite", f"choose one of {', '.join(SUITES)}")
@@ -48,9 +49,10 @@ def case_list(
     space, plane = "space" in able, "plane" in able
     wanted = families or [*(FAMILIES if plane else ()), *(SPACE_FAMILIES if space else ())]
     fuzz = suite in ("fuzz", "all")
-    files = case_files(corpus) if suite in ("corpus", "all") and not named else ()
+    filed = suite in ("corpus", "all") and not named
+    files = case_files(corpus, plane, space) if filed else CaseFiles()
     laws = [*LAWS, *(verb for verb in (naming.UPDATE, naming.EVENTS) if verb in able)]
-    return CaseList(
+    cases = CaseList(
         seed,
         pairs,
         seconds,
@@ -60,9 +62,12 @@ def case_list(
         tuple(name for name in wanted if name in SPACE_FAMILIES) if fuzz else (),
         tuple(laws) if derived else (),
         derived,
-        files,
+        files.names,
         "rejects-invalid" in able and fuzz and not families,
     )
+    if files.note is not None:
+        cases.notes.append(files.note)
+    return cases
 
 
 def refuse_unless_case(text: str) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -15,9 +16,10 @@ from minkref.errors import Refusal, refusing
 from minkref.exact import approximate
 from minkref.progress import progress
 from minkref.signals import ending_in_order
-from minkref.space.operand import read_space_operand
+from minkref.space.operand import SpaceOperand, read_space_operand
 from minkref.space.scaling import Scaling, read_scalings, text_of
-from minkref.space.sums import bodies, sum_fields, timed
+from minkref.space.space_sum import SpaceSum
+from minkref.space.sums import compute, sum_fields, timed
 from minkref.sweep_folder import INDEX, SPACE_FORMATS, SweepFolder
 from minkref.terminal import console, counted, lines, shown
 
@@ -44,16 +46,14 @@ def sweep_in_space(
     first, second = read_space_operand(P), read_space_operand(Q)
     if folder is not None:
         folder.check_spares([first.file, second.file])
-    operands = bodies(first, second)
     with ending_in_order(), progress(len(scalings)) as line:
-        where = f"{first.name} and {second.name}"
         start = time.perf_counter()
-        moving = refusing(where, lambda: _core.DynamicConvexSum(*operands, scalings[0]))
+        step = _steps(first, second, scalings[0])
         first_seconds = time.perf_counter() - start
         rows: list[Row] = []
         for number, scaling in enumerate(scalings, start=1):
             line.now(f"scale {shown(text_of(scaling))[:30]}")
-            row, surface = _step(moving, scaling, where)
+            row, surface = step(scaling)
             row["file"] = row["file_exact"] = None
             if folder is not None:
                 row["file"] = folder.name(number)
@@ -81,11 +81,26 @@ def sweep_in_space(
         _print(value)
 
 
-def _step(
-    moving: _core.DynamicConvexSum, scaling: Scaling, where: str
-) -> tuple[Row, _core.Polyhedron]:
-    did = dict(refusing(where, lambda: moving.update(scaling)))
-    answer = timed(where, moving.sum)
+def _steps(
+    P: SpaceOperand, Q: SpaceOperand, first: Scaling
+) -> Callable[[Scaling], tuple[Row, _core.Polyhedron]]:
+    """What makes each row. Beside the empty set, a point or a segment there is nothing to update:
+    all counts are 0."""
+    where = f"{P.name} and {Q.name}"
+    if P.body is None or Q.body is None:
+        nothing = dict.fromkeys(COUNTS, 0) | {"seconds": 0.0}
+        return lambda scaling: _row(scaling, nothing, compute(P, Q, scaling, "traversal"))
+    operands = P.body, Q.body
+    moving = refusing(where, lambda: _core.DynamicConvexSum(*operands, first))
+
+    def step(scaling: Scaling) -> tuple[Row, _core.Polyhedron]:
+        did = dict(refusing(where, lambda: moving.update(scaling)))
+        return _row(scaling, did, timed(where, moving.sum))
+
+    return step
+
+
+def _row(scaling: Scaling, did: dict[str, Any], answer: SpaceSum) -> tuple[Row, _core.Polyhedron]:
     row: Row = {
         "scale": list(scaling),
         **sum_fields(answer),

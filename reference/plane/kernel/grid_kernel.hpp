@@ -9,12 +9,11 @@
 #include <cstdint>
 
 #include "reference/fault.hpp"
+#include "reference/number/int128.hpp"
 #include "reference/number/rational.hpp"
 #include "reference/plane/kernel/kernel.hpp"
 
 namespace minkref {
-
-__extension__ typedef __int128 Int128;
 
 /// Integers of the grid: Int for coordinates, Wide for products of two, Huge for products of four.
 struct Grid64 {
@@ -51,10 +50,7 @@ double grid_double(const FixedInteger<Bits>& value) {
   return value.template convert_to<double>();
 }
 inline Integer grid_integer(std::int64_t value) { return Integer(value); }
-inline Integer grid_integer(Int128 value) {
-  const Integer high = static_cast<std::int64_t>(value >> 64);
-  return (high << 64) + Integer(static_cast<std::uint64_t>(value));
-}
+inline Integer grid_integer(Int128 value) { return to_integer(value); }
 template <unsigned Bits>
 Integer grid_integer(const FixedInteger<Bits>& value) {
   return Integer(value);

@@ -6,27 +6,10 @@
 
 #include "reference/error.hpp"
 #include "reference/plane/sum.hpp"
+#include "tests/fuzzing/reference/input_tally.hpp"
 
 namespace minkref::fuzzing {
 namespace {
-
-/// What became of the inputs of this process.
-struct Tally {
-  std::uint64_t inputs = 0, valid = 0, refused = 0, too_large = 0, no_case = 0;
-
-  void print() const {
-    const auto n = [](std::uint64_t count) { return static_cast<unsigned long long>(count); };
-    std::fprintf(stderr, "pairs: inputs %llu valid %llu refused %llu too_large %llu no_case %llu\n",
-                 n(inputs), n(valid), n(refused), n(too_large), n(no_case));
-  }
-};
-
-Tally& tally() {
-  static Tally counts;
-  static const bool registered = std::atexit([] { tally().print(); }) == 0;
-  static_cast<void>(registered);
-  return counts;
-}
 
 bool is_short(const Rational& value) { return to_string(value).size() <= most_digits; }
 
@@ -130,9 +113,3 @@ int check_pair(const std::uint8_t* data, std::size_t size,
 }
 
 }  // namespace minkref::fuzzing
-
-/// Small sets allocate all the time: stacks of allocations and a long quarantine would take most of
-/// it. ASAN_OPTIONS=malloc_context_size=30 brings the stacks back for a finding.
-extern "C" const char* __asan_default_options() {
-  return "malloc_context_size=0:quarantine_size_mb=4:thread_local_quarantine_size_kb=256";
-}

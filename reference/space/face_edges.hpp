@@ -1,0 +1,36 @@
+// The edges of faces, each beside the same edge of the next face.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "reference/space/polyhedron.hpp"
+
+namespace minkref {
+
+/// An edge of a face, in the direction of that face.
+struct FaceEdge {
+  std::uint32_t from, to, face;
+  std::pair<std::uint32_t, std::uint32_t> ends() const { return std::minmax(from, to); }
+};
+
+/// The edges of all faces, those between the same two vertices next to each other in the order of
+/// their faces. O(n log n).
+inline std::vector<FaceEdge> sorted_edges(const std::vector<Face>& faces) {
+  std::vector<FaceEdge> edges;
+  for (std::uint32_t f = 0; f < faces.size(); ++f) {
+    const Face& face = faces[f];
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      edges.push_back({face[k], face[(k + 1) % face.size()], f});
+    }
+  }
+  std::sort(edges.begin(), edges.end(), [](const FaceEdge& a, const FaceEdge& b) {
+    return std::tuple(a.ends(), a.face) < std::tuple(b.ends(), b.face);
+  });
+  return edges;
+}
+
+}  // namespace minkref

@@ -1,0 +1,87 @@
+"""The cases of a folder, as the pages want them."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+from minkref.degeneracies import lint
+from minkref.errors import Refusal, cut
+from minkref.fuzz.cases.case import CaseName
+from minkref.fuzz.cases.space_case import SpaceCase
+from minkref.fuzz.cases.space_case_file import is_in_space, read_space_case, scalings_in
+from minkref.operand import read_operand
+
+SIBLINGS = 3  # scales at least: the one, and one below and above
+
+
+def cases_in(paths: Iterable[Path]) -> Iterator[tuple[Path, dict[str, Any]]]:
+    """One at a time. Refuses what is no case, and one that lacks what the pages are made of."""
+    validator = _validator()
+    for path in paths:
+        value = _read(path)
+        error = next(iter(validator.iter_errors(value)), None)
+        if error is not None:
+            code = "missing-member" if error.validator == "required" else "wrong-type"
+            raise unfit(path, cut(f"{error.json_path}: {error.message}"), code)
+        scales = (
+            scalings_in(value, str(path))
+            if is_in_space(value)
+            else [str(scale) for scale in value["scales"]]
+        )
+        yield path, {**value, "scales": scales}
+
+
+def _read(path: Path) -> Any:
+    """The case, its operands looked at."""
+    value = _json_of(path)
+    if is_in_space(value):
+        space_case(path)
+    else:
+        _read_operands(path)
+    return value
+
+
+def _json_of(path: Path) -> Any:
+    """None where it is no JSON: the reader of operands says what is wrong."""
+    try:
+        return json.loads(path.read_text(encoding="utf-8"))
+    except (ValueError, RecursionError):
+        return None
+
+
+def space_case(path: Path) -> SpaceCase:
+    return read_space_case(CaseName(str(path), "report"), path, "1")
+
+
+def _read_operands(path: Path) -> None:
+    try:
+        for part in ("#P", "#Q"):
+            read_operand(f"{path}{part}")
+    except Refusal as refusal:
+        if refusal.code != "not-a-case":
+            raise
+        raise unfit(path, "this is no case (case-v1)", refusal.code) from refusal
+
+
+def _validator() -> jsonschema.Draft202012Validator:
+    """Of what pages are made of: a case as its schema has it, with its degeneracy and siblings. The
+    reader of operands has seen to P and Q; what is not shown may be large."""
+    schema = json.loads((lint.ROOM / "schema" / "case-v1.json").read_text(encoding="utf-8"))
+    schema["required"] += ["scales", "degeneracy"]
+    kinds = schema["$defs"]
+    schema["properties"]["scales"]["minItems"] = SIBLINGS
+    for members in (schema, schema["then"], schema["else"]):
+        members["properties"] |= dict.fromkeys(("P", "Q", "expected"), True)
+    parts, others = (kinds[n]["properties"] for n in ("degeneracy", "degeneracy_in_space"))
+    parts["floats"]["minItems"] = others["floats"]["minItems"] = others["facets"]["minItems"] = 1
+    parts |= dict.fromkeys(("events", "topology"), True)
+    return jsonschema.Draft202012Validator(schema)
+
+
+def unfit(path: Path, what: str, code: str) -> Refusal:
+    mend = "make it again with `minkref generate`, or take it out of the folder"
+    return Refusal(what, str(path), mend, code)

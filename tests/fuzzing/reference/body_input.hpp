@@ -1,0 +1,69 @@
+// The input of the targets on convex bodies: bytes, all of which are two bodies and some scalings.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "reference/convex/convex_polyhedron.hpp"
+#include "reference/space/integer_points.hpp"
+#include "tests/fuzzing/reference/dice.hpp"
+#include "tests/fuzzing/reference/hull_of_points.hpp"
+
+namespace minkref::fuzzing {
+
+/// One byte after the other; zeros behind the end.
+class Bytes {
+ public:
+  explicit Bytes(std::span<const std::uint8_t> bytes) : left_(bytes) {}
+  bool empty() const { return left_.empty(); }
+  std::uint8_t next() {
+    if (left_.empty()) return 0;
+    const std::uint8_t byte = left_.front();
+    left_ = left_.subspan(1);
+    return byte;
+  }
+  /// Two's complement.
+  int next_signed() { return static_cast<std::int8_t>(next()); }
+
+ private:
+  std::span<const std::uint8_t> left_;
+};
+
+/// Points of a small or a large grid, at times with those of the other body or their mirror images;
+/// never all in one plane.
+std::vector<LatticePoint> next_points(Bytes& bytes, const std::vector<LatticePoint>& other);
+
+/// Factors that make a body of integers one of other magnitudes or denominators; mostly 1.
+Scaling next_magnitude(Bytes& bytes);
+
+/// Another scaling: an axis or all of them by a ratio or by next to nothing; an axis by a power of
+/// two, or to where a facet of one body is parallel to an edge of the other.
+Scaling next_scaling(Bytes& bytes, Scaling from, const ConvexPolyhedron& P,
+                     const ConvexPolyhedron& Q);
+
+/// Outward, of a strictly convex face: by its first three corners.
+inline IntegerVector normal_of(const std::vector<IntegerVector>& points, const Face& face) {
+  return cross(points[face[1]] - points[face[0]], points[face[2]] - points[face[0]]);
+}
+
+struct BodyPair {
+  Polyhedron P, Q;
+  std::vector<Scaling> scalings;  ///< in the order of the updates
+};
+
+/// Prints the law, what breaks it, the bodies and the scalings, and ends the process.
+[[noreturn]] void broken(const std::string& law, const BodyPair& pair,
+                         const std::string& what = "");
+void expect_same(const std::string& law, const BodyPair& pair, const Polyhedron& expected,
+                 const Polyhedron& actual);
+
+/// One input: `check` takes its bodies from the bytes, and has dice that hang on these alone. What
+/// it throws is a finding.
+int check_bodies(const std::uint8_t* data, std::size_t size,
+                 const std::function<void(BodyPair&, Bytes&, Dice&)>& check);
+
+}  // namespace minkref::fuzzing
