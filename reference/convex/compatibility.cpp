@@ -90,53 +90,73 @@ Climb climb(const Contact& contact, std::uint32_t facet, std::uint32_t vertex, s
 }
 
 void walk_chain(const Contact& across_Q, std::uint32_t edge, std::uint32_t from, std::uint32_t to,
-                std::vector<std::uint32_t>& chain) {
+                std::vector<std::uint32_t>& chain, std::vector<double>& slacks) {
   chain.clear();
+  slacks.clear();
   if (from == to) return;
   const ConvexPolyhedron& Q = across_Q.normals();
   const std::uint32_t e = across_Q.edges().half_edge(edge);
-  // The region's facets, counter-clockwise, are on the positive side of the great circle in one
-  // run: the arc by which it leaves comes just before the run.
-  std::uint32_t h = Q.first(from);
-  if (across_Q.rises(Q.left(h), e)) {
-    do h = Q.backward(h);
-    while (across_Q.rises(Q.left(h), e) && h != Q.first(from));
-    h = Q.onward(h);
-  } else {
-    do h = Q.onward(h);
-    while (!across_Q.rises(Q.left(h), e) && h != Q.first(from));
-  }
+  struct Side {
+    Contact::Product product;
+    bool rises;
+  };
+  const auto look_left_of = [&](std::uint32_t half_edge) {
+    const Contact::Weighted normal = across_Q.weighted(Q.left(half_edge));
+    const Contact::Product product = across_Q.approximate(normal, e);
+    return Side{product, across_Q.rises(normal, e, product)};
+  };
   const auto fail = [] {
     throw std::logic_error("a chain of edges is not that of an arc: its ends are wrong");
   };
-  if (!across_Q.rises(Q.left(h), e) || across_Q.rises(Q.right(h), e)) fail();
+  // The region's facets, counter-clockwise, are on the positive side of the great circle in one
+  // run: the arc by which it leaves comes just before the run. Left and right of the arc:
+  std::uint32_t h = Q.first(from);
+  Side left = look_left_of(h), right{};
+  if (left.rises) {
+    for (;;) {
+      const std::uint32_t before = Q.backward(h);
+      right = look_left_of(before);
+      if (!right.rises) break;
+      h = before;
+      left = right;
+      if (h == Q.first(from)) fail();
+    }
+  } else {
+    do {
+      right = left;
+      h = Q.onward(h);
+      left = look_left_of(h);
+      if (h == Q.first(from)) fail();
+    } while (!left.rises);
+  }
   for (;;) {
     chain.push_back(h);
+    Contact::Slack slack(across_Q);
+    slack.include(left.product);
+    slack.include(right.product);
+    slacks.push_back(slack.drift());
     if (Q.target(h) == to) return;
     if (chain.size() > Q.vertices()) fail();
     h = Q.onward(Q.twin(h));
-    while (!across_Q.rises(Q.left(h), e)) h = Q.onward(h);
+    for (left = look_left_of(h); !left.rises; left = look_left_of(h)) {
+      right = left;
+      h = Q.onward(h);
+    }
   }
 }
 
-ChainState examine_chain(const Contact& across_Q, std::uint32_t edge,
-                         const std::vector<std::uint32_t>& chain) {
+LinkState examine_link(const Contact& across_Q, std::uint32_t edge, std::uint32_t half_edge) {
   const ConvexPolyhedron& Q = across_Q.normals();
   const std::uint32_t e = across_Q.edges().half_edge(edge);
+  const Contact::Weighted left = across_Q.weighted(Q.left(half_edge)),
+                          right = across_Q.weighted(Q.right(half_edge));
+  const Contact::Product rising = across_Q.approximate(left, e),
+                         falling = across_Q.approximate(right, e);
+  if (!across_Q.rises(left, e, rising) || across_Q.rises(right, e, falling)) return {false, 0};
   Contact::Slack slack(across_Q);
-  // Neighbours in the chain share a facet as a rule: each side is looked at where it is another.
-  std::uint32_t left = UINT32_MAX, right = UINT32_MAX;
-  const auto is_right = [&](std::uint32_t facet, bool rising) {
-    const Contact::Weighted normal = across_Q.weighted(facet);
-    const Contact::Product product = across_Q.approximate(normal, e);
-    slack.include(product);
-    return across_Q.rises(normal, e, product) == rising;
-  };
-  for (const std::uint32_t h : chain) {
-    if (Q.left(h) != left && !is_right(left = Q.left(h), true)) return {false, 0};
-    if (Q.right(h) != right && !is_right(right = Q.right(h), false)) return {false, 0};
-  }
-  return {true, chain.empty() ? std::numeric_limits<double>::infinity() : slack.drift()};
+  slack.include(rising);
+  slack.include(falling);
+  return {true, slack.drift()};
 }
 
 }  // namespace minkref

@@ -65,20 +65,19 @@ Climb climb(const Contact& contact, std::uint32_t facet, std::uint32_t vertex, s
 /// The chain of an edge of P between the vertices of the facets on its two sides: from the region
 /// of the first, each time through the arc by which the great circle of the edge leaves the region.
 /// The great circle meets each region, which is convex, in one piece, so the walk is the arc's way.
-/// std::logic_error where it finds that the ends are not those of
-/// the edge.
+/// `slacks`: of each of its edges, as `examine_link` has it. std::logic_error where it finds that
+/// the ends are not those of the edge.
 void walk_chain(const Contact& across_Q, std::uint32_t edge, std::uint32_t from, std::uint32_t to,
-                std::vector<std::uint32_t>& chain);
+                std::vector<std::uint32_t>& chain, std::vector<double>& slacks);
 
-/// Whether the great circle of the edge runs through all arcs of the chain, and how far the scaling
-/// may drift with that certainly so. A chain whose ends are the vertices of the two facets is then
-/// the right one.
-struct ChainState {
+/// Whether the great circle of the edge runs through the arc of a half-edge of Q, and how far the
+/// scaling may drift with that certainly so. A chain of such, whose ends are the vertices of the
+/// two facets, is the right one.
+struct LinkState {
   bool right;
   double slack;
 };
-ChainState examine_chain(const Contact& across_Q, std::uint32_t edge,
-                         const std::vector<std::uint32_t>& chain);
+LinkState examine_link(const Contact& across_Q, std::uint32_t edge, std::uint32_t half_edge);
 
 /// The vertices of a facet in the order of its ring.
 template <class Visit>

@@ -1,6 +1,7 @@
 #include "reference/convex/dynamic_convex_sum.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "reference/convex/static_convex_sum.hpp"
 
@@ -41,11 +42,16 @@ DynamicConvexSum::DynamicConvexSum(const ConvexPolyhedron& P, const ConvexPolyhe
       deadline_P_(P.facets(), 0),
       deadline_Q_(Q.facets(), 0),
       deadline_chain_(P.edges(), 0),
+      deadline_links_(P.edges()),
       suspects_(P.edges()),
       moved_(Q.facets()),
       changed_at_P_(P.vertices()),
-      changed_at_Q_(Q.vertices()) {
-  for (const auto& chain : state_.chains) ee_pairs_ += chain.size();
+      changed_at_Q_(Q.vertices()),
+      in_chain_(Q.edges()) {
+  for (std::uint32_t e = 0; e < P.edges(); ++e) {
+    deadline_links_[e].resize(state_.chains[e].size(), 0);
+    ee_pairs_ += state_.chains[e].size();
+  }
 }
 
 UpdateCounts DynamicConvexSum::update(const Scaling& to) {
@@ -75,6 +81,7 @@ void DynamicConvexSum::add_drift(double step) {
   for (auto* deadlines : {&deadline_P_, &deadline_Q_, &deadline_chain_}) {
     std::fill(deadlines->begin(), deadlines->end(), 0);
   }
+  for (auto& deadlines : deadline_links_) std::fill(deadlines.begin(), deadlines.end(), 0);
 }
 
 /// fv-errors, and beside each the edges of its facet.
@@ -92,8 +99,10 @@ void DynamicConvexSum::mend_facets_of_P(UpdateCounts& counts) {
     state_.vertex_of_Q[f] = found.vertex;
     const std::uint32_t start = body.start(f);
     std::uint32_t h = start;
-    do suspects_.insert(body.edge(h));
-    while ((h = body.next(h)) != start);
+    do {
+      suspects_.insert(body.edge(h));
+      changed_at_P_.insert(body.origin(h));
+    } while ((h = body.next(h)) != start);
   }
 }
 
@@ -120,35 +129,44 @@ void DynamicConvexSum::mend_facets_of_Q(UpdateCounts& counts) {
 void DynamicConvexSum::mend_chains(UpdateCounts& counts) {
   for (const std::uint32_t e : suspects_.members()) {
     mend_chain(e, counts);
-    const ChainState state = examine_chain(contacts_.across_Q, e, state_.chains[e]);
-    deadline_chain_[e] = until(state.slack);
   }
   for (std::uint32_t e = 0; e < P().edges(); ++e) {
     if (drift_ < deadline_chain_[e] || suspects_.contains(e)) continue;
     ++counts.chains_examined;
-    ChainState state = examine_chain(contacts_.across_Q, e, state_.chains[e]);
-    if (!state.right) {
-      mend_chain(e, counts);
-      ++counts.chains_mended_by_proof;
-      if (!beside_moved_facet(chain_before_) && !beside_moved_facet(state_.chains[e])) {
-        ++counts.chains_without_error;
-      }
-      state = examine_chain(contacts_.across_Q, e, state_.chains[e]);
+    if (is_chain_right(e)) continue;
+    mend_chain(e, counts);
+    ++counts.chains_mended_by_proof;
+    if (!beside_moved_facet(chain_before_) && !beside_moved_facet(state_.chains[e])) {
+      ++counts.chains_without_error;
     }
-    deadline_chain_[e] = until(state.slack);
   }
   suspects_.clear();
 }
 
-/// How many edges of one chain are not in another, either way round.
-std::uint64_t DynamicConvexSum::edges_missing(const std::vector<std::uint32_t>& chain,
-                                              const std::vector<std::uint32_t>& other) const {
-  const auto in_other = [&](std::uint32_t h) {
-    return std::any_of(other.begin(), other.end(),
-                       [&](std::uint32_t d) { return Q().edge(d) == Q().edge(h); });
-  };
-  return chain.size() -
-         static_cast<std::uint64_t>(std::count_if(chain.begin(), chain.end(), in_other));
+/// Looks at those of its links that may have become wrong; its ends are right.
+bool DynamicConvexSum::is_chain_right(std::uint32_t edge) {
+  double least = std::numeric_limits<double>::infinity();
+  std::vector<double>& deadlines = deadline_links_[edge];
+  for (std::size_t k = 0; k < deadlines.size(); ++k) {
+    if (drift_ >= deadlines[k]) {
+      const LinkState state = examine_link(contacts_.across_Q, edge, state_.chains[edge][k]);
+      if (!state.right) return false;
+      deadlines[k] = until(state.slack);
+    }
+    least = std::min(least, deadlines[k]);
+  }
+  deadline_chain_[edge] = least;
+  return true;
+}
+
+/// How many edges two chains have in common, either way round.
+std::uint64_t DynamicConvexSum::common_edges(const std::vector<std::uint32_t>& chain,
+                                             const std::vector<std::uint32_t>& other) {
+  in_chain_.clear();
+  for (const std::uint32_t h : chain) in_chain_.insert(Q().edge(h));
+  return static_cast<std::uint64_t>(std::count_if(other.begin(), other.end(), [&](std::uint32_t h) {
+    return in_chain_.contains(Q().edge(h));
+  }));
 }
 
 bool DynamicConvexSum::beside_moved_facet(const std::vector<std::uint32_t>& chain) const {
@@ -162,13 +180,19 @@ void DynamicConvexSum::mend_chain(std::uint32_t edge, UpdateCounts& counts) {
   std::vector<std::uint32_t>& chain = state_.chains[edge];
   ++counts.chains_walked;
   walk_chain(contacts_.across_Q, edge, state_.vertex_of_Q[P().left(h)],
-             state_.vertex_of_Q[P().right(h)], chain_after_);
+             state_.vertex_of_Q[P().right(h)], chain_after_, deadline_links_[edge]);
+  deadline_chain_[edge] = std::numeric_limits<double>::infinity();
+  for (double& slack : deadline_links_[edge]) {
+    slack = until(slack);
+    deadline_chain_[edge] = std::min(deadline_chain_[edge], slack);
+  }
   chain_before_ = chain;
-  changed_at_P_.insert(P().origin(h));  // if only because the arc begins elsewhere
-  changed_at_P_.insert(P().target(h));
   if (chain == chain_after_) return;
-  counts.ee_errors += edges_missing(chain, chain_after_);
-  counts.ee_pairs_added += edges_missing(chain_after_, chain);
+  changed_at_P_.insert(P().origin(h));
+  changed_at_P_.insert(P().target(h));
+  const std::uint64_t common = common_edges(chain, chain_after_);
+  counts.ee_errors += chain.size() - common;
+  counts.ee_pairs_added += chain_after_.size() - common;
   ee_pairs_ = ee_pairs_ - chain.size() + chain_after_.size();
   chain.swap(chain_after_);
 }

@@ -68,8 +68,9 @@ class DynamicConvexSum {
   void mend_facets_of_Q(UpdateCounts& counts);
   void mend_chains(UpdateCounts& counts);
   void mend_chain(std::uint32_t edge, UpdateCounts& counts);
-  std::uint64_t edges_missing(const std::vector<std::uint32_t>& chain,
-                              const std::vector<std::uint32_t>& other) const;
+  bool is_chain_right(std::uint32_t edge);
+  std::uint64_t common_edges(const std::vector<std::uint32_t>& chain,
+                             const std::vector<std::uint32_t>& other);
   bool beside_moved_facet(const std::vector<std::uint32_t>& chain) const;
   void renew_vertices();
 
@@ -81,10 +82,12 @@ class DynamicConvexSum {
   // A facet or chain is right as long as `drift_` is below its deadline.
   double drift_ = 0;
   std::vector<double> deadline_P_, deadline_Q_, deadline_chain_;
+  std::vector<std::vector<double>> deadline_links_;  // of a chain, whose own is the least of these
   // Of the update under way.
   IndexSet suspects_;                     // edges of P beside an error
   IndexSet moved_;                        // facets of Q with one
   IndexSet changed_at_P_, changed_at_Q_;  // vertices
+  IndexSet in_chain_;                     // edges of Q
   std::vector<std::uint32_t> chain_before_, chain_after_, way_;
 };
 

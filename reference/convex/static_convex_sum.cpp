@@ -41,10 +41,11 @@ Compatibility by_traversal(const Contacts& contacts) {
   Compatibility result{
       vertices_by_traversal(contacts.across_P), vertices_by_traversal(contacts.across_Q), {}};
   result.chains.resize(P.edges());
+  std::vector<double> slacks;
   for (std::uint32_t e = 0; e < P.edges(); ++e) {
     const std::uint32_t h = P.half_edge(e);
     walk_chain(contacts.across_Q, e, result.vertex_of_Q[P.left(h)], result.vertex_of_Q[P.right(h)],
-               result.chains[e]);
+               result.chains[e], slacks);
   }
   return result;
 }
