@@ -28,6 +28,9 @@ class PairFilter {
   std::size_t candidates(bool a_is_s, std::uint32_t a, bool b_is_s, std::uint32_t first,
                          std::uint32_t* out) const;
 
+  /// Bounds by how much the doubles of c, A and B (docs/definitions.md) are off.
+  double error() const { return error_; }
+
  private:
   EdgeColumns s_, t_;
   double error_ = 0;

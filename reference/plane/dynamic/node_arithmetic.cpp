@@ -8,21 +8,6 @@
 namespace minkref {
 namespace {
 
-Fraction fraction(const Rational& num, const Rational& den) {
-  const Rational value = num / den;
-  return {numerator(value), denominator(value)};
-}
-template <class Wide>
-Fraction fraction(const Wide& num, const Wide& den) {
-  if (den < 0) return {-grid_integer(num), -grid_integer(den)};
-  return {grid_integer(num), grid_integer(den)};
-}
-Fraction fraction(const Rational& parameter) { return fraction(parameter, Rational(1)); }
-template <class Parameter>
-Fraction fraction(const Parameter& parameter) {
-  return fraction(parameter.num, parameter.den);
-}
-
 template <class K>
 class FrameArithmetic : public NodeArithmetic {
  public:
@@ -59,12 +44,7 @@ class FrameArithmetic : public NodeArithmetic {
   int compare(std::uint32_t edge, std::uint32_t x, std::uint32_t y,
               const Fraction& scale) const override {
     const auto difference = position_difference<K>(position(edge, x), position(edge, y));
-    if constexpr (std::is_same_v<W, Rational>) {
-      return sign(Rational(difference.slope * Rational(scale.num, scale.den) + difference.value));
-    } else {
-      return sign(Integer(grid_integer(difference.slope) * scale.num +
-                          grid_integer(difference.value) * scale.den));
-    }
+    return sign_at(difference.slope, difference.value, scale);
   }
 
   int compare_slopes(std::uint32_t edge, std::uint32_t x, std::uint32_t y) const override {

@@ -5,13 +5,9 @@
 #include <vector>
 
 #include "reference/plane/dynamic/arrangement_events.hpp"
+#include "reference/plane/kernel/fraction.hpp"
 
 namespace minkref {
-
-/// A scale num / den, den > 0, not in lowest terms.
-struct Fraction {
-  Integer num = 0, den = 1;
-};
 
 /// Nodes are named as in the table; start_of_edge and end_of_edge (edge_history.hpp) name the ends
 /// of the edge itself. All answers are exact.

@@ -1,0 +1,60 @@
+// Which moving points are certainly in the sum of the interiors: what need not be looked at.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "reference/scalespace/signed_distance.hpp"
+
+namespace minkref {
+
+/// A point x0 + s x1 in doubles, each coordinate of either off by at most `error`.
+struct RoundedTrack {
+  double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  double error = 0;
+};
+
+/// The interiors of sP and x - Q meet if a disc of sP is nearer to x - Q than its radius, or a disc
+/// of x - Q nearer to sP. As s grows both the disc and the point move along a line, so a few
+/// samples of a signed distance settle a stretch of scales.
+class InteriorTracks {
+ public:
+  /// Of regions; of points and segments nothing is certain. O(m + n + samples).
+  InteriorTracks(const PolygonSet& P, const PolygonSet& Q);
+
+  /// The discs that settled the last tracks are tried first.
+  struct Hints {
+    std::uint32_t of_P = 0, of_Q = 0;
+  };
+
+  /// True only if the point is certainly in int(sP) ⊕ int(Q) for all scales from `from` to `to`, 0
+  /// < from <= to < infinity. In doubles; some 20 ns where a hint is right, 1 us where nothing is.
+  bool certainly_inside(const RoundedTrack& track, double from, double to, Hints& hints) const;
+
+ private:
+  /// Discs as a tree: each holds the largest of its own, so that what is found is found early.
+  struct Node {
+    Disc disc;
+    double reach = 0;                   ///< no disc below sticks out farther from the centre
+    std::uint32_t left = 0, right = 0;  ///< 0: none
+  };
+  class Tree {
+   public:
+    explicit Tree(std::vector<Disc> discs);
+    const std::vector<Node>& nodes() const { return nodes_; }
+
+   private:
+    std::uint32_t build(std::vector<Disc>::iterator first, std::vector<Disc>::iterator last);
+    std::vector<Node> nodes_;
+  };
+
+  bool settled(const RoundedTrack& track, double from, double to, Hints& hints) const;
+  template <class Clearance>
+  static bool find(const Tree& tree, std::uint32_t& hint, Clearance clearance);
+
+  bool regions_;
+  SignedDistance to_P_, to_Q_;
+  Tree of_P_, of_Q_;
+};
+
+}  // namespace minkref

@@ -1,0 +1,154 @@
+#include "reference/scalespace/swept_boundary.hpp"
+
+#include <cmath>
+#include <unordered_map>
+
+#include "reference/plane/convolution/convolution_rule.hpp"
+#include "reference/plane/dynamic/interior_test.hpp"
+#include "reference/scalespace/patch_neighbours.hpp"
+#include "reference/scalespace/patch_sweep.hpp"
+
+namespace minkref {
+namespace {
+
+/// A number of few bits near the middle, where doubles leave room for one; else none.
+std::optional<double> between(double low, double high) {
+  const double room = high - low;
+  if (!(room > 0x1p-30 * (std::fabs(low) + std::fabs(high)) + 1e-280)) return std::nullopt;
+  const int unit = std::ilogb(room) - 2;
+  return std::ldexp(std::nearbyint(std::ldexp(low + room / 2, -unit)), unit);
+}
+
+template <class K>
+class Search {
+ public:
+  using Edge = MovingEdge<typename K::Vector>;
+  using Sweep = PatchSweep<K>;
+  using Piece = typename Sweep::Piece;
+
+  Search(const K& kernel, const std::vector<Edge>& edges, const std::vector<RationalEdge>& moving,
+         const InteriorTest& test, const ScaleWindow& window, SweptBoundary& result)
+      : moving_(moving),
+        test_(test),
+        finder_(kernel, edges),
+        sweep_(window.from.value_or(Rational(0)), window.to),
+        result_(result) {}
+
+  void run(std::uint32_t edge, const PatchNeighbours& neighbours) {
+    const std::uint32_t first = neighbours.first[edge];
+    finder_.find(edge, &neighbours.others[first], neighbours.first[edge + 1] - first, nodes_);
+    sweep_.run(nodes_);
+    result_.pieces_in_all += sweep_.pieces().size();
+    largest_.clear();
+    for (std::uint32_t k = 0; k < sweep_.pieces().size(); ++k) {
+      const Piece& piece = sweep_.pieces()[k];
+      const std::uint32_t face = sweep_.face(piece);
+      if (sweep_.is_shut(face)) continue;
+      const auto [place, fresh] = largest_.try_emplace(face, Largest{k, size_of(piece), false});
+      if (!fresh && size_of(piece) > place->second.size) {
+        place->second = {k, size_of(piece), false};
+      }
+    }
+    for (auto& [face, largest] : largest_) {
+      largest.exposed = !is_inside(edge, sweep_.pieces()[largest.piece]);
+    }
+    result_.faces_tested += largest_.size();
+    for (const Piece& piece : sweep_.pieces()) {
+      const auto found = largest_.find(sweep_.face(piece));
+      if (found == largest_.end() || !found->second.exposed) continue;
+      std::optional<Rational> upper;
+      if (std::isfinite(piece.to.near)) upper = sweep_.scale(piece.to);
+      result_.pieces.push_back({edge, nodes_.nodes[piece.left].name, nodes_.nodes[piece.right].name,
+                                sweep_.scale(piece.from), std::move(upper)});
+    }
+  }
+
+ private:
+  using Moment = typename Sweep::Moment;
+  struct Largest {
+    std::uint32_t piece;
+    double size;
+    bool exposed;
+  };
+
+  static double finite(const Moment& to, const Moment& from) {
+    return std::isfinite(to.near) ? to.near : 2 * from.near + 1;
+  }
+  double near(std::uint32_t node, double s) const {
+    return nodes_.nodes[node].slope * s + nodes_.nodes[node].value;
+  }
+  double size_of(const Piece& piece) const {
+    const double to = finite(piece.to, piece.from), s = (piece.from.near + to) / 2;
+    return (to - piece.from.near) / to * (near(piece.right, s) - near(piece.left, s));
+  }
+  Rational along(std::uint32_t node, const Rational& s) const {
+    const auto& [slope, value, den] = nodes_.nodes[node].position;
+    return (exact(slope) * s + exact(value)) / exact(den);
+  }
+  static Rational exact(const Rational& value) { return value; }
+  template <class W>
+  static Rational exact(const W& value) {
+    return Rational(grid_integer(value));
+  }
+
+  /// Of a point within the piece.
+  bool is_inside(std::uint32_t edge, const Piece& piece) const {
+    Rational s;
+    if (const auto middle = between(piece.from.near, finite(piece.to, piece.from))) {
+      s = from_double(*middle);
+    } else {
+      s = (sweep_.scale(piece.from) + sweep_.scale(piece.to)) / 2;
+    }
+    const double near_s = to_double(s);
+    Rational t;
+    if (const auto middle = between(near(piece.left, near_s), near(piece.right, near_s))) {
+      t = from_double(*middle);
+    } else {
+      t = (along(piece.left, s) + along(piece.right, s)) / 2;
+    }
+    const RationalEdge& e = moving_[edge];
+    const Point x{e.p.x() * s + e.q.x() + e.d.x() * t, e.p.y() * s + e.q.y() + e.d.y() * t};
+    const double x_near = to_double(x.x), y_near = to_double(x.y);
+    if (test_.certainly_inside(x_near, y_near, 0x1p-50 * (std::fabs(x_near) + std::fabs(y_near)),
+                               near_s)) {
+      return true;
+    }
+    return test_.inside(x, s);
+  }
+
+  const std::vector<RationalEdge>& moving_;
+  const InteriorTest& test_;
+  PatchNodeFinder<K> finder_;
+  Sweep sweep_;
+  PatchNodes<K> nodes_;
+  std::unordered_map<std::uint32_t, Largest> largest_;
+  SweptBoundary& result_;
+};
+
+}  // namespace
+
+SweptBoundary swept_boundary(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window) {
+  refuse_bad_window(window);
+  SweptBoundary result;
+  result.window = window;
+  if (P.empty() || Q.empty()) return result;
+  result.edges = reduced_convolution(P, Q);
+  const auto as_vectors = [](const PolygonSet& set) {
+    return operand<Vector2<Rational>>(set,
+                                      [](const Point& p) { return Vector2<Rational>(p.x, p.y); });
+  };
+  result.moving = moving_edges(result.edges, as_vectors(P), as_vectors(Q));
+  const PatchNeighbours neighbours = patch_neighbours(P, Q, result.moving, window);
+  result.meeting_pairs = neighbours.meeting;
+  result.pairs_inside = neighbours.inside;
+  const InteriorTest test(P, Q);
+  on_exact_frame(P, Q, [&](const auto& frame) {
+    using K = typename std::decay_t<decltype(frame)>::K;
+    const auto edges = moving_edges(result.edges, frame.P, frame.Q);
+    Search<K> search(frame.kernel, edges, result.moving, test, window, result);
+    for (std::uint32_t e = 0; e < edges.size(); ++e) search.run(e, neighbours);
+  });
+  return result;
+}
+
+}  // namespace minkref

@@ -1,0 +1,36 @@
+// The boundary of the swept sum {(x, s) : x in sP + Q}: where the patches of convolution edges are
+// exposed.
+#pragma once
+
+#include <vector>
+
+#include "reference/plane/critical/moving_edge.hpp"
+#include "reference/plane/critical/pair_events.hpp"
+#include "reference/plane/sum.hpp"
+#include "reference/scalespace/patch_node_name.hpp"
+
+namespace minkref {
+
+/// A piece of the patch of an edge, between two nodes and two scales, that no point of the sum of
+/// the interiors touches. The sum is on the left of the edge.
+struct ExposedPiece {
+  std::uint32_t edge = 0;
+  NodeName from, to;              ///< along the edge
+  Rational lower;                 ///< 0: down to scale 0
+  std::optional<Rational> upper;  ///< none: up to infinity
+};
+
+struct SweptBoundary {
+  ScaleWindow window;
+  std::vector<ConvolutionEdge> edges;                 ///< of the reduced convolution, S-edges first
+  std::vector<RationalEdge> moving;                   ///< the same as functions of the scale
+  std::vector<ExposedPiece> pieces;                   ///< sorted by edge
+  std::uint64_t meeting_pairs = 0, pairs_inside = 0;  ///< see PatchNeighbours
+  std::uint64_t pieces_in_all = 0, faces_tested = 0;
+};
+
+/// Within a window, open towards 0 or infinity where a bound is none. Exact. Operands must have
+/// passed `validate`.
+SweptBoundary swept_boundary(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window);
+
+}  // namespace minkref
