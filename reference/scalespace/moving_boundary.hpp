@@ -1,0 +1,31 @@
+// The boundary of the sum as links between tracks, each for a stretch of scales.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "reference/plane/dynamic/node_track.hpp"
+#include "reference/scalespace/swept_boundary.hpp"
+
+namespace minkref {
+
+/// A directed straight piece of the boundary, the sum on its left.
+struct MovingLink {
+  std::uint32_t from = 0, to = 0;     ///< tracks
+  std::uint32_t edge = 0;             ///< of the convolution, the first of those that it is on
+  std::uint32_t first = 0, last = 0;  ///< intervals of scales, both included
+};
+
+/// Interval 0 goes from the start of the window to the first event, interval k from event k - 1 on.
+struct MovingBoundary {
+  std::vector<Rational> events;   ///< scales inside the window at which a link begins or ends
+  std::vector<Track> tracks;      ///< no two are the same
+  std::vector<MovingLink> links;  ///< of the boundary; between two tracks never two at a scale
+  /// Exposed pieces that face each other: both directions at once. The closed sum covers them.
+  std::vector<MovingLink> passages;
+};
+
+/// Exact. O(p log p) for p pieces.
+MovingBoundary moving_boundary(const SweptBoundary& boundary);
+
+}  // namespace minkref
