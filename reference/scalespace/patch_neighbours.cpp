@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "reference/plane/critical/pair_filter.hpp"
+#include "reference/scalespace/in_parallel.hpp"
 #include "reference/scalespace/interior_tracks.hpp"
 
 namespace minkref {
@@ -27,41 +28,64 @@ RoundedEdge rounded(const RationalEdge& e) {
           e.is_s()};
 }
 
-class Search {
- public:
-  Search(const PolygonSet& P, const PolygonSet& Q, const std::vector<RationalEdge>& edges,
-         const ScaleWindow& window)
-      : tracks_(P, Q) {
-    if (window.from) from_ = to_double(*window.from) * (1 - 0x1p-50);
-    if (window.to) to_ = to_double(*window.to) * (1 + 0x1p-50);
-    for (const RationalEdge& e : edges) {
-      edges_.push_back(rounded(e));
-      const RoundedEdge& r = edges_.back();
-      length_ = std::max({length_, std::fabs(r.dx), std::fabs(r.dy)});
-      size_ = std::max({size_, std::fabs(r.px), std::fabs(r.py), std::fabs(r.qx), std::fabs(r.qy)});
+/// What all threads look at.
+struct Subject {
+  InteriorTracks tracks;
+  std::vector<RoundedEdge> edges;
+  std::uint32_t s_count = 0;
+  double from = 0, to = infinity;
+  double length = 0, size = 0;  ///< the greatest coordinates, of directions and of points
+
+  Subject(const PolygonSet& P, const PolygonSet& Q, const std::vector<RationalEdge>& given,
+          const ScaleWindow& window)
+      : tracks(P, Q) {
+    if (window.from) from = to_double(*window.from) * (1 - 0x1p-50);
+    if (window.to) to = to_double(*window.to) * (1 + 0x1p-50);
+    for (const RationalEdge& e : given) {
+      edges.push_back(rounded(e));
+      const RoundedEdge& r = edges.back();
+      s_count += r.is_s ? 1 : 0;
+      length = std::max({length, std::fabs(r.dx), std::fabs(r.dy)});
+      size = std::max({size, std::fabs(r.px), std::fabs(r.py), std::fabs(r.qx), std::fabs(r.qy)});
     }
   }
 
-  PatchNeighbours run() {
-    const auto count = static_cast<std::uint32_t>(edges_.size());
-    const auto s_count = static_cast<std::uint32_t>(
-        std::count_if(edges_.begin(), edges_.end(), [](const auto& e) { return e.is_s; }));
+  PairFilter filter() const {
     EdgeColumns s, t;
-    for (const RoundedEdge& e : edges_) (e.is_s ? s : t).add(e.px, e.py, e.qx, e.qy, e.dx, e.dy);
-    const PairFilter filter(std::move(s), std::move(t));
-    error_ = filter.error();
-    std::vector<std::uint32_t> found(count + 1);
-    for (std::uint32_t a = 0; a < count; ++a) {
-      const bool is_s = a < s_count;
-      const std::uint32_t own = is_s ? a : a - s_count;
-      if (is_s) {
-        const std::size_t n = filter.candidates(true, own, true, own + 1, found.data());
-        for (std::size_t k = 0; k < n; ++k) look(a, found[k]);
-      }
-      const std::size_t n = filter.candidates(is_s, own, false, is_s ? 0 : own + 1, found.data());
-      for (std::size_t k = 0; k < n; ++k) look(a, s_count + found[k]);
+    for (const RoundedEdge& e : edges) (e.is_s ? s : t).add(e.px, e.py, e.qx, e.qy, e.dx, e.dy);
+    return {std::move(s), std::move(t)};
+  }
+};
+
+/// Pairs a < b of one thread.
+struct Found {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> kept;
+  std::uint64_t meeting = 0, inside = 0;
+};
+
+class Search {
+ public:
+  Search(const Subject& subject, const PairFilter& filter, Found& found)
+      : subject_(subject),
+        filter_(filter),
+        error_(filter.error()),
+        found_(found),
+        candidates_(subject.edges.size() + 1) {}
+
+  /// All pairs of an edge with those after it.
+  void operator()(std::size_t index) {
+    const auto a = static_cast<std::uint32_t>(index);
+    const std::uint32_t s_count = subject_.s_count;
+    const bool is_s = a < s_count;
+    const std::uint32_t own = is_s ? a : a - s_count;
+    hints_ = {};
+    if (is_s) {
+      const std::size_t n = filter_.candidates(true, own, true, own + 1, candidates_.data());
+      for (std::size_t k = 0; k < n; ++k) look(a, candidates_[k]);
     }
-    return listed(count);
+    const std::size_t n =
+        filter_.candidates(is_s, own, false, is_s ? 0 : own + 1, candidates_.data());
+    for (std::size_t k = 0; k < n; ++k) look(a, s_count + candidates_[k]);
   }
 
  private:
@@ -75,7 +99,7 @@ class Search {
   }
 
   void look(std::uint32_t i, std::uint32_t j) {
-    const RoundedEdge &a = edges_[i], &b = edges_[j];
+    const RoundedEdge &a = subject_.edges[i], &b = subject_.edges[j];
     const double turn = a.dx * b.dy - a.dy * b.dx, right = turn < 0 ? -1 : 1, c = right * turn;
     if (c > 64 * error_) {
       const double px = b.px - a.px, py = b.py - a.py, qx = b.qx - a.qx, qy = b.qy - a.qy;
@@ -83,7 +107,7 @@ class Search {
                    a_value = right * (qx * b.dy - qy * b.dx),
                    b_slope = right * (px * a.dy - py * a.dx),
                    b_value = right * (qx * a.dy - qy * a.dx);
-      double low = from_, high = to_;
+      double low = subject_.from, high = subject_.to;
       restrict_to(a_slope, a_value, low, high);
       restrict_to(a.is_s ? c - a_slope : -a_slope, a.is_s ? -a_value : c - a_value, low, high);
       restrict_to(b_slope, b_value, low, high);
@@ -91,58 +115,69 @@ class Search {
       low *= 1 - 0x1p-45;
       high *= 1 + 0x1p-45;
       if (low > high) return;
-      ++meeting_;
+      ++found_.meeting;
       if (low > 0 && high < infinity) {
         const double slope = a_slope / c, value = a_value / c;
         const double ratio = std::max(std::fabs(slope), std::fabs(value));
-        const RoundedTrack track{
-            a.qx + value * a.dx, a.qy + value * a.dy, a.px + slope * a.dx, a.py + slope * a.dy,
-            length_ * (error_ * (2 + 2 * ratio) / c) + 0x1p-48 * (size_ + ratio * length_)};
-        if (tracks_.certainly_inside(track, low, high, hints_)) {
-          ++inside_;
+        const RoundedTrack track{a.qx + value * a.dx, a.qy + value * a.dy, a.px + slope * a.dx,
+                                 a.py + slope * a.dy,
+                                 subject_.length * (error_ * (2 + 2 * ratio) / c) +
+                                     0x1p-48 * (subject_.size + ratio * subject_.length)};
+        if (subject_.tracks.certainly_inside(track, low, high, hints_)) {
+          ++found_.inside;
           return;
         }
       }
     } else {
-      ++meeting_;
+      ++found_.meeting;
     }
-    kept_.emplace_back(i, j);
+    found_.kept.emplace_back(i, j);
   }
 
-  PatchNeighbours listed(std::uint32_t count) const {
-    PatchNeighbours result;
-    result.meeting = meeting_;
-    result.inside = inside_;
-    result.first.resize(count + 1);
-    for (const auto& [a, b] : kept_) {
-      ++result.first[a + 1];
-      ++result.first[b + 1];
-    }
-    for (std::uint32_t e = 0; e < count; ++e) result.first[e + 1] += result.first[e];
-    result.others.resize(2 * kept_.size());
-    std::vector<std::uint32_t> next = result.first;
-    for (const auto& [a, b] : kept_) {
-      result.others[next[a]++] = b;
-      result.others[next[b]++] = a;
-    }
-    return result;
-  }
-
-  InteriorTracks tracks_;
+  const Subject& subject_;
+  const PairFilter& filter_;
+  double error_;
+  Found& found_;
   InteriorTracks::Hints hints_;
-  std::vector<RoundedEdge> edges_;
-  double from_ = 0, to_ = infinity;
-  double error_ = 0, length_ = 0, size_ = 0;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> kept_;
-  std::uint64_t meeting_ = 0, inside_ = 0;
+  std::vector<std::uint32_t> candidates_;
 };
+
+PatchNeighbours listed(std::vector<Found>& all, std::size_t count) {
+  PatchNeighbours result;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  for (Found& found : all) {
+    result.meeting += found.meeting;
+    result.inside += found.inside;
+    pairs.insert(pairs.end(), found.kept.begin(), found.kept.end());
+    found.kept = {};
+  }
+  if (all.size() > 1) std::sort(pairs.begin(), pairs.end());
+  result.first.resize(count + 1);
+  for (const auto& [a, b] : pairs) {
+    ++result.first[a + 1];
+    ++result.first[b + 1];
+  }
+  for (std::size_t e = 0; e < count; ++e) result.first[e + 1] += result.first[e];
+  result.others.resize(2 * pairs.size());
+  std::vector<std::uint32_t> next = result.first;
+  for (const auto& [a, b] : pairs) {
+    result.others[next[a]++] = b;
+    result.others[next[b]++] = a;
+  }
+  return result;
+}
 
 }  // namespace
 
 PatchNeighbours patch_neighbours(const PolygonSet& P, const PolygonSet& Q,
-                                 const std::vector<RationalEdge>& edges,
-                                 const ScaleWindow& window) {
-  return Search(P, Q, edges, window).run();
+                                 const std::vector<RationalEdge>& edges, const ScaleWindow& window,
+                                 unsigned threads) {
+  const Subject subject(P, Q, edges, window);
+  const PairFilter filter = subject.filter();
+  std::vector<Found> found(std::max(threads, 1U));
+  std::atomic<std::size_t> thread{0};
+  in_parallel(edges.size(), threads, [&] { return Search(subject, filter, found[thread++]); });
+  return listed(found, edges.size());
 }
 
 }  // namespace minkref

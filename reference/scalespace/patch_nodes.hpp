@@ -45,8 +45,8 @@ class PatchNodeFinder {
   using W = typename K::Wide;
   using Edge = MovingEdge<typename K::Vector>;
 
-  PatchNodeFinder(const K& kernel, const std::vector<Edge>& edges)
-      : kernel_(kernel), edges_(edges) {}
+  PatchNodeFinder(K kernel, const std::vector<Edge>& edges)
+      : kernel_(std::move(kernel)), edges_(edges) {}
 
   /// The nodes of an edge with these others. Its own ends come first. Exact.
   void find(std::uint32_t edge, const std::uint32_t* others, std::size_t count,
@@ -122,7 +122,7 @@ class PatchNodeFinder {
     result.nodes.push_back(std::move(node));
   }
 
-  const K& kernel_;
+  K kernel_;  // of its own: kernels count what they decide
   const std::vector<Edge>& edges_;
 };
 

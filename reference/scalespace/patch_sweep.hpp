@@ -34,6 +34,9 @@ class PatchSweep {
   PatchSweep(Rational from, std::optional<Rational> to)
       : window_from_(std::move(from)), window_to_(std::move(to)) {}
 
+  PatchSweep(const PatchSweep&) = delete;
+  PatchSweep& operator=(const PatchSweep&) = delete;
+
   void run(const PatchNodes<K>& nodes) {
     nodes_ = &nodes.nodes;
     overlaps_ = &nodes.overlaps;

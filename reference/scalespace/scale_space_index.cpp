@@ -28,8 +28,8 @@ struct Before {
 }  // namespace
 
 ScaleSpaceIndex::ScaleSpaceIndex(const PolygonSet& P, const PolygonSet& Q,
-                                 const ScaleWindow& window)
-    : swept_(swept_boundary(P, Q, window)),
+                                 const ScaleWindow& window, unsigned threads)
+    : swept_(swept_boundary(P, Q, window, threads)),
       boundary_(moving_boundary(swept_)),
       buckets_(ring_buckets(swept_, boundary_)) {
   for (const Rational& event : boundary_.events) near_events_.push_back(to_double(event));

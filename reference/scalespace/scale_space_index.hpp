@@ -19,7 +19,8 @@ struct RoundedRings {
 class ScaleSpaceIndex {
  public:
   /// Exact. Operands must have passed `validate`. Throws BadInput ("bad-window").
-  ScaleSpaceIndex(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window);
+  ScaleSpaceIndex(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window,
+                  unsigned threads = 1);
 
   const ScaleWindow& window() const { return swept_.window; }
   const SweptBoundary& swept() const { return swept_; }

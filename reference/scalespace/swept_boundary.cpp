@@ -1,10 +1,13 @@
 #include "reference/scalespace/swept_boundary.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <unordered_map>
 
 #include "reference/plane/convolution/convolution_rule.hpp"
 #include "reference/plane/dynamic/interior_test.hpp"
+#include "reference/scalespace/in_parallel.hpp"
 #include "reference/scalespace/patch_neighbours.hpp"
 #include "reference/scalespace/patch_sweep.hpp"
 
@@ -26,17 +29,21 @@ class Search {
   using Sweep = PatchSweep<K>;
   using Piece = typename Sweep::Piece;
 
-  Search(const K& kernel, const std::vector<Edge>& edges, const std::vector<RationalEdge>& moving,
-         const InteriorTest& test, const ScaleWindow& window, SweptBoundary& result)
+  Search(K kernel, const std::vector<Edge>& edges, const std::vector<RationalEdge>& moving,
+         const PatchNeighbours& neighbours, const InteriorTest& test, const ScaleWindow& window,
+         SweptBoundary& result)
       : moving_(moving),
+        neighbours_(neighbours),
         test_(test),
-        finder_(kernel, edges),
+        finder_(std::move(kernel), edges),
         sweep_(window.from.value_or(Rational(0)), window.to),
         result_(result) {}
 
-  void run(std::uint32_t edge, const PatchNeighbours& neighbours) {
-    const std::uint32_t first = neighbours.first[edge];
-    finder_.find(edge, &neighbours.others[first], neighbours.first[edge + 1] - first, nodes_);
+  void operator()(std::size_t index) {
+    const auto edge = static_cast<std::uint32_t>(index);
+    const std::uint32_t first = neighbours_.first[edge];
+    finder_.find(edge, neighbours_.others.data() + first, neighbours_.first[edge + 1] - first,
+                 nodes_);
     sweep_.run(nodes_);
     result_.pieces_in_all += sweep_.pieces().size();
     largest_.clear();
@@ -117,6 +124,7 @@ class Search {
   }
 
   const std::vector<RationalEdge>& moving_;
+  const PatchNeighbours& neighbours_;
   const InteriorTest& test_;
   PatchNodeFinder<K> finder_;
   Sweep sweep_;
@@ -125,9 +133,21 @@ class Search {
   SweptBoundary& result_;
 };
 
+/// Of all threads, in the order of the edges.
+void gather(std::vector<SweptBoundary>& parts, SweptBoundary& result) {
+  for (SweptBoundary& part : parts) {
+    result.pieces_in_all += part.pieces_in_all;
+    result.faces_tested += part.faces_tested;
+    std::move(part.pieces.begin(), part.pieces.end(), std::back_inserter(result.pieces));
+  }
+  std::stable_sort(result.pieces.begin(), result.pieces.end(),
+                   [](const ExposedPiece& a, const ExposedPiece& b) { return a.edge < b.edge; });
+}
+
 }  // namespace
 
-SweptBoundary swept_boundary(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window) {
+SweptBoundary swept_boundary(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window,
+                             unsigned threads) {
   refuse_bad_window(window);
   SweptBoundary result;
   result.window = window;
@@ -138,15 +158,20 @@ SweptBoundary swept_boundary(const PolygonSet& P, const PolygonSet& Q, const Sca
                                       [](const Point& p) { return Vector2<Rational>(p.x, p.y); });
   };
   result.moving = moving_edges(result.edges, as_vectors(P), as_vectors(Q));
-  const PatchNeighbours neighbours = patch_neighbours(P, Q, result.moving, window);
+  const PatchNeighbours neighbours = patch_neighbours(P, Q, result.moving, window, threads);
   result.meeting_pairs = neighbours.meeting;
   result.pairs_inside = neighbours.inside;
   const InteriorTest test(P, Q);
   on_exact_frame(P, Q, [&](const auto& frame) {
     using K = typename std::decay_t<decltype(frame)>::K;
     const auto edges = moving_edges(result.edges, frame.P, frame.Q);
-    Search<K> search(frame.kernel, edges, result.moving, test, window, result);
-    for (std::uint32_t e = 0; e < edges.size(); ++e) search.run(e, neighbours);
+    std::vector<SweptBoundary> parts(std::max(threads, 1U));
+    std::atomic<std::size_t> thread{0};
+    in_parallel(edges.size(), threads, [&] {
+      return Search<K>(frame.kernel, edges, result.moving, neighbours, test, window,
+                       parts[thread++]);
+    });
+    gather(parts, result);
   });
   return result;
 }

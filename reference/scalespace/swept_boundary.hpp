@@ -29,8 +29,10 @@ struct SweptBoundary {
   std::uint64_t pieces_in_all = 0, faces_tested = 0;
 };
 
-/// Within a window, open towards 0 or infinity where a bound is none. Exact. Operands must have
-/// passed `validate`.
-SweptBoundary swept_boundary(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window);
+/// Within a window, open towards 0 or infinity where a bound is none. Exact, and the same for any
+/// number of threads. Operands must have passed `validate`. Throws BadInput ("bad-window"). O(N^2)
+/// in doubles for N edges of the convolution; what follows depends on the pairs that are left.
+SweptBoundary swept_boundary(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window,
+                             unsigned threads = 1);
 
 }  // namespace minkref

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "reference/scalespace/slice.hpp"
@@ -66,6 +67,20 @@ TEST(SweptBoundary, OfAPointOrASegmentIsThatOfTheOtherOperand) {
 TEST(SweptBoundary, OfTheEmptySetIsEmpty) {
   EXPECT_TRUE(swept_boundary({}, box(0, 0, 1, 1), {}).pieces.empty());
   EXPECT_TRUE(swept_boundary(box(0, 0, 1, 1), {}, {}).pieces.empty());
+}
+
+TEST(SweptBoundary, IsTheSameForAnyNumberOfThreads) {
+  MINKREF_SEEDED(random, 903);
+  expect_law(random, 30, [](const Case& c) -> std::string {
+    const SweptBoundary one = swept_boundary(c.P, c.Q, {}), three = swept_boundary(c.P, c.Q, {}, 3);
+    const auto same = [](const ExposedPiece& a, const ExposedPiece& b) {
+      return a.edge == b.edge && a.from == b.from && a.to == b.to && a.lower == b.lower &&
+             a.upper == b.upper;
+    };
+    const bool all = std::equal(one.pieces.begin(), one.pieces.end(), three.pieces.begin(),
+                                three.pieces.end(), same);
+    return all && one.pairs_inside == three.pairs_inside ? "" : "other pieces";
+  });
 }
 
 /// A hole that is there between two scales only, and never touches the outside of the sum: nothing
