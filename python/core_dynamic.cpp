@@ -8,12 +8,12 @@
 #include <nanobind/stl/vector.h>
 
 #include <algorithm>
-#include <chrono>
 #include <optional>
 #include <tuple>
 
 #include "python/core.hpp"
 #include "python/core_timed_sum.hpp"
+#include "python/stopwatch.hpp"
 #include "reference/error.hpp"
 #include "reference/plane/critical/event_places.hpp"
 #include "reference/plane/dynamic/dynamic_sum.hpp"
@@ -25,12 +25,6 @@ using namespace nb::literals;
 
 namespace minkref::python {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 ScaleWindow window_of(const std::optional<std::string>& from,
                       const std::optional<std::string>& to) {
@@ -46,7 +40,7 @@ class Arrangement {
   Arrangement(const Set& P, const Set& Q, const std::optional<std::string>& from,
               const std::optional<std::string>& to)
       : P_(P.value), Q_(Q.value) {
-    const auto start = Clock::now();
+    const Stopwatch watch;
     const ScaleWindow window = window_of(from, to);
     refuse_bad_operands(P_, Q_, 1);
     refuse_bad_window(window);
@@ -54,7 +48,7 @@ class Arrangement {
       events_ = std::make_unique<ArrangementEvents>(P_, Q_, opened(window));
       list_ = listed_events(*events_, window);
     }
-    seconds = since(start);
+    seconds = watch.seconds();
   }
 
   /// scale, kind, change, edges, at, to.
@@ -164,16 +158,16 @@ class Dynamic {
   Dynamic(const Set& P, const Set& Q, const std::optional<std::string>& from,
           const std::optional<std::string>& to)
       : P_(P.value), Q_(Q.value) {
-    const auto start = Clock::now();
+    const Stopwatch watch;
     sum_ = std::make_unique<DynamicSum>(P.value, Q.value, window_of(from, to));
-    seconds = since(start);
+    seconds = watch.seconds();
   }
 
   Fields move_to(const std::string& scale) {
     const Rational s = parse_rational(scale);
-    const auto start = Clock::now();
+    const Stopwatch watch;
     const StepReport report = sum_->move_to(s);
-    const double taken = since(start);
+    const double taken = watch.seconds();
     Fields fields;
     fields["insertions"] = report.insertions;
     fields["deletions"] = report.deletions;
@@ -187,10 +181,10 @@ class Dynamic {
   /// Moves, and gives the positions of all nodes in doubles: seconds for the two.
   double update(const std::string& scale) {
     const Rational s = parse_rational(scale);
-    const auto start = Clock::now();
+    const Stopwatch watch;
     sum_->move_to(s);
     if (!sum_->empty()) sum_->arrangement().positions(positions_);
-    return since(start);
+    return watch.seconds();
   }
 
   std::string difference_from_scratch() { return minkref::difference_from_scratch(*sum_, P_, Q_); }
@@ -241,9 +235,9 @@ class Dynamic {
   }
 
   TimedSum sum() {
-    const auto start = Clock::now();
+    const Stopwatch watch;
     Sum sum = sum_->sum();
-    return {{std::move(sum.region), true}, sum.components, sum.holes, since(start),
+    return {{std::move(sum.region), true}, sum.components, sum.holes, watch.seconds(),
             std::move(sum.statistics),     std::nullopt};
   }
 

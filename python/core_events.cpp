@@ -7,11 +7,11 @@
 #include <nanobind/stl/vector.h>
 
 #include <array>
-#include <chrono>
 #include <optional>
 #include <tuple>
 
 #include "python/core.hpp"
+#include "python/stopwatch.hpp"
 #include "reference/error.hpp"
 #include "reference/plane/critical/event_places.hpp"
 #include "reference/plane/critical/line_intersection.hpp"
@@ -54,10 +54,10 @@ Events find(const Set& P, const Set& Q, const std::optional<std::string>& from,
   ScaleWindow window;
   if (from) window.from = parse_rational(*from);
   if (to) window.to = parse_rational(*to);
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   PairEvents events = pair_events(P.value, Q.value, window, kind_named(kind), form_named(form));
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-  return {std::move(events), P.value, Q.value, taken.count()};
+  const double taken = watch.seconds();
+  return {std::move(events), P.value, Q.value, taken};
 }
 
 const char* name(Change change) {

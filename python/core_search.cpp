@@ -2,9 +2,8 @@
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 
-#include <chrono>
-
 #include "python/core.hpp"
+#include "python/stopwatch.hpp"
 #include "reference/plane/intersection_search.hpp"
 
 namespace nb = nanobind;
@@ -19,10 +18,10 @@ using Found = std::pair<std::size_t, double>;
 template <class Search>
 Found timed_run(Search& search, const std::string& scale) {
   const Rational s = parse_rational(scale);
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   const std::size_t count = search.run(s);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  return {count, seconds.count()};
+  const double seconds = watch.seconds();
+  return {count, seconds};
 }
 
 template <class Search>

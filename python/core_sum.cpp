@@ -5,13 +5,13 @@
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
-#include <chrono>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "python/core.hpp"
 #include "python/core_timed_sum.hpp"
+#include "python/stopwatch.hpp"
 #include "reference/error.hpp"
 #include "reference/plane/sum.hpp"
 
@@ -47,16 +47,16 @@ TimedSum timed_sum(const Set& P, const Set& Q, const std::string& scale, const s
                    const std::string& arithmetic, bool with_passages) {
   const Rational s = parse_rational(scale);
   const Route way = route_named(route);
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   Sum sum = minkowski_sum(P.value, Q.value, s, way, arithmetic,
                           with_passages ? Passages::find : Passages::leave);
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  const double seconds = watch.seconds();
   // Only exact arithmetic is known to give a canonical form.
   const bool canonical = arithmetic == "rational" || arithmetic == "interval";
   return {{std::move(sum.region), canonical},
           sum.components,
           sum.holes,
-          seconds.count(),
+          seconds,
           std::move(sum.statistics),
           std::move(sum.tight_passages)};
 }

@@ -44,7 +44,7 @@ def case_files(folder: Path | None, plane: bool = True, space: bool = True) -> C
         if not isinstance(value, dict) or "schema" not in value:
             continue
         spatial = is_in_space(value)
-        found = [f"{path}@{scale}" for scale in _scales_in(path, value)]
+        found = [f"{path}@{scale}" for scale in scales_in(path, value)]
         if spatial:
             read_space_case(CaseName(str(path), "case files"), path, SOME_SCALING)
         else:
@@ -88,26 +88,20 @@ def _json_of(path: Path) -> Any:
         raise Refusal(f"this is no JSON: {cut(str(error))}", str(path), mend, "syntax") from error
 
 
-def scales_of(path: Path) -> list[str]:
-    """Those at which the case is asked for; empty where the file is no case."""
+def case_document(path: Path) -> dict[str, Any] | None:
+    """The JSON of a case; None of any other file."""
     try:
         value = json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError, RecursionError):
-        return []
-    return _scales_in(path, value)
+        return None
+    is_case = isinstance(value, dict) and value.get("schema") == "case-v1"
+    return value if is_case else None
 
 
-def is_space_case(path: Path) -> bool:
-    """Whether the file is a case in space."""
-    try:
-        return is_in_space(json.loads(path.read_text(encoding="utf-8")))
-    except (OSError, ValueError, RecursionError):
-        return False
-
-
-def _scales_in(path: Path, value: Any) -> list[str]:
-    if not isinstance(value, dict) or value.get("schema") != "case-v1":
-        return []
+def scales_in(path: Path, value: dict[str, Any]) -> list[str]:
+    """Those at which a case is asked for."""
+    if value.get("schema") != "case-v1":
+        return []  # the readers of operands refuse it
     if is_in_space(value):
         return scalings_in(value, str(path))
     scales = value.get("scales")

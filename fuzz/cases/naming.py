@@ -27,13 +27,13 @@ from minkref import _core
 from minkref.errors import Refusal, cut, refusing
 from minkref.exact import read_scale
 from minkref.fuzz.cases.case import Case, CaseName
-from minkref.fuzz.cases.case_files import is_space_case, scales_of
+from minkref.fuzz.cases.case_files import case_document, scales_in
 from minkref.fuzz.cases.grid import rounded, unit_for
 from minkref.fuzz.cases.invalid_case import FAMILY as INVALID
 from minkref.fuzz.cases.invalid_case import InvalidCase, load_invalid
 from minkref.fuzz.cases.no_case import NoCase
 from minkref.fuzz.cases.space_case import LAWS_IN_SPACE, SPACE_FAMILIES, SpaceCase, load_space
-from minkref.fuzz.cases.space_case_file import read_space_case
+from minkref.fuzz.cases.space_case_file import is_in_space, read_space_case
 from minkref.fuzz.families.catalogue import FAMILIES
 from minkref.fuzz.families.mutation import mutate
 from minkref.fuzz.families.probes import scale_probes
@@ -200,13 +200,15 @@ def _named(name: CaseName) -> Case | SpaceCase:
     if not at:
         operands, scale = name.text, ""
     if operands.endswith(".json") and Path(operands).is_file():
-        scales = scales_of(Path(operands))
-        if scales and is_space_case(Path(operands)):
-            return read_space_case(name, Path(operands), scale if at else scales[0])
-        if scales:
+        path = Path(operands)
+        value = case_document(path)
+        if value is not None:
+            if not at:
+                scale = scales_in(path, value)[0]
+            if is_in_space(value):
+                return read_space_case(name, path, scale)
             P, Q = read_operand(f"{operands}#P"), read_operand(f"{operands}#Q")
-            at_scale = read_scale(scale if at else scales[0])
-            return Case(name, P.set, Q.set, at_scale, P.name, Q.name)
+            return Case(name, P.set, Q.set, read_scale(scale), P.name, Q.name)
         if "+" not in operands:
             read_operand(f"{operands}#P")  # says what is wrong with it
     known = all_models()

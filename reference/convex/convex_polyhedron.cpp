@@ -13,11 +13,11 @@ namespace {
 constexpr std::uint32_t none = UINT32_MAX;
 
 /// The least exponent of two above all magnitudes.
-long bits(const std::vector<IntegerVector>& vectors) {
+long most_bits(const std::vector<IntegerVector>& vectors) {
   long most = 0;
   for (const IntegerVector& v : vectors) {
     for (const Integer& c : v) {
-      if (!c.is_zero()) most = std::max(most, static_cast<long>(msb(abs(c))) + 1);
+      most = std::max(most, bits(c));
     }
   }
   return most;
@@ -28,10 +28,10 @@ long spread(const std::vector<IntegerVector>& vectors) {
   long least = LONG_MAX;
   for (const IntegerVector& v : vectors) {
     for (const Integer& c : v) {
-      if (!c.is_zero()) least = std::min(least, static_cast<long>(msb(abs(c))) + 1);
+      if (!c.is_zero()) least = std::min(least, bits(c));
     }
   }
-  return bits(vectors) - least;
+  return most_bits(vectors) - least;
 }
 
 /// Nearest doubles of the vectors over 2^exponent.
@@ -89,7 +89,7 @@ ConvexPolyhedron::ConvexPolyhedron(const Polyhedron& surface) {
   for (IntegerVector& p : points_) {
     for (Integer& c : p) c /= common;
   }
-  point_bits_ = bits(points_);
+  point_bits_ = most_bits(points_);
   if (point_bits_ < 64) {
     for (const IntegerVector& v : points_) {
       words_.push_back({static_cast<std::int64_t>(v[0]), static_cast<std::int64_t>(v[1]),
@@ -104,9 +104,9 @@ ConvexPolyhedron::ConvexPolyhedron(const Polyhedron& surface) {
   }
   std::vector<IntegerVector> vectors;
   for (std::uint32_t h = 0; h < half_edges(); ++h) vectors.push_back(vector(h));
-  vectors_ = rounded(vectors, bits(vectors));
-  rounded_points_ = rounded(points_, bits(vectors));
-  rounded_normals_ = rounded(normals_, bits(normals_));
+  vectors_ = rounded(vectors, most_bits(vectors));
+  rounded_points_ = rounded(points_, most_bits(vectors));
+  rounded_normals_ = rounded(normals_, most_bits(normals_));
   moderate_ = spread(vectors) < 200 && spread(normals_) < 200;
 }
 

@@ -18,10 +18,6 @@ AxisFactors axis_factors(const Rational& factor, const Integer& under_P, const I
   return {above * (common / under_P), below * (common / under_Q), below * common};
 }
 
-long bits(const Integer& value) {
-  return value.is_zero() ? 0 : static_cast<long>(msb(abs(value))) + 1;
-}
-
 template <class Number>
 Number narrowed(const Integer& value) {
   if constexpr (std::is_same_v<Number, Integer>) {

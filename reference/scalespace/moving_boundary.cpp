@@ -5,7 +5,7 @@
 #include <tuple>
 #include <unordered_map>
 
-#include "reference/scalespace/slice.hpp"
+#include "reference/scalespace/piece_track.hpp"
 
 namespace minkref {
 namespace {

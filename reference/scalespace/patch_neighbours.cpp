@@ -175,8 +175,8 @@ PatchNeighbours patch_neighbours(const PolygonSet& P, const PolygonSet& Q,
   const Subject subject(P, Q, edges, window);
   const PairFilter filter = subject.filter();
   std::vector<Found> found(std::max(threads, 1U));
-  std::atomic<std::size_t> thread{0};
-  in_parallel(edges.size(), threads, [&] { return Search(subject, filter, found[thread++]); });
+  in_parallel(edges.size(), threads,
+              [&](unsigned thread) { return Search(subject, filter, found[thread]); });
   return listed(found, edges.size());
 }
 

@@ -27,16 +27,11 @@ struct PatchNode {
   bool open_before = true, open_after = true;
 };
 
-/// A scale at which a parallel edge comes to lie on the edge, and leaves it again.
-template <class K>
-struct PatchOverlap {
-  typename K::Parameter scale;
-};
-
 template <class K>
 struct PatchNodes {
   std::vector<PatchNode<K>> nodes;
-  std::vector<PatchOverlap<K>> overlaps;
+  /// Scales at which a parallel edge comes to lie on the edge, and leaves it again.
+  std::vector<typename K::Parameter> overlaps;
 };
 
 template <class K>
@@ -91,7 +86,7 @@ class PatchNodeFinder {
     const Edge &e = edges_[edge], &o = edges_[other];
     const auto pair = parallel_pair(kernel_, e, o);
     if (pair.lines == ParallelPair<K>::Lines::one_line_at_one_scale) {
-      if (pair.meeting == Meeting::overlapping) result.overlaps.push_back({pair.scale});
+      if (pair.meeting == Meeting::overlapping) result.overlaps.push_back(pair.scale);
       return;
     }
     if (pair.lines == ParallelPair<K>::Lines::apart || pair.interval.empty) return;

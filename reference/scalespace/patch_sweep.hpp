@@ -97,7 +97,7 @@ class PatchSweep {
       case Kind::death:
         return fraction(*node(m.x).to);
       case Kind::overlap:
-        return fraction((*overlaps_)[m.x].scale);
+        return fraction((*overlaps_)[m.x]);
       case Kind::crossing:
         break;
     }
@@ -198,7 +198,7 @@ class PatchSweep {
       order_.push_back(k);
     }
     for (std::uint32_t k = 0; k < overlaps_->size(); ++k) {
-      const Moment overlap{K::approximation((*overlaps_)[k].scale), Kind::overlap, k, 0};
+      const Moment overlap{K::approximation((*overlaps_)[k]), Kind::overlap, k, 0};
       if (compare(overlap, now_) > 0) events_.push(overlap);
     }
     std::sort(order_.begin(), order_.end(), [&](std::uint32_t x, std::uint32_t y) {
@@ -389,7 +389,7 @@ class PatchSweep {
   Rational window_from_;
   std::optional<Rational> window_to_;
   const std::vector<Node>* nodes_ = nullptr;
-  const std::vector<PatchOverlap<K>>* overlaps_ = nullptr;
+  const std::vector<typename K::Parameter>* overlaps_ = nullptr;
   Moment now_;
   std::optional<Fraction> exact_now_;
   Queue events_{Later{this}};

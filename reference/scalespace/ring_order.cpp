@@ -3,20 +3,18 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "reference/plane/dynamic/boundary_cycles.hpp"
+
 namespace minkref {
 namespace {
 
 constexpr std::uint32_t none = 0xffffffffU;
 
-using V = Vector2<Rational>;
-
-int cross_sign(const V& u, const V& v) { return sign(Rational(u.x() * v.y() - u.y() * v.x())); }
-
 /// The links that are there, and which comes next.
 class Successors {
  public:
   Successors(const SweptBoundary& swept, const MovingBoundary& boundary)
-      : swept_(swept), boundary_(boundary), out_(boundary.tracks.size()) {}
+      : turns_(swept.moving), boundary_(boundary), out_(boundary.tracks.size()) {}
 
   void add(std::uint32_t link) { out_[at(link).from].push_back(link); }
   void remove(std::uint32_t link) { std::erase(out_[at(link).from], link); }
@@ -27,7 +25,7 @@ class Successors {
     if (leaving.empty()) throw std::logic_error("the boundary of the swept sum is not closed");
     std::uint32_t best = leaving[0];
     for (const std::uint32_t other : leaving) {
-      if (other != best && is_before(direction(link), direction(other), direction(best))) {
+      if (other != best && is_before(at(link).edge, at(other).edge, at(best).edge)) {
         best = other;
       }
     }
@@ -36,20 +34,15 @@ class Successors {
 
  private:
   const MovingLink& at(std::uint32_t link) const { return boundary_.links[link]; }
-  const V& direction(std::uint32_t link) const { return swept_.moving[at(link).edge].d; }
 
-  /// Whether u comes before v clockwise from the way back along `arriving`.
-  static bool is_before(const V& arriving, const V& u, const V& v) {
-    const int of_u = half(arriving, u), of_v = half(arriving, v);
-    return of_u != of_v ? of_u < of_v : cross_sign(u, v) < 0;
-  }
-  /// Clockwise from the way back: to the left of `arriving` first, then straight on, then right.
-  static int half(const V& arriving, const V& v) {
-    const int side = cross_sign(arriving, v);
-    return side > 0 ? 0 : side == 0 ? 1 : 2;
+  /// Of edges: whether u comes before v clockwise from the way back along `arriving`.
+  bool is_before(std::uint32_t arriving, std::uint32_t u, std::uint32_t v) const {
+    const int side_of_u = turns_.turn(arriving, u), side_of_v = turns_.turn(arriving, v);
+    // What is to the left comes first, then what goes straight on, then what is to the right.
+    return side_of_u != side_of_v ? side_of_u > side_of_v : turns_.turn(u, v) < 0;
   }
 
-  const SweptBoundary& swept_;
+  CycleFinder turns_;  // of the directions of edges
   const MovingBoundary& boundary_;
   std::vector<std::vector<std::uint32_t>> out_;
 };

@@ -5,16 +5,10 @@
 #include <stdexcept>
 
 #include "reference/plane/boundary/canonical.hpp"
-#include "reference/plane/critical/line_intersection.hpp"
+#include "reference/scalespace/piece_track.hpp"
 
 namespace minkref {
 namespace {
-
-using V = Vector2<Rational>;
-
-Track track_of(const MovingVertex<V>& vertex) {
-  return {{vertex.q.x(), vertex.q.y()}, {vertex.p.x(), vertex.p.y()}};
-}
 
 struct Before {
   bool operator()(const Point& a, const Point& b) const {
@@ -69,25 +63,6 @@ class Segments {
 };
 
 }  // namespace
-
-Track track_of(const SweptBoundary& boundary, std::uint32_t edge, const NodeName& node) {
-  const RationalEdge &own = boundary.moving[edge], &other = boundary.moving[node.other];
-  switch (node.kind) {
-    case NodeName::Kind::own_start:
-      return track_of(start_of(own));
-    case NodeName::Kind::own_end:
-      return track_of(end_of(own));
-    case NodeName::Kind::start_of_other:
-      return track_of(start_of(other));
-    case NodeName::Kind::end_of_other:
-      return track_of(end_of(other));
-    case NodeName::Kind::crossing:
-      break;
-  }
-  const MovingPoint<Rational> x = line_intersection<Rational>(own, other);
-  return {{Rational(x.x0.x() - x.sigma.x()), Rational(x.x0.y() - x.sigma.y())},
-          {x.sigma.x(), x.sigma.y()}};
-}
 
 Sum slice(const SweptBoundary& boundary, const Rational& scale) {
   const bool from_above = boundary.window.from && scale == *boundary.window.from;

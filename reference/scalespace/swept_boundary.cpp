@@ -166,10 +166,8 @@ SweptBoundary swept_boundary(const PolygonSet& P, const PolygonSet& Q, const Sca
     using K = typename std::decay_t<decltype(frame)>::K;
     const auto edges = moving_edges(result.edges, frame.P, frame.Q);
     std::vector<SweptBoundary> parts(std::max(threads, 1U));
-    std::atomic<std::size_t> thread{0};
-    in_parallel(edges.size(), threads, [&] {
-      return Search<K>(frame.kernel, edges, result.moving, neighbours, test, window,
-                       parts[thread++]);
+    in_parallel(edges.size(), threads, [&](unsigned thread) {
+      return Search<K>(frame.kernel, edges, result.moving, neighbours, test, window, parts[thread]);
     });
     gather(parts, result);
   });

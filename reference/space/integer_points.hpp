@@ -22,6 +22,10 @@ inline Integer dot(const IntegerVector& a, const IntegerVector& b) {
 inline IntegerVector cross(const IntegerVector& a, const IntegerVector& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
+/// The least exponent of two above its magnitude.
+inline long bits(const Integer& value) {
+  return value.is_zero() ? 0 : static_cast<long>(msb(abs(value))) + 1;
+}
 inline bool is_zero(const IntegerVector& a) {
   return a[0].is_zero() && a[1].is_zero() && a[2].is_zero();
 }

@@ -5,6 +5,13 @@
 
 namespace minkref {
 
+Track track_along(const RationalEdge& edge, const PositionAlong<Rational>& position) {
+  const Rational value = position.value / position.den, slope = position.slope / position.den;
+  const auto &p = edge.p, &q = edge.q, &d = edge.d;
+  return {{Rational(q.x() + d.x() * value), Rational(q.y() + d.y() * value)},
+          {Rational(p.x() + d.x() * slope), Rational(p.y() + d.y() * slope)}};
+}
+
 Track node_track(const ArrangementEvents& events, std::uint32_t edge, std::uint32_t node) {
   const RationalEdge& e = events.moving()[edge];
   PositionAlong<Rational> position;
@@ -17,9 +24,7 @@ Track node_track(const ArrangementEvents& events, std::uint32_t edge, std::uint3
     if (n.kind == EdgeNode::Kind::end_of_other) return node_track(events, n.other, end_of_edge);
     position = node_position(PlainKernel<Rational>{}, events.moving(), edge, n);
   }
-  const Rational value = position.value / position.den, slope = position.slope / position.den;
-  return {{Rational(e.q.x() + e.d.x() * value), Rational(e.q.y() + e.d.y() * value)},
-          {Rational(e.p.x() + e.d.x() * slope), Rational(e.p.y() + e.d.y() * slope)}};
+  return track_along(e, position);
 }
 
 }  // namespace minkref
