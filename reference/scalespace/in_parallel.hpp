@@ -9,23 +9,32 @@
 #include <thread>
 #include <vector>
 
+#include "reference/scalespace/build_control.hpp"
+
 namespace minkref {
 
 /// Calls worker(k) once for each k from 0 to count - 1, in no order; thread t of 0, 1, ... has a
 /// worker of its own, from make_worker(t), which is called by that thread. An exception ends all,
-/// and is thrown here.
+/// and is thrown here. Reports progress and keeps the memory limit.
 template <class MakeWorker>
-void in_parallel(std::size_t count, unsigned threads, MakeWorker&& make_worker) {
+void in_parallel(std::size_t count, const BuildControl& control, BuildProgress::Stage stage,
+                 MakeWorker&& make_worker) {
   constexpr std::size_t chunk = 16;
+  const std::size_t step = std::max<std::size_t>(count / 100, 1);
   std::atomic<std::size_t> next{0};
   std::mutex mutex;
   std::exception_ptr fault;
   const auto run = [&](unsigned thread) {
     try {
       auto worker = make_worker(thread);
-      for (;;) {
+      for (std::size_t reported = 0;;) {
         const std::size_t first = next.fetch_add(chunk);
         if (first >= count) return;
+        if (first >= reported) {
+          control.check_memory();
+          if (thread == 0) control.report(stage, first, count);
+          reported = first + step;
+        }
         for (std::size_t k = first; k < std::min(first + chunk, count); ++k) worker(k);
       }
     } catch (...) {
@@ -35,10 +44,11 @@ void in_parallel(std::size_t count, unsigned threads, MakeWorker&& make_worker) 
     }
   };
   std::vector<std::thread> others;
-  for (unsigned k = 1; k < threads; ++k) others.emplace_back(run, k);
+  for (unsigned k = 1; k < control.threads(); ++k) others.emplace_back(run, k);
   run(0);
   for (std::thread& other : others) other.join();
   if (fault) std::rethrow_exception(fault);
+  control.report(stage, count, count);
 }
 
 }  // namespace minkref

@@ -16,6 +16,12 @@ class TrackNumbers {
   TrackNumbers(const SweptBoundary& boundary, std::vector<Track>& tracks)
       : boundary_(boundary), tracks_(tracks) {}
 
+  /// None of a track that is not there.
+  std::optional<std::uint32_t> known(std::uint32_t edge, const NodeName& node) const {
+    const auto found = by_track_.find(track_of(boundary_, edge, node));
+    return found == by_track_.end() ? std::nullopt : std::optional(found->second);
+  }
+
   std::uint32_t operator()(std::uint32_t edge, const NodeName& node) {
     if (node.kind != NodeName::Kind::crossing) return number(track_of(boundary_, edge, node));
     const auto [low, high] = std::minmax(edge, node.other);
@@ -43,8 +49,34 @@ class TrackNumbers {
   std::map<Track, std::uint32_t, Before> by_track_;
 };
 
-std::vector<Rational> events_of(const SweptBoundary& boundary) {
+/// Contacts of edges that both have a piece at the scale, each once.
+std::vector<EndContact> contacts_of(const SweptBoundary& boundary) {
+  const auto has_piece = [&](std::uint32_t edge, const Rational& scale) {
+    const auto first =
+        std::partition_point(boundary.pieces.begin(), boundary.pieces.end(),
+                             [&](const ExposedPiece& piece) { return piece.edge < edge; });
+    for (auto piece = first; piece != boundary.pieces.end() && piece->edge == edge; ++piece) {
+      if (piece->lower <= scale && (!piece->upper || scale <= *piece->upper)) return true;
+    }
+    return false;
+  };
+  std::vector<EndContact> result;
+  for (const EndContact& contact : boundary.contacts) {
+    if (contact.edge < contact.other && has_piece(contact.edge, contact.scale) &&
+        has_piece(contact.other, contact.scale)) {
+      result.push_back(contact);
+    }
+  }
+  std::sort(result.begin(), result.end(), [](const EndContact& x, const EndContact& y) {
+    return std::tie(x.scale, x.edge, x.other) < std::tie(y.scale, y.edge, y.other);
+  });
+  return result;
+}
+
+std::vector<Rational> events_of(const SweptBoundary& boundary,
+                                const std::vector<EndContact>& contacts) {
   std::vector<Rational> events;
+  for (const EndContact& contact : contacts) events.push_back(contact.scale);
   for (const ExposedPiece& piece : boundary.pieces) {
     events.push_back(piece.lower);
     if (piece.upper) events.push_back(*piece.upper);
@@ -113,7 +145,8 @@ class PairOfTracks {
 
 MovingBoundary moving_boundary(const SweptBoundary& boundary) {
   MovingBoundary result;
-  result.events = events_of(boundary);
+  const std::vector<EndContact> contacts = contacts_of(boundary);
+  result.events = events_of(boundary, contacts);
   const auto interval_above = [&](const Rational& scale) {
     return static_cast<std::uint32_t>(
         std::upper_bound(result.events.begin(), result.events.end(), scale) -
@@ -143,6 +176,21 @@ MovingBoundary moving_boundary(const SweptBoundary& boundary) {
     const std::size_t first = k;
     while (k < all.size() && ends(all[k]) == ends(all[first])) same.push_back(all[k++]);
     pair.sort_out(same);
+  }
+  for (const EndContact& contact : contacts) {
+    const std::uint32_t event = interval_below(contact.scale);
+    if (event == result.events.size() || result.events[event] != contact.scale) continue;
+    using Kind = NodeName::Kind;
+    for (const Kind own : {Kind::own_start, Kind::own_end}) {
+      for (const Kind others : {Kind::own_start, Kind::own_end}) {
+        const auto a = number.known(contact.edge, {own, contact.edge}),
+                   b = number.known(contact.other, {others, contact.other});
+        if (a && b && *a != *b &&
+            result.tracks[*a].at(contact.scale) == result.tracks[*b].at(contact.scale)) {
+          result.contacts.push_back({event, *a, *b});
+        }
+      }
+    }
   }
   return result;
 }

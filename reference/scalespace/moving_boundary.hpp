@@ -16,13 +16,21 @@ struct MovingLink {
   std::uint32_t first = 0, last = 0;  ///< intervals of scales, both included
 };
 
+/// Two tracks that meet at the scale of an event, and go apart again.
+struct TrackContact {
+  std::uint32_t event = 0;
+  std::uint32_t a = 0, b = 0;
+};
+
 /// Interval 0 goes from the start of the window to the first event, interval k from event k - 1 on.
 struct MovingBoundary {
-  std::vector<Rational> events;   ///< scales inside the window at which a link begins or ends
+  /// Scales inside the window at which a link begins or ends, or two tracks touch.
+  std::vector<Rational> events;
   std::vector<Track> tracks;      ///< no two are the same
   std::vector<MovingLink> links;  ///< of the boundary; between two tracks never two at a scale
   /// Exposed pieces that face each other: both directions at once. The closed sum covers them.
   std::vector<MovingLink> passages;
+  std::vector<TrackContact> contacts;  ///< sorted by event
 };
 
 /// Exact. O(p log p) for p pieces.

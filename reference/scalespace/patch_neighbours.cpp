@@ -171,11 +171,11 @@ PatchNeighbours listed(std::vector<Found>& all, std::size_t count) {
 
 PatchNeighbours patch_neighbours(const PolygonSet& P, const PolygonSet& Q,
                                  const std::vector<RationalEdge>& edges, const ScaleWindow& window,
-                                 unsigned threads) {
+                                 const BuildControl& control) {
   const Subject subject(P, Q, edges, window);
   const PairFilter filter = subject.filter();
-  std::vector<Found> found(std::max(threads, 1U));
-  in_parallel(edges.size(), threads,
+  std::vector<Found> found(control.threads());
+  in_parallel(edges.size(), control, BuildProgress::Stage::pairs,
               [&](unsigned thread) { return Search(subject, filter, found[thread]); });
   return listed(found, edges.size());
 }

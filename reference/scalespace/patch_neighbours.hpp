@@ -6,6 +6,7 @@
 
 #include "reference/plane/critical/moving_edge.hpp"
 #include "reference/plane/critical/pair_events.hpp"
+#include "reference/scalespace/build_control.hpp"
 
 namespace minkref {
 
@@ -20,6 +21,6 @@ struct PatchNeighbours {
 /// In doubles; the same for any number of threads. O(N^2).
 PatchNeighbours patch_neighbours(const PolygonSet& P, const PolygonSet& Q,
                                  const std::vector<RationalEdge>& edges, const ScaleWindow& window,
-                                 unsigned threads = 1);
+                                 const BuildControl& control);
 
 }  // namespace minkref

@@ -32,6 +32,8 @@ struct PatchNodes {
   std::vector<PatchNode<K>> nodes;
   /// Scales at which a parallel edge comes to lie on the edge, and leaves it again.
   std::vector<typename K::Parameter> overlaps;
+  /// Edges that meet the edge at one scale only, in an end of both.
+  std::vector<std::pair<std::uint32_t, typename K::Parameter>> contacts;
 };
 
 template <class K>
@@ -48,6 +50,7 @@ class PatchNodeFinder {
             PatchNodes<K>& result) const {
     result.nodes.clear();
     result.overlaps.clear();
+    result.contacts.clear();
     const Edge& e = edges_[edge];
     PatchNode<K> end;
     end.name = {NodeName::Kind::own_start, edge};
@@ -70,7 +73,11 @@ class PatchNodeFinder {
     const auto& lines = conditions.half_lines;
     if (is_zero(lines[0]) || is_zero(lines[1])) return;  // at an end of the edge at all scales
     const auto interval = intersection_of_half_lines<K>(kernel_, lines);
-    if (interval.empty || interval.is_point(kernel_)) return;
+    if (interval.empty) return;
+    if (interval.is_point(kernel_)) {
+      result.contacts.emplace_back(other, interval.lower->scale);
+      return;
+    }
     PatchNode<K> node;
     node.name = {NodeName::Kind::crossing, other};
     node.position = crossing_position(kernel_, e, o);

@@ -49,11 +49,15 @@ class Successors {
 
 class Builder {
  public:
-  Builder(const SweptBoundary& swept, const MovingBoundary& boundary)
+  Builder(const SweptBoundary& swept, const MovingBoundary& boundary,
+          const EdgeDirections& directions)
       : boundary_(boundary),
+        directions_(directions),
         successors_(swept, boundary),
         ring_of_(boundary.links.size(), none),
         place_(boundary.tracks.size(), none),
+        next_corner_(boundary.tracks.size(), none),
+        changes_(boundary.events.size()),
         begin_(boundary.events.size() + 1),
         end_(boundary.events.size() + 1) {
     for (std::uint32_t k = 0; k < boundary.links.size(); ++k) {
@@ -62,7 +66,7 @@ class Builder {
     }
   }
 
-  std::vector<RingBucket> run() {
+  RingOrder run() {
     for (const std::uint32_t link : begin_[0]) insert(link);
     start_bucket(0);
     for (std::uint32_t interval = 1; interval < begin_.size(); ++interval) {
@@ -78,7 +82,7 @@ class Builder {
       }
     }
     finish_bucket(static_cast<std::uint32_t>(begin_.size() - 1));
-    return std::move(buckets_);
+    return {std::move(buckets_), std::move(changes_)};
   }
 
  private:
@@ -137,16 +141,57 @@ class Builder {
     rings.erase(std::unique(rings.begin(), rings.end()), rings.end());
     unplaced_ = begun;
     for (const std::uint32_t link : begun) ring_of_[link] = none;
+    RingChange change{true, true, 0};
     for (const std::uint32_t ring : rings) {
-      if (!mend_ring(ring, interval)) return false;
+      if (!mend_ring(ring, interval, change)) return false;
     }
+    change.same_rings = change.same_rings && unplaced_.empty();
     while (!unplaced_.empty()) {
       if (!new_ring(interval)) return false;
     }
+    changes_[interval - 1] = change;
     return true;
   }
 
-  bool mend_ring(std::uint32_t number, std::uint32_t interval) {
+  /// Where a ring turns in an interval, by tracks.
+  void find_corners(const Ring& ring, std::uint32_t interval, std::vector<std::uint32_t>& corners) {
+    corners.clear();
+    std::uint32_t first = none, direction = none, first_track = none;
+    for (const RingEntry& entry : ring) {
+      if (entry.first > interval || entry.last < interval) continue;
+      const MovingLink& link = boundary_.links[entry.link];
+      const std::uint32_t own = directions_.number(link.edge);
+      if (first == none) {
+        first = own;
+        first_track = link.from;
+      } else if (own != direction) {
+        corners.push_back(link.from);
+      }
+      direction = own;
+    }
+    if (first != none && first != direction) corners.push_back(first_track);
+  }
+
+  void compare_corners(const Ring& ring, std::uint32_t interval, RingChange& change) {
+    find_corners(ring, interval - 1, corners_below_);
+    find_corners(ring, interval, corners_);
+    change.more_vertices += static_cast<std::int64_t>(corners_.size()) -
+                            static_cast<std::int64_t>(corners_below_.size());
+    change.same_vertices = change.same_vertices && corners_.size() == corners_below_.size();
+    if (!change.same_vertices) return;
+    const auto next = [](const std::vector<std::uint32_t>& corners, std::size_t k) {
+      return corners[k + 1 == corners.size() ? 0 : k + 1];
+    };
+    for (std::size_t k = 0; k < corners_below_.size(); ++k) {
+      next_corner_[corners_below_[k]] = next(corners_below_, k);
+    }
+    for (std::size_t k = 0; k < corners_.size(); ++k) {
+      change.same_vertices = change.same_vertices && next_corner_[corners_[k]] == next(corners_, k);
+    }
+    for (const std::uint32_t corner : corners_below_) next_corner_[corner] = none;
+  }
+
+  bool mend_ring(std::uint32_t number, std::uint32_t interval, RingChange& change) {
     Ring& ring = rings_[number];
     std::vector<std::size_t> there;  // entries just below
     for (std::size_t k = 0; k < ring.size(); ++k) {
@@ -154,7 +199,10 @@ class Builder {
     }
     const auto goes_on = [&](std::size_t k) { return ring[k].last >= interval; };
     const auto anchor = std::find_if(there.begin(), there.end(), goes_on);
-    if (anchor == there.end()) return true;  // the ring vanishes
+    if (anchor == there.end()) {  // the ring vanishes, or is made of new links
+      change.same_rings = false;
+      return true;
+    }
     std::rotate(there.begin(), anchor, there.end());
     std::vector<std::pair<std::size_t, std::vector<std::uint32_t>>> insertions;
     for (std::size_t k = 0; k < there.size();) {
@@ -186,18 +234,22 @@ class Builder {
                   entries.end());
       size_ += entries.size();
     }
+    compare_corners(ring, interval, change);
     return !touches_itself(ring, interval);
   }
 
   bool touches_itself(const Ring& ring, std::uint32_t interval) {
-    std::vector<std::uint32_t> tracks;
+    bool result = false;
+    passed_.clear();
     for (const RingEntry& entry : ring) {
-      if (entry.first <= interval && interval <= entry.last) {
-        tracks.push_back(boundary_.links[entry.link].from);
-      }
+      if (entry.first > interval || entry.last < interval) continue;
+      const std::uint32_t track = boundary_.links[entry.link].from;
+      result = result || place_[track] != none;
+      place_[track] = 0;
+      passed_.push_back(track);
     }
-    std::sort(tracks.begin(), tracks.end());
-    return std::adjacent_find(tracks.begin(), tracks.end()) != tracks.end();
+    for (const std::uint32_t track : passed_) place_[track] = none;
+    return result;
   }
 
   /// Of links that begin, and nothing else.
@@ -234,10 +286,14 @@ class Builder {
   }
 
   const MovingBoundary& boundary_;
+  const EdgeDirections& directions_;
   Successors successors_;
   std::vector<std::uint32_t> live_;
   std::vector<std::uint32_t> ring_of_;
-  std::vector<std::uint32_t> place_;  // of a track in the path that is being traced
+  std::vector<std::uint32_t> place_;        // of a track in the path that is being traced
+  std::vector<std::uint32_t> next_corner_;  // of a track, in the ring that is being compared
+  std::vector<std::uint32_t> corners_below_, corners_, passed_;
+  std::vector<RingChange> changes_;
   std::vector<std::vector<std::uint32_t>> begin_, end_;  // links by their intervals
   std::vector<RingBucket> buckets_;
   // Of the bucket that is being made:
@@ -249,8 +305,9 @@ class Builder {
 
 }  // namespace
 
-std::vector<RingBucket> ring_buckets(const SweptBoundary& swept, const MovingBoundary& boundary) {
-  return Builder(swept, boundary).run();
+RingOrder ring_order(const SweptBoundary& swept, const MovingBoundary& boundary,
+                     const EdgeDirections& directions) {
+  return Builder(swept, boundary, directions).run();
 }
 
 }  // namespace minkref

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "reference/scalespace/edge_directions.hpp"
 #include "reference/scalespace/moving_boundary.hpp"
 
 namespace minkref {
@@ -14,16 +15,37 @@ struct RingEntry {
   std::uint32_t first = 0, last = 0;  ///< intervals
 };
 
+/// What a ring bounds, in the numbers of the topology timeline.
+struct RingFeatures {
+  bool is_hole = false;         ///< clockwise
+  std::uint32_t hole = 0;       ///< on its right; 0 is the outside
+  std::uint32_t component = 0;  ///< on its left
+};
+
 /// Rings of the boundary over some intervals in a row. At each of them the entries that are there,
 /// in this order, are its rings: a link that takes the place of others stands beside them.
 struct RingBucket {
   std::uint32_t first = 0, last = 0;  ///< intervals
   std::vector<RingEntry> entries;
   std::vector<std::uint32_t> ring_ends;  ///< behind the last entry of each ring
+  std::vector<RingFeatures> features;    ///< of each ring; see feature_timeline.hpp
+};
+
+/// What an event does to the rings.
+struct RingChange {
+  bool same_rings = false;     ///< none merges, splits, appears or vanishes; surely
+  bool same_vertices = false;  ///< known of the same rings only
+  std::int64_t more_vertices = 0;
+};
+
+struct RingOrder {
+  std::vector<RingBucket> buckets;
+  std::vector<RingChange> changes;  ///< of each event
 };
 
 /// Where the boundary touches itself its walks along the components are split into simple rings
 /// (docs/definitions.md, "Canonical form"). O(sum of the rings that change at each event).
-std::vector<RingBucket> ring_buckets(const SweptBoundary& swept, const MovingBoundary& boundary);
+RingOrder ring_order(const SweptBoundary& swept, const MovingBoundary& boundary,
+                     const EdgeDirections& directions);
 
 }  // namespace minkref

@@ -1,68 +1,101 @@
 // All sums sP + Q of a window of scales, built once: any one is then read off.
 #pragma once
 
-#include <vector>
+#include <functional>
+#include <optional>
 
-#include "reference/scalespace/ring_order.hpp"
+#include "reference/plane/dynamic/topology_timeline.hpp"
+#include "reference/plane/sum.hpp"
+#include "reference/scalespace/build_options.hpp"
+#include "reference/scalespace/index_columns.hpp"
+#include "reference/scalespace/index_rings.hpp"
 
 namespace minkref {
 
-/// The boundary at a scale in doubles: rings one after the other, in no particular order, outer
-/// ones counter-clockwise and holes clockwise, without straight vertices. Each coordinate is off by
-/// at most `error`.
-struct RoundedRings {
-  std::vector<double> x, y;
-  std::vector<std::uint32_t> ring_ends;  ///< behind the last vertex of each ring
-  double error = 0;
-};
-
+/// Immutable, and safe to ask from several threads at once; copies share their bytes.
 class ScaleSpaceIndex {
  public:
-  /// Exact. Operands must have passed `validate`. Throws BadInput ("bad-window").
+  /// Exact: the boundary of {(x, s) : x in sP + Q} (docs/scale-space.md). A window is closed, and
+  /// open towards 0 or infinity where a bound is none. Operands must have passed `validate`. Throws
+  /// BadInput ("bad-window", and as minkowski_sum does), LimitExceeded ("memory-limit").
   ScaleSpaceIndex(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window,
-                  unsigned threads = 1);
+                  const BuildOptions& options = {});
 
-  const ScaleWindow& window() const { return swept_.window; }
-  const SweptBoundary& swept() const { return swept_; }
-  const MovingBoundary& boundary() const { return boundary_; }
-  const std::vector<RingBucket>& buckets() const { return buckets_; }
+  /// One that was saved, by a memory map. Throws BadInput as IndexImage::map does. O(bytes).
+  static ScaleSpaceIndex open(const std::string& path);
+  void save(const std::string& path) const { image_.save(path); }
+  std::size_t bytes() const { return image_.bytes(); }
+
+  const ScaleWindow& window() const { return window_; }
+  PolygonSet P() const;
+  PolygonSet Q() const;
+  std::vector<ConvolutionEdge> edges() const;  ///< of the reduced convolution, S-edges first
+  const IndexCounts& counts() const { return columns_.counts; }
+  const IndexColumns& columns() const { return columns_; }
+
+  /// Scales of boundary events, ascending; a few lie beside the window.
+  std::size_t events() const { return columns_.events_in_doubles.size(); }
+  Rational event(std::uint32_t k) const;
+  std::size_t tracks() const { return columns_.tracks_in_doubles.size(); }
+  Track track(std::uint32_t k) const;
 
   /// Where a scale of the window is: the interval that holds it, or the one below the event at
-  /// which it is. Throws BadInput ("outside-window"). O(log e) for e events, in doubles as a rule.
+  /// which it is. Interval k lies between events k - 1 and k. Throws BadInput ("outside-window").
+  /// O(log e) for e events, in doubles as a rule.
   struct Place {
     std::uint32_t interval = 0;
     bool at_event = false;
   };
   Place place(const Rational& scale) const;
 
-  /// The sum in canonical form, without statistics and passages. Exact. O(b log b) for a boundary
-  /// of b edges.
-  Sum sum(const Rational& scale) const;
+  /// The boundary. Throws as `place`. O(b) for a boundary of b edges: nanoseconds a vertex in
+  /// doubles and in integers of up to 128 bits, some 0.3 us in lowest terms. At the few events at
+  /// which rings touch or fold O(b) milliseconds.
+  void rings(const Rational& scale, TrackRings& rings) const;
+  void rings(const Rational& scale, RoundedRings& rings) const;
+  void rings(const Rational& scale, HomogeneousRings& rings) const;
+  void rings(const Rational& scale, RationalRings& rings) const;
 
-  /// The boundary at a scale that is no event's: at one it has edges without length, or touches
-  /// itself. Writes into `rings`, whose memory is used again. O(b); some ns a vertex.
-  void rings(std::uint32_t interval, double scale, RoundedRings& rings) const;
+  /// In canonical form. Exact. O(b log b). Tight passages, where they are asked for, by the static
+  /// route (tight_passages.hpp).
+  Sum sum(const Rational& scale, Passages passages = Passages::leave) const;
+
+  /// Without the boundary. O(log e).
+  struct Features {
+    std::uint32_t components = 0, holes = 0;
+  };
+  Features features(const Rational& scale) const;
+
+  /// Within `error` of the true one. O(log e).
+  struct RoundedArea {
+    double value = 0, error = 0;
+  };
+  RoundedArea area(const Rational& scale) const;
+
+  /// a0 + a1 s + a2 s^2 in an interval. Exact; denominators multiply. O(b log b) multiplications of
+  /// numbers that grow to the length of the result.
+  std::array<Rational, 3> area_polynomial(std::uint32_t interval) const;
+
+  /// Boundary and topology events, life spans. Groups are events.
+  TopologyTimeline timeline() const;
 
  private:
-  const RingBucket& bucket_of(std::uint32_t interval) const { return buckets_[bucket_[interval]]; }
+  explicit ScaleSpaceIndex(IndexImage image);
 
-  struct TrackInDoubles {
-    double x0, y0, x1, y1;
-  };
-  /// An entry of a bucket with all that a query in doubles needs.
-  struct RoundedEntry {
-    std::uint32_t first, last, track, direction;
-  };
+  void collect(const Place& at, TrackRings& rings) const;
+  void collect_touching(std::uint32_t event, TrackRings& rings) const;
+  /// Rings and features of an interval into the shape; take(entry, k) for each corner k.
+  template <class Take>
+  std::size_t each_ring(std::uint32_t interval, RingShape& shape, Take&& take) const;
+  void drop_what_vanishes(std::uint32_t event, TrackRings& rings) const;
+  std::uint32_t standing_for(std::uint32_t event, std::uint32_t track) const;
+  Vector2<Rational> direction(const IndexEdge& edge) const;
+  bool is_plain(const Place& at) const;
 
-  SweptBoundary swept_;
-  MovingBoundary boundary_;
-  std::vector<RingBucket> buckets_;
-  std::vector<std::uint32_t> bucket_;               // of each interval
-  std::vector<double> near_events_;                 // of the events
-  std::vector<TrackInDoubles> rounded_;             // of the tracks
-  std::vector<std::uint32_t> direction_;            // of each edge of the convolution, a number
-  std::vector<std::vector<RoundedEntry>> entries_;  // of each bucket
-  double largest_ = 0;                              // of the tracks' coefficients
+  IndexImage image_;
+  IndexColumns columns_;
+  ScaleWindow window_;
+  double largest_ = 0;  ///< of the tracks' coefficients
 };
 
 }  // namespace minkref

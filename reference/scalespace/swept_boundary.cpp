@@ -7,6 +7,7 @@
 
 #include "reference/plane/convolution/convolution_rule.hpp"
 #include "reference/plane/dynamic/interior_test.hpp"
+#include "reference/plane/kernel/fraction.hpp"
 #include "reference/scalespace/in_parallel.hpp"
 #include "reference/scalespace/patch_neighbours.hpp"
 #include "reference/scalespace/patch_sweep.hpp"
@@ -60,13 +61,20 @@ class Search {
       largest.exposed = !is_inside(edge, sweep_.pieces()[largest.piece]);
     }
     result_.faces_tested += largest_.size();
+    bool exposed = false;
     for (const Piece& piece : sweep_.pieces()) {
       const auto found = largest_.find(sweep_.face(piece));
       if (found == largest_.end() || !found->second.exposed) continue;
+      exposed = true;
       std::optional<Rational> upper;
       if (std::isfinite(piece.to.near)) upper = sweep_.scale(piece.to);
       result_.pieces.push_back({edge, nodes_.nodes[piece.left].name, nodes_.nodes[piece.right].name,
                                 sweep_.scale(piece.from), std::move(upper)});
+    }
+    if (!exposed) return;
+    for (const auto& [other, scale] : nodes_.contacts) {
+      const Fraction s = fraction(scale);
+      result_.contacts.push_back({edge, other, Rational(s.num, s.den)});
     }
   }
 
@@ -139,6 +147,7 @@ void gather(std::vector<SweptBoundary>& parts, SweptBoundary& result) {
     result.pieces_in_all += part.pieces_in_all;
     result.faces_tested += part.faces_tested;
     std::move(part.pieces.begin(), part.pieces.end(), std::back_inserter(result.pieces));
+    std::move(part.contacts.begin(), part.contacts.end(), std::back_inserter(result.contacts));
   }
   std::stable_sort(result.pieces.begin(), result.pieces.end(),
                    [](const ExposedPiece& a, const ExposedPiece& b) { return a.edge < b.edge; });
@@ -147,7 +156,8 @@ void gather(std::vector<SweptBoundary>& parts, SweptBoundary& result) {
 }  // namespace
 
 SweptBoundary swept_boundary(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window,
-                             unsigned threads) {
+                             const BuildOptions& options) {
+  const BuildControl control(options);
   refuse_bad_window(window);
   SweptBoundary result;
   result.window = window;
@@ -158,15 +168,15 @@ SweptBoundary swept_boundary(const PolygonSet& P, const PolygonSet& Q, const Sca
                                       [](const Point& p) { return Vector2<Rational>(p.x, p.y); });
   };
   result.moving = moving_edges(result.edges, as_vectors(P), as_vectors(Q));
-  const PatchNeighbours neighbours = patch_neighbours(P, Q, result.moving, window, threads);
+  const PatchNeighbours neighbours = patch_neighbours(P, Q, result.moving, window, control);
   result.meeting_pairs = neighbours.meeting;
   result.pairs_inside = neighbours.inside;
   const InteriorTest test(P, Q);
   on_exact_frame(P, Q, [&](const auto& frame) {
     using K = typename std::decay_t<decltype(frame)>::K;
     const auto edges = moving_edges(result.edges, frame.P, frame.Q);
-    std::vector<SweptBoundary> parts(std::max(threads, 1U));
-    in_parallel(edges.size(), threads, [&](unsigned thread) {
+    std::vector<SweptBoundary> parts(control.threads());
+    in_parallel(edges.size(), control, BuildProgress::Stage::patches, [&](unsigned thread) {
       return Search<K>(frame.kernel, edges, result.moving, neighbours, test, window, parts[thread]);
     });
     gather(parts, result);

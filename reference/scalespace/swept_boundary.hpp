@@ -7,6 +7,7 @@
 #include "reference/plane/critical/moving_edge.hpp"
 #include "reference/plane/critical/pair_events.hpp"
 #include "reference/plane/sum.hpp"
+#include "reference/scalespace/build_options.hpp"
 #include "reference/scalespace/patch_node_name.hpp"
 
 namespace minkref {
@@ -20,19 +21,28 @@ struct ExposedPiece {
   std::optional<Rational> upper;  ///< none: up to infinity
 };
 
+/// Two edges that meet at one scale only, in an end of both.
+struct EndContact {
+  std::uint32_t edge = 0, other = 0;
+  Rational scale;
+};
+
 struct SweptBoundary {
   ScaleWindow window;
   std::vector<ConvolutionEdge> edges;                 ///< of the reduced convolution, S-edges first
   std::vector<RationalEdge> moving;                   ///< the same as functions of the scale
   std::vector<ExposedPiece> pieces;                   ///< sorted by edge
+  std::vector<EndContact> contacts;                   ///< of edges with a piece, in no order
   std::uint64_t meeting_pairs = 0, pairs_inside = 0;  ///< see PatchNeighbours
   std::uint64_t pieces_in_all = 0, faces_tested = 0;
 };
 
 /// Within a window, open towards 0 or infinity where a bound is none. Exact, and the same for any
-/// number of threads. Operands must have passed `validate`. Throws BadInput ("bad-window"). O(N^2)
+/// number of threads. Operands must have passed `validate`. Throws BadInput ("bad-window"),
+/// LimitExceeded
+/// ("memory-limit"). O(N^2)
 /// in doubles for N edges of the convolution; what follows depends on the pairs that are left.
 SweptBoundary swept_boundary(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window,
-                             unsigned threads = 1);
+                             const BuildOptions& options = {});
 
 }  // namespace minkref

@@ -14,13 +14,18 @@ namespace {
 
 /// All events, a scale in each interval between two, and beyond the last ones.
 std::vector<Rational> telling_scales(const ScaleSpaceIndex& index) {
-  const std::vector<Rational>& events = index.boundary().events;
+  std::vector<Rational> events;
+  const ScaleWindow& window = index.window();
+  for (std::uint32_t k = 0; k < index.events(); ++k) {
+    Rational s = index.event(k);
+    if ((window.from && s < *window.from) || (window.to && s > *window.to)) continue;
+    events.push_back(std::move(s));
+  }
   std::vector<Rational> scales;
   for (std::size_t k = 0; k < events.size(); ++k) {
     scales.push_back(events[k]);
     if (k + 1 < events.size()) scales.push_back((events[k] + events[k + 1]) / 2);
   }
-  const ScaleWindow& window = index.window();
   const Rational first = events.empty() ? window.to.value_or(Rational(2)) : events.front(),
                  last = events.empty() ? window.from.value_or(Rational(1)) : events.back();
   scales.push_back(window.from ? (*window.from + first) / 2 : first / 2);
@@ -70,10 +75,7 @@ TEST(ScaleSpaceIndex, RingsInDoublesAreThoseOfTheSumWithinTheirError) {
     const ScaleSpaceIndex index(c.P, c.Q, some_window(c));
     RoundedRings rings;
     for (const Rational& scale : telling_scales(index)) {
-      const auto place = index.place(scale);
-      const ScaleWindow& window = index.window();
-      if (place.at_event || scale == window.from || scale == window.to) continue;
-      index.rings(place.interval, to_double(scale), rings);
+      index.rings(scale, rings);
       const Sum sum = minkowski_sum(c.P, c.Q, scale);
       const auto expected = vertices(sum.region);
       if (expected.size() != rings.x.size()) {
@@ -104,6 +106,157 @@ TEST(ScaleSpaceIndex, RingsInDoublesAreThoseOfTheSumWithinTheirError) {
     }
     return "";
   });
+}
+
+/// The vertices of a column with `per` integers each, as points.
+std::vector<Point> points(const IntegerColumn& column, std::size_t per) {
+  std::vector<Point> result;
+  for (std::size_t k = 0; k < column.size(); k += per) {
+    result.push_back(
+        per == 3
+            ? Point{Rational(column[k], column[k + 2]), Rational(column[k + 1], column[k + 2])}
+            : Point{Rational(column[k], column[k + 1]), Rational(column[k + 2], column[k + 3])});
+  }
+  return result;
+}
+
+TEST(ScaleSpaceIndex, AllFormsAreTheSameRings) {
+  MINKREF_SEEDED(random, 922);
+  expect_law(random, 40, [](const Case& c) -> std::string {
+    // In short numbers and in long ones: a shift by 1 / 3^60 leaves the sum as it is otherwise.
+    Case far = c;
+    Rational shift = 1;
+    for (int k = 0; k < 60; ++k) shift /= 3;
+    for (Polygon& polygon : far.P.polygons) {
+      for (Point& p : polygon.outer) p.x += shift;
+      for (Ring& hole : polygon.holes) {
+        for (Point& p : hole) p.x += shift;
+      }
+    }
+    for (const Case* one : {&c, static_cast<const Case*>(&far)}) {
+      const ScaleSpaceIndex index(one->P, one->Q, some_window(*one));
+      TrackRings tracks;
+      RoundedRings rounded;
+      HomogeneousRings homogeneous;
+      RationalRings rational;
+      for (const Rational& scale : telling_scales(index)) {
+        index.rings(scale, tracks);
+        index.rings(scale, rounded);
+        index.rings(scale, homogeneous);
+        index.rings(scale, rational);
+        const auto same_shape = [&](const RingShape& shape) {
+          return shape.ring_ends == tracks.ring_ends && shape.edges == tracks.edges &&
+                 shape.rings.size() == tracks.rings.size();
+        };
+        if (!same_shape(rounded) || !same_shape(homogeneous) || !same_shape(rational)) {
+          return "other rings at " + to_string(scale);
+        }
+        std::vector<Point> expected;
+        for (const std::uint32_t track : tracks.tracks) {
+          expected.push_back(index.track(track).at(scale));
+        }
+        if (points(homogeneous.column(), 3) != expected)
+          return "homogeneous at " + to_string(scale);
+        if (points(rational.column(), 4) != expected) return "reduced at " + to_string(scale);
+        const IntegerColumn numbers = rational.column();
+        for (std::size_t k = 0; k < numbers.size(); k += 2) {
+          if (gcd(numbers[k], numbers[k + 1]) != 1) return "not in lowest terms";
+        }
+        for (std::size_t k = 0; k < expected.size(); ++k) {
+          const Rational error = from_double(rounded.error);
+          if (abs(from_double(rounded.x[k]) - expected[k].x) > error ||
+              abs(from_double(rounded.y[k]) - expected[k].y) > error) {
+            return "a double is off by more than its error at " + to_string(scale);
+          }
+        }
+      }
+    }
+    return "";
+  });
+}
+
+TEST(ScaleSpaceIndex, ASideLiesOnTheEdgeThatIsNamed) {
+  MINKREF_SEEDED(random, 923);
+  expect_law(random, 40, [](const Case& c) -> std::string {
+    const ScaleSpaceIndex index(c.P, c.Q, some_window(c));
+    const auto edges = index.edges();
+    TrackRings rings;
+    for (const Rational& scale : telling_scales(index)) {
+      index.rings(scale, rings);
+      std::size_t first = 0;
+      for (const std::uint32_t end : rings.ring_ends) {
+        for (std::size_t k = first; k < end; ++k) {
+          const Point from = index.track(rings.tracks[k]).at(scale),
+                      to = index.track(rings.tracks[k + 1 == end ? first : k + 1]).at(scale);
+          const Segment edge = at_scale(edges[rings.edges[k]], c.P, c.Q, scale);
+          const Rational dx = edge.end.x - edge.start.x, dy = edge.end.y - edge.start.y;
+          if (dx * (from.y - edge.start.y) != dy * (from.x - edge.start.x) ||
+              dx * (to.y - from.y) != dy * (to.x - from.x) ||
+              dx * (to.x - from.x) + dy * (to.y - from.y) <= 0) {
+            return "at " + to_string(scale);
+          }
+        }
+        first = end;
+      }
+    }
+    return "";
+  });
+}
+
+TEST(ScaleSpaceIndex, AreaAndFeaturesNeedNoBoundary) {
+  MINKREF_SEEDED(random, 924);
+  expect_law(random, 40, [](const Case& c) -> std::string {
+    const ScaleSpaceIndex index(c.P, c.Q, some_window(c));
+    for (const Rational& scale : telling_scales(index)) {
+      const Sum sum = minkowski_sum(c.P, c.Q, scale);
+      const Rational exact = minkref::area(sum);
+      const auto told = index.area(scale);
+      if (abs(from_double(told.value) - exact) > from_double(told.error)) {
+        return "the area at " + to_string(scale);
+      }
+      if (told.error > 1e-9 * (1 + told.value)) return "a useless error";
+      const auto [a0, a1, a2] = index.area_polynomial(index.place(scale).interval);
+      if (a0 + scale * (a1 + scale * a2) != exact) return "the polynomial at " + to_string(scale);
+      const auto features = index.features(scale);
+      if (features.components != sum.components || features.holes != sum.holes) {
+        return "the features at " + to_string(scale);
+      }
+    }
+    return "";
+  });
+}
+
+TEST(ScaleSpaceIndex, OfTheEmptySetIsEmpty) {
+  const ScaleSpaceIndex index({}, box(0, 0, 1, 1), {Rational(1, 2), Rational(3)});
+  EXPECT_TRUE(index.sum(1).region.empty());
+  EXPECT_EQ(index.area(1).value, 0);
+  EXPECT_EQ(index.features(1).components, 0U);
+  EXPECT_TRUE(index.timeline().topology.empty());
+}
+
+TEST(ScaleSpaceIndex, RefusesOperandsWithoutASum) {
+  EXPECT_THROW(ScaleSpaceIndex(point_set(0, 0), segment_set({0, 0}, {1, 0}), {}), BadInput);
+  EXPECT_THROW(ScaleSpaceIndex(box(0, 0, 1, 1), box(0, 0, 1, 1), {Rational(2), Rational(1)}),
+               BadInput);
+}
+
+TEST(ScaleSpaceIndex, KeepsItsMemoryLimitAndTellsItsProgress) {
+  const PolygonSet P = box(0, 0, 1, 1), Q = box(0, 0, 2, 1);
+  std::size_t calls = 0;
+  BuildOptions options;
+  options.progress = [&](const BuildProgress& p) {
+    EXPECT_LE(p.done, p.total);
+    ++calls;
+  };
+  const ScaleSpaceIndex index(P, Q, {Rational(1), Rational(2)}, options);
+  EXPECT_GT(calls, 4U);
+  options.memory_limit = 1;
+  try {
+    const ScaleSpaceIndex too_large(P, Q, {Rational(1), Rational(2)}, options);
+    FAIL() << "no refusal";
+  } catch (const LimitExceeded& refusal) {
+    EXPECT_EQ(refusal.code(), "memory-limit");
+  }
 }
 
 TEST(ScaleSpaceIndex, HoldsNoScaleOutsideItsWindow) {

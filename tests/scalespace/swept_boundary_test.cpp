@@ -72,7 +72,8 @@ TEST(SweptBoundary, OfTheEmptySetIsEmpty) {
 TEST(SweptBoundary, IsTheSameForAnyNumberOfThreads) {
   MINKREF_SEEDED(random, 903);
   expect_law(random, 30, [](const Case& c) -> std::string {
-    const SweptBoundary one = swept_boundary(c.P, c.Q, {}), three = swept_boundary(c.P, c.Q, {}, 3);
+    const SweptBoundary one = swept_boundary(c.P, c.Q, {}),
+                        three = swept_boundary(c.P, c.Q, {}, {3, {}, 0});
     const auto same = [](const ExposedPiece& a, const ExposedPiece& b) {
       return a.edge == b.edge && a.from == b.from && a.to == b.to && a.lower == b.lower &&
              a.upper == b.upper;

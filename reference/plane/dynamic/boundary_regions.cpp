@@ -13,11 +13,11 @@ constexpr std::uint32_t none = 0xffffffffU;
 /// Cycles as polygons at one scale.
 class CyclesAtScale {
  public:
-  CyclesAtScale(const BoundaryStates& states, const std::vector<BoundaryLink>& links,
+  CyclesAtScale(const std::vector<Track>& tracks, const std::vector<BoundaryLink>& links,
                 const Rational& scale) {
     for (const BoundaryLink& link : links) {
-      from_.push_back(states.tracks()[link.from].at(scale));
-      to_.push_back(states.tracks()[link.to].at(scale));
+      from_.push_back(tracks[link.from].at(scale));
+      to_.push_back(tracks[link.to].at(scale));
     }
   }
 
@@ -100,7 +100,7 @@ Regions regions_of(const BoundaryCycles& cycles, bool left, std::uint32_t first_
 
 }  // namespace
 
-BoundaryRegions boundary_regions(const BoundaryStates& states, BoundaryState state,
+BoundaryRegions boundary_regions(const std::vector<Track>& tracks, BoundaryState state,
                                  CycleFinder& finder, const Rational& scale) {
   BoundaryRegions result;
   result.place = finder.remove_duplicates(state.links);
@@ -112,7 +112,7 @@ BoundaryRegions boundary_regions(const BoundaryStates& states, BoundaryState sta
   const auto enclosing = std::count_if(interior.cycles.begin(), interior.cycles.end(),
                                        [](const auto& c) { return c.left; });
   std::optional<CyclesAtScale> at_scale;
-  if (enclosing > 1) at_scale.emplace(states, result.links, scale);
+  if (enclosing > 1) at_scale.emplace(tracks, result.links, scale);
   const bool one = enclosing <= 1;
   const CyclesAtScale* geometry = at_scale ? &*at_scale : nullptr;
   const Regions components = regions_of(interior, true, 0, 0, one, geometry);
@@ -146,7 +146,7 @@ BoundaryRegions boundary_regions(const BoundaryStates& states, BoundaryState sta
   return result;
 }
 
-std::uint32_t component_around(const BoundaryStates& states, const BoundaryRegions& regions,
+std::uint32_t component_around(const std::vector<Track>& tracks, const BoundaryRegions& regions,
                                const Point& point, const Rational& scale) {
   if (regions.components == 1) return 0;
   const auto& cycles = regions.walks.cycles;
@@ -154,7 +154,7 @@ std::uint32_t component_around(const BoundaryStates& states, const BoundaryRegio
   for (std::uint32_t c = 0; c < cycles.size(); ++c) {
     if (cycles[c].left) enclosing.push_back(c);
   }
-  const CyclesAtScale at_scale(states, regions.links, scale);
+  const CyclesAtScale at_scale(tracks, regions.links, scale);
   const std::uint32_t best = smallest_around(regions.walks, enclosing, point, at_scale);
   if (best == none) throw std::logic_error("a point of the interior is in no component");
   return regions.component[cycles[best].first];
@@ -169,7 +169,10 @@ std::vector<BoundaryRing> boundary_rings(const BoundaryRegions& regions,
     int turns = 0;
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const BoundaryLink &in = links[ring[i]], &out = links[ring[(i + 1) % ring.size()]];
-      if (!finder.same_direction(in.edge, out.edge)) result.vertices.push_back(in.to);
+      if (!finder.same_direction(in.edge, out.edge)) {
+        result.vertices.push_back(in.to);
+        result.edges.push_back(out.edge);
+      }
       turns += finder.half_turns(in.edge, out.edge);
     }
     result.is_hole = turns < 0;

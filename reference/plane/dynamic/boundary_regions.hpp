@@ -1,7 +1,7 @@
 // The connected components of a set and of its complement, from its boundary.
 #pragma once
 
-#include "reference/plane/dynamic/boundary_states.hpp"
+#include "reference/plane/dynamic/boundary_history.hpp"
 
 namespace minkref {
 
@@ -20,19 +20,20 @@ struct BoundaryRegions {
 
 /// `scale`: one at which the state holds; used only where there are several components. Exact.
 /// O(n); with several components O(n c) exact comparisons for c cycles.
-BoundaryRegions boundary_regions(const BoundaryStates& states, BoundaryState state,
+BoundaryRegions boundary_regions(const std::vector<Track>& tracks, BoundaryState state,
                                  CycleFinder& finder, const Rational& scale);
 
 /// The component that holds a point of the interior. Exact. O(n).
-std::uint32_t component_around(const BoundaryStates& states, const BoundaryRegions& regions,
+std::uint32_t component_around(const std::vector<Track>& tracks, const BoundaryRegions& regions,
                                const Point& point, const Rational& scale);
 
 /// A simple ring of the canonical form, by its vertices.
 struct BoundaryRing {
   std::vector<std::uint32_t> vertices;
-  bool is_hole = false;         ///< clockwise
-  std::uint32_t component = 0;  ///< that it bounds, as in BoundaryRegions
-  std::uint32_t hole = 0;       ///< on its other side; 0 is the outside
+  std::vector<std::uint32_t> edges;  ///< of the convolution, behind each vertex
+  bool is_hole = false;              ///< clockwise
+  std::uint32_t component = 0;       ///< that it bounds, as in BoundaryRegions
+  std::uint32_t hole = 0;            ///< on its other side; 0 is the outside
 };
 
 /// The rings of the canonical form (docs/definitions.md), in no order: walks split at repeated

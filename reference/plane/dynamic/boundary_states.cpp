@@ -159,8 +159,39 @@ BoundaryState BoundaryStates::at_group(std::uint32_t group,
   return state;
 }
 
-BoundaryGraph boundary_graph(const BoundaryStates& states, BoundaryState state, CycleFinder& cycles,
-                             const Rational& scale) {
+std::span<const CoincidentNodes> BoundaryStates::coincident_at(std::uint32_t group) const {
+  const auto& all = timeline_->coincident;
+  const auto [first, last] = of_group(all, group, [](const auto& b) { return b.group; });
+  return {all.data() + first, all.data() + last};
+}
+
+std::vector<std::uint32_t> BoundaryStates::edges_at(std::uint32_t group) const {
+  std::vector<std::uint32_t> edges;
+  for (const CoincidentNodes& block : coincident_at(group)) {
+    edges.push_back(block.edge);
+    for (const std::uint32_t node : block.nodes) {
+      if (node != start_of_edge && node != end_of_edge) {
+        edges.push_back(timeline_->events->table().nodes[node].other);
+      }
+    }
+  }
+  // A ring that vanishes or appears in a point leaves no such node.
+  for (const auto* list : {&end_with(group), &begin_with(group + 1)}) {
+    for (const std::uint32_t s : *list) edges.push_back(timeline_->sub_edges[s].edge);
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
+
+std::optional<Point> BoundaryStates::place_at(std::uint32_t group) const {
+  const auto here = coincident_at(group);
+  if (here.empty()) return std::nullopt;
+  return timeline_->track(here[0].edge, here[0].nodes[0]).at(scale(group));
+}
+
+BoundaryGraph boundary_graph(const std::vector<Track>& tracks, BoundaryState state,
+                             CycleFinder& cycles, const Rational& scale) {
   cycles.remove_duplicates(state.links);
   cycles.find(state.links, true);  // throws where they do not close
   BoundaryGraph graph;
@@ -169,7 +200,7 @@ BoundaryGraph boundary_graph(const BoundaryStates& states, BoundaryState state, 
   const auto point = [&](std::uint32_t track) {
     const auto [place, fresh] =
         number.try_emplace(track, static_cast<std::uint32_t>(graph.points.size()));
-    if (fresh) graph.points.push_back(states.tracks()[track].at(scale));
+    if (fresh) graph.points.push_back(tracks[track].at(scale));
     return place->second;
   };
   for (const BoundaryLink& link : state.links) {

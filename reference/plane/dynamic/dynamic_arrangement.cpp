@@ -144,7 +144,7 @@ BoundaryGraph DynamicArrangement::boundary() {
   const bool at_boundary_event = at_event() && states_->touches_boundary(group());
   BoundaryState state =
       at_boundary_event ? states_->at_group(group(), sub_edges_) : states_->between(sub_edges_);
-  return boundary_graph(*states_, std::move(state), cycles_, scale_);
+  return boundary_graph(states_->tracks(), std::move(state), cycles_, scale_);
 }
 
 }  // namespace minkref

@@ -4,7 +4,7 @@
 #include <map>
 #include <numeric>
 #include <set>
-#include <span>
+#include <tuple>
 #include <unordered_map>
 
 #include "reference/fault.hpp"
@@ -34,31 +34,31 @@ struct Relation {
 
 class TimelineBuilder {
  public:
-  TimelineBuilder(const BoundaryStates& states, const std::function<void(RingsFrom)>& rings)
-      : states_(states),
-        rings_(rings),
-        events_(*states.timeline().events),
-        finder_(events_.moving()),
-        sub_edges_(states.sub_edges_in(0)) {}
+  TimelineBuilder(const BoundaryHistory& history, const std::function<void(RingsFrom)>& rings,
+                  const std::function<void(FeaturesFrom)>& features)
+      : history_(history),
+        show_rings_(rings),
+        show_features_(features),
+        finder_(history.moving()),
+        sub_edges_(history.sub_edges_in(0)),
+        place_below_(history.sub_edge_count()),
+        place_above_(history.sub_edge_count()) {}
 
   TopologyTimeline build() {
-    const auto& groups = states_.groups();
+    const auto& groups = history_.groups();
     below_ = between(groups.empty() ? 0 : groups.front());
-    for (const FeatureKind kind : {FeatureKind::hole, FeatureKind::component}) {
-      auto& names = names_[index(kind)];
-      const Side regions = side(below_, kind);
-      for (std::uint32_t r = regions.first; r < regions.last; ++r) {
-        names.push_back(r);
-        features(kind).push_back({});
-      }
-      if (kind == FeatureKind::hole && names.empty()) {
-        names.push_back(0);
-        features(kind).push_back({});
-      }
-    }
+    place(sub_edges_, below_, place_below_);
+    for (const FeatureKind kind : {FeatureKind::hole, FeatureKind::component}) name_first(kind);
     count(groups.empty() ? 0 : groups.front(), below_);
     show_rings(0);
-    for (const std::uint32_t group : groups) pass(group);
+    show_features(0);
+    for (const std::uint32_t group : groups) {
+      if (const auto quiet = history_.quiet(group)) {
+        skip(group, *quiet);
+      } else {
+        pass(group);
+      }
+    }
     return std::move(result_);
   }
 
@@ -68,17 +68,43 @@ class TimelineBuilder {
     return kind == FeatureKind::hole ? result_.holes : result_.components;
   }
 
+  /// Names of the first state, in the order of where its regions begin just above the start of the
+  /// window.
+  void name_first(FeatureKind kind) {
+    const Rational start = history_.window().from.value_or(Rational(0));
+    const Side regions = side(below_, kind);
+    using Key = std::array<Rational, 4>;
+    std::vector<std::optional<Key>> least(regions.last);
+    for (std::size_t i = 0; i < below_.links.size(); ++i) {
+      const Track& track = history_.tracks()[below_.links[i].from];
+      const Point p = track.at(start);
+      std::optional<Key>& known = least[regions.of_link[i]];
+      Key key{p.x, track.b.x, p.y, track.b.y};
+      if (!known || key < *known) known = std::move(key);
+    }
+    const std::uint32_t fixed = kind == FeatureKind::hole ? 1 : 0;  // the outside comes first
+    std::vector<std::uint32_t> order(regions.last);
+    std::iota(order.begin(), order.end(), 0U);
+    std::sort(order.begin() + std::min<std::uint32_t>(fixed, regions.last), order.end(),
+              [&](std::uint32_t x, std::uint32_t y) { return *least[x] < *least[y]; });
+    auto& names = names_[index(kind)];
+    names.resize(regions.last);
+    for (std::uint32_t k = 0; k < order.size(); ++k) names[order[k]] = k;
+    features(kind).resize(order.size());
+  }
+
   /// A scale within an interval.
   Rational within(std::uint32_t interval) const {
-    const ScaleWindow& window = events_.window();
-    const bool first = interval == 0, last = interval == events_.groups();
-    const Rational low = !first ? events_.exact(interval - 1) : window.from.value_or(0);
-    const Rational high = !last ? events_.exact(interval) : window.to.value_or(2 * low + 1);
+    const ScaleWindow& window = history_.window();
+    const bool first = interval == 0, last = interval == history_.group_count();
+    const Rational low = !first ? history_.scale(interval - 1) : window.from.value_or(0);
+    const Rational high = !last ? history_.scale(interval) : window.to.value_or(2 * low + 1);
     return (low + high) / 2;
   }
 
   BoundaryRegions between(std::uint32_t interval) {
-    return boundary_regions(states_, states_.between(sub_edges_), finder_, within(interval));
+    return boundary_regions(history_.tracks(), history_.between(sub_edges_), finder_,
+                            within(interval));
   }
 
   void count(std::uint32_t interval, const BoundaryRegions& at) {
@@ -88,38 +114,90 @@ class TimelineBuilder {
   }
 
   void show_rings(std::uint32_t interval) {
-    if (!rings_) return;
+    if (!show_rings_) return;
     RingsFrom state{interval, boundary_rings(below_, finder_)};
     for (BoundaryRing& ring : state.rings) {
       ring.hole = names_[index(FeatureKind::hole)][ring.hole];
       ring.component = names_[index(FeatureKind::component)][ring.component];
     }
-    rings_(std::move(state));
+    show_rings_(std::move(state));
+  }
+
+  void show_features(std::uint32_t interval) {
+    if (!show_features_) return;
+    FeaturesFrom state{interval, sub_edges_, {}, {}};
+    for (const std::uint32_t s : sub_edges_) {
+      const std::uint32_t link = place_below_[s];
+      state.holes.push_back(names_[index(FeatureKind::hole)][below_.hole[link]]);
+      state.components.push_back(names_[index(FeatureKind::component)][below_.component[link]]);
+    }
+    show_features_(std::move(state));
+  }
+
+  /// Where each sub-edge stands among the links.
+  static void place(const std::vector<std::uint32_t>& sub_edges, const BoundaryRegions& regions,
+                    std::vector<std::uint32_t>& places) {
+    for (std::size_t i = 0; i < sub_edges.size(); ++i) places[sub_edges[i]] = regions.place[i];
+  }
+
+  void move_on(std::uint32_t group) {
+    std::vector<std::uint32_t> ended = history_.end_with(group);
+    std::sort(ended.begin(), ended.end());
+    std::erase_if(sub_edges_, [&](std::uint32_t s) {
+      return std::binary_search(ended.begin(), ended.end(), s);
+    });
+    const auto& fresh = history_.begin_with(group + 1);
+    sub_edges_.insert(sub_edges_.end(), fresh.begin(), fresh.end());
+  }
+
+  /// Over a group that changes no feature.
+  void skip(std::uint32_t group, const BoundaryHistory::Quiet& quiet) {
+    if (!stale_) {
+      for (const FeatureKind kind : {FeatureKind::hole, FeatureKind::component}) {
+        auto& of_ring = name_of_ring_[index(kind)];
+        of_ring.clear();
+        const Side regions = side(below_, kind);
+        for (const std::uint32_t s : sub_edges_) {
+          of_ring[history_.ring_of(s, group)] =
+              names_[index(kind)][regions.of_link[place_below_[s]]];
+        }
+      }
+      stale_ = true;
+    }
+    move_on(group);
+    if (quiet.change) {
+      result_.boundary.push_back({group, *quiet.change, history_.edges_at(group),
+                                  history_.place_at(group).value_or(Point{})});
+    }
+  }
+
+  /// The state below a group again, after groups that were skipped.
+  void refresh(std::uint32_t group) {
+    stale_ = false;
+    below_ = between(group);
+    place(sub_edges_, below_, place_below_);
+    for (const FeatureKind kind : {FeatureKind::hole, FeatureKind::component}) {
+      const Side regions = side(below_, kind);
+      auto& names = names_[index(kind)];
+      names.assign(regions.last, 0);  // the outside is 0 also where it has no boundary
+      for (const std::uint32_t s : sub_edges_) {
+        names[regions.of_link[place_below_[s]]] =
+            name_of_ring_[index(kind)].at(history_.ring_of(s, group));
+      }
+    }
   }
 
   void pass(std::uint32_t group) {
-    const Rational scale = events_.exact(group);
-    const std::vector<std::uint32_t> before = sub_edges_;
-    BoundaryState at_scale = states_.at_group(group, before);
+    if (stale_) refresh(group);
+    const Rational scale = history_.scale(group);
+    BoundaryState at_scale = history_.at_group(group, sub_edges_);
     const std::vector<BoundaryLink> at_links = at_scale.links;
-    const BoundaryRegions here = boundary_regions(states_, std::move(at_scale), finder_, scale);
-    std::erase_if(sub_edges_,
-                  [&](std::uint32_t s) { return states_.timeline().sub_edges[s].last == group; });
-    const auto& fresh = states_.begin_with(group + 1);
-    sub_edges_.insert(sub_edges_.end(), fresh.begin(), fresh.end());
-    const std::vector<std::uint32_t>& after = sub_edges_;
+    const BoundaryRegions here =
+        boundary_regions(history_.tracks(), std::move(at_scale), finder_, scale);
+    move_on(group);
     BoundaryRegions above = between(group + 1);
-
-    // Where each sub-edge stands among the links.
-    const auto places = [&](const std::vector<std::uint32_t>& sub_edges,
-                            const BoundaryRegions& regions) {
-      std::unordered_map<std::uint32_t, std::uint32_t> place;
-      place.reserve(sub_edges.size());
-      for (std::size_t i = 0; i < sub_edges.size(); ++i) place[sub_edges[i]] = regions.place[i];
-      return place;
-    };
+    place(sub_edges_, above, place_above_);
     bool changed = false;
-    const auto known = std::pair(places(before, below_), places(after, above));
     for (const FeatureKind kind : {FeatureKind::hole, FeatureKind::component}) {
       const Side b = side(below_, kind), h = side(here, kind), a = side(above, kind);
       Relation relation{std::vector<std::set<std::uint32_t>>(b.last),
@@ -127,10 +205,10 @@ class TimelineBuilder {
       for (std::size_t i = 0; i < at_links.size(); ++i) {
         const std::uint32_t region = h.of_link[here.place[i]];
         if (at_links[i].before != no_sub_edge) {
-          relation.at_of_before[b.of_link[known.first.at(at_links[i].before)]].insert(region);
+          relation.at_of_before[b.of_link[place_below_[at_links[i].before]]].insert(region);
         }
         if (at_links[i].after != no_sub_edge) {
-          relation.at_of_after[a.of_link[known.second.at(at_links[i].after)]].insert(region);
+          relation.at_of_after[a.of_link[place_above_[at_links[i].after]]].insert(region);
         }
       }
       if (kind == FeatureKind::hole) {
@@ -142,8 +220,17 @@ class TimelineBuilder {
       }
       changed = relate(kind, relation, h.last, group, scale, here, above) || changed;
     }
+    const auto first =
+        std::partition_point(result_.topology.begin(), result_.topology.end(),
+                             [&](const TopologyEvent& e) { return e.group < group; });
+    std::sort(first, result_.topology.end(), [](const TopologyEvent& x, const TopologyEvent& y) {
+      return std::tie(x.kind, x.change, x.before, x.after) <
+             std::tie(y.kind, y.change, y.before, y.after);
+    });
     const bool event = boundary_event(group, scale, here, above, changed);
     below_ = std::move(above);
+    place_below_.swap(place_above_);
+    show_features(group + 1);
     if (event) show_rings(group + 1);
     count(group + 1, here);
   }
@@ -155,11 +242,11 @@ class TimelineBuilder {
     for (std::size_t i = 0; i < regions.links.size(); ++i) {
       const std::uint32_t component = regions.component[i];
       if (!at_of[component].empty()) continue;
-      const Point from = states_.tracks()[regions.links[i].from].at(scale);
-      const Point to = states_.tracks()[regions.links[i].to].at(scale);
+      const Point from = history_.tracks()[regions.links[i].from].at(scale);
+      const Point to = history_.tracks()[regions.links[i].to].at(scale);
       if (from == to) continue;
       const Point middle{(from.x + to.x) / 2, (from.y + to.y) / 2};
-      at_of[component].insert(component_around(states_, here, middle, scale));
+      at_of[component].insert(component_around(history_.tracks(), here, middle, scale));
     }
   }
 
@@ -203,22 +290,28 @@ class TimelineBuilder {
                                   vanishing_place(kind, below_, b, scale)});
       changed = true;
     }
+    std::vector<std::pair<Point, std::uint32_t>> born;
     for (std::uint32_t a = 0; a < relation.at_of_after.size(); ++a) {
       if (!relation.at_of_after[a].empty()) {
         clusters[find(*relation.at_of_after[a].begin())].after.push_back(a);
         continue;
       }
+      born.emplace_back(vanishing_place(kind, above, a, scale), a);
+    }
+    std::sort(born.begin(), born.end(), [](const auto& x, const auto& y) {
+      return std::tie(x.first.x, x.first.y) < std::tie(y.first.x, y.first.y);
+    });
+    for (const auto& [place, a] : born) {
       names[a] = fresh(kind, group);
-      result_.topology.push_back({group,
-                                  kind,
-                                  TopologyEvent::Change::birth,
-                                  {},
-                                  {names[a]},
-                                  0,
-                                  vanishing_place(kind, above, a, scale)});
+      result_.topology.push_back(
+          {group, kind, TopologyEvent::Change::birth, {}, {names[a]}, 0, place});
       changed = true;
     }
-    for (auto& [root, members] : clusters) {
+    std::vector<Members*> in_order;
+    for (auto& [root, members] : clusters) in_order.push_back(&members);
+    order_by_place(kind, in_order, here, scale);
+    for (Members* const one : in_order) {
+      Members& members = *one;
       if (members.before.size() == 1 && members.after.size() == 1) {
         names[members.after[0]] = old[members.before[0]];
         if (members.at.size() == 1 || planted(Fault::touch_overlooked)) continue;
@@ -229,7 +322,7 @@ class TimelineBuilder {
                                     {old[members.before[0]]},
                                     {names[members.after[0]]},
                                     members.at.size(),
-                                    pinch(kind, members.at, here, scale)});
+                                    pinch(kind, members.at, here, group, scale)});
         continue;
       }
       changed = true;
@@ -250,13 +343,43 @@ class TimelineBuilder {
                           elders,
                           {},
                           members.at.size(),
-                          pinch(kind, members.at, here, scale)};
+                          pinch(kind, members.at, here, group, scale)};
       if (members.before.size() > members.after.size()) event.change = TopologyEvent::Change::merge;
       for (const std::uint32_t a : members.after) event.after.push_back(names[a]);
       result_.topology.push_back(std::move(event));
     }
     return changed;
   }
+
+  /// Clusters that give new names: by the least point of their regions at the scale.
+  template <class Members>
+  void order_by_place(FeatureKind kind, std::vector<Members*>& clusters,
+                      const BoundaryRegions& here, const Rational& scale) const {
+    const auto names_some = [](const Members* m) { return m->after.size() > m->before.size(); };
+    if (std::count_if(clusters.begin(), clusters.end(), names_some) < 2) return;
+    const Side regions = side(here, kind);
+    std::vector<std::optional<Point>> least(regions.last);
+    for (std::size_t i = 0; i < here.links.size(); ++i) {
+      const Point p = history_.tracks()[here.links[i].from].at(scale);
+      std::optional<Point>& known = least[regions.of_link[i]];
+      if (!known || before(p, *known)) known = p;
+    }
+    const auto place = [&](const Members* m) {
+      std::optional<Point> result;
+      for (const std::uint32_t region : m->at) {
+        if (least[region] && (!result || before(*least[region], *result))) result = least[region];
+      }
+      return result.value_or(Point{});
+    };
+    std::vector<std::pair<Point, Members*>> placed;
+    for (Members* m : clusters) placed.emplace_back(place(m), m);
+    std::stable_sort(placed.begin(), placed.end(),
+                     [](const auto& x, const auto& y) { return before(x.first, y.first); });
+    std::transform(placed.begin(), placed.end(), clusters.begin(),
+                   [](const auto& p) { return p.second; });
+  }
+
+  static bool before(const Point& p, const Point& q) { return p.x != q.x ? p.x < q.x : p.y < q.y; }
 
   std::uint32_t fresh(FeatureKind kind, std::uint32_t group) {
     features(kind).push_back({group, {}});
@@ -269,20 +392,29 @@ class TimelineBuilder {
     if (after.size() < 2) return;
     const Side regions = side(here, kind);
     std::map<std::uint32_t, Rational> doubled;
+    std::map<std::uint32_t, Point> least;
     for (std::size_t i = 0; i < here.links.size(); ++i) {
-      const Point a = states_.tracks()[here.links[i].from].at(scale);
-      const Point b = states_.tracks()[here.links[i].to].at(scale);
+      const Point a = history_.tracks()[here.links[i].from].at(scale);
+      const Point b = history_.tracks()[here.links[i].to].at(scale);
       doubled[regions.of_link[i]] += a.x * b.y - a.y * b.x;
+      const auto [known, is_new] = least.try_emplace(regions.of_link[i], a);
+      if (!is_new && before(a, known->second)) known->second = a;
     }
     std::map<std::uint32_t, Rational> size;
+    std::map<std::uint32_t, Point> place;
     for (const std::uint32_t a : after) {
-      for (const std::uint32_t region : relation.at_of_after[a]) size[a] += abs(doubled[region]);
+      for (const std::uint32_t region : relation.at_of_after[a]) {
+        size[a] += abs(doubled[region]);
+        const auto [known, is_new] = place.try_emplace(a, least[region]);
+        if (!is_new && before(least[region], known->second)) known->second = least[region];
+      }
     }
     std::stable_sort(after.begin(), after.end(), [&](std::uint32_t x, std::uint32_t y) {
       const bool outside_x = kind == FeatureKind::hole && x == 0;
       const bool outside_y = kind == FeatureKind::hole && y == 0;
       if (planted(Fault::smallest_part_goes_on)) std::swap(x, y);
-      return outside_x != outside_y ? outside_x : size[x] > size[y];
+      if (outside_x != outside_y) return outside_x;
+      return size[x] != size[y] ? size[x] > size[y] : before(place[x], place[y]);
     });
   }
 
@@ -293,17 +425,18 @@ class TimelineBuilder {
     const Side of = side(regions, kind);
     for (std::size_t i = 0; i < regions.links.size(); ++i) {
       if (of.of_link[i] != region) continue;
-      const Point p = states_.tracks()[regions.links[i].from].at(scale);
-      if (!least || p.x < least->x || (p.x == least->x && p.y < least->y)) least = p;
+      const Point p = history_.tracks()[regions.links[i].from].at(scale);
+      if (!least || before(p, *least)) least = p;
     }
     return least.value_or(Point{});
   }
 
   /// A point where regions touch one another or themselves.
   Point pinch(FeatureKind kind, const std::vector<std::uint32_t>& regions,
-              const BoundaryRegions& here, const Rational& scale) const {
+              const BoundaryRegions& here, std::uint32_t group, const Rational& scale) const {
     const Side of = side(here, kind);
     std::map<std::uint32_t, std::size_t> seen;
+    std::optional<Point> least;
     for (std::size_t i = 0; i < here.links.size(); ++i) {
       const auto& link = here.links[i];
       if (std::find(regions.begin(), regions.end(), of.of_link[i]) == regions.end()) continue;
@@ -313,10 +446,11 @@ class TimelineBuilder {
       ++seen[link.from];
     }
     for (const auto& [point, times] : seen) {
-      if (times > 1) return states_.tracks()[point].at(scale);
+      if (times < 2) continue;
+      const Point p = history_.tracks()[point].at(scale);
+      if (!least || before(p, *least)) least = p;
     }
-    const auto location = events_.locate(scale);
-    return block_place(location.before, scale).value_or(Point{});
+    return least ? *least : history_.place_at(group).value_or(Point{});
   }
 
   bool boundary_event(std::uint32_t group, const Rational& scale, const BoundaryRegions& here,
@@ -336,58 +470,36 @@ class TimelineBuilder {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> different;
     std::set_symmetric_difference(below_.edges.begin(), below_.edges.end(), above.edges.begin(),
                                   above.edges.end(), std::back_inserter(different));
-    std::set<std::uint32_t> edges;
-    for (const CoincidentNodes& block : blocks(group)) {
-      edges.insert(block.edge);
-      for (const std::uint32_t node : block.nodes) {
-        if (node != start_of_edge && node != end_of_edge) {
-          edges.insert(events_.table().nodes[node].other);
-        }
-      }
-    }
-    // A ring that vanishes or appears in a point leaves no such node.
-    for (const auto& list : {states_.end_with(group), states_.begin_with(group + 1)}) {
-      for (const std::uint32_t s : list) edges.insert(states_.timeline().sub_edges[s].edge);
-    }
-    event.edges.assign(edges.begin(), edges.end());
-    const auto place = block_place(group, scale);
+    event.edges = history_.edges_at(group);
+    const auto place = history_.place_at(group);
     if (place) {
       event.place = *place;
     } else if (!different.empty()) {
-      event.place = states_.tracks()[different.front().first].at(scale);
+      event.place = history_.tracks()[different.front().first].at(scale);
     }
     result_.boundary.push_back(std::move(event));
     return true;
   }
 
-  std::span<const CoincidentNodes> blocks(std::uint32_t group) const {
-    const auto& all = states_.timeline().coincident;
-    const auto first = std::partition_point(
-        all.begin(), all.end(), [&](const CoincidentNodes& b) { return b.group < group; });
-    auto last = first;
-    while (last != all.end() && last->group == group) ++last;
-    return {first, last};
-  }
-  std::optional<Point> block_place(std::uint32_t group, const Rational& scale) const {
-    const auto here = blocks(group);
-    if (here.empty()) return std::nullopt;
-    return states_.timeline().track(here[0].edge, here[0].nodes[0]).at(scale);
-  }
-  const BoundaryStates& states_;
-  const std::function<void(RingsFrom)>& rings_;
-  const ArrangementEvents& events_;
+  const BoundaryHistory& history_;
+  const std::function<void(RingsFrom)>& show_rings_;
+  const std::function<void(FeaturesFrom)>& show_features_;
   CycleFinder finder_;
   std::vector<std::uint32_t> sub_edges_;
   BoundaryRegions below_;
-  std::array<std::vector<std::uint32_t>, 2> names_;  ///< feature of each region, by kind
+  std::vector<std::uint32_t> place_below_, place_above_;  ///< of sub-edges, among the links
+  std::array<std::vector<std::uint32_t>, 2> names_;       ///< feature of each region, by kind
+  bool stale_ = false;  ///< below_ is from before groups that were skipped
+  std::array<std::unordered_map<std::uint32_t, std::uint32_t>, 2> name_of_ring_;
   TopologyTimeline result_;
 };
 
 }  // namespace
 
-TopologyTimeline topology_timeline(const BoundaryStates& states,
-                                   const std::function<void(RingsFrom)>& rings) {
-  return TimelineBuilder(states, rings).build();
+TopologyTimeline topology_timeline(const BoundaryHistory& history,
+                                   const std::function<void(RingsFrom)>& rings,
+                                   const std::function<void(FeaturesFrom)>& features) {
+  return TimelineBuilder(history, rings, features).build();
 }
 
 }  // namespace minkref

@@ -32,20 +32,6 @@ struct TopologyEvent {
   Point place;         ///< where features touch, or where one vanishes or appears
 };
 
-/// A scale at which the vertices of the boundary or their order change.
-struct BoundaryEvent {
-  enum class Change : std::uint8_t {
-    birth,  ///< there are more vertices above than below
-    death,  ///< fewer
-    swap,   ///< as many, others
-    touch   ///< the same: the boundary touches itself at this scale only
-  };
-  std::uint32_t group = 0;
-  Change change = Change::birth;
-  std::vector<std::uint32_t> edges;  ///< convolution edges through the places where it changes
-  Point place;                       ///< one of those places
-};
-
 struct TopologyTimeline {
   std::vector<Feature> holes;  ///< 0 is the outside
   std::vector<Feature> components;
@@ -66,10 +52,19 @@ struct RingsFrom {
   std::vector<BoundaryRing> rings;
 };
 
-/// Exact. O(g b) for g groups that touch a boundary of b sub-edges. A hole that splits goes on as
-/// its largest part; where holes merge the oldest goes on, and the outside is older than any.
-/// `rings`: called for the first state and for each one after a boundary event.
-TopologyTimeline topology_timeline(const BoundaryStates& states,
-                                   const std::function<void(RingsFrom)>& rings = {});
+/// What each sub-edge of an interval bounds: features on its right and on its left.
+struct FeaturesFrom {
+  std::uint32_t interval = 0;
+  std::vector<std::uint32_t> sub_edges, holes, components;
+};
+
+/// Exact. O(g b) for g groups that are not quiet and touch a boundary of b sub-edges. A hole that
+/// splits goes on as its largest part; where holes merge the oldest goes on, and the outside is
+/// older than any; new names are given in the order of the places. `rings` and `features`: called
+/// for the first state; then the one for each state after a boundary event, the other after each
+/// group that is not quiet. `counts` has the latter only.
+TopologyTimeline topology_timeline(const BoundaryHistory& history,
+                                   const std::function<void(RingsFrom)>& rings = {},
+                                   const std::function<void(FeaturesFrom)>& features = {});
 
 }  // namespace minkref
