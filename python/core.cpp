@@ -10,6 +10,8 @@ NB_MODULE(_core, module) {
   minkref::python::bind_convolution(module);
   minkref::python::bind_events(module);
   minkref::python::bind_dynamic(module);
+  minkref::python::bind_index(module);
+  minkref::python::bind_timed_index(module);
   minkref::python::bind_comparison(module);
   minkref::python::bind_evidence(module);
   minkref::python::bind_search(module);

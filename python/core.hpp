@@ -45,6 +45,8 @@ void bind_sum(nanobind::module_& module);
 void bind_convolution(nanobind::module_& module);
 void bind_events(nanobind::module_& module);
 void bind_dynamic(nanobind::module_& module);
+void bind_index(nanobind::module_& module);
+void bind_timed_index(nanobind::module_& module);
 void bind_comparison(nanobind::module_& module);
 void bind_evidence(nanobind::module_& module);
 void bind_search(nanobind::module_& module);

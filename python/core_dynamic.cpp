@@ -13,6 +13,7 @@
 
 #include "python/core.hpp"
 #include "python/core_timed_sum.hpp"
+#include "python/core_timeline.hpp"
 #include "python/stopwatch.hpp"
 #include "reference/error.hpp"
 #include "reference/plane/critical/event_places.hpp"
@@ -25,14 +26,6 @@ using namespace nb::literals;
 
 namespace minkref::python {
 namespace {
-
-ScaleWindow window_of(const std::optional<std::string>& from,
-                      const std::optional<std::string>& to) {
-  ScaleWindow window;
-  if (from) window.from = parse_rational(*from);
-  if (to) window.to = parse_rational(*to);
-  return window;
-}
 
 /// All arrangement events of a closed window.
 class Arrangement {
@@ -209,30 +202,8 @@ class Dynamic {
     return rows;
   }
 
-  /// Of "hole" (the outside left out) or "component": name, scales of birth and death, for those
-  /// that live at some scale of the window; a birth or death outside it is none.
-  using LifeRow = std::tuple<std::uint32_t, std::optional<std::string>, std::optional<std::string>>;
-  std::vector<LifeRow> lives(const std::string& kind) {
-    const TopologyTimeline& all = topology();
-    const auto& features = kind == "hole" ? all.holes : all.components;
-    const ScaleWindow& window = sum_->window();
-    std::vector<LifeRow> rows;
-    for (std::uint32_t i = kind == "hole" ? 1 : 0; i < features.size(); ++i) {
-      const Feature& feature = features[i];
-      std::optional<Rational> born, died;
-      if (feature.born) born = events().exact(*feature.born);
-      if (feature.died) died = events().exact(*feature.died);
-      if (born && window.to && *born > *window.to) continue;
-      if (died && window.from && *died < *window.from) continue;
-      if (born && window.from && *born < *window.from) born.reset();
-      if (died && window.to && *died > *window.to) died.reset();
-      const auto text = [](const std::optional<Rational>& s) {
-        return s ? std::optional(to_string(*s)) : std::nullopt;
-      };
-      rows.emplace_back(i, text(born), text(died));
-    }
-    return rows;
-  }
+  using LifeRow = TimelineRows::LifeRow;
+  std::vector<LifeRow> lives(const std::string& kind) { return rows().lives(kind); }
 
   TimedSum sum() {
     const Stopwatch watch;
@@ -266,63 +237,12 @@ class Dynamic {
     return convolution_rows(sum_->states().timeline().events->edges());
   }
 
-  /// scale, change, edges, place.
-  using BoundaryRow = std::tuple<std::string, std::string, std::vector<std::uint32_t>, ExactPoint>;
-  std::vector<BoundaryRow> boundary_events() {
-    std::vector<BoundaryRow> rows;
-    static constexpr std::array<const char*, 4> changes{"birth", "death", "swap", "touch"};
-    for (const BoundaryEvent& event : topology().boundary) {
-      if (!within(event.group)) continue;
-      rows.emplace_back(scale_text(event.group), changes.at(static_cast<std::size_t>(event.change)),
-                        event.edges, to_strings(event.place));
-    }
-    return rows;
+  std::vector<TimelineRows::BoundaryRow> boundary_events() { return rows().boundary_events(); }
+  std::vector<TimelineRows::TopologyRow> topology_events() { return rows().topology_events(); }
+  std::vector<TimelineRows::FeatureRow> features(const std::string& kind) {
+    return rows().features(kind);
   }
-
-  /// scale, feature ("hole" or "component"), change, before, after, parts at the scale, place.
-  using TopologyRow = std::tuple<std::string, std::string, std::string, std::vector<std::uint32_t>,
-                                 std::vector<std::uint32_t>, std::size_t, ExactPoint>;
-  std::vector<TopologyRow> topology_events() {
-    std::vector<TopologyRow> rows;
-    static constexpr std::array<const char*, 5> changes{"birth", "death", "merge", "split",
-                                                        "touch"};
-    for (const TopologyEvent& event : topology().topology) {
-      if (!within(event.group)) continue;
-      rows.emplace_back(scale_text(event.group),
-                        event.kind == FeatureKind::hole ? "hole" : "component",
-                        changes.at(static_cast<std::size_t>(event.change)), event.before,
-                        event.after, event.at, to_strings(event.place));
-    }
-    return rows;
-  }
-
-  /// Of "hole" (0 is the outside) or "component": scales of birth and death.
-  using FeatureRow = std::pair<std::optional<std::string>, std::optional<std::string>>;
-  std::vector<FeatureRow> features(const std::string& kind) {
-    const TopologyTimeline& all = topology();
-    std::vector<FeatureRow> rows;
-    for (const Feature& feature : kind == "hole" ? all.holes : all.components) {
-      const auto text = [&](const std::optional<std::uint32_t>& group) {
-        return group ? std::optional(scale_text(*group)) : std::nullopt;
-      };
-      rows.emplace_back(text(feature.born), text(feature.died));
-    }
-    return rows;
-  }
-
-  /// Of each state of the boundary: the scale where it begins (none: with the window), holes,
-  /// components and vertices in it, and holes and components at the scale itself.
-  using CountRow = std::tuple<std::optional<std::string>, std::array<std::uint32_t, 5>>;
-  std::vector<CountRow> state_counts() {
-    std::vector<CountRow> rows;
-    bool first = true;
-    for (const auto& c : topology().counts) {
-      rows.emplace_back(first ? std::nullopt : std::optional(scale_text(c.interval - 1)),
-                        std::array{c.holes, c.components, c.vertices, c.holes_at, c.components_at});
-      first = false;
-    }
-    return rows;
-  }
+  std::vector<TimelineRows::CountRow> state_counts() { return rows().state_counts(); }
 
   /// The point a + s b of each track, exact: (ax, ay), (bx, by).
   std::vector<std::pair<ExactPoint, ExactPoint>> tracks() const {
@@ -334,14 +254,10 @@ class Dynamic {
     return rows;
   }
 
-  /// The scale where a state of the boundary begins (none: with the window); its rings: whether it
-  /// is a hole's, its component, the hole on its other side, its vertices as tracks.
-  using RingRow = std::tuple<bool, std::uint32_t, std::uint32_t, std::vector<std::uint32_t>>;
-  using RingState = std::pair<std::optional<std::string>, std::vector<RingRow>>;
-  void ring_states(const std::function<void(RingState)>& report) {
+  void ring_states(const std::function<void(TimelineRows::RingState)>& report) {
     if (sum_->empty()) return;
     topology_timeline(sum_->states(), [&](RingsFrom state) {
-      RingState row;
+      TimelineRows::RingState row;
       if (state.interval > 0) row.first = scale_text(state.interval - 1);
       for (BoundaryRing& ring : state.rings) {
         row.second.emplace_back(ring.is_hole, ring.component, ring.hole, std::move(ring.vertices));
@@ -353,19 +269,15 @@ class Dynamic {
   double seconds = 0;
 
  private:
-  const TopologyTimeline& topology() {
+  TimelineRows rows() {
     if (!topology_) {
       topology_ = sum_->empty() ? TopologyTimeline{} : topology_timeline(sum_->states());
     }
-    return *topology_;
+    return {*topology_, sum_->window(),
+            [this](std::uint32_t group) { return events().exact(group); }};
   }
   const ArrangementEvents& events() const { return *sum_->states().timeline().events; }
   std::string scale_text(std::uint32_t group) const { return to_string(events().exact(group)); }
-  bool within(std::uint32_t group) const {
-    const Rational scale = events().exact(group);
-    const ScaleWindow& window = sum_->window();
-    return !(window.from && scale < *window.from) && !(window.to && scale > *window.to);
-  }
 
   PolygonSet P_, Q_;
   std::unique_ptr<DynamicSum> sum_;

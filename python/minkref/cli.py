@@ -64,6 +64,7 @@ def _register() -> None:
         events,
         families,
         generate,
+        index,
         models,
         report,
         shrink,
@@ -75,6 +76,7 @@ def _register() -> None:
     )
 
     app.command("sum", epilog=sum.EXAMPLES)(sum.command)
+    app.command("index", epilog=index.EXAMPLES)(index.command)
     app.command("sweep", epilog=sweep.EXAMPLES)(sweep.command)
     app.command("events", epilog=events.EXAMPLES)(events.command)
     app.command("view", epilog=view.EXAMPLES)(view.command)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
 from typing import Any, Protocol
 
 from rich.console import Console
@@ -115,22 +116,46 @@ class ArrangementEventList:
 class BoundaryEventList:
     """Boundary events, or topology events with the life of every hole and component."""
 
-    def __init__(self, found: _core.DynamicSum, kind: str) -> None:
+    def __init__(
+        self,
+        found: _core.DynamicSum | _core.ScaleSpaceIndex,
+        kind: str,
+        window: Sequence[str | None] = (None, None),
+    ) -> None:
+        """`window`: a part of that of `found`."""
         self.found = found
+        self._low, self._high = (None if b is None else Fraction(b) for b in window)
         self.seconds = found.seconds
         edges = [parents(row) for row in found.edges()]
         self._kind = kind
         self._events: list[dict[str, Any]] = []
         at_scale: dict[str, list[dict[str, Any]]] = {}
         for scale, change, which, place in found.boundary_events():
+            if not self._holds(scale):
+                continue
             at_scale[scale] = [edges[e] for e in which]
             if kind == "boundary":
                 self._add(scale, change, at_scale[scale], place)
         if kind == "topology":
             for scale, feature, change, before, after, parts, place in found.topology_events():
+                if not self._holds(scale):
+                    continue
                 self._add(scale, change, at_scale[scale], place)
                 self._events[-1].update(feature=feature, before=before, after=after, parts=parts)
         self._rank()
+
+    def _holds(self, scale: str) -> bool:
+        s = Fraction(scale)
+        return (self._low is None or s >= self._low) and (self._high is None or s <= self._high)
+
+    def _life(self, name: int, birth: str | None, death: str | None) -> dict[str, Any] | None:
+        """With what happens in the window; none if that holds no scale of it."""
+        if birth is not None and self._high is not None and Fraction(birth) > self._high:
+            return None
+        if death is not None and self._low is not None and Fraction(death) < self._low:
+            return None
+        kept = [None if s is None or not self._holds(s) else s for s in (birth, death)]
+        return {"id": name, "birth": kept[0], "death": kept[1]}
 
     def _add(
         self, scale: str, change: str, edges: list[dict[str, Any]], place: tuple[str, str]
@@ -168,10 +193,7 @@ class BoundaryEventList:
             return NO_FEATURES
 
         def lives(kind: str) -> list[dict[str, Any]]:
-            return [
-                {"id": name, "birth": birth, "death": death}
-                for name, birth, death in self.found.lives(kind)
-            ]
+            return [life for row in self.found.lives(kind) if (life := self._life(*row))]
 
         return {"holes": lives("hole"), "components": lives("component")}
 

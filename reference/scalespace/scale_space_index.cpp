@@ -273,6 +273,17 @@ void ScaleSpaceIndex::rings(const Rational& scale, TrackRings& rings) const {
   collect(place(scale), rings);
 }
 
+void ScaleSpaceIndex::rings_of_interval(std::uint32_t interval, TrackRings& rings) const {
+  require_interval(interval);
+  collect({interval, false}, rings);
+}
+
+void ScaleSpaceIndex::require_interval(std::uint32_t interval) const {
+  if (interval <= events()) return;
+  throw BadInput("no-interval", "the index has no interval " + std::to_string(interval),
+                 "ask for one of 0 to " + std::to_string(events()));
+}
+
 void ScaleSpaceIndex::rings(const Rational& scale, RoundedRings& rings) const {
   const Place at = place(scale);
   const double s = to_double(scale);
@@ -399,10 +410,7 @@ ScaleSpaceIndex::RoundedArea ScaleSpaceIndex::area(const Rational& scale) const 
 }
 
 std::array<Rational, 3> ScaleSpaceIndex::area_polynomial(std::uint32_t interval) const {
-  if (interval > events()) {
-    throw BadInput("no-interval", "the index has no interval " + std::to_string(interval),
-                   "ask for one of 0 to " + std::to_string(events()));
-  }
+  require_interval(interval);
   std::array<std::vector<Rational>, 3> parts;
   for (const IndexLink& link : columns_.links) {
     if (link.first > interval || link.last < interval) continue;

@@ -56,6 +56,9 @@ class ScaleSpaceIndex {
   void rings(const Rational& scale, HomogeneousRings& rings) const;
   void rings(const Rational& scale, RationalRings& rings) const;
 
+  /// Of an interval rather than a scale. O(b).
+  void rings_of_interval(std::uint32_t interval, TrackRings& rings) const;
+
   /// In canonical form. Exact. O(b log b). Tight passages, where they are asked for, by the static
   /// route (tight_passages.hpp).
   Sum sum(const Rational& scale, Passages passages = Passages::leave) const;
@@ -87,6 +90,7 @@ class ScaleSpaceIndex {
   /// Rings and features of an interval into the shape; take(entry, k) for each corner k.
   template <class Take>
   std::size_t each_ring(std::uint32_t interval, RingShape& shape, Take&& take) const;
+  void require_interval(std::uint32_t interval) const;
   void drop_what_vanishes(std::uint32_t event, TrackRings& rings) const;
   std::uint32_t standing_for(std::uint32_t event, std::uint32_t track) const;
   Vector2<Rational> direction(const IndexEdge& edge) const;

@@ -40,11 +40,11 @@ def baselines(pair: Pair, oracle: CgalOracle | None) -> list[Baseline]:
         Baseline(STATIC, SUM, lambda scale: _core.minkowski_sum(P, Q, scale).seconds),
     ]
     if oracle is not None:
-        found.append(Baseline(CGAL, SUM, lambda scale: _by_cgal(oracle, pair, scale)))
+        found.append(Baseline(CGAL, SUM, lambda scale: by_cgal(oracle, pair, scale)))
     return found
 
 
-def _by_cgal(oracle: CgalOracle, pair: Pair, scale: str) -> float:
+def by_cgal(oracle: CgalOracle, pair: Pair, scale: str) -> float:
     """Of the call alone, from parsed operands."""
     answer = oracle.sum(pair.P.set.scaled(scale).to_json(), pair.Q.set.to_json())
     if answer.status != "result" or answer.seconds is None:

@@ -64,7 +64,7 @@ def run(quick: bool, seed: int, tell: Tell, done: Callable[[], None]) -> Table1:
     count = QUICK_COUNT if quick else COUNT
     table = Table1(seed, count)
     chosen, table.notes = pairs(quick)
-    oracle = _oracle(table)
+    oracle = cgal_oracle(table.notes)
     try:
         for pair in chosen:
             _time_pair(table, pair, oracle, rescalings(seed, count + 1), tell)
@@ -79,11 +79,12 @@ def pair_count(quick: bool) -> int:
     return len(pairs(quick)[0])
 
 
-def _oracle(table: Table1) -> CgalOracle | None:
+def cgal_oracle(notes: list[str]) -> CgalOracle | None:
+    """CGAL's reduced convolution; where it is absent a note says why."""
     entry = next((e for e in list_targets() if e.name == CGAL), None)
     if entry is None or not entry.available:
         reason = entry.reason if entry is not None else "no such target"
-        table.notes.append(f"{CGAL} is left out: {reason}")
+        notes.append(f"{CGAL} is left out: {reason}")
         return None
     return CgalOracle("reduced", seconds=CGAL_SECONDS)
 

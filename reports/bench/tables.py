@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from typing import Any
 
-from minkref.reports.bench.baselines import ABOUT
+from minkref.reports.bench.baselines import ABOUT, CGAL
 from minkref.reports.bench.table1 import PAPER_MEAN
 from minkref.reports.bench.table2 import ABOUT as KINDS
 from minkref.terminal import console, lines
@@ -75,6 +75,65 @@ def _rows_table(title: str, rows: list[dict[str, Any]]) -> Table:
 
 def milliseconds(seconds: float) -> str:
     return f"{seconds * 1000:,.4f}" if seconds < 0.01 else f"{seconds * 1000:,.1f}"
+
+
+def print_index(value: dict[str, Any], seed: int) -> None:
+    out = console()
+    out.print()
+    out.print(_index_table(value["rows"]))
+    for form in ("double", "homogeneous", "rational", "track"):
+        out.print()
+        out.print(_queries_table(f"Queries: {form}", value["rows"], form))
+    text = [
+        ("queries", f"at {value['queries']} scales from 1/10 to 10, one core; seed {seed}"),
+        ("against", f"{CGAL}: {ABOUT[CGAL]}"),
+    ]
+    for form, mean in value["mean_ratios"].items():
+        reached = f"{mean:,.0f}" if mean is not None else "not all pairs were timed"
+        text.append((f"mean ratio, {form}", f"{reached} over the 25 small pairs"))
+    text += [("note", note) for note in value["notes"]]
+    text += [("WRONG", f"the sum differs from the static one: {wrong}") for wrong in value["wrong"]]
+    sys.stdout.write("\n" + lines(text))
+
+
+def _index_table(rows: list[dict[str, Any]]) -> Table:
+    table = Table(box=None, pad_edge=False, title="The index", title_justify="left")
+    headings = ("pair", "edges", "events", "vertices", "MB", "build s", "CGAL ms",
+                "build in CGAL sums", "area us")  # fmt: skip
+    for heading in headings:
+        table.add_column(heading, justify="left" if heading == "pair" else "right", no_wrap=True)
+    for row in rows:
+        cgal, calls = row["cgal"], row["build_in_cgal_calls"]
+        table.add_row(
+            row["name"],
+            f"{row['edges']:,}",
+            f"{row['boundary_events']:,}",
+            f"{row['vertices']:,.0f}",
+            f"{row['bytes'] / 1e6:.2f}",
+            f"{row['build_seconds']:.3f}",
+            "-" if cgal is None else milliseconds(cgal["mean"]),
+            "-" if calls is None else f"{calls:,.1f}",
+            f"{row['forms']['area']['query']['mean'] * 1e6:.2f}",
+        )
+    return table
+
+
+def _queries_table(title: str, rows: list[dict[str, Any]], form: str) -> Table:
+    table = Table(box=None, pad_edge=False, title=title, title_justify="left")
+    for heading in ("pair", "us", "quartiles", "/floor", "CGAL/", "pays from"):
+        table.add_column(heading, justify="left" if heading == "pair" else "right", no_wrap=True)
+    for row in rows:
+        own = row["forms"][form]
+        query, floor, ratio = own["query"], own["floor_ratio"], own["cgal_ratio"]
+        table.add_row(
+            row["name"],
+            f"{query['mean'] * 1e6:,.2f}",
+            f"{query['lower'] * 1e6:,.2f} - {query['upper'] * 1e6:,.2f}",
+            "-" if floor is None else f"{floor:.2f}",
+            "-" if ratio is None else f"{ratio:,.0f}",
+            "-" if own["break_even"] is None else f"{own['break_even']:,}",
+        )
+    return table
 
 
 def print_polyhedra(value: dict[str, Any], seed: int) -> None:

@@ -56,7 +56,7 @@ def test_order_of_the_file_is_kept_with_comments_and_blank_lines(
     minkref: Minkref, tmp_path: Path
 ) -> None:
     file = scales_file(tmp_path, "# there and back\n2\n\n0.5  # small\n2\n 7/5\n14/10\n")
-    value = minkref("sweep", "g1", "g2", "--scales", file, "--json").json
+    value = minkref("sweep", "g1", "g2", "--scales", file, "--route", "dynamic", "--json").json
     rows = value["rows"]
     assert [row["scale"] for row in rows] == ["2", "1/2", "2", "7/5", "7/5"]
     assert rows[0]["digest"] == rows[2]["digest"]
@@ -173,7 +173,7 @@ def test_misuse_is_refused(minkref: Minkref, options: list[str]) -> None:
 def test_table_for_people_and_silence_of_progress_in_a_pipe() -> None:
     ran = subprocess.run(
         [sys.executable, "-m", "minkref", "sweep", "g1", "g2", "--from", "1", "--to", "2",
-         "--steps", "3"],
+         "--steps", "3", "--route", "dynamic"],
         capture_output=True, text=True, check=True,
     )  # fmt: skip
     assert ran.stderr == ""

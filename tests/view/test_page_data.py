@@ -2,22 +2,39 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from fractions import Fraction
 from pathlib import Path
+from typing import Any
 
 import pytest
 from minkref import _core
 from minkref.fuzz.families.random_pairs import random_pair
 from minkref.operand import read_operand
 from minkref.view.linear import linear
-from minkref.view.picture import Window, picture
+from minkref.view.picture import Sums, Window, picture
 from page_decoder import Decoder, data_of, difference, page_of, scales, true_polygons
 
 CLOSE = 1e-9  # diagonals
 
 
-def decoder(P: _core.PolygonSet, Q: _core.PolygonSet) -> Decoder:
-    return Decoder(picture(P, Q, Window("1/10", "10"), lambda done, total: None))
+ROUTES: dict[str, Callable[..., Sums]] = {
+    "index": _core.ScaleSpaceIndex,
+    "dynamic": _core.DynamicSum,
+}
+
+
+def page_data(
+    P: _core.PolygonSet, Q: _core.PolygonSet, window: Window, route: str = "index"
+) -> dict[str, Any]:
+    found = ROUTES[route]
+    return picture(
+        P, Q, window, lambda: found(P, Q, window.first, window.last), lambda done, total: None
+    )
+
+
+def decoder(P: _core.PolygonSet, Q: _core.PolygonSet, route: str = "index") -> Decoder:
+    return Decoder(page_data(P, Q, Window("1/10", "10"), route))
 
 
 def shape(polygons: str) -> _core.PolygonSet:
@@ -31,6 +48,18 @@ def test_random_pairs_at_fifty_scales(index: int) -> None:
     decoded = decoder(P, Q)
     for scale in scales(50, index):
         assert difference(decoded.polygons(scale), true_polygons(P, Q, scale)) < CLOSE, scale
+
+
+@pytest.mark.parametrize("index", range(5))
+def test_random_pairs_by_the_dynamic_route_too(index: int) -> None:
+    pair = random_pair(2012, index)
+    P, Q = shape(pair.P), shape(pair.Q)
+    by_steps = decoder(P, Q, "dynamic")
+    read_off = decoder(P, Q)
+    for name in ("scales", "kinds", "holes", "components"):
+        assert by_steps.data[name] == read_off.data[name]
+    for scale in scales(10, index):
+        assert difference(by_steps.polygons(scale), true_polygons(P, Q, scale)) < CLOSE, scale
 
 
 def test_disc_and_cells_at_fifty_scales(tmp_path: Path) -> None:
@@ -98,7 +127,7 @@ def test_events_at_the_ends_of_the_window_are_in_it() -> None:
     P, Q = read_operand("g1").set, read_operand("g2").set
     every = _core.DynamicSum(P, Q, "1/10", "10").boundary_events()
     first, last = every[10][0], every[40][0]
-    data = picture(P, Q, Window(first, last), lambda done, total: None)
+    data = page_data(P, Q, Window(first, last))
     assert data["scales"] == [row[0] for row in every[10:41]]
     middle = float((Fraction(every[20][0]) + Fraction(every[21][0])) / 2)
     assert difference(Decoder(data).polygons(middle), true_polygons(P, Q, middle)) < CLOSE

@@ -12,8 +12,8 @@ from minkref.errors import Refusal
 from minkref.exits import ExitCode
 from minkref.options import Json, Schema
 from minkref.progress import progress
-from minkref.reports.bench import table1, table2
-from minkref.reports.bench.tables import print_polygons, print_polyhedra
+from minkref.reports.bench import index, table1, table2
+from minkref.reports.bench.tables import print_index, print_polygons, print_polyhedra
 from minkref.signals import ending_in_order
 from minkref.terminal import lines
 
@@ -23,9 +23,11 @@ minkref bench --quick
 
 minkref bench --only table2 --json
 
+minkref bench --only index
+
 MINKREF_MODELS=folder minkref bench"""
 
-PARTS = ("table1", "table2")
+PARTS = ("table1", "table2", "index")
 
 
 def command(
@@ -42,8 +44,9 @@ def command(
     schema: Schema = False,
 ) -> None:
     """Times the dynamic update against finding the same afresh: intersections and sums of polygons
-    (Table 1 of Behar & Lien 2012), sums of convex polyhedra under non-uniform scaling (Table 2).
-    Some minutes each; together about one with --quick."""
+    (Table 1 of Behar & Lien 2012), sums of convex polyhedra under non-uniform scaling (Table 2);
+    and the index of all scales against CGAL's sums. Some minutes each; together about one with
+    --quick."""
     watch = Stopwatch()
     for name in only or []:
         if name not in PARTS:
@@ -52,14 +55,18 @@ def command(
     parts = only or PARTS
     flat: table1.Table1 | None = None
     solid: table2.Table2 | None = None
+    all_scales: index.IndexTable | None = None
     count = (table1.pair_count(quick) if "table1" in parts else 0) + (
         table2.pair_count() if "table2" in parts else 0
     )
+    count += index.pair_count(quick) if "index" in parts else 0
     with ending_in_order(), progress(count) as line:
         if "table1" in parts:
             flat = table1.run(quick, seed, line.now, line.done)
         if "table2" in parts:
             solid = table2.run(quick, seed, line.now, line.done)
+        if "index" in parts:
+            all_scales = index.run(quick, seed, line.now, line.done)
     value = document(
         "bench",
         watch,
@@ -67,6 +74,7 @@ def command(
         seed=seed,
         table1=None if flat is None else _table1(flat),
         table2=None if solid is None else _table2(solid),
+        index=None if all_scales is None else _index(all_scales),
     )
     if json:
         sys.stdout.write(as_text(value))
@@ -75,8 +83,10 @@ def command(
             print_polygons(value["table1"], seed)
         if solid is not None:
             print_polyhedra(value["table2"], seed)
+        if all_scales is not None:
+            print_index(value["index"], seed)
         sys.stdout.write(lines([("seconds", f"{value['seconds']:.1f}")]))
-    if any(table is not None and table.wrong for table in (flat, solid)):
+    if any(table is not None and table.wrong for table in (flat, solid, all_scales)):
         raise typer.Exit(ExitCode.WRONG)
 
 
@@ -97,6 +107,16 @@ def _table2(table: table2.Table2) -> dict[str, Any]:
         "rows": table.rows,
         **table2.summary(table),
         "paper": table2.PAPER,
+        "notes": table.notes,
+        "wrong": table.wrong,
+    }
+
+
+def _index(table: index.IndexTable) -> dict[str, Any]:
+    return {
+        "queries": table.queries,
+        "rows": table.rows,
+        **index.summary(table),
         "notes": table.notes,
         "wrong": table.wrong,
     }

@@ -20,13 +20,20 @@ from minkref.documents import (
     write_atomically,
 )
 from minkref.errors import Refusal, refusing
-from minkref.event_lists import EventList, PairEventList, find_events, stream
+from minkref.event_lists import (
+    BoundaryEventList,
+    EventList,
+    PairEventList,
+    find_events,
+    stream,
+)
 from minkref.event_table import write_parquet
 from minkref.exact import approximate, read_scale
 from minkref.fuzz.least_precision import MOST_BITS, least_precision
 from minkref.operand import Operand, read_operand
 from minkref.options import Json, Schema
 from minkref.progress import progress
+from minkref.scale_space import IndexFile, index_of, route_with
 from minkref.terminal import console, counted, lines, shown
 
 EXAMPLES = """Examples:
@@ -39,15 +46,21 @@ minkref events glyph1204 glyph275 -o events.parquet
 
 minkref events g1 g2 --kind arrangement --from 1 --to 3/2 -o events.json
 
-minkref events disc1 cells1815 --kind topology --from 1/10 --to 10
+minkref events disc1 cells1815 --kind topology --from 1/10 --to 10 --route index
 
 minkref events g1 g2 --form printed --arithmetic mpfr:53"""
 
 KINDS = ("pair", "parallel", "triple", "arrangement", "boundary", "topology")
 PAIR_KINDS = ("pair", "parallel")
+ROUTED_KINDS = ("boundary", "topology")
+ROUTES = ("dynamic", "index")
 FORMS = ("corrected", "printed")
 OUTPUTS = (".json", ".parquet")
 SHOWN = 10  # events that people see
+PAIR_COUNTS = (
+    "pairs", "filtered_pairs", "intersecting_pairs", "always_meeting_pairs", "touching_pairs",
+    "parallel_pairs", "kernel", "by_float", "by_integer", "by_rational",
+)  # fmt: skip
 LIVES = 24  # holes and components whose lives people see
 
 
@@ -94,6 +107,15 @@ def command(
             "right (slow).",
         ),
     ] = False,
+    route: Annotated[
+        str | None,
+        typer.Option(
+            "--route",
+            help="Of boundary and topology events: dynamic, from all events of the arrangement "
+            "(the default), or index, from the boundary of the swept sum, which is quicker.",
+        ),
+    ] = None,
+    index: IndexFile = None,
     output: Annotated[
         Path | None,
         typer.Option("-o", help="Write all events there: .json or .parquet.", metavar="FILE"),
@@ -104,6 +126,7 @@ def command(
     """All scales at which edges of the reduced convolution start or stop meeting: exact, sorted."""
     watch = Stopwatch()
     _check(kind, form, arithmetic, least, output)
+    route = _route(kind, route, index)
     window = [
         read_scale(scale, option) if scale is not None else None
         for scale, option in ((from_scale, "--from"), (to_scale, "--to"))
@@ -112,20 +135,21 @@ def command(
     if output is not None:
         check_spares(output, [first.file, second.file])
     where = f"{first.name} and {second.name}"
-    with progress(1) as line:
-        line.now(f"finding all {kind} events")
-        found = refusing(where, lambda: find_events(first.set, second.set, window, kind, form))
-    pairs = (
-        found.found
-        if isinstance(found, PairEventList)
-        else refusing(where, lambda: _core.pair_events(first.set, second.set, window[0], window[1]))
-    )
+    found: EventList
+    if route == "index":
+        swept = index_of(index, first, second, window[0], window[1])
+        window = [own or bound for own, bound in zip(window, swept.window, strict=True)]
+        found = BoundaryEventList(swept, kind, window)
+    else:
+        with progress(1) as line:
+            line.now(f"finding all {kind} events")
+            found = refusing(where, lambda: find_events(first.set, second.set, window, kind, form))
+    counts = _counts(found, first, second, window)
     trial: dict[str, Any] | None = None
     if arithmetic != "rational":
         trial = dict(
             refusing(where, lambda: _core.precision_trial(first.set, second.set, arithmetic, form))
         )
-    counts = dict(pairs.counts())
     counts.update(count=len(found), distinct=found.distinct)
     fields: dict[str, Any] = {
         "P": first.name,
@@ -135,6 +159,7 @@ def command(
         "kind": kind,
         "form": form,
         "arithmetic": arithmetic,
+        "route": route,
         "warnings": first.warnings + second.warnings,
         "output": str(output) if output else None,
         "compute_seconds": found.seconds,
@@ -159,6 +184,38 @@ def command(
         sys.stdout.write(as_text(document("events", watch, **fields, events=None)))
     else:
         _print(document("events", watch, **fields), found)
+
+
+def _route(kind: str, route: str | None, index: Path | None) -> str | None:
+    """That of boundary and topology events; the others have none."""
+    if kind in ROUTED_KINDS:
+        chosen = route_with(index, route, ROUTES[0])
+        if chosen not in ROUTES:
+            raise Refusal(
+                f"there is no route {chosen!r}", "--route", f"choose one of {', '.join(ROUTES)}"
+            )
+        return chosen
+    if route is not None or index is not None:
+        raise Refusal(
+            f"{kind} events are those of the arrangement: there is one way to them",
+            "--route" if index is None else f"--index {index}",
+            "leave it out, or choose --kind boundary or --kind topology",
+        )
+    return None
+
+
+def _counts(found: EventList, P: Operand, Q: Operand, window: list[str | None]) -> dict[str, Any]:
+    """Counts of pairs of edges; of an index it has no need of them: null."""
+    if isinstance(found, PairEventList):
+        return dict(found.found.counts())
+    if isinstance(found, BoundaryEventList) and isinstance(found.found, _core.ScaleSpaceIndex):
+        counted_edges = found.found.counts()
+        edges = {name: counted_edges[name] for name in ("s_edges", "t_edges")}
+        return {**dict.fromkeys(PAIR_COUNTS), **edges}
+    pairs = refusing(
+        f"{P.name} and {Q.name}", lambda: _core.pair_events(P.set, Q.set, window[0], window[1])
+    )
+    return dict(pairs.counts())
 
 
 def _least(P: Operand, Q: Operand, form: str) -> dict[str, int | None]:
@@ -212,13 +269,16 @@ def _print(value: dict[str, Any], found: EventList) -> None:
     if value["to"] is None:
         window = window[:-1] + ")"
     segments, signs = value["segments"], value["signs"]
-    total = sum(signs.values())
+    total = sum(count or 0 for count in signs.values())
     rows = [
         (f"{value['kind']} events", f"{value['P']} + {value['Q']}, s in {window}"),
         ("form", value["form"]),
         ("edges", f"{segments['S']:,} S-edges, {segments['T']:,} T-edges"),
-        ("pairs", f"{value['pairs']:,}; {value['filtered_pairs']:,} filtered by floats"),
     ]
+    if value["route"] is not None:
+        rows += [("route", value["route"])]
+    if value["pairs"] is not None:
+        rows += [("pairs", f"{value['pairs']:,}; {value['filtered_pairs']:,} filtered by floats")]
     if value["kind"] == "pair":
         rows += [
             (

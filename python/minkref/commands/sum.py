@@ -24,6 +24,7 @@ from minkref.exact import read_scale, scientific
 from minkref.operand import Operand, read_operand
 from minkref.options import Json, Schema
 from minkref.parents import PassageRows, passages_of
+from minkref.scale_space import IndexFile, index_of, route_with
 from minkref.signals import interruptible
 from minkref.space.operand import in_space
 from minkref.space.sum_command import sum_in_space
@@ -41,9 +42,13 @@ minkref sum P.wkt Q.geojson --scale 7/5 -o sum.svg
 
 minkref sum g1 g2 --arithmetic mpfr:53
 
+minkref sum disc1 cells1815 --index cells.index --scale 7/5
+
 minkref sum gs3 rod --scale 2,1/3,5 -o sum.off"""
 
-ROUTES = ("paper", "winding", "definition", "dynamic")
+ROUTES = ("paper", "winding", "definition", "dynamic", "index")
+DEFAULT = "paper"
+MOVING = ("dynamic", "index")  # routes that find all scales of a window
 SHOWN = 5  # tight passages that people see
 OUTPUTS = {".wkt": "wkt", ".geojson": "geojson", ".poly": "poly", ".json": "json", ".svg": "svg"}
 
@@ -58,13 +63,15 @@ def command(
         ),
     ] = "1",
     route: Annotated[
-        str,
+        str | None,
         typer.Option(
             "--route",
-            help=f"How it is computed: {', '.join(ROUTES)}; in space {', '.join(SPACE_ROUTES)}, of "
-            f"which {SPACE_ROUTES[0]} is the default.",
+            help=f"How it is computed: {', '.join(ROUTES)}; {DEFAULT} by default, or index with "
+            f"--index. In space {', '.join(SPACE_ROUTES)}, of which {SPACE_ROUTES[0]} is the "
+            "default.",
         ),
-    ] = "paper",
+    ] = None,
+    index: IndexFile = None,
     arithmetic: Annotated[
         str,
         typer.Option(
@@ -88,10 +95,13 @@ def command(
     """The Minkowski sum of P, scaled by S about the origin, and Q: exact, in canonical form, and
     its tight passages. In space P and Q are convex polyhedra (.off, .obj, .stl, .ply, .json)."""
     if in_space(P, Q):
-        sum_in_space(P, Q, scale, route, arithmetic, output, json)
+        if index is not None:
+            raise Refusal("there is no index in space", f"--index {index}", "leave it out")
+        sum_in_space(P, Q, scale, route or DEFAULT, arithmetic, output, json)
         return
     watch = Stopwatch()
     exact_scale = read_scale(scale)
+    route = route_with(index, route, DEFAULT)
     _check_route(route, arithmetic)
     if output is not None:
         _check_output(output)
@@ -99,7 +109,7 @@ def command(
         first, second = read_operand(P), read_operand(Q)
         if output is not None:
             check_spares(output, [first.file, second.file])
-        result = compute(first, second, exact_scale, route, arithmetic)
+        result = compute(first, second, exact_scale, route, arithmetic, index)
         region = result.pop("region")
     written = _written(region, output) if output is not None else None
     if output is not None and written is not None:
@@ -135,7 +145,9 @@ def _written(region: _core.PolygonSet | None, output: Path) -> tuple[str, bool]:
     return text, _core.writes_exactly(region, form)
 
 
-def compute(P: Operand, Q: Operand, scale: str, route: str, arithmetic: str) -> dict[str, Any]:
+def compute(
+    P: Operand, Q: Operand, scale: str, route: str, arithmetic: str, index: Path | None = None
+) -> dict[str, Any]:
     """The fields of the document that describe the sum, and `region` (None where the arithmetic
     could not decide a sign). For another arithmetic than rational, `exact` says what is true."""
     import json
@@ -149,6 +161,11 @@ def compute(P: Operand, Q: Operand, scale: str, route: str, arithmetic: str) -> 
     try:
         if route == "dynamic":
             answer, passages, seconds = refusing(where, lambda: _dynamic(P, Q, scale))
+        elif route == "index":
+            built = index_of(index, P, Q, scale, scale)
+            answer = refusing(where, lambda: built.sum(scale, True))
+            passages = answer.tight_passages or []
+            seconds = answer.seconds if index else built.seconds + answer.seconds
         else:
             answer = refusing(
                 where, lambda: _core.minkowski_sum(P.set, Q.set, scale, route, arithmetic, exact)
@@ -163,7 +180,7 @@ def compute(P: Operand, Q: Operand, scale: str, route: str, arithmetic: str) -> 
         "compute_seconds": seconds,
         **_description(answer),
         "tight_passages": None if passages is None else passages_of(passages),
-        "signs": _signs(answer.statistics) if answer and route != "dynamic" else None,
+        "signs": _signs(answer.statistics) if answer and route not in MOVING else None,
         "statistics": dict(answer.statistics) if answer else None,
         "exact": None,
     }

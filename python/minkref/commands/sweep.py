@@ -17,6 +17,7 @@ from minkref.exact import approximate, read_scale
 from minkref.operand import Operand, read_operand
 from minkref.options import Json, Schema
 from minkref.progress import progress
+from minkref.scale_space import IndexFile, index_of, route_with
 from minkref.scales import MOST_SCALES, evenly_spaced, read_scales
 from minkref.signals import ending_in_order, interruptible
 from minkref.space.operand import in_space
@@ -33,9 +34,14 @@ minkref sweep disc1 cells1815 --from 1 --to 2 --steps 11 -o sums --format svg
 
 minkref sweep P.wkt Q.wkt --scales scales.txt --json
 
+minkref sweep g1 g2 --from 1 --to 2 --steps 9 --route dynamic
+
 minkref sweep gs3 rod --scales scalings.txt -o sums --format off"""
 
+ROUTES = ("index", "dynamic")
+
 Row = dict[str, Any]
+Sums = _core.ScaleSpaceIndex | _core.DynamicSum
 
 
 def command(
@@ -65,6 +71,15 @@ def command(
             metavar="FILE",
         ),
     ] = None,
+    route: Annotated[
+        str | None,
+        typer.Option(
+            "--route",
+            help="How the sums are got: read off an index of all scales (index, the default), or "
+            "each from the one before by the paper's dynamic update (dynamic).",
+        ),
+    ] = None,
+    index: IndexFile = None,
     output: Annotated[
         Path | None,
         typer.Option("-o", help=f"Write a file for each scale, and {INDEX}.", metavar="DIR"),
@@ -76,12 +91,20 @@ def command(
     json: Json = False,
     schema: Schema = False,
 ) -> None:
-    """The sums at many scales: all events between the least and the greatest are found once, then
-    each sum is got from the one before by dynamic update. Exact, in canonical form."""
+    """The sums at many scales: all between the least and the greatest are found once, then each is
+    read off, or got from the one before by dynamic update. Exact, in canonical form."""
     if in_space(P, Q):
-        sweep_in_space(P, Q, scales_file, _given(from_scale, to_scale, steps), output, form, json)
+        given = _given(from_scale, to_scale, steps)
+        for option, named in (("--route", route), ("--index", index)):
+            given += [] if named is None else [option]
+        sweep_in_space(P, Q, scales_file, given, output, form, json)
         return
     watch = Stopwatch()
+    route = route_with(index, route, ROUTES[0])
+    if route not in ROUTES:
+        raise Refusal(
+            f"there is no route {route!r}", "--route", f"choose one of {', '.join(ROUTES)}"
+        )
     scales = _scales(from_scale, to_scale, steps, scales_file)
     if form is not None and output is None:
         raise Refusal(
@@ -94,11 +117,11 @@ def command(
         folder.check_spares([first.file, second.file])
     with ending_in_order(), progress(len(scales)) as line:
         line.now("finding all events")
-        moving = dynamic_sum(first, second, scales)
+        sums = _sums(first, second, scales, route, index)
         rows: list[Row] = []
         for number, scale in enumerate(scales, start=1):
             line.now(f"scale {shown(scale)[:20]}")
-            row, region = step(moving, scale)
+            row, region = step(sums, scale)
             row["file"] = row["file_exact"] = None
             if folder is not None:
                 row["file"] = folder.name(number)
@@ -114,8 +137,9 @@ def command(
             warnings=first.warnings + second.warnings,
             output=str(output) if output else None,
             format=form if output else None,
-            preprocessing_seconds=moving.seconds,
-            statistics=dict(moving.counts()),
+            route=route,
+            preprocessing_seconds=sums.seconds,
+            statistics=dict(sums.counts()),
             rows=rows,
         )
         if folder is not None:
@@ -126,28 +150,34 @@ def command(
         _print(value)
 
 
-def dynamic_sum(P: Operand, Q: Operand, scales: list[str]) -> _core.DynamicSum:
-    """All events of the least window that holds the scales; it stands at none of them yet."""
+def _sums(P: Operand, Q: Operand, scales: list[str], route: str, index: Path | None) -> Sums:
+    """All events of the least window that holds the scales; no sum is asked for yet."""
     least, greatest = min(scales, key=Fraction), max(scales, key=Fraction)
     with interruptible():
+        if route == "index":
+            return index_of(index, P, Q, least, greatest)
         return refusing(
             f"{P.name} and {Q.name}", lambda: _core.DynamicSum(P.set, Q.set, least, greatest)
         )
 
 
-def step(moving: _core.DynamicSum, scale: str) -> tuple[Row, _core.PolygonSet]:
-    """Moves to a scale: what the step did, and the sum there."""
-    did = dict(moving.move_to(scale))
-    answer = moving.sum()
+def step(sums: Sums, scale: str) -> tuple[Row, _core.PolygonSet]:
+    """Goes to a scale: what the step did where there is one, and the sum there."""
+    if isinstance(sums, _core.DynamicSum):
+        did = dict(sums.move_to(scale))
+        answer = sums.sum()
+    else:
+        did = {}
+        answer = sums.sum(scale)
     row: Row = {
         "scale": scale,
         **sum_fields(answer),
-        "insertions": did["insertions"],
-        "deletions": did["deletions"],
-        "swaps": did["swaps"],
-        "updated": did["updated"],
-        "event_scales": did["groups"],
-        "update_seconds": did["seconds"],
+        "insertions": did.get("insertions"),
+        "deletions": did.get("deletions"),
+        "swaps": did.get("swaps"),
+        "updated": did.get("updated"),
+        "event_scales": did.get("groups"),
+        "update_seconds": did.get("seconds"),
         "sum_seconds": answer.seconds,
     }
     return row, answer.region
@@ -199,15 +229,13 @@ def _folder(output: Path | None, form: str) -> SweepFolder | None:
 
 def _print(value: dict[str, Any]) -> None:
     table = Table(box=None, pad_edge=False)
-    for heading in (
-        "scale", "area", "components", "holes", "vertices",
-        "insertions", "deletions", "swaps", "updated", "ms",
-    ):  # fmt: skip
+    steps = ("insertions", "deletions", "swaps", "updated") if value["route"] == "dynamic" else ()
+    for heading in ("scale", "area", "components", "holes", "vertices", *steps, "ms"):
         table.add_column(heading, justify="right", no_wrap=True)
     for row in value["rows"]:
         counts = (row[name] for name in ("components", "holes", "vertices"))
-        did = (row[name] for name in ("insertions", "deletions", "swaps", "updated"))
-        seconds = row["update_seconds"] + row["sum_seconds"]
+        did = (row[name] for name in steps)
+        seconds = (row["update_seconds"] or 0) + row["sum_seconds"]
         table.add_row(
             _short(row["scale"]),
             _short(row["area"]),
@@ -218,6 +246,7 @@ def _print(value: dict[str, Any]) -> None:
     out.print(table)
     summary = [
         ("sweep", f"{value['P']} + {value['Q']}, {counted(len(value['rows']), 'scale')}"),
+        ("route", value["route"]),
         ("all events", f"{value['preprocessing_seconds']:.3f} s"),
         ("seconds", f"{value['seconds']:.3f}"),
     ]

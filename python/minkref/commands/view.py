@@ -12,16 +12,18 @@ from typing import Annotated, Any
 import typer
 from rich.console import Console
 
+from minkref import _core
 from minkref.documents import Stopwatch, as_text, check_writable, document, write_atomically
 from minkref.errors import Refusal, refusing
 from minkref.exact import approximate, read_scale
 from minkref.operand import read_operand
 from minkref.options import Json, Schema
+from minkref.scale_space import IndexFile, index_of, route_with
 from minkref.signals import interruptible
 from minkref.space.operand import in_space
 from minkref.space.view_command import view_in_space
 from minkref.terminal import lines, shown
-from minkref.view.picture import Progress, Window, picture
+from minkref.view.picture import Progress, Sums, Window, picture
 from minkref.view.write_page import page
 
 EXAMPLES = """Examples:
@@ -34,6 +36,7 @@ minkref view gs3 rod --scale 2,1/3,5 -o gs3-rod.html
 
 minkref view gs3 rod --scales scales.txt -o gs3-rod.html"""
 
+ROUTES = ("index", "dynamic")
 FROM, TO = "1/10", "10"
 ENDINGS = (".html", ".htm")
 
@@ -63,6 +66,15 @@ def command(
             metavar="FILE",
         ),
     ] = None,
+    route: Annotated[
+        str | None,
+        typer.Option(
+            "--route",
+            help="How the sums are got: read off an index of all scales (index, the default), or "
+            "by the paper's dynamic update (dynamic).",
+        ),
+    ] = None,
+    index: IndexFile = None,
     output: Annotated[
         Path, typer.Option("-o", help="The page to write: .html.", metavar="FILE")
     ] = Path("view.html"),
@@ -74,17 +86,33 @@ def command(
     at each scale, to be turned and asked for the parents of its facets and vertices."""
     if in_space(P, Q):
         _check_output(output)
-        given = _given(("--from", from_scale), ("--to", to_scale))
+        given = _given(
+            ("--from", from_scale), ("--to", to_scale), ("--route", route), ("--index", index)
+        )
         view_in_space(P, Q, scale, scales, given, output, json)
         return
     watch = Stopwatch()
+    if index is not None:
+        bounds = refusing(str(index), lambda: _core.ScaleSpaceIndex.open(str(index)).window)
+        from_scale, to_scale = from_scale or bounds[0], to_scale or bounds[1]
     window = _window(from_scale, to_scale, _given(("--scale", scale), ("--scales", scales)))
+    route = route_with(index, route, ROUTES[0])
+    if route not in ROUTES:
+        raise Refusal(
+            f"there is no route {route!r}", "--route", f"choose one of {', '.join(ROUTES)}"
+        )
     _check_output(output)
     first, second = read_operand(P), read_operand(Q)
+
+    def sums() -> Sums:
+        if route == "index":
+            return index_of(index, first, second, window.first, window.last)
+        return _core.DynamicSum(first.set, second.set, window.first, window.last)
+
     with interruptible(), _progress() as progress:
         data = refusing(
             f"{first.name} and {second.name}",
-            lambda: picture(first.set, second.set, window, progress),
+            lambda: picture(first.set, second.set, window, sums, progress),
         )
         text = page(first.name, second.name, data)
     write_atomically(output, text)
@@ -94,6 +122,7 @@ def command(
         P=first.name,
         Q=second.name,
         **{"from": window.first, "to": window.last},
+        route=route,
         warnings=first.warnings + second.warnings,
         output=str(output),
         bytes=output.stat().st_size,
@@ -174,6 +203,7 @@ def _print(value: dict[str, Any]) -> None:
     rows = [
         ("sP + Q", f"{value['P']} + {value['Q']}"),
         ("window", window),
+        ("route", value["route"]),
         ("edges", f"{segments['S']:,} S, {segments['T']:,} T"),
         ("boundary events", f"{value['boundary_events']:,}"),
         ("topology events", f"{value['topology_events']:,}"),

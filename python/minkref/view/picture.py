@@ -14,9 +14,13 @@ from minkref.view.linear import double, linear, out_of_range
 from minkref.view.ring_changes import Row
 from minkref.view.states import States
 
+Sums = _core.ScaleSpaceIndex | _core.DynamicSum
+
 Progress = Callable[[int, int], None]  # states done, states in all
 
 NARROWEST = 1e-12
+# The count that says how many states there are.
+GROUPS = {_core.DynamicSum: "boundary_groups", _core.ScaleSpaceIndex: "boundary_events"}
 CHANGES = {"birth": "b", "death": "d", "swap": "s", "touch": "t"}
 
 
@@ -32,9 +36,14 @@ class Window:
 
 
 def picture(
-    P: _core.PolygonSet, Q: _core.PolygonSet, window: Window, progress: Progress
+    P: _core.PolygonSet,
+    Q: _core.PolygonSet,
+    window: Window,
+    find: Callable[[], Sums],
+    progress: Progress,
 ) -> dict[str, Any]:
-    """The fields of the page's data. Exact but for the coordinates, which are doubles."""
+    """The fields of the page's data. Exact but for the coordinates, which are doubles. `find` gives
+    the sums of the window or of a larger one."""
     first = double(Fraction(window.first), "a scale")
     last = double(Fraction(window.last), "a scale")
     if first == 0:
@@ -43,9 +52,9 @@ def picture(
         raise Refusal(
             "the window is too narrow for doubles", "--from, --to", "take a wider one", "limit"
         )
-    dynamic = _core.DynamicSum(P, Q, window.first, window.last)
-    states = _states(dynamic, window, progress)
-    boundary = dynamic.boundary_events()
+    sums = find()
+    states = _states(sums, window, progress)
+    boundary = [row for row in sums.boundary_events() if row[0] in window]
     if [row[0] for row in boundary] != states.scales:
         raise AssertionError("the states of the boundary do not begin at its events")
     at = {scale: index for index, scale in enumerate(states.scales)}
@@ -53,23 +62,23 @@ def picture(
         "window": [[window.first, first], [window.last, last]],
         "P": _rings(P),
         "Q": _rings(Q),
-        **_convolution(dynamic, _offsets(P), _offsets(Q)),
-        **_tracks(dynamic, states, Fraction(window.last), _reach(P, Q, window)),
+        **_convolution(sums, _offsets(P), _offsets(Q)),
+        **_tracks(sums, states, Fraction(window.last), _reach(P, Q, window)),
         "scales": states.scales,
         "about": [double(Fraction(scale), "a scale") for scale in states.scales],
         "kinds": "".join(CHANGES[row[1]] for row in boundary),
         "places": [_rounded(axis) for row in boundary for axis in row[3]],
         "states": states.encoded,
-        "topology": [_topology(row, at) for row in dynamic.topology_events()],
-        "holes": [_life(row, at, window) for row in dynamic.features("hole")],
-        "components": [_life(row, at, window) for row in dynamic.features("component")],
+        "topology": [_topology(row, at) for row in sums.topology_events() if row[0] in window],
+        "holes": [_life(row, at, window) for row in sums.features("hole")],
+        "components": [_life(row, at, window) for row in sums.features("component")],
     }
 
 
-def _states(dynamic: _core.DynamicSum, window: Window, progress: Progress) -> States:
+def _states(sums: Sums, window: Window, progress: Progress) -> States:
     """The states of the window. Those that begin before it count up to the last of them only."""
     states = States()
-    total = int(dynamic.counts().get("boundary_groups", 0)) + 1
+    total = int(sums.counts().get(GROUPS[type(sums)], 0)) + 1
     pending: Sequence[Row] = []
     done = 0
 
@@ -85,7 +94,7 @@ def _states(dynamic: _core.DynamicSum, window: Window, progress: Progress) -> St
                 states.begin(pending)
             states.add(scale, rows)
 
-    dynamic.ring_states(take)
+    sums.ring_states(take)
     if not states.begun:
         states.begin(pending)
     return states
@@ -112,13 +121,11 @@ def _offsets(operand: _core.PolygonSet) -> list[int]:
     return offsets
 
 
-def _convolution(
-    dynamic: _core.DynamicSum, of_P: list[int], of_Q: list[int]
-) -> dict[str, list[int]]:
+def _convolution(sums: Sums, of_P: list[int], of_Q: list[int]) -> dict[str, list[int]]:
     """S- and T-edges: the vertex where the edge starts and the vertex of the other operand, by
     their numbers in all the operand."""
     edges: dict[str, list[int]] = {"S": [], "T": []}
-    for kind, _, edge_ring, edge, vertex_ring, vertex in dynamic.edges():
+    for kind, _, edge_ring, edge, vertex_ring, vertex in sums.edges():
         own, other = (of_P, of_Q) if kind == "S" else (of_Q, of_P)
         edges[kind] += [own[edge_ring] + edge, other[vertex_ring] + vertex]
     return edges
@@ -132,12 +139,10 @@ def _reach(P: _core.PolygonSet, Q: _core.PolygonSet, window: Window) -> Fraction
     return Fraction(window.last) * sizes[0] + sizes[1]
 
 
-def _tracks(
-    dynamic: _core.DynamicSum, states: States, last: Fraction, reach: Fraction
-) -> dict[str, Any]:
+def _tracks(sums: Sums, states: States, last: Fraction, reach: Fraction) -> dict[str, Any]:
     """`tracks`: r and m of x and of y of each, one after another; `centres`: c of the few that have
     one, by place (2 i for x of track i, 2 i + 1 for y); `lives`: first and last state of each."""
-    every = dynamic.tracks()
+    every = sums.tracks()
     tracks: list[float] = []
     centres: dict[str, float] = {}
     for number, original in enumerate(states.used):

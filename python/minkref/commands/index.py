@@ -1,0 +1,178 @@
+"""`minkref index P Q -o FILE`: the sums at all scales of a window, built once."""
+
+from __future__ import annotations
+
+import random
+import sys
+from fractions import Fraction
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from minkref import _core
+from minkref.documents import Stopwatch, as_text, check_spares, check_writable, document, replacing
+from minkref.errors import Refusal, refusing
+from minkref.exact import read_scale
+from minkref.operand import read_operand
+from minkref.options import Json, Schema
+from minkref.progress import progress
+from minkref.scale_space import build_index, cores
+from minkref.signals import interruptible
+from minkref.terminal import counted, lines, shown
+
+EXAMPLES = """Examples:
+
+minkref index disc1 cells1815 -o cells.index
+
+minkref index glyph1204 glyph275 --from 1/10 --to 10 -o glyphs.index --json
+
+minkref sum disc1 cells1815 --index cells.index --scale 7/5"""
+
+MOST_THREADS = 256
+MOST_MEMORY = 1 << 24  # MiB
+MOST_CHECKS = 10_000
+
+
+def command(
+    P: Annotated[str, typer.Argument(help="First operand, the scaled one: a file or a model.")],
+    Q: Annotated[str, typer.Argument(help="Second operand: a file or a model.")],
+    output: Annotated[Path, typer.Option("-o", help="The file to write.", metavar="FILE")],
+    from_scale: Annotated[
+        str | None,
+        typer.Option("--from", help="Begin of the window, in it. Open to 0 without.", metavar="A"),
+    ] = None,
+    to_scale: Annotated[
+        str | None,
+        typer.Option("--to", help="End of the window, in it. Endless without.", metavar="B"),
+    ] = None,
+    threads: Annotated[
+        int | None,
+        typer.Option("--threads", help="Of the build: as many as there are cores.", metavar="N"),
+    ] = None,
+    memory: Annotated[
+        int,
+        typer.Option(
+            "--memory",
+            help="Refuse to go on once the build has more in memory: 0, no limit.",
+            metavar="MIB",
+        ),
+    ] = 0,
+    check: Annotated[
+        int,
+        typer.Option(
+            "--check", help="Compare the sums at N scales with the static route.", metavar="N"
+        ),
+    ] = 3,
+    json: Json = False,
+    schema: Schema = False,
+) -> None:
+    """The boundary of the sum as a function of the scale: all its vertices with the scales at which
+    they are there, in ring order. Any sum of the window is then read off in microseconds, exact, by
+    `sum`, `sweep`, `events` and `view` with --index FILE."""
+    watch = Stopwatch()
+    window = [
+        read_scale(scale, option) if scale is not None else None
+        for scale, option in ((from_scale, "--from"), (to_scale, "--to"))
+    ]
+    _check_numbers(threads, memory, check)
+    check_writable(output)
+    first, second = read_operand(P), read_operand(Q)
+    check_spares(output, [first.file, second.file])
+    with interruptible():
+        index = build_index(first, second, window[0], window[1], threads, memory << 20)
+    checked = _checked(index, check)
+    with replacing(output) as temporary:
+        refusing(str(output), lambda: index.save(str(temporary)))
+    counts = dict(index.counts())
+    value = document(
+        "index",
+        watch,
+        P=first.name,
+        Q=second.name,
+        **{"from": window[0], "to": window[1]},
+        warnings=first.warnings + second.warnings,
+        output=str(output),
+        bytes=counts.pop("bytes"),
+        threads=threads or cores(),
+        build_seconds=index.seconds,
+        segments={"S": counts.pop("s_edges"), "T": counts.pop("t_edges")},
+        checked=checked,
+        statistics=counts,
+    )
+    if json:
+        sys.stdout.write(as_text(value))
+    else:
+        _print(value)
+
+
+def _check_numbers(threads: int | None, memory: int, check: int) -> None:
+    limits = (
+        ("--threads", 1 if threads is None else threads, 1, MOST_THREADS),
+        ("--memory", memory, 0, MOST_MEMORY),
+        ("--check", check, 0, MOST_CHECKS),
+    )
+    for option, value, least, most in limits:
+        if not least <= value <= most:
+            raise Refusal(
+                f"it has to be {least} to {most:,}", f"{option} {value}", "choose another number"
+            )
+
+
+def _checked(index: _core.ScaleSpaceIndex, count: int) -> dict[str, Any]:
+    """The scales at which the sum was compared with that of another route: all equal."""
+    scales = scales_of(index, count)
+    with progress(len(scales)) as line, interruptible():
+        for scale in scales:
+            line.now("comparing with the static route")
+            if index.first_difference([scale]):
+                raise AssertionError(f"the index differs from the static route at {scale}")
+            line.done()
+    return {"routes": ["index", "paper"], "scales": scales}
+
+
+def scales_of(index: _core.ScaleSpaceIndex, count: int) -> list[str]:
+    """Scales of the window, the same ones each time; every other one at an event."""
+    begin, end = index.window
+    low = Fraction(begin) if begin is not None else None
+    high = Fraction(end) if end is not None else None
+    dice = random.Random(1)
+    events = [s for s in map(Fraction, index.event_scales()) if _holds(low, high, s)]
+    scales: list[str] = []
+    for k in range(count):
+        if k % 2 == 1 and events:
+            scales.append(str(dice.choice(events)))
+            continue
+        least = low or (events[0] if events else high or Fraction(1)) / 2
+        most = high or 2 * (events[-1] if events else least)
+        scales.append(str(least + (most - least) * Fraction(dice.randrange(1, 1000), 1000)))
+    return scales
+
+
+def _holds(low: Fraction | None, high: Fraction | None, scale: Fraction) -> bool:
+    return (low is None or scale >= low) and (high is None or scale <= high)
+
+
+def _print(value: dict[str, Any]) -> None:
+    window = f"from {value['from'] or 'above 0'} to {value['to'] or 'infinity'}"
+    statistics, segments = value["statistics"], value["segments"]
+    size = value["bytes"]
+    rows = [
+        ("index", f"{value['P']} + {value['Q']}, s {window}"),
+        ("edges", f"{segments['S']:,} S, {segments['T']:,} T"),
+        ("boundary events", f"{statistics['boundary_events']:,}"),
+        ("topology events", f"{statistics['topology_events']:,}"),
+        ("vertices ever", f"{statistics['tracks']:,}"),
+        ("built in", f"{value['build_seconds']:.3f} s, {counted(value['threads'], 'thread')}"),
+        (
+            "checked",
+            f"{counted(len(value['checked']['scales']), 'sum')} equal by the static route"
+            if value["checked"]["scales"]
+            else "not: --check 0",
+        ),
+        ("seconds", f"{value['seconds']:.3f}"),
+        ("written", f"{value['output']}, {size:,} bytes"),
+    ]
+    sys.stdout.write(lines(rows))
+    for warning in value["warnings"]:
+        sys.stderr.write(f"warning: {shown(warning)}\n")

@@ -1,0 +1,121 @@
+"""The index of all scales as the commands use it: built with progress, or taken from its file."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from fractions import Fraction
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from minkref import _core
+from minkref.errors import Refusal, refusing
+from minkref.operand import Operand
+from minkref.progress import Steps, progress
+
+IndexFile = Annotated[
+    Path | None,
+    typer.Option(
+        "--index",
+        help="Read the sums off this index, which `minkref index` wrote (--route index).",
+        metavar="FILE",
+    ),
+]
+
+# How much of a build each stage is, roughly.
+STAGES = {
+    "pairs": ("pairs of edges", 0, 60),
+    "patches": ("boundary", 60, 30),
+    "rings": ("rings", 90, 10),
+}
+WHOLE = 100
+
+
+def cores() -> int:
+    """That this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else 1
+
+
+def route_with(index: Path | None, route: str | None, default: str) -> str:
+    """The route that the options name together."""
+    if index is None:
+        return default if route is None else route
+    if route not in (None, "index"):
+        raise Refusal(
+            f"an index is given, and the route {route}, which does not use it",
+            f"--index {index} --route {route}",
+            "leave out one of the two options",
+        )
+    return "index"
+
+
+def build_index(
+    P: Operand,
+    Q: Operand,
+    first: str | None,
+    last: str | None,
+    threads: int | None = None,
+    memory: int = 0,
+) -> _core.ScaleSpaceIndex:
+    """Of a closed window; open towards 0 or infinity where a bound is None. `memory`: in bytes."""
+    with progress(WHOLE) as line:
+        tell = _teller(line)
+        return refusing(
+            f"{P.name} and {Q.name}",
+            lambda: _core.ScaleSpaceIndex(
+                P.set, Q.set, first, last, threads or cores(), memory, tell
+            ),
+        )
+
+
+def open_index(path: Path, P: Operand, Q: Operand) -> _core.ScaleSpaceIndex:
+    """One that was saved, if it is that of these operands."""
+    index = refusing(str(path), lambda: _core.ScaleSpaceIndex.open(str(path)))
+    if not index.is_of(P.set, Q.set):
+        raise Refusal(
+            f"the index is not that of {P.name} and {Q.name}",
+            str(path),
+            "give the operands that it was built of, in their order, or build another",
+            "other-operands",
+        )
+    return index
+
+
+def index_of(
+    path: Path | None, P: Operand, Q: Operand, first: str | None, last: str | None
+) -> _core.ScaleSpaceIndex:
+    """The index of a file, which has to hold the bounds that are given; without a file one that is
+    built of the window."""
+    if path is None:
+        return build_index(P, Q, first, last)
+    index = open_index(path, P, Q)
+    begin, end = index.window
+    given = [Fraction(bound) for bound in (first, last) if bound is not None]
+    too_early = begin is not None and any(scale < Fraction(begin) for scale in given)
+    too_late = end is not None and any(scale > Fraction(end) for scale in given)
+    if too_early or too_late:
+        asked = " to ".join(bound for bound in dict.fromkeys((first, last)) if bound is not None)
+        raise Refusal(
+            f"the index holds the scales from {begin or '0'} to {end or 'infinity'}, not {asked}",
+            str(path),
+            "ask for scales of its window, or build an index of a larger one",
+            "outside-window",
+        )
+    return index
+
+
+def _teller(line: Steps) -> Callable[[str, int, int], None]:
+    done = 0
+
+    def tell(stage: str, count: int, total: int) -> None:
+        nonlocal done
+        name, before, part = STAGES[stage]
+        now = before + (part * count // total if total else part)
+        line.now(name)
+        if now > done:
+            line.done(now - done)
+            done = now
+
+    return tell
