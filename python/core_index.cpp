@@ -85,7 +85,7 @@ class Index {
     options.memory_limit = memory_limit;
     if (progress) {
       options.progress = [&](const BuildProgress& now) {
-        static constexpr std::array<const char*, 3> stages{"pairs", "patches", "rings"};
+        static constexpr std::array<const char*, 4> stages{"cells", "pairs", "patches", "rings"};
         const nb::gil_scoped_acquire locked;
         (*progress)(stages.at(static_cast<std::size_t>(now.stage)), now.done, now.total);
       };

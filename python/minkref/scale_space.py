@@ -26,7 +26,8 @@ IndexFile = Annotated[
 
 # How much of a build each stage is, roughly.
 STAGES = {
-    "pairs": ("pairs of edges", 0, 60),
+    "cells": ("patches of edges", 0, 20),
+    "pairs": ("pairs of edges", 20, 40),
     "patches": ("boundary", 60, 30),
     "rings": ("rings", 90, 10),
 }

@@ -8,7 +8,7 @@ namespace minkref {
 
 /// `done` of `total` convolution edges in a stage of the build.
 struct BuildProgress {
-  enum class Stage : std::uint8_t { pairs, patches, rings } stage = Stage::pairs;
+  enum class Stage : std::uint8_t { cells, pairs, patches, rings } stage = Stage::cells;
   std::uint64_t done = 0, total = 0;
 };
 

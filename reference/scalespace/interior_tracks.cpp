@@ -7,8 +7,8 @@
 namespace minkref {
 namespace {
 
-constexpr std::size_t most_discs = 96;
-constexpr int most_tries = 8;  // discs of one operand, for a stretch of scales
+constexpr std::size_t most_discs = 200;
+constexpr int most_tries = 16;  // discs of one operand, for a stretch of scales
 constexpr int most_halvings = 1;
 
 PolygonSet region_or_nothing(const PolygonSet& set) { return set.is_region() ? set : PolygonSet{}; }
@@ -65,7 +65,7 @@ bool InteriorTracks::certainly_inside(const RoundedTrack& track, double from, do
   left[count++] = {from, to, 0};
   while (count > 0) {
     const Stretch stretch = left[--count];
-    if (settled(track, stretch.from, stretch.to, hints)) continue;
+    if (clearance(track, stretch.from, stretch.to, hints) > 0) continue;
     if (stretch.halvings == most_halvings) return false;
     const double middle = std::sqrt(stretch.from) * std::sqrt(stretch.to);
     left[count++] = {middle, stretch.to, stretch.halvings + 1};
@@ -74,61 +74,67 @@ bool InteriorTracks::certainly_inside(const RoundedTrack& track, double from, do
   return true;
 }
 
-bool InteriorTracks::settled(const RoundedTrack& track, double from, double to,
-                             Hints& hints) const {
+double InteriorTracks::clearance(const RoundedTrack& track, double from, double to,
+                                 Hints& hints) const {
+  if (!regions_) return -HUGE_VAL;
   // A disc c + r of P, scaled, is at s c + s r. What matters is x - s c = x0 + s (x1 - c), a
   // segment: its middle, and half its length.
   const double middle = (from + to) / 2, half = (to - from) / 2;
-  const double slack = track.error * (1 + to);
+  const double slack =
+      (track.reach0 + to * track.reach1) * (1 + 0x1p-40) + 2 * track.error * (1 + to);
   const auto of_P = [&](const Disc& disc, double& away) {
     const double ux = track.x1 - disc.x, uy = track.y1 - disc.y;
     away = to_Q_.below(track.x0 + middle * ux, track.y0 + middle * uy);
     return away - half * std::sqrt(ux * ux + uy * uy) * (1 + 0x1p-40) - slack +
            from * disc.radius * (1 - 0x1p-40);
   };
-  if (find(of_P_, hints.of_P, [&](const Disc& disc, double reach, bool& hopeless) {
-        double away;
-        const double clearance = of_P(disc, away);
-        hopeless = away + middle * reach <= 0;
-        return clearance;
-      })) {
-    return true;
-  }
+  const double by_P = find(of_P_, hints.of_P, [&](const Disc& disc, double reach, bool& hopeless) {
+    double away;
+    const double own = of_P(disc, away);
+    hopeless = away + middle * reach <= 0;
+    return own;
+  });
+  if (by_P > 0) return by_P;
   // Seen from sP, over s: x1 + (x0 - c) / s, again a segment.
   const double high = 1 / from, low = 1 / to, centre = (high + low) / 2,
                spread = (high - low) / 2 * (1 + 0x1p-40);
-  const double relative_slack = track.error * (1 + high);
-  return find(of_Q_, hints.of_Q, [&](const Disc& disc, double reach, bool& hopeless) {
+  const double relative_slack =
+      (track.reach1 + high * track.reach0) * (1 + 0x1p-40) + 2 * track.error * (1 + high);
+  const double by_Q = find(of_Q_, hints.of_Q, [&](const Disc& disc, double reach, bool& hopeless) {
     const double ux = track.x0 - disc.x, uy = track.y0 - disc.y;
     const double away = to_P_.below(track.x1 + centre * ux, track.y1 + centre * uy);
     hopeless = away + centre * reach <= 0;
     return away - spread * std::sqrt(ux * ux + uy * uy) * (1 + 0x1p-40) - relative_slack +
            low * disc.radius * (1 - 0x1p-40);
   });
+  return by_Q > 0 ? by_Q : std::max(by_P, by_Q * middle);
 }
 
-/// Whether some disc has a positive clearance, among the first tries.
+/// The first positive clearance of a disc, among the first tries; else the greatest.
 template <class Clearance>
-bool InteriorTracks::find(const Tree& tree, std::uint32_t& hint, Clearance clearance) {
+double InteriorTracks::find(const Tree& tree, std::uint32_t& hint, Clearance clearance) {
   const std::vector<Node>& nodes = tree.nodes();
-  if (nodes.empty()) return false;
+  if (nodes.empty()) return -HUGE_VAL;
   bool hopeless = false;
-  if (clearance(nodes[hint].disc, nodes[hint].reach, hopeless) > 0) return true;
+  double best = clearance(nodes[hint].disc, nodes[hint].reach, hopeless);
+  if (best > 0) return best;
   std::array<std::uint32_t, 64> stack;  // the tree is balanced
   std::size_t count = 0;
   stack[count++] = 0;
   for (int tries = 0; count > 0 && tries < most_tries; ++tries) {
     const std::uint32_t at = stack[--count];
     const Node& node = nodes[at];
-    if (clearance(node.disc, node.reach, hopeless) > 0) {
+    const double own = clearance(node.disc, node.reach, hopeless);
+    if (own > best) {
+      best = own;
       hint = at;
-      return true;
+      if (own > 0) return own;
     }
     if (hopeless) continue;
     if (node.right != 0) stack[count++] = node.right;
     if (node.left != 0) stack[count++] = node.left;
   }
-  return false;
+  return best;
 }
 
 }  // namespace minkref

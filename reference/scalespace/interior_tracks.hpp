@@ -8,10 +8,11 @@
 
 namespace minkref {
 
-/// A point x0 + s x1 in doubles, each coordinate of either off by at most `error`.
+/// All points within reach0 + s reach1 of x0 + s x1, in doubles: each coordinate of x0 and x1 is
+/// off by at most `error`.
 struct RoundedTrack {
   double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-  double error = 0;
+  double error = 0, reach0 = 0, reach1 = 0;
 };
 
 /// The interiors of sP and x - Q meet if a disc of sP is nearer to x - Q than its radius, or a disc
@@ -26,6 +27,11 @@ class InteriorTracks {
   struct Hints {
     std::uint32_t of_P = 0, of_Q = 0;
   };
+
+  /// Positive only if the points are certainly in int(sP) ⊕ int(Q) for all scales from `from` to
+  /// `to`, 0 < from <= to < infinity: by how much a disc reaches over what it has to, for the disc
+  /// that does so most of those that were tried.
+  double clearance(const RoundedTrack& track, double from, double to, Hints& hints) const;
 
   /// True only if the point is certainly in int(sP) ⊕ int(Q) for all scales from `from` to `to`, 0
   /// < from <= to < infinity. In doubles; some 20 ns where a hint is right, 1 us where nothing is.
@@ -48,9 +54,8 @@ class InteriorTracks {
     std::vector<Node> nodes_;
   };
 
-  bool settled(const RoundedTrack& track, double from, double to, Hints& hints) const;
   template <class Clearance>
-  static bool find(const Tree& tree, std::uint32_t& hint, Clearance clearance);
+  static double find(const Tree& tree, std::uint32_t& hint, Clearance clearance);
 
   bool regions_;
   SignedDistance to_P_, to_Q_;

@@ -6,44 +6,34 @@
 
 #include "reference/plane/critical/pair_filter.hpp"
 #include "reference/scalespace/in_parallel.hpp"
-#include "reference/scalespace/interior_tracks.hpp"
+#include "reference/scalespace/patch_cells.hpp"
 
 namespace minkref {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-struct RoundedEdge {
-  double px, py, qx, qy, dx, dy;
-  bool is_s;
-};
-
-RoundedEdge rounded(const RationalEdge& e) {
-  return {to_double(e.p.x()),
-          to_double(e.p.y()),
-          to_double(e.q.x()),
-          to_double(e.q.y()),
-          to_double(e.d.x()),
-          to_double(e.d.y()),
-          e.is_s()};
-}
-
 /// What all threads look at.
 struct Subject {
   InteriorTracks tracks;
   std::vector<RoundedEdge> edges;
-  std::uint32_t s_count = 0;
+  PatchCells cells;
+  std::vector<std::uint32_t> live;  ///< edges that have a cell
+  std::uint32_t s_count = 0;        ///< of these
   double from = 0, to = infinity;
   double length = 0, size = 0;  ///< the greatest coordinates, of directions and of points
 
   Subject(const PolygonSet& P, const PolygonSet& Q, const std::vector<RationalEdge>& given,
-          const ScaleWindow& window)
+          const ScaleWindow& window, const BuildControl& control)
       : tracks(P, Q) {
     if (window.from) from = to_double(*window.from) * (1 - 0x1p-50);
     if (window.to) to = to_double(*window.to) * (1 + 0x1p-50);
-    for (const RationalEdge& e : given) {
-      edges.push_back(rounded(e));
-      const RoundedEdge& r = edges.back();
+    for (const RationalEdge& e : given) edges.push_back(rounded(e));
+    cells = patch_cells(tracks, edges, from, to, control);
+    for (std::uint32_t e = 0; e < edges.size(); ++e) {
+      if (cells.of(e).empty()) continue;
+      live.push_back(e);
+      const RoundedEdge& r = edges[e];
       s_count += r.is_s ? 1 : 0;
       length = std::max({length, std::fabs(r.dx), std::fabs(r.dy)});
       size = std::max({size, std::fabs(r.px), std::fabs(r.py), std::fabs(r.qx), std::fabs(r.qy)});
@@ -52,7 +42,10 @@ struct Subject {
 
   PairFilter filter() const {
     EdgeColumns s, t;
-    for (const RoundedEdge& e : edges) (e.is_s ? s : t).add(e.px, e.py, e.qx, e.qy, e.dx, e.dy);
+    for (const std::uint32_t k : live) {
+      const RoundedEdge& e = edges[k];
+      (e.is_s ? s : t).add(e.px, e.py, e.qx, e.qy, e.dx, e.dy);
+    }
     return {std::move(s), std::move(t)};
   }
 };
@@ -70,9 +63,9 @@ class Search {
         filter_(filter),
         error_(filter.error()),
         found_(found),
-        candidates_(subject.edges.size() + 1) {}
+        candidates_(subject.live.size() + 1) {}
 
-  /// All pairs of an edge with those after it.
+  /// All pairs of a live edge with those after it.
   void operator()(std::size_t index) {
     const auto a = static_cast<std::uint32_t>(index);
     const std::uint32_t s_count = subject_.s_count;
@@ -81,11 +74,13 @@ class Search {
     hints_ = {};
     if (is_s) {
       const std::size_t n = filter_.candidates(true, own, true, own + 1, candidates_.data());
-      for (std::size_t k = 0; k < n; ++k) look(a, candidates_[k]);
+      for (std::size_t k = 0; k < n; ++k) look(subject_.live[a], subject_.live[candidates_[k]]);
     }
     const std::size_t n =
         filter_.candidates(is_s, own, false, is_s ? 0 : own + 1, candidates_.data());
-    for (std::size_t k = 0; k < n; ++k) look(a, s_count + candidates_[k]);
+    for (std::size_t k = 0; k < n; ++k) {
+      look(subject_.live[a], subject_.live[s_count + candidates_[k]]);
+    }
   }
 
  private:
@@ -117,6 +112,11 @@ class Search {
       if (low > high) return;
       ++found_.meeting;
       if (low > 0 && high < infinity) {
+        if (!passes_cell(i, a_slope, a_value, c, low, high) ||
+            !passes_cell(j, b_slope, b_value, c, low, high)) {
+          ++found_.inside;
+          return;
+        }
         const double slope = a_slope / c, value = a_value / c;
         const double ratio = std::max(std::fabs(slope), std::fabs(value));
         const RoundedTrack track{a.qx + value * a.dx, a.qy + value * a.dy, a.px + slope * a.dx,
@@ -132,6 +132,22 @@ class Search {
       ++found_.meeting;
     }
     found_.kept.emplace_back(i, j);
+  }
+
+  /// Whether the line of the other edge may pass a cell of this one: at (slope s + value) / c along
+  /// it, over s for an S-edge.
+  bool passes_cell(std::uint32_t edge, double slope, double value, double c, double low,
+                   double high) const {
+    const bool is_s = subject_.edges[edge].is_s;
+    const auto along = [&](double s) { return (slope * s + value) / (is_s ? c * s : c); };
+    const double doubt = 4 * error_ * (1 + high) / (is_s ? c * low : c) + 0x1p-40;
+    for (const PatchCell& cell : subject_.cells.of(edge)) {
+      const double begin = std::max(low, cell.low), end = std::min(high, cell.high);
+      if (begin > end) continue;
+      const double u = along(begin), v = along(end);  // it is monotone between them
+      if (std::min(u, v) <= cell.to + doubt && std::max(u, v) >= cell.from - doubt) return true;
+    }
+    return false;
   }
 
   const Subject& subject_;
@@ -172,12 +188,15 @@ PatchNeighbours listed(std::vector<Found>& all, std::size_t count) {
 PatchNeighbours patch_neighbours(const PolygonSet& P, const PolygonSet& Q,
                                  const std::vector<RationalEdge>& edges, const ScaleWindow& window,
                                  const BuildControl& control) {
-  const Subject subject(P, Q, edges, window);
+  const Subject subject(P, Q, edges, window, control);
   const PairFilter filter = subject.filter();
   std::vector<Found> found(control.threads());
-  in_parallel(edges.size(), control, BuildProgress::Stage::pairs,
+  in_parallel(subject.live.size(), control, BuildProgress::Stage::pairs,
               [&](unsigned thread) { return Search(subject, filter, found[thread]); });
-  return listed(found, edges.size());
+  PatchNeighbours result = listed(found, edges.size());
+  result.hidden.assign(edges.size(), 1);
+  for (const std::uint32_t e : subject.live) result.hidden[e] = 0;
+  return result;
 }
 
 }  // namespace minkref

@@ -62,6 +62,7 @@ void SignedDistance::lay_grid(const std::vector<Edge>& edges) {
     spacing_ = 1;
     return;
   }
+  over_spacing_ = 1 / spacing_;
   columns_ = count(width);
   rows_ = count(height);
   samples_.resize(columns_ * rows_);
@@ -137,13 +138,17 @@ void SignedDistance::mark_outside(const std::vector<Edge>& edges) {
 }
 
 double SignedDistance::below(double x, double y) const {
-  const double column = (x - left_) / spacing_, row = (y - bottom_) / spacing_;
-  const double c = std::clamp(std::floor(column + 0.5), 0.0, static_cast<double>(columns_ - 1)),
-               r = std::clamp(std::floor(row + 0.5), 0.0, static_cast<double>(rows_ - 1));
+  // Any sample will do; the nearest is the best.
+  const double column = (x - left_) * over_spacing_, row = (y - bottom_) * over_spacing_;
+  const auto nearest = [](double place, std::size_t count) {
+    return static_cast<std::uint32_t>(
+        std::min(std::max(0.0, place + 0.5), static_cast<double>(count) - 0.5));
+  };
+  const std::uint32_t c = nearest(column, columns_), r = nearest(row, rows_);
   const double across = column - c, up = row - r;
   const double away = spacing_ * std::sqrt(across * across + up * up);
-  return samples_[static_cast<std::size_t>(r) * columns_ + static_cast<std::size_t>(c)] -
-         away * (1 + 0x1p-30) - 0x1p-40 * (std::fabs(x) + std::fabs(y)) - error_;
+  return samples_[std::size_t{r} * columns_ + c] - away * (1 + 0x1p-30) -
+         0x1p-40 * (std::fabs(x) + std::fabs(y)) - error_;
 }
 
 std::vector<Disc> SignedDistance::inscribed_discs(std::size_t count) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "reference/plane/polygon_set.hpp"
@@ -37,7 +38,7 @@ class SignedDistance {
   double& sample(std::size_t column, std::size_t row) { return samples_[row * columns_ + column]; }
 
   std::size_t columns_ = 0, rows_ = 0;
-  double left_ = 0, bottom_ = 0, spacing_ = 1;
+  double left_ = 0, bottom_ = 0, spacing_ = 1, over_spacing_ = 1;
   double error_ = 0;  // of a sample, and of what is asked
   std::vector<double> samples_;
 };

@@ -42,6 +42,7 @@ class Search {
 
   void operator()(std::size_t index) {
     const auto edge = static_cast<std::uint32_t>(index);
+    if (neighbours_.hidden[edge] != 0) return;
     const std::uint32_t first = neighbours_.first[edge];
     finder_.find(edge, neighbours_.others.data() + first, neighbours_.first[edge + 1] - first,
                  nodes_);
@@ -123,11 +124,6 @@ class Search {
     }
     const RationalEdge& e = moving_[edge];
     const Point x{e.p.x() * s + e.q.x() + e.d.x() * t, e.p.y() * s + e.q.y() + e.d.y() * t};
-    const double x_near = to_double(x.x), y_near = to_double(x.y);
-    if (test_.certainly_inside(x_near, y_near, 0x1p-50 * (std::fabs(x_near) + std::fabs(y_near)),
-                               near_s)) {
-      return true;
-    }
     return test_.inside(x, s);
   }
 

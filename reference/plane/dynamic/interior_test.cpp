@@ -145,12 +145,17 @@ bool InteriorTest::inside(const Point& x, const Rational& scale) const {
   const Box box{below(at.x()), below(at.y()), above(at.x()), above(at.y())};
   const double s = to_double(scale), low = below(s), high = above(s);
   const double e = impl_->error(at.x(), at.y(), s, 0);
+  const bool in_range = in_filter_range(s);
   return impl_->p.tree.pairs_with(
       impl_->q.tree,
-      [&](const Box& a, const Box& b) { return scaled(a, low, high).overlaps(reflected(b, box)); },
+      [&](const Box& a, const Box& b) {
+        if (!in_range) return scaled(a, low, high).overlaps(reflected(b, box));
+        return a.xmin * s - e <= at.x() - b.xmin && a.xmax * s + e >= at.x() - b.xmax &&
+               a.ymin * s - e <= at.y() - b.ymin && a.ymax * s + e >= at.y() - b.ymax;
+      },
       [&](std::uint32_t i, std::uint32_t j) {
         const auto [near_a, near_b] = impl_->placed(i, j, at.x(), at.y(), s);
-        const auto known = in_filter_range(s) ? told(near_a, near_b, e) : std::nullopt;
+        const auto known = in_range ? told(near_a, near_b, e) : std::nullopt;
         if (known) return *known;
         const Triangle &a = impl_->p.exact[i], &b = impl_->q.exact[j];
         std::array<FilteredPoint, 3> u, v;
