@@ -9,6 +9,7 @@
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
+#include <algorithm>
 #include <variant>
 
 #include "python/core.hpp"
@@ -121,9 +122,16 @@ class Index {
     fields["pieces"] = counts.pieces;
     fields["tracks"] = index().tracks();
     fields["links"] = columns.links.size();
-    fields["scales"] = index().events();
-    fields["boundary_events"] = columns.boundary.size();
-    fields["topology_events"] = columns.topology.size();
+    const auto [first, last] = index().events_within();
+    const auto is_within = [first = first, last = last](const auto& event) {
+      return event.event >= first && event.event < last;
+    };
+    const auto count = [&](const auto& events) {
+      return std::count_if(events.begin(), events.end(), is_within);
+    };
+    fields["scales"] = last - first;
+    fields["boundary_events"] = count(columns.boundary);
+    fields["topology_events"] = count(columns.topology);
     fields["buckets"] = columns.buckets.size();
     fields["corners"] = columns.entries.size();
     fields["bits"] = counts.track_bits;
@@ -180,9 +188,9 @@ class Index {
   std::tuple<std::optional<std::string>, bool, std::optional<std::string>> neighbours(
       const std::string& scale) const {
     const auto place = index().place(parse_rational(scale));
-    const auto event = [&](std::size_t k) -> std::optional<std::string> {
-      if (k >= index().events()) return std::nullopt;
-      return to_string(index().event(static_cast<std::uint32_t>(k)));
+    const auto [first, last] = index().events_within();
+    const auto event = [&, first = first, last = last](std::uint32_t k) {
+      return k < first || k >= last ? std::nullopt : std::optional(to_string(index().event(k)));
     };
     return {place.interval == 0 ? std::nullopt : event(place.interval - 1), place.at_event,
             event(place.interval + (place.at_event ? 1 : 0))};
@@ -191,9 +199,8 @@ class Index {
   std::vector<EdgeRow> edges() const { return convolution_rows(index().edges()); }
   std::vector<std::string> event_scales() const {
     std::vector<std::string> scales;
-    for (std::uint32_t k = 0; k < index().events(); ++k) {
-      scales.push_back(to_string(index().event(k)));
-    }
+    const auto [first, last] = index().events_within();
+    for (std::uint32_t k = first; k < last; ++k) scales.push_back(to_string(index().event(k)));
     return scales;
   }
 
@@ -378,7 +385,7 @@ void bind_index(nb::module_& module) {
            "Exact a0, a1, a2 of the area a0 + a1 s + a2 s^2 in the interval of a scale.")
       .def("components_and_holes", &Index::features_at, "scale"_a)
       .def("neighbours", &Index::neighbours, "scale"_a,
-           "The next event below a scale, whether one is at it, the next above.")
+           "The next event of the window below a scale, whether one is at it, the next above.")
       .def("event_scales", &Index::event_scales, Released())
       .def("boundary_events", &Index::boundary_events, Released(),
            "(scale, change, edges, place), ascending.")

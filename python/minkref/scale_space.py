@@ -11,6 +11,7 @@ from typing import Annotated
 import typer
 
 from minkref import _core
+from minkref.documents import check_spares
 from minkref.errors import Refusal, refusing
 from minkref.operand import Operand
 from minkref.progress import Steps, progress
@@ -37,6 +38,12 @@ WHOLE = 100
 def cores() -> int:
     """That this process may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else 1
+
+
+def check_spares_index(output: Path | None, index: Path | None) -> None:
+    """Refuses an output that is the index that is read."""
+    if output is not None and index is not None:
+        check_spares(output, [index])
 
 
 def route_with(index: Path | None, route: str | None, default: str) -> str:
@@ -92,6 +99,13 @@ def index_of(
     if path is None:
         return build_index(P, Q, first, last)
     index = open_index(path, P, Q)
+    if first is not None and last is not None and Fraction(first) > Fraction(last):
+        raise Refusal(
+            f"the window [{first}, {last}] is empty",
+            "--from, --to",
+            "give a beginning that is not greater than the end",
+            "bad-window",
+        )
     begin, end = index.window
     given = [Fraction(bound) for bound in (first, last) if bound is not None]
     too_early = begin is not None and any(scale < Fraction(begin) for scale in given)

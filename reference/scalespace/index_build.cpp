@@ -1,5 +1,8 @@
 #include "reference/scalespace/index_build.hpp"
 
+#include <algorithm>
+
+#include "reference/error.hpp"
 #include "reference/plane/dynamic/dynamic_sum.hpp"
 #include "reference/plane/sum.hpp"
 #include "reference/scalespace/area_of_intervals.hpp"
@@ -216,6 +219,17 @@ class Writing {
   IndexImage::Writer to_;
 };
 
+/// Numbers of things are held in 32 bits.
+void refuse_too_large(const MovingBoundary& boundary, const RingOrder& order) {
+  constexpr std::size_t most = 0x7fffffffU;
+  std::size_t entries = 0;
+  for (const RingBucket& bucket : order.buckets) entries += 2 * bucket.entries.size();
+  if (std::max({boundary.tracks.size(), boundary.links.size(), entries}) > most) {
+    throw LimitExceeded("index-too-large", "the index would have more than two billion corners",
+                        "take a smaller window of scales or simpler operands");
+  }
+}
+
 }  // namespace
 
 IndexImage index_image(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window,
@@ -239,6 +253,7 @@ IndexImage index_image(const PolygonSet& P, const PolygonSet& Q, const ScaleWind
   TopologyTimeline timeline;
   if (!boundary.links.empty()) timeline = feature_timeline(swept, boundary, at_events, order);
   control.report(stage, 4, steps);
+  refuse_too_large(boundary, order);
   Writing writing;
   writing.window(window);
   writing.operand(P, Column::rings_of_P, Column::coordinates_of_P);

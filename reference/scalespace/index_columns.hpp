@@ -34,7 +34,7 @@ struct IndexEntry {
 struct IndexRing {
   std::uint32_t hole = 0, component = 0, is_hole = 0;
 };
-/// a0 + s a1 + s^2 a2, each within half an ulp and `error` of the true one.
+/// a0 + s a1 + s^2 a2, each within an ulp and `error` of the true one.
 struct IndexArea {
   double a0 = 0, a1 = 0, a2 = 0, error = 0;
 };

@@ -107,6 +107,11 @@ IndexImage IndexImage::map(const std::string& path) {
 }
 
 void IndexImage::save(const std::string& path) const {
+  std::error_code none;
+  if (std::filesystem::exists(path, none) && !std::filesystem::is_regular_file(path, none)) {
+    throw refused(path, "cannot-write", "the index cannot be written: this is no file",
+                  "name a file: an index is mapped, not read from a stream");
+  }
   const std::string beside = path + "." + std::to_string(::getpid()) + ".part";
   const auto fail = [&] {
     const std::string why = std::strerror(errno);

@@ -12,6 +12,16 @@ constexpr double band_ratio = 4;    // of the scales of a band, which is then ha
 constexpr double many_times = 256;  // a scale at which one operand is that much smaller is extreme
 constexpr int most_halvings = 4;
 
+constexpr int bits_of_a_cut = 12;
+
+/// A scale near this one that few bits hold, as cells are cut at.
+double short_scale(double scale) {
+  if (!(scale > 0) || !std::isfinite(scale)) return scale;
+  int exponent = 0;
+  const double mantissa = std::frexp(scale, &exponent);
+  return std::ldexp(std::nearbyint(std::ldexp(mantissa, bits_of_a_cut)), exponent - bits_of_a_cut);
+}
+
 /// The scales at which the operands are about as large.
 double middle_scale(const std::vector<RoundedEdge>& edges) {
   double of_P = 0, of_Q = 0;
@@ -34,8 +44,11 @@ std::vector<PatchCell> bands(double from, double to, double middle) {
   double low = least;
   for (int k = 1; k <= count; ++k) {
     const double high =
-        k == count ? most
-                   : std::max(low, least * std::pow(most / least, static_cast<double>(k) / count));
+        k == count
+            ? most
+            : std::max(low, std::min(most, short_scale(least *
+                                                       std::pow(most / least,
+                                                                static_cast<double>(k) / count))));
     result.push_back({low, high, 0, 1});
     low = high;
   }
@@ -68,7 +81,7 @@ class Search {
       if (halvings < most_halvings && clearance + reach + moved > 0) {
         PatchCell first = cell, second = cell;
         if (moved > reach) {
-          first.high = second.low = std::sqrt(cell.low) * std::sqrt(cell.high);
+          first.high = second.low = cut_between(cell.low, cell.high);
         } else {
           first.to = second.from = (cell.from + cell.to) / 2;
         }
@@ -113,6 +126,10 @@ class Search {
 };
 
 }  // namespace
+
+double cut_between(double low, double high) {
+  return std::clamp(short_scale(std::sqrt(low) * std::sqrt(high)), low, high);
+}
 
 RoundedEdge rounded(const RationalEdge& e) {
   return {to_double(e.p.x()),

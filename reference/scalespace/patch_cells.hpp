@@ -24,6 +24,9 @@ struct PatchCell {
   double low = 0, high = 0, from = 0, to = 1;
 };
 
+/// Where to cut a stretch of scales: about the middle of its logarithms, in a dozen bits.
+double cut_between(double low, double high);
+
 /// All of a patch that is in none of its cells is certainly in the sum of the interiors.
 struct PatchCells {
   std::vector<std::uint32_t> first;  ///< those of edge e: cells[first[e] .. first[e + 1])

@@ -188,14 +188,13 @@ PatchNeighbours listed(std::vector<Found>& all, std::size_t count) {
 PatchNeighbours patch_neighbours(const PolygonSet& P, const PolygonSet& Q,
                                  const std::vector<RationalEdge>& edges, const ScaleWindow& window,
                                  const BuildControl& control) {
-  const Subject subject(P, Q, edges, window, control);
+  Subject subject(P, Q, edges, window, control);
   const PairFilter filter = subject.filter();
   std::vector<Found> found(control.threads());
   in_parallel(subject.live.size(), control, BuildProgress::Stage::pairs,
               [&](unsigned thread) { return Search(subject, filter, found[thread]); });
   PatchNeighbours result = listed(found, edges.size());
-  result.hidden.assign(edges.size(), 1);
-  for (const std::uint32_t e : subject.live) result.hidden[e] = 0;
+  result.cells = std::move(subject.cells);
   return result;
 }
 

@@ -6,13 +6,13 @@
 
 #include "reference/plane/critical/moving_edge.hpp"
 #include "reference/plane/critical/pair_events.hpp"
-#include "reference/scalespace/build_control.hpp"
+#include "reference/scalespace/patch_cells.hpp"
 
 namespace minkref {
 
 struct PatchNeighbours {
   std::vector<std::uint32_t> first, others;  ///< those of edge e: others[first[e] .. first[e + 1])
-  std::vector<char> hidden;                  ///< of each edge, whether it is certainly inside
+  PatchCells cells;                          ///< an edge without any is certainly inside
   std::uint64_t meeting = 0;                 ///< pairs that doubles let meet in the window
   std::uint64_t inside = 0;                  ///< of these, left out: they meet inside the sum only
 };

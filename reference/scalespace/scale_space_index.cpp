@@ -97,6 +97,13 @@ std::vector<ConvolutionEdge> ScaleSpaceIndex::edges() const {
   return result;
 }
 
+std::pair<std::uint32_t, std::uint32_t> ScaleSpaceIndex::events_within() const {
+  std::uint32_t first = 0, last = static_cast<std::uint32_t>(events());
+  while (window_.from && first < last && event(first) < *window_.from) ++first;
+  while (window_.to && last > first && event(last - 1) > *window_.to) --last;
+  return {first, last};
+}
+
 Rational ScaleSpaceIndex::event(std::uint32_t k) const { return number(columns_.events, 2 * k); }
 
 Track ScaleSpaceIndex::track(std::uint32_t k) const {
@@ -289,7 +296,7 @@ void ScaleSpaceIndex::rings(const Rational& scale, RoundedRings& rings) const {
   const double s = to_double(scale);
   const IndexTrack* const tracks = columns_.tracks_in_doubles.data();
   // Coefficients and the scale are rounded once each, a product and a sum once more.
-  rings.error = 0x1p-50 * largest_ * (1 + s);
+  rings.error = (0x1p-50 * largest_ + 0x1p-1020) * (1 + s);
   if (at.at_event) {
     TrackRings exact;
     collect(at, exact);
@@ -382,8 +389,9 @@ Sum ScaleSpaceIndex::sum(const Rational& scale, Passages passages) const {
   result.holes = counted.holes;
   result.statistics.s_edges = columns_.counts.s_edges;
   result.statistics.t_edges = columns_.counts.t_edges;
-  if (passages == Passages::find && !result.region.empty()) {
-    result.tight_passages = tight_passages(P(), Q(), scale);
+  if (passages == Passages::find) {
+    result.tight_passages.emplace();
+    if (!result.region.empty()) result.tight_passages = tight_passages(P(), Q(), scale);
   }
   return result;
 }
@@ -406,7 +414,7 @@ ScaleSpaceIndex::RoundedArea ScaleSpaceIndex::area(const Rational& scale) const 
   const double s = to_double(scale);
   return {a.a0 + s * (a.a1 + s * a.a2),
           0x1p-49 * (std::fabs(a.a0) + s * (std::fabs(a.a1) + s * std::fabs(a.a2))) +
-              a.error * (1 + s * (1 + s))};
+              (a.error + 0x1p-1020) * (1 + s * (1 + s))};
 }
 
 std::array<Rational, 3> ScaleSpaceIndex::area_polynomial(std::uint32_t interval) const {

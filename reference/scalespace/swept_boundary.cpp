@@ -9,6 +9,7 @@
 #include "reference/plane/dynamic/interior_test.hpp"
 #include "reference/plane/kernel/fraction.hpp"
 #include "reference/scalespace/in_parallel.hpp"
+#include "reference/scalespace/patch_clipping.hpp"
 #include "reference/scalespace/patch_neighbours.hpp"
 #include "reference/scalespace/patch_sweep.hpp"
 
@@ -37,15 +38,17 @@ class Search {
         neighbours_(neighbours),
         test_(test),
         finder_(std::move(kernel), edges),
+        clipping_(moving, test),
         sweep_(window.from.value_or(Rational(0)), window.to),
         result_(result) {}
 
   void operator()(std::size_t index) {
     const auto edge = static_cast<std::uint32_t>(index);
-    if (neighbours_.hidden[edge] != 0) return;
+    if (neighbours_.cells.of(edge).empty()) return;
     const std::uint32_t first = neighbours_.first[edge];
     finder_.find(edge, neighbours_.others.data() + first, neighbours_.first[edge + 1] - first,
                  nodes_);
+    clipping_.clip(edge, neighbours_.cells.of(edge), nodes_);
     sweep_.run(nodes_);
     result_.pieces_in_all += sweep_.pieces().size();
     largest_.clear();
@@ -131,6 +134,7 @@ class Search {
   const PatchNeighbours& neighbours_;
   const InteriorTest& test_;
   PatchNodeFinder<K> finder_;
+  PatchClipping<K> clipping_;
   Sweep sweep_;
   PatchNodes<K> nodes_;
   std::unordered_map<std::uint32_t, Largest> largest_;

@@ -91,5 +91,11 @@ TEST(FeatureTimeline, EventsAtTheEndsOfTheWindowAreInIt) {
   });
 }
 
+TEST(FeatureTimeline, PartsOfOneAreaThatTouchInTheirLeastPointHaveAnOrder) {
+  PolygonSet Q = box(-100, -100, 100, 100);
+  Q.polygons[0].holes.push_back({{0, 0}, {10, 10}, {24, 10}, {4, 0}, {24, -10}, {10, -10}});
+  EXPECT_EQ(difference(segment_set({0, 0}, {-1, 0}), Q, {Rational(1, 2), Rational(20)}), "");
+}
+
 }  // namespace
 }  // namespace minkref::testing

@@ -226,6 +226,49 @@ TEST(ScaleSpaceIndex, AreaAndFeaturesNeedNoBoundary) {
   });
 }
 
+/// A comb of `teeth`, none like another.
+PolygonSet comb(int teeth, bool upright) {
+  Ring ring{{-40, -100}, {100 * teeth, -100}, {100 * teeth, 0}};
+  for (int k = teeth - 1; k >= 0; --k) {
+    const int left = 100 * k + 3 * (k * k % 7), height = 900 + 37 * (k * k % 11);
+    ring.push_back({left + 50, 0});
+    ring.push_back({left + 41 - k % 3, height + 5});
+    ring.push_back({left + 9 + k % 4, height});
+    ring.push_back({left, 0});
+  }
+  ring.push_back({-40, 0});
+  if (upright) {
+    for (Point& p : ring) p = {-p.y, p.x};
+  }
+  return {{{ring, {}}}};
+}
+
+TEST(ScaleSpaceIndex, PatchesWithManyNodesAreCutDownToWhereTheBoundaryIs) {
+  const PolygonSet P = comb(15, false), Q = comb(15, true);
+  const ScaleSpaceIndex index(P, Q, {Rational(2, 3), Rational(3, 2)});
+  std::vector<Rational> scales{Rational(2, 3), Rational(97, 101), 1, Rational(113, 89),
+                               Rational(3, 2)};
+  const auto [first, last] = index.events_within();
+  ASSERT_LT(first + 4, last);
+  for (std::uint32_t k = first; k < last; k += (last - first) / 4) scales.push_back(index.event(k));
+  for (const Rational& scale : scales) {
+    EXPECT_EQ(index.sum(scale).region, minkowski_sum(P, Q, scale).region) << to_string(scale);
+  }
+}
+
+TEST(ScaleSpaceIndex, CoordinatesBelowAllDoublesAreWithinTheErrors) {
+  Rational tiny = 1;
+  for (int k = 0; k < 400; ++k) tiny /= 10;
+  const PolygonSet P{{{{{0, 0}, {tiny, 0}, {0, tiny}}, {}}}};
+  const ScaleSpaceIndex index(P, P, {Rational(1), Rational(2)});
+  RoundedRings rings;
+  index.rings(Rational(3, 2), rings);
+  const Rational error = from_double(rings.error);
+  EXPECT_GE(error, tiny * 5 / 2);
+  const auto area = index.area(Rational(3, 2));
+  EXPECT_GE(from_double(area.error), abs(from_double(area.value) - tiny * tiny * 25 / 8));
+}
+
 TEST(ScaleSpaceIndex, OfTheEmptySetIsEmpty) {
   const ScaleSpaceIndex index({}, box(0, 0, 1, 1), {Rational(1, 2), Rational(3)});
   EXPECT_TRUE(index.sum(1).region.empty());

@@ -33,7 +33,7 @@ from minkref.fuzz.least_precision import MOST_BITS, least_precision
 from minkref.operand import Operand, read_operand
 from minkref.options import Json, Schema
 from minkref.progress import progress
-from minkref.scale_space import IndexFile, index_of, route_with
+from minkref.scale_space import IndexFile, check_spares_index, index_of, route_with
 from minkref.terminal import console, counted, lines, shown
 
 EXAMPLES = """Examples:
@@ -112,7 +112,7 @@ def command(
         typer.Option(
             "--route",
             help="Of boundary and topology events: dynamic, from all events of the arrangement "
-            "(the default), or index, from the boundary of the swept sum, which is quicker.",
+            "(the default), or index, from the boundary of the swept sum, quicker on large operands.",
         ),
     ] = None,
     index: IndexFile = None,
@@ -134,6 +134,7 @@ def command(
     first, second = read_operand(P), read_operand(Q)
     if output is not None:
         check_spares(output, [first.file, second.file])
+        check_spares_index(output, index)
     where = f"{first.name} and {second.name}"
     found: EventList
     if route == "index":

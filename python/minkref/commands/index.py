@@ -68,7 +68,7 @@ def command(
     schema: Schema = False,
 ) -> None:
     """The boundary of the sum as a function of the scale: all its vertices with the scales at which
-    they are there, in ring order. Any sum of the window is then read off in microseconds, exact, by
+    they are there, in ring order. Any sum of the window is then read off, exact, by
     `sum`, `sweep`, `events` and `view` with --index FILE."""
     watch = Stopwatch()
     window = [

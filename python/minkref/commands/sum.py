@@ -24,7 +24,7 @@ from minkref.exact import read_scale, scientific
 from minkref.operand import Operand, read_operand
 from minkref.options import Json, Schema
 from minkref.parents import PassageRows, passages_of
-from minkref.scale_space import IndexFile, index_of, route_with
+from minkref.scale_space import IndexFile, check_spares_index, index_of, route_with
 from minkref.signals import interruptible
 from minkref.space.operand import in_space
 from minkref.space.sum_command import sum_in_space
@@ -109,6 +109,7 @@ def command(
         first, second = read_operand(P), read_operand(Q)
         if output is not None:
             check_spares(output, [first.file, second.file])
+            check_spares_index(output, index)
         result = compute(first, second, exact_scale, route, arithmetic, index)
         region = result.pop("region")
     written = _written(region, output) if output is not None else None

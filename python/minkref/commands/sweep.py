@@ -114,7 +114,7 @@ def command(
     folder = _folder(output, form)
     first, second = read_operand(P), read_operand(Q)
     if folder is not None:
-        folder.check_spares([first.file, second.file])
+        folder.check_spares([first.file, second.file, *([index] if index else [])])
     with ending_in_order(), progress(len(scales)) as line:
         line.now("finding all events")
         sums = _sums(first, second, scales, route, index)

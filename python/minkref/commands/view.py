@@ -18,7 +18,7 @@ from minkref.errors import Refusal, refusing
 from minkref.exact import approximate, read_scale
 from minkref.operand import read_operand
 from minkref.options import Json, Schema
-from minkref.scale_space import IndexFile, index_of, route_with
+from minkref.scale_space import IndexFile, check_spares_index, index_of, route_with
 from minkref.signals import interruptible
 from minkref.space.operand import in_space
 from minkref.space.view_command import view_in_space
@@ -94,7 +94,8 @@ def command(
     watch = Stopwatch()
     if index is not None:
         bounds = refusing(str(index), lambda: _core.ScaleSpaceIndex.open(str(index)).window)
-        from_scale, to_scale = from_scale or bounds[0], to_scale or bounds[1]
+        from_scale = bounds[0] if from_scale is None else from_scale
+        to_scale = bounds[1] if to_scale is None else to_scale
     window = _window(from_scale, to_scale, _given(("--scale", scale), ("--scales", scales)))
     route = route_with(index, route, ROUTES[0])
     if route not in ROUTES:
@@ -102,6 +103,7 @@ def command(
             f"there is no route {route!r}", "--route", f"choose one of {', '.join(ROUTES)}"
         )
     _check_output(output)
+    check_spares_index(output, index)
     first, second = read_operand(P), read_operand(Q)
 
     def sums() -> Sums:

@@ -68,27 +68,41 @@ class TimelineBuilder {
     return kind == FeatureKind::hole ? result_.holes : result_.components;
   }
 
-  /// Names of the first state, in the order of where its regions begin just above the start of the
-  /// window.
-  void name_first(FeatureKind kind) {
-    const Rational start = history_.window().from.value_or(Rational(0));
-    const Side regions = side(below_, kind);
-    using Key = std::array<Rational, 4>;
-    std::vector<std::optional<Key>> least(regions.last);
-    for (std::size_t i = 0; i < below_.links.size(); ++i) {
-      const Track& track = history_.tracks()[below_.links[i].from];
-      const Point p = track.at(start);
-      std::optional<Key>& known = least[regions.of_link[i]];
-      Key key{p.x, track.b.x, p.y, track.b.y};
-      if (!known || key < *known) known = std::move(key);
+  /// How a region begins and ends, from left to right, just above a scale: the least and the
+  /// greatest of its vertices by x, the slope of x, y, the slope of y. The same however its sides
+  /// are cut.
+  struct Extent {
+    using Germ = std::array<Rational, 4>;
+    std::optional<Germ> least, greatest;
+    auto operator<=>(const Extent& other) const {
+      return std::pair(least, greatest) <=> std::pair(other.least, other.greatest);
     }
+  };
+  std::vector<Extent> extents(FeatureKind kind, const BoundaryRegions& regions,
+                              const Rational& scale) const {
+    const Side of = side(regions, kind);
+    std::vector<Extent> result(of.last);
+    for (std::size_t i = 0; i < regions.links.size(); ++i) {
+      const Track& track = history_.tracks()[regions.links[i].from];
+      const Point p = track.at(scale);
+      const Extent::Germ germ{p.x, track.b.x, p.y, track.b.y};
+      Extent& own = result[of.of_link[i]];
+      if (!own.least || germ < *own.least) own.least = germ;
+      if (!own.greatest || germ > *own.greatest) own.greatest = germ;
+    }
+    return result;
+  }
+
+  /// Names of the first state, in the order of its regions just above the start of the window.
+  void name_first(FeatureKind kind) {
+    const auto extent = extents(kind, below_, history_.window().from.value_or(Rational(0)));
     const std::uint32_t fixed = kind == FeatureKind::hole ? 1 : 0;  // the outside comes first
-    std::vector<std::uint32_t> order(regions.last);
+    std::vector<std::uint32_t> order(extent.size());
     std::iota(order.begin(), order.end(), 0U);
-    std::sort(order.begin() + std::min<std::uint32_t>(fixed, regions.last), order.end(),
-              [&](std::uint32_t x, std::uint32_t y) { return *least[x] < *least[y]; });
+    std::sort(order.begin() + std::min<std::ptrdiff_t>(fixed, std::ssize(order)), order.end(),
+              [&](std::uint32_t x, std::uint32_t y) { return extent[x] < extent[y]; });
     auto& names = names_[index(kind)];
-    names.resize(regions.last);
+    names.resize(extent.size());
     for (std::uint32_t k = 0; k < order.size(); ++k) names[order[k]] = k;
     features(kind).resize(order.size());
   }
@@ -290,26 +304,45 @@ class TimelineBuilder {
                                   vanishing_place(kind, below_, b, scale)});
       changed = true;
     }
-    std::vector<std::pair<Point, std::uint32_t>> born;
+    std::vector<std::uint32_t> born;
     for (std::uint32_t a = 0; a < relation.at_of_after.size(); ++a) {
-      if (!relation.at_of_after[a].empty()) {
+      if (relation.at_of_after[a].empty()) {
+        born.push_back(a);
+      } else {
         clusters[find(*relation.at_of_after[a].begin())].after.push_back(a);
-        continue;
       }
-      born.emplace_back(vanishing_place(kind, above, a, scale), a);
     }
-    std::sort(born.begin(), born.end(), [](const auto& x, const auto& y) {
-      return std::tie(x.first.x, x.first.y) < std::tie(y.first.x, y.first.y);
-    });
-    for (const auto& [place, a] : born) {
+    std::vector<Extent> extent;  // where there is something to put in order
+    const auto in_place = [&](std::uint32_t x, std::uint32_t y) { return extent[x] < extent[y]; };
+    std::size_t fresh_names = born.size();
+    for (const auto& [root, members] : clusters) {
+      if (members.after.size() > 1) fresh_names += members.after.size();
+    }
+    if (fresh_names > 1) extent = extents(kind, above, scale);
+    if (born.size() > 1) std::sort(born.begin(), born.end(), in_place);
+    for (const std::uint32_t a : born) {
       names[a] = fresh(kind, group);
-      result_.topology.push_back(
-          {group, kind, TopologyEvent::Change::birth, {}, {names[a]}, 0, place});
+      result_.topology.push_back({group,
+                                  kind,
+                                  TopologyEvent::Change::birth,
+                                  {},
+                                  {names[a]},
+                                  0,
+                                  vanishing_place(kind, above, a, scale)});
       changed = true;
     }
     std::vector<Members*> in_order;
     for (auto& [root, members] : clusters) in_order.push_back(&members);
-    order_by_place(kind, in_order, here, scale);
+    if (fresh_names > 1) {
+      for (Members* const members : in_order) {
+        std::sort(members->after.begin(), members->after.end(), in_place);
+      }
+      // Those that give no name come first, in any order.
+      std::sort(in_order.begin(), in_order.end(), [&](const Members* x, const Members* y) {
+        if (x->after.size() < 2 || y->after.size() < 2) return x->after.size() < y->after.size();
+        return extent[x->after[0]] < extent[y->after[0]];
+      });
+    }
     for (Members* const one : in_order) {
       Members& members = *one;
       if (members.before.size() == 1 && members.after.size() == 1) {
@@ -351,34 +384,6 @@ class TimelineBuilder {
     return changed;
   }
 
-  /// Clusters that give new names: by the least point of their regions at the scale.
-  template <class Members>
-  void order_by_place(FeatureKind kind, std::vector<Members*>& clusters,
-                      const BoundaryRegions& here, const Rational& scale) const {
-    const auto names_some = [](const Members* m) { return m->after.size() > m->before.size(); };
-    if (std::count_if(clusters.begin(), clusters.end(), names_some) < 2) return;
-    const Side regions = side(here, kind);
-    std::vector<std::optional<Point>> least(regions.last);
-    for (std::size_t i = 0; i < here.links.size(); ++i) {
-      const Point p = history_.tracks()[here.links[i].from].at(scale);
-      std::optional<Point>& known = least[regions.of_link[i]];
-      if (!known || before(p, *known)) known = p;
-    }
-    const auto place = [&](const Members* m) {
-      std::optional<Point> result;
-      for (const std::uint32_t region : m->at) {
-        if (least[region] && (!result || before(*least[region], *result))) result = least[region];
-      }
-      return result.value_or(Point{});
-    };
-    std::vector<std::pair<Point, Members*>> placed;
-    for (Members* m : clusters) placed.emplace_back(place(m), m);
-    std::stable_sort(placed.begin(), placed.end(),
-                     [](const auto& x, const auto& y) { return before(x.first, y.first); });
-    std::transform(placed.begin(), placed.end(), clusters.begin(),
-                   [](const auto& p) { return p.second; });
-  }
-
   static bool before(const Point& p, const Point& q) { return p.x != q.x ? p.x < q.x : p.y < q.y; }
 
   std::uint32_t fresh(FeatureKind kind, std::uint32_t group) {
@@ -386,35 +391,28 @@ class TimelineBuilder {
     return static_cast<std::uint32_t>(features(kind).size() - 1);
   }
 
-  /// The outside first, then by the area that they have at the scale, largest first.
+  /// The outside first, then by the area that they have at the scale, largest first, then as they
+  /// stand.
   void order_by_size(FeatureKind kind, std::vector<std::uint32_t>& after, const Relation& relation,
                      const BoundaryRegions& here, const Rational& scale) const {
     if (after.size() < 2) return;
     const Side regions = side(here, kind);
     std::map<std::uint32_t, Rational> doubled;
-    std::map<std::uint32_t, Point> least;
     for (std::size_t i = 0; i < here.links.size(); ++i) {
       const Point a = history_.tracks()[here.links[i].from].at(scale);
       const Point b = history_.tracks()[here.links[i].to].at(scale);
       doubled[regions.of_link[i]] += a.x * b.y - a.y * b.x;
-      const auto [known, is_new] = least.try_emplace(regions.of_link[i], a);
-      if (!is_new && before(a, known->second)) known->second = a;
     }
     std::map<std::uint32_t, Rational> size;
-    std::map<std::uint32_t, Point> place;
     for (const std::uint32_t a : after) {
-      for (const std::uint32_t region : relation.at_of_after[a]) {
-        size[a] += abs(doubled[region]);
-        const auto [known, is_new] = place.try_emplace(a, least[region]);
-        if (!is_new && before(least[region], known->second)) known->second = least[region];
-      }
+      for (const std::uint32_t region : relation.at_of_after[a]) size[a] += abs(doubled[region]);
     }
     std::stable_sort(after.begin(), after.end(), [&](std::uint32_t x, std::uint32_t y) {
       const bool outside_x = kind == FeatureKind::hole && x == 0;
       const bool outside_y = kind == FeatureKind::hole && y == 0;
       if (planted(Fault::smallest_part_goes_on)) std::swap(x, y);
       if (outside_x != outside_y) return outside_x;
-      return size[x] != size[y] ? size[x] > size[y] : before(place[x], place[y]);
+      return size[x] > size[y];
     });
   }
 

@@ -16,7 +16,7 @@ enum class FeatureKind : std::uint8_t {
 
 /// A hole or component through the scales. It is there at the scales between `born` and `died`; a
 /// hole is open and a scale of birth or death has it only if it is born by a split or dies by a
-/// merge (docs/definitions.md, "Kinds of critical scale").
+/// merge (docs/definitions.md, "Critical scales").
 struct Feature {
   std::optional<std::uint32_t> born, died;  ///< groups; none: there when the window begins or ends
 };

@@ -1,0 +1,224 @@
+"""The index of all scales: its sums are those of the static route, its events those of the dynamic
+sum."""
+
+from __future__ import annotations
+
+import json
+import multiprocessing
+import random
+import tempfile
+from collections import Counter
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+from minkref import _core
+from minkref.certify.certificate import Certificate
+from minkref.degeneracies import lint
+from minkref.exact import digest
+from minkref.fuzz.families.holed_pairs import fit_pair, holes_pair, nested_pair, small_holes_pair
+from minkref.fuzz.families.random_pairs import Pair
+from minkref.reports.evidence.certificates.certified_cases import written
+from minkref.reports.evidence.certificates.checkers import in_cpp, verdicts, verdicts_in_python
+from minkref.reports.evidence.framework.operands import operand, tell_absent
+from minkref.reports.evidence.framework.part import MODELS, READERS, REFERENCE, Findings
+
+SUBJECT = (
+    "The index of all scales: equal by digest to the static sum at random scales and below, at and "
+    "above every boundary event of two real pairs, at 20 scales of degenerate pairs with holes in "
+    "both operands, and on the corpus; its boundary and topology events are those of the dynamic "
+    "sum; certificates of a sample."
+)
+MINUTES = (45, None)
+DEPENDS = (
+    *REFERENCE, *READERS, *MODELS, "certify/*", "oracle/checker/*", "fuzz/families/*.py",
+    "degeneracies/corpus/*/*.json", "reports/evidence/certificates/*.py",
+)  # fmt: skip
+
+SEED = 2012
+WINDOW = ("1/10", "10")
+SCALES = 1000  # of each real pair, beside its events
+PAIRS, SCALES_OF_A_PAIR = 2000, 20
+SAMPLE = 40  # certificates
+PROCESSES = 2
+MAKERS: dict[str, Callable[[int, int], Pair]] = {
+    "holes": holes_pair,
+    "small holes": small_holes_pair,
+    "fit": fit_pair,
+    "nested": nested_pair,
+}
+Task = tuple[str, str, str, tuple[str | None, str | None], tuple[str, ...]]
+
+
+def same_sums(task: Task) -> tuple[str, int, str]:
+    """The name of the task, sums compared, and the first scale at which they differ. The scales of
+    the task, and some at and between its own events."""
+    name, P_text, Q_text, window, given = task
+    P, Q = _core.PolygonSet.from_json(P_text), _core.PolygonSet.from_json(Q_text)
+    try:
+        index = _core.ScaleSpaceIndex(P, Q, *window)
+        scales = list(given) or drawn(index, name, SCALES_OF_A_PAIR)
+        for scale in scales:
+            found, expected = index.sum(scale), _core.minkowski_sum(P, Q, scale)
+            if digest(found.region.canonical_json()) != digest(
+                expected.region.canonical_json()
+            ) or (found.components, found.holes) != (expected.components, expected.holes):
+                return name, len(scales), scale
+    except Exception as error:  # noqa: BLE001 a fault too
+        return name, 0, f"{type(error).__name__}: {error}"
+    return name, len(scales), ""
+
+
+def same_events(task: Task) -> tuple[str, int, str]:
+    """Boundary events by scale and change, topology events and lives in all but the place."""
+    name, P_text, Q_text, window, _ = task
+    P, Q = _core.PolygonSet.from_json(P_text), _core.PolygonSet.from_json(Q_text)
+    try:
+        index, dynamic = _core.ScaleSpaceIndex(P, Q, *window), _core.DynamicSum(P, Q, *window)
+        pairs: list[tuple[list[Any], list[Any]]] = [
+            (
+                [row[:2] for row in index.boundary_events()],
+                [row[:2] for row in dynamic.boundary_events()],
+            ),
+            (
+                [row[:6] for row in index.topology_events()],
+                [row[:6] for row in dynamic.topology_events()],
+            ),
+        ]
+        for kind in ("hole", "component"):
+            pairs.append((index.features(kind), dynamic.features(kind)))
+        for found, expected in pairs:
+            if found != expected:
+                other = next((e for f, e in zip(found, expected, strict=False) if f != e), "more")
+                return name, 0, f"expected {other}"
+        return name, len(pairs[0][1]) + len(pairs[1][1]), ""
+    except Exception as error:  # noqa: BLE001 a fault too
+        return name, 0, f"{type(error).__name__}: {error}"
+
+
+def drawn(index: _core.ScaleSpaceIndex, seed: str, count: int) -> list[str]:
+    """Seeded: of each four one at an event, one between two, two anywhere."""
+    dice = random.Random(f"{SEED} {seed}")
+    events = [Fraction(scale) for scale in index.event_scales()]
+    begin, end = index.window
+    low = Fraction(begin) if begin is not None else (events[0] / 2 if events else Fraction(1, 2))
+    high = Fraction(end) if end is not None else (2 * events[-1] if events else Fraction(2))
+    scales = []
+    for k in range(count):
+        scale = low + (high - low) * Fraction(dice.randrange(1, 10_000), 10_000)
+        if events and k % 4 == 0:
+            scale = dice.choice(events)
+        elif len(events) > 1 and k % 4 == 1:
+            at = dice.randrange(len(events) - 1)
+            scale = (events[at] + events[at + 1]) / 2
+        scales.append(str(scale))
+    return scales
+
+
+def degenerate_tasks() -> Iterator[Task]:
+    for number in range(PAIRS):
+        kind = list(MAKERS)[number % len(MAKERS)]
+        pair = MAKERS[kind](SEED, number // len(MAKERS))
+        yield f"{kind} {number // len(MAKERS)}", pair.P, pair.Q, (None, None), ()
+
+
+def corpus_tasks() -> Iterator[Task]:
+    for path in lint.case_paths(lint.CORPUS):
+        case = json.loads(path.read_text())
+        if case.get("dimension", 2) != 2 or "scale" not in case:
+            continue
+        P, Q = json.dumps(case["P"]), json.dumps(case["Q"])
+        scale = Fraction(case["scale"]) if isinstance(case["scale"], str) else None
+        if scale is None:
+            continue
+        name = f"{path.parent.name}/{path.stem}"
+        yield name, P, Q, (str(scale / 2), str(2 * scale)), ()
+
+
+def real_tasks(findings: Findings, first: str, second: str) -> list[Task]:
+    """In portions: random scales, and below, at and above each boundary event."""
+    tell_absent(findings, first, second)
+    P, Q = operand(first), operand(second)
+    dynamic = _core.DynamicSum(P.set, Q.set, *WINDOW)
+    events = [Fraction(row[0]) for row in dynamic.boundary_events()]
+    dice = random.Random(SEED)
+    low, high = map(Fraction, WINDOW)
+    scales = [
+        str(low + (high - low) * Fraction(dice.randrange(1, 10**6), 10**6)) for _ in range(SCALES)
+    ]
+    bounds = [low, *events, high]
+    for k, event in enumerate(events, 1):
+        scales += [str((bounds[k - 1] + event) / 2), str(event), str((event + bounds[k + 1]) / 2)]
+    step = 500
+    return [
+        (
+            f"{P.name} + {Q.name}",
+            P.set.to_json(),
+            Q.set.to_json(),
+            WINDOW,
+            tuple(scales[k : k + step]),
+        )
+        for k in range(0, len(scales), step)
+    ]
+
+
+def run(quick: bool) -> Findings:
+    findings = Findings()
+    with multiprocessing.get_context("spawn").Pool(PROCESSES) as pool:
+
+        def all_of(
+            what: str, work: Callable[[Task], tuple[str, int, str]], tasks: list[Task]
+        ) -> None:
+            counts: Counter[str] = Counter()
+            wrong = []
+            for done, (name, count, fault) in enumerate(pool.imap_unordered(work, tasks), 1):
+                counts["compared"] += count
+                if fault:
+                    wrong.append(f"{name}: {fault}")
+                if done % 100 == 0 or done == len(tasks):
+                    print(f"{what}: {done} of {len(tasks)}, {len(wrong)} wrong", flush=True)
+            findings.law(f"{what}: differ", not wrong, 0, "; ".join(wrong[:3]) or 0)
+            findings.figures[what] = f"{len(tasks):,} tasks, {counts['compared']:,} compared"
+            findings.target(f"{what}: compared", counts["compared"] > 0, "some", counts["compared"])
+
+        degenerate, corpus = list(degenerate_tasks()), list(corpus_tasks())
+        all_of("degenerate pairs, sums at 20 scales", same_sums, degenerate)
+        all_of("degenerate pairs, events", same_events, degenerate)
+        all_of("corpus, sums at 20 scales", same_sums, corpus)
+        all_of("corpus, events", same_events, corpus)
+        for first, second in (("neuron", "disc1"), ("monkey", "bird")):
+            tasks = real_tasks(findings, first, second)
+            all_of(f"{first} + {second}, sums", same_sums, tasks)
+            all_of(f"{first} + {second}, events", same_events, tasks[:1])
+    _certificates(findings, degenerate[:: len(degenerate) // SAMPLE])
+    findings.note(
+        f"seed {SEED}; windows of real pairs {WINDOW[0]} to {WINDOW[1]}, of degenerate pairs all "
+        "scales, of the corpus half to twice the scale of the case"
+    )
+    return findings
+
+
+def _certificates(findings: Findings, tasks: list[Task]) -> None:
+    """Of the sum at an event where there is one: its digest is that of the index."""
+    with tempfile.TemporaryDirectory() as folder:
+        files, other = [], []
+        for number, (name, P_text, Q_text, window, _) in enumerate(tasks):
+            P, Q = _core.PolygonSet.from_json(P_text), _core.PolygonSet.from_json(Q_text)
+            index = _core.ScaleSpaceIndex(P, Q, *window)
+            scale = drawn(index, name, 1)[0]
+            certificate = Certificate(P, Q)
+            certificate.sum(scale)
+            if certificate.claims[0]["digest"] != digest(index.sum(scale).region.canonical_json()):
+                other.append(f"{name} at {scale}")
+            files.append(written(certificate, Path(folder), str(number)))
+        refused = [
+            verdict.why
+            for verdict in (*verdicts(in_cpp(), files), *verdicts_in_python(files))
+            if verdict.code
+        ]
+    findings.law("certificates of another sum than the index has", not other, 0,
+                 "; ".join(other[:3]) or 0)  # fmt: skip
+    findings.law("certificates that a checker refuses", not refused, 0,
+                 "; ".join(refused[:3]) or 0)  # fmt: skip
+    findings.figures["certificates followed by both checkers"] = len(files)
