@@ -112,7 +112,7 @@ def command(
         typer.Option(
             "--route",
             help="Of boundary and topology events: dynamic, from all events of the arrangement "
-            "(the default), or index, from the boundary of the swept sum, quicker on large operands.",
+            "(the default), or index, from the boundary of the swept sum: quicker on large ones.",
         ),
     ] = None,
     index: IndexFile = None,
