@@ -33,6 +33,7 @@ class Corners {
     since_.assign(count_, 0);
     is_corner_.assign(count_, 0);
     std::vector<std::uint32_t> doubtful;
+    std::size_t there = 0;
     for (std::size_t k = 0; k < changes.size();) {
       const std::uint32_t interval = changes[k].interval;
       const std::size_t first = k;
@@ -40,7 +41,9 @@ class Corners {
         const auto& [at, entry, begins] = changes[k];
         if (!begins) close(entry, interval);
         there_[entry] = begins ? 1 : 0;
+        begins ? ++there : --there;
       }
+      if (there == 0) continue;
       doubtful.clear();
       for (std::size_t c = first; c < k; ++c) {
         const std::uint32_t entry = changes[c].entry;
