@@ -16,16 +16,18 @@ ROUTES = ("paper", "winding", "definition")
 
 
 def judge(case: Case) -> Ruling:
-    """Digest, components, holes, by the routes paper, winding, definition and dynamic."""
+    """Digest, components, holes, by the routes paper, winding, definition, dynamic and index."""
     ruling = Ruling()
     P, Q = slow_operands(case)
     dynamic = _core.DynamicSum(case.P, case.Q)
+    index = _core.ScaleSpaceIndex(case.P, case.Q)
     for scale in scales_of(case, dynamic):
         truth = slow.minkowski_sum(P, Q, Fraction(scale))
         expected = (truth.digest, truth.components, truth.holes)
         dynamic.move_to(scale)
         sums = {route: _core.minkowski_sum(case.P, case.Q, scale, route) for route in ROUTES}
         sums["dynamic"] = dynamic.sum()
+        sums["index"] = index.sum(scale)
         for route, ours in sums.items():
             text = ours.region.canonical_json()
             same = ruling.compare(

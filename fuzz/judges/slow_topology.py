@@ -19,11 +19,14 @@ Counts = tuple[int, int, int]
 
 def judge(case: Case) -> Ruling:
     """Components, holes and vertices on the three sides of an event, whether the boundary changes,
-    and which holes and components are born, die, merge, split or touch (route dynamic)."""
+    and which holes and components are born, die, merge, split or touch (the numbers by the route
+    dynamic, the events by the route index too)."""
     ruling = Ruling()
     P, Q = slow_operands(case)
     dynamic = _core.DynamicSum(case.P, case.Q)
+    index = _core.ScaleSpaceIndex(case.P, case.Q)
     boundary = {row[0] for row in dynamic.boundary_events()}
+    by_index = {row[0] for row in index.boundary_events()}
     for scale in event_scales(case, dynamic):
         truth = slow.topology(P, Q, Fraction(scale))
         below, at, above = _counts(dynamic, Fraction(scale))
@@ -45,6 +48,15 @@ def judge(case: Case) -> Ruling:
         ruling.compare(
             f"what happens to holes and components at {scale}",
             _reported(dynamic, scale), _linked(truth), Reason.EVENT_MISPLACED,
+        )  # fmt: skip
+        ruling.compare(
+            f"whether the boundary changes at {scale}, route index", scale in by_index,
+            truth.boundary_changes,
+            Reason.EVENT_INVENTED if scale in by_index else Reason.EVENT_MISSED,
+        )  # fmt: skip
+        ruling.compare(
+            f"what happens to holes and components at {scale}, route index",
+            _reported(index, scale), _linked(truth), Reason.EVENT_MISPLACED,
         )  # fmt: skip
     return ruling
 
@@ -89,9 +101,9 @@ def _word(link: Link) -> str:
     return link.change
 
 
-def _reported(dynamic: _core.DynamicSum, scale: str) -> Counter[Change]:
+def _reported(sums: _core.DynamicSum | _core.ScaleSpaceIndex, scale: str) -> Counter[Change]:
     return Counter(
         (feature, change, len(before), parts, len(after))
-        for s, feature, change, before, after, parts, _ in dynamic.topology_events()
+        for s, feature, change, before, after, parts, _ in sums.topology_events()
         if s == scale
     )

@@ -15,7 +15,7 @@ LOW, HIGH = "101/1009", "1009/101"
 
 
 def judge(case: Case, solid: SweptSolid) -> Ruling:
-    """The scales of `--kind boundary`, route dynamic, in one window."""
+    """The scales of `--kind boundary`, by both routes, in one window."""
     answer = solid.vertices(case.P_json, case.Q_json, LOW, HIGH)
     if answer.status == "skipped":
         reason = answer.reason or ""
@@ -24,12 +24,13 @@ def judge(case: Case, solid: SweptSolid) -> Ruling:
     if answer.vertices is None:
         raise RuntimeError(f"the swept solid {answer.status}: {answer.reason}")
     ruling = Ruling()
-    dynamic = _core.DynamicSum(case.P, case.Q, LOW, HIGH)
-    events = {Fraction(s) for s, *_ in dynamic.boundary_events()} - {Fraction(LOW), Fraction(HIGH)}
     heights = {vertex.s for vertex in answer.vertices}
-    ruling.compare(
-        "scales of boundary events, less those of both",
-        sorted(map(str, events - heights)), sorted(map(str, heights - events)),
-        Reason.EVENT_INVENTED if events - heights else Reason.EVENT_MISSED,
-    )  # fmt: skip
+    for route, sums in (("dynamic", _core.DynamicSum), ("index", _core.ScaleSpaceIndex)):
+        rows = sums(case.P, case.Q, LOW, HIGH).boundary_events()
+        events = {Fraction(s) for s, *_ in rows} - {Fraction(LOW), Fraction(HIGH)}
+        ruling.compare(
+            f"scales of boundary events by the route {route}, less those of both",
+            sorted(map(str, events - heights)), sorted(map(str, heights - events)),
+            Reason.EVENT_INVENTED if events - heights else Reason.EVENT_MISSED,
+        )  # fmt: skip
     return ruling

@@ -28,7 +28,7 @@ from minkref.version import version
 
 REFERENCE = "minkref:"
 # m n above which a slow target skips a case (the option --size-limit replaces it).
-SIZE_LIMITS = {"minkref:definition": 7_000, "minkref:dynamic": 40_000}
+SIZE_LIMITS = {"minkref:definition": 7_000, "minkref:dynamic": 40_000, "minkref:index": 40_000}
 PROGRAM_LIMIT = 40_000
 
 

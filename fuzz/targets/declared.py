@@ -11,7 +11,7 @@ from minkref.fuzz.targets.convex_reference import CONVEX_DECLARATIONS
 from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.targets.reference import UPDATING
 
-_OURS = {one.name: one for one in (UPDATING, *CONVEX_DECLARATIONS.values())}
+_OURS = {one.name: one for one in (*UPDATING.values(), *CONVEX_DECLARATIONS.values())}
 
 
 def declarations_of(

@@ -16,14 +16,18 @@ from minkref.fuzz.targets.declaration import PLANE, Declaration
 from minkref.fuzz.verdicts.region import region_of_sum
 from minkref.fuzz.verdicts.verdict import Verdict
 
-DYNAMIC = "dynamic"
+DYNAMIC, INDEX = "dynamic", "index"
 ROUTES = {
     "paper": "reduced convolution, orientable loops, nesting, collision detection",
     "winding": "winding number of the full convolution of slit operands",
     "definition": "union of the sums of all pairs of triangles",
     DYNAMIC: "dynamic update, from one scale to another",
+    INDEX: "read off the boundary of the swept sum, built for all scales of a window",
 }
-UPDATING = Declaration("minkref:dynamic", capabilities=PLANE | {"update"})
+UPDATING = {
+    route: Declaration(f"minkref:{route}", capabilities=PLANE | {"update"})
+    for route in (DYNAMIC, INDEX)
+}
 
 
 @dataclass
@@ -33,24 +37,27 @@ class ReferenceTarget:
 
     @property
     def declaration(self) -> Declaration:
-        return UPDATING if self.route == DYNAMIC else REGIONS
+        return UPDATING.get(self.route, REGIONS)
 
     def sum(self, case: Case | SpaceCase | InvalidCase) -> Answer:
         if not isinstance(case, Case):
             return skipped("does not declare space, or rejects-invalid")
-        if self.route == DYNAMIC:
+        if self.route in UPDATING:
             return self.updated_sum(case, case)
         return self._guarded(
             lambda: _core.minkowski_sum(case.P, case.Q, case.scale, self.route, "rational")
         )
 
     def updated_sum(self, before: Case, case: Case) -> Answer:
-        """The sum at the scale of `case`, stepped to from that of `before`."""
-        if self.route != DYNAMIC:
+        """The sum at the scale of `case`, stepped to from that of `before`, or read off an index of
+        the scales between them."""
+        if self.route not in UPDATING:
             return skipped("does not declare update")
 
         def step() -> _core.Sum:
             least, most = sorted((before.scale, case.scale), key=Fraction)
+            if self.route == INDEX:
+                return _core.ScaleSpaceIndex(case.P, case.Q, least, most).sum(case.scale)
             moving = _core.DynamicSum(case.P, case.Q, least, most)
             moving.move_to(before.scale)
             moving.move_to(case.scale)

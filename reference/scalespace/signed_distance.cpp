@@ -56,7 +56,7 @@ void SignedDistance::lay_grid(const std::vector<Edge>& edges) {
   };
   // Coordinates are rounded to 2^-53 of them, distances and differences to a few such.
   error_ = 0x1p-40 * (largest + width + height);
-  if (!(spacing_ > 0 && error_ < infinity)) {  // too small or too large for doubles
+  if (!(spacing_ > 0 && largest > 1e-120 && largest < 1e120)) {  // squares would not be doubles
     columns_ = rows_ = 1;
     samples_ = {-infinity};
     spacing_ = 1;
@@ -76,7 +76,9 @@ void SignedDistance::measure(const std::vector<Edge>& edges) {
   for (const Edge& e : edges) {
     dx.push_back(e.x1 - e.x0);
     dy.push_back(e.y1 - e.y0);
-    over.push_back(1 / (dx.back() * dx.back() + dy.back() * dy.back()));
+    // An edge that has no length in doubles is a point: it is shorter than the error.
+    const double squared_length = dx.back() * dx.back() + dy.back() * dy.back();
+    over.push_back(squared_length > 0 ? 1 / squared_length : 0);
   }
   const auto squared = [&](std::size_t k, double x, double y) {
     const double ux = x - edges[k].x0, uy = y - edges[k].y0;

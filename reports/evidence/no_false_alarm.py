@@ -15,7 +15,13 @@ DEPENDS = (*REFERENCE, *READERS, *CGAL, *COMPARISON, "oracle/slow/*.py")
 
 SEED = 2024
 SECONDS, QUICK_SECONDS = 1200, 6
-ROUTES = ("minkref:paper", "minkref:winding", "minkref:definition", "minkref:dynamic")
+ROUTES = (
+    "minkref:paper",
+    "minkref:winding",
+    "minkref:definition",
+    "minkref:dynamic",
+    "minkref:index",
+)
 METHODS = ("reduced", "full", "vertical", "triangulation", "ssab", "optimal", "hertel-mehlhorn")
 CGAL_TARGETS = (
     *(f"cgal-{method}" for method in (*METHODS, "greene")),

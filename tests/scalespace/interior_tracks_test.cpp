@@ -51,6 +51,18 @@ TEST(InteriorTracks, NothingIsCertainOfPointsAndSegments) {
   }
 }
 
+TEST(InteriorTracks, AHoleThatDoublesTakeForAPointIsStillThere) {
+  Rational tiny = 1;
+  for (int k = 0; k < 80; ++k) tiny /= 2;
+  PolygonSet Q = box(-8, -8, 8, 8);
+  Q.polygons[0].holes.push_back({{3, 3}, {3, 3 + tiny}, {3 + tiny, 3 + tiny}, {3 + tiny, 3}});
+  const PolygonSet P = box(-1, -1, 1, 1);
+  const double s = to_double(tiny);
+  InteriorTracks::Hints hints;
+  EXPECT_FALSE(InteriorTracks(P, Q).certainly_inside({3, 3, 0, 0, 0, 0, 0}, s / 8, s / 4, hints));
+  EXPECT_LE(SignedDistance(Q).below(3, 3), 0);
+}
+
 /// The squared distance of a point to an edge.
 Rational squared_distance(const Point& x, const Point& a, const Point& b) {
   const Rational dx = b.x - a.x, dy = b.y - a.y, ux = x.x - a.x, uy = x.y - a.y;

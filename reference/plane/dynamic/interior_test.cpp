@@ -179,7 +179,7 @@ bool InteriorTest::inside(const Point& x, const Rational& scale) const {
   const Box box{below(at.x()), below(at.y()), above(at.x()), above(at.y())};
   const double s = to_double(scale), low = below(s), high = above(s);
   const double e = impl_->error(at.x(), at.y(), s, 0);
-  const bool in_range = in_filter_range(s);
+  const bool in_range = in_filter_range(s) && std::isfinite(e);  // so are all differences
   return impl_->p.tree.pairs_with(
       impl_->q.tree,
       [&](const Box& a, const Box& b) {
