@@ -25,8 +25,10 @@ def judge(case: Case) -> Ruling:
     P, Q = slow_operands(case)
     dynamic = _core.DynamicSum(case.P, case.Q)
     index = _core.ScaleSpaceIndex(case.P, case.Q)
-    boundary = {row[0] for row in dynamic.boundary_events()}
-    by_index = {row[0] for row in index.boundary_events()}
+    boundary = {
+        "dynamic": {row[0] for row in dynamic.boundary_events()},
+        "index": {row[0] for row in index.boundary_events()},
+    }
     for scale in event_scales(case, dynamic):
         truth = slow.topology(P, Q, Fraction(scale))
         below, at, above = _counts(dynamic, Fraction(scale))
@@ -41,23 +43,17 @@ def judge(case: Case) -> Ruling:
             f"components, holes and vertices just above {scale}", above, _of(truth.above),
             Reason.HOLE_LOST if above[1] < len(truth.above.complement) else Reason.HOLE_INVENTED,
         )  # fmt: skip
-        ruling.compare(
-            f"whether the boundary changes at {scale}", scale in boundary, truth.boundary_changes,
-            Reason.EVENT_INVENTED if scale in boundary else Reason.EVENT_MISSED,
-        )  # fmt: skip
-        ruling.compare(
-            f"what happens to holes and components at {scale}",
-            _reported(dynamic, scale), _linked(truth), Reason.EVENT_MISPLACED,
-        )  # fmt: skip
-        ruling.compare(
-            f"whether the boundary changes at {scale}, route index", scale in by_index,
-            truth.boundary_changes,
-            Reason.EVENT_INVENTED if scale in by_index else Reason.EVENT_MISSED,
-        )  # fmt: skip
-        ruling.compare(
-            f"what happens to holes and components at {scale}, route index",
-            _reported(index, scale), _linked(truth), Reason.EVENT_MISPLACED,
-        )  # fmt: skip
+        for route, sums in (("dynamic", dynamic), ("index", index)):
+            told = scale in boundary[route]
+            ruling.compare(
+                f"whether the boundary changes at {scale}, route {route}", told,
+                truth.boundary_changes,
+                Reason.EVENT_INVENTED if told else Reason.EVENT_MISSED,
+            )  # fmt: skip
+            ruling.compare(
+                f"what happens to holes and components at {scale}, route {route}",
+                _reported(sums, scale), _linked(truth), Reason.EVENT_MISPLACED,
+            )  # fmt: skip
     return ruling
 
 

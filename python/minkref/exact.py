@@ -47,6 +47,14 @@ def read_scale(text: str, option: str = "--scale") -> str:
     return str(value)
 
 
+def read_window(first: str | None, last: str | None) -> list[str | None]:
+    """The bounds that --from and --to give; None where there is none."""
+    return [
+        None if scale is None else read_scale(scale, option)
+        for scale, option in ((first, "--from"), (last, "--to"))
+    ]
+
+
 def read_point(text: str, option: str = "--point") -> tuple[str, str]:
     """`x,y` in lowest terms, each read as a scale is. Refuses what are not two finite numbers."""
     where = f"{option} {text[:40]}{'...' if len(text) > 40 else ''}"

@@ -40,8 +40,7 @@ class PatchClipping {
   static constexpr std::uint32_t own_ends = 2;
   static constexpr std::size_t worth_it = 64, few = 24;
   static constexpr int most_halvings = 6;
-  static constexpr double widest =
-      0x1p20;  // scales that are cut at lie between this and its inverse
+  static constexpr double widest = 0x1p20;  ///< scales to cut at lie between this and its inverse
   struct Stretch {
     double low, high;
   };

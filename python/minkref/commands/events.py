@@ -28,7 +28,7 @@ from minkref.event_lists import (
     stream,
 )
 from minkref.event_table import write_parquet
-from minkref.exact import approximate, read_scale
+from minkref.exact import approximate, read_window
 from minkref.fuzz.least_precision import MOST_BITS, least_precision
 from minkref.operand import Operand, read_operand
 from minkref.options import Json, Schema
@@ -127,10 +127,7 @@ def command(
     watch = Stopwatch()
     _check(kind, form, arithmetic, least, output)
     route = _route(kind, route, index)
-    window = [
-        read_scale(scale, option) if scale is not None else None
-        for scale, option in ((from_scale, "--from"), (to_scale, "--to"))
-    ]
+    window = read_window(from_scale, to_scale)
     first, second = read_operand(P), read_operand(Q)
     if output is not None:
         check_spares(output, [first.file, second.file])

@@ -13,7 +13,7 @@ import typer
 from minkref import _core
 from minkref.documents import Stopwatch, as_text, check_spares, check_writable, document, replacing
 from minkref.errors import Refusal, refusing
-from minkref.exact import read_scale
+from minkref.exact import read_window
 from minkref.operand import read_operand
 from minkref.options import Json, Schema
 from minkref.progress import progress
@@ -71,10 +71,7 @@ def command(
     they are there, in ring order. Any sum of the window is then read off, exact, by
     `sum`, `sweep`, `events` and `view` with --index FILE."""
     watch = Stopwatch()
-    window = [
-        read_scale(scale, option) if scale is not None else None
-        for scale, option in ((from_scale, "--from"), (to_scale, "--to"))
-    ]
+    window = read_window(from_scale, to_scale)
     _check_numbers(threads, memory, check)
     check_writable(output)
     first, second = read_operand(P), read_operand(Q)
@@ -137,7 +134,7 @@ def scales_of(index: _core.ScaleSpaceIndex, count: int) -> list[str]:
     low = Fraction(begin) if begin is not None else None
     high = Fraction(end) if end is not None else None
     dice = random.Random(1)
-    events = [s for s in map(Fraction, index.event_scales()) if _holds(low, high, s)]
+    events = [Fraction(scale) for scale in index.event_scales()]
     scales: list[str] = []
     for k in range(count):
         if k % 2 == 1 and events:
@@ -147,10 +144,6 @@ def scales_of(index: _core.ScaleSpaceIndex, count: int) -> list[str]:
         most = high or 2 * (events[-1] if events else least)
         scales.append(str(least + (most - least) * Fraction(dice.randrange(1, 1000), 1000)))
     return scales
-
-
-def _holds(low: Fraction | None, high: Fraction | None, scale: Fraction) -> bool:
-    return (low is None or scale >= low) and (high is None or scale <= high)
 
 
 def _print(value: dict[str, Any]) -> None:
