@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+import argparse
 import multiprocessing
-import sys
 from pathlib import Path
 
 from minkref.degeneracies.catalogue import FAMILIES, SPACE_FAMILIES
@@ -33,4 +33,6 @@ def _make(family: str, index: int, folder: Path) -> None:
 
 
 if __name__ == "__main__":
-    make(Path(sys.argv[1]) if len(sys.argv) > 1 else CORPUS)
+    parser = argparse.ArgumentParser(description="Writes the corpus anew.")
+    parser.add_argument("folder", nargs="?", type=Path, default=CORPUS, help="default: its own")
+    make(parser.parse_args().folder)

@@ -3,6 +3,7 @@ operands become a valid pair."""
 
 from __future__ import annotations
 
+import json
 import random
 from collections.abc import Callable, Sequence
 from fractions import Fraction
@@ -74,6 +75,15 @@ def shape_text(shape: Shape) -> str:
         )
         for polygon in shape
     )
+
+
+def reflected(polygons: _core.PolygonSet) -> _core.PolygonSet:
+    """-R of a set R: the places at which the scaled robot s R meets an obstacle O are O + s (-R)."""
+    shape = [
+        [[(-Fraction(x), -Fraction(y)) for x, y in ring] for ring in (p["outer"], *p["holes"])]
+        for p in json.loads(polygons.to_json())["polygons"]
+    ]
+    return _core.PolygonSet.from_json(shape_text(shape))
 
 
 def mapped(shape: Shape, change: Callable[[Point], Point]) -> Shape:

@@ -6,13 +6,12 @@ tried, and whether robot and obstacle overlap at a place the code decides by tri
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import combinations, pairwise
 
 from minkref import _core
-from minkref.fuzz.families.drawing import shape_text
+from minkref.fuzz.families.drawing import reflected, shape_text
 from minkref.reports.audit.edges import Interval
 from minkref.reports.audit.plane import Place, Ring, rings_of
 
@@ -22,19 +21,6 @@ Moving = tuple[str, Place, Place, Place]  # from s p + q along d, or along s d f
 def operands(polygons: Sequence[Ring]) -> _core.PolygonSet:
     """Polygons without holes."""
     return _core.PolygonSet.from_json(shape_text([[ring] for ring in polygons]))
-
-
-def reflected(robot: _core.PolygonSet) -> _core.PolygonSet:
-    """-R: the obstacle of places is O + s (-R)."""
-    polygons = json.loads(robot.to_json())["polygons"]
-    return _core.PolygonSet.from_json(
-        shape_text(
-            [
-                [[(-Fraction(x), -Fraction(y)) for x, y in r] for r in (p["outer"], *p["holes"])]
-                for p in polygons
-            ]
-        )
-    )
 
 
 def overlaps(robot: _core.PolygonSet, obstacle: _core.PolygonSet, s: Fraction, at: Place) -> str:

@@ -19,6 +19,7 @@ COMMANDS = (
     "sum",
     "sweep",
     "events",
+    "index",
     "view",
     "verify",
     "certify",
@@ -42,6 +43,24 @@ def program(*arguments: str, **options: Any) -> subprocess.CompletedProcess[str]
 def test_version_is_that_of_the_package(minkref: Minkref) -> None:
     ran = minkref("--version")
     assert (ran.code, ran.out) == (0, f"minkref {package.__version__}\n")
+
+
+# What `pip install minkref` does not bring; NumPy is asked for where arrays are.
+OPTIONAL = ("gmpy2", "hypothesis", "matplotlib", "numpy", "plotly", "pyarrow", "sympy")
+WITHOUT_OPTIONAL = f"""
+import sys
+sys.modules.update(dict.fromkeys({OPTIONAL!r}))  # to import one of them raises
+from minkref.cli import main
+sys.exit(main())
+"""
+
+
+@pytest.mark.parametrize("asked", [["--version"], *([name, "--help"] for name in COMMANDS)])
+def test_optional_packages_are_not_needed_to_start(asked: list[str]) -> None:
+    ran = subprocess.run(
+        [sys.executable, "-c", WITHOUT_OPTIONAL, *asked], capture_output=True, text=True
+    )
+    assert (ran.returncode, ran.stderr) == (0, "")
 
 
 def test_no_command_shows_the_help_and_exits_2(minkref: Minkref) -> None:

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 import sympy as sp
 from minkref import _core
-from minkref.fuzz.families.drawing import convex
+from minkref.fuzz.families.drawing import convex, reflected
 from minkref.fuzz.judges.paper_disc import circles, ring_touches
 from minkref.fuzz.judges.small_operands import star
 from minkref.reports.audit.disc import corner, crossing, exact, reflex_pairs, squared_distance
@@ -20,7 +20,6 @@ from minkref.reports.audit.paths import (
     moving_edges,
     operands,
     overlaps,
-    reflected,
     valid_scales,
 )
 from minkref.reports.audit.plane import Place, Ring, box, operand
