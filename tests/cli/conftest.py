@@ -1,8 +1,9 @@
-"""The command line, run in this process."""
+"""The command line, run in this process; the modules of this folder by their bare names."""
 
 from __future__ import annotations
 
 import json
+import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,6 +11,9 @@ from typing import Any
 
 import pytest
 from minkref.cli import run
+
+sys.path.insert(0, str(Path(__file__).parent))
+pytest.register_assert_rewrite("index_runs")
 
 
 @dataclass
@@ -47,3 +51,13 @@ def squares(tmp_path: Path) -> tuple[Path, Path]:
     first.write_text(wkt_square(0, 0, 2), encoding="utf-8")
     second.write_text(wkt_square(0, 0, 1), encoding="utf-8")
     return first, second
+
+
+@pytest.fixture
+def letters(minkref: Minkref, tmp_path: Path) -> Path:
+    """The index of g1 and g2 at the scales from 1/4 to 4."""
+    from index_runs import build
+
+    path = tmp_path / "letters.index"
+    build(minkref, path, "g1", "g2", "--from", "1/4", "--to", "4")
+    return path

@@ -1,0 +1,153 @@
+"""Pairs of operands to be indexed; builds, questions and refusals of the command line on them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+from minkref import _core
+from minkref.operand import read_operand
+from minkref.schemas import error_schema, result_schema
+
+Minkref = Callable[..., Any]
+Window = tuple[str | None, str | None]
+
+TRIANGLE = "POLYGON((0 0,1 0,0 1,0 0))"
+# Four squares that touch at corners, around a hole.
+RING_OF_SQUARES = "MULTIPOLYGON({})".format(
+    ",".join(
+        f"(({x} {y},{x + 1} {y},{x + 1} {y + 1},{x} {y + 1},{x} {y}))"
+        for x, y in ((1, 0), (0, 1), (2, 1), (1, 2))
+    )
+)
+U = "POLYGON((0 0,3 0,3 2,2 2,2 1,1 1,1 2,0 2,0 0))"
+
+# Models, or sets as text.
+PAIRS = {
+    "letters": ("g1", "g2"),
+    "right angles": ("g3", "g1"),
+    "convex": ("disc1", "g1"),
+    # A hole that dies at 541/186, where no pair event is.
+    "dying hole": (
+        "POLYGON((-3 -2,4 -1,1 3,-3 -2))",
+        "POLYGON((-40 -40,40 -40,40 40,-40 40,-40 -40),(0 20,-19 -9,17 -11,0 20))",
+    ),
+    # A frame, an island with a hole in it, and a part beside them.
+    "islands": (
+        "POLYGON((0 0,3 0,1 2,0 0))",
+        "MULTIPOLYGON(((0 0,60 0,60 60,0 60,0 0),(5 5,5 55,55 55,55 5,5 5)),"
+        "((20 20,40 20,40 40,20 40,20 20),(24 24,24 36,36 36,36 24,24 24)),"
+        "((70 0,80 0,70 9,70 0)))",
+    ),
+    "several components": (
+        "MULTIPOLYGON(((0 0,2 0,0 2,0 0)),((5 5,6 5,6 6,5 5)))",
+        "MULTIPOLYGON(((0 0,7 0,7 7,0 7,0 0),(2 2,2 5,5 5,5 2,2 2)),((9 0,11 0,11 7,9 0)))",
+    ),
+    "touching components": (RING_OF_SQUARES, TRIANGLE),
+    "touching components second": (TRIANGLE, RING_OF_SQUARES),
+    "hole that touches its outer ring": (
+        "POLYGON((0 0,2 0,2 1,1 1,1 2,0 2,0 0))",
+        "POLYGON((0 0,12 0,12 12,0 12,0 0),(0 0,3 8,8 3,0 0))",
+    ),
+}
+SEVERAL = pytest.mark.parametrize("name", PAIRS)
+SUM = ("digest", "area", "area_approximate", "components", "holes", "vertices")
+THIN = {
+    "empty": "POLYGON EMPTY",
+    "point": "POINT(1 2)",
+    "segment": "LINESTRING(0 0,3 1)",
+}
+
+
+def written(folder: Path, name: str, operand: str) -> str:
+    """The operand as the command line names it."""
+    if operand.isalnum():
+        return operand
+    path = folder / f"{name}.wkt"
+    path.write_text(operand, encoding="utf-8")
+    return str(path)
+
+
+def operands(folder: Path, name: str) -> tuple[str, str]:
+    P, Q = PAIRS[name]
+    return written(folder, "P", P), written(folder, "Q", Q)
+
+
+def window_options(window: Window) -> list[str]:
+    options = zip(("--from", "--to"), window, strict=True)
+    return [text for option, scale in options if scale is not None for text in (option, scale)]
+
+
+def build(minkref: Minkref, path: Path, P: str, Q: str, *options: str) -> Any:
+    """The document of a build that goes well."""
+    ran = minkref("index", P, Q, "-o", path, "--json", *options)
+    assert (ran.code, ran.err) == (0, "")
+    jsonschema.validate(ran.json, result_schema("index"))
+    return ran.json
+
+
+def ask(minkref: Minkref, command: str, *arguments: str | Path) -> Any:
+    """The document of a command that goes well."""
+    ran = minkref(command, *arguments, "--json")
+    assert (ran.code, ran.err) == (0, ""), ran.err or ran.out
+    return ran.json
+
+
+def event_scales(P: str, Q: str, kind: str = "boundary") -> list[str]:
+    """By dynamic update; each once."""
+    dynamic = _core.DynamicSum(read_operand(P).set, read_operand(Q).set)
+    rows: list[Any] = list(
+        dynamic.boundary_events() if kind == "boundary" else dynamic.topology_events()
+    )
+    return list(dict.fromkeys(row[0] for row in rows))
+
+
+def between(a: str, b: str) -> str:
+    return str((Fraction(a) + Fraction(b)) / 2)
+
+
+def told(minkref: Minkref, *arguments: str | Path) -> dict[str, Any]:
+    value = ask(minkref, "sum", *arguments)
+    return {name: value[name] for name in (*SUM, "scale", "tight_passages", "result")}
+
+
+def account(value: Any, names: bool = True) -> Any:
+    """What two routes have to agree on. `names` of features are those of a window: of another
+    window they are others, and lives are told without them."""
+    of_topology = ("feature", "before", "after", "parts") if names else ("feature", "parts")
+    fields = ("s", "rank", "kind", "change")
+    if value["kind"] == "topology":
+        fields += of_topology
+    lives = [
+        sorted(
+            ([life["id"]] if names else []) + [str(life["birth"]), str(life["death"])]
+            for life in value[kind] or []
+        )
+        for kind in ("holes", "components")
+    ]
+    return (
+        value["from"],
+        value["to"],
+        value["count"],
+        value["distinct"],
+        value["segments"],
+        [[event[field] for field in fields] for event in value["events"]],
+        lives,
+    )
+
+
+def refused(minkref: Minkref, folder: Path, *arguments: str | Path) -> Any:
+    """The text of a refusal that writes nothing, and its document."""
+    before = {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
+    ran = minkref(*arguments)
+    assert (ran.code, ran.out) == (2, ""), ran.out
+    assert "mend:" in ran.err
+    document = minkref(*arguments, "--json")
+    assert document.code == 2
+    jsonschema.validate(document.json, error_schema())
+    assert {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()} == before
+    return ran.err, document.json["error"]
