@@ -78,11 +78,11 @@ def shape_text(shape: Shape) -> str:
 
 
 def reflected(polygons: _core.PolygonSet) -> _core.PolygonSet:
-    """-R of a set R: the places at which the scaled robot s R meets an obstacle O are O + s (-R)."""
-    shape = [
-        [[(-Fraction(x), -Fraction(y)) for x, y in ring] for ring in (p["outer"], *p["holes"])]
-        for p in json.loads(polygons.to_json())["polygons"]
-    ]
+    """-R of a set R: the places at which s R, a robot, meets an obstacle O are O + s (-R)."""
+    shape: Shape = []
+    for part in json.loads(polygons.to_json())["polygons"]:
+        rings = (part["outer"], *part["holes"])
+        shape.append([[(-Fraction(x), -Fraction(y)) for x, y in ring] for ring in rings])
     return _core.PolygonSet.from_json(shape_text(shape))
 
 

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace minkref {
 namespace {
 
-constexpr std::size_t most_discs = 200;
+constexpr std::size_t most_discs = 800;
 constexpr int most_tries = 16;  // discs of one operand, for a stretch of scales
 constexpr int most_halvings = 1;
 
@@ -56,58 +57,96 @@ InteriorTracks::InteriorTracks(const PolygonSet& P, const PolygonSet& Q)
 bool InteriorTracks::certainly_inside(const RoundedTrack& track, double from, double to,
                                       Hints& hints) const {
   if (!regions_) return false;
-  struct Stretch {
+  struct Part {
     double from, to;
     int halvings;
   };
-  std::array<Stretch, most_halvings + 2> left;
+  std::array<Part, most_halvings + 2> left;
   std::size_t count = 0;
   left[count++] = {from, to, 0};
   while (count > 0) {
-    const Stretch stretch = left[--count];
-    if (clearance(track, stretch.from, stretch.to, hints) > 0) continue;
-    if (stretch.halvings == most_halvings) return false;
-    const double middle = std::sqrt(stretch.from) * std::sqrt(stretch.to);
-    left[count++] = {middle, stretch.to, stretch.halvings + 1};
-    left[count++] = {stretch.from, middle, stretch.halvings + 1};
+    const Part part = left[--count];
+    if (clearance(track, part.from, part.to, hints) > 0) continue;
+    if (part.halvings == most_halvings) return false;
+    const double middle = std::sqrt(part.from) * std::sqrt(part.to);
+    left[count++] = {middle, part.to, part.halvings + 1};
+    left[count++] = {part.from, middle, part.halvings + 1};
   }
   return true;
+}
+
+/// A disc c + r of P, scaled, is at s c + s r. What matters is x - s c = x0 + s (x1 - c), a
+/// segment: its middle, and half its length. Seen from sP, over s, it is x1 + (x0 - c) / s for one
+/// of Q.
+InteriorTracks::Stretch::Stretch(const RoundedTrack& track, double from, double to,
+                                 bool is_seen_from_P) {
+  const double low = is_seen_from_P ? 1 / to : from, high = is_seen_from_P ? 1 / from : to;
+  middle = (low + high) / 2;
+  half = (high - low) / 2 * (1 + 0x1p-40);
+  least = low * (1 - 0x1p-40);
+  const auto off = [&](double constant, double moving) {
+    return (constant + high * moving) * (1 + 0x1p-40) + 2 * track.error * (1 + high);
+  };
+  slack = is_seen_from_P ? off(track.reach1, track.reach0) : off(track.reach0, track.reach1);
+  x0 = is_seen_from_P ? track.x1 : track.x0;
+  y0 = is_seen_from_P ? track.y1 : track.y0;
+  x1 = is_seen_from_P ? track.x0 : track.x1;
+  y1 = is_seen_from_P ? track.y0 : track.y1;
+}
+
+InteriorTracks::Reach InteriorTracks::reach_of(const Disc& disc, const Stretch& s,
+                                               const SignedDistance& to_other) {
+  const double ux = s.x1 - disc.x, uy = s.y1 - disc.y;
+  const double away = to_other.below(s.x0 + s.middle * ux, s.y0 + s.middle * uy);
+  const double lost = s.half * std::sqrt(ux * ux + uy * uy) * (1 + 0x1p-40) + s.slack;
+  return {away, away - lost + s.least * disc.radius,
+          away + lost + (s.least + 2 * s.half) * disc.radius};
 }
 
 double InteriorTracks::clearance(const RoundedTrack& track, double from, double to,
                                  Hints& hints) const {
   if (!regions_) return -HUGE_VAL;
-  // A disc c + r of P, scaled, is at s c + s r. What matters is x - s c = x0 + s (x1 - c), a
-  // segment: its middle, and half its length.
-  const double middle = (from + to) / 2, half = (to - from) / 2;
-  const double slack =
-      (track.reach0 + to * track.reach1) * (1 + 0x1p-40) + 2 * track.error * (1 + to);
-  const auto of_P = [&](const Disc& disc, double& away) {
-    const double ux = track.x1 - disc.x, uy = track.y1 - disc.y;
-    away = to_Q_.below(track.x0 + middle * ux, track.y0 + middle * uy);
-    return away - half * std::sqrt(ux * ux + uy * uy) * (1 + 0x1p-40) - slack +
-           from * disc.radius * (1 - 0x1p-40);
+  const auto best_of = [&](const Tree& tree, std::uint32_t& hint, const SignedDistance& to_other,
+                           const Stretch& stretch) {
+    return find(tree, hint, [&](const Disc& disc, double reach, bool& hopeless) {
+      const Reach own = reach_of(disc, stretch, to_other);
+      hopeless = own.away + stretch.middle * reach <= 0;
+      return own.clearance;
+    });
   };
-  const double by_P = find(of_P_, hints.of_P, [&](const Disc& disc, double reach, bool& hopeless) {
-    double away;
-    const double own = of_P(disc, away);
-    hopeless = away + middle * reach <= 0;
-    return own;
-  });
+  const Stretch of_P(track, from, to, false);
+  const double by_P = best_of(of_P_, hints.of_P, to_Q_, of_P);
   if (by_P > 0) return by_P;
-  // Seen from sP, over s: x1 + (x0 - c) / s, again a segment.
-  const double high = 1 / from, low = 1 / to, centre = (high + low) / 2,
-               spread = (high - low) / 2 * (1 + 0x1p-40);
-  const double relative_slack =
-      (track.reach1 + high * track.reach0) * (1 + 0x1p-40) + 2 * track.error * (1 + high);
-  const double by_Q = find(of_Q_, hints.of_Q, [&](const Disc& disc, double reach, bool& hopeless) {
-    const double ux = track.x0 - disc.x, uy = track.y0 - disc.y;
-    const double away = to_P_.below(track.x1 + centre * ux, track.y1 + centre * uy);
-    hopeless = away + centre * reach <= 0;
-    return away - spread * std::sqrt(ux * ux + uy * uy) * (1 + 0x1p-40) - relative_slack +
-           low * disc.radius * (1 - 0x1p-40);
-  });
-  return by_Q > 0 ? by_Q : std::max(by_P, by_Q * middle);
+  const double by_Q = best_of(of_Q_, hints.of_Q, to_P_, Stretch(track, from, to, true));
+  return by_Q > 0 ? by_Q : std::max(by_P, by_Q * of_P.middle);
+}
+
+InteriorTracks::Discs InteriorTracks::all_discs() const {
+  Discs result;
+  if (!regions_) return result;
+  result.of_P.resize(of_P_.nodes().size());
+  result.of_Q.resize(of_Q_.nodes().size());
+  std::iota(result.of_P.begin(), result.of_P.end(), 0U);
+  std::iota(result.of_Q.begin(), result.of_Q.end(), 0U);
+  return result;
+}
+
+bool InteriorTracks::some_disc_holds(const RoundedTrack& track, double from, double to,
+                                     const Discs& discs, Discs& hopeful) const {
+  const auto try_all = [&](const Tree& tree, const SignedDistance& to_other, bool is_seen_from_P,
+                           const std::vector<std::uint32_t>& among,
+                           std::vector<std::uint32_t>& kept) {
+    const Stretch stretch(track, from, to, is_seen_from_P);
+    kept.clear();
+    for (const std::uint32_t k : among) {
+      const Reach own = reach_of(tree.nodes()[k].disc, stretch, to_other);
+      if (own.clearance > 0) return true;
+      if (own.most > 0) kept.push_back(k);
+    }
+    return false;
+  };
+  return regions_ && (try_all(of_P_, to_Q_, false, discs.of_P, hopeful.of_P) ||
+                      try_all(of_Q_, to_P_, true, discs.of_Q, hopeful.of_Q));
 }
 
 /// The first positive clearance of a disc, among the first tries; else the greatest.

@@ -33,6 +33,17 @@ class InteriorTracks {
   /// that does so most of those that were tried.
   double clearance(const RoundedTrack& track, double from, double to, Hints& hints) const;
 
+  /// Discs by number.
+  struct Discs {
+    std::vector<std::uint32_t> of_P, of_Q;
+  };
+  Discs all_discs() const;
+
+  /// The same of some discs, all of which are tried until one settles it. If none does, `hopeful`
+  /// has those that may settle a part of these points and scales. Some 20 ns a disc.
+  bool some_disc_holds(const RoundedTrack& track, double from, double to, const Discs& discs,
+                       Discs& hopeful) const;
+
   /// True only if the point is certainly in int(sP) ⊕ int(Q) for all scales from `from` to `to`, 0
   /// < from <= to < infinity. In doubles; some 20 ns where a hint is right, 1 us where nothing is.
   bool certainly_inside(const RoundedTrack& track, double from, double to, Hints& hints) const;
@@ -53,6 +64,20 @@ class InteriorTracks {
     std::uint32_t build(std::vector<Disc>::iterator first, std::vector<Disc>::iterator last);
     std::vector<Node> nodes_;
   };
+
+  /// What the places of discs are compared with: the middle of scales and half their length, by
+  /// how much points may be off, the scale by which radii grow, that of a disc's least radius.
+  struct Stretch {
+    double middle = 0, half = 0, slack = 0, least = 0;
+    double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+    Stretch(const RoundedTrack& track, double from, double to, bool is_seen_from_P);
+  };
+  struct Reach {
+    double away;       ///< of the middle, a signed distance
+    double clearance;  ///< over all of the stretch
+    double most;       ///< no part of the stretch has more
+  };
+  static Reach reach_of(const Disc& disc, const Stretch& stretch, const SignedDistance& to_other);
 
   template <class Clearance>
   static double find(const Tree& tree, std::uint32_t& hint, Clearance clearance);

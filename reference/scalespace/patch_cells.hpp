@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "reference/plane/critical/moving_edge.hpp"
 #include "reference/scalespace/build_control.hpp"
+#include "reference/scalespace/interior_solids.hpp"
 #include "reference/scalespace/interior_tracks.hpp"
 
 namespace minkref {
@@ -24,6 +26,13 @@ struct PatchCell {
   double low = 0, high = 0, from = 0, to = 1;
 };
 
+/// The track of the middle of a cell, with the half of its length along the edge, and how far from
+/// the middle points of the cell may be at one scale.
+std::pair<RoundedTrack, double> middle_of(const RoundedEdge& edge, const PatchCell& cell);
+
+/// A cell, between scales that are neither 0 nor infinity.
+SweptQuad swept_quad(const RoundedEdge& edge, const PatchCell& cell);
+
 /// Where to cut a stretch of scales: about the middle of its logarithms, in a dozen bits.
 double cut_between(double low, double high);
 
@@ -39,7 +48,8 @@ struct PatchCells {
 
 /// Between two scales, 0 and infinity allowed. In doubles, with a proof; the same for any number of
 /// threads. Some 10 us an edge.
-PatchCells patch_cells(const InteriorTracks& tracks, const std::vector<RoundedEdge>& edges,
-                       double from, double to, const BuildControl& control);
+PatchCells patch_cells(const InteriorTracks& tracks, InteriorSolids& solids,
+                       const std::vector<RoundedEdge>& edges, double from, double to,
+                       const BuildControl& control);
 
 }  // namespace minkref

@@ -5,31 +5,33 @@
 #include <cmath>
 #include <span>
 
-#include "reference/plane/dynamic/interior_test.hpp"
 #include "reference/scalespace/patch_cells.hpp"
 #include "reference/scalespace/patch_nodes.hpp"
 
 namespace minkref {
 
 /// Where many nodes pass a cell it is halved as long as that shows parts of it to be inside, by
-/// pairs of triangles; nodes are kept at the scales at which they pass a cell that is left. What is
-/// cut off lies inside: a face that is larger for it is as uniform as it was.
+/// discs or by pairs of convex pieces; nodes are kept at the scales at which they pass a cell that
+/// is left. What is cut off lies inside: a face that is larger for it is as uniform as it was.
 template <class K>
 class PatchClipping {
  public:
-  PatchClipping(const std::vector<RationalEdge>& moving, const InteriorTest& test)
-      : moving_(moving), test_(test) {}
+  PatchClipping(const std::vector<RationalEdge>& moving, const InteriorTracks& tracks,
+                const InteriorSolids& solids)
+      : moving_(moving), tracks_(tracks), solids_(solids) {}
 
   /// Leaves patches with few nodes as they are.
   void clip(std::uint32_t edge, std::span<const PatchCell> cells, PatchNodes<K>& nodes) {
     if (nodes.nodes.size() < worth_it) return;
     edge_ = rounded(moving_[edge]);
+    pair_ = {};
     length_ = std::hypot(edge_.dx, edge_.dy);
     nodes_ = &nodes.nodes;
     stretches_.assign(nodes.nodes.size(), {});
     std::vector<std::uint32_t> all;
     for (std::uint32_t k = own_ends; k < nodes.nodes.size(); ++k) all.push_back(k);
-    for (const PatchCell& cell : cells) look(cell, 0, all);
+    const InteriorTracks::Discs discs = tracks_.all_discs();
+    for (const PatchCell& cell : cells) look(cell, 0, all, discs);
     std::vector<PatchNode<K>> kept(nodes.nodes.begin(), nodes.nodes.begin() + own_ends);
     for (const std::uint32_t k : all) add_stretches(k, kept);
     nodes.nodes = std::move(kept);
@@ -38,21 +40,27 @@ class PatchClipping {
  private:
   using Node = PatchNode<K>;
   static constexpr std::uint32_t own_ends = 2;
-  static constexpr std::size_t worth_it = 64, few = 24;
-  static constexpr int most_halvings = 6;
+  static constexpr std::size_t worth_it = 16, few = 6;
+  static constexpr int most_halvings = 12, most_pairs = 120;
   static constexpr double widest = 0x1p20;  ///< scales to cut at lie between this and its inverse
   struct Stretch {
     double low, high;
   };
 
-  void look(const PatchCell& cell, int halvings, const std::vector<std::uint32_t>& nodes) {
+  void look(const PatchCell& cell, int halvings, const std::vector<std::uint32_t>& nodes,
+            const InteriorTracks::Discs& discs) {
     std::vector<std::uint32_t> passing;
     for (const std::uint32_t k : nodes) {
       if (passes((*nodes_)[k], cell)) passing.push_back(k);
     }
     if (passing.empty()) return;
     if (passing.size() > few && cell.low > 0 && std::isfinite(cell.high)) {
-      if (is_inside(cell)) return;
+      InteriorTracks::Discs hopeful;
+      if (tracks_.some_disc_holds(middle_of(edge_, cell).first, cell.low, cell.high, discs,
+                                  hopeful) ||
+          solids_.some_pair_holds(swept_quad(edge_, cell), most_pairs, pair_)) {
+        return;
+      }
       if (halvings < most_halvings) {
         PatchCell first = cell, second = cell;
         const double along = (cell.to - cell.from) * length_ * (edge_.is_s ? cell.high : 1),
@@ -62,8 +70,8 @@ class PatchClipping {
         } else {
           first.to = second.from = (cell.from + cell.to) / 2;
         }
-        look(first, halvings + 1, passing);
-        look(second, halvings + 1, passing);
+        look(first, halvings + 1, passing, hopeful);
+        look(second, halvings + 1, passing, hopeful);
         return;
       }
     }
@@ -86,18 +94,6 @@ class PatchClipping {
                                     std::fabs(node.value) / (edge_.is_s ? low : 1));
     const double u = along(node, low), v = along(node, high);  // it is monotone between them
     return std::min(u, v) <= cell.to + doubt && std::max(u, v) >= cell.from - doubt;
-  }
-
-  bool is_inside(const PatchCell& cell) {
-    const double t = (cell.from + cell.to) / 2,
-                 half = (cell.to - cell.from) / 2 * length_ * (1 + 0x1p-40);
-    InteriorTest::MovingDisc disc{edge_.qx, edge_.qy, edge_.px, edge_.py,
-                                  half * (edge_.is_s ? cell.high : 1)};
-    (edge_.is_s ? disc.x1 : disc.x0) += t * edge_.dx;
-    (edge_.is_s ? disc.y1 : disc.y0) += t * edge_.dy;
-    disc.radius += 0x1p-45 * (std::fabs(disc.x0) + std::fabs(disc.y0) + half +
-                              cell.high * (std::fabs(disc.x1) + std::fabs(disc.y1) + length_));
-    return test_.certainly_inside(disc, cell.low, cell.high, hint_);
   }
 
   /// The node for each stretch of scales that it is kept for.
@@ -142,12 +138,13 @@ class PatchClipping {
   }
 
   const std::vector<RationalEdge>& moving_;
-  const InteriorTest& test_;
+  const InteriorTracks& tracks_;
+  const InteriorSolids& solids_;
   RoundedEdge edge_;
   double length_ = 0;
   const std::vector<Node>* nodes_ = nullptr;
   std::vector<std::vector<Stretch>> stretches_;
-  InteriorTest::Hint hint_;
+  InteriorSolids::Pair pair_;
 };
 
 }  // namespace minkref

@@ -15,7 +15,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// What all threads look at.
 struct Subject {
-  InteriorTracks tracks;
+  const InteriorTracks& tracks;
+  InteriorSolids& solids;
   std::vector<RoundedEdge> edges;
   PatchCells cells;
   std::vector<std::uint32_t> live;  ///< edges that have a cell
@@ -23,13 +24,14 @@ struct Subject {
   double from = 0, to = infinity;
   double length = 0, size = 0;  ///< the greatest coordinates, of directions and of points
 
-  Subject(const PolygonSet& P, const PolygonSet& Q, const std::vector<RationalEdge>& given,
-          const ScaleWindow& window, const BuildControl& control)
-      : tracks(P, Q) {
+  Subject(const InteriorTracks& own_tracks, InteriorSolids& own_solids,
+          const std::vector<RationalEdge>& given, const ScaleWindow& window,
+          const BuildControl& control)
+      : tracks(own_tracks), solids(own_solids) {
     if (window.from) from = to_double(*window.from) * (1 - 0x1p-50);
     if (window.to) to = to_double(*window.to) * (1 + 0x1p-50);
     for (const RationalEdge& e : given) edges.push_back(rounded(e));
-    cells = patch_cells(tracks, edges, from, to, control);
+    cells = patch_cells(tracks, solids, edges, from, to, control);
     for (std::uint32_t e = 0; e < edges.size(); ++e) {
       if (cells.of(e).empty()) continue;
       live.push_back(e);
@@ -185,10 +187,10 @@ PatchNeighbours listed(std::vector<Found>& all, std::size_t count) {
 
 }  // namespace
 
-PatchNeighbours patch_neighbours(const PolygonSet& P, const PolygonSet& Q,
+PatchNeighbours patch_neighbours(const InteriorTracks& tracks, InteriorSolids& solids,
                                  const std::vector<RationalEdge>& edges, const ScaleWindow& window,
                                  const BuildControl& control) {
-  Subject subject(P, Q, edges, window, control);
+  Subject subject(tracks, solids, edges, window, control);
   const PairFilter filter = subject.filter();
   std::vector<Found> found(control.threads());
   in_parallel(subject.live.size(), control, BuildProgress::Stage::pairs,

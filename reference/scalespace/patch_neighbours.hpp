@@ -20,7 +20,7 @@ struct PatchNeighbours {
 /// Pairs that are left out certainly never meet within the window, or certainly meet in the sum of
 /// the interiors only, at all scales: what they cut off from each other is inside. S-edges first.
 /// In doubles; the same for any number of threads. O(N^2).
-PatchNeighbours patch_neighbours(const PolygonSet& P, const PolygonSet& Q,
+PatchNeighbours patch_neighbours(const InteriorTracks& tracks, InteriorSolids& solids,
                                  const std::vector<RationalEdge>& edges, const ScaleWindow& window,
                                  const BuildControl& control);
 

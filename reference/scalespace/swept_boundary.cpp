@@ -32,13 +32,14 @@ class Search {
   using Piece = typename Sweep::Piece;
 
   Search(K kernel, const std::vector<Edge>& edges, const std::vector<RationalEdge>& moving,
-         const PatchNeighbours& neighbours, const InteriorTest& test, const ScaleWindow& window,
+         const PatchNeighbours& neighbours, const InteriorTracks& tracks,
+         const InteriorSolids& solids, const InteriorTest& test, const ScaleWindow& window,
          SweptBoundary& result)
       : moving_(moving),
         neighbours_(neighbours),
         test_(test),
         finder_(std::move(kernel), edges),
-        clipping_(moving, test),
+        clipping_(moving, tracks, solids),
         sweep_(window.from.value_or(Rational(0)), window.to),
         result_(result) {}
 
@@ -168,7 +169,10 @@ SweptBoundary swept_boundary(const PolygonSet& P, const PolygonSet& Q, const Sca
                                       [](const Point& p) { return Vector2<Rational>(p.x, p.y); });
   };
   result.moving = moving_edges(result.edges, as_vectors(P), as_vectors(Q));
-  const PatchNeighbours neighbours = patch_neighbours(P, Q, result.moving, window, control);
+  const InteriorTracks tracks(P, Q);
+  InteriorSolids solids(P, Q);
+  const PatchNeighbours neighbours =
+      patch_neighbours(tracks, solids, result.moving, window, control);
   result.meeting_pairs = neighbours.meeting;
   result.pairs_inside = neighbours.inside;
   const InteriorTest test(P, Q);
@@ -177,7 +181,8 @@ SweptBoundary swept_boundary(const PolygonSet& P, const PolygonSet& Q, const Sca
     const auto edges = moving_edges(result.edges, frame.P, frame.Q);
     std::vector<SweptBoundary> parts(control.threads());
     in_parallel(edges.size(), control, BuildProgress::Stage::patches, [&](unsigned thread) {
-      return Search<K>(frame.kernel, edges, result.moving, neighbours, test, window, parts[thread]);
+      return Search<K>(frame.kernel, edges, result.moving, neighbours, tracks, solids, test, window,
+                       parts[thread]);
     });
     gather(parts, result);
   });

@@ -28,9 +28,9 @@ DEPENDS = (*REFERENCE, "reports/index_growth_plot.py")
 WINDOW = ("1/2", "2")
 PLOT = Path("reports/evidence/index_growth.svg")
 WANTED_EDGES = 1_000_000
-LONGEST = 20.0  # seconds of a build, after which a family ends
+LONGEST = 40.0  # seconds of a build, after which a family ends
 QUERIES, PASSES = 20, 5
-SIZES = (8, 16, 24, 36, 52, 76, 110, 160, 240)
+SIZES = (8, 16, 24, 36, 52, 76, 110, 160, 240, 350, 500, 720)
 
 
 def shape(points: list[tuple[float, float]]) -> _core.PolygonSet:

@@ -249,8 +249,8 @@ TEST(ScaleSpaceIndex, PatchesWithManyNodesAreCutDownToWhereTheBoundaryIs) {
   std::vector<Rational> scales{Rational(2, 3), Rational(97, 101), 1, Rational(113, 89),
                                Rational(3, 2)};
   const auto [first, last] = index.events_within();
-  ASSERT_LT(first + 4, last);
-  for (std::uint32_t k = first; k < last; k += (last - first) / 4) scales.push_back(index.event(k));
+  ASSERT_LT(first + 3, last);
+  for (std::uint32_t k = first; k < last; ++k) scales.push_back(index.event(k));
   for (const Rational& scale : scales) {
     EXPECT_EQ(index.sum(scale).region, minkowski_sum(P, Q, scale).region) << to_string(scale);
   }

@@ -40,24 +40,22 @@ struct Pieces {
   }
 };
 
-/// What doubles tell of the edges of `a`, coordinates being off by `error` and `b` being anywhere
-/// within `shift`: one of them has all of `b` on its right, each has some of `b` on its left, or
-/// neither is certain.
+/// What doubles tell of the edges of `a`, coordinates being off by `error`: one of them has all of
+/// `b` on its right, each has some of `b` on its left, or neither is certain.
 enum class Told : std::uint8_t { separates, none_separates, nothing };
 
-Told by_edges(const Doubles& a, const Doubles& b, double error, double shift = 0) {
+Told by_edges(const Doubles& a, const Doubles& b, double error) {
   bool each_open = true;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto &p = a[i], &q = a[(i + 1) % 3];
     const double ux = q[0] - p[0], uy = q[1] - p[1];
-    const double moved = shift * (std::abs(ux) + std::abs(uy)) * (1 + 0x1p-40);
     bool open = false, closed = true;
     for (const auto& r : b) {
       const double vx = r[0] - p[0], vy = r[1] - p[1];
       const double left = ux * vy, right = uy * vx;
       const double sum = std::abs(ux) + std::abs(uy) + std::abs(vx) + std::abs(vy);
-      const double bound = (std::abs(left) + std::abs(right)) * 0x1p-50 + 4 * error * sum +
-                           16 * error * error + moved;
+      const double bound =
+          (std::abs(left) + std::abs(right)) * 0x1p-50 + 4 * error * sum + 16 * error * error;
       open = open || left - right > bound;
       closed = closed && left - right < -bound;
     }
@@ -132,38 +130,6 @@ bool InteriorTest::certainly_inside(double x, double y, double error, double sca
       [&](std::uint32_t i, std::uint32_t j) {
         const auto [a, b] = impl_->placed(i, j, x, y, scale);
         return told(a, b, e).value_or(false);
-      });
-}
-
-bool InteriorTest::certainly_inside(const MovingDisc& disc, double from, double to,
-                                    Hint& hint) const {
-  const double s = from + (to - from) / 2, half = std::max(to - s, s - from);
-  if (!impl_->regions || !in_filter_range(s)) return false;
-  const double x = disc.x0 + s * disc.x1, y = disc.y0 + s * disc.y1;
-  const double e = impl_->error(x, y, s, 0);
-  // Seen from x1, which moves with it, a triangle of P grows by this much on either side of s: its
-  // support function, and that of its sum with one of Q, changes by no more.
-  const auto holds = [&](std::uint32_t i, std::uint32_t j) {
-    double away = 0;
-    for (const auto& v : impl_->p.doubles[i]) {
-      away = std::max(away, std::abs(v[0] - disc.x1) + std::abs(v[1] - disc.y1));
-    }
-    const double shift = disc.radius + half * away * (1 + 0x1p-40) + e;
-    const auto [a, b] = impl_->placed(i, j, x, y, s);
-    return by_edges(a, b, e, shift) == Told::none_separates &&
-           by_edges(b, a, e, shift) == Told::none_separates;
-  };
-  if (holds(hint.of_P, hint.of_Q)) return true;
-  return impl_->p.tree.pairs_with(
-      impl_->q.tree,
-      [&](const Box& a, const Box& b) {
-        return a.xmin * s < x - b.xmin && a.xmax * s > x - b.xmax && a.ymin * s < y - b.ymin &&
-               a.ymax * s > y - b.ymax;
-      },
-      [&](std::uint32_t i, std::uint32_t j) {
-        if (!holds(i, j)) return false;
-        hint = {i, j};
-        return true;
       });
 }
 
