@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "reference/plane/kernel/fraction.hpp"
 #include "reference/scalespace/patch_cells.hpp"
 #include "reference/scalespace/patch_nodes.hpp"
 
@@ -115,8 +116,15 @@ class PatchClipping {
           !(node.to && K::approximation(*node.to) * (1 - 0x1p-40) <= own.high)) {
         node.to = parameter(own.high);
       }
-      kept.push_back(std::move(node));
+      if (!is_one_scale(node)) kept.push_back(std::move(node));
     }
+  }
+
+  /// Whether a cut, which cells on its other side have too, is where the node begins or ends.
+  static bool is_one_scale(const Node& node) {
+    if (!node.from || !node.to) return false;
+    const Fraction from = fraction(*node.from), to = fraction(*node.to);
+    return sign(Integer(from.num * to.den - to.num * from.den)) >= 0;
   }
 
   /// Whether few bits hold a scale: not the ends of the window.

@@ -256,6 +256,22 @@ TEST(ScaleSpaceIndex, PatchesWithManyNodesAreCutDownToWhereTheBoundaryIs) {
   }
 }
 
+TEST(ScaleSpaceIndex, ANodeThatBeginsWhereItsPatchIsCutIsNotKeptForThatScaleOnly) {
+  // Teeth of one comb, twice: nodes begin and end at 1, and there cells are cut.
+  const PolygonSet P = {{{{{100000, -100000}, {100000, 1000000}, {0, 1000000}, {0, 908760},
+                           {-586879, 881656}, {-581068, 826996}, {0, 793803},  {0, 701791},
+                           {-648809, 687627}, {-642385, 610969}, {0, 604162},  {0, 503705},
+                           {-652408, 488642}, {-645949, 422023}, {0, 396389},  {0, 294635},
+                           {-567680, 287791}, {-562059, 216913}, {0, 203028},  {0, 93685},
+                           {-652279, 89973},  {-645821, 10472},  {0, -7193},   {0, -100000}},
+                          {}}}};
+  const ScaleSpaceIndex index(P, P, {Rational(1, 4), 4});
+  for (const Rational& scale :
+       {Rational(1, 3), Rational(255, 256), Rational(1), Rational(257, 256)}) {
+    EXPECT_EQ(index.sum(scale).region, minkowski_sum(P, P, scale).region) << to_string(scale);
+  }
+}
+
 TEST(ScaleSpaceIndex, CoordinatesBelowAllDoublesAreWithinTheErrors) {
   Rational tiny = 1;
   for (int k = 0; k < 400; ++k) tiny /= 10;
