@@ -256,6 +256,24 @@ TEST(ScaleSpaceIndex, PatchesWithManyNodesAreCutDownToWhereTheBoundaryIs) {
   }
 }
 
+TEST(ScaleSpaceIndex, OfACombWithItselfInEveryPosition) {
+  for (int teeth = 2; teeth <= 9; ++teeth) {
+    for (const bool upright : {false, true}) {
+      const PolygonSet P = comb(teeth, false), Q = comb(teeth, upright);
+      const ScaleSpaceIndex index(P, Q, {Rational(1, 3), 3});
+      std::vector<Rational> scales{Rational(1, 3), 1, Rational(101, 100), 3};
+      const auto [first, last] = index.events_within();
+      for (std::uint32_t k = first; k < last; k += 1 + (last - first) / 5) {
+        scales.push_back(index.event(k));
+      }
+      for (const Rational& scale : scales) {
+        EXPECT_EQ(index.sum(scale).region, minkowski_sum(P, Q, scale).region)
+            << teeth << " teeth at " << to_string(scale);
+      }
+    }
+  }
+}
+
 TEST(ScaleSpaceIndex, ANodeThatBeginsWhereItsPatchIsCutIsNotKeptForThatScaleOnly) {
   // Teeth of one comb, twice: nodes begin and end at 1, and there cells are cut.
   const PolygonSet P = {{{{{100000, -100000}, {100000, 1000000}, {0, 1000000}, {0, 908760},
