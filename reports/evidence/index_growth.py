@@ -8,6 +8,7 @@ import multiprocessing
 import random
 import tempfile
 from collections.abc import Callable
+from fractions import Fraction
 from pathlib import Path
 from statistics import fmean
 from typing import Any
@@ -28,9 +29,13 @@ DEPENDS = (*REFERENCE, "reports/index_growth_plot.py")
 WINDOW = ("1/2", "2")
 PLOT = Path("reports/evidence/index_growth.svg")
 WANTED_EDGES = 1_000_000
-LONGEST = 40.0  # seconds of a build, after which a family ends
+LONGEST = 20.0  # seconds of a build, after which a family ends
 QUERIES, PASSES = 20, 5
-SIZES = (8, 16, 24, 36, 52, 76, 110, 160, 240, 350, 500, 720)
+SIZES = (8, 16, 24, 36, 52, 76, 110, 160, 240, 350, 580)
+MOST_STATIC = (
+    6000  # edges; beyond, where the arrangement does not fit into memory, points are tried
+)
+POINTS = 60
 
 
 def shape(points: list[tuple[float, float]]) -> _core.PolygonSet:
@@ -87,6 +92,27 @@ FAMILIES: dict[str, Callable[[int, int], _core.PolygonSet]] = {
 }
 
 
+def difference(
+    index: _core.ScaleSpaceIndex, P: _core.PolygonSet, Q: _core.PolygonSet, scale: str
+) -> str:
+    """The scale, if the sum there is not the static one, or, of a large one, if points on either
+    side of its boundary are not where the collision of the operands says."""
+    counts = index.counts()
+    if counts["s_edges"] + counts["t_edges"] <= MOST_STATIC:
+        return str(index.first_difference([scale]))
+    region = index.sum(scale).region
+    ring = json.loads(region.to_json())["polygons"][0]["outer"]
+    dice = random.Random(scale)
+    rows = []
+    for _ in range(POINTS):
+        k = dice.randrange(len(ring))
+        (ax, ay), (bx, by) = ((Fraction(x), Fraction(y)) for x, y in (ring[k - 1], ring[k]))
+        off = Fraction(dice.choice((-1, 1)), 10 ** dice.randrange(2, 7))
+        rows.append((str((ax + bx) / 2 + off * (by - ay)), str((ay + by) / 2 - off * (bx - ax))))
+    own = _core.decide_many(region, shape([(0, 0)]), "1", rows)
+    return "" if own == _core.decide_many(P, Q, scale, rows) else scale
+
+
 def look(task: tuple[str, int]) -> dict[str, Any]:
     family, size = task
     make = FAMILIES[family]
@@ -107,7 +133,7 @@ def look(task: tuple[str, int]) -> dict[str, Any]:
         "bytes": counts["bytes"],
         "vertices": fmean(row[2] for row in timed["double"]),
         "query_seconds": fmean(row[0] for row in timed["double"]),
-        "wrong": index.first_difference(scales[:1]),
+        "wrong": difference(index, P, Q, scales[0]),
     }
 
 
@@ -132,7 +158,11 @@ def run(quick: bool) -> Findings:
             if row["build_seconds"] > LONGEST:
                 break
     wrong = [f"{row['family']} {row['size']} at {row['wrong']}" for row in rows if row["wrong"]]
-    findings.law("sums that differ from the static ones", not wrong, 0, "; ".join(wrong) or 0)
+    findings.law("sums that differ", not wrong, 0, "; ".join(wrong) or 0)
+    findings.note(
+        f"at one scale each, from the static sum up to {MOST_STATIC:,} edges; beyond, {POINTS} points "
+        "next to the boundary are decided by triangles of the operands"
+    )
     for family in FAMILIES:
         own = [row for row in rows if row["family"] == family]
         most = max(own, key=lambda row: row["edges"])
