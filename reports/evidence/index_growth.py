@@ -160,8 +160,8 @@ def run(quick: bool) -> Findings:
     wrong = [f"{row['family']} {row['size']} at {row['wrong']}" for row in rows if row["wrong"]]
     findings.law("sums that differ", not wrong, 0, "; ".join(wrong) or 0)
     findings.note(
-        f"at one scale each, from the static sum up to {MOST_STATIC:,} edges; beyond, {POINTS} points "
-        "next to the boundary are decided by triangles of the operands"
+        f"at one scale each, from the static sum up to {MOST_STATIC:,} edges; beyond, {POINTS} "
+        "points next to the boundary are decided by triangles of the operands"
     )
     for family in FAMILIES:
         own = [row for row in rows if row["family"] == family]
