@@ -69,12 +69,12 @@ def test_interrupt_ends_a_sum_that_computes() -> None:
 def test_a_signal_leaves_no_file_that_is_half_written(
     tmp_path: Path, ending: str, number: signal.Signals
 ) -> None:
-    def heed_interrupts() -> None:  # a background job of a shell is started deaf to them
-        signal.signal(signal.SIGINT, signal.SIG_DFL)
+    def heed_it() -> None:  # a background job of a shell, or of nohup, is started deaf to some
+        signal.signal(number, signal.SIG_DFL)
 
     command = [sys.executable, "-m", "minkref", "events", "glyph275", "glyph275"]
     command += ["-o", str(tmp_path / f"events.{ending}")]
-    with subprocess.Popen(command, preexec_fn=heed_interrupts) as process:
+    with subprocess.Popen(command, preexec_fn=heed_it) as process:
         try:
             until = time.monotonic() + 60
             while not any(tmp_path.iterdir()) and time.monotonic() < until:
