@@ -32,9 +32,8 @@ WANTED_EDGES = 1_000_000
 LONGEST = 20.0  # seconds of a build, after which a family ends
 QUERIES, PASSES = 20, 5
 SIZES = (8, 16, 24, 36, 52, 76, 110, 160, 240, 350, 580)
-MOST_STATIC = (
-    6000  # edges; beyond, where the arrangement does not fit into memory, points are tried
-)
+# Edges; beyond, where the arrangement does not fit into memory, points are tried.
+MOST_STATIC = 6000
 POINTS = 60
 
 

@@ -1,9 +1,8 @@
-"""The command line, run in this process; the modules of this folder by their bare names."""
+"""The command line, run in this process."""
 
 from __future__ import annotations
 
 import json
-import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -12,7 +11,6 @@ from typing import Any
 import pytest
 from minkref.cli import run
 
-sys.path.insert(0, str(Path(__file__).parent))
 pytest.register_assert_rewrite("index_runs")
 
 

@@ -12,18 +12,11 @@ import pytest
 from minkref import _core
 from minkref.operand import read_operand
 from minkref.schemas import error_schema, result_schema
+from pairs_of_texts import ISLANDS, RING_OF_SQUARES, SEVERAL_COMPONENTS, TRIANGLE
 
 Minkref = Callable[..., Any]
 Window = tuple[str | None, str | None]
 
-TRIANGLE = "POLYGON((0 0,1 0,0 1,0 0))"
-# Four squares that touch at corners, around a hole.
-RING_OF_SQUARES = "MULTIPOLYGON({})".format(
-    ",".join(
-        f"(({x} {y},{x + 1} {y},{x + 1} {y + 1},{x} {y + 1},{x} {y}))"
-        for x, y in ((1, 0), (0, 1), (2, 1), (1, 2))
-    )
-)
 U = "POLYGON((0 0,3 0,3 2,2 2,2 1,1 1,1 2,0 2,0 0))"
 
 # Models, or sets as text.
@@ -36,17 +29,8 @@ PAIRS = {
         "POLYGON((-3 -2,4 -1,1 3,-3 -2))",
         "POLYGON((-40 -40,40 -40,40 40,-40 40,-40 -40),(0 20,-19 -9,17 -11,0 20))",
     ),
-    # A frame, an island with a hole in it, and a part beside them.
-    "islands": (
-        "POLYGON((0 0,3 0,1 2,0 0))",
-        "MULTIPOLYGON(((0 0,60 0,60 60,0 60,0 0),(5 5,5 55,55 55,55 5,5 5)),"
-        "((20 20,40 20,40 40,20 40,20 20),(24 24,24 36,36 36,36 24,24 24)),"
-        "((70 0,80 0,70 9,70 0)))",
-    ),
-    "several components": (
-        "MULTIPOLYGON(((0 0,2 0,0 2,0 0)),((5 5,6 5,6 6,5 5)))",
-        "MULTIPOLYGON(((0 0,7 0,7 7,0 7,0 0),(2 2,2 5,5 5,5 2,2 2)),((9 0,11 0,11 7,9 0)))",
-    ),
+    "islands": ISLANDS,
+    "several components": SEVERAL_COMPONENTS,
     "touching components": (RING_OF_SQUARES, TRIANGLE),
     "touching components second": (TRIANGLE, RING_OF_SQUARES),
     "hole that touches its outer ring": (

@@ -1,13 +1,8 @@
-"""The indices that are asked, and the modules of this folder by their bare names."""
+"""The indices that are asked."""
 
 from __future__ import annotations
 
-import sys
-from pathlib import Path
-
 import pytest
-
-sys.path.insert(0, str(Path(__file__).parent))
 from indexed_sums import NAMES, Index, operands, window_of
 
 

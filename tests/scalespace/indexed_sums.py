@@ -12,6 +12,7 @@ from minkref import _core
 from minkref.fuzz.families.random_pairs import random_pair
 from minkref.operand import read_operand
 from numpy.typing import NDArray
+from pairs_of_texts import ISLANDS, RING_OF_SQUARES, SEVERAL_COMPONENTS, TRIANGLE
 
 Index = _core.ScaleSpaceIndex
 Rings = _core.IndexRings
@@ -21,27 +22,13 @@ FORMS = ("double", "homogeneous", "rational", "track")
 NUMBERS = {"double": ("x", "y"), "homogeneous": ("homogeneous",), "rational": ("rational",),
            "track": ("tracks",)}  # fmt: skip
 
-SQUARES = "MULTIPOLYGON({})".format(
-    ",".join(
-        f"(({x} {y},{x + 1} {y},{x + 1} {y + 1},{x} {y + 1},{x} {y}))"
-        for x, y in ((1, 0), (0, 1), (2, 1), (1, 2))
-    )
-)
 TEXTS = {
-    "islands": (
-        "POLYGON((0 0,3 0,1 2,0 0))",
-        "MULTIPOLYGON(((0 0,60 0,60 60,0 60,0 0),(5 5,5 55,55 55,55 5,5 5)),"
-        "((20 20,40 20,40 40,20 40,20 20),(24 24,24 36,36 36,36 24,24 24)),"
-        "((70 0,80 0,70 9,70 0)))",
-    ),
-    "several components": (
-        "MULTIPOLYGON(((0 0,2 0,0 2,0 0)),((5 5,6 5,6 6,5 5)))",
-        "MULTIPOLYGON(((0 0,7 0,7 7,0 7,0 0),(2 2,2 5,5 5,5 2,2 2)),((9 0,11 0,11 7,9 0)))",
-    ),
-    "touching": (SQUARES, "POLYGON((0 0,1 0,0 1,0 0))"),
-    "a point": ("POINT(-3 5)", SQUARES),
+    "islands": ISLANDS,
+    "several components": SEVERAL_COMPONENTS,
+    "touching": (RING_OF_SQUARES, TRIANGLE),
+    "a point": ("POINT(-3 5)", RING_OF_SQUARES),
     "a segment": ("POLYGON((0 0,3 0,3 3,2 3,2 1,0 3,0 0))", "LINESTRING(-1 2,3 -1)"),
-    "nothing": ("POLYGON EMPTY", "POLYGON((0 0,1 0,0 1,0 0))"),
+    "nothing": ("POLYGON EMPTY", TRIANGLE),
 }
 MODELS = {"letters": ("g1", "g2"), "right angles": ("g3", "g1")}
 NAMES = (*TEXTS, *MODELS, "huge and tiny", *(f"random {k}" for k in range(6)))
