@@ -140,7 +140,7 @@ class Growth {
 
   /// Whether a side, or the line of the edge, separates them, with this much room.
   static bool is_apart(const Corners& corners, const Edge& edge, double room) {
-    const auto& [a, b] = edge;
+    const Corner &a = edge[0], &b = edge[1];
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const Corner &u = corners[k], &v = corners[k + 1 == corners.size() ? 0 : k + 1];
       const double most = -room * (std::fabs(v[0] - u[0]) + std::fabs(v[1] - u[1]));
@@ -157,7 +157,7 @@ class Growth {
   /// Cuts by the line of the edge, or across the way to the nearest point of what of it is within:
   /// whichever leaves more.
   static void grow_up_to(const Corner& seed, const Edge& edge, Corners& corners) {
-    const auto& [a, b] = edge;
+    const Corner &a = edge[0], &b = edge[1];
     Corners by_line, across;
     if (left_of(a, b, seed) > 0) by_line = cut(corners, a, b);
     double from = 0, to = 1;
@@ -217,8 +217,9 @@ std::vector<ConvexPiece> convex_pieces(const PolygonSet& region, std::size_t mos
     return is_within(c, piece.corners, doubt);
   };
   for (const bool fill : {false, true}) {
-    for (const auto& [area, t] : triangles) {
+    for (const auto& candidate : triangles) {
       if (result.size() == most_pieces) return result;
+      const Corners& t = candidate.second;
       const Corner seed = middle_of(t);
       const auto holds = [&](const ConvexPiece& piece) {
         if (!fill) return lies_in(piece, seed, 0);

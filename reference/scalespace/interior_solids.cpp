@@ -10,11 +10,10 @@ namespace {
 
 constexpr std::size_t most_corners = 12;
 constexpr std::size_t most_pieces = 256;    // of an operand
-constexpr std::size_t most_pairs = 4096;    // to choose from
 constexpr std::size_t most_samples = 1024;  // to choose by
 constexpr std::size_t most_chosen = 192, most_chosen_at_once = 64,
                       most_chosen_of_use = 256;  // one holds at least that part of the samples
-constexpr int most_tries = 2000;                 // to find one to choose
+constexpr int tries_to_choose = 2000;            // to find a pair to choose
 constexpr double doubt = 0x1p-40;
 
 double size_of(const PolygonSet& set) {
@@ -142,7 +141,7 @@ std::optional<InteriorSolids::Pair> InteriorSolids::largest_pair(const SweptQuad
   const double room = room_for(quad);
   std::optional<Pair> result;
   double largest = 0;
-  each_candidate(quad, most_tries, [&](Pair pair) {
+  each_candidate(quad, tries_to_choose, [&](Pair pair) {
     const double own = area(pair, quad.low);
     if (own > largest && holds(pair, quad, room)) {
       result = pair;
