@@ -18,6 +18,7 @@ class Successors {
 
   void add(std::uint32_t link) { out_[at(link).from].push_back(link); }
   void remove(std::uint32_t link) { std::erase(out_[at(link).from], link); }
+  bool leaves_alone(std::uint32_t link) const { return out_[at(link).from].size() == 1; }
 
   /// Along the component of the interior on the left.
   std::uint32_t next(std::uint32_t link) const {
@@ -47,6 +48,39 @@ class Successors {
   std::vector<std::vector<std::uint32_t>> out_;
 };
 
+/// Links in circles, each link in one at most.
+class Circles {
+ public:
+  explicit Circles(std::size_t links) : next_(links, none), before_(links, none) {}
+
+  std::uint32_t next(std::uint32_t link) const { return next_[link]; }
+  std::uint32_t before(std::uint32_t link) const { return before_[link]; }
+
+  void add(const std::vector<std::uint32_t>& links) {
+    for (std::size_t k = 0; k < links.size(); ++k) {
+      join(links[k], links[k + 1 == links.size() ? 0 : k + 1]);
+    }
+  }
+
+  /// The way takes the place of what is between the two.
+  void put_between(std::uint32_t from, const std::vector<std::uint32_t>& way, std::uint32_t to) {
+    std::uint32_t last = from;
+    for (const std::uint32_t link : way) {
+      join(last, link);
+      last = link;
+    }
+    join(last, to);
+  }
+
+ private:
+  void join(std::uint32_t link, std::uint32_t other) {
+    next_[link] = other;
+    before_[other] = link;
+  }
+
+  std::vector<std::uint32_t> next_, before_;
+};
+
 class Builder {
  public:
   Builder(const SweptBoundary& swept, const MovingBoundary& boundary,
@@ -54,12 +88,13 @@ class Builder {
       : boundary_(boundary),
         directions_(directions),
         successors_(swept, boundary),
-        ring_of_(boundary.links.size(), none),
         place_(boundary.tracks.size(), none),
-        next_corner_(boundary.tracks.size(), none),
         changes_(boundary.events.size()),
         begin_(boundary.events.size() + 1),
-        end_(boundary.events.size() + 1) {
+        end_(boundary.events.size() + 1),
+        there_(boundary.links.size()),
+        entries_(boundary.links.size()),
+        is_traced_(boundary.links.size()) {
     for (std::uint32_t k = 0; k < boundary.links.size(); ++k) {
       begin_[boundary.links[k].first].push_back(k);
       end_[boundary.links[k].last].push_back(k);
@@ -71,12 +106,10 @@ class Builder {
     start_bucket(0);
     for (std::uint32_t interval = 1; interval < begin_.size(); ++interval) {
       const std::vector<std::uint32_t>&ended = end_[interval - 1], &begun = begin_[interval];
-      for (const std::uint32_t link : ended) {
-        successors_.remove(link);
-        std::erase(live_, link);
-      }
+      for (const std::uint32_t link : ended) successors_.remove(link);
       for (const std::uint32_t link : begun) insert(link);
-      if (size_ > live_.size() * 3 / 2 + 64 || !mend(interval, ended, begun)) {
+      live_ -= ended.size();
+      if (size_ > live_ * 3 / 2 + 64 || !mend(interval, ended, begun)) {
         finish_bucket(interval - 1);
         start_bucket(interval);
       }
@@ -86,198 +119,210 @@ class Builder {
   }
 
  private:
-  using Ring = std::vector<RingEntry>;
+  /// Where links of a ring end: between the two that go on those that begin take their place.
+  struct Gap {
+    std::uint32_t from, to;
+    std::vector<std::uint32_t> way;
+  };
 
   void insert(std::uint32_t link) {
     successors_.add(link);
-    live_.push_back(link);
+    in_order_.push_back(link);
+    ++live_;
   }
 
   /// All rings anew.
   void start_bucket(std::uint32_t interval) {
-    rings_.clear();
+    heads_.clear();
     size_ = 0;
     first_ = interval;
-    for (const std::uint32_t link : live_) ring_of_[link] = none;
-    for (const std::uint32_t link : live_) {
-      if (ring_of_[link] == none) trace(link, interval);
+    std::erase_if(in_order_, [&](std::uint32_t k) { return boundary_.links[k].last < interval; });
+    for (const std::uint32_t link : in_order_) is_traced_[link] = 0;
+    for (const std::uint32_t link : in_order_) {
+      if (is_traced_[link] == 0) trace(link);
     }
   }
 
   /// The walk of a link, split where it comes to a track again.
-  void trace(std::uint32_t start, std::uint32_t interval) {
+  void trace(std::uint32_t start) {
     std::vector<std::uint32_t> path;
     std::uint32_t link = start;
     do {
       place_[boundary_.links[link].from] = static_cast<std::uint32_t>(path.size());
       path.push_back(link);
-      ring_of_[link] = 0;
+      is_traced_[link] = 1;
       const std::uint32_t again = place_[boundary_.links[link].to];
       link = successors_.next(link);
       if (again == none) continue;
       const std::vector<std::uint32_t> ring(path.begin() + again, path.end());
       path.resize(again);
       for (const std::uint32_t other : ring) place_[boundary_.links[other].from] = none;
-      add_ring(ring, interval);
+      add_ring(ring);
     } while (link != start);
     if (!path.empty()) throw std::logic_error("a ring of the swept sum is not closed");
   }
 
-  void add_ring(const std::vector<std::uint32_t>& links, std::uint32_t interval) {
-    Ring& ring = rings_.emplace_back();
-    for (const std::uint32_t link : links) {
-      ring.push_back({link, interval, boundary_.links[link].last});
-      ring_of_[link] = static_cast<std::uint32_t>(rings_.size() - 1);
-    }
+  void add_ring(const std::vector<std::uint32_t>& links) {
+    heads_.push_back(links.front());
+    there_.add(links);
+    entries_.add(links);
     size_ += links.size();
   }
 
   /// Puts links that begin in the place of those that end. False where rings merge, split or touch.
   bool mend(std::uint32_t interval, const std::vector<std::uint32_t>& ended,
             const std::vector<std::uint32_t>& begun) {
-    std::vector<std::uint32_t> rings;
-    for (const std::uint32_t link : ended) rings.push_back(ring_of_[link]);
-    std::sort(rings.begin(), rings.end());
-    rings.erase(std::unique(rings.begin(), rings.end()), rings.end());
-    unplaced_ = begun;
-    for (const std::uint32_t link : begun) ring_of_[link] = none;
-    RingChange change{true, true, 0};
-    for (const std::uint32_t ring : rings) {
-      if (!mend_ring(ring, interval, change)) return false;
+    for (const std::uint32_t link : begun) {
+      if (!successors_.leaves_alone(link)) return false;
     }
-    change.same_rings = change.same_rings && unplaced_.empty();
+    const auto goes_on = [&](std::uint32_t link) { return boundary_.links[link].last >= interval; };
+    unplaced_ = begun;
+    std::vector<Gap> gaps;
+    std::size_t in_gaps = 0;
+    for (const std::uint32_t link : ended) {
+      if (!goes_on(there_.before(link))) continue;  // not the first of its gap, or no link goes on
+      Gap gap{there_.before(link), link, {}};
+      for (; !goes_on(gap.to); ++in_gaps) gap.to = there_.next(gap.to);
+      if (!find_way(gap)) return false;
+      gaps.push_back(std::move(gap));
+    }
+    const bool none_vanishes = in_gaps == ended.size(), none_appears = unplaced_.empty();
+    RingChange change = fill(gaps);
+    change.same_rings = none_vanishes && none_appears;
     while (!unplaced_.empty()) {
-      if (!new_ring(interval)) return false;
+      if (!new_ring()) return false;
     }
     changes_[interval - 1] = change;
     return true;
   }
 
-  /// Where a ring turns in an interval, by tracks.
-  void find_corners(const Ring& ring, std::uint32_t interval, std::vector<std::uint32_t>& corners) {
-    corners.clear();
-    std::uint32_t first = none, direction = none, first_track = none;
-    for (const RingEntry& entry : ring) {
-      if (entry.first > interval || entry.last < interval) continue;
-      const MovingLink& link = boundary_.links[entry.link];
-      const std::uint32_t own = directions_.number(link.edge);
-      if (first == none) {
-        first = own;
-        first_track = link.from;
-      } else if (own != direction) {
-        corners.push_back(link.from);
-      }
-      direction = own;
+  bool find_way(Gap& gap) {
+    for (std::uint32_t link = gap.from;;) {
+      link = successors_.next(link);
+      if (link == gap.to) return true;
+      if (!take(link)) return false;
+      gap.way.push_back(link);
     }
-    if (first != none && first != direction) corners.push_back(first_track);
   }
 
-  void compare_corners(const Ring& ring, std::uint32_t interval, RingChange& change) {
-    find_corners(ring, interval - 1, corners_below_);
-    find_corners(ring, interval, corners_);
-    change.more_vertices += static_cast<std::int64_t>(corners_.size()) -
-                            static_cast<std::int64_t>(corners_below_.size());
-    change.same_vertices = change.same_vertices && corners_.size() == corners_below_.size();
-    if (!change.same_vertices) return;
-    const auto next = [](const std::vector<std::uint32_t>& corners, std::size_t k) {
-      return corners[k + 1 == corners.size() ? 0 : k + 1];
-    };
-    for (std::size_t k = 0; k < corners_below_.size(); ++k) {
-      next_corner_[corners_below_[k]] = next(corners_below_, k);
-    }
-    for (std::size_t k = 0; k < corners_.size(); ++k) {
-      change.same_vertices = change.same_vertices && next_corner_[corners_[k]] == next(corners_, k);
-    }
-    for (const std::uint32_t corner : corners_below_) next_corner_[corner] = none;
+  /// Of the links that begin.
+  bool take(std::uint32_t link) {
+    const auto found = std::find(unplaced_.begin(), unplaced_.end(), link);
+    if (found == unplaced_.end()) return false;
+    unplaced_.erase(found);
+    return true;
   }
 
-  bool mend_ring(std::uint32_t number, std::uint32_t interval, RingChange& change) {
-    Ring& ring = rings_[number];
-    std::vector<std::size_t> there;  // entries just below
-    for (std::size_t k = 0; k < ring.size(); ++k) {
-      if (ring[k].first < interval && ring[k].last + 1 >= interval) there.push_back(k);
+  /// And says what becomes of the vertices of their rings.
+  RingChange fill(const std::vector<Gap>& gaps) {
+    const CornersOfGaps corners = corners_of(gaps);
+    std::vector<std::vector<std::uint32_t>> below;  // in the whole rings, where gaps do not say it
+    if (corners.are_in_other_order) {
+      for (const Gap& gap : gaps) below.push_back(corners_of_ring(gap.from));
     }
-    const auto goes_on = [&](std::size_t k) { return ring[k].last >= interval; };
-    const auto anchor = std::find_if(there.begin(), there.end(), goes_on);
-    if (anchor == there.end()) {  // the ring vanishes, or is made of new links
-      change.same_rings = false;
-      return true;
+    for (const Gap& gap : gaps) fill(gap);
+    RingChange change{true, corners.are_same, corners.more};
+    for (std::size_t k = 0; k < below.size(); ++k) {
+      if (!are_same(below[k], corners_of_ring(gaps[k].from))) change.same_vertices = false;
     }
-    std::rotate(there.begin(), anchor, there.end());
-    std::vector<std::pair<std::size_t, std::vector<std::uint32_t>>> insertions;
-    for (std::size_t k = 0; k < there.size();) {
-      std::size_t next = k + 1;
-      while (next < there.size() && !goes_on(there[next])) ++next;
-      const std::uint32_t before = ring[there[k]].link,
-                          behind = ring[there[next % there.size()]].link;
-      std::vector<std::uint32_t> way;
-      for (std::uint32_t link = before;;) {
-        link = successors_.next(link);
-        if (link == behind) break;
-        const auto found = std::find(unplaced_.begin(), unplaced_.end(), link);
-        if (found == unplaced_.end()) return false;
-        unplaced_.erase(found);
-        way.push_back(link);
-      }
-      if (!way.empty()) insertions.emplace_back(there[next - 1] + 1, std::move(way));
-      k = next;
-    }
-    std::sort(insertions.begin(), insertions.end(),
-              [](const auto& a, const auto& b) { return a.first > b.first; });
-    for (const auto& [place, links] : insertions) {
-      std::vector<RingEntry> entries;
-      for (const std::uint32_t link : links) {
-        entries.push_back({link, interval, boundary_.links[link].last});
-        ring_of_[link] = number;
-      }
-      ring.insert(ring.begin() + static_cast<std::ptrdiff_t>(place), entries.begin(),
-                  entries.end());
-      size_ += entries.size();
-    }
-    compare_corners(ring, interval, change);
-    return !touches_itself(ring, interval);
+    return change;
   }
 
-  bool touches_itself(const Ring& ring, std::uint32_t interval) {
-    bool result = false;
-    passed_.clear();
-    for (const RingEntry& entry : ring) {
-      if (entry.first > interval || entry.last < interval) continue;
-      const std::uint32_t track = boundary_.links[entry.link].from;
-      result = result || place_[track] != none;
-      place_[track] = 0;
-      passed_.push_back(track);
-    }
-    for (const std::uint32_t track : passed_) place_[track] = none;
-    return result;
+  void fill(const Gap& gap) {
+    const std::uint32_t last_ended = there_.before(gap.to);
+    there_.put_between(gap.from, gap.way, gap.to);
+    entries_.put_between(last_ended, gap.way, entries_.next(last_ended));
+    size_ += gap.way.size();
   }
 
   /// Of links that begin, and nothing else.
-  bool new_ring(std::uint32_t interval) {
+  bool new_ring() {
     const std::uint32_t start = unplaced_.front();
     std::vector<std::uint32_t> links;
     std::uint32_t link = start;
     do {
-      const auto found = std::find(unplaced_.begin(), unplaced_.end(), link);
-      if (found == unplaced_.end()) return false;
-      unplaced_.erase(found);
+      if (!take(link)) return false;
       links.push_back(link);
       link = successors_.next(link);
     } while (link != start);
-    add_ring(links, interval);
-    return !touches_itself(rings_.back(), interval);
+    add_ring(links);
+    return true;
   }
 
+  /// What a ring's corners are, by tracks, changes in its gaps only.
+  struct CornersOfGaps {
+    bool are_same = false;            ///< as sets
+    bool are_in_other_order = false;  ///< the same ones, not gap by gap
+    std::int64_t more = 0;
+  };
+  CornersOfGaps corners_of(const std::vector<Gap>& gaps) const {
+    std::vector<std::uint32_t> below, here;
+    bool is_same_in_each = true;
+    for (const Gap& gap : gaps) {
+      const std::size_t first_below = below.size(), first = here.size();
+      std::uint32_t before = gap.from;
+      const auto pass = [&](std::uint32_t link, std::vector<std::uint32_t>& corners) {
+        if (is_corner(before, link)) corners.push_back(boundary_.links[link].from);
+        before = link;
+      };
+      std::uint32_t link = gap.from;
+      do {
+        link = there_.next(link);
+        pass(link, below);
+      } while (link != gap.to);
+      before = gap.from;
+      for (const std::uint32_t begun : gap.way) pass(begun, here);
+      pass(gap.to, here);
+      is_same_in_each =
+          is_same_in_each &&
+          std::equal(below.begin() + static_cast<std::ptrdiff_t>(first_below), below.end(),
+                     here.begin() + static_cast<std::ptrdiff_t>(first), here.end());
+    }
+    if (is_same_in_each) return {true, false, 0};
+    const auto more =
+        static_cast<std::int64_t>(here.size()) - static_cast<std::int64_t>(below.size());
+    std::sort(below.begin(), below.end());
+    std::sort(here.begin(), here.end());
+    return {below == here, below == here, more};
+  }
+
+  bool is_corner(std::uint32_t before, std::uint32_t link) const {
+    return directions_.number(boundary_.links[before].edge) !=
+           directions_.number(boundary_.links[link].edge);
+  }
+
+  /// In order.
+  std::vector<std::uint32_t> corners_of_ring(std::uint32_t start) const {
+    std::vector<std::uint32_t> result;
+    std::uint32_t link = start;
+    do {
+      if (is_corner(there_.before(link), link)) result.push_back(boundary_.links[link].from);
+      link = there_.next(link);
+    } while (link != start);
+    return result;
+  }
+
+  /// Whether one is the other, begun elsewhere. A track is in a ring once.
+  static bool are_same(const std::vector<std::uint32_t>& some,
+                       const std::vector<std::uint32_t>& others) {
+    if (some.size() != others.size()) return false;
+    const auto first = std::find(others.begin(), others.end(), some.front());
+    return std::equal(first, others.end(), some.begin(), some.begin() + (others.end() - first)) &&
+           std::equal(others.begin(), first, some.begin() + (others.end() - first));
+  }
   void finish_bucket(std::uint32_t last) {
     RingBucket& bucket = buckets_.emplace_back();
     bucket.first = first_;
     bucket.last = last;
-    for (const Ring& ring : rings_) {
-      for (RingEntry entry : ring) {
-        if (entry.first > last) continue;
-        entry.last = std::min(entry.last, last);
-        bucket.entries.push_back(entry);
-      }
+    for (const std::uint32_t head : heads_) {
+      std::uint32_t link = head;
+      do {
+        const MovingLink& of = boundary_.links[link];
+        if (of.first <= last) {
+          bucket.entries.push_back({link, std::max(of.first, first_), std::min(of.last, last)});
+        }
+        link = entries_.next(link);
+      } while (link != head);
       const auto end = static_cast<std::uint32_t>(bucket.entries.size());
       if (bucket.ring_ends.empty() ? end > 0 : bucket.ring_ends.back() < end) {
         bucket.ring_ends.push_back(end);
@@ -288,18 +333,18 @@ class Builder {
   const MovingBoundary& boundary_;
   const EdgeDirections& directions_;
   Successors successors_;
-  std::vector<std::uint32_t> live_;
-  std::vector<std::uint32_t> ring_of_;
-  std::vector<std::uint32_t> place_;        // of a track in the path that is being traced
-  std::vector<std::uint32_t> next_corner_;  // of a track, in the ring that is being compared
-  std::vector<std::uint32_t> corners_below_, corners_, passed_;
+  std::vector<std::uint32_t> place_;  // of a track in the path that is being traced
   std::vector<RingChange> changes_;
   std::vector<std::vector<std::uint32_t>> begin_, end_;  // links by their intervals
   std::vector<RingBucket> buckets_;
+  std::vector<std::uint32_t> in_order_;  // links that are there, and some that ended
+  std::size_t live_ = 0;
   // Of the bucket that is being made:
   std::uint32_t first_ = 0;
-  std::size_t size_ = 0;
-  std::vector<Ring> rings_;
+  std::size_t size_ = 0;              // of its entries
+  std::vector<std::uint32_t> heads_;  // the first entry of each ring
+  Circles there_, entries_;           // the rings as they are now; with links that ended
+  std::vector<char> is_traced_;
   std::vector<std::uint32_t> unplaced_;
 };
 
