@@ -186,9 +186,10 @@ class Builder {
       if (!find_way(gap)) return false;
       gaps.push_back(std::move(gap));
     }
-    const bool none_vanishes = in_gaps == ended.size(), none_appears = unplaced_.empty();
-    RingChange change = fill(gaps);
-    change.same_rings = none_vanishes && none_appears;
+    RingChange change;
+    change.same_rings = in_gaps == ended.size() && unplaced_.empty();
+    if (!compare_corners(gaps, change)) return false;
+    for (const Gap& gap : gaps) fill(gap);
     while (!unplaced_.empty()) {
       if (!new_ring()) return false;
     }
@@ -213,21 +214,6 @@ class Builder {
     return true;
   }
 
-  /// And says what becomes of the vertices of their rings.
-  RingChange fill(const std::vector<Gap>& gaps) {
-    const CornersOfGaps corners = corners_of(gaps);
-    std::vector<std::vector<std::uint32_t>> below;  // in the whole rings, where gaps do not say it
-    if (corners.are_in_other_order) {
-      for (const Gap& gap : gaps) below.push_back(corners_of_ring(gap.from));
-    }
-    for (const Gap& gap : gaps) fill(gap);
-    RingChange change{true, corners.are_same, corners.more};
-    for (std::size_t k = 0; k < below.size(); ++k) {
-      if (!are_same(below[k], corners_of_ring(gaps[k].from))) change.same_vertices = false;
-    }
-    return change;
-  }
-
   void fill(const Gap& gap) {
     const std::uint32_t last_ended = there_.before(gap.to);
     there_.put_between(gap.from, gap.way, gap.to);
@@ -249,13 +235,9 @@ class Builder {
     return true;
   }
 
-  /// What a ring's corners are, by tracks, changes in its gaps only.
-  struct CornersOfGaps {
-    bool are_same = false;            ///< as sets
-    bool are_in_other_order = false;  ///< the same ones, not gap by gap
-    std::int64_t more = 0;
-  };
-  CornersOfGaps corners_of(const std::vector<Gap>& gaps) const {
+  /// The corners of a ring, by tracks, change in its gaps only. False where they are the same ones
+  /// in another order, or in other gaps: then only the whole rings tell.
+  bool compare_corners(const std::vector<Gap>& gaps, RingChange& change) const {
     std::vector<std::uint32_t> below, here;
     bool is_same_in_each = true;
     for (const Gap& gap : gaps) {
@@ -278,12 +260,13 @@ class Builder {
           std::equal(below.begin() + static_cast<std::ptrdiff_t>(first_below), below.end(),
                      here.begin() + static_cast<std::ptrdiff_t>(first), here.end());
     }
-    if (is_same_in_each) return {true, false, 0};
-    const auto more =
+    change.same_vertices = is_same_in_each;
+    if (is_same_in_each) return true;
+    change.more_vertices =
         static_cast<std::int64_t>(here.size()) - static_cast<std::int64_t>(below.size());
     std::sort(below.begin(), below.end());
     std::sort(here.begin(), here.end());
-    return {below == here, below == here, more};
+    return below != here;
   }
 
   bool is_corner(std::uint32_t before, std::uint32_t link) const {
@@ -291,25 +274,6 @@ class Builder {
            directions_.number(boundary_.links[link].edge);
   }
 
-  /// In order.
-  std::vector<std::uint32_t> corners_of_ring(std::uint32_t start) const {
-    std::vector<std::uint32_t> result;
-    std::uint32_t link = start;
-    do {
-      if (is_corner(there_.before(link), link)) result.push_back(boundary_.links[link].from);
-      link = there_.next(link);
-    } while (link != start);
-    return result;
-  }
-
-  /// Whether one is the other, begun elsewhere. A track is in a ring once.
-  static bool are_same(const std::vector<std::uint32_t>& some,
-                       const std::vector<std::uint32_t>& others) {
-    if (some.size() != others.size()) return false;
-    const auto first = std::find(others.begin(), others.end(), some.front());
-    return std::equal(first, others.end(), some.begin(), some.begin() + (others.end() - first)) &&
-           std::equal(others.begin(), first, some.begin() + (others.end() - first));
-  }
   void finish_bucket(std::uint32_t last) {
     RingBucket& bucket = buckets_.emplace_back();
     bucket.first = first_;

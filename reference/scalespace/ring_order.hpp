@@ -44,7 +44,8 @@ struct RingOrder {
 };
 
 /// Where the boundary touches itself its walks along the components are split into simple rings
-/// (docs/definitions.md, "Canonical form"). O(sum of the rings that change at each event).
+/// (docs/definitions.md, "Canonical form"). O(links that begin and end), and of all the rings where
+/// some merge, split or touch.
 RingOrder ring_order(const SweptBoundary& swept, const MovingBoundary& boundary,
                      const EdgeDirections& directions);
 
