@@ -49,6 +49,8 @@ namespace minkref {
   X(boundary_piece_at_event_lost, "pieces of the boundary at the scale of an event are lost") \
   X(smallest_part_goes_on, "where a hole splits, its smallest part keeps its name")           \
   X(touch_overlooked, "a hole in several parts at one scale only is no event")                \
+  X(only_both_sides_compared,                                                                 \
+    "the boundary below a scale is compared with that above, not with that at the scale")     \
   X(tight_points_missed, "tight points on no tight segment are missed")                       \
   X(tight_unproved, "any sub-edge with edges both ways is tight")                             \
   X(wedges_forgotten, "tight passages from the rings as given, not wedge by wedge")           \

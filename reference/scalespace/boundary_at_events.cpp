@@ -164,7 +164,7 @@ class Event {
         leaving[point] += l.first <= event_ && l.last > event_ ? 1 : 0;
       }
     }
-    for (const PieceAtEvent& piece : result_.pieces) ++leaving[number(piece.from)];
+    for (const BoundaryLink& piece : result_.pieces) ++leaving[number(piece.from)];
     result_.pinched =
         std::any_of(leaving.begin(), leaving.end(), [](std::uint32_t n) { return n > 1; });
   }
@@ -182,11 +182,6 @@ class Event {
 };
 
 }  // namespace
-
-std::uint32_t BoundaryAtEvent::standing_for(std::uint32_t track) const {
-  const auto found = std::lower_bound(merged.begin(), merged.end(), std::pair(track, 0U));
-  return found != merged.end() && found->first == track ? found->second : track;
-}
 
 std::vector<BoundaryAtEvent> boundary_at_events(const MovingBoundary& boundary,
                                                 const EdgeDirections& directions) {

@@ -1,7 +1,7 @@
 // The corners of the rings of a bucket, each for the scales at which it is one.
 #pragma once
 
-#include "reference/scalespace/edge_directions.hpp"
+#include "reference/plane/critical/edge_directions.hpp"
 #include "reference/scalespace/ring_order.hpp"
 
 namespace minkref {

@@ -109,8 +109,9 @@ class Naming {
 }  // namespace
 
 TopologyTimeline feature_timeline(const SweptBoundary& swept, const MovingBoundary& boundary,
+                                  const EdgeDirections& directions,
                                   const std::vector<BoundaryAtEvent>& at_events, RingOrder& order) {
-  const LinkHistory history(swept, boundary, at_events, order);
+  const LinkHistory history(swept, boundary, directions, at_events, order);
   std::vector<Known> all;
   const auto look = [&](const FeaturesFrom& state) {
     Known known{state.interval, history.bucket_of(state.interval), {}};

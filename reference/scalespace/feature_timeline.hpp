@@ -10,6 +10,7 @@ namespace minkref {
 /// comes to bound something else. Groups of the result are events. Exact. O(b) for each event that
 /// is not quiet and a boundary of b links.
 TopologyTimeline feature_timeline(const SweptBoundary& swept, const MovingBoundary& boundary,
+                                  const EdgeDirections& directions,
                                   const std::vector<BoundaryAtEvent>& at_events, RingOrder& order);
 
 }  // namespace minkref

@@ -160,7 +160,7 @@ class Writing {
     for (std::size_t k = 0; k < all.size(); ++k) {
       begin(all[k].is_plain() && order.changes[k].same_rings);
       for (const auto& [track, other] : all[k].merged) merged.push_back({track, other});
-      for (const PieceAtEvent& p : all[k].pieces) {
+      for (const BoundaryLink& p : all[k].pieces) {
         pieces.push_back({p.from, p.to, p.edge, p.before, p.after});
       }
     }
@@ -251,7 +251,8 @@ IndexImage index_image(const PolygonSet& P, const PolygonSet& Q, const ScaleWind
   control.check_memory();
   control.report(stage, 3, steps);
   TopologyTimeline timeline;
-  if (!boundary.links.empty()) timeline = feature_timeline(swept, boundary, at_events, order);
+  if (!boundary.links.empty())
+    timeline = feature_timeline(swept, boundary, directions, at_events, order);
   control.report(stage, 4, steps);
   refuse_too_large(boundary, order);
   Writing writing;

@@ -6,78 +6,17 @@
 namespace minkref {
 
 LinkHistory::LinkHistory(const SweptBoundary& swept, const MovingBoundary& boundary,
+                         const EdgeDirections& directions,
                          const std::vector<BoundaryAtEvent>& at_events, const RingOrder& order)
     : swept_(swept),
       boundary_(boundary),
+      directions_(directions),
       at_events_(at_events),
       order_(order),
       groups_(boundary.events.size()),
-      begin_(boundary.events.size() + 1),
-      end_(boundary.events.size() + 1),
       ring_of_link_(boundary.links.size()) {
   std::iota(groups_.begin(), groups_.end(), 0U);
-  for (std::uint32_t k = 0; k < boundary.links.size(); ++k) {
-    begin_[boundary.links[k].first].push_back(k);
-    end_[boundary.links[k].last].push_back(k);
-  }
-}
-
-std::vector<std::uint32_t> LinkHistory::sub_edges_in(std::uint32_t interval) const {
-  std::vector<std::uint32_t> result;
-  for (std::uint32_t k = 0; k < boundary_.links.size(); ++k) {
-    const MovingLink& link = boundary_.links[k];
-    if (link.first <= interval && interval <= link.last) result.push_back(k);
-  }
-  return result;
-}
-
-BoundaryState LinkHistory::between(const std::vector<std::uint32_t>& sub_edges) const {
-  BoundaryState state;
-  for (const std::uint32_t k : sub_edges) {
-    const MovingLink& link = boundary_.links[k];
-    state.links.push_back({link.from, link.to, link.edge, k, k});
-  }
-  return state;
-}
-
-BoundaryState LinkHistory::at_group(std::uint32_t group,
-                                    const std::vector<std::uint32_t>& sub_edges) const {
-  const BoundaryAtEvent& here = at_events_[group];
-  BoundaryState state;
-  for (const std::uint32_t k : sub_edges) {
-    const MovingLink& link = boundary_.links[k];
-    if (link.last <= group) continue;
-    state.links.push_back(
-        {here.standing_for(link.from), here.standing_for(link.to), link.edge, k, k});
-  }
-  for (const PieceAtEvent& piece : here.pieces) {
-    state.links.push_back({piece.from, piece.to, piece.edge, piece.before, piece.after});
-  }
-  return state;
-}
-
-std::vector<std::uint32_t> LinkHistory::edges_at(std::uint32_t group) const {
-  std::vector<std::uint32_t> edges;
-  for (const auto* list : {&end_[group], &begin_[group + 1]}) {
-    for (const std::uint32_t k : *list) edges.push_back(boundary_.links[k].edge);
-  }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  return edges;
-}
-
-std::optional<Point> LinkHistory::place_at(std::uint32_t group) const {
-  const BoundaryAtEvent& here = at_events_[group];
-  std::optional<std::uint32_t> track;
-  if (!here.merged.empty()) {
-    track = here.merged.front().first;
-  } else if (!end_[group].empty()) {
-    track = boundary_.links[end_[group].front()].from;
-  } else if (!begin_[group + 1].empty()) {
-    track = boundary_.links[begin_[group + 1].front()].from;
-  }
-  if (!track) return std::nullopt;
-  return boundary_.tracks[*track].at(boundary_.events[group]);
+  sort_by_interval();
 }
 
 std::optional<BoundaryHistory::Quiet> LinkHistory::quiet(std::uint32_t group) const {

@@ -13,29 +13,20 @@ namespace minkref {
 class LinkHistory : public BoundaryHistory {
  public:
   LinkHistory(const SweptBoundary& swept, const MovingBoundary& boundary,
-              const std::vector<BoundaryAtEvent>& at_events, const RingOrder& order);
+              const EdgeDirections& directions, const std::vector<BoundaryAtEvent>& at_events,
+              const RingOrder& order);
 
   const std::vector<Track>& tracks() const override { return boundary_.tracks; }
   const std::vector<RationalEdge>& moving() const override { return swept_.moving; }
+  const EdgeDirections& directions() const override { return directions_; }
   const ScaleWindow& window() const override { return swept_.window; }
   std::uint32_t group_count() const override {
     return static_cast<std::uint32_t>(boundary_.events.size());
   }
   Rational scale(std::uint32_t group) const override { return boundary_.events[group]; }
   const std::vector<std::uint32_t>& groups() const override { return groups_; }
-  std::size_t sub_edge_count() const override { return boundary_.links.size(); }
-  std::vector<std::uint32_t> sub_edges_in(std::uint32_t interval) const override;
-  const std::vector<std::uint32_t>& begin_with(std::uint32_t interval) const override {
-    return begin_[interval];
-  }
-  const std::vector<std::uint32_t>& end_with(std::uint32_t interval) const override {
-    return end_[interval];
-  }
-  BoundaryState between(const std::vector<std::uint32_t>& sub_edges) const override;
-  BoundaryState at_group(std::uint32_t group,
-                         const std::vector<std::uint32_t>& sub_edges) const override;
-  std::vector<std::uint32_t> edges_at(std::uint32_t group) const override;
-  std::optional<Point> place_at(std::uint32_t group) const override;
+  const std::vector<MovingLink>& sub_edges() const override { return boundary_.links; }
+  BoundaryAtGroup at_group(std::uint32_t group) const override { return at_events_[group]; }
   std::optional<Quiet> quiet(std::uint32_t group) const override;
   /// The number of the ring in its bucket.
   std::uint32_t ring_of(std::uint32_t link, std::uint32_t interval) const override;
@@ -45,11 +36,11 @@ class LinkHistory : public BoundaryHistory {
  private:
   const SweptBoundary& swept_;
   const MovingBoundary& boundary_;
+  const EdgeDirections& directions_;
   const std::vector<BoundaryAtEvent>& at_events_;
   const RingOrder& order_;
   std::vector<std::uint32_t> groups_;
-  std::vector<std::vector<std::uint32_t>> begin_, end_;  ///< links, by interval
-  mutable std::size_t bucket_ = SIZE_MAX;                ///< whose rings stand in the next line
+  mutable std::size_t bucket_ = SIZE_MAX;  ///< whose rings stand in the next line
   mutable std::vector<std::uint32_t> ring_of_link_;
 };
 

@@ -4,17 +4,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "reference/plane/dynamic/node_track.hpp"
+#include "reference/plane/dynamic/boundary_history.hpp"
 #include "reference/scalespace/swept_boundary.hpp"
 
 namespace minkref {
-
-/// A directed straight piece of the boundary, the sum on its left.
-struct MovingLink {
-  std::uint32_t from = 0, to = 0;     ///< tracks
-  std::uint32_t edge = 0;             ///< of the convolution, the first of those that it is on
-  std::uint32_t first = 0, last = 0;  ///< intervals of scales, both included
-};
 
 /// Two tracks that meet at the scale of an event, and go apart again.
 struct TrackContact {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "reference/scalespace/edge_directions.hpp"
+#include "reference/plane/critical/edge_directions.hpp"
 #include "reference/scalespace/moving_boundary.hpp"
 
 namespace minkref {

@@ -17,8 +17,9 @@ std::string names(const std::vector<std::uint32_t>& features) {
   return text;
 }
 
-/// All that two timelines should agree on, as text. Places are compared where a feature vanishes or
-/// appears: elsewhere a route is free to name one of several.
+std::string place(const Point& p) { return " at " + to_string(p.x) + "," + to_string(p.y); }
+
+/// All that two timelines say, as text.
 std::vector<std::string> account(const TopologyTimeline& timeline, const ScaleWindow& window,
                                  const std::function<Rational(std::uint32_t)>& scale) {
   const auto is_within = [&](std::uint32_t group) {
@@ -29,18 +30,15 @@ std::vector<std::string> account(const TopologyTimeline& timeline, const ScaleWi
   for (const BoundaryEvent& event : timeline.boundary) {
     if (!is_within(event.group)) continue;
     lines.push_back("boundary " + to_string(scale(event.group)) + " " +
-                    std::to_string(static_cast<int>(event.change)));
+                    std::to_string(static_cast<int>(event.change)) + names(event.edges) +
+                    place(event.place));
   }
   for (const TopologyEvent& event : timeline.topology) {
     if (!is_within(event.group)) continue;
-    using Change = TopologyEvent::Change;
-    const bool has_place = event.change == Change::birth || event.change == Change::death;
-    lines.push_back(
-        "topology " + to_string(scale(event.group)) + " " +
-        std::to_string(static_cast<int>(event.kind)) +
-        std::to_string(static_cast<int>(event.change)) + names(event.before) + " to" +
-        names(event.after) + " parts " + std::to_string(event.at) +
-        (has_place ? " at " + to_string(event.place.x) + "," + to_string(event.place.y) : ""));
+    lines.push_back("topology " + to_string(scale(event.group)) + " " +
+                    std::to_string(static_cast<int>(event.kind)) +
+                    std::to_string(static_cast<int>(event.change)) + names(event.before) + " to" +
+                    names(event.after) + " parts " + std::to_string(event.at) + place(event.place));
   }
   for (const auto* list : {&timeline.holes, &timeline.components}) {
     for (std::size_t k = 0; k < list->size(); ++k) {
@@ -68,6 +66,14 @@ std::string difference(const PolygonSet& P, const PolygonSet& Q, const ScaleWind
   return "";
 }
 
+/// The boundary events of an index that lie in a window, as text.
+std::vector<std::string> boundary_events(const ScaleSpaceIndex& index, const ScaleWindow& window) {
+  std::vector<std::string> lines =
+      account(index.timeline(), window, [&](std::uint32_t event) { return index.event(event); });
+  std::erase_if(lines, [](const std::string& line) { return line[0] != 'b'; });
+  return lines;
+}
+
 ScaleWindow some_window(const Case& c) {
   if (c.scale == 1) return {};
   if (c.scale == 2) return {Rational(1, 3), std::nullopt};
@@ -89,6 +95,38 @@ TEST(FeatureTimeline, EventsAtTheEndsOfTheWindowAreInIt) {
         c.P, c.Q,
         {dynamic.states().scale(groups[0]), dynamic.states().scale(groups[groups.size() / 2])});
   });
+}
+
+TEST(FeatureTimeline, ParentsAndPlacesDoNotDependOnTheWindow) {
+  MINKREF_SEEDED(random, 932);
+  expect_law(random, 60, [](const Case& c) -> std::string {
+    const ScaleWindow narrow{Rational(3, 4), Rational(7, 4)};
+    const auto in_all = boundary_events(ScaleSpaceIndex(c.P, c.Q, {}), narrow),
+               in_part = boundary_events(ScaleSpaceIndex(c.P, c.Q, narrow), narrow);
+    for (std::size_t k = 0; k < std::max(in_all.size(), in_part.size()); ++k) {
+      const std::string a = k < in_all.size() ? in_all[k] : "nothing",
+                        b = k < in_part.size() ? in_part[k] : "nothing";
+      if (a != b) return "in all scales " + a + ", in a window " + b;
+    }
+    return "";
+  });
+}
+
+/// Below and above, an edge joins the same two tracks; at the scale they are one point.
+TEST(FeatureTimeline, AnEdgeThatTurnsRoundInAPointIsATouch) {
+  const PolygonSet P{{{{{-1, -1}, {0, -1}, {0, 0}}, {}}, {{{1, 1}, {0, 2}, {0, 1}}, {}}}};
+  const PolygonSet Q{{{{{0, 2}, {0, 0}, {1, 0}}, {}}, {{{-2, 1}, {-3, -1}, {-2, 0}}, {}}}};
+  const ScaleWindow window{Rational(7, 5), Rational(8, 5)};
+  EXPECT_EQ(difference(P, Q, window), "");
+  const ScaleSpaceIndex index(P, Q, window);
+  const TopologyTimeline timeline = index.timeline();
+  ASSERT_EQ(timeline.boundary.size(), 1U);
+  const BoundaryEvent& event = timeline.boundary[0];
+  EXPECT_EQ(index.event(event.group), Rational(3, 2));
+  EXPECT_EQ(event.change, BoundaryEvent::Change::touch);
+  EXPECT_EQ(event.place, (Point{Rational(-3, 2), Rational(1, 2)}));
+  EXPECT_EQ(event.edges.size(), 4U);
+  EXPECT_TRUE(timeline.topology.empty());
 }
 
 TEST(FeatureTimeline, PartsOfOneAreaThatTouchInTheirLeastPointHaveAnOrder) {

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <optional>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
+#include "reference/plane/critical/edge_directions.hpp"
 #include "reference/plane/critical/pair_events.hpp"
 #include "reference/plane/dynamic/boundary_cycles.hpp"
 #include "reference/plane/dynamic/edge_history.hpp"
@@ -11,23 +14,45 @@
 
 namespace minkref {
 
+/// A directed straight piece of the boundary, the sum on its left, for some intervals in a row.
+struct MovingLink {
+  std::uint32_t from = 0, to = 0;     ///< tracks
+  std::uint32_t edge = 0;             ///< of the convolution; one of those that it is on
+  std::uint32_t first = 0, last = 0;  ///< intervals of scales, both included
+};
+
 /// Boundary links between points; a point is a track, or several tracks that coincide.
 struct BoundaryState {
   std::vector<BoundaryLink> links;  ///< `before` and `after`: sub-edges, or no_sub_edge
 };
 
-/// A scale at which the vertices of the boundary or their order change.
+/// What is not as the sub-edges that go on have it at the scale of a group.
+struct BoundaryAtGroup {
+  /// Tracks that are at one point, each with the least of them, which stands for it; sorted. Those
+  /// that stand for themselves are left out.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> merged;
+  /// Between tracks that stand for their points: parts of sub-edges that begin, end or are
+  /// interrupted.
+  std::vector<BoundaryLink> pieces;
+  std::vector<std::uint32_t> interrupted;  ///< sub-edges that go on, in pieces here; sorted
+
+  std::uint32_t standing_for(std::uint32_t track) const;
+  bool is_interrupted(std::uint32_t sub_edge) const;
+};
+
+/// A scale at which the boundary is not the same moving figure just below, at and just above
+/// (docs/definitions.md, "Boundary events").
 struct BoundaryEvent {
   enum class Change : std::uint8_t {
     birth,  ///< there are more vertices above than below
     death,  ///< fewer
     swap,   ///< as many, others
-    touch   ///< the same: the boundary touches itself at this scale only
+    touch   ///< the same, in the same order: only the boundary at the scale is another
   };
   std::uint32_t group = 0;
   Change change = Change::birth;
-  std::vector<std::uint32_t> edges;  ///< convolution edges through the places where it changes
-  Point place;                       ///< one of those places
+  std::vector<std::uint32_t> edges;  ///< parents: convolution edges along it at its places
+  Point place;                       ///< the least of its places
 };
 
 /// Sub-edges, each between two tracks for some intervals of scales in a row. Scales at which
@@ -38,6 +63,7 @@ class BoundaryHistory {
 
   virtual const std::vector<Track>& tracks() const = 0;
   virtual const std::vector<RationalEdge>& moving() const = 0;  ///< the convolution's edges
+  virtual const EdgeDirections& directions() const = 0;         ///< of those edges
   /// Open.
   virtual const ScaleWindow& window() const = 0;
   virtual std::uint32_t group_count() const = 0;
@@ -45,22 +71,19 @@ class BoundaryHistory {
 
   /// Groups at which a sub-edge begins, ends, or is touched; ascending.
   virtual const std::vector<std::uint32_t>& groups() const = 0;
-  virtual std::size_t sub_edge_count() const = 0;
-  virtual std::vector<std::uint32_t> sub_edges_in(std::uint32_t interval) const = 0;
+  virtual const std::vector<MovingLink>& sub_edges() const = 0;
+  virtual BoundaryAtGroup at_group(std::uint32_t group) const = 0;
+
+  std::vector<std::uint32_t> sub_edges_in(std::uint32_t interval) const;
   /// Sub-edges that begin with an interval, and those that end with it.
-  virtual const std::vector<std::uint32_t>& begin_with(std::uint32_t interval) const = 0;
-  virtual const std::vector<std::uint32_t>& end_with(std::uint32_t interval) const = 0;
+  const std::vector<std::uint32_t>& begin_with(std::uint32_t interval) const;
+  const std::vector<std::uint32_t>& end_with(std::uint32_t interval) const;
 
   /// Of an interval with these sub-edges. Duplicates included.
-  virtual BoundaryState between(const std::vector<std::uint32_t>& sub_edges) const = 0;
+  BoundaryState between(const std::vector<std::uint32_t>& sub_edges) const;
   /// At the scale of a group, from the sub-edges of the interval before it. Duplicates included.
-  virtual BoundaryState at_group(std::uint32_t group,
-                                 const std::vector<std::uint32_t>& sub_edges) const = 0;
-
-  /// Convolution edges through the places where something happens at a group, ascending.
-  virtual std::vector<std::uint32_t> edges_at(std::uint32_t group) const = 0;
-  /// Such a place, if one is known.
-  virtual std::optional<Point> place_at(std::uint32_t group) const = 0;
+  BoundaryState at(std::uint32_t group, const BoundaryAtGroup& here,
+                   const std::vector<std::uint32_t>& sub_edges) const;
 
   /// Groups that surely leave holes and components as they are: what is known of them without a
   /// look at the whole boundary. `change`: none where the vertices stay as well.
@@ -73,6 +96,13 @@ class BoundaryHistory {
   virtual std::uint32_t ring_of(std::uint32_t sub_edge, std::uint32_t /*interval*/) const {
     return sub_edge;
   }
+
+ protected:
+  /// Once the sub-edges are there, before anything else is asked.
+  void sort_by_interval();
+
+ private:
+  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> begin_, end_;  ///< by interval
 };
 
 }  // namespace minkref

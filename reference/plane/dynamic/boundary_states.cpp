@@ -25,20 +25,13 @@ std::pair<std::size_t, std::size_t> of_group(const std::vector<T>& items, std::u
           static_cast<std::size_t>(last - items.begin())};
 }
 
-const std::vector<std::uint32_t> nothing;
-
 }  // namespace
 
-struct BoundaryStates::Known {
-  std::unordered_map<std::uint64_t, std::uint32_t> track_of_node;
-  std::unordered_map<std::uint32_t, std::vector<std::uint32_t>> begin, end;  ///< by interval
-};
-
 BoundaryStates::BoundaryStates(std::shared_ptr<const ArrangementTimeline> timeline)
-    : timeline_(std::move(timeline)), known_(std::make_shared<Known>()) {
+    : timeline_(std::move(timeline)), directions_(edge_directions(timeline_->events->moving())) {
   std::map<std::array<Rational, 4>, std::uint32_t> track_of_value;
   const auto track = [&](std::uint32_t edge, std::uint32_t node) {
-    const auto [place, fresh] = known_->track_of_node.try_emplace(key_of(edge, node), 0U);
+    const auto [place, fresh] = track_of_node_.try_emplace(key_of(edge, node), 0U);
     if (!fresh) return place->second;
     const Track value = timeline_->track(edge, node);
     const auto [known, is_new] = track_of_value.try_emplace(
@@ -46,12 +39,9 @@ BoundaryStates::BoundaryStates(std::shared_ptr<const ArrangementTimeline> timeli
     if (is_new) tracks_.push_back(value);
     return place->second = known->second;
   };
-  for (std::uint32_t i = 0; i < timeline_->sub_edges.size(); ++i) {
-    const SubEdge& s = timeline_->sub_edges[i];
-    from_.push_back(track(s.edge, s.from));
-    to_.push_back(track(s.edge, s.to));
-    known_->begin[s.first].push_back(i);
-    known_->end[s.last].push_back(i);
+  for (const SubEdge& s : timeline_->sub_edges) {
+    const std::uint32_t from = track(s.edge, s.from), to = track(s.edge, s.to);
+    links_.push_back({from, to, s.edge, s.first, s.last});
     if (s.first > 0) groups_.push_back(s.first - 1);
     if (s.last < timeline_->events->groups()) groups_.push_back(s.last);
   }
@@ -66,6 +56,7 @@ BoundaryStates::BoundaryStates(std::shared_ptr<const ArrangementTimeline> timeli
   }
   std::sort(groups_.begin(), groups_.end());
   groups_.erase(std::unique(groups_.begin(), groups_.end()), groups_.end());
+  sort_by_interval();
 }
 
 bool BoundaryStates::touches_boundary(std::uint32_t group) const {
@@ -73,37 +64,10 @@ bool BoundaryStates::touches_boundary(std::uint32_t group) const {
 }
 
 std::uint32_t BoundaryStates::track_of(std::uint32_t edge, std::uint32_t node) const {
-  return known_->track_of_node.at(key_of(edge, node));
+  return track_of_node_.at(key_of(edge, node));
 }
 
-std::vector<std::uint32_t> BoundaryStates::sub_edges_in(std::uint32_t interval) const {
-  std::vector<std::uint32_t> result;
-  for (std::uint32_t i = 0; i < timeline_->sub_edges.size(); ++i) {
-    const SubEdge& s = timeline_->sub_edges[i];
-    if (s.first <= interval && interval <= s.last) result.push_back(i);
-  }
-  return result;
-}
-
-const std::vector<std::uint32_t>& BoundaryStates::begin_with(std::uint32_t interval) const {
-  const auto found = known_->begin.find(interval);
-  return found == known_->begin.end() ? nothing : found->second;
-}
-const std::vector<std::uint32_t>& BoundaryStates::end_with(std::uint32_t interval) const {
-  const auto found = known_->end.find(interval);
-  return found == known_->end.end() ? nothing : found->second;
-}
-
-BoundaryState BoundaryStates::between(const std::vector<std::uint32_t>& sub_edges) const {
-  BoundaryState state;
-  for (const std::uint32_t s : sub_edges) {
-    state.links.push_back({from_[s], to_[s], timeline_->sub_edges[s].edge, s, s});
-  }
-  return state;
-}
-
-BoundaryState BoundaryStates::at_group(std::uint32_t group,
-                                       const std::vector<std::uint32_t>& sub_edges) const {
+BoundaryAtGroup BoundaryStates::at_group(std::uint32_t group) const {
   // Tracks that coincide: each stands for the least of them.
   std::unordered_map<std::uint32_t, std::uint32_t> parent;
   const auto find = [&](std::uint32_t track) {
@@ -137,57 +101,21 @@ BoundaryState BoundaryStates::at_group(std::uint32_t group,
       }
     }
   }
+  BoundaryAtGroup here;
+  for (const auto& [track, other] : parent) here.merged.emplace_back(track, find(track));
+  std::sort(here.merged.begin(), here.merged.end());
   const auto cut = of_group(timeline_->interrupted, group, [](const auto& c) { return c.first; });
-  std::vector<std::uint32_t> interrupted;
   for (std::size_t i = cut.first; i < cut.second; ++i) {
-    interrupted.push_back(timeline_->interrupted[i].second);
+    here.interrupted.push_back(timeline_->interrupted[i].second);
   }
-  std::sort(interrupted.begin(), interrupted.end());
-
-  BoundaryState state;
-  for (const std::uint32_t s : sub_edges) {
-    if (timeline_->sub_edges[s].last <= group) continue;
-    if (std::binary_search(interrupted.begin(), interrupted.end(), s)) continue;
-    state.links.push_back({find(from_[s]), find(to_[s]), timeline_->sub_edges[s].edge, s, s});
-  }
+  std::sort(here.interrupted.begin(), here.interrupted.end());
   for (std::size_t i = pieces.first; i < pieces.second; ++i) {
     const SubEdgeAtGroup& piece = timeline_->at_groups[i];
-    state.links.push_back({find(track_of(piece.edge, piece.from)),
+    here.pieces.push_back({find(track_of(piece.edge, piece.from)),
                            find(track_of(piece.edge, piece.to)), piece.edge, piece.before,
                            piece.after});
   }
-  return state;
-}
-
-std::span<const CoincidentNodes> BoundaryStates::coincident_at(std::uint32_t group) const {
-  const auto& all = timeline_->coincident;
-  const auto [first, last] = of_group(all, group, [](const auto& b) { return b.group; });
-  return {all.data() + first, all.data() + last};
-}
-
-std::vector<std::uint32_t> BoundaryStates::edges_at(std::uint32_t group) const {
-  std::vector<std::uint32_t> edges;
-  for (const CoincidentNodes& block : coincident_at(group)) {
-    edges.push_back(block.edge);
-    for (const std::uint32_t node : block.nodes) {
-      if (node != start_of_edge && node != end_of_edge) {
-        edges.push_back(timeline_->events->table().nodes[node].other);
-      }
-    }
-  }
-  // A ring that vanishes or appears in a point leaves no such node.
-  for (const auto* list : {&end_with(group), &begin_with(group + 1)}) {
-    for (const std::uint32_t s : *list) edges.push_back(timeline_->sub_edges[s].edge);
-  }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
-  return edges;
-}
-
-std::optional<Point> BoundaryStates::place_at(std::uint32_t group) const {
-  const auto here = coincident_at(group);
-  if (here.empty()) return std::nullopt;
-  return timeline_->track(here[0].edge, here[0].nodes[0]).at(scale(group));
+  return here;
 }
 
 BoundaryGraph boundary_graph(const std::vector<Track>& tracks, BoundaryState state,

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <memory>
-#include <span>
+#include <unordered_map>
 
 #include "reference/plane/boundary/boundary_graph.hpp"
 #include "reference/plane/dynamic/arrangement_timeline.hpp"
@@ -16,38 +16,29 @@ class BoundaryStates : public BoundaryHistory {
   explicit BoundaryStates(std::shared_ptr<const ArrangementTimeline> timeline);
 
   const ArrangementTimeline& timeline() const { return *timeline_; }
-  std::uint32_t from(std::uint32_t sub_edge) const { return from_[sub_edge]; }
-  std::uint32_t to(std::uint32_t sub_edge) const { return to_[sub_edge]; }
   bool touches_boundary(std::uint32_t group) const;
 
   const std::vector<Track>& tracks() const override { return tracks_; }
   const std::vector<RationalEdge>& moving() const override { return timeline_->events->moving(); }
+  const EdgeDirections& directions() const override { return directions_; }
   const ScaleWindow& window() const override { return timeline_->events->window(); }
   std::uint32_t group_count() const override {
     return static_cast<std::uint32_t>(timeline_->events->groups());
   }
   Rational scale(std::uint32_t group) const override { return timeline_->events->exact(group); }
   const std::vector<std::uint32_t>& groups() const override { return groups_; }
-  std::size_t sub_edge_count() const override { return timeline_->sub_edges.size(); }
-  std::vector<std::uint32_t> sub_edges_in(std::uint32_t interval) const override;
-  const std::vector<std::uint32_t>& begin_with(std::uint32_t interval) const override;
-  const std::vector<std::uint32_t>& end_with(std::uint32_t interval) const override;
-  BoundaryState between(const std::vector<std::uint32_t>& sub_edges) const override;
-  BoundaryState at_group(std::uint32_t group,
-                         const std::vector<std::uint32_t>& sub_edges) const override;
-  std::vector<std::uint32_t> edges_at(std::uint32_t group) const override;
-  std::optional<Point> place_at(std::uint32_t group) const override;
+  const std::vector<MovingLink>& sub_edges() const override { return links_; }
+  BoundaryAtGroup at_group(std::uint32_t group) const override;
 
  private:
   std::uint32_t track_of(std::uint32_t edge, std::uint32_t node) const;
-  std::span<const CoincidentNodes> coincident_at(std::uint32_t group) const;
 
   std::shared_ptr<const ArrangementTimeline> timeline_;
+  EdgeDirections directions_;
   std::vector<Track> tracks_;
-  std::vector<std::uint32_t> from_, to_;
+  std::vector<MovingLink> links_;  ///< the sub-edges of the timeline
   std::vector<std::uint32_t> groups_;
-  struct Known;
-  std::shared_ptr<Known> known_;
+  std::unordered_map<std::uint64_t, std::uint32_t> track_of_node_;
 };
 
 /// The points of a state at a scale, and its links without duplicates. Exact.

@@ -142,8 +142,9 @@ void DynamicArrangement::positions(std::vector<double>& xy) const {
 BoundaryGraph DynamicArrangement::boundary() {
   move_boundary(group());
   const bool at_boundary_event = at_event() && states_->touches_boundary(group());
-  BoundaryState state =
-      at_boundary_event ? states_->at_group(group(), sub_edges_) : states_->between(sub_edges_);
+  BoundaryState state = at_boundary_event
+                            ? states_->at(group(), states_->at_group(group()), sub_edges_)
+                            : states_->between(sub_edges_);
   return boundary_graph(states_->tracks(), std::move(state), cycles_, scale_);
 }
 

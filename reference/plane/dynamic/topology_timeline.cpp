@@ -4,11 +4,12 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <stdexcept>
 #include <tuple>
 #include <unordered_map>
 
 #include "reference/fault.hpp"
-#include "reference/plane/dynamic/boundary_regions.hpp"
+#include "reference/plane/dynamic/boundary_changes.hpp"
 
 namespace minkref {
 namespace {
@@ -40,14 +41,15 @@ class TimelineBuilder {
         show_rings_(rings),
         show_features_(features),
         finder_(history.moving()),
-        sub_edges_(history.sub_edges_in(0)),
-        place_below_(history.sub_edge_count()),
-        place_above_(history.sub_edge_count()) {}
+        changes_(history),
+        present_(history.sub_edges_in(0)),
+        place_below_(history.sub_edges().size()),
+        place_above_(history.sub_edges().size()) {}
 
   TopologyTimeline build() {
     const auto& groups = history_.groups();
     below_ = between(groups.empty() ? 0 : groups.front());
-    place(sub_edges_, below_, place_below_);
+    place(present_, below_, place_below_);
     for (const FeatureKind kind : {FeatureKind::hole, FeatureKind::component}) name_first(kind);
     count(groups.empty() ? 0 : groups.front(), below_);
     show_rings(0);
@@ -117,7 +119,7 @@ class TimelineBuilder {
   }
 
   BoundaryRegions between(std::uint32_t interval) {
-    return boundary_regions(history_.tracks(), history_.between(sub_edges_), finder_,
+    return boundary_regions(history_.tracks(), history_.between(present_), finder_,
                             within(interval));
   }
 
@@ -139,8 +141,8 @@ class TimelineBuilder {
 
   void show_features(std::uint32_t interval) {
     if (!show_features_) return;
-    FeaturesFrom state{interval, sub_edges_, {}, {}};
-    for (const std::uint32_t s : sub_edges_) {
+    FeaturesFrom state{interval, present_, {}, {}};
+    for (const std::uint32_t s : present_) {
       const std::uint32_t link = place_below_[s];
       state.holes.push_back(names_[index(FeatureKind::hole)][below_.hole[link]]);
       state.components.push_back(names_[index(FeatureKind::component)][below_.component[link]]);
@@ -157,11 +159,11 @@ class TimelineBuilder {
   void move_on(std::uint32_t group) {
     std::vector<std::uint32_t> ended = history_.end_with(group);
     std::sort(ended.begin(), ended.end());
-    std::erase_if(sub_edges_, [&](std::uint32_t s) {
+    std::erase_if(present_, [&](std::uint32_t s) {
       return std::binary_search(ended.begin(), ended.end(), s);
     });
     const auto& fresh = history_.begin_with(group + 1);
-    sub_edges_.insert(sub_edges_.end(), fresh.begin(), fresh.end());
+    present_.insert(present_.end(), fresh.begin(), fresh.end());
   }
 
   /// Over a group that changes no feature.
@@ -171,7 +173,7 @@ class TimelineBuilder {
         auto& of_ring = name_of_ring_[index(kind)];
         of_ring.clear();
         const Side regions = side(below_, kind);
-        for (const std::uint32_t s : sub_edges_) {
+        for (const std::uint32_t s : present_) {
           of_ring[history_.ring_of(s, group)] =
               names_[index(kind)][regions.of_link[place_below_[s]]];
         }
@@ -179,22 +181,23 @@ class TimelineBuilder {
       stale_ = true;
     }
     move_on(group);
-    if (quiet.change) {
-      result_.boundary.push_back({group, *quiet.change, history_.edges_at(group),
-                                  history_.place_at(group).value_or(Point{})});
-    }
+    auto change = changes_.at(group, history_.at_group(group));
+    if (quiet.change && !change) throw std::logic_error("vertices of the boundary jump");
+    if (!change) return;
+    result_.boundary.push_back({group, quiet.change.value_or(BoundaryEvent::Change::touch),
+                                std::move(change->edges), change->place});
   }
 
   /// The state below a group again, after groups that were skipped.
   void refresh(std::uint32_t group) {
     stale_ = false;
     below_ = between(group);
-    place(sub_edges_, below_, place_below_);
+    place(present_, below_, place_below_);
     for (const FeatureKind kind : {FeatureKind::hole, FeatureKind::component}) {
       const Side regions = side(below_, kind);
       auto& names = names_[index(kind)];
       names.assign(regions.last, 0);  // the outside is 0 also where it has no boundary
-      for (const std::uint32_t s : sub_edges_) {
+      for (const std::uint32_t s : present_) {
         names[regions.of_link[place_below_[s]]] =
             name_of_ring_[index(kind)].at(history_.ring_of(s, group));
       }
@@ -204,13 +207,16 @@ class TimelineBuilder {
   void pass(std::uint32_t group) {
     if (stale_) refresh(group);
     const Rational scale = history_.scale(group);
-    BoundaryState at_scale = history_.at_group(group, sub_edges_);
+    const BoundaryAtGroup at_group = history_.at_group(group);
+    BoundaryState at_scale = history_.at(group, at_group, present_);
     const std::vector<BoundaryLink> at_links = at_scale.links;
     const BoundaryRegions here =
         boundary_regions(history_.tracks(), std::move(at_scale), finder_, scale);
+    const std::vector<std::uint32_t> before = present_;
     move_on(group);
     BoundaryRegions above = between(group + 1);
-    place(sub_edges_, above, place_above_);
+    place(present_, above, place_above_);
+    change_ = changes_.at(group, at_group, before, present_);
     bool changed = false;
     for (const FeatureKind kind : {FeatureKind::hole, FeatureKind::component}) {
       const Side b = side(below_, kind), h = side(here, kind), a = side(above, kind);
@@ -241,11 +247,12 @@ class TimelineBuilder {
       return std::tie(x.kind, x.change, x.before, x.after) <
              std::tie(y.kind, y.change, y.before, y.after);
     });
-    const bool event = boundary_event(group, scale, here, above, changed);
+    if (changed && !change_) throw std::logic_error("holes or components change in no place");
+    if (change_) boundary_event(group, above);
     below_ = std::move(above);
     place_below_.swap(place_above_);
     show_features(group + 1);
-    if (event) show_rings(group + 1);
+    if (change_) show_rings(group + 1);
     count(group + 1, here);
   }
 
@@ -355,7 +362,7 @@ class TimelineBuilder {
                                     {old[members.before[0]]},
                                     {names[members.after[0]]},
                                     members.at.size(),
-                                    pinch(kind, members.at, here, group, scale)});
+                                    pinch(kind, members.at, here, scale)});
         continue;
       }
       changed = true;
@@ -376,7 +383,7 @@ class TimelineBuilder {
                           elders,
                           {},
                           members.at.size(),
-                          pinch(kind, members.at, here, group, scale)};
+                          pinch(kind, members.at, here, scale)};
       if (members.before.size() > members.after.size()) event.change = TopologyEvent::Change::merge;
       for (const std::uint32_t a : members.after) event.after.push_back(names[a]);
       result_.topology.push_back(std::move(event));
@@ -431,7 +438,7 @@ class TimelineBuilder {
 
   /// A point where regions touch one another or themselves.
   Point pinch(FeatureKind kind, const std::vector<std::uint32_t>& regions,
-              const BoundaryRegions& here, std::uint32_t group, const Rational& scale) const {
+              const BoundaryRegions& here, const Rational& scale) const {
     const Side of = side(here, kind);
     std::map<std::uint32_t, std::size_t> seen;
     std::optional<Point> least;
@@ -448,45 +455,31 @@ class TimelineBuilder {
       const Point p = history_.tracks()[point].at(scale);
       if (!least || before(p, *least)) least = p;
     }
-    return least ? *least : history_.place_at(group).value_or(Point{});
+    if (least) return *least;
+    if (!change_) throw std::logic_error("regions touch in no place");
+    return change_->place;  // they touch along segments
   }
 
-  bool boundary_event(std::uint32_t group, const Rational& scale, const BoundaryRegions& here,
-                      const BoundaryRegions& above, bool topology_changed) {
-    const bool same = below_.edges == above.edges;
-    if (same && !topology_changed && here.pinches.size() == below_.pinches.size()) {
-      return false;
-    }
-    BoundaryEvent event;
-    event.group = group;
+  void boundary_event(std::uint32_t group, const BoundaryRegions& above) {
+    using Change = BoundaryEvent::Change;
     const std::size_t old_size = below_.edges.size(), new_size = above.edges.size();
-    event.change = same                  ? BoundaryEvent::Change::touch
-                   : new_size > old_size ? BoundaryEvent::Change::birth
-                   : new_size < old_size ? BoundaryEvent::Change::death
-                                         : BoundaryEvent::Change::swap;
-    // Vertices that are not on both sides, and the edges there.
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> different;
-    std::set_symmetric_difference(below_.edges.begin(), below_.edges.end(), above.edges.begin(),
-                                  above.edges.end(), std::back_inserter(different));
-    event.edges = history_.edges_at(group);
-    const auto place = history_.place_at(group);
-    if (place) {
-      event.place = *place;
-    } else if (!different.empty()) {
-      event.place = history_.tracks()[different.front().first].at(scale);
-    }
-    result_.boundary.push_back(std::move(event));
-    return true;
+    const Change change = below_.edges == above.edges ? Change::touch
+                          : new_size > old_size       ? Change::birth
+                          : new_size < old_size       ? Change::death
+                                                      : Change::swap;
+    result_.boundary.push_back({group, change, change_->edges, change_->place});
   }
 
   const BoundaryHistory& history_;
   const std::function<void(RingsFrom)>& show_rings_;
   const std::function<void(FeaturesFrom)>& show_features_;
   CycleFinder finder_;
-  std::vector<std::uint32_t> sub_edges_;
+  BoundaryChanges changes_;
+  std::vector<std::uint32_t> present_;  ///< sub-edges
   BoundaryRegions below_;
   std::vector<std::uint32_t> place_below_, place_above_;  ///< of sub-edges, among the links
   std::array<std::vector<std::uint32_t>, 2> names_;       ///< feature of each region, by kind
+  std::optional<BoundaryChange> change_;                  ///< at the group that is being passed
   bool stale_ = false;  ///< below_ is from before groups that were skipped
   std::array<std::unordered_map<std::uint32_t, std::uint32_t>, 2> name_of_ring_;
   TopologyTimeline result_;

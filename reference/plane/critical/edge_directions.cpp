@@ -1,4 +1,4 @@
-#include "reference/scalespace/edge_directions.hpp"
+#include "reference/plane/critical/edge_directions.hpp"
 
 #include <map>
 
