@@ -10,11 +10,10 @@ from typing import Any
 from minkref import _core
 from minkref.certify.case_text import case_digest, case_text, places
 from minkref.certify.coincidence import coincidences
-from minkref.certify.moving_form import form_at, moving_form
+from minkref.certify.moving_form import Figure, figure, moving_form
 from minkref.certify.predicate import Place, Predicate, Vertices
 from minkref.certify.simplest import simplest_between
 from minkref.errors import cut
-from minkref.exact import digest
 from minkref.version import version
 
 PIECES = (0, 1)  # the numbers of their steps
@@ -36,20 +35,20 @@ class Certificate:
         self._steps: list[str] = []
         self._vertices = Vertices(places(P), places(Q))
         self.claims: list[dict[str, Any]] = []
+        self._figures: dict[int, Figure] = {}  # of claims about sums and intervals
 
     def sum(self, scale: str | Fraction, passages: bool = False) -> int:
         """The sum at a scale; with its tight passages, each a claim of its own, after it. Contacts
         prove none where an operand is a point or a segment: then there are no such claims."""
         text = str(Fraction(scale))
         passages = passages and all(o.is_region for o in (self.P, self.Q))
-        step, region, components, holes, found = self._prover.prove(
-            text, self._prover.box(text), self._pieces(), passages
-        )
+        step, here, found = self._prove(text, passages)
         number = self._step(step)
         claim = self._claim(
-            "sum", scale=text, step=number, components=components, holes=holes,
-            digest=digest(region.canonical_json()),
+            "sum", scale=text, step=number, components=here.components, holes=here.holes,
+            digest=here.digest,
         )  # fmt: skip
+        self._figures[claim] = here
         for points, path in found:
             places = [list(point) for point in points]
             self._claim("passage", scale=text, step=number, points=places, path=path)
@@ -58,22 +57,24 @@ class Certificate:
     def interval(self, from_scale: str | Fraction, to_scale: str | Fraction) -> int:
         """That the boundary has no event between two scales. Raises NoProof if it has."""
         a, b = Fraction(from_scale), Fraction(to_scale)
-        steps: list[int] = []
-        at, first = a, ""
+        step, at, moving = self._move(a, b)
+        steps = [step]
         while at < b:
-            if steps:
-                box = self._prover.box(str(at))
-                step, *_ = self._prover.prove(str(at), box, self._pieces(), False)
-                steps.append(self._step(step))
-            step, at, form, components, holes = self._move(at, b)
-            steps.append(self._step(step))
-            if len(steps) > 1 and form != first:
-                raise NoProof(f"the boundary has an event between {a} and {b}")
-            first = form
-        return self._claim(
-            "interval", **{"from": str(a), "to": str(b)}, steps=steps, components=components,
-            holes=holes, digest=digest(first),
+            here, event = at, NoProof(f"the boundary has an event at {at}")
+            step, state, _ = self._prove(str(here), False)
+            if state != moving.at(here):
+                raise event
+            steps.append(step)
+            step, at, above = self._move(here, b)
+            if above != moving:
+                raise event
+            steps.append(step)
+        claim = self._claim(
+            "interval", **{"from": str(a), "to": str(b)}, steps=[self._step(s) for s in steps],
+            components=moving.components, holes=moving.holes, digest=moving.digest,
         )  # fmt: skip
+        self._figures[claim] = moving
+        return claim
 
     def event(
         self,
@@ -88,17 +89,18 @@ class Certificate:
         s = Fraction(scale)
         before = self.interval(from_scale, s)
         at = self.sum(s, passages)
-        step, end, form, components, holes = self._move(s, 2 * s)
-        below, here = self.claims[before], self.claims[at]
-        counts = {(c["components"], c["holes"]) for c in (below, here)} | {(components, holes)}
+        step, end, above = self._move(s, 2 * s)
+        below, here = self._figures[before], self._figures[at]
+        counts = {(f.components, f.holes) for f in (below, here, above)}
         kind = kind or ("topology" if len(counts) > 1 else "boundary")
         if kind == "topology" and len(counts) == 1:
             raise NoProof(f"components and holes are the same below, at and above {s}")
-        if kind == "boundary" and below["digest"] == digest(form) and self._is_at(form, s, at):
-            raise NoProof(f"the boundary has no event at {s}, and none after {below['from']}")
+        if kind == "boundary" and below == above and below.at(s) == here:
+            since = self.claims[before]["from"]
+            raise NoProof(f"the boundary has no event at {s}, and none after {since}")
         after = self._claim(
             "interval", **{"from": str(s), "to": str(end)}, steps=[self._step(step)],
-            components=components, holes=holes, digest=digest(form),
+            components=above.components, holes=above.holes, digest=above.digest,
         )  # fmt: skip
         return self._claim("event", scale=str(s), kind=kind, before=before, at=at, after=after)
 
@@ -161,10 +163,12 @@ class Certificate:
         """The text of the case that is certified."""
         return case_text(self.P, self.Q)
 
-    def _is_at(self, form: str, s: Fraction, claim: int) -> bool:
-        """Whether a moving form at a scale is the sum that a claim has there."""
-        wanted: str = self.claims[claim]["digest"]
-        return digest(form_at(form, s)) == wanted
+    def _prove(self, scale: str, passages: bool) -> tuple[str, Figure, list[Any]]:
+        """The step at a scale, what is there, and its tight passages."""
+        step, region, components, holes, found, touching = self._prover.prove(
+            scale, self._prover.box(scale), self._pieces(), passages
+        )
+        return step, figure(region.canonical_json(), touching, components, holes), found
 
     def _pieces(self) -> tuple[int, int]:
         if not self._steps:
@@ -199,8 +203,8 @@ class Certificate:
         self.claims.append({"claim": claim, **members})
         return len(self.claims) - 1
 
-    def _move(self, a: Fraction, b: Fraction) -> tuple[str, Fraction, str, int, int]:
-        """A proof from a on, as far as it goes: the step, the end, the form, components, holes."""
+    def _move(self, a: Fraction, b: Fraction) -> tuple[str, Fraction, Figure]:
+        """A proof from a on, as far as it goes: the step, the end, and what moves."""
         box = self._prover.box(str(b))
         low = b
         for _ in range(MOST_ATTEMPTS):
@@ -210,10 +214,10 @@ class Certificate:
             if found is None:  # lines meet at this scale that do not at others
                 low = s
                 continue
-            step, begin, end, polygons, components, holes = found
+            step, begin, end, polygons, components, holes, touching = found
             if Fraction(begin) == a:
-                form = json.dumps(moving_form(polygons), sort_keys=True, separators=(",", ":"))
-                return step, Fraction(end), form, components, holes
+                form = moving_form(polygons)
+                return step, Fraction(end), figure(form, touching, components, holes)
             low = Fraction(begin)
         raise RuntimeError(f"there is no proof from {a} on")
 

@@ -86,6 +86,10 @@ class Making {
         for (const std::uint32_t corner : ring.corners) vertices.push_back(complex_.moving(corner));
       }
     }
+    proof_.touching.clear();
+    for (const std::uint32_t corner : touching_) {
+      proof_.touching.push_back(complex_.moving(corner));
+    }
   }
 
   /// The scales at which the proof holds, within [from, to]; both ends are `scale` where it holds
@@ -319,9 +323,20 @@ class Making {
       codes_.push_back(separating_code(complex_, cell.corners));
       proof_.proofs.push_back({false, 0, 0, renumbered(codes_.back())});
     }
+    std::vector<std::uint32_t> passed;  // corners, by the rings
     for (const auto& rings : boundary_) {
       auto& polygon = proof_.polygons.emplace_back();
-      for (const Cell& ring : rings) polygon.push_back(elements_of(ring_of(ring)));
+      for (const Cell& ring : rings) {
+        const std::vector<std::uint32_t> corners = ring_of(ring);
+        passed.insert(passed.end(), corners.begin(), corners.end());
+        polygon.push_back(elements_of(corners));
+      }
+    }
+    std::sort(passed.begin(), passed.end());
+    for (std::size_t i = 1; i < passed.size(); ++i) {
+      if (passed[i] != passed[i - 1]) continue;
+      touching_.push_back(passed[i]);
+      proof_.touching.push_back({complex_.corners()[passed[i]].place.point, {}});
     }
     for (const Cell& passage : passages_) {
       std::vector<std::uint32_t> path;
@@ -349,6 +364,7 @@ class Making {
   std::vector<DecomposingEdge> edges_;
   std::vector<std::uint32_t> corners_;
   std::vector<std::vector<Cell>> boundary_;  ///< rings of the sum, by polygon
+  std::vector<std::uint32_t> touching_;      ///< corners that the rings pass more than once
   std::vector<Cell> passages_;               ///< open: one line less than corners
   std::vector<CoveredCell> covered_;
   std::vector<Cell> outside_;

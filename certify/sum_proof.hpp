@@ -40,6 +40,9 @@ struct SumProof {
   std::vector<Ring> passage_points;                  ///< where those are
   /// The vertices of the canonical form as they move, by polygon and ring; over two scales only.
   std::vector<std::vector<std::vector<MovingPoint>>> vertices;
+  /// Points that the rings pass more than once, as often as they come again; as they move over two
+  /// scales, else with no slope.
+  std::vector<MovingPoint> touching;
 };
 
 class ConvolutionLines;

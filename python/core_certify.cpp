@@ -21,14 +21,21 @@ using Numbers = std::array<std::string, 4>;
 using Steps = std::pair<std::size_t, std::size_t>;
 /// Points of a passage, and the elements along it.
 using Passage = std::pair<std::vector<ExactPoint>, std::vector<std::uint32_t>>;
-/// A step; the sum, components and holes; its passages.
-using Proof = std::tuple<std::string, Set, std::size_t, std::size_t, std::vector<Passage>>;
+/// A step; the sum, components and holes; its passages; points that its rings pass more than once.
+using Proof = std::tuple<std::string, Set, std::size_t, std::size_t, std::vector<Passage>,
+                         std::vector<ExactPoint>>;
 /// x0, x1, y0, y1: the point (x0 + s x1, y0 + s y1).
 using Vertex = std::array<std::string, 4>;
-/// A step; from, to; the vertices by polygon and ring; components and holes.
+/// A step; from, to; the vertices by polygon and ring; components and holes; points that the rings
+/// pass more than once.
 using MovingProof =
     std::tuple<std::string, std::string, std::string, std::vector<std::vector<std::vector<Vertex>>>,
-               std::size_t, std::size_t>;
+               std::size_t, std::size_t, std::vector<Vertex>>;
+
+Vertex vertex(const certify::MovingPoint& p) {
+  return {to_string(p.constant.x), to_string(p.slope.x), to_string(p.constant.y),
+          to_string(p.slope.y)};
+}
 
 std::array<Rational, 4> box_of(const Numbers& numbers) {
   std::array<Rational, 4> box;
@@ -55,8 +62,14 @@ Proof prove(certify::Prover& prover, const std::string& scale, const Numbers& bo
     path = proof.passages[i];
     for (const Point& p : proof.passage_points[i]) points.push_back(to_strings(p));
   }
-  return {certify::sum_text(proof, by.first, by.second), Set{std::move(sum.region), true},
-          sum.components, sum.holes, std::move(found)};
+  std::vector<ExactPoint> touching;
+  for (const certify::MovingPoint& p : proof.touching) touching.push_back(to_strings(p.constant));
+  return {certify::sum_text(proof, by.first, by.second),
+          Set{std::move(sum.region), true},
+          sum.components,
+          sum.holes,
+          std::move(found),
+          std::move(touching)};
 }
 
 std::optional<MovingProof> prove_around(certify::Prover& prover, const std::string& scale,
@@ -72,18 +85,18 @@ std::optional<MovingProof> prove_around(certify::Prover& prover, const std::stri
     auto& polygon = polygons.emplace_back();
     for (const auto& ring : rings) {
       auto& vertices = polygon.emplace_back();
-      for (const certify::MovingPoint& p : ring) {
-        vertices.push_back({to_string(p.constant.x), to_string(p.slope.x), to_string(p.constant.y),
-                            to_string(p.slope.y)});
-      }
+      for (const certify::MovingPoint& p : ring) vertices.push_back(vertex(p));
     }
   }
+  std::vector<Vertex> touching;
+  for (const certify::MovingPoint& p : proof->touching) touching.push_back(vertex(p));
   return MovingProof{certify::sum_text(*proof, by.first, by.second),
                      to_string(proof->scales[0]),
                      to_string(proof->scales[1]),
                      std::move(polygons),
                      sum.components,
-                     sum.holes};
+                     sum.holes,
+                     std::move(touching)};
 }
 
 }  // namespace
@@ -109,12 +122,12 @@ void bind_certify(nb::module_& module) {
       .def("prove", &prove, "scale"_a, "box"_a, "by"_a, "passages"_a = false,
            nb::call_guard<nb::gil_scoped_release>(),
            "The step `eq` at a scale; the sum, its components and holes; its tight passages, as "
-           "points and elements of the step. Exact.")
+           "points and elements of the step; points that its rings pass more than once. Exact.")
       .def("prove_around", &prove_around, "scale"_a, "box"_a, "by"_a, "from_scale"_a, "to_scale"_a,
            nb::call_guard<nb::gil_scoped_release>(),
            "The step `move` around a scale, as far as it goes within two; those scales; the "
-           "vertices (x0, x1, y0, y1) by polygon and ring; components and holes. None if the proof "
-           "at this scale goes nowhere. Exact.");
+           "vertices (x0, x1, y0, y1) by polygon and ring; components and holes; points that the "
+           "rings pass more than once. None if the proof at this scale goes nowhere. Exact.");
 }
 
 }  // namespace minkref::python

@@ -19,7 +19,7 @@ import re
 import sys
 import time
 import zlib
-from collections import defaultdict
+from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from math import gcd, lcm
@@ -348,7 +348,8 @@ class Region:
             self.check_apart(contact, code)
             self.contacts.add(tuple(contact))
         self.count()
-        self.polygons = self.canonical([[items(r) for r in items(p)] for p in rings])
+        self.polygons, passed = self.canonical([[items(r) for r in items(p)] for p in rings])
+        self.form = self.polygons, sorted((Counter(passed) - Counter(set(passed))).elements())
 
     def wall(self, wall: int) -> list[Triple]:
         at = self.box[wall]
@@ -483,11 +484,12 @@ class Region:
         components = len({self.root[cell] for cell in self.inside})
         self.counts = [components, len(set(self.root)) - components - 1]
 
-    def canonical(self, polygons: list[list[list[Json]]]) -> list[Rings]:
-        owner, turn = self.owner, self.directions
+    def canonical(self, polygons: list[list[list[Json]]]) -> tuple[list[Rings], list[Vertex]]:
+        """The canonical form, and all points that the rings pass."""
+        owner, d = self.owner, self.directions
         left = {e for e in owner if owner[e] in self.inside and owner[e[::-1]] not in self.inside}
         middle = sum(self.scales, Fraction(0)) / len(self.scales)
-        made, roots = [], []
+        made, roots, passed = [], [], list[Vertex]()
         for polygon in polygons:
             require(bool(polygon), "a polygon has no ring")
             rings: Rings = []
@@ -498,14 +500,14 @@ class Region:
                 demand(simple, "a ring is not simple, or not on the boundary")
                 left.difference_update(edges)
                 roots[-1] |= {self.root[owner[e]] for e in edges}
-                corners = [f[0] for e, f in edges_of(edges) if cross(turn[e], turn[f]) != 0]
-                rings.append([self.vertex(corner) for corner in corners])
+                passed += [self.vertex(point) for point, _ in edges]
+                rings.append([self.vertex(f[0]) for e, f in edges_of(edges) if cross(d[e], d[f])])
                 outer = doubled_area([at_scale(v, middle) for v in rings[-1]]) > 0
                 demand(outer == (len(rings) == 1), "a ring runs the wrong way")
             made.append(rings)
         one_each = len(roots) == self.counts[0] and all(len(root) == 1 for root in roots)
         demand(not left and one_each, "the rings are not the boundary, a polygon a component")
-        return canonical_order(made)
+        return canonical_order(made), passed
 
     def vertex(self, point: int) -> Vertex:
         ends = [[Fraction(c, p[2] * self.proof.unit) for c in p[:2]] for p in self.points[point]]
@@ -515,9 +517,10 @@ class Region:
         u, v = ((q - p) / (b - a) for p, q in zip(*ends, strict=True))
         return ends[0][0] - a * u, u, ends[0][1] - a * v, v
 
-    def at(self, s: Fraction) -> list[Rings]:
-        """The canonical form at a scale between, if the boundary has the same vertices there."""
-        return canonical_order([[[at_scale(v, s) for v in r] for r in p] for p in self.polygons])
+    def at(self, s: Fraction) -> tuple[list[Rings], list[Vertex]]:
+        """The form at a scale between, if the boundary has the same vertices there."""
+        moved = [[[at_scale(v, s) for v in r] for r in p] for p in self.polygons]
+        return canonical_order(moved), sorted(at_scale(v, s) for v in self.form[1])
 
     def is_within(self, contact: tuple[int, ...]) -> bool:
         """Whether all cells around a point, or on both sides of an edge, are covered."""
@@ -627,9 +630,8 @@ class Proof:
         numbers = [integer(components), integer(holes)]
         for region in regions:
             demand(region.counts == numbers, "components or holes are others")
-            moves = len(region.scales) == 2
-            wanted = regions[0].polygons if moves else regions[0].at(region.scales[0])
-            demand(region.polygons == wanted, f"the boundary changes at {region.scales[0]}")
+            wanted = regions[0].form if region.scales[1:] else regions[0].at(region.scales[0])
+            demand(region.form == wanted, f"the boundary changes at {region.scales[0]}")
         demand(digest_of(plain(regions[0].polygons)) == digest, "the digest is another")
         return f"from {a} to {b}, {components} components, {holes} holes, {digest}", regions
 
@@ -640,7 +642,7 @@ class Proof:
         low, here, high = self.claim(before, list), self.claim(at, Region), self.claim(after, list)
         s = scale_of(scale)
         demand(low[-1].scales[1] == here.scales[0] == high[0].scales[0] == s, "not at one scale")
-        same = low[0].polygons == high[0].polygons and low[0].at(s) == here.polygons
+        same = low[0].form == high[0].form and low[0].at(s) == here.form
         if kind == "topology":
             same = low[0].counts == here.counts == high[0].counts
         demand(not same, "nothing changes")

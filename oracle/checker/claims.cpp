@@ -157,7 +157,7 @@ class Certificate {
       demand(here.scales().front() == at, "the steps do not reach from end to end");
       at = here.scales().back();
       same_counts(here, *m[4], *m[5]);
-      demand(here.polygons() == (i % 2 ? regions[0]->at(at) : regions[0]->polygons()),
+      demand(here.form() == (i % 2 ? regions[0]->at(at) : regions[0]->form()),
              "the boundary changes at a joint");
     }
     demand(at == scale(*m[2]), "the steps do not reach from end to end");
@@ -178,10 +178,9 @@ class Certificate {
     demand(low.back()->scales().back() == s && here.scales()[0] == s && high[0]->scales()[0] == s,
            "not at one scale");
     const auto counts = [](const Region& r) { return std::pair(r.components(), r.holes()); };
-    const bool same =
-        kind == "boundary"
-            ? low[0]->polygons() == high[0]->polygons() && low[0]->at(s) == here.polygons()
-            : counts(*low[0]) == counts(here) && counts(here) == counts(*high[0]);
+    const bool same = kind == "boundary"
+                          ? low[0]->form() == high[0]->form() && low[0]->at(s) == here.form()
+                          : counts(*low[0]) == counts(here) && counts(here) == counts(*high[0]);
     demand(!same, "nothing changes");
     return ": " + kind + " at " + s.get_str();
   }

@@ -334,6 +334,7 @@ void Region::read_polygons(const Value& value) {
   }
   const mpq_class middle = (scales_.front() + scales_.back()) / 2;
   std::vector<Rings> made;
+  std::set<Vertex> passed;
   for (const Value& polygon : items(value)) {
     Rings rings;
     std::set<std::uint32_t> roots;
@@ -347,6 +348,8 @@ void Region::read_polygons(const Value& value) {
         const std::uint32_t before = ring[(i + ring.size() - 1) % ring.size()];
         const Edge edge{ring[i], ring[(i + 1) % ring.size()]};
         demand(left.erase(edge) == 1, "a ring is not on the boundary, or twice");
+        Vertex here = vertex(ring[i]);
+        if (!passed.insert(here).second) form_.touching.push_back(std::move(here));
         roots.insert(root_[owner_.at(edge)]);
         const auto in = direction_.find({before, ring[i]});
         demand(in != direction_.end(), "a ring is not on the boundary");
@@ -363,7 +366,8 @@ void Region::read_polygons(const Value& value) {
   }
   demand(left.empty() && made.size() == components_,
          "the rings are not the boundary, a polygon a component");
-  polygons_ = canonical_order(std::move(made));
+  form_.polygons = canonical_order(std::move(made));
+  std::sort(form_.touching.begin(), form_.touching.end());
 }
 
 Vertex Region::vertex(std::uint32_t point) const {
@@ -380,14 +384,17 @@ Vertex Region::vertex(std::uint32_t point) const {
   return {ends[0].x - scales_[0] * x1, x1, ends[0].y - scales_[0] * y1, y1};
 }
 
-std::vector<Rings> Region::at(const mpq_class& scale) const {
-  std::vector<Rings> polygons = polygons_;
-  for (Rings& rings : polygons) {
+Form Region::at(const mpq_class& scale) const {
+  Form form = form_;
+  for (Rings& rings : form.polygons) {
     for (auto& ring : rings) {
       for (Vertex& v : ring) v = at_scale(v, scale);
     }
   }
-  return canonical_order(std::move(polygons));
+  form.polygons = canonical_order(std::move(form.polygons));
+  for (Vertex& v : form.touching) v = at_scale(v, scale);
+  std::sort(form.touching.begin(), form.touching.end());
+  return form;
 }
 
 bool Region::is_within(const Contact& contact) const {

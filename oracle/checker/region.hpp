@@ -9,8 +9,6 @@
 
 namespace minkref::checker {
 
-/// What may still be spent.
-
 /// x, y; or x0, x1, y0, y1: the point (x0 + s x1, y0 + s y1).
 using Vertex = std::vector<mpq_class>;
 using Rings = std::vector<std::vector<Vertex>>;  ///< the outer one, and the holes
@@ -18,6 +16,13 @@ using Rings = std::vector<std::vector<Vertex>>;  ///< the outer one, and the hol
 /// Rings begin with their least vertex; holes, and polygons, ascend.
 std::vector<Rings> canonical_order(std::vector<Rings> polygons);
 std::string canonical_json(const std::vector<Rings>& polygons);
+
+/// The boundary: its canonical form, and the points that its rings pass more than once, sorted.
+struct Form {
+  std::vector<Rings> polygons;
+  std::vector<Vertex> touching;
+  bool operator==(const Form&) const = default;
+};
 
 class Region {
  public:
@@ -30,9 +35,10 @@ class Region {
   const std::vector<mpq_class>& scales() const { return scales_; }
   std::size_t components() const { return components_; }
   std::size_t holes() const { return holes_; }
-  const std::vector<Rings>& polygons() const { return polygons_; }
-  /// The canonical form at a scale between, if the boundary has the same vertices there.
-  std::vector<Rings> at(const mpq_class& scale) const;
+  const Form& form() const { return form_; }
+  const std::vector<Rings>& polygons() const { return form_.polygons; }
+  /// The form at a scale between, if the boundary has the same vertices there.
+  Form at(const mpq_class& scale) const;
   Vertex vertex(std::uint32_t point) const;
   std::uint32_t point_number(const Value& value) const;
   bool is_contact(const Contact& contact) const { return contacts_.count(contact) > 0; }
@@ -78,7 +84,7 @@ class Region {
   std::set<Contact> contacts_;
   std::vector<std::uint32_t> root_;
   std::size_t components_ = 0, holes_ = 0;
-  std::vector<Rings> polygons_;
+  Form form_;
 };
 
 }  // namespace minkref::checker

@@ -132,7 +132,7 @@ def test_what_does_not_hold_has_no_proof() -> None:
         certificate.degeneracy(2)
     with pytest.raises(NoProof, match="is not zero"):
         certificate.zero(("orientation", ((0, 0), (1, 0), (2, 0))), 2)
-    with pytest.raises(NoProof, match="has an event between"):
+    with pytest.raises(NoProof, match="has an event at"):
         certificate.interval(2, 3)
     with pytest.raises(NoProof, match="has no event at 2"):
         certificate.event(2, 1)

@@ -129,6 +129,19 @@ TEST(FeatureTimeline, AnEdgeThatTurnsRoundInAPointIsATouch) {
   EXPECT_TRUE(timeline.topology.empty());
 }
 
+/// Corners of two components that slide along one line, on either side of it.
+TEST(FeatureTimeline, CornersThatPassEachOtherAreATouch) {
+  const PolygonSet P{{{{{10, 0}, {11, 1}, {9, 1}}, {}}, {{{-10, 0}, {-11, -1}, {-9, -1}}, {}}}};
+  const PolygonSet Q{{{{{-30, 0}, {-29, 1}, {-31, 1}}, {}}, {{{0, 0}, {-1, -1}, {1, -1}}, {}}}};
+  const ScaleWindow window{Rational(7, 5), Rational(8, 5)};
+  EXPECT_EQ(difference(P, Q, window), "");
+  const TopologyTimeline timeline = ScaleSpaceIndex(P, Q, window).timeline();
+  ASSERT_EQ(timeline.boundary.size(), 1U);
+  EXPECT_EQ(timeline.boundary[0].change, BoundaryEvent::Change::touch);
+  EXPECT_EQ(timeline.boundary[0].place, (Point{-15, 0}));
+  EXPECT_TRUE(timeline.topology.empty());
+}
+
 TEST(FeatureTimeline, PartsOfOneAreaThatTouchInTheirLeastPointHaveAnOrder) {
   PolygonSet Q = box(-100, -100, 100, 100);
   Q.polygons[0].holes.push_back({{0, 0}, {10, 10}, {24, 10}, {4, 0}, {24, -10}, {10, -10}});
