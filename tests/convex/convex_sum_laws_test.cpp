@@ -1,6 +1,8 @@
 // What holds of every sum of convex bodies.
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include "tests/convex/bodies.hpp"
 
 namespace minkref {
@@ -112,6 +114,48 @@ TEST(ConvexSum, ManySmallUpdatesGiveWhatIsFoundFromScratch) {
     }
     EXPECT_GT(left_out, 0U);
   }
+}
+
+/// A scaling at which a facet of Q is parallel to an edge of P, and at others near it is not.
+std::optional<Scaling> tie(std::mt19937& dice, const ConvexPolyhedron& P,
+                           const ConvexPolyhedron& Q) {
+  for (int attempt = 0; attempt < 100; ++attempt) {
+    Scaling s = random_scaling(dice);
+    const auto facet = std::uniform_int_distribution<std::uint32_t>(0, Q.facets() - 1)(dice);
+    const auto edge = std::uniform_int_distribution<std::uint32_t>(0, P.edges() - 1)(dice);
+    const IntegerVector m = Q.normal(facet), d = P.vector(P.half_edge(edge));
+    const Rational rest = s[0] * Rational(m[0] * d[0]) + s[1] * Rational(m[1] * d[1]);
+    if (m[2] * d[2] == 0 || rest == 0) continue;
+    s[2] = -rest / Rational(m[2] * d[2]);
+    if (s[2] > 0) return s;
+  }
+  return std::nullopt;
+}
+
+/// Just below, at and just above a tie three states are different ones, whichever came before.
+TEST(ConvexSum, UpdatesOntoAndAcrossATieGiveWhatIsFoundFromScratch) {
+  int ties = 0;
+  for (unsigned seed = 1; seed <= seeds; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 dice(seed);
+    const ConvexPolyhedron P(random_body(dice, 3)), Q(random_body(dice, 3));
+    const std::optional<Scaling> at = tie(dice, P, Q);
+    if (!at) continue;
+    ++ties;
+    Scaling below = *at, above = *at;
+    below[2] *= Rational(999, 1000);
+    above[2] *= Rational(1001, 1000);
+    DynamicConvexSum moving(P, Q, bodies::unit);
+    Contacts contacts(P, Q);
+    for (const Scaling& s : {below, *at, above, *at, below, above, bodies::unit, *at}) {
+      moving.update(s);
+      contacts.rescale(s);
+      const Compatibility found = by_traversal(contacts);
+      ASSERT_EQ(moving.compatibility(), found);
+      EXPECT_EQ(surface_of(moving).surface, surface_of(P, Q, s, found).surface);
+    }
+  }
+  EXPECT_GT(ties, 30);
 }
 
 /// What has drifted adds up over many updates: steps far below it must not get lost.
