@@ -51,6 +51,8 @@ namespace minkref {
   X(touch_overlooked, "a hole in several parts at one scale only is no event")                \
   X(only_both_sides_compared,                                                                 \
     "the boundary below a scale is compared with that above, not with that at the scale")     \
+  X(parents_of_one_edge, "of edges on one line only one is a parent of a boundary event")     \
+  X(place_as_it_comes, "a boundary event is at the last of its places that is looked at")     \
   X(tight_points_missed, "tight points on no tight segment are missed")                       \
   X(tight_unproved, "any sub-edge with edges both ways is tight")                             \
   X(wedges_forgotten, "tight passages from the rings as given, not wedge by wedge")           \

@@ -170,7 +170,9 @@ std::optional<BoundaryChange> BoundaryChanges::at(std::uint32_t group, const Bou
     if (!is_place(tracks, point, group, here)) continue;
     const Point place = history_.tracks()[point].at(scale);
     if (!change) change.emplace(BoundaryChange{place, {}});
-    if (is_before(place, change->place)) change->place = place;
+    if (is_before(place, change->place) || planted(Fault::place_as_it_comes)) {
+      change->place = place;
+    }
     for (const std::uint32_t track : tracks) {
       for (const std::uint32_t sub_edge : of_track(track)) {
         const MovingLink& link = history_.sub_edges()[sub_edge];

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "reference/fault.hpp"
+
 namespace minkref {
 namespace {
 
@@ -65,7 +67,7 @@ void EdgesOnLines::along(const MovingLink& link, const std::vector<Track>& track
                          const Rational& scale, bool above, const Point& point,
                          std::vector<std::uint32_t>& to) {
   const std::span<const std::uint32_t> edges = with(link.edge);
-  if (edges.size() == 1) {
+  if (edges.size() == 1 || planted(Fault::parents_of_one_edge)) {
     to.push_back(link.edge);
     return;
   }
