@@ -2,6 +2,7 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "formats/containment.hpp"
 #include "formats/poly_lines.hpp"
@@ -64,7 +65,7 @@ class PolyReader {
                     "complete the ring or leave it out; give a point or a segment as WKT",
                     fresh.place());
     }
-    indices(size);
+    indices(fresh);
     (hole ? holes_ : outers_).push_back(std::move(fresh));
   }
 
@@ -82,28 +83,58 @@ class PolyReader {
     lines_.advance();
   }
 
-  /// The indices 1...n, possibly on several lines, or nothing.
-  void indices(std::size_t size) {
-    std::size_t next = 1;
-    while (lines_.line() && next <= size) {
-      const TextLine& line = *lines_.line();
-      if (is_header(line.tokens)) break;
-      for (const std::string_view token : line.tokens) {
-        if (next > size || count_of(token, "an index", line.number) != next) {
-          input_.refuse("syntax",
-                        "the indices of a ring must be 1 to " + std::to_string(size) + ", in order",
-                        "correct them, or leave the line of indices out", line.number);
-        }
-        ++next;
+  /// The order in which the ring runs through its vertices, each named once, from 1; possibly on
+  /// several lines. Or nothing: as they stand.
+  void indices(TextRing& ring) {
+    const std::size_t size = ring.points.size();
+    std::vector<std::size_t> order;
+    std::vector<bool> named(size, false);
+    while (lines_.line() && order.size() < size && !is_header(lines_.line()->tokens)) {
+      for (const std::string_view token : lines_.line()->tokens) {
+        order.push_back(index(token, ring, order.size(), named));
       }
       lines_.advance();
     }
-    if (next != 1 && next != size + 1) {
+    if (order.empty()) return;
+    if (order.size() < size) {
+      Place where = ring.place();
+      where.line = lines_.last_number();
       input_.refuse(lines_.line() ? "syntax" : "truncated",
-                    "the indices of a ring must be 1 to " + std::to_string(size) +
-                        ", these end at " + std::to_string(next - 1),
-                    "complete them, or leave the line of indices out", lines_.last_number());
+                    "the ring has " + std::to_string(size) + " vertices and " +
+                        std::to_string(order.size()) + " indices",
+                    "complete them, or leave the line of indices out", where);
     }
+    Ring points(size);
+    std::vector<std::uint32_t> lines(size);
+    for (std::size_t i = 0; i < size; ++i) {
+      points[i] = std::move(ring.points[order[i]]);
+      lines[i] = ring.lines[order[i]];
+    }
+    ring.points = std::move(points);
+    ring.lines = std::move(lines);
+  }
+
+  /// One of them, from 0; `before`: how many have come.
+  std::size_t index(std::string_view token, const TextRing& ring, std::size_t before,
+                    std::vector<bool>& named) const {
+    const std::size_t size = named.size(), line = lines_.line()->number;
+    const std::size_t value = count_of(token, "an index", line);
+    const auto refuse = [&](const std::string& problem) {
+      Place where = ring.place();
+      where.line = line;
+      input_.refuse("syntax", problem,
+                    "name each vertex once, in the order in which the ring runs, or leave the line "
+                    "of indices out",
+                    where);
+    };
+    if (before == size)
+      refuse("there are more indices than the " + std::to_string(size) + " vertices of the ring");
+    if (value < 1 || value > size) {
+      refuse("the index " + std::to_string(value) + " is none of 1 to " + std::to_string(size));
+    }
+    if (named[value - 1]) refuse("the index " + std::to_string(value) + " comes twice");
+    named[value - 1] = true;
+    return value - 1;
   }
 
   /// Sorts the holes under their outer rings.

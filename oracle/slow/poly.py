@@ -1,5 +1,6 @@
 """The format `.poly` (docs/formats.md): a number of rings; for each a line with its number of
-vertices and `out` or `in`, one vertex a line, and perhaps its indices."""
+vertices and `out` or `in`, one vertex a line, and perhaps the order in which it runs through them,
+by indices from 1."""
 
 from __future__ import annotations
 
@@ -77,16 +78,13 @@ def ring(lines: Lines, size: int) -> Ring:
     for _ in range(size):
         x, y = lines.take(2, "a vertex")
         points.append((number(x), number(y)))
-    due = 1
-    while due <= size and lines.next and lines.next[-1] not in ("out", "in"):
-        for index in lines.next:
-            if count_of(index) != due or due > size:
-                raise InputError(f"not the form of .poly: the indices of a ring are 1 to {size}")
-            due += 1
+    order: list[int] = []
+    while len(order) < size and lines.next and lines.next[-1] not in ("out", "in"):
+        order += map(count_of, lines.next)
         lines.at += 1
-    if due not in (1, size + 1):
-        raise InputError(f"not the form of .poly: the indices of a ring end at {due - 1}")
-    return points
+    if order and sorted(order) != list(range(1, size + 1)):
+        raise InputError(f"not the form of .poly: the indices of a ring are 1 to {size}, each once")
+    return [points[index - 1] for index in order] or points
 
 
 def count_of(word: str) -> int:

@@ -15,6 +15,27 @@ TEST(Poly, CommentsBlankLinesAndIndicesAreSkipped) {
   EXPECT_EQ(set, (PolygonSet{{{square, {}}}}));
 }
 
+TEST(Poly, IndicesAreTheOrderInWhichTheRingRuns) {
+  const std::string square = "4 out\n0 0\n9 9\n9 0\n0 9\n", hole = "3 in\n1 1\n2 1\n1 2\n";
+  const PolygonSet expected = poly("2\n4 out\n0 0\n9 0\n9 9\n0 9\n3 in\n1 1\n1 2\n2 1\n").set;
+  EXPECT_EQ(poly("2\n" + square + "1 3 2 4\n" + hole + "1 3 2\n").set, expected);
+  // Broken over lines, as long rings of published files are.
+  EXPECT_EQ(poly("2\n" + square + "1 3\n2 4\n" + hole + "1 3 2\n").set, expected);
+  EXPECT_EQ(code("1\n" + square), "self-intersection");
+}
+
+TEST(Poly, ARefusedIndexIsNamedWithItsRingAndLine) {
+  const BadInput twice =
+      refusal_of_text("2\n3 out\n0 0\n9 0\n0 9\n3 in\n1 1\n2 1\n1 2\n1 3 3\n", Format::poly);
+  EXPECT_EQ(twice.place().ring, 1U);
+  EXPECT_EQ(twice.place().line, 10U);
+  EXPECT_NE(std::string(twice.what()).find("the index 3 comes twice"), std::string::npos);
+  // After the indices have been put in order a vertex still has its own line.
+  const BadInput empty = refusal_of_text("1\n4 out\n0 0\n9 9\n9 0\n9 9\n1 3 2 4\n", Format::poly);
+  EXPECT_EQ(empty.code(), "zero-length-edge");
+  EXPECT_TRUE(empty.place().line == 4U || empty.place().line == 6U);
+}
+
 TEST(Poly, CarriageReturnsAndAMissingLastLineBreakDoNotMatter) {
   EXPECT_EQ(poly("1\r\n3 out\r\n0 0\r\n1 0\r\n0 1").set, poly("1\n3 out\n0 0\n1 0\n0 1\n").set);
 }
@@ -112,7 +133,11 @@ TEST(Poly, WrongStructureIsRefused) {
   EXPECT_EQ(code("-1\n"), "syntax");
   EXPECT_EQ(code("1\n3 outer\n0 0\n1 0\n0 1\n"), "syntax");
   EXPECT_EQ(code("1\n3 out\n0 0 0\n1 0 0\n0 1 0\n"), "three-dimensional");
-  EXPECT_EQ(code("1\n3 out\n0 0\n1 0\n0 1\n1 3 2\n"), "syntax");
+  EXPECT_EQ(code("1\n3 out\n0 0\n1 0\n0 1\n1 3 3\n"), "syntax");
+  EXPECT_EQ(code("1\n3 out\n0 0\n1 0\n0 1\n0 1 2\n"), "syntax");
+  EXPECT_EQ(code("1\n3 out\n0 0\n1 0\n0 1\n2 3 4\n"), "syntax");
+  EXPECT_EQ(code("1\n3 out\n0 0\n1 0\n0 1\n2 3 -1\n"), "syntax");
+  EXPECT_EQ(code("1\n3 out\n0 0\n1 0\n0 1\n2 3\n"), "truncated");
   EXPECT_EQ(code("1\n3 out\n0 0\n1 0\n0 1\n1 2 3 4\n"), "syntax");
   EXPECT_EQ(code("2\n3 out\n0 0\n1 0\n0 1\n1 2\n3 in\n"), "syntax");
   EXPECT_EQ(code("1\n3 out\n0 0\n1 0\n0 1\n3 in\n"), "trailing-text");

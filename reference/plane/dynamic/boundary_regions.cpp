@@ -127,20 +127,11 @@ BoundaryRegions boundary_regions(const std::vector<Track>& tracks, BoundaryState
     result.component[i] = components.of_cycle[interior.cycle[i]];
   }
 
-  // Straight edges: from corner to corner.
-  const auto corner = [&](std::uint32_t i) {
-    return !finder.same_direction(result.links[i].edge, result.links[interior.next[i]].edge);
-  };
-  for (const auto& cycle : interior.cycles) {
-    std::uint32_t first = cycle.first;
-    while (!corner(first)) first = interior.next[first];
-    std::uint32_t vertex = result.links[first].to, i = first;
-    do {
-      i = interior.next[i];
-      if (!corner(i)) continue;
-      result.edges.emplace_back(vertex, result.links[i].to);
-      vertex = result.links[i].to;
-    } while (i != first);
+  for (const BoundaryRing& ring : boundary_rings(result, finder)) {
+    const std::size_t corners = ring.vertices.size();
+    for (std::size_t i = 0; i < corners; ++i) {
+      result.edges.emplace_back(ring.vertices[i], ring.vertices[(i + 1) % corners]);
+    }
   }
   std::sort(result.edges.begin(), result.edges.end());
   return result;
@@ -181,8 +172,17 @@ std::vector<BoundaryRing> boundary_rings(const BoundaryRegions& regions,
     rings.push_back(std::move(result));
   };
   for (const auto& cycle : regions.walks.cycles) {
-    // A walk that comes back to a point has closed a ring.
     std::vector<std::uint32_t> walk;
+    if (regions.pinches.empty()) {
+      std::uint32_t k = cycle.first;
+      do {
+        walk.push_back(k);
+        k = regions.walks.next[k];
+      } while (k != cycle.first);
+      add(walk);
+      continue;
+    }
+    // A walk that comes back to a point has closed a ring.
     std::unordered_map<std::uint32_t, std::size_t> place;  // of the link that leaves a point
     std::uint32_t k = cycle.first;
     do {
