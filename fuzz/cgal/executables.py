@@ -45,11 +45,15 @@ class OracleNotFoundError(FileNotFoundError):
 def search_folders() -> list[Path]:
     """In this order: the folders of MINKREF_CGAL, beside the interpreter, the build folder of the
     checkout."""
-    folders = given_folders()
-    folders.append(Path(sys.executable).parent)
+    return [*given_folders(), *built_folders("cgal")]
+
+
+def built_folders(room: str) -> list[Path]:
+    """Where executables of a room of oracle/ may be: beside the interpreter, in the build folder of
+    the checkout."""
     checkouts = dict.fromkeys([Path(__file__).resolve().parents[2], Path(sys.prefix).parent])
-    folders += [checkout / "build" / "release" / "oracle" / "cgal" for checkout in checkouts]
-    return folders
+    built = [checkout / "build" / "release" / "oracle" / room for checkout in checkouts]
+    return [Path(sys.executable).parent, *built]
 
 
 def given_folders() -> list[Path]:

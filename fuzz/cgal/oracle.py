@@ -25,7 +25,7 @@ from minkref.fuzz.cgal.executables import (
     method_of_target,
     target_names,
 )
-from minkref.fuzz.cgal.server import CgalServer
+from minkref.fuzz.cgal.server import OracleServer
 
 __all__ = [
     "ABOUT",
@@ -60,7 +60,7 @@ class OracleAnswer:
     removed_holes: int = 0
 
 
-class CgalOracle(CgalServer):
+class CgalOracle(OracleServer):
     """Sums by one method of CGAL. `raw` hands every hole to CGAL, also those that cannot survive
     and over which CGAL 5.5.1 may corrupt its memory. `seconds` and `bytes` limit each call."""
 

@@ -1,8 +1,7 @@
-"""A server of the CGAL oracle: JSON lines to and from an executable of oracle/cgal.
+"""A server of the oracle: JSON lines to and from an executable of oracle/cgal or oracle/sampled.
 
-Each request is answered by a child process of the server's; the server itself is started at the
-first request, and anew where it has died. Nothing that CGAL does to its own process reaches this
-one.
+The server is started at the first request, and anew where it has died; those of oracle/cgal answer
+each request by a child process. Nothing that they do to their own process reaches this one.
 """
 
 from __future__ import annotations
@@ -22,7 +21,7 @@ GRACE_SECONDS = 20.0
 STATUSES = ("result", "skipped", "crashed", "timed-out", "out-of-memory", "errored")
 
 
-class CgalServer:
+class OracleServer:
     """Holds a server. For one thread. `seconds` (on the clock) and `bytes` (of address space) limit
     each request."""
 
@@ -36,9 +35,9 @@ class CgalServer:
     def ask(
         self, method: str, operands: dict[str, str | dict[str, Any]], **members: Any
     ) -> dict[str, Any]:
-        """The answer, as oracle/cgal/README.md gives its members. Operands are JSON texts or
-        objects {"polygons":[{"outer":[["x","y"],...],"holes":[...]}]}. Every failure of CGAL or of
-        the server is an answer with a `status` and a `reason`; OSError where no server starts."""
+        """The answer, as the README of its room gives its members. Operands are JSON texts or
+        objects {"polygons":[{"outer":[["x","y"],...],"holes":[...]}]}. Every failure of the
+        server is an answer with a `status` and a `reason`; OSError where no server starts."""
         number = next(self._ids)
         head = json.dumps({"id": number, "method": method, **members, **self._limits})
         tail = "".join(f', "{name}": {_one_line(value)}' for name, value in operands.items())

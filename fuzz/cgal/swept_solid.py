@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from minkref.fuzz.cgal.executables import SWEPT_SOLID, find_executable
-from minkref.fuzz.cgal.server import CgalServer
+from minkref.fuzz.cgal.server import OracleServer
 
 MOST_PAIRS = 24
 SECONDS = 60.0
@@ -34,7 +34,7 @@ class SweptSolidAnswer:
     seconds: float | None = None
 
 
-class SweptSolid(CgalServer):
+class SweptSolid(OracleServer):
     """{(s p + q, s)} as a Nef polyhedron (oracle/cgal/README.md): its vertices are the places and
     scales where the boundary of sP + Q changes. Limits for each call: pairs of triangles, `seconds`
     on the clock and `bytes` of address space."""

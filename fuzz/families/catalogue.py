@@ -15,6 +15,7 @@ from minkref.fuzz.families.hard_numbers import (
     thin_pair,
 )
 from minkref.fuzz.families.holed_pairs import fit_pair, holes_pair, nested_pair, small_holes_pair
+from minkref.fuzz.families.lattice_pairs import lattice_pair
 from minkref.fuzz.families.outlines import comb_pair, spiral_pair, star_pair
 from minkref.fuzz.families.random_pairs import Pair, random_pair
 from minkref.fuzz.families.touching_pairs import cells_pair, touching_pair
@@ -44,6 +45,7 @@ _ALL = (
     Family("star", "stars", star_pair),
     Family("spiral", "spirals", spiral_pair),
     Family("degenerate", "a point, a segment or the empty set as one operand", degenerate_pair),
+    Family("lattice", "parts, holes, points and segments on a few lattice points", lattice_pair),
     Family("rational", "coordinates with small denominators", rational_pair),
     Family("thin", "slivers and needles", thin_pair),
     Family("offset", "far from the origin", offset_pair),

@@ -1,5 +1,5 @@
-"""Pairs on a few points of the lattice, where everything happens at once: several parts, holes that
-touch their outer ring, parts that touch, sides of the axes; a segment or a point as either operand."""
+"""Pairs on a few points of the lattice, where much happens at once: several parts, holes that touch
+their outer ring, parts that touch, sides of the axes; a segment or a point as either operand."""
 
 from __future__ import annotations
 

@@ -29,11 +29,20 @@ MODULES = {
         "pair, parallel and triple events, against the symbolic oracle",
     ),
     "swept-boundary": ("swept_boundary", "boundary events, against the swept solid"),
+    "sampled-events": (
+        "sampled_events",
+        "boundary events and what they do to holes and components, against sums around every scale",
+    ),
 }
 LONG_NUMBER = re.compile(r"[0-9/-]{4001}")
 SYMBOLIC_NEEDS = ("sympy", "gmpy2")
 # Pairs of vertices, m n, above which a judge skips a case.
-SIZE_LIMITS = {"slow-sums": 400, "slow-topology": 400, "slow-tight-passages": 400}
+SIZE_LIMITS = {
+    "slow-sums": 400,
+    "slow-topology": 400,
+    "slow-tight-passages": 400,
+    "sampled-events": 600,
+}
 
 
 def names() -> list[str]:
@@ -49,6 +58,13 @@ def absence(name: str) -> str | None:
     if check == "swept-boundary":
         try:
             find_executable(SWEPT_SOLID)
+        except OracleNotFoundError as error:
+            return str(error)
+    if check == "sampled-events":
+        from minkref.fuzz.judges.sampled_events import find_executable as find_sampled
+
+        try:
+            find_sampled()
         except OracleNotFoundError as error:
             return str(error)
     return None
@@ -74,6 +90,10 @@ class Check:
             from minkref.fuzz.cgal.swept_solid import SweptSolid
 
             self._arguments = (self._open.enter_context(SweptSolid()),)
+        if self._short == "sampled-events":
+            from minkref.fuzz.judges.sampled_events import SampledEvents
+
+            self._arguments = (self._open.enter_context(SampledEvents()),)
 
     @property
     def _short(self) -> str:

@@ -54,8 +54,10 @@ class Search {
       if (!question_.is_in_time()) throw OutOfTime();
       const State<Int> at = state(scales[k]);
       Between above = between(scales[k], bound(k + 1));
-      if (below.tracks != above.tracks || values(below.tracks, scales[k]) != places(at)) {
-        answer_.events.push_back({to_rational(scales[k]), below.counts, at.counts, above.counts});
+      if (below.tracks != above.tracks || values(below.tracks, scales[k]) != places(at) ||
+          distinct(below.tracks) != distinct(places(at))) {
+        answer_.events.push_back({to_rational(scales[k]), below.counts, at.counts, above.counts,
+                                  below.tracks == above.tracks});
       } else if (!(below.counts == at.counts && at.counts == above.counts)) {
         throw Fault("the counts change where the boundary does not");
       }
@@ -116,8 +118,9 @@ class Search {
     for (const auto& ring : of.rings) {
       auto& cycle = found.emplace_back();
       for (const RingVertex& v : ring) {
-        const Vec<Int>&d = direction(of, v.in), &e = direction(of, v.out);
-        const Linear<Int> f = line(of, v.in), g = line(of, v.out);
+        const auto& [one, other] = of.lines[static_cast<std::size_t>(v.point)];
+        const Vec<Int>&d = direction(of, one), &e = direction(of, other);
+        const Linear<Int> f = line(of, one), g = line(of, other);
         Int w = cross(d, e);
         Track<Int> track{{Int(f.a * e.x - g.a * d.x), Int(f.b * e.x - g.b * d.x)},
                          {Int(f.a * e.y - g.a * d.y), Int(f.b * e.y - g.b * d.y)},
@@ -141,6 +144,13 @@ class Search {
       for (const Track<Int>& track : cycle) ring.push_back(track.at(s));
     }
     return canonical(std::move(found));
+  }
+
+  template <class T>
+  static std::size_t distinct(const std::vector<std::vector<T>>& cycles) {
+    std::set<T> all;
+    for (const auto& cycle : cycles) all.insert(cycle.begin(), cycle.end());
+    return all.size();
   }
 
   static Cycles<Int> places(const State<Int>& of) {

@@ -9,7 +9,8 @@
 
 namespace minkref::sampled {
 
-/// Components, holes and so on of a state of the boundary.
+/// Of a state of the boundary: rings and vertices of the canonical form, components of the
+/// interior, bounded ones of the complement.
 struct Counts {
   int rings = 0, vertices = 0, components = 0, holes = 0;
   friend bool operator==(const Counts&, const Counts&) = default;
@@ -18,6 +19,7 @@ struct Counts {
 struct Event {
   mpq_class s;
   Counts below, at, above;
+  bool same = false;  ///< the same moving rings below and above
 };
 
 struct Question {

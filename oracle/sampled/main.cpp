@@ -1,5 +1,7 @@
 // minkref-sampled-events: a judge of boundary events. Reads a question a line, writes an answer a
 // line (README.md).
+#include <sys/resource.h>
+
 #include <chrono>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -58,9 +60,18 @@ bool is_thin(const Rings& rings) { return rings.size() == 1 && rings[0].size() <
 
 Json text(const Counts& c) { return {c.rings, c.vertices, c.components, c.holes}; }
 
+/// Beyond it there is no memory; GMP then ends the process.
+void limit_memory(rlim_t bytes) {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) != 0) return;
+  limit.rlim_cur = std::min(bytes, limit.rlim_max);
+  setrlimit(RLIMIT_AS, &limit);
+}
+
 Json answer_to(const Json& asked) {
   const auto began = Clock::now();
   const double seconds = asked.value("seconds", 600.0);
+  if (asked.contains("bytes")) limit_memory(asked["bytes"].get<rlim_t>());
   const auto P = rings_of(asked.at("P")), Q = rings_of(asked.at("Q"));
   mpz_class unit = 1;  // sP + Q grows by it as both do
   for (const auto* rings : {&P, &Q}) {
@@ -82,7 +93,8 @@ Json answer_to(const Json& asked) {
     rows.push_back({{"s", e.s.get_str()},
                     {"below", text(e.below)},
                     {"at", text(e.at)},
-                    {"above", text(e.above)}});
+                    {"above", text(e.above)},
+                    {"same", e.same}});
   }
   return {{"status", "result"},           {"events", rows},
           {"before", text(found.before)}, {"candidates", found.candidates},

@@ -14,7 +14,10 @@ struct RingVertex {
 template <class Int>
 struct State {
   std::vector<BoundaryEdge<Int>> edges;
-  std::vector<Point<Int>> points;  ///< ascending
+  std::vector<Point<Int>> points;          ///< ascending
+  std::vector<std::pair<int, int>> lines;  ///< of each point: two edges there that are not parallel
+  /// Of the canonical form, but that straight vertices stay, which are where the boundary touches
+  /// itself.
   std::vector<std::vector<RingVertex>> rings;
   Counts counts;
 };
@@ -38,10 +41,11 @@ class RingMaker {
     state_.edges = std::move(edges);
     find_points();
     cut_edges();
-    state_.rings = straightened(cycles(false));
+    find_lines();
+    state_.rings = cycles(false);
     Counts& counts = state_.counts;
-    counts.rings = static_cast<int>(state_.rings.size());
-    for (const auto& ring : state_.rings) {
+    for (const auto& ring : straightened(state_.rings)) {
+      ++counts.rings;
       counts.vertices += static_cast<int>(ring.size());
       counts.components += runs_left(ring);
     }
@@ -99,6 +103,20 @@ class RingMaker {
     }
     for (std::size_t x = 0; x < leaving_.size(); ++x) {
       if (leaving_[x].size() != arriving_[x].size()) throw Fault("the boundary does not close");
+    }
+  }
+
+  void find_lines() {
+    for (std::size_t x = 0; x < leaving_.size(); ++x) {
+      std::pair<int, int> lines{edge_of(leaving_[x].front()), -1};
+      for (const auto* parts : {&leaving_[x], &arriving_[x]}) {
+        for (const int part : *parts) {
+          if (cross(direction(leaving_[x].front()), direction(part)) != 0)
+            lines.second = edge_of(part);
+        }
+      }
+      if (lines.second < 0) throw Fault("the boundary goes straight on through a vertex");
+      state_.lines.push_back(lines);
     }
   }
 
