@@ -23,7 +23,8 @@ MOST_VERTICES = 16  # of an operand
 def lattice_pair(seed: int, index: int) -> Pair:
     """At scale 1; of both operands every coordinate is a whole number from -3 to 5."""
     dice = random.Random(f"minkref lattice {seed} {index}")
-    P, Q = lattice_operand(dice), lattice_operand(dice)
+    small = dice.random() < 0.4
+    P, Q = lattice_operand(dice, small), lattice_operand(dice, small)
     if dice.random() < 0.2:
         P, Q = _thin(dice), Q
         if dice.random() < 0.5:
@@ -31,16 +32,20 @@ def lattice_pair(seed: int, index: int) -> Pair:
     return Pair(seed, index, HIGH - LOW, P, Q, "1")
 
 
-def lattice_operand(dice: random.Random) -> str:
-    """A region as JSON text."""
+def lattice_operand(dice: random.Random, small: bool) -> str:
+    """A region as JSON text. Small ones are up to three triangles, boxes and so on with few
+    directions: of two of them many edges are parallel."""
     while True:
+        outers: list[Ring] = []
         shape: Shape = []
-        for _ in range(dice.choice((1, 1, 2, 2, 3))):
-            outer = _moved(dice, _outer(dice), [node for part in shape for node in part[0]])
+        for _ in range(dice.choice((2, 2, 3) if small else (1, 1, 2, 2, 3))):
+            outers.append(
+                _moved(dice, _outer(dice, small), [node for ring in outers for node in ring])
+            )
             holes: list[Ring] = []
-            if dice.random() < 0.4:
-                holes = random_holes(dice, outer, 2, touching=dice.random() < 0.6)
-            shape.append([list(outer), *(list(hole) for hole in holes)])
+            if not small and dice.random() < 0.5:
+                holes = random_holes(dice, outers[-1], 2, touching=dice.random() < 0.6)
+            shape.append([[*ring] for ring in (outers[-1], *holes)])
         if sum(len(ring) for part in shape for ring in part) > MOST_VERTICES:
             continue
         text = shape_text(shape)
@@ -48,10 +53,10 @@ def lattice_operand(dice: random.Random) -> str:
             return text
 
 
-def _outer(dice: random.Random) -> Ring:
+def _outer(dice: random.Random, small: bool) -> Ring:
     """Counter-clockwise, its least coordinates zero at the least."""
     while True:
-        side = dice.choice((1, 2, 3, 4, 6, 8))
+        side = dice.choice((1, 1, 2) if small else (2, 3, 4, 6, 8))
         kind = dice.random()
         ring: Ring | None
         if kind < 0.4:

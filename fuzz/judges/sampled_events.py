@@ -137,7 +137,10 @@ def compare_events(ruling: Ruling, what: str, found: Any, truth: Sequence[Event]
 
 def compare_states(ruling: Ruling, dynamic: _core.DynamicSum, truth: Events) -> None:
     """Holes, components and vertices below, at and above each event."""
-    right = [("0", truth.before.holes, truth.before.components, truth.before.vertices)]
+    first = truth.before
+    right: list[tuple[Any, ...]] = []
+    if first.rings:  # the empty set has no states
+        right.append(("0", first.holes, first.components, first.vertices))
     right += [
         (str(s), above.holes, above.components, above.vertices, at.holes, at.components)
         for s, _, at, above, _ in truth.events

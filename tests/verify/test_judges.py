@@ -17,6 +17,7 @@ from minkref.fuzz.cgal.swept_solid import SweptSolid
 from minkref.fuzz.judges import (
     checks,
     event_rows,
+    sampled_events,
     slow_points,
     slow_sums,
     slow_tight_passages,
@@ -56,6 +57,11 @@ def swept(case: Case) -> Ruling:
         pytest.skip(str(error))
 
 
+def sampled(case: Case) -> Ruling:
+    with sampled_events.SampledEvents() as judge:
+        return sampled_events.judge(case, judge)
+
+
 JUDGES: dict[str, tuple[Any, Callable[[Case], Ruling]]] = {
     "sums": (slow_sums, slow_sums.judge),
     "topology": (slow_topology, slow_topology.judge),
@@ -63,6 +69,7 @@ JUDGES: dict[str, tuple[Any, Callable[[Case], Ruling]]] = {
     "points": (slow_points, slow_points.judge),
     "events": (event_rows, symbolic_events.judge),
     "boundary": (swept_boundary, swept),
+    "sampled": (sampled_events, sampled),
 }
 
 
@@ -80,6 +87,23 @@ def test_a_judge_agrees_on_what_was_once_amiss(name: str, P: str, Q: str) -> Non
     """An island that fills its hole at one scale; three edges of one line that end in one point."""
     ruling = JUDGES[name][1](case_of(P, Q))
     assert ruling.messages == [] and ruling.compared > 0
+
+
+SHRINKING = "MULTIPOLYGON(((-1 -1, 0 -1, 0 0, -1 -1)), ((1 1, 0 2, 0 1, 1 1)))"
+GROWING = "MULTIPOLYGON(((0 2, 0 0, 1 0, 0 2)), ((-2 1, -3 -1, -2 0, -2 1)))"
+TOUCHING = "POLYGON((1 3, 4 3, 4 5, 1 5, 1 3), (3 4, 3 3, 2 4, 3 4))"
+
+
+def test_both_routes_list_the_scale_at_which_an_edge_shrinks_and_grows_again_reversed() -> None:
+    """At 3/2 only: the same moving boundary is just below and just above."""
+    ruling = sampled(case_of(SHRINKING, GROWING))
+    assert ruling.messages == [] and ruling.compared > 0
+
+
+def test_vertices_of_rings_that_touch_for_a_while_are_those_of_the_canonical_form() -> None:
+    """They are counted after rings that pass a point twice are split."""
+    for P, Q in ((TOUCHING, "POINT(4 3)"), (UNIT, TOUCHING)):
+        assert sampled(case_of(P, Q)).messages == []
 
 
 class Lying:
@@ -117,6 +141,28 @@ class WithoutEvents:
 class WithoutBoundaryEvents(WithoutEvents):
     def boundary_events(self) -> list[Any]:
         return []
+
+
+class RepeatedBoundaryEvents(WithoutEvents):
+    def boundary_events(self) -> list[Any]:
+        return 2 * self._right.boundary_events()
+
+    def topology_events(self) -> list[Any]:
+        right: list[Any] = self._right.topology_events()
+        return right
+
+
+class WithoutHoles:
+    """An index."""
+
+    def __init__(self, *arguments: Any) -> None:
+        self._right = _core.ScaleSpaceIndex(*arguments)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._right, name)
+
+    def components_and_holes(self, scale: str) -> tuple[int, int]:
+        return self._right.components_and_holes(scale)[0], 0
 
 
 class FewerEvents:
@@ -210,6 +256,13 @@ LIES: list[tuple[str, str, str, dict[str, Any], Reason]] = [
         "events", TRIANGLE, FRAME, {"reduced_convolution": lambda *_: []}, Reason.EVENT_MISSED,
     ),
     ("boundary", TRIANGLE, FRAME, {"DynamicSum": WithMoreEvents}, Reason.EVENT_INVENTED),
+    ("sampled", TRIANGLE, FRAME, {"DynamicSum": WithMoreEvents}, Reason.EVENT_INVENTED),
+    ("sampled", TRIANGLE, FRAME, {"DynamicSum": WithoutBoundaryEvents}, Reason.EVENT_MISSED),
+    ("sampled", TRIANGLE, FRAME, {"DynamicSum": WithoutEvents}, Reason.EVENT_MISPLACED),
+    ("sampled", TRIANGLE, FRAME, {"DynamicSum": RepeatedBoundaryEvents}, Reason.EVENT_INVENTED),
+    ("sampled", TRIANGLE, FRAME, {"DynamicSum": drifting(0)}, Reason.STATE_DRIFT),
+    ("sampled", TRIANGLE, FRAME, {"DynamicSum": drifting(1)}, Reason.STATE_DRIFT),
+    ("sampled", TRIANGLE, FRAME, {"ScaleSpaceIndex": WithoutHoles}, Reason.STATE_DRIFT),
     (
         "tight passages", UNIT, CORRIDOR, {"tight_passages": lambda *_: []},
         Reason.PASSAGE_MISSED,
