@@ -196,7 +196,7 @@ def false_certificates(case: Case, truth: Events, counts: Counter[str]) -> list[
     hidden = [across[k] for k, event in enumerate(truth.events) if event.same]
     between = list(pairwise(scales))
     half = MOST_INTERVALS // 2
-    chosen = [*hidden, *dice.sample(across, len(across))][:half]
+    chosen = list(dict.fromkeys([*hidden, *dice.sample(across, len(across))]))[:half]
     chosen += dice.sample(between, len(between))[:half]
     false = []
     for a, b in chosen:
