@@ -33,7 +33,7 @@ class Event(NamedTuple):
     below: Counts
     at: Counts
     above: Counts
-    same: bool  # the same moving rings below and above
+    same: bool  # the same moving vertices, joined alike, below and above
 
     @property
     def change(self) -> str:

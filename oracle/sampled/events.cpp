@@ -57,7 +57,7 @@ class Search {
       if (below.tracks != above.tracks || values(below.tracks, scales[k]) != places(at) ||
           distinct(below.tracks) != distinct(places(at))) {
         answer_.events.push_back({to_rational(scales[k]), below.counts, at.counts, above.counts,
-                                  below.tracks == above.tracks});
+                                  below.corners == above.corners});
       } else if (!(below.counts == at.counts && at.counts == above.counts)) {
         throw Fault("the counts change where the boundary does not");
       }
@@ -68,7 +68,8 @@ class Search {
 
  private:
   struct Between {
-    TrackCycles<Int> tracks;
+    TrackCycles<Int> tracks;   ///< also of straight vertices, where the boundary touches itself
+    TrackCycles<Int> corners;  ///< of the canonical form
     Counts counts;
   };
 
@@ -96,7 +97,7 @@ class Search {
     const Fraction<Int> s = simplest_between(a, b), second = simplest_between(s, b);
     bool same = false, same_at_second = false;
     const State<Int> here = state(s, &same), there = state(second, &same_at_second);
-    Between found{tracks(here), here.counts};
+    Between found{tracks(here, true), tracks(here, false), here.counts};
     if (!same || !same_at_second || values(found.tracks, second) != places(there) ||
         !(here.counts == there.counts)) {
       throw Fault("the boundary changes between two candidates");
@@ -113,11 +114,12 @@ class Search {
     return moving_.directions[static_cast<std::size_t>(e.direction)];
   }
 
-  TrackCycles<Int> tracks(const State<Int>& of) const {
+  TrackCycles<Int> tracks(const State<Int>& of, bool straight) const {
     TrackCycles<Int> found;
     for (const auto& ring : of.rings) {
       auto& cycle = found.emplace_back();
       for (const RingVertex& v : ring) {
+        if (!straight && direction(of, v.in) == direction(of, v.out)) continue;
         const auto& [one, other] = of.lines[static_cast<std::size_t>(v.point)];
         const Vec<Int>&d = direction(of, one), &e = direction(of, other);
         const Linear<Int> f = line(of, one), g = line(of, other);

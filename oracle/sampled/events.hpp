@@ -19,7 +19,7 @@ struct Counts {
 struct Event {
   mpq_class s;
   Counts below, at, above;
-  bool same = false;  ///< the same moving rings below and above
+  bool same = false;  ///< the same moving vertices, joined in the same order, below and above
 };
 
 struct Question {
