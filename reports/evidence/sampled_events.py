@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+import resource
 import threading
 import time
 from collections import Counter
@@ -33,6 +34,7 @@ SEED = 2207
 PAIRS, QUICK_PAIRS = 20_000, 300
 PROCESSES = 2
 SECONDS = 20.0  # in which two builds of the index and the walk of a lattice pair must end
+BYTES = 4 << 30  # that a worker may take
 CERTIFIED = 40  # one of so many pairs, and each with an event that only shows at its scale
 MOST_INTERVALS = 6  # of a pair
 Told = dict[str, Any]
@@ -141,6 +143,7 @@ class Worker:
 def work(pipe: Connection) -> None:
     """The loop of a worker."""
     child.begin()
+    resource.setrlimit(resource.RLIMIT_AS, (BYTES, BYTES))
     with SampledEvents() as sampled:
         pipe.send("ready")
         while True:
