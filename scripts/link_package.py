@@ -82,7 +82,11 @@ def write_command(command: Path, entry: str) -> None:
 
 def link_oracle(scripts: Path) -> None:
     """The executables of the oracle beside the interpreter, where the package looks for them."""
-    for pattern in ("cgal/minkref-cgal-*", "checker/minkref-check", "sampled/minkref-sampled-events"):
+    for pattern in (
+        "cgal/minkref-cgal-*",
+        "checker/minkref-check",
+        "sampled/minkref-sampled-events",
+    ):
         for old in scripts.glob(pattern.split("/")[1]):
             old.unlink()
         for built in (BUILD / "oracle").glob(pattern):

@@ -94,8 +94,6 @@ class Candidates {
     return result;
   }
 
-  std::size_t places() const { return found_.size(); }
-
  private:
   struct Found {
     Fraction<Int> s;
