@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import random
 
-from minkref.fuzz.families.drawing import Shape, is_valid, shape_text
+from minkref.fuzz.families.drawing import SCALES, Shape, is_valid, shape_text
 from minkref.fuzz.families.integer_rings import (
     Node,
     Ring,
@@ -17,22 +17,25 @@ from minkref.fuzz.families.integer_rings import (
 from minkref.fuzz.families.random_pairs import Pair, random_holes
 
 LOW, HIGH = -3, 5
-MOST_VERTICES = 16  # of an operand
+FEWEST, MOST = 8, 16  # the most vertices of an operand, at the beginning and later
+GROWTH = 160
 
 
 def lattice_pair(seed: int, index: int) -> Pair:
-    """At scale 1; of both operands every coordinate is a whole number from -3 to 5."""
+    """Of both operands every coordinate is a whole number from -3 to 5, whatever the scale."""
     dice = random.Random(f"minkref lattice {seed} {index}")
     small = dice.random() < 0.4
-    P, Q = lattice_operand(dice, small), lattice_operand(dice, small)
+    most = FEWEST + min(index, GROWTH) * (MOST - FEWEST) // GROWTH
+    P, Q = (lattice_operand(dice, small, most) for _ in range(2))
     if dice.random() < 0.2:
         P, Q = _thin(dice), Q
         if dice.random() < 0.5:
             P, Q = Q, P
-    return Pair(seed, index, HIGH - LOW, P, Q, "1")
+    scale = dice.choice(SCALES) if index > 60 and dice.random() < 0.25 else "1"
+    return Pair(seed, index, HIGH - LOW, P, Q, scale)
 
 
-def lattice_operand(dice: random.Random, small: bool) -> str:
+def lattice_operand(dice: random.Random, small: bool, most: int) -> str:
     """A region as JSON text. Small ones are up to three triangles, boxes and so on with few
     directions: of two of them many edges are parallel."""
     while True:
@@ -46,7 +49,7 @@ def lattice_operand(dice: random.Random, small: bool) -> str:
             if not small and dice.random() < 0.5:
                 holes = random_holes(dice, outers[-1], 2, touching=dice.random() < 0.6)
             shape.append([[*ring] for ring in (outers[-1], *holes)])
-        if sum(len(ring) for part in shape for ring in part) > MOST_VERTICES:
+        if sum(len(ring) for part in shape for ring in part) > most:
             continue
         text = shape_text(shape)
         if is_valid(text):

@@ -31,6 +31,7 @@ FINGERPRINTS = {
     "star": "bda9f31e63e02fb2",
     "spiral": "79f3dfd2170812f5",
     "degenerate": "2f195327daf4bb6b",
+    "lattice": "5bc7d47038abb79e",
     "rational": "c8e104329c52e6d3",
     "thin": "c20b58e0b61220b2",
     "offset": "c1947d8db4eaa510",
