@@ -7,7 +7,10 @@
 
 #include "reference/plane/convolution/convolution_rule.hpp"
 #include "reference/plane/dynamic/interior_test.hpp"
+#include "reference/plane/dynamic/right_of_edge.hpp"
 #include "reference/plane/kernel/fraction.hpp"
+#include "reference/plane/kernel/plain_kernel.hpp"
+#include "reference/plane/passages/wedge_walks.hpp"
 #include "reference/scalespace/in_parallel.hpp"
 #include "reference/scalespace/patch_clipping.hpp"
 #include "reference/scalespace/patch_neighbours.hpp"
@@ -24,6 +27,19 @@ std::optional<double> between(double low, double high) {
   return std::ldexp(std::nearbyint(std::ldexp(low + room / 2, -unit)), unit);
 }
 
+/// The direction of the segment that one operand is, if rings of the other touch. Where the segment
+/// passes a point at which they do, the interior on either side, no edge of the convolution shows
+/// what touches there: an edge on its line may have the sum on its right too.
+std::optional<Vector2<Rational>> segment_past_touching_rings(const PolygonSet& P,
+                                                             const PolygonSet& Q) {
+  for (const auto& [segment, other] : {std::pair(&P, &Q), std::pair(&Q, &P)}) {
+    if (!segment->is_segment() || !wedge_walks(*other)) continue;
+    const Ring& ends = segment->polygons[0].outer;
+    return Vector2<Rational>(ends[1].x - ends[0].x, ends[1].y - ends[0].y);
+  }
+  return std::nullopt;
+}
+
 template <class K>
 class Search {
  public:
@@ -33,11 +49,13 @@ class Search {
 
   Search(K kernel, const std::vector<Edge>& edges, const std::vector<RationalEdge>& moving,
          const PatchNeighbours& neighbours, const InteriorTracks& tracks,
-         const InteriorSolids& solids, const InteriorTest& test, const ScaleWindow& window,
+         const InteriorSolids& solids, const InteriorTest& test,
+         const std::optional<Vector2<Rational>>& segment, const ScaleWindow& window,
          SweptBoundary& result)
       : moving_(moving),
         neighbours_(neighbours),
         test_(test),
+        segment_(segment),
         finder_(std::move(kernel), edges),
         clipping_(moving, tracks, solids),
         sweep_(window.from.value_or(Rational(0)), window.to),
@@ -63,7 +81,7 @@ class Search {
       }
     }
     for (auto& [face, largest] : largest_) {
-      largest.exposed = !is_inside(edge, sweep_.pieces()[largest.piece]);
+      largest.exposed = is_exposed(edge, sweep_.pieces()[largest.piece]);
     }
     result_.faces_tested += largest_.size();
     bool exposed = false;
@@ -111,8 +129,8 @@ class Search {
     return Rational(grid_integer(value));
   }
 
-  /// Of a point within the piece.
-  bool is_inside(std::uint32_t edge, const Piece& piece) const {
+  /// By a point within the piece.
+  bool is_exposed(std::uint32_t edge, const Piece& piece) const {
     Rational s;
     if (const auto middle = between(piece.from.near, finite(piece.to, piece.from))) {
       s = from_double(*middle);
@@ -128,12 +146,16 @@ class Search {
     }
     const RationalEdge& e = moving_[edge];
     const Point x{e.p.x() * s + e.q.x() + e.d.x() * t, e.p.y() * s + e.q.y() + e.d.y() * t};
-    return test_.inside(x, s);
+    if (test_.inside(x, s)) return false;
+    const bool may_have_sum_on_the_right =
+        segment_ && sign(PlainKernel<Rational>::cross(e.d, *segment_)) == 0;
+    return !may_have_sum_on_the_right || !sum_on_the_right(moving_, edge, x, s, test_);
   }
 
   const std::vector<RationalEdge>& moving_;
   const PatchNeighbours& neighbours_;
   const InteriorTest& test_;
+  const std::optional<Vector2<Rational>>& segment_;
   PatchNodeFinder<K> finder_;
   PatchClipping<K> clipping_;
   Sweep sweep_;
@@ -176,13 +198,14 @@ SweptBoundary swept_boundary(const PolygonSet& P, const PolygonSet& Q, const Sca
   result.meeting_pairs = neighbours.meeting;
   result.pairs_inside = neighbours.inside;
   const InteriorTest test(P, Q);
+  const std::optional<Vector2<Rational>> segment = segment_past_touching_rings(P, Q);
   on_exact_frame(P, Q, [&](const auto& frame) {
     using K = typename std::decay_t<decltype(frame)>::K;
     const auto edges = moving_edges(result.edges, frame.P, frame.Q);
     std::vector<SweptBoundary> parts(control.threads());
     in_parallel(edges.size(), control, BuildProgress::Stage::patches, [&](unsigned thread) {
-      return Search<K>(frame.kernel, edges, result.moving, neighbours, tracks, solids, test, window,
-                       parts[thread]);
+      return Search<K>(frame.kernel, edges, result.moving, neighbours, tracks, solids, test,
+                       segment, window, parts[thread]);
     });
     gather(parts, result);
   });

@@ -4,6 +4,7 @@
 
 #include "reference/fault.hpp"
 #include "reference/plane/dynamic/double_range.hpp"
+#include "reference/plane/dynamic/right_of_edge.hpp"
 #include "reference/plane/kernel/grid_kernel.hpp"
 #include "reference/plane/kernel/plain_kernel.hpp"
 
@@ -109,33 +110,6 @@ bool SubEdgeStatus::covered(const Point& x, const Rational& scale, std::uint32_t
   return along > std::min(from, to) && along < std::max(from, to);
 }
 
-/// Whether the face on the right of a point inside a sub-edge lies in the sum: a point of it,
-/// nearer than any edge in this direction, is decided.
-bool SubEdgeStatus::sum_on_the_right(const Point& x, const Rational& scale) const {
-  const V from(x.x, x.y), right(swept_.moving().d.y(), -swept_.moving().d.x());
-  std::optional<Rational> nearest;
-  for (const RationalEdge& f : events_.moving()) {
-    const V a = V(minkref::at(start_of(f), scale) - from),
-            b = V(minkref::at(end_of(f), scale) - from);
-    const Rational side_a = right.x() * a.y() - right.y() * a.x();
-    const Rational side_b = right.x() * b.y() - right.y() * b.x();
-    std::vector<V> meetings;
-    if (side_a == 0) meetings.push_back(a);
-    if (side_b == 0) meetings.push_back(b);
-    if (sign(side_a) * sign(side_b) < 0) {
-      const Rational t = side_a / (side_a - side_b);
-      meetings.push_back(V(a.x() + t * (b.x() - a.x()), a.y() + t * (b.y() - a.y())));
-    }
-    for (const V& v : meetings) {
-      const Rational along = v.dot(right) / right.dot(right);
-      if (sign(along) > 0 && (!nearest || along < *nearest)) nearest = along;
-    }
-  }
-  if (!nearest) return false;  // the unbounded face
-  const Rational half = *nearest / 2;
-  return interior_.in_closed_sum({x.x + half * right.x(), x.y + half * right.y()}, scale);
-}
-
 Status SubEdgeStatus::at(std::uint32_t x, std::uint32_t y, const SampleScale& sample,
                          const std::vector<std::uint32_t>& overlaps) {
   const double s = sample.approximate;
@@ -155,7 +129,8 @@ Status SubEdgeStatus::at(std::uint32_t x, std::uint32_t y, const SampleScale& sa
   // A segment through a point where rings touch is held on one side by no edge.
   const bool tight = std::any_of(one_line.begin(), one_line.end(), against) ||
                      std::any_of(overlaps.begin(), overlaps.end(), against) ||
-                     (!regions_ && sum_on_the_right(point, sample.scale));
+                     (!regions_ && sum_on_the_right(events_.moving(), swept_.edge(), point,
+                                                    sample.scale, interior_));
   return tight && !planted(Fault::tight_taken_for_boundary) ? Status::tight : Status::boundary;
 }
 

@@ -48,7 +48,6 @@ class SubEdgeStatus {
   Place place(double along, double along_terms, double s) const;
   bool certainly_left(std::uint32_t local, bool after, double s) const;
   bool covered_against(const Point& x, const Rational& scale, std::uint32_t other) const;
-  bool sum_on_the_right(const Point& x, const Rational& scale) const;
 
   const ArrangementEvents& events_;
   const SweptEdge& swept_;
