@@ -12,6 +12,7 @@ from enum import Enum
 
 from minkref.fuzz.cases.case import CaseName
 from minkref.fuzz.cases.space_case import LAWS_IN_SPACE
+from minkref.fuzz.cases.verbs import UPDATE
 from minkref.model_catalogue import PAPER_MODELS, all_models, or_look_alike
 
 SMALL_MODELS = ("g3", "g1", "disc1", "disc5", "g2", "g4", "dog145")
@@ -23,6 +24,7 @@ MOST_PARENTS = 200
 DEEPEST_MUTANT = 4
 PROBES_PER_ROUND = 3
 GRID_BITS = 24  # of cases for implementations on a grid, or in doubles
+CONVEX_FAMILIES = ("space-convex", "space-sphere")  # which most targets with updates take
 SPACE_ROUNDS = 3  # in which each family in space has its turn, beside families in the plane
 
 
@@ -135,6 +137,11 @@ class CaseList:
             family = self.space[index % len(self.space)]
             law = LAWS_IN_SPACE[index % len(LAWS_IN_SPACE)]
             yield CaseName(f"{law}({family}:{self.seed}:{index // 2})", "laws in space")
+        if self.space and UPDATE in self.laws:
+            convex = [family for family in CONVEX_FAMILIES if family in self.space]
+            for families in filter(None, (convex, self.space)):
+                family = families[index % len(families)]
+                yield CaseName(f"{UPDATE}({family}:{self.seed}:{index // 2})", "updates in space")
         for k in range(min(MUTANTS_PER_ROUND, len(self._parents))):
             parent = dice.choice(self._parents)
             yield CaseName(f"mutant:{index * MUTANTS_PER_ROUND + k}({parent})", "mutants")

@@ -34,6 +34,7 @@ from minkref.fuzz.cases.invalid_case import InvalidCase, load_invalid
 from minkref.fuzz.cases.no_case import NoCase
 from minkref.fuzz.cases.space_case import LAWS_IN_SPACE, SPACE_FAMILIES, SpaceCase, load_space
 from minkref.fuzz.cases.space_case_file import is_in_space, read_space_case
+from minkref.fuzz.cases.verbs import EVENTS, UPDATE
 from minkref.fuzz.families.catalogue import FAMILIES
 from minkref.fuzz.families.mutation import mutate
 from minkref.fuzz.families.probes import scale_probes
@@ -44,7 +45,6 @@ from minkref.operand import is_file, read_operand
 MOST_PROBES = 12
 MOST_BITS = 1000
 DEEPEST = 64  # operations in a name
-UPDATE, EVENTS = "update", "events"  # verbs of the protocol, told from the laws
 _GENERATED = re.compile(r"([a-z0-9-]+):(-?[0-9]+):([0-9]+)")
 _DERIVED = re.compile(r"([A-Za-z0-9-]+)(?::([0-9]+))?\((.*)\)", re.DOTALL)
 
@@ -96,6 +96,8 @@ def _derive(name: CaseName, operation: str, number: str | None, inner: str) -> C
     base = load(CaseName(inner, name.group))
     if isinstance(base, SpaceCase) and operation in LAWS_IN_SPACE and number is None:
         return base.under(operation, name)
+    if isinstance(base, SpaceCase) and operation == UPDATE and number is None:
+        return base.updated(name)
     if isinstance(base, InvalidCase):
         raise NoCase("nothing is got from an invalid case")
     if isinstance(base, SpaceCase):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import random
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -25,6 +26,7 @@ from minkref.fuzz.space.trial import decided
 from minkref.fuzz.verdicts.verdict import Witness
 
 PREFIX = "space-"
+OTHER_FACTORS = (Fraction(1, 2), Fraction(3, 4), Fraction(1), Fraction(3, 2), Fraction(4))
 MOST_GRID = 24  # cells across, for a literal to be looked at as a polycube
 LAWS_IN_SPACE = (
     "translate-P",
@@ -56,7 +58,8 @@ def _same(result: Polyhedron) -> Polyhedron:
 @dataclass
 class SpaceCase:
     """`pair` is what the verdict is about. A target is asked for `asked`, which differs where a
-    law has changed it, and `back` takes its result to a result for `pair`."""
+    law has changed it, and `back` takes its result to a result for `pair`; where there is `before`
+    it is asked by `update`."""
 
     name: CaseName
     pair: SpacePair
@@ -66,6 +69,7 @@ class SpaceCase:
     position: str = "given"
     P_name: str = "P"
     Q_name: str = "Q"
+    before: SpaceCase | None = None  # at another scale, from which this one is reached by `update`
 
     dimension = 3
 
@@ -92,6 +96,19 @@ class SpaceCase:
             if changed.name == law:
                 return replace(self, name=name, asked=changed.pair, back=changed.back)
         raise NoCase(f"the law {law} says nothing of this case in space")
+
+    def updated(self, name: CaseName) -> SpaceCase:
+        """The case by `update` from another scale: uniform, or by three factors, as its own is."""
+        dice = random.Random(f"minkref update {name.text}")
+        scale = other = self.asked.scale
+        while other == scale:
+            if isinstance(scale, tuple):
+                x, y, z = (f * dice.choice(OTHER_FACTORS) for f in scale)
+                other = (x, y, z)
+            else:
+                other = scale * dice.choice(OTHER_FACTORS)
+        before = replace(self, name=name, asked=replace(self.asked, scale=other))
+        return replace(self, name=name, before=before)
 
     @cached_property
     def P_json(self) -> str:

@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import shlex
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 
 from minkref.exits import ExitCode
 from minkref.fuzz.cases.case_list import CaseList, Wait
+from minkref.fuzz.cases.invalid_case import FAMILY as INVALID
+from minkref.fuzz.cases.verbs import EVENTS, UPDATE
 from minkref.fuzz.run.ledger import Ledger
 from minkref.fuzz.run.pool import run_cases
 from minkref.fuzz.run.worker import CaseResult, Job
 from minkref.fuzz.targets.answer import Limits
+from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.verdicts.baseline import Baseline
 from minkref.fuzz.verdicts.judgement import REFEREE
 from minkref.fuzz.verdicts.verdict import BROKEN, GOOD, Outcome, Verdict
@@ -53,6 +56,7 @@ class Run:
     findings: list[Finding] = field(default_factory=list)
     cases: Counter[str] = field(default_factory=Counter)
     began: dict[str, int] = field(default_factory=dict)  # the first case of each group
+    asked: Counter[tuple[str, str, int]] = field(default_factory=Counter)  # target, verb, dimension
     absent: int = 0  # derived cases that do not exist, as probes of a pair without events
 
     def smallest(self) -> list[tuple[Finding, int]]:
@@ -89,6 +93,31 @@ class Run:
             for verdict, count in cell.verdicts.items()
             if verdict != Verdict.SKIPPED
         )
+
+
+def verb_of(text: str) -> str:
+    """The capability that a case asks for by its name, or the verb `at`."""
+    verbs = {f"{UPDATE}(": UPDATE, f"{EVENTS}(": EVENTS, f"{INVALID}:": "rejects-invalid"}
+    return next((verb for start, verb in verbs.items() if text.startswith(start)), "at")
+
+
+def not_asked(done: Run, declared: Mapping[str, Declaration]) -> list[str]:
+    """What targets declare and no case of the run asked for: a sentence for each target."""
+    notes = []
+    for name, declaration in declared.items():
+        able = declaration.capabilities
+        in_plane = [("at", "plane", 2)] + [
+            (verb, "plane", 2) for verb in (UPDATE, EVENTS, "rejects-invalid") if verb in able
+        ]
+        in_space = [("at", "space", 3)] + [(UPDATE, "space", 3)] * (UPDATE in able)
+        missing = [
+            f"{verb} ({where})"
+            for verb, where, dimension in (*in_plane, *in_space)
+            if where in able and not done.asked[name, verb, dimension]
+        ]
+        if missing:
+            notes.append(f"{name} declares what this run did not ask for: {', '.join(missing)}")
+    return notes
 
 
 def run(
@@ -155,6 +184,8 @@ def _take(
         cell = done.matrix.setdefault((outcome.target, group), Cell())
         cell.verdicts[str(judged.verdict)] += 1
         cell.seconds += judged.seconds
+        if judged.verdict is not Verdict.SKIPPED:
+            done.asked[outcome.target, verb_of(result.name.text), result.dimension] += 1
         if judged.verdict is Verdict.SKIPPED:
             cell.skips[judged.message] += 1
         elif judged.verdict not in GOOD:

@@ -19,6 +19,7 @@ from minkref.fuzz.targets.numbers import (
     Unreadable,
     plane_answer,
     received,
+    sent_scale,
     sent_set,
     sent_solid,
     solid_answer,
@@ -151,7 +152,7 @@ class AdapterTarget:
         value = self._process.ask(
             verb,
             self.limits.seconds,
-            scale=case.scale,
+            scale=sent_scale(case.scale) if isinstance(case, SpaceCase) else case.scale,
             sP=send(case.scaled_P_json, declaration),
         )
         seconds = time.perf_counter() - since

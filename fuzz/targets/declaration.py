@@ -97,6 +97,8 @@ def read_declaration(value: Mapping[str, Any], name: str) -> Declaration:
     )
     if not declared.capabilities & {"plane", "space"}:
         raise DeclarationError("capabilities has neither plane nor space")
+    if declared.boundary and "space" in declared.capabilities:
+        raise DeclarationError("sum: boundary is for the plane, and capabilities has space")
     if declared.exact and (declared.absolute or declared.relative):
         raise DeclarationError("exact arithmetic has no tolerance")
     return declared

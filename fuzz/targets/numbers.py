@@ -17,7 +17,9 @@ from minkref.fuzz.verdicts.verdict import Verdict
 
 LONGEST_NUMBER = 100_000  # characters
 MOST_VERTICES = 400_000  # of an answer: what can be compared in time
-_VAST = re.compile(r"[eE][+-]?0*[0-9]{5}")  # an exponent that no fraction should be made of
+_TEXT = re.compile(  # docs/adapter-protocol.md; no longer exponents
+    r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]{1,4})?|[+-]?[0-9]+/0*[1-9][0-9]*"
+)
 
 
 class Unreadable(ValueError):
@@ -71,8 +73,9 @@ def received(number: Any, declaration: Declaration) -> str:
         raise Unreadable(f"{number[:40]!r}: numbers are JSON numbers where `double` is declared")
     if len(number) > LONGEST_NUMBER:
         raise Unreadable(f"a number has more than {LONGEST_NUMBER:,} characters")
-    if _VAST.search(number):
-        raise Unreadable(f"{number[:40]!r}: the exponent is too large")
+    if not _TEXT.fullmatch(number):
+        what = "neither n nor n/d nor a decimal with an exponent of four digits at most"
+        raise Unreadable(f"{number[:40]!r} is {what}")
     return number
 
 
@@ -145,8 +148,15 @@ def sent_solid(text: str, declaration: Declaration) -> Any:
     return {"vertices": vertices, "faces": value["faces"]}
 
 
+def sent_scale(text: str) -> str | list[str]:
+    """A scale as a text; a non-uniform one as a list of three."""
+    parts = text.split(",")
+    return text if len(parts) == 1 else parts
+
+
 def solid_answer(value: dict[str, Any], declaration: Declaration, seconds: float) -> Answer:
-    """The polyhedron that `vertices` and `faces` of an answer give. Raises Unreadable."""
+    """The polyhedron that `vertices` and `faces` of an answer give, without vertices that no face
+    names. Raises Unreadable."""
     vertices = []
     for vertex in _list(value, "vertices"):
         if not isinstance(vertex, list) or len(vertex) != 3:
@@ -165,5 +175,10 @@ def solid_answer(value: dict[str, Any], declaration: Declaration, seconds: float
             if not 0 <= index < len(vertices):
                 raise Unreadable(f"a face names vertex {index} of {len(vertices)}")
         faces.append(tuple(face))
-    solid = Polyhedron(tuple(vertices), tuple(faces))
+    named = sorted({index for face in faces for index in face})
+    number = {index: k for k, index in enumerate(named)}
+    solid = Polyhedron(
+        tuple(vertices[index] for index in named),
+        tuple(tuple(number[index] for index in face) for face in faces),
+    )
     return Answer(solid=solid, seconds=seconds, declaration=declaration)

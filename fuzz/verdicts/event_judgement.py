@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import json
-from dataclasses import replace
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from fractions import Fraction
+from math import inf, nextafter
 
 from minkref import _core
 from minkref.fuzz.cases.case import Case
@@ -23,20 +25,23 @@ def window(case: Case) -> tuple[str, str]:
 
 def judge_events(case: Case, name: str, claimed: list[Fraction], declared: Declaration) -> Outcome:
     """Every scale of an exact target is one of the reference's and the other way round; of a
-    rounding one each within its relative tolerance of another. The witness of a missed one is the
-    place where it happens, at its scale. Events at the ends of the window may be left out."""
-    start, end = window(case)
-    moving = _core.DynamicSum(case.P, case.Q, start, end)
+    rounding one each within its tolerance of another (docs/adapter-protocol.md). The witness of a
+    missed one is the place where it happens, at its scale. Events at the ends of the window, or
+    within the tolerance of these, may be left out."""
+    low, high = map(Fraction, window(case))
+    within = Within(declared)
+    room = within.slack(high)
+    wide = (low - room if room < low else low / 2, high + room)
+    moving = _core.DynamicSum(case.P, case.Q, *map(str, wide))
     places: dict[Fraction, tuple[str, str]] = {}
     for row in moving.topology_events():
         places.setdefault(Fraction(row[0]), (row[6][0], row[6][1]))
-    slack = Fraction(0) if declared.exact else declared.relative * Fraction(end)
-    inner = [s for s in places if Fraction(start) < s < Fraction(end)]
-    missed = [s for s in inner if not _near(s, claimed, slack)]
-    invented = [s for s in claimed if not _near(s, list(places), slack)]
+    inner = [s for s in places if low < s < high and not any(map(within(s), (low, high)))]
+    missed = [s for s in inner if not any(map(within(s), claimed))]
+    invented = [listed for listed in claimed if not any(within(s)(listed) for s in places)]
     if not missed and not invented:
-        within = not declared.exact and set(claimed) != set(places)
-        return Outcome(name, Verdict.PASS_WITHIN if within else Verdict.PASS)
+        right = declared.exact or set(inner) <= set(claimed) <= set(places)
+        return Outcome(name, Verdict.PASS if right else Verdict.PASS_WITHIN)
     reasons = ((Reason.EVENT_MISSED,) if missed else ()) + (
         (Reason.EVENT_INVENTED,) if invented else ()
     )
@@ -60,8 +65,33 @@ def judge_events(case: Case, name: str, claimed: list[Fraction], declared: Decla
     return Outcome(name, Verdict.WRONG, reasons, message=text, witness=witness)
 
 
-def _near(scale: Fraction, others: list[Fraction], slack: Fraction) -> bool:
-    return any(abs(scale - other) <= slack for other in others)
+@dataclass(frozen=True)
+class Within:
+    """Whether a listed scale may stand for one of an event."""
+
+    declared: Declaration
+
+    def slack(self, scale: Fraction) -> Fraction:
+        return self.declared.tolerance(scale)
+
+    def __call__(self, scale: Fraction) -> Callable[[Fraction], bool]:
+        slack, beside = self.slack(scale), self._beside(scale)
+        return lambda listed: abs(listed - scale) <= slack or listed in beside
+
+    def _beside(self, scale: Fraction) -> set[Fraction]:
+        """The greatest double that is not above a scale, and the least that is not below it, where
+        the target rounds and its numbers are doubles."""
+        if self.declared.exact or self.declared.numbers != "double":
+            return set()
+        try:
+            near = float(scale)
+        except OverflowError:
+            return set()
+        doubles = [
+            Fraction(x) for x in (nextafter(near, 0.0), near, nextafter(near, inf)) if x < inf
+        ]
+        below, above = [x for x in doubles if x <= scale], [x for x in doubles if x >= scale]
+        return {*below[-1:], *above[:1]}
 
 
 def _corner(moving: _core.DynamicSum, scale: Fraction) -> tuple[str, str]:

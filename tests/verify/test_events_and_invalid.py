@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from math import inf, nextafter
 
 import pytest
 from minkref import _core
@@ -68,6 +69,42 @@ def test_rounded_events_are_within_a_relative_tolerance() -> None:
     assert judge_events(case, "t", [near], EXACT).verdict is Verdict.WRONG
     far = CLOSES + Fraction(1, 10**6)
     assert judge_events(case, "t", [far], FLOATS).verdict is Verdict.WRONG
+
+
+def test_rounded_events_are_within_an_absolute_tolerance() -> None:
+    case = named(FRAME)
+    absolute = Declaration("floats", arithmetic="float64", absolute=Fraction(1, 10**6))
+    near, far = CLOSES + Fraction(1, 10**7), CLOSES + Fraction(1, 10**5)
+    assert judge_events(case, "t", [near], absolute).verdict is Verdict.PASS_WITHIN
+    assert judge_events(case, "t", [far], absolute).verdict is Verdict.WRONG
+
+
+def test_a_scale_rounded_to_a_double_up_or_down_is_right_without_a_tolerance() -> None:
+    case = named(FRAME)
+    doubles = Declaration("floats", arithmetic="float64", numbers="double")
+    near = float(CLOSES)
+    assert Fraction(near) < CLOSES
+    for listed in (near, nextafter(near, inf)):
+        outcome = judge_events(case, "t", [Fraction(listed)], doubles)
+        assert outcome.verdict is Verdict.PASS_WITHIN
+    for listed in (nextafter(near, 0.0), nextafter(nextafter(near, inf), inf)):
+        outcome = judge_events(case, "t", [Fraction(listed)], doubles)
+        assert outcome.verdict is Verdict.WRONG
+
+
+def test_an_event_at_the_end_of_the_window_may_be_rounded_past_it() -> None:
+    """And one just behind the end may be rounded into it."""
+    text = FRAME.replace('"scale":"1"', '"scale":"{}"')
+    at_end = named(text.replace("{}", str(CLOSES / 2)))
+    assert window(at_end)[1] == str(CLOSES)
+    past = CLOSES + Fraction(1, 10**10)
+    assert judge_events(at_end, "t", [past], FLOATS).verdict is Verdict.PASS_WITHIN
+    assert judge_events(at_end, "t", [], FLOATS).verdict in (Verdict.PASS, Verdict.PASS_WITHIN)
+    behind = named(text.replace("{}", str((CLOSES - Fraction(1, 10**10)) / 2)))
+    end = Fraction(window(behind)[1])
+    assert end < CLOSES
+    assert judge_events(behind, "t", [end], FLOATS).verdict is Verdict.PASS_WITHIN
+    assert judge_events(behind, "t", [end], EXACT).verdict is Verdict.WRONG
 
 
 @pytest.mark.parametrize("index", range(len(KINDS)))

@@ -17,11 +17,11 @@ from minkref.documents import Stopwatch, as_text, check_writable, write_atomical
 from minkref.errors import refusal_text
 from minkref.exits import ExitCode
 from minkref.fuzz.run.ledger import Ledger
-from minkref.fuzz.run.runner import run
+from minkref.fuzz.run.runner import not_asked, run
 from minkref.fuzz.shrink.groups import shrunk_groups
 from minkref.fuzz.shrink.shrinker import MOST_CALLS
 from minkref.fuzz.targets.answer import Limits, load_limit
-from minkref.fuzz.targets.catalogue import select
+from minkref.fuzz.targets.catalogue import is_adapter, select
 from minkref.fuzz.targets.declared import declarations_of
 from minkref.fuzz.verdicts.baseline import Baseline, read_baseline
 from minkref.options import Json, Schema
@@ -203,6 +203,7 @@ def command(
     finally:
         if book is not None:
             book.close()
+    cases.notes += not_asked(done, {name: declared[name] for name in names if is_adapter(name)})
     code = done.exit_code(strict)
     value = document_of(done, groups, chosen, absent, declared, cases, watch, code)
     if report is not None:

@@ -12,6 +12,7 @@ from minkref.fuzz.cases.case_files import CaseFiles, case_files
 from minkref.fuzz.cases.case_list import CaseList
 from minkref.fuzz.cases.no_case import NoCase
 from minkref.fuzz.cases.space_case import SPACE_FAMILIES
+from minkref.fuzz.cases.verbs import EVENTS, UPDATE
 from minkref.fuzz.families.catalogue import FAMILIES
 from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.verdicts.laws import LAWS
@@ -51,7 +52,7 @@ def case_list(
     fuzz = suite in ("fuzz", "all")
     filed = suite in ("corpus", "all") and not named
     files = case_files(corpus, plane, space) if filed else CaseFiles()
-    laws = [*LAWS, *(verb for verb in (naming.UPDATE, naming.EVENTS) if verb in able)]
+    laws = [*LAWS, *(verb for verb in (UPDATE, EVENTS) if verb in able)]
     cases = CaseList(
         seed,
         pairs,
