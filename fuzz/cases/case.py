@@ -9,7 +9,7 @@ from functools import cached_property
 
 from minkref import _core
 from minkref.errors import Refusal
-from minkref.fuzz.cases.needs import needs_of_plane
+from minkref.fuzz.cases.needs import is_double, needs_of_plane
 
 
 @dataclass(frozen=True)
@@ -71,8 +71,11 @@ class Case:
 
     @cached_property
     def needs(self) -> frozenset[str]:
-        """What an implementation must be able to take."""
-        return needs_of_plane(self.scaled_P_json, self.Q_json)
+        """What an implementation must be able to take, which is sent P, sP and Q."""
+        needs = needs_of_plane(self.scaled_P_json, self.Q_json)
+        if self.scale == "1" or all(map(is_double, _numbers(self.P_json))):
+            return needs
+        return needs | {"rational"}
 
     @cached_property
     def magnitude(self) -> Fraction:
@@ -89,6 +92,11 @@ class Case:
     def coordinates(self) -> list[Fraction]:
         """Of sP and of Q."""
         return _numbers(self.scaled_P_json) + _numbers(self.Q_json)
+
+    @cached_property
+    def sent(self) -> list[Fraction]:
+        """All coordinates that an implementation is sent: of P, too."""
+        return _numbers(self.P_json) + self.coordinates
 
     @property
     def literal(self) -> str:

@@ -139,7 +139,7 @@ class SpaceCase:
             if not is_convex(solid):
                 needs.add("non-convex")
                 needs |= _topology(solid)
-        if not all(is_double(number) for number in self.coordinates):
+        if not all(is_double(number) for number in self.sent):
             needs.add("rational")
         if isinstance(self.asked.scale, tuple):
             needs.add("non-uniform")
@@ -150,6 +150,11 @@ class SpaceCase:
         """Of sP and of Q."""
         solids = (self.asked.P.scaled(self.asked.scale), self.asked.Q)
         return [number for solid in solids for vertex in solid.vertices for number in vertex]
+
+    @cached_property
+    def sent(self) -> list[Fraction]:
+        """All coordinates that an implementation is sent: of P, too."""
+        return [number for vertex in self.asked.P.vertices for number in vertex] + self.coordinates
 
     @cached_property
     def magnitude(self) -> Fraction:

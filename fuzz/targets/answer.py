@@ -71,7 +71,7 @@ def lacking(
         return f"does not declare {', '.join(lacks)}"
     if isinstance(case, InvalidCase):
         return None
-    return declaration.rounds(lambda: case.coordinates)
+    return declaration.rounds(lambda: case.sent)
 
 
 def answered(rings: Any, seconds: float, turned: bool = False) -> Answer:
