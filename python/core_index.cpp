@@ -10,6 +10,7 @@
 #include <nanobind/stl/vector.h>
 
 #include <algorithm>
+#include <chrono>
 #include <variant>
 
 #include "python/core.hpp"
@@ -91,6 +92,14 @@ class Index {
         (*progress)(stages.at(static_cast<std::size_t>(now.stage)), now.done, now.total);
       };
     }
+    // Signals are asked after some times a second: for each of them the interpreter has to be free.
+    options.interrupt = [last = std::chrono::steady_clock::now()]() mutable {
+      const auto now = std::chrono::steady_clock::now();
+      if (now - last < std::chrono::milliseconds(50)) return;
+      last = now;
+      const nb::gil_scoped_acquire locked;
+      if (PyErr_CheckSignals() != 0) throw nb::python_error();
+    };
     index_.emplace(P.value, Q.value, window_of(from, to), options);
     seconds = watch.seconds();
   }

@@ -44,12 +44,14 @@ std::array<Rational, 3> area_below(const Track& from, const Track& to) {
           cross(from.b, to.b) / 2};
 }
 
-std::vector<IndexArea> areas_of_intervals(const MovingBoundary& boundary) {
+std::vector<IndexArea> areas_of_intervals(const MovingBoundary& boundary,
+                                          const BuildControl& control) {
   const std::size_t intervals = boundary.events.size() + 1;
   const int places = 160 - magnitude(boundary);
   std::vector<std::array<Integer, 3>> change(intervals + 1);
   std::vector<std::int64_t> more(intervals + 1);
   for (const MovingLink& link : boundary.links) {
+    control.look();
     const auto exact = area_below(boundary.tracks[link.from], boundary.tracks[link.to]);
     for (std::size_t k = 0; k < 3; ++k) {
       const Integer part = fixed_point(exact[k], places);

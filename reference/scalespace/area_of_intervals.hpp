@@ -14,6 +14,7 @@ std::array<Rational, 3> area_below(const Track& from, const Track& to);
 
 /// Of each interval, from sums of fixed-point numbers, whose errors are known: exact coefficients
 /// would be as long as all denominators of a boundary together. O(links + intervals).
-std::vector<IndexArea> areas_of_intervals(const MovingBoundary& boundary);
+std::vector<IndexArea> areas_of_intervals(const MovingBoundary& boundary,
+                                          const BuildControl& control);
 
 }  // namespace minkref

@@ -184,7 +184,8 @@ class Event {
 }  // namespace
 
 std::vector<BoundaryAtEvent> boundary_at_events(const MovingBoundary& boundary,
-                                                const EdgeDirections& directions) {
+                                                const EdgeDirections& directions,
+                                                const BuildControl& control) {
   const std::size_t count = boundary.events.size();
   std::vector<std::vector<std::uint32_t>> ended(count), begun(count), touching(count),
       leaving(boundary.tracks.size());
@@ -200,6 +201,7 @@ std::vector<BoundaryAtEvent> boundary_at_events(const MovingBoundary& boundary,
   }
   std::vector<BoundaryAtEvent> result;
   for (std::uint32_t k = 0; k < count; ++k) {
+    control.look();
     result.push_back(Event(boundary, directions, leaving, k).run(ended[k], begun[k], touching[k]));
   }
   return result;

@@ -23,6 +23,7 @@ struct BoundaryAtEvent : BoundaryAtGroup {
 /// Throws std::logic_error if what is left of the boundary from below is not what is left from
 /// above: a check of the swept boundary by itself.
 std::vector<BoundaryAtEvent> boundary_at_events(const MovingBoundary& boundary,
-                                                const EdgeDirections& directions);
+                                                const EdgeDirections& directions,
+                                                const BuildControl& control);
 
 }  // namespace minkref

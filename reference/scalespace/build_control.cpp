@@ -26,6 +26,12 @@ void BuildControl::check_memory() const {
       "raise the limit, or take a smaller window of scales or simpler operands");
 }
 
+void BuildControl::look_now() const {
+  if (stopped_) throw Stopped{};
+  check_memory();
+  if (options_.interrupt && std::this_thread::get_id() == calling_thread_) options_.interrupt();
+}
+
 void BuildControl::report(BuildProgress::Stage stage, std::uint64_t done,
                           std::uint64_t total) const {
   if (options_.progress) options_.progress({stage, done, total});

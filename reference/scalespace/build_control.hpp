@@ -1,25 +1,45 @@
-// Progress and the memory limit of a build, as its loops see them.
+// Progress, interrupts and the memory limit of a build, as its loops see them.
 #pragma once
 
+#include <atomic>
 #include <string>
+#include <thread>
 
 #include "reference/scalespace/build_options.hpp"
 
 namespace minkref {
 
+/// `options` must outlive it.
 class BuildControl {
  public:
   explicit BuildControl(const BuildOptions& options) : options_(options) {}
 
   unsigned threads() const { return options_.threads == 0 ? 1 : options_.threads; }
 
-  /// From any thread, now and then. Throws LimitExceeded ("memory-limit").
-  void check_memory() const;
+  /// From any thread, in each turn of a loop that may be long: looks now and then. A turn costs
+  /// next to nothing.
+  void look() const {
+    thread_local unsigned turns = 0;
+    if (++turns % turns_between_looks == 0) look_now();
+  }
+  /// Throws LimitExceeded ("memory-limit"), what the interrupt throws, and in other threads
+  /// Stopped. Some 10 us.
+  void look_now() const;
   /// From the calling thread.
   void report(BuildProgress::Stage stage, std::uint64_t done, std::uint64_t total) const;
 
+  /// The build has failed: threads that are still at work end at their next look.
+  void stop() const { stopped_ = true; }
+  struct Stopped {};
+
+  static constexpr unsigned turns_between_looks = 256;
+
  private:
+  void check_memory() const;
+
   const BuildOptions& options_;
+  std::thread::id calling_thread_ = std::this_thread::get_id();
+  mutable std::atomic<bool> stopped_{false};
 };
 
 /// What the process has in memory now; 0 where the system does not tell.

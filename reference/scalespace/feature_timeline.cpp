@@ -110,10 +110,12 @@ class Naming {
 
 TopologyTimeline feature_timeline(const SweptBoundary& swept, const MovingBoundary& boundary,
                                   const EdgeDirections& directions,
-                                  const std::vector<BoundaryAtEvent>& at_events, RingOrder& order) {
-  const LinkHistory history(swept, boundary, directions, at_events, order);
+                                  const std::vector<BoundaryAtEvent>& at_events, RingOrder& order,
+                                  const BuildControl& control) {
+  const LinkHistory history(swept, boundary, directions, at_events, order, control);
   std::vector<Known> all;
-  const auto look = [&](const FeaturesFrom& state) {
+  const auto note = [&](const FeaturesFrom& state) {
+    control.look_now();
     Known known{state.interval, history.bucket_of(state.interval), {}};
     known.rings.assign(order.buckets[known.bucket].ring_ends.size(), {false, 0, none});
     for (std::size_t k = 0; k < state.sub_edges.size(); ++k) {
@@ -122,10 +124,11 @@ TopologyTimeline feature_timeline(const SweptBoundary& swept, const MovingBounda
     }
     all.push_back(std::move(known));
   };
-  TopologyTimeline timeline = topology_timeline(history, {}, look);
+  TopologyTimeline timeline = topology_timeline(history, {}, note);
   Naming naming(swept, boundary);
   std::size_t next = 0;
   for (std::size_t b = 0; b < order.buckets.size(); ++b) {
+    control.look();
     std::vector<const Known*> known;
     for (; next < all.size() && all[next].bucket == b; ++next) known.push_back(&all[next]);
     naming.add(std::move(order.buckets[b]), known);

@@ -11,6 +11,7 @@ namespace minkref {
 /// is not quiet and a boundary of b links.
 TopologyTimeline feature_timeline(const SweptBoundary& swept, const MovingBoundary& boundary,
                                   const EdgeDirections& directions,
-                                  const std::vector<BoundaryAtEvent>& at_events, RingOrder& order);
+                                  const std::vector<BoundaryAtEvent>& at_events, RingOrder& order,
+                                  const BuildControl& control);
 
 }  // namespace minkref

@@ -15,7 +15,7 @@ namespace minkref {
 
 /// Calls worker(k) once for each k from 0 to count - 1, in no order; thread t of 0, 1, ... has a
 /// worker of its own, from make_worker(t), which is called by that thread. An exception ends all,
-/// and is thrown here. Reports progress and keeps the memory limit.
+/// and is thrown here. Reports progress, and looks at interrupts and the memory limit.
 template <class MakeWorker>
 void in_parallel(std::size_t count, const BuildControl& control, BuildProgress::Stage stage,
                  MakeWorker&& make_worker) {
@@ -30,8 +30,8 @@ void in_parallel(std::size_t count, const BuildControl& control, BuildProgress::
       for (std::size_t reported = 0;;) {
         const std::size_t first = next.fetch_add(chunk);
         if (first >= count) return;
+        control.look_now();
         if (first >= reported) {
-          control.check_memory();
           if (thread == 0) control.report(stage, first, count);
           reported = first + step;
         }
@@ -41,6 +41,7 @@ void in_parallel(std::size_t count, const BuildControl& control, BuildProgress::
       const std::lock_guard<std::mutex> lock(mutex);
       if (!fault) fault = std::current_exception();
       next = count;
+      control.stop();
     }
   };
   std::vector<std::thread> others;
@@ -48,6 +49,7 @@ void in_parallel(std::size_t count, const BuildControl& control, BuildProgress::
   run(0);
   for (std::thread& other : others) other.join();
   if (fault) std::rethrow_exception(fault);
+  control.look_now();
   control.report(stage, count, count);
 }
 

@@ -25,6 +25,8 @@ void add_point(std::vector<Integer>& to, const Point& point) {
 
 class Writing {
  public:
+  explicit Writing(const BuildControl& control) : control_(control) {}
+
   void window(const ScaleWindow& window) {
     std::vector<Integer> numbers;
     for (const auto& bound : {window.from, window.to}) {
@@ -85,6 +87,7 @@ class Writing {
     std::vector<IndexTrack> near_tracks;
     std::uint64_t bits = 1;
     for (const Track& track : boundary.tracks) {
+      control_.look();
       const std::array<const Rational*, 4> parts{&track.a.x, &track.a.y, &track.b.x, &track.b.y};
       Integer den = 1;
       for (const Rational* part : parts) den = lcm(den, denominator(*part));
@@ -106,7 +109,7 @@ class Writing {
     to_.add(Column::tracks, tracks);
     to_.add(Column::tracks_in_doubles, near_tracks);
     to_.add(Column::links, links);
-    to_.add(Column::areas, areas_of_intervals(boundary));
+    to_.add(Column::areas, areas_of_intervals(boundary, control_));
     return bits;
   }
 
@@ -125,6 +128,7 @@ class Writing {
       }
       std::uint32_t begin = 0;
       for (const std::uint32_t end : bucket.ring_ends) {
+        control_.look();
         corners.clear();
         append_corners(bucket.entries.data() + begin, bucket.entries.data() + end, boundary,
                        directions, corners);
@@ -158,6 +162,7 @@ class Writing {
                         static_cast<std::uint32_t>(pieces.size()), is_plain ? 1U : 0U});
     };
     for (std::size_t k = 0; k < all.size(); ++k) {
+      control_.look();
       begin(all[k].is_plain() && order.changes[k].same_rings);
       for (const auto& [track, other] : all[k].merged) merged.push_back({track, other});
       for (const BoundaryLink& p : all[k].pieces) {
@@ -192,6 +197,7 @@ class Writing {
     };
     std::vector<IndexTopologyEvent> topology;
     for (const TopologyEvent& e : timeline.topology) {
+      control_.look();
       const std::uint32_t before = add_list(e.before), after = add_list(e.after);
       topology.push_back({e.group, static_cast<std::uint32_t>(e.kind),
                           static_cast<std::uint32_t>(e.change), static_cast<std::uint32_t>(e.at),
@@ -200,6 +206,7 @@ class Writing {
     }
     std::vector<IndexBoundaryEvent> boundary;
     for (const BoundaryEvent& e : timeline.boundary) {
+      control_.look();
       const std::uint32_t edges = add_list(e.edges);
       boundary.push_back({e.group, static_cast<std::uint32_t>(e.change), edges, end()});
       add_point(places, e.place);
@@ -216,6 +223,7 @@ class Writing {
   IndexImage finish() { return to_.finish(); }
 
  private:
+  const BuildControl& control_;
   IndexImage::Writer to_;
 };
 
@@ -241,21 +249,23 @@ IndexImage index_image(const PolygonSet& P, const PolygonSet& Q, const ScaleWind
   constexpr std::uint64_t steps = 5;
   const SweptBoundary swept = swept_boundary(P, Q, opened(window), options);
   control.report(stage, 0, steps);
-  const MovingBoundary boundary = moving_boundary(swept);
-  control.check_memory();
+  const MovingBoundary boundary = moving_boundary(swept, control);
+  control.look_now();
   control.report(stage, 1, steps);
   const EdgeDirections directions = edge_directions(swept.moving);
-  const std::vector<BoundaryAtEvent> at_events = boundary_at_events(boundary, directions);
+  const std::vector<BoundaryAtEvent> at_events = boundary_at_events(boundary, directions, control);
+  control.look_now();
   control.report(stage, 2, steps);
-  RingOrder order = ring_order(swept, boundary, directions);
-  control.check_memory();
+  RingOrder order = ring_order(swept, boundary, directions, control);
+  control.look_now();
   control.report(stage, 3, steps);
   TopologyTimeline timeline;
   if (!boundary.links.empty())
-    timeline = feature_timeline(swept, boundary, directions, at_events, order);
+    timeline = feature_timeline(swept, boundary, directions, at_events, order, control);
+  control.look_now();
   control.report(stage, 4, steps);
   refuse_too_large(boundary, order);
-  Writing writing;
+  Writing writing(control);
   writing.window(window);
   writing.operand(P, Column::rings_of_P, Column::coordinates_of_P);
   writing.operand(Q, Column::rings_of_Q, Column::coordinates_of_Q);
@@ -263,7 +273,7 @@ IndexImage index_image(const PolygonSet& P, const PolygonSet& Q, const ScaleWind
   writing.rings(boundary, directions, order);
   writing.at_events(at_events, order);
   writing.timeline(timeline);
-  control.check_memory();
+  control.look_now();
   IndexImage image = writing.finish();
   control.report(stage, steps, steps);
   return image;

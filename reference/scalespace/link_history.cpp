@@ -7,12 +7,14 @@ namespace minkref {
 
 LinkHistory::LinkHistory(const SweptBoundary& swept, const MovingBoundary& boundary,
                          const EdgeDirections& directions,
-                         const std::vector<BoundaryAtEvent>& at_events, const RingOrder& order)
+                         const std::vector<BoundaryAtEvent>& at_events, const RingOrder& order,
+                         const BuildControl& control)
     : swept_(swept),
       boundary_(boundary),
       directions_(directions),
       at_events_(at_events),
       order_(order),
+      control_(control),
       groups_(boundary.events.size()),
       ring_of_link_(boundary.links.size()) {
   std::iota(groups_.begin(), groups_.end(), 0U);
@@ -20,6 +22,7 @@ LinkHistory::LinkHistory(const SweptBoundary& swept, const MovingBoundary& bound
 }
 
 std::optional<BoundaryHistory::Quiet> LinkHistory::quiet(std::uint32_t group) const {
+  control_.look();
   const RingChange& change = order_.changes[group];
   if (!at_events_[group].is_plain() || !change.same_rings) return std::nullopt;
   if (change.same_vertices) return Quiet{};

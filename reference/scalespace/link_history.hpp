@@ -14,7 +14,7 @@ class LinkHistory : public BoundaryHistory {
  public:
   LinkHistory(const SweptBoundary& swept, const MovingBoundary& boundary,
               const EdgeDirections& directions, const std::vector<BoundaryAtEvent>& at_events,
-              const RingOrder& order);
+              const RingOrder& order, const BuildControl& control);
 
   const std::vector<Track>& tracks() const override { return boundary_.tracks; }
   const std::vector<RationalEdge>& moving() const override { return swept_.moving; }
@@ -39,6 +39,7 @@ class LinkHistory : public BoundaryHistory {
   const EdgeDirections& directions_;
   const std::vector<BoundaryAtEvent>& at_events_;
   const RingOrder& order_;
+  const BuildControl& control_;
   std::vector<std::uint32_t> groups_;
   mutable std::size_t bucket_ = SIZE_MAX;  ///< whose rings stand in the next line
   mutable std::vector<std::uint32_t> ring_of_link_;

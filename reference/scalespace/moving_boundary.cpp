@@ -50,7 +50,7 @@ class TrackNumbers {
 };
 
 /// Contacts of edges that both have a piece at the scale, each once.
-std::vector<EndContact> contacts_of(const SweptBoundary& boundary) {
+std::vector<EndContact> contacts_of(const SweptBoundary& boundary, const BuildControl& control) {
   const auto has_piece = [&](std::uint32_t edge, const Rational& scale) {
     const auto first =
         std::partition_point(boundary.pieces.begin(), boundary.pieces.end(),
@@ -62,6 +62,7 @@ std::vector<EndContact> contacts_of(const SweptBoundary& boundary) {
   };
   std::vector<EndContact> result;
   for (const EndContact& contact : boundary.contacts) {
+    control.look();
     if (contact.edge < contact.other && has_piece(contact.edge, contact.scale) &&
         has_piece(contact.other, contact.scale)) {
       result.push_back(contact);
@@ -143,9 +144,9 @@ class PairOfTracks {
 
 }  // namespace
 
-MovingBoundary moving_boundary(const SweptBoundary& boundary) {
+MovingBoundary moving_boundary(const SweptBoundary& boundary, const BuildControl& control) {
   MovingBoundary result;
-  const std::vector<EndContact> contacts = contacts_of(boundary);
+  const std::vector<EndContact> contacts = contacts_of(boundary, control);
   result.events = events_of(boundary, contacts);
   const auto interval_above = [&](const Rational& scale) {
     return static_cast<std::uint32_t>(
@@ -160,6 +161,7 @@ MovingBoundary moving_boundary(const SweptBoundary& boundary) {
   TrackNumbers number(boundary, result.tracks);
   std::vector<MovingLink> all;
   for (const ExposedPiece& piece : boundary.pieces) {
+    control.look();
     all.push_back({number(piece.edge, piece.from), number(piece.edge, piece.to), piece.edge,
                    interval_above(piece.lower),
                    piece.upper ? interval_below(*piece.upper)
@@ -172,12 +174,14 @@ MovingBoundary moving_boundary(const SweptBoundary& boundary) {
   PairOfTracks pair(result);
   std::vector<MovingLink> same;
   for (std::size_t k = 0; k < all.size();) {
+    control.look();
     same.clear();
     const std::size_t first = k;
     while (k < all.size() && ends(all[k]) == ends(all[first])) same.push_back(all[k++]);
     pair.sort_out(same);
   }
   for (const EndContact& contact : contacts) {
+    control.look();
     const std::uint32_t event = interval_below(contact.scale);
     if (event == result.events.size() || result.events[event] != contact.scale) continue;
     using Kind = NodeName::Kind;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "reference/plane/dynamic/boundary_history.hpp"
+#include "reference/scalespace/build_control.hpp"
 #include "reference/scalespace/swept_boundary.hpp"
 
 namespace minkref {
@@ -27,6 +28,6 @@ struct MovingBoundary {
 };
 
 /// Exact. O(p log p) for p pieces.
-MovingBoundary moving_boundary(const SweptBoundary& boundary);
+MovingBoundary moving_boundary(const SweptBoundary& boundary, const BuildControl& control);
 
 }  // namespace minkref

@@ -219,6 +219,7 @@ PatchCells patch_cells(const InteriorTracks& tracks, InteriorSolids& solids,
   if (!edges.empty()) {
     std::vector<SweptQuad> samples = small_parts(tracks, edges, all_bands);
     for (int k = 0; solids.choose(samples) * 8 > samples.size() && k < looks_ahead; ++k) {
+      control.look_now();
       samples = cells_left(edges, found, Search(tracks, solids, edges, all_bands, found));
     }
   }

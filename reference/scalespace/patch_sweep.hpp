@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <numeric>
 #include <queue>
+#include <stdexcept>
 #include <vector>
 
 #include "reference/plane/kernel/fraction.hpp"
+#include "reference/scalespace/build_control.hpp"
 #include "reference/scalespace/patch_nodes.hpp"
 
 namespace minkref {
@@ -30,9 +32,9 @@ class PatchSweep {
     std::uint32_t face = 0;
   };
 
-  /// An open window; no end: infinity.
-  PatchSweep(Rational from, std::optional<Rational> to)
-      : window_from_(std::move(from)), window_to_(std::move(to)) {}
+  /// An open window; no end: infinity. `control` must outlive it.
+  PatchSweep(Rational from, std::optional<Rational> to, const BuildControl& control)
+      : control_(control), window_from_(std::move(from)), window_to_(std::move(to)) {}
 
   PatchSweep(const PatchSweep&) = delete;
   PatchSweep& operator=(const PatchSweep&) = delete;
@@ -44,7 +46,13 @@ class PatchSweep {
     parent_.clear();
     shut_.clear();
     begin();
-    while (!events_.empty() && (!window_to_ || compare(events_.top(), end_moment()) < 0)) step();
+    while (!events_.empty() && (!window_to_ || compare(events_.top(), end_moment()) < 0)) {
+      control_.look();
+      step();
+      if (!events_.empty() && compare(events_.top(), now_) <= 0) {
+        throw std::logic_error("the sweep of a patch stands still");
+      }
+    }
     events_ = {};
     for (std::size_t g = 0; g < gaps_.size(); ++g) close(g, end_moment());
   }
@@ -386,6 +394,7 @@ class PatchSweep {
 
   using Queue = std::priority_queue<Moment, std::vector<Moment>, Later>;
 
+  const BuildControl& control_;
   Rational window_from_;
   std::optional<Rational> window_to_;
   const std::vector<Node>* nodes_ = nullptr;

@@ -84,9 +84,10 @@ class Circles {
 class Builder {
  public:
   Builder(const SweptBoundary& swept, const MovingBoundary& boundary,
-          const EdgeDirections& directions)
+          const EdgeDirections& directions, const BuildControl& control)
       : boundary_(boundary),
         directions_(directions),
+        control_(control),
         successors_(swept, boundary),
         place_(boundary.tracks.size(), none),
         changes_(boundary.events.size()),
@@ -105,6 +106,7 @@ class Builder {
     for (const std::uint32_t link : begin_[0]) insert(link);
     start_bucket(0);
     for (std::uint32_t interval = 1; interval < begin_.size(); ++interval) {
+      control_.look();
       const std::vector<std::uint32_t>&ended = end_[interval - 1], &begun = begin_[interval];
       for (const std::uint32_t link : ended) successors_.remove(link);
       for (const std::uint32_t link : begun) insert(link);
@@ -148,6 +150,8 @@ class Builder {
     std::vector<std::uint32_t> path;
     std::uint32_t link = start;
     do {
+      control_.look();
+      if (is_traced_[link] != 0) throw std::logic_error("rings of the swept sum run together");
       place_[boundary_.links[link].from] = static_cast<std::uint32_t>(path.size());
       path.push_back(link);
       is_traced_[link] = 1;
@@ -182,7 +186,10 @@ class Builder {
     for (const std::uint32_t link : ended) {
       if (!goes_on(there_.before(link))) continue;  // not the first of its gap, or no link goes on
       Gap gap{there_.before(link), link, {}};
-      for (; !goes_on(gap.to); ++in_gaps) gap.to = there_.next(gap.to);
+      for (; !goes_on(gap.to); ++in_gaps) {
+        if (in_gaps == ended.size()) throw std::logic_error("a gap in a ring has no end");
+        gap.to = there_.next(gap.to);
+      }
       if (!find_way(gap)) return false;
       gaps.push_back(std::move(gap));
     }
@@ -278,9 +285,12 @@ class Builder {
     RingBucket& bucket = buckets_.emplace_back();
     bucket.first = first_;
     bucket.last = last;
+    std::size_t passed = 0;
     for (const std::uint32_t head : heads_) {
       std::uint32_t link = head;
       do {
+        control_.look();
+        if (passed++ == size_) throw std::logic_error("entries of rings run together");
         const MovingLink& of = boundary_.links[link];
         if (of.first <= last) {
           bucket.entries.push_back({link, std::max(of.first, first_), std::min(of.last, last)});
@@ -296,6 +306,7 @@ class Builder {
 
   const MovingBoundary& boundary_;
   const EdgeDirections& directions_;
+  const BuildControl& control_;
   Successors successors_;
   std::vector<std::uint32_t> place_;  // of a track in the path that is being traced
   std::vector<RingChange> changes_;
@@ -315,8 +326,8 @@ class Builder {
 }  // namespace
 
 RingOrder ring_order(const SweptBoundary& swept, const MovingBoundary& boundary,
-                     const EdgeDirections& directions) {
-  return Builder(swept, boundary, directions).run();
+                     const EdgeDirections& directions, const BuildControl& control) {
+  return Builder(swept, boundary, directions, control).run();
 }
 
 }  // namespace minkref

@@ -45,8 +45,9 @@ struct RingOrder {
 
 /// Where the boundary touches itself its walks along the components are split into simple rings
 /// (docs/definitions.md, "Canonical form"). O(links that begin and end), and of all the rings where
-/// some merge, split or touch.
+/// some merge, split or touch. Throws std::logic_error if the links do not close to rings: a check
+/// of the swept boundary by itself.
 RingOrder ring_order(const SweptBoundary& swept, const MovingBoundary& boundary,
-                     const EdgeDirections& directions);
+                     const EdgeDirections& directions, const BuildControl& control);
 
 }  // namespace minkref

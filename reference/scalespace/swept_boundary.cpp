@@ -51,14 +51,14 @@ class Search {
          const PatchNeighbours& neighbours, const InteriorTracks& tracks,
          const InteriorSolids& solids, const InteriorTest& test,
          const std::optional<Vector2<Rational>>& segment, const ScaleWindow& window,
-         SweptBoundary& result)
+         const BuildControl& control, SweptBoundary& result)
       : moving_(moving),
         neighbours_(neighbours),
         test_(test),
         segment_(segment),
         finder_(std::move(kernel), edges),
         clipping_(moving, tracks, solids),
-        sweep_(window.from.value_or(Rational(0)), window.to),
+        sweep_(window.from.value_or(Rational(0)), window.to, control),
         result_(result) {}
 
   void operator()(std::size_t index) {
@@ -191,12 +191,15 @@ SweptBoundary swept_boundary(const PolygonSet& P, const PolygonSet& Q, const Sca
                                       [](const Point& p) { return Vector2<Rational>(p.x, p.y); });
   };
   result.moving = moving_edges(result.edges, as_vectors(P), as_vectors(Q));
+  control.look_now();
   const InteriorTracks tracks(P, Q);
+  control.look_now();
   InteriorSolids solids(P, Q);
   const PatchNeighbours neighbours =
       patch_neighbours(tracks, solids, result.moving, window, control);
   result.meeting_pairs = neighbours.meeting;
   result.pairs_inside = neighbours.inside;
+  control.look_now();
   const InteriorTest test(P, Q);
   const std::optional<Vector2<Rational>> segment = segment_past_touching_rings(P, Q);
   on_exact_frame(P, Q, [&](const auto& frame) {
@@ -205,7 +208,7 @@ SweptBoundary swept_boundary(const PolygonSet& P, const PolygonSet& Q, const Sca
     std::vector<SweptBoundary> parts(control.threads());
     in_parallel(edges.size(), control, BuildProgress::Stage::patches, [&](unsigned thread) {
       return Search<K>(frame.kernel, edges, result.moving, neighbours, tracks, solids, test,
-                       segment, window, parts[thread]);
+                       segment, window, control, parts[thread]);
     });
     gather(parts, result);
   });

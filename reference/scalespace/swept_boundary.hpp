@@ -12,8 +12,9 @@
 
 namespace minkref {
 
-/// A piece of the patch of an edge, between two nodes and two scales, that no point of the sum of
-/// the interiors touches. The sum is on the left of the edge.
+/// A piece of the patch of an edge, between two nodes and two scales, in which no point is in the
+/// sum of the interiors. The sum is on the left of the edge; on its right it is not, or another
+/// piece runs the other way.
 struct ExposedPiece {
   std::uint32_t edge = 0;
   NodeName from, to;              ///< along the edge

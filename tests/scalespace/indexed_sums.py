@@ -28,6 +28,10 @@ TEXTS = {
     "touching": (RING_OF_SQUARES, TRIANGLE),
     "a point": ("POINT(-3 5)", RING_OF_SQUARES),
     "a segment": ("POLYGON((0 0,3 0,3 3,2 3,2 1,0 3,0 0))", "LINESTRING(-1 2,3 -1)"),
+    "a segment past touching rings": (
+        "LINESTRING(0 0,2 0)",
+        "POLYGON((0 7,-5 -3,1 0,0 7),(-3 1,0 1,0 0,-3 1))",
+    ),
     "nothing": ("POLYGON EMPTY", TRIANGLE),
 }
 MODELS = {"letters": ("g1", "g2"), "right angles": ("g3", "g1")}

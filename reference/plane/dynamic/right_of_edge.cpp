@@ -2,6 +2,8 @@
 
 #include <optional>
 
+#include "reference/fault.hpp"
+
 namespace minkref {
 namespace {
 
@@ -30,7 +32,7 @@ bool sum_on_the_right(const std::vector<RationalEdge>& edges, std::uint32_t edge
       if (sign(along) > 0 && (!nearest || along < *nearest)) nearest = along;
     }
   }
-  if (!nearest) return false;  // the unbounded face
+  if (!nearest || planted(Fault::right_side_forgotten)) return false;  // the unbounded face
   const Rational half = *nearest / 2;
   return interior.in_closed_sum({x.x + half * right.x(), x.y + half * right.y()}, scale);
 }

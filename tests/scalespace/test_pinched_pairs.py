@@ -1,0 +1,61 @@
+"""Segments, points and regions whose rings touch, on a few points of the lattice: sums and events
+of the index are those of all other routes."""
+
+from __future__ import annotations
+
+import json
+from collections import Counter
+from fractions import Fraction
+from typing import Any
+
+import pytest
+from minkref.fuzz.families.pinched_pairs import pinched_pair
+from minkref.reports.evidence.index_sums import same_events, same_sums_by_all_routes
+
+SEED = 5
+Point = tuple[Fraction, ...]
+
+
+@pytest.mark.parametrize("index", range(40))
+def test_sums_and_events_are_those_of_the_other_routes(index: int) -> None:
+    pair = pinched_pair(SEED, index)
+    window = ("1/2", "2") if index % 4 == 1 else (None, None)
+    task = (f"pinched {SEED} {index}", pair.P, pair.Q, window, ())
+    for same in (same_sums_by_all_routes, same_events):
+        name, compared, fault = same(task)
+        assert not fault, f"{name}: {fault}\n{pair.P}\n{pair.Q}"
+        assert compared > 0 or same is same_events, name
+
+
+def test_the_family_has_segments_points_and_rings_that_touch() -> None:
+    kinds: Counter[str] = Counter()
+    for index in range(40):
+        pair = pinched_pair(SEED, index)
+        for operand in (pair.P, pair.Q):
+            kinds[kind_of(json.loads(operand)["polygons"])] += 1
+    assert kinds["segment"] == 20
+    assert kinds["point"] == 4
+    assert kinds["touching"] >= 40
+
+
+def kind_of(polygons: list[dict[str, Any]]) -> str:
+    rings = [
+        [tuple(map(Fraction, p)) for p in ring]
+        for polygon in polygons
+        for ring in (polygon["outer"], *polygon["holes"])
+    ]
+    if len(rings[0]) < 3:
+        return ("point", "segment")[len(rings[0]) - 1]
+    touching = any(
+        other is not ring and lies_on(p, other) for ring in rings for p in ring for other in rings
+    )
+    return "touching" if touching else "apart"
+
+
+def lies_on(p: Point, ring: list[Point]) -> bool:
+    sides = zip(ring, ring[1:] + ring[:1], strict=True)
+    return any(
+        (b[0] - a[0]) * (p[1] - a[1]) == (b[1] - a[1]) * (p[0] - a[0])
+        and all(min(a[k], b[k]) <= p[k] <= max(a[k], b[k]) for k in (0, 1))
+        for a, b in sides
+    )
