@@ -620,20 +620,19 @@ class Proof:
     def add_interval(self, claim: Json) -> tuple[str, list[Region]]:
         """No event of the boundary between two scales: its vertices are linear in s."""
         names = "claim from to steps components holes digest"
-        a, b, steps, components, holes, digest = members(claim, names)[1:]
+        a, b, steps, *counts, digest = members(claim, names)[1:]
         regions = [self.step(step, Region) for step in items(steps)]
         lengths = [len(region.scales) for region in regions]
         require(lengths == [2, *[1, 2] * (len(regions) // 2)], "moves, and scales between")
         joints = [s for region in regions[1::2] for s in region.scales * 3]
         ends = [scale_of(a), *joints, scale_of(b)]
         demand(ends == [s for r in regions for s in r.scales], "the steps do not reach end to end")
-        numbers = [integer(components), integer(holes)]
         for region in regions:
-            demand(region.counts == numbers, "components or holes are others")
+            demand(region.counts == [*map(integer, counts)], "components or holes are others")
             wanted = regions[0].form if region.scales[1:] else regions[0].at(region.scales[0])
             demand(region.form == wanted, f"the boundary changes at {region.scales[0]}")
         demand(digest_of(plain(regions[0].polygons)) == digest, "the digest is another")
-        return f"from {a} to {b}, {components} components, {holes} holes, {digest}", regions
+        return f"from {a} to {b}, {counts[0]} components, {counts[1]} holes, {digest}", regions
 
     def add_event(self, claim: Json) -> tuple[str, None]:
         """At a scale, and just below and above it, the boundary or the topology is not the same."""
@@ -728,7 +727,8 @@ def check(path: Path, case: Path | None, seconds: float, tests: float, size: flo
     _, *told, of, steps, claims = members(certificate, names)
     require(all(t is None or isinstance(t, str) for t in told), "what carries no truth is no text")
     name, digest = members(of, "path sha256")
-    require(isinstance(name, str), "the path of the case is no text")
+    good = isinstance(name, str) and "\0" not in name and name.split("/")[-1] not in ("", ".")
+    require(good, "the path of the case is none")
     value = read_json(case or path.parent / name, size, decimals=True)
     require(isinstance(value, dict), "this is no case")
     P, Q = (Operand(value.get(operand), operand) for operand in "PQ")

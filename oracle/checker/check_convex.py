@@ -331,7 +331,8 @@ def check(path: Path, case: Path | None, seconds: float, tests: float, size: flo
     _, *told, of, entries, claims = members(certificate, names)
     require(all(t is None or isinstance(t, str) for t in told), "what carries no truth is no text")
     name, digest = members(of, "path sha256")
-    require(isinstance(name, str), "the path of the case is no text")
+    good = isinstance(name, str) and "\0" not in name and name.split("/")[-1] not in ("", ".")
+    require(good, "the path of the case is none")
     value = read_json(case or path.parent / name, size, decimals=True)
     in_space = isinstance(value, dict) and type(value.get("dimension")) is int
     require(in_space and value["dimension"] == 3, "this is no case in space")

@@ -275,7 +275,7 @@ std::vector<std::string> check(const Value& certificate,
     require(told->is_null() || told->kind == Value::Kind::text, "what carries no truth is no text");
   }
   const auto of = members(*m[4], "path sha256");
-  const Value value = read_case(text(*of[0]));
+  const Value value = read_case(path(*of[0]));
   require(value.kind == Value::Kind::object, "this is no case");
   Operand sets[2];
   for (int i = 0; i < 2; ++i) {

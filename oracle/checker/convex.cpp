@@ -425,7 +425,7 @@ std::vector<std::string> check_convex(const Value& certificate,
     require(told->is_null() || told->kind == Value::Kind::text, "what carries no truth is no text");
   }
   const auto of = members(*parts[4], "path sha256");
-  std::array<Body, 2> bodies = read_case_in_space(read_case(text(*of[0])));
+  std::array<Body, 2> bodies = read_case_in_space(read_case(path(*of[0])));
   std::string plain;
   for (const Body& body : bodies) {
     plain += (plain.empty() ? "{\"" : ",\"") + body.name + "\":";

@@ -148,6 +148,14 @@ const std::string& text(const Value& value) {
   return value.text;
 }
 
+const std::string& path(const Value& value) {
+  const std::string& all = text(value);
+  const std::string last = all.substr(all.rfind('/') + 1);  // npos + 1 is 0
+  require(all.find('\0') == std::string::npos && !last.empty() && last != ".",
+          "the path of the case is none");
+  return all;
+}
+
 Point point(const Value& value) {
   const auto& pair = items(value, 2);
   return {number(pair[0]), number(pair[1])};

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from minkref.certify.certificate import Certificate
 from minkref.reports.evidence.certificates.checkers import in_cpp
 
 TRIANGLE = "POLYGON((-3 -2, 4 -1, 1 3, -3 -2))"
@@ -118,3 +119,32 @@ def test_names_beyond_ascii(minkref: Any, operands: Any, tmp_path: Path) -> None
     assert minkref("check", str(file)).code == 0
     program = in_cpp()
     assert subprocess.run([*program, str(file)], capture_output=True).returncode == 0
+
+
+def test_what_is_no_proof_is_our_fault_and_is_not_written(
+    minkref: Any, operands: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A producer that claims another sum than it has proven."""
+    text = Certificate.text
+
+    def false_text(certificate: Certificate, *arguments: Any) -> str:
+        certificate.claims[0]["holes"] += 1
+        return text(certificate, *arguments)
+
+    monkeypatch.setattr(Certificate, "text", false_text)
+    file = tmp_path / "it.cert.json"
+    ran = minkref("certify", *operands, "-o", str(file))
+    assert ran.code == 70
+    assert "that is no proof, and has not written it: claim 0: components or holes" in ran.err
+    assert not file.exists() and not (tmp_path / "it.case.json").exists()
+    unchecked = minkref("certify", *operands, "-o", str(file), "--no-check")
+    assert unchecked.code == 0
+    assert "not checked (--no-check)" in unchecked.out
+    assert minkref("check", str(file)).code == 1
+
+
+@pytest.mark.parametrize("bodies", [("gs3", "rod")])
+def test_it_says_that_it_was_checked(minkref: Any, tmp_path: Path, bodies: tuple[str, str]) -> None:
+    for names in (bodies, ("g1", "g2")):
+        ran = minkref("certify", *names, "-o", str(tmp_path / f"{names[0]}.cert.json"))
+        assert "checked: verified" in ran.out

@@ -15,6 +15,7 @@ import typer
 from minkref import _core
 from minkref.certify.certificate import Certificate, NoProof
 from minkref.certify.convex_certificate import ConvexCertificate
+from minkref.certify.self_check import is_verified
 from minkref.documents import (
     Stopwatch,
     as_text,
@@ -48,6 +49,13 @@ minkref certify g1 g2 --from 1 --to 11/10 -o interval.cert.json.gz
 
 minkref certify gs3 rod --scale 2,1/3,5 -o convex.cert.json"""
 
+
+# By whether the checker has verified it; none: it was not asked.
+CHECKED = {
+    True: "checked: verified\n",
+    False: "not checked: the budget of the checker does not suffice\n",
+    None: "not checked (--no-check)\n",
+}
 
 Make = Callable[[], Certificate | ConvexCertificate]
 
@@ -94,12 +102,21 @@ def command(
         str | None,
         typer.Option("--point", metavar="X,Y", help="Only that this point is in the sum at S."),
     ] = None,
+    check: Annotated[
+        bool,
+        typer.Option(
+            "--check/--no-check",
+            help="Follow it before it is written, as `minkref check` does. Takes about as long as "
+            "making it.",
+        ),
+    ] = True,
     json: Json = False,
     schema: Schema = False,
 ) -> None:
     """Write a certificate: a proof in steps that `minkref check`, or a checker of yours, follows
     without trusting minkref (docs/certificates.md; of convex polyhedra
-    docs/certificates-convex.md)."""
+    docs/certificates-convex.md). It is checked before it is written; one that is no proof would be
+    a fault of minkref, and is not written."""
     watch = Stopwatch()
     stem = _stem(output)
     case = output.with_name(f"{stem}.case.json")
@@ -114,6 +131,7 @@ def command(
         certificate = refusing(operands, make)
         _check_case(case, certificate.case())
         text = certificate.text(case.name, operands)
+        verified = is_verified(text, certificate.case(), operands) if check else None
     write_atomically(case, certificate.case())
     _write(output, text)
     value = document(
@@ -123,13 +141,14 @@ def command(
         case=str(case),
         bytes=len(text.encode()),
         claims=certificate.claims,
+        verified=verified,
     )
     if json:
         sys.stdout.write(as_text(value))
     else:
         sys.stdout.write(
             f"{shown(str(output))}: {len(certificate.claims)} claims, {value['bytes']:,} bytes, "
-            f"{value['seconds']:.2f} s\nits case: {shown(str(case))}\n"
+            f"{value['seconds']:.2f} s\nits case: {shown(str(case))}\n{CHECKED[verified]}"
             f"check it: minkref check {shown(str(output))}\n"
         )
 

@@ -1,0 +1,33 @@
+"""What the producer has made, before the checker that shares nothing with it."""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+
+from minkref.oracle.checker import check, check_convex
+
+SECONDS, TESTS, BYTES = 600.0, 1e10, 2.0**30
+
+
+class Refuted(RuntimeError):
+    """The checker does not take the certificate for a proof: a fault of minkref."""
+
+
+def is_verified(certificate: str, case: str, name: str) -> bool:
+    """Whether the checker in Python (oracle/checker) verifies a certificate; False where its budget
+    does not suffice. `name`: of the operands, for messages. Raises Refuted where it is no proof.
+    Costs about what making it did."""
+    with tempfile.TemporaryDirectory(prefix="minkref-") as folder:
+        path = Path(folder, "it.cert.json")
+        path.write_text(certificate, encoding="utf-8")
+        beside = Path(folder, "it.case.json")
+        beside.write_text(case, encoding="utf-8")
+        code, why, _ = check.verdict(path, beside, SECONDS, TESTS, BYTES)
+        if (code, why) == (check.MALFORMED, check.OF_CONVEX_BODIES):
+            code, why, _ = check_convex.verdict(path, beside, SECONDS, TESTS, BYTES)
+    if code in (check.VERIFIED, check.OUT_OF_BUDGET):
+        return code == check.VERIFIED
+    raise Refuted(
+        f"minkref made a certificate of {name} that is no proof, and has not written it: {why}"
+    )

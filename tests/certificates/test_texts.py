@@ -1,0 +1,128 @@
+"""Both checkers read each text, number and list of a certificate alike, whatever stands there."""
+
+from __future__ import annotations
+
+import copy
+import json
+import random
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from cubes import CUBE
+from minkref import _core
+from minkref.certify.certificate import Certificate
+from minkref.certify.convex_certificate import convex_certificate
+from minkref.reports.evidence.certificates.checkers import (
+    CHECKER,
+    CONVEX_CHECKER,
+    in_cpp,
+    in_python,
+    verdicts,
+)
+
+SEED = 12
+TEXTS = (
+    "", " ", "\0", "/", ".", "..", "x/", "x/.", "x\0y", "\\", "//", "-", "+1", "-0", "1/1", "2/2",
+    "1_0", "01", "1e0", "1e-1", "1.", ".5", "1.0", "1/0", "1/-1", "0x1", "nan", "inf", "\u0661",
+    "\uff11", "\u00e9", "\U0001f600", "a" * 5000, "1" * 3000, "1e400", "1e99999", "\n", "1\n",
+)  # fmt: skip
+VALUES = (
+    None, True, False, 0, 1, -1, 2**63, 2**64, 10**40, 1.0, 1.5, -0.0, 1e300, [], {}, [[]], [0],
+    [True], ["1"], {"a": 1}, [[[[[[]]]]]], [None],
+)  # fmt: skip
+OF_EACH = 2  # of every place
+MOST = 250
+PATHS = (
+    "it.case.json", "./it.case.json", ".//it.case.json", "it.case.json/", "it.case.json/.",
+    "it.case.json\0", "it.case.json\0y", "", ".", "/", "..", "../x", "a/../it.case.json",
+    "it.case.json/../it.case.json", "\\it.case.json", "IT.CASE.JSON", "it.case.json ",
+    " it.case.json", "~/it.case.json", "it%2ecase.json", "file:it.case.json", "a" * 5000,
+    "\u00e9.json", "\U0001f600", "-", "it.case.json\n",
+)  # fmt: skip
+
+
+def places(value: Any, at: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
+    yield at
+    if isinstance(value, dict):
+        for key in value:
+            yield from places(value[key], (*at, key))
+    elif isinstance(value, list):
+        for k, each in enumerate(value):
+            yield from places(each, (*at, k))
+
+
+def changed(value: Any, at: tuple[Any, ...], new: Any) -> Any:
+    if not at:
+        return new
+    made = copy.deepcopy(value)
+    inside = made
+    for key in at[:-1]:
+        inside = inside[key]
+    inside[at[-1]] = new
+    return made
+
+
+def in_the_plane() -> tuple[str, str]:
+    frame = _core.PolygonSet.from_json(
+        '{"polygons":[{"outer":[[0,0],[4,0],[4,4],[0,4]],"holes":[[[1,1],[1,2],[2,2],[2,1]]]}]}'
+    )
+    square = _core.PolygonSet.from_json('{"polygons":[{"outer":[[0,0],[1,0],[1,1],[0,1]]}]}')
+    certificate = Certificate(frame, square)
+    certificate.event("1", "1/2", passages=True)
+    certificate.point("1", ("1", "1"))
+    certificate.degeneracy("1")
+    return certificate.text("it.case.json", "a title"), certificate.case()
+
+
+def in_space() -> tuple[str, str]:
+    vertices = [tuple(vertex) for vertex in CUBE["vertices"]]
+    cube = _core.Polyhedron(vertices, CUBE["faces"])
+    texts = convex_certificate(cube, cube, [("2", "1", "1/3")], "it.case.json", "a title")
+    return texts.certificate, texts.case
+
+
+def variants(certificate: Any, dice: random.Random) -> Iterator[Any]:
+    for at in places(certificate):
+        for new in (*dice.sample(TEXTS, OF_EACH), *dice.sample(VALUES, OF_EACH)):
+            yield changed(certificate, at, new)
+    for path in PATHS:
+        yield changed(certificate, ("case", "path"), path)
+
+
+@pytest.mark.parametrize(
+    ("made", "checker"),
+    [(in_the_plane, CHECKER), (in_space, CONVEX_CHECKER)],
+    ids=["plane", "space"],
+)
+def test_both_checkers_read_them_alike(tmp_path: Path, made: Any, checker: Path) -> None:
+    print(f"seed {SEED}")
+    certificate, case = made()
+    (tmp_path / "it.case.json").write_text(case, encoding="utf-8")
+    files = []
+    dice = random.Random(SEED)
+    every = list(variants(json.loads(certificate), dice))
+    kept = every[-len(PATHS) :] + dice.sample(every, min(len(every), MOST))
+    for k, value in enumerate(kept):
+        files.append(tmp_path / f"{k}.cert.json")
+        files[-1].write_text(json.dumps(value, ensure_ascii=False), encoding="utf-8")
+    python, cpp = verdicts(in_python(checker), files), verdicts(in_cpp(), files)
+    unlike = [
+        (json.loads(file.read_text("utf-8")), one, other)
+        for file, one, other in zip(files, python, cpp, strict=True)
+        if one.code != other.code
+    ]
+    assert not unlike, [(first, second) for _, first, second in unlike[:5]]
+    assert {verdict.code for verdict in python} >= {0, 2}
+
+
+def test_a_certificate_without_its_case_is_malformed_to_both(tmp_path: Path) -> None:
+    certificate, case = in_the_plane()
+    (tmp_path / "it.case.json").write_text(case, encoding="utf-8")
+    for path in ("it.case.json/", "it.case.json\0y", "it.case.json/.", ""):
+        file = tmp_path / "it.cert.json"
+        value = changed(json.loads(certificate), ("case", "path"), path)
+        file.write_text(json.dumps(value), encoding="utf-8")
+        for command in (in_python(), in_cpp()):
+            assert verdicts(command, [file])[0].code == 2, path
