@@ -86,7 +86,7 @@ class SpaceCase:
             fault = solid.fault()
             if fault is not None:
                 raise Refusal(fault, where, "mend the mesh", "not-closed")
-            solids.append(solid)
+            solids.append(solid.without_unused_vertices())
         pair = known_pair(solids[0], solids[1], _scale(str(scale), where))
         return SpaceCase(name, pair, pair, "named")
 

@@ -42,13 +42,15 @@ class Comparison:
 def compare(
     pair: SpacePair, result: Polyhedron, exact: bool = True, tolerance: Fraction = Fraction(0)
 ) -> Comparison:
-    """The result stands for the points of positive winding number, regularised. An `exact` one has
+    """The result stands for the points of positive winding number, regularised; a vertex that no
+    face names does not matter. An `exact` one has
     to be the sum R; else it has to hold all points whose cube of half side `tolerance` is in R, and
     none whose cube is clear of R. Every `wrong` has a witness that `holds`; with a tolerance it
     holds with that, but for a surface that is not closed: there the point shows where.
     ValueError for a negative tolerance."""
     if tolerance < 0:
         raise ValueError("the tolerance is negative")
+    result = result.without_unused_vertices()
     malformed = _malformed(pair, result, exact)
     if malformed is not None:
         return malformed
@@ -72,9 +74,9 @@ def _malformed(pair: SpacePair, result: Polyhedron, exact: bool) -> Comparison |
     """A surface that is not closed, or for exact results a face that is not planar."""
     where, message = open_edge(result), "the surface is not closed"
     if where is None and exact:
-        bad = result.bad_face()
-        if bad is not None and bad[1] == "is not planar":
-            where, message = result.vertices[result.faces[bad[0]][0]], f"face {bad[0]} {bad[1]}"
+        bent = result.bent_face()
+        if bent is not None:
+            where, message = result.vertices[result.faces[bent][0]], f"face {bent} is not planar"
     if where is None:
         return None
     witness = decided(pair, where)

@@ -80,6 +80,15 @@ class Polyhedron:
     def turned_inside_out(self) -> Polyhedron:
         return Polyhedron(self.vertices, tuple(face[::-1] for face in self.faces))
 
+    def without_unused_vertices(self) -> Polyhedron:
+        """Without those that no face names: they are no points of the set."""
+        used = sorted({index for face in self.faces for index in face})
+        if len(used) == len(self.vertices):
+            return self
+        name = {index: place for place, index in enumerate(used)}
+        faces = tuple(tuple(name[index] for index in face) for face in self.faces)
+        return Polyhedron(tuple(self.vertices[index] for index in used), faces)
+
     def with_faces_of(self, other: Polyhedron) -> Polyhedron:
         """Both surfaces together; their winding numbers add."""
         count = len(self.vertices)
@@ -148,6 +157,11 @@ class Polyhedron:
             if not _is_planar(ring):
                 return number, "is not planar"
         return None
+
+    def bent_face(self) -> int | None:
+        """A face that is not planar, whatever others have no area."""
+        rings = ([self.wholes[index] for index in face] for face in self.faces)
+        return next((number for number, ring in enumerate(rings) if not _is_planar(ring)), None)
 
     def fault(self) -> str | None:
         """A sentence that says what keeps this from being an operand; None where nothing does. Of
