@@ -16,9 +16,14 @@ from minkref.fuzz.targets.answer import Answer, Limits, Target, skipped
 from minkref.fuzz.targets.catalogue import REFERENCE, size_limit
 from minkref.fuzz.targets.convex_reference import ConvexReferenceTarget
 from minkref.fuzz.targets.reference import ReferenceTarget
-from minkref.fuzz.verdicts.event_judgement import MOST_PAIRS, judge_events, window
+from minkref.fuzz.verdicts.event_judgement import (
+    MOST_PAIRS,
+    judge_events,
+    window,
+    without_scales,
+)
 from minkref.fuzz.verdicts.invalid_judgement import judge_invalid
-from minkref.fuzz.verdicts.judgement import TRUTHS, judge, without_answer
+from minkref.fuzz.verdicts.judgement import TRUTHS, judge
 from minkref.fuzz.verdicts.law_judgement import judge_law
 from minkref.fuzz.verdicts.laws import LAWS
 from minkref.fuzz.verdicts.space_judgement import judge_in_space
@@ -183,15 +188,21 @@ class Asking:
         if case.vertex_pairs > MOST_PAIRS:
             message = f"{case.vertex_pairs:,} pairs of vertices, more than {MOST_PAIRS:,}"
             return Outcome(name, Verdict.SKIPPED, message=message)
+        if not (case.P.is_region or case.Q.is_region):
+            message = "of two operands without area no events are known"
+            return Outcome(name, Verdict.SKIPPED, message=message)
         self.begin(name)
         claimed = target.events(case, *window(case))
         if isinstance(claimed, Answer):
-            return without_answer(name, claimed)
+            return without_scales(case, name, claimed)
         if JUDGING + name in self.lost:
-            return without_answer(name, self._judgeable(name, Answer()))
+            return without_scales(case, name, self._judgeable(name, Answer()))
         self._judging(name)
         declared = target.declared()
         assert not isinstance(declared, Answer)
+        if declared.boundary:
+            message = "of the sum of the boundaries no events are known"
+            return Outcome(name, Verdict.SKIPPED, message=message)
         return judge_events(case, name, claimed, declared)
 
     def _refused(self, case: InvalidCase, name: str) -> Outcome:

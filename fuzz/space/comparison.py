@@ -23,6 +23,7 @@ from minkref.fuzz.verdicts.verdict import Reason, Witness
 
 Rating = Literal["pass", "pass-within", "wrong", "undecided"]
 MOST_STRAY = 300  # triangles off the boundary of the sum that are cut by each other
+MOST_MIDDLES = 6  # places inside a hull of which one is off the surface of the result
 MOST_CELLS = 200_000  # of the grid, whose centres are asked
 
 
@@ -43,14 +44,13 @@ def compare(
     pair: SpacePair, result: Polyhedron, exact: bool = True, tolerance: Fraction = Fraction(0)
 ) -> Comparison:
     """The result stands for the points of positive winding number, regularised; a vertex that no
-    face names does not matter. An `exact` one has
-    to be the sum R; else it has to hold all points whose cube of half side `tolerance` is in R, and
+    face names does not matter, nor do faces that cancel. An `exact` one has to be the sum R; else it has to hold all points whose cube of half side `tolerance` is in R, and
     none whose cube is clear of R. Every `wrong` has a witness that `holds`; with a tolerance it
     holds with that, but for a surface that is not closed: there the point shows where.
     ValueError for a negative tolerance."""
     if tolerance < 0:
         raise ValueError("the tolerance is negative")
-    result = result.without_unused_vertices()
+    result = result.without_opposite_faces().without_unused_vertices()
     malformed = _malformed(pair, result, exact)
     if malformed is not None:
         return malformed
@@ -244,11 +244,11 @@ def _on_hull(surface: Surface, hull: Polyhedron) -> Callable[[int], bool]:
 
 
 def _middle_is_inside(trial: Trial, vertices: tuple[Point, ...]) -> bool:
-    count = len(vertices)
-    for weight in range(1, 4):  # one of these places is off the surface
+    """Of some places inside, with unlike weights, one that is off the surface."""
+    for power in range(MOST_MIDDLES):
+        weights = [Fraction(1 + ((k + 1) ** power) % 97) for k in range(len(vertices))]
         x, y, z = (
-            (sum((v[k] for v in vertices), Fraction(0)) + (weight - 1) * vertices[0][k])
-            / (count + weight - 1)
+            sum(weight * v[k] for weight, v in zip(weights, vertices, strict=True)) / sum(weights)
             for k in range(3)
         )
         winding = trial.surface.winding((x, y, z))

@@ -89,6 +89,23 @@ class Polyhedron:
         faces = tuple(tuple(name[index] for index in face) for face in self.faces)
         return Polyhedron(tuple(self.vertices[index] for index in used), faces)
 
+    def without_opposite_faces(self) -> Polyhedron:
+        """Without pairs of faces along the same points in opposite directions, as pieces that abut
+        have them: no winding number changes."""
+        left: dict[tuple[Point, ...], list[int]] = {}
+        gone = set()
+        for number, face in enumerate(self.faces):
+            points = [self.vertices[index] for index in face]
+            opposite = left.get(_from_least(points[::-1]))
+            if opposite:
+                gone |= {number, opposite.pop()}
+            else:
+                left.setdefault(_from_least(points), []).append(number)
+        if not gone:
+            return self
+        faces = tuple(face for number, face in enumerate(self.faces) if number not in gone)
+        return Polyhedron(self.vertices, faces)
+
     def with_faces_of(self, other: Polyhedron) -> Polyhedron:
         """Both surfaces together; their winding numbers add."""
         count = len(self.vertices)
@@ -200,6 +217,12 @@ class Polyhedron:
             if seen != len(fan):
                 return vertex
         return None
+
+
+def _from_least(points: list[Point]) -> tuple[Point, ...]:
+    """The ring, beginning with its least point."""
+    first = points.index(min(points))
+    return (*points[first:], *points[:first])
 
 
 def _is_planar(ring: list[Whole]) -> bool:

@@ -6,6 +6,7 @@ import json
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from itertools import pairwise
 from typing import Any
 
 from minkref.errors import cut, message_of
@@ -68,7 +69,10 @@ class AdapterTarget:
         found: list[Fraction] = []
 
         def ask(declaration: Declaration) -> Answer:
-            self._load(case, declaration)
+            try:
+                self._load(case, declaration)
+            except Refused as refused:
+                return self._without_result(refused.value, declaration)
             value = self._process.ask("events", self.limits.seconds, **{"from": start, "to": end})
             if value["status"] != "result":
                 return self._without_result(value, declaration)
@@ -76,6 +80,8 @@ class AdapterTarget:
             if not isinstance(scales, list):
                 raise Unreadable("scales is not a list")
             found.extend(Fraction(_scale(scale, declaration)) for scale in scales)
+            if any(a > b for a, b in pairwise(found)):
+                raise Unreadable("scales do not ascend")
             return Answer(declaration=declaration)
 
         answer = self._guarded(case, ask, "events")
@@ -105,7 +111,7 @@ class AdapterTarget:
         except OverflowError:
             return skipped("numbers beyond the range of doubles", declaration)
         except (Unreadable, ValueError, ZeroDivisionError, TypeError, KeyError) as error:
-            message = f"the answer is not a set: {message_of(error)}"
+            message = f"the answer cannot be read: {message_of(error)}"
             return Answer(verdict=Verdict.ERRORED, message=message, declaration=declaration)
         return answer
 

@@ -155,8 +155,7 @@ def sent_scale(text: str) -> str | list[str]:
 
 
 def solid_answer(value: dict[str, Any], declaration: Declaration, seconds: float) -> Answer:
-    """The polyhedron that `vertices` and `faces` of an answer give, without vertices that no face
-    names. Raises Unreadable."""
+    """The polyhedron that `vertices` and `faces` of an answer give. Raises Unreadable."""
     vertices = []
     for vertex in _list(value, "vertices"):
         if not isinstance(vertex, list) or len(vertex) != 3:
@@ -175,10 +174,5 @@ def solid_answer(value: dict[str, Any], declaration: Declaration, seconds: float
             if not 0 <= index < len(vertices):
                 raise Unreadable(f"a face names vertex {index} of {len(vertices)}")
         faces.append(tuple(face))
-    named = sorted({index for face in faces for index in face})
-    number = {index: k for k, index in enumerate(named)}
-    solid = Polyhedron(
-        tuple(vertices[index] for index in named),
-        tuple(tuple(number[index] for index in face) for face in faces),
-    )
+    solid = Polyhedron(tuple(vertices), tuple(faces))
     return Answer(solid=solid, seconds=seconds, declaration=declaration)

@@ -49,6 +49,15 @@ def decide(case: Case, point: tuple[str, str], boundary: bool = False) -> Witnes
     return witness
 
 
+def some_point(case: Case) -> Witness:
+    """A point of the sum: that of two vertices. Of the empty sum the origin, which is outside."""
+    corners = [json.loads(text)["polygons"] for text in (case.scaled_P_json, case.Q_json)]
+    if not all(corners):
+        return decide(case, ("0", "0"))
+    (px, py), (qx, qy) = (polygons[0]["outer"][0] for polygons in corners)
+    return decide(case, (str(Fraction(px) + Fraction(qx)), str(Fraction(py) + Fraction(qy))))
+
+
 def settle(
     case: Case,
     truth: Region,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -10,8 +9,10 @@ from math import inf, nextafter
 
 from minkref import _core
 from minkref.fuzz.cases.case import Case
+from minkref.fuzz.targets.answer import Answer
 from minkref.fuzz.targets.declaration import Declaration
-from minkref.fuzz.verdicts.comparison import decide
+from minkref.fuzz.verdicts.comparison import decide, some_point
+from minkref.fuzz.verdicts.judgement import without_answer
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict
 
 MOST_PAIRS = 2000  # of vertices
@@ -21,6 +22,14 @@ def window(case: Case) -> tuple[str, str]:
     """From half of the scale to twice of it."""
     scale = Fraction(case.scale)
     return str(scale / 2), str(scale * 2)
+
+
+def without_scales(case: Case, name: str, answer: Answer) -> Outcome:
+    """Of an answer that says why there is no list; WRONG says that valid operands were rejected."""
+    outcome = without_answer(name, answer)
+    if outcome.verdict is not Verdict.WRONG:
+        return outcome
+    return replace(outcome, reasons=(Reason.REJECTED_VALID,), witness=some_point(case))
 
 
 def judge_events(case: Case, name: str, claimed: list[Fraction], declared: Declaration) -> Outcome:
@@ -60,8 +69,9 @@ def judge_events(case: Case, name: str, claimed: list[Fraction], declared: Decla
             f"{'; ' if text else ''}{s} is listed, where the topology does not change: {nearest}"
         )
         if witness is None:
-            at = replace(case, scale=str(s), law=None)
-            witness = replace(decide(at, _corner(moving, s)), scale=str(s))
+            # That the sum there is as it is just below and above cannot be shown by one point.
+            at = replace(case, scale=str(s) if s > 0 else case.scale, law=None)
+            witness = replace(some_point(at), scale=at.scale)
     return Outcome(name, Verdict.WRONG, reasons, message=text, witness=witness)
 
 
@@ -92,11 +102,3 @@ class Within:
         ]
         below, above = [x for x in doubles if x <= scale], [x for x in doubles if x >= scale]
         return {*below[-1:], *above[:1]}
-
-
-def _corner(moving: _core.DynamicSum, scale: Fraction) -> tuple[str, str]:
-    """A vertex of the sum at the scale: that the sum there is as it is just below and above cannot
-    be shown by one point."""
-    moving.move_to(str(scale))
-    ring = json.loads(moving.sum().region.canonical_json())["polygons"][0]["outer"]
-    return (ring[0][0], ring[0][1])

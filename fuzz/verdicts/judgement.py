@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable
-from dataclasses import replace
 
 from minkref import _core
 from minkref.errors import cut
 from minkref.fuzz.cases.case import Case
 from minkref.fuzz.targets.answer import Answer
 from minkref.fuzz.verdicts.boundary_sum import MOST_PAIRS, boundary_sum
-from minkref.fuzz.verdicts.comparison import WitnessRefuted, decide, settle
+from minkref.fuzz.verdicts.comparison import WitnessRefuted, decide, settle, some_point
 from minkref.fuzz.verdicts.region import Region
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict, Witness
 
@@ -149,20 +147,16 @@ def _same_set(case: Case, name: str, answer: Answer, region: Region) -> Outcome:
 
 
 def _rejected(case: Case, name: str, answer: Answer, expected: Region) -> Outcome:
-    """Valid operands called invalid: any point of their sum shows that they have one."""
-    outcome = Outcome(
+    """Valid operands called invalid: any point that is decided shows that they have a sum."""
+    return Outcome(
         name,
         Verdict.WRONG,
         (Reason.REJECTED_VALID,),
         message=cut(answer.message),
         seconds=answer.seconds,
+        witness=some_point(case),
         expected_digest=expected.digest,
     )
-    polygons = json.loads(expected.json)["polygons"]
-    if not polygons:
-        return outcome
-    x, y = polygons[0]["outer"][0]
-    return replace(outcome, witness=decide(case, (x, y)))
 
 
 def _refuted(
