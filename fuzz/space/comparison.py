@@ -44,10 +44,11 @@ def compare(
     pair: SpacePair, result: Polyhedron, exact: bool = True, tolerance: Fraction = Fraction(0)
 ) -> Comparison:
     """The result stands for the points of positive winding number, regularised; a vertex that no
-    face names does not matter, nor do faces that cancel. An `exact` one has to be the sum R; else it has to hold all points whose cube of half side `tolerance` is in R, and
-    none whose cube is clear of R. Every `wrong` has a witness that `holds`; with a tolerance it
-    holds with that, but for a surface that is not closed: there the point shows where.
-    ValueError for a negative tolerance."""
+    face names does not matter, nor do faces that cancel. An `exact` one has to be the sum R; else
+    it has to hold all points whose cube of half side `tolerance` is in R, and none whose cube is
+    clear of R. Every `wrong` has a witness that `holds`; with a tolerance it holds with that, but
+    for a surface that is not closed: there the point shows where. ValueError for a negative
+    tolerance."""
     if tolerance < 0:
         raise ValueError("the tolerance is negative")
     result = result.without_opposite_faces().without_unused_vertices()
@@ -247,8 +248,9 @@ def _middle_is_inside(trial: Trial, vertices: tuple[Point, ...]) -> bool:
     """Of some places inside, with unlike weights, one that is off the surface."""
     for power in range(MOST_MIDDLES):
         weights = [Fraction(1 + ((k + 1) ** power) % 97) for k in range(len(vertices))]
+        total = sum(weights, Fraction(0))
         x, y, z = (
-            sum(weight * v[k] for weight, v in zip(weights, vertices, strict=True)) / sum(weights)
+            sum((w * v[k] for w, v in zip(weights, vertices, strict=True)), Fraction(0)) / total
             for k in range(3)
         )
         winding = trial.surface.winding((x, y, z))
