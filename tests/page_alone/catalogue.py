@@ -4,14 +4,21 @@ from __future__ import annotations
 
 from types import ModuleType
 
-import faulty_plane
+import faulty_events
+import faulty_holes
+import faulty_numbers
 import faulty_space
-import faulty_verbs
-import unusual_plane
+import faulty_space_verbs
+import faulty_talk
+import unusual_numbers
+import unusual_rings
 import unusual_space
+import unusual_space_sums
+import unusual_talk
+import unusual_verbs
 from conversation import Adapter
 
-BASES = ("Faulty", "FaultyInSpace")
+BASES = ("FaultyInSpace", "FlatEverything")
 
 
 def of_modules(*modules: ModuleType) -> dict[str, type[Adapter]]:
@@ -25,6 +32,15 @@ def of_modules(*modules: ModuleType) -> dict[str, type[Adapter]]:
     }
 
 
-UNUSUAL = of_modules(unusual_plane, unusual_space)
-FAULTY = of_modules(faulty_plane, faulty_verbs, faulty_space)
+UNUSUAL = of_modules(
+    unusual_rings, unusual_numbers, unusual_verbs, unusual_talk, unusual_space, unusual_space_sums
+)
+FAULTY = of_modules(
+    faulty_holes,
+    faulty_numbers,
+    faulty_events,
+    faulty_talk,
+    faulty_space,
+    faulty_space_verbs,
+)
 ADAPTERS = {**UNUSUAL, **FAULTY}

@@ -1,25 +1,16 @@
-"""Faulty adapters in space: each is right but for the fault that its first line states."""
+"""Faulty adapters in space: sums."""
 
 from __future__ import annotations
 
 from fractions import Fraction
 from typing import Any
 
-from conversation import Answer, Rejected, Request
-from space_adapter import ALL, Space, UpdatingInSpace, in_triangles, scaling_of
-from space_sets import (
-    Shell,
-    convex_faces,
-    dot,
-    hull,
-    is_convex,
-    minus,
-    normal_of,
-    parts_of,
-    prism,
-    shell_of,
-    sum_in_space,
-)
+from conversation import Answer, Request
+from face_pieces import convex_faces
+from space_adapter import Space, in_triangles, scaling_of
+from space_blocks import prism
+from space_sets import Shell, dot, hull, is_convex, normal_of, parts_of, shell_of
+from space_sums import sum_in_space
 
 
 class FaultyInSpace(Space):
@@ -37,7 +28,7 @@ class ThirdFactorIgnored(FaultyInSpace):
     """A scale of three numbers is taken to have the second one twice."""
 
     def shells(self, request: Request) -> list[Shell]:
-        x, y, z = (Fraction(s) for s in scaling_of(request))
+        _, y, z = (Fraction(s) for s in scaling_of(request))
         points, faces = shell_of(request["sP"])
         return self.spoilt(([(a, b, c / z * y) for a, b, c in points], faces), shell_of(self.Q))
 
@@ -207,58 +198,3 @@ class SegmentInSpaceAsItsEnd(FaultyInSpace):
 
     def spoilt(self, P: Shell, Q: Shell) -> list[Shell]:
         return sum_in_space(*((one[0][:1], []) if not one[1] else one for one in (P, Q)))
-
-
-class UpdateIsUnitCube(UpdatingInSpace):
-    """`update` answers a unit cube."""
-
-    def update(self, request: Request) -> Answer:
-        zero, one = Fraction(0), Fraction(1)
-        return self.form(
-            [prism([(zero, zero), (one, zero), (one, one), (zero, one)], zero, one, 2)]
-        )
-
-
-class UpdateInSpaceStays(UpdatingInSpace):
-    """`update` answers the sum that the last `at` found."""
-
-    def at(self, request: Request) -> Answer:
-        self.last = super().at(request)
-        return self.last
-
-    def update(self, request: Request) -> Answer:
-        return self.last
-
-
-class UpdateScalesTwice(UpdatingInSpace):
-    """`update` scales sP once more by the ratio of the third factors."""
-
-    def update(self, request: Request) -> Answer:
-        before, now = Fraction(self.scaling[2]), Fraction(scaling_of(request)[2])
-        self.scaling = scaling_of(request)
-        points, faces = shell_of(request["sP"])
-        moved = [(x, y, z * now / before) for x, y, z in points]
-        return self.form(sum_in_space((moved, faces), shell_of(self.Q)))
-
-
-class RejectsHollow(Space):
-    """Rejects valid operands with a cavity."""
-
-    def load(self, request: Request) -> Answer:
-        for operand in (request["P"], request["Q"]):
-            if len(parts_of(shell_of(operand))) > 1:
-                raise Rejected("more than one shell")
-        return super().load(request)
-
-
-class AcceptsInvalidInSpace(Space):
-    """Promises to reject invalid input, and rejects nothing."""
-
-    def hello(self) -> Answer:
-        return {**super().hello(), "capabilities": [*ALL, "rejects-invalid"]}
-
-    def at(self, request: Request) -> Answer:
-        try:
-            return super().at(request)
-        except Exception:  # noqa: BLE001 whatever comes in, something goes out
-            return self.form([])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from fractions import Fraction
+from itertools import pairwise
 from typing import Any
 
 from conversation import number_of
@@ -95,7 +96,7 @@ def trapezoids(rings: list[Ring]) -> list[Ring]:
     columns = sorted({x for ring in rings for x, _ in ring})
     sides = [(min(side), max(side)) for side in edges_of(rings)]
     found: list[Ring] = []
-    for left, right in zip(columns, columns[1:], strict=False):
+    for left, right in pairwise(columns):
         across = [(height(s, left), height(s, right)) for s in sides if spans(s, left, right)]
         across.sort(key=lambda heights: (heights[0] + heights[1], heights))
         for low, high in zip(across[::2], across[1::2], strict=True):

@@ -6,8 +6,10 @@ from fractions import Fraction
 from typing import Any, ClassVar
 
 from conversation import Adapter, Answer, Request
+from face_pieces import fan
 from minkref import _core
-from space_sets import Shell, body_of, is_convex, shell_of, sum_in_space
+from space_sets import Shell, body_of, corners_of, is_convex, shell_of
+from space_sums import sum_in_space
 
 SETS = ["non-convex", "holes", "components", "touching", "empty", "point", "segment"]
 ALL = ["space", *SETS, "rational", "non-uniform"]
@@ -81,7 +83,6 @@ def scaling_of(request: Request) -> Any:
 
 
 def in_triangles(shell: Shell) -> Shell:
-    from space_sets import corners_of, fan
 
     points, faces = shell
     found = []

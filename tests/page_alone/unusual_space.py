@@ -17,7 +17,8 @@ from space_adapter import (
     in_triangles,
     scaling_of,
 )
-from space_sets import Shell, shell_of, sum_in_space
+from space_sets import Shell, shell_of
+from space_sums import sum_in_space
 
 
 class PlainInSpace(Space):
