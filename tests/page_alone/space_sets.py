@@ -128,5 +128,9 @@ def parts_of(shell: Shell) -> list[list[int]]:
 
 
 def body_of(shell: Shell) -> _core.ConvexPolyhedron:
-    points = [tuple(str(c) for c in point) for point in shell[0]]
-    return _core.ConvexPolyhedron(_core.Polyhedron(points, shell[1]))
+    """For the reference, which refuses vertices of no face."""
+    used = sorted({k for face in shell[1] for k in face})
+    new = {old: k for k, old in enumerate(used)}
+    points = [tuple(str(c) for c in shell[0][k]) for k in used]
+    faces = [[new[k] for k in face] for face in shell[1]]
+    return _core.ConvexPolyhedron(_core.Polyhedron(points, faces))

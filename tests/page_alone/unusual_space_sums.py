@@ -148,7 +148,5 @@ def half_of(shell: Shell) -> Shell | None:
     if not faces or not is_convex(shell):
         return None
     first = points[faces[0][0]]
-    shrunk = [
-        tuple((a + b) / 2 for a, b in zip(first, point, strict=True)) for point in points
-    ]
+    shrunk = [tuple((a + b) / 2 for a, b in zip(first, point, strict=True)) for point in points]
     return shrunk, faces

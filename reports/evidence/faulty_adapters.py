@@ -1,0 +1,52 @@
+"""Faulty adapters, written from the page of the protocol alone: each is found."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from minkref.reports.evidence.framework.adapters_of_the_page import kinds, target_of
+from minkref.reports.evidence.framework.part import COMPARISON, READERS, REFERENCE, Findings
+from minkref.reports.evidence.framework.verify_run import verify
+
+SUBJECT = (
+    "Adapters with one fault each, of sums, numbers, updates, events, refusals or the protocol "
+    "itself, in the plane and in space, written by somebody who had not read the judge: all are "
+    "found, nine of ten within 60 s on one core."
+)
+MINUTES = (40, 0.5)
+DEPENDS = (*REFERENCE, *READERS, *COMPARISON, "tests/page_alone/*.py")
+
+SECONDS, SOON, QUICK_SECONDS = 240, 60, 15
+SHARE = 0.9
+SEED = 1
+QUICK_FAULTS = ("PinchedHolesInQ", "EventsWithoutDeaths", "UpdateIsUnitCube", "AcceptsInvalid")
+
+
+def search(name: str, seconds: int) -> dict[str, Any]:
+    """Whether the fault is found, by what verdict, after how many seconds."""
+    words = [target_of(name), "--first", "--seconds", seconds, "--seed", SEED, "--jobs", 1]
+    words += ["--no-models", "--shrink-calls", 0, "--call-seconds", 10, "--call-memory", 1500]
+    code, value = verify(*(str(word) for word in words), seconds=seconds)
+    seen = [f for f in value["findings"] if f["verdict"] != "undecided"]
+    return {
+        "name": name,
+        "found": code in (1, 3),
+        "seconds": value["seconds"],
+        "verdict": " ".join([seen[0]["verdict"], *(seen[0]["reasons"] or [])]) if seen else None,
+    }
+
+
+def run(quick: bool) -> Findings:
+    findings = Findings()
+    faults = kinds("FAULTY")
+    names = QUICK_FAULTS if quick else tuple(faults)
+    rows = [search(name, QUICK_SECONDS if quick else SECONDS) for name in names]
+    for row in rows:
+        about = f"{row['seconds']:.0f} s, {row['verdict']}" if row["found"] else "not found"
+        findings.figures[row["name"]] = f"{about}: {faults[row['name']].__doc__}"
+    missed = [row["name"] for row in rows if not row["found"]]
+    soon = sum(row["found"] and row["seconds"] <= SOON for row in rows)
+    findings.figures["faults"] = len(rows)
+    findings.law("faults not found", not missed, 0, ", ".join(missed) or 0)
+    findings.target("share found within 60 s", soon >= SHARE * len(rows), SHARE, soon / len(rows))
+    return findings

@@ -1,0 +1,82 @@
+"""Right but unusual adapters, written from the page of the protocol alone: no alarm."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import tempfile
+from collections import Counter
+from pathlib import Path
+
+from minkref.reports.evidence.framework.adapters_of_the_page import FOLDER, kinds, target_of
+from minkref.reports.evidence.framework.part import COMPARISON, READERS, REFERENCE, Findings
+from minkref.reports.evidence.framework.verify_run import counts_of, verify
+
+SUBJECT = (
+    "Right adapters with every habit that docs/adapter-protocol.md allows, written from that page "
+    "alone by somebody who had not read the judge, each on 500 cases in the plane or in space: no "
+    "finding, nothing undecided."
+)
+MINUTES = (60, 0.5)
+DEPENDS = (*REFERENCE, *READERS, *COMPARISON, "tests/page_alone/*")
+
+CASES, QUICK_CASES = 500, 20
+PAIRS, QUICK_PAIRS = 300, 24  # of one run
+RUNS = 12
+QUICK_KINDS = ("Triangles", "AllIn", "EventsAbsolute", "RejectsAtSum", "ScalesItselfInSpace")
+# Two that take only convex polygons meet more of them here.
+CONVEX = ("--family", "convex", "--family", "collinear", "--family", "offset")
+GOOD = ("pass", "pass-within", "skipped")
+
+
+def programs(folder: Path) -> dict[str, str]:
+    """The adapters in other languages, as far as this machine runs them."""
+    found = {}
+    if shutil.which("node"):
+        found["convex.js"] = f"cmd:node {FOLDER / 'convex.js'}"
+    if compiler := shutil.which("c++"):
+        program = folder / "convex"
+        words = [compiler, "-std=c++17", "-O2", str(FOLDER / "convex.cpp"), "-o", str(program)]
+        subprocess.run(words, check=True)
+        found["convex.cpp"] = str(program)
+    return found
+
+
+def judged(
+    target: str, cases: int, pairs: int, more: tuple[str, ...]
+) -> tuple[Counter[str], list[str]]:
+    """Verdicts on at least so many cases that were not skipped, and lines that show the others."""
+    counts: Counter[str] = Counter()
+    shown: list[str] = []
+    for seed in range(1, RUNS + 1):
+        words = [target, *more, "--pairs", str(pairs), "--seed", str(seed), "--jobs", "1"]
+        _, value = verify(*words, "--no-models", "--shrink-calls", "0", seconds=1800)
+        counts.update(counts_of(value, value["targets"][0]["name"]))
+        shown += [finding["reproduce"] for finding in value["findings"]]
+        if sum(counts[verdict] for verdict in counts if verdict != "skipped") >= cases:
+            break
+    return counts, shown
+
+
+def run(quick: bool) -> Findings:
+    findings = Findings()
+    cases, pairs = (QUICK_CASES, QUICK_PAIRS) if quick else (CASES, PAIRS)
+    targets = {name: target_of(name) for name in (QUICK_KINDS if quick else kinds("UNUSUAL"))}
+    with tempfile.TemporaryDirectory() as folder:
+        others = {} if quick else programs(Path(folder))
+        rows = {
+            name: judged(target, cases, pairs, CONVEX if name in others else ())
+            for name, target in {**targets, **others}.items()
+        }
+    alarms, few = 0, 0
+    for name, (counts, shown) in rows.items():
+        findings.figures[name] = ", ".join(f"{n:,} {verdict}" for verdict, n in counts.items())
+        bad = sum(n for verdict, n in counts.items() if verdict not in GOOD)
+        alarms += bad
+        few += sum(n for verdict, n in counts.items() if verdict != "skipped") < cases
+        for line in shown[:3]:
+            findings.note(f"{name}: {line}")
+    findings.figures["kinds"] = len(rows)
+    findings.law("alarms, and cases undecided", alarms == 0, 0, alarms)
+    findings.law(f"kinds with fewer than {cases} cases", few == 0, 0, few)
+    return findings
