@@ -6,7 +6,7 @@ from typing import Any
 
 from conversation import Answer, Rejected, Request
 from plane_adapter import Plane, Refusing
-from plane_sets import polygons_of, rings_of, set_of
+from plane_sets import Polygon, polygons_of, rings_of, set_of, trapezoids
 
 
 class AcceptsInvalid(Refusing):
@@ -85,3 +85,10 @@ class ChattersOnOutput(Plane):
             if len(answer.get("polygons", [])) > 1
             else text
         )
+
+
+class OverlappingPolygons(Plane):
+    """Lists polygons whose interiors are not disjoint, where the page has `rings` for that."""
+
+    def form(self, polygons: list[Polygon]) -> Answer:
+        return super().form([*polygons, *((ring, []) for ring in trapezoids(rings_of(polygons)))])

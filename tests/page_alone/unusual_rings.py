@@ -118,3 +118,9 @@ class ClosedSets(Plane):
         ends = [rings_of(polygons_of(one))[0] for one in (P, Q)]
         points = sorted((a[0] + b[0], a[1] + b[1]) for a in ends[0] for b in ends[1])
         return [(sorted({points[0], points[-1]}), [])]
+
+
+class ExactOverlapping(OverlappingPieces):
+    """Flat rings that overlap, and exact."""
+
+    declares: ClassVar[dict[str, Any]] = Plane.declares

@@ -182,3 +182,16 @@ class ScalesItselfInSpace(Space):
         points, faces = shell_of(self.P)
         scaled = [tuple(c * s for c, s in zip(p, by, strict=True)) for p in points]
         return sum_in_space((scaled, faces), shell_of(self.Q))
+
+
+class VerticesOnEdges(Space):
+    """Every other face has a vertex in the middle of its edges, whatever its neighbours have."""
+
+    def form(self, shells: list[Shell]) -> Answer:
+        return super().form([half_subdivided(shell) for shell in shells])
+
+
+def half_subdivided(shell: Shell) -> Shell:
+    points, faces = with_middles(shell)
+    pairs = zip(shell[1], faces, strict=True)
+    return points, [pair[k % 2] for k, pair in enumerate(pairs)]
