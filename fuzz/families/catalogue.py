@@ -17,6 +17,7 @@ from minkref.fuzz.families.hard_numbers import (
 from minkref.fuzz.families.holed_pairs import fit_pair, holes_pair, nested_pair, small_holes_pair
 from minkref.fuzz.families.lattice_pairs import lattice_pair
 from minkref.fuzz.families.outlines import comb_pair, spiral_pair, star_pair
+from minkref.fuzz.families.passing_corners import passing_pair
 from minkref.fuzz.families.random_pairs import Pair, random_pair
 from minkref.fuzz.families.touching_pairs import cells_pair, touching_pair
 
@@ -39,6 +40,7 @@ _ALL = (
     Family("fit", "one operand fits the other exactly, or off by one part in 2^20", fit_pair),
     Family("collinear", "collinear vertices and parallel edges in both", collinear_pair),
     Family("touching", "rings that touch at points", touching_pair),
+    Family("passing", "corners that pass each other and touch at one scale only", passing_pair),
     Family("cells", "unions of grid squares", cells_pair),
     Family("nested", "polygons in holes of polygons", nested_pair),
     Family("comb", "combs, some of which interlock", comb_pair),
