@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 from math import inf, nextafter
 
@@ -17,7 +18,7 @@ from minkref.fuzz.targets.answer import Answer, answered
 from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.verdicts.event_judgement import judge_events, window
 from minkref.fuzz.verdicts.invalid_judgement import judge_invalid
-from minkref.fuzz.verdicts.verdict import Reason, Verdict
+from minkref.fuzz.verdicts.verdict import GOOD, Reason, Verdict
 from minkref.fuzz.verdicts.witness import holds
 
 EXACT = Declaration("exact")
@@ -160,3 +161,43 @@ def test_a_case_on_a_grid_needs_no_more_bits() -> None:
     assert found > 8
     assert unit_for(Fraction(5), 3) == 1
     assert unit_for(Fraction(5), 4) == Fraction(1, 2)
+
+
+def frame_at(scale: Fraction) -> Case:
+    return replace(named(FRAME), scale=str(scale))
+
+
+DOUBLES = Declaration("doubles", arithmetic="float64", numbers="double")
+
+
+@pytest.mark.parametrize("arithmetic", ["float64", "exact"])
+def test_the_double_next_to_an_event_is_right_whatever_the_arithmetic(arithmetic: str) -> None:
+    """An exact target that speaks doubles cannot say 2/3."""
+    declared = replace(DOUBLES, arithmetic=arithmetic)
+    near = float(CLOSES)
+    for listed in {near, nextafter(near, inf if near < CLOSES else 0.0)}:
+        assert judge_events(named(FRAME), "t", [Fraction(listed)], declared).verdict in GOOD
+    far = Fraction(nextafter(nextafter(near, inf), inf))
+    assert judge_events(named(FRAME), "t", [far], declared).verdict is Verdict.WRONG
+
+
+def test_a_scale_rounded_over_the_end_of_the_window_is_right() -> None:
+    """The event lies just beyond the end, and the double next to it is that next to the end."""
+    for beyond in (Fraction(1, 10**20), -Fraction(1, 10**20)):
+        for case in (frame_at((CLOSES - beyond) / 2), frame_at((CLOSES + beyond) * 2)):
+            rounded = [Fraction(float(CLOSES))]
+            for claimed in ([], rounded):
+                outcome = judge_events(case, "t", claimed, DOUBLES)
+                assert outcome.verdict in GOOD, (case.scale, claimed, outcome.message)
+
+
+def test_a_tolerance_as_large_as_the_window_says_nothing() -> None:
+    """Within it any scale would do: such a list is not called right."""
+    wide = Declaration("wide", arithmetic="integer-grid", absolute=Fraction(4))
+    for claimed in ([], [Fraction(1)]):
+        outcome = judge_events(named(FRAME), "t", claimed, wide)
+        assert outcome.verdict is Verdict.SKIPPED and "tolerance" in outcome.message
+    narrow = replace(wide, absolute=Fraction(1, 100))
+    near = [CLOSES + Fraction(1, 100)]
+    assert judge_events(named(FRAME), "t", near, narrow).verdict is Verdict.PASS_WITHIN
+    assert judge_events(named(FRAME), "t", [], narrow).verdict is Verdict.WRONG
