@@ -27,7 +27,7 @@ from minkref.fuzz.verdicts.judgement import TRUTHS, judge
 from minkref.fuzz.verdicts.law_judgement import judge_law
 from minkref.fuzz.verdicts.laws import LAWS
 from minkref.fuzz.verdicts.space_judgement import judge_in_space
-from minkref.fuzz.verdicts.verdict import GOOD, Outcome, Reason, Verdict
+from minkref.fuzz.verdicts.verdict import BROKEN, GOOD, Outcome, Reason, Verdict
 
 ASKED_TWICE = 8  # one of so many right answers
 JUDGING = "judging "  # and a target: the step in which its answer is looked at
@@ -100,29 +100,31 @@ class Asking:
             pairs = f"{case.vertex_pairs:,} pairs of vertices"
             return skipped(f"{pairs}, more than {limit:,} (--size-limit)")
         target = self.target(name)
+        return self._in_time(name, lambda: target.sum(case))
+
+    def _in_time(self, name: str, ask: Callable[[], Answer]) -> Answer:
         self.begin(name)
-        answer = target.sum(case)
+        answer = ask()
         if answer.verdict is Verdict.TIMED_OUT:  # a machine may stand still: once more
             self.begin(name)
-            answer = target.sum(case)
+            answer = ask()
         return answer
 
     def _once_more(self, case: Case, outcome: Outcome) -> Outcome:
         """A wrong answer, and some of the right ones, are asked for again: whether it stays."""
         name = outcome.target
-        again = outcome.verdict is Verdict.WRONG or (
-            outcome.verdict in GOOD and zlib.crc32(case.name.text.encode()) % ASKED_TWICE == 0
-        )
-        if name.startswith(REFERENCE) or not again or name not in self.answers:
+        if name.startswith(REFERENCE) or not _again(case, outcome) or name not in self.answers:
             return outcome
         second = self._ask(name, case)
-        if second.region is None or second.region.digest == outcome.digest:
+        if second.region is None and outcome.verdict not in GOOD:
+            return outcome
+        if second.region is not None and second.region.digest == outcome.digest:
             return outcome
         rejudged = self._judged(case, {**self.answers, name: second}, [name])
         for worse in (outcome, *rejudged):
             if worse.target == name and worse.verdict is Verdict.WRONG:
                 return replace(worse, reasons=(*worse.reasons, Reason.NONDETERMINISTIC))
-        return outcome
+        return next((each for each in rejudged if each.verdict in BROKEN), outcome)
 
     def _judged(self, case: Case, answers: dict[str, Answer], names: list[str]) -> list[Outcome]:
         judged = {name: self._judgeable(name, answer) for name, answer in answers.items()}
@@ -223,12 +225,11 @@ class Asking:
 
     def _of_solid(self, case: SpaceCase, name: str, fresh: bool = False) -> Outcome:
         """By `update` where the case asks for that, and no `fresh` sum is wanted."""
-        target = self.target(name)
-        self.begin(name)
-        if case.before is None or fresh:
-            answer = target.sum(case)
+        target, before = self.target(name), case.before
+        if before is None or fresh:
+            answer = self._in_time(name, lambda: target.sum(case))
         elif isinstance(target, AdapterTarget | ConvexReferenceTarget):
-            answer = target.updated_sum(case.before, case)
+            answer = self._in_time(name, partial(target.updated_sum, before, case))
         else:
             return Outcome(name, Verdict.SKIPPED, message="does not declare update")
         answer = self._judgeable(name, answer)
@@ -238,15 +239,21 @@ class Asking:
     def _once_more_in_space(self, case: SpaceCase, outcome: Outcome) -> Outcome:
         """As _once_more; of a wrong sum by `update`, whether the fresh one is wrong as well."""
         name, wrong = outcome.target, outcome.verdict is Verdict.WRONG
-        some = outcome.verdict in GOOD and zlib.crc32(case.name.text.encode()) % ASKED_TWICE == 0
-        if name.startswith(REFERENCE) or not (wrong or some):
+        if name.startswith(REFERENCE) or not _again(case, outcome):
             return outcome
         second = self._of_solid(case, name, fresh=wrong)
         if second.verdict not in (*GOOD, Verdict.WRONG):
-            return outcome
+            return second if second.verdict in BROKEN and not wrong else outcome
         if wrong is (second.verdict is Verdict.WRONG):
             return outcome
         worse = outcome if wrong else second
         drifts = wrong and case.before is not None
         reason = Reason.STATE_DRIFT if drifts else Reason.NONDETERMINISTIC
         return replace(worse, reasons=(*worse.reasons, reason))
+
+
+def _again(case: Case | SpaceCase, outcome: Outcome) -> bool:
+    """Whether it is looked at if the answer stays: always of a wrong one, at times of a right."""
+    if outcome.verdict is Verdict.WRONG:
+        return True
+    return outcome.verdict in GOOD and zlib.crc32(case.name.text.encode()) % ASKED_TWICE == 0

@@ -84,6 +84,8 @@ def plane_answer(value: dict[str, Any], declaration: Declaration, seconds: float
     overlap: their winding number tells the set. Polygons that are points and segments have no
     interior."""
     by_winding = "rings" in value
+    if by_winding and "polygons" in value:
+        raise Unreadable("it has both polygons and rings")
     polygons: list[dict[str, Any]]
     if by_winding:
         polygons = [

@@ -21,10 +21,10 @@ from minkref.fuzz.verdicts.verdict import Verdict
 class CallableTarget:
     """The function takes sP and Q as dictionaries in the form of the canonical JSON (not
     necessarily canonical) and returns their sum in the same form, its numbers as texts `n` or
-    `n/d` or as int, its rings running either way; None says that the case is outside its
-    capabilities. A dictionary `minkref` among the function's attributes is its declaration, as the
-    answer to `hello` of the adapter protocol: with `"numbers": "double"` it takes and returns
-    floats."""
+    `n/d` or as int, its rings running either way. None says that the case is outside its
+    capabilities, and ValueError that an operand is invalid. A dictionary `minkref` among the
+    function's attributes is its declaration, as the answer to `hello` of the adapter protocol:
+    with `"numbers": "double"` it takes and returns floats."""
 
     def __init__(self, name: str) -> None:
         self.name = name
@@ -52,7 +52,9 @@ class CallableTarget:
             verdict, message = Verdict.OUT_OF_MEMORY, message_of(error)
             return Answer(verdict=verdict, message=message, declaration=declaration)
         except BaseException as error:  # noqa: BLE001 a fault of the target, whatever it is
-            verdict, message = Verdict.ERRORED, message_of(error)
+            rejected = isinstance(case, InvalidCase) and isinstance(error, ValueError)
+            verdict = Verdict.WRONG if rejected else Verdict.ERRORED
+            message = message_of(error)
             return Answer(verdict=verdict, message=message, declaration=declaration)
         if result is None:
             return skipped("outside the capabilities of the target", declaration)

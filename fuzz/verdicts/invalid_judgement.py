@@ -9,9 +9,9 @@ from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict, Witness
 
 
 def judge_invalid(case: InvalidCase, name: str, answer: Answer) -> Outcome:
-    """A target that promises to reject has to say `rejected` or `errored`; to crash or hang is
-    what it is for any case. The witness is the point that the reference's own refusal names."""
-    if answer.verdict in (Verdict.WRONG, Verdict.ERRORED) and answer.region is None:
+    """A target that promises to reject has to say `rejected`; to err, crash or hang is what it is
+    for any case. The witness is the point that the reference's own refusal names."""
+    if answer.verdict is Verdict.WRONG and answer.region is None:
         return Outcome(name, Verdict.PASS, seconds=answer.seconds)
     if answer.region is None:
         return without_answer(name, answer)
