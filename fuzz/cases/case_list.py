@@ -12,7 +12,7 @@ from enum import Enum
 
 from minkref.fuzz.cases.case import CaseName
 from minkref.fuzz.cases.space_case import LAWS_IN_SPACE
-from minkref.fuzz.cases.verbs import UPDATE
+from minkref.fuzz.cases.verbs import EVENTS, UPDATE
 from minkref.model_catalogue import PAPER_MODELS, all_models, or_look_alike
 
 SMALL_MODELS = ("g3", "g1", "disc1", "disc5", "g2", "g4", "dog145")
@@ -25,6 +25,13 @@ DEEPEST_MUTANT = 4
 PROBES_PER_ROUND = 3
 GRID_BITS = 24  # of cases for implementations on a grid, or in doubles
 CONVEX_FAMILIES = ("space-convex", "space-sphere")  # which most targets with updates take
+TOUCHING = "passing"  # the family whose topology events are of the kind `touch`
+FAR_AND_LARGE = (  # each in every second round
+    ("scaled-up:210", "far out"),
+    ("cut:100", "many vertices"),
+    ("scaled-down:90", "far in"),
+    ("cut:300", "many vertices"),
+)
 SPACE_ROUNDS = 3  # in which each family in space has its turn, beside families in the plane
 
 
@@ -128,11 +135,14 @@ class CaseList:
                 text = f"probe:{probe}({texts[family]})"
                 yield CaseName(text, family)
                 yield CaseName(f"grid:{GRID_BITS}({text})", "on a grid")
+        yield from self._far_and_large(index, texts)
         for k, law in enumerate(self.laws):
             if not self.families:
                 break
             family = self.families[(index + k) % len(self.families)]
             yield CaseName(f"{law}({texts[family]})", "laws")
+        if EVENTS in self.laws and TOUCHING in texts:
+            yield CaseName(f"{EVENTS}({texts[TOUCHING]})", "laws")
         if self.space and self.laws:
             family = self.space[index % len(self.space)]
             law = LAWS_IN_SPACE[index % len(LAWS_IN_SPACE)]
@@ -145,6 +155,14 @@ class CaseList:
         for k in range(min(MUTANTS_PER_ROUND, len(self._parents))):
             parent = dice.choice(self._parents)
             yield CaseName(f"mutant:{index * MUTANTS_PER_ROUND + k}({parent})", "mutants")
+
+    def _far_and_large(self, index: int, texts: dict[str, str]) -> Iterator[CaseName]:
+        """Cases of this round, another family each time, with numbers far from 1 and with many
+        vertices."""
+        for k, (change, group) in enumerate(FAR_AND_LARGE):
+            if self.families and index % 2 == k % 2:
+                family = self.families[(index + 5 * k) % len(self.families)]
+                yield CaseName(f"{change}({texts[family]})", group)
 
     def _choose_parents(self) -> None:
         """Those that showed something new, in the order of their numbers."""

@@ -5,6 +5,8 @@ P+Q@SCALE                 files or models
 CASE.json[@SCALE]         a case file, at its first scale or the one given
 {"P":...,"Q":...,"scale":"3/2"}   the case itself
 probe:K(NAME)             at the K-th scale that lies at or next to a boundary event
+scaled-up:B(NAME)         both operands 2^B times as large (scaled-down: as small)
+cut:N(NAME)               edges cut into equal parts, so that there are N vertices or more
 grid:B(NAME)              sP and Q rounded to a grid of B bits, at scale 1
 mutant:K(NAME)            something close to the case, drawn by the seed K
 LAW(NAME)                 the case changed so that a law tells the sum: swap, quarter-turn, ...
@@ -44,6 +46,8 @@ from minkref.operand import is_file, read_operand
 
 MOST_PROBES = 12
 MOST_BITS = 1000
+SCALED = {"scaled-up": Fraction(2), "scaled-down": Fraction(1, 2)}
+MOST_VERTICES = 2000  # that are asked of a case whose edges are cut
 DEEPEST = 64  # operations in a name
 _GENERATED = re.compile(r"([a-z0-9-]+):(-?[0-9]+):([0-9]+)")
 _DERIVED = re.compile(r"([A-Za-z0-9-]+)(?::([0-9]+))?\((.*)\)", re.DOTALL)
@@ -116,6 +120,11 @@ def _derive(name: CaseName, operation: str, number: str | None, inner: str) -> C
         return replace(base, name=name, scale=scale, position=position)
     if operation == "grid" and number is not None:
         return _on_grid(base, name, int(number))
+    if operation in SCALED and number is not None and int(number) <= MOST_BITS:
+        factor = str(SCALED[operation] ** int(number))
+        return replace(base, name=name, P=base.P.scaled(factor), Q=base.Q.scaled(factor))
+    if operation == "cut" and number is not None and int(number) <= MOST_VERTICES:
+        return _cut(base, name, int(number))
     if operation == "mutant" and number is not None:
         dice = random.Random(f"minkref mutant {name.text}")
         P, Q, scale = mutate(dice, base.P_json, base.Q_json, base.scale)
@@ -129,12 +138,44 @@ def _derive(name: CaseName, operation: str, number: str | None, inner: str) -> C
             base.family,
             "mutant",
         )
-    known = ", ".join(["probe:K", "mutant:K", "grid:B", UPDATE, EVENTS, *LAWS])
+    ways = ["probe:K", "mutant:K", "grid:B", "scaled-up:B", "scaled-down:B", "cut:N"]
+    known = ", ".join([*ways, UPDATE, EVENTS, *LAWS])
     raise Refusal(
         f"no case is got from another by {operation[:40]!r}",
         f"--case {cut(name.text)}",
         f"write one of {known}",
     )
+
+
+def _cut(base: Case, name: CaseName, fewest: int) -> Case:
+    """The same sets with vertices along their edges: each edge in the same number of parts, a power
+    of two, so that doubles stay doubles."""
+    regions = [operand for operand in (base.P, base.Q) if operand.is_region]
+    there = sum(operand.vertices for operand in regions)
+    if not there:
+        raise NoCase("there are no edges to be cut")
+    parts = 1
+    while parts * there < fewest:
+        parts *= 2
+
+    def refined(operand: _core.PolygonSet) -> _core.PolygonSet:
+        if not operand.is_region:
+            return operand
+        value = json.loads(operand.to_json())
+        for polygon in value["polygons"]:
+            polygon["outer"] = _in_parts(polygon["outer"], parts)
+            polygon["holes"] = [_in_parts(hole, parts) for hole in polygon["holes"]]
+        return _core.PolygonSet.from_json(json.dumps(value))
+
+    return replace(base, name=name, P=refined(base.P), Q=refined(base.Q))
+
+
+def _in_parts(ring: list[list[str]], parts: int) -> list[list[str]]:
+    points = [[Fraction(number) for number in point] for point in ring]
+    made = []
+    for (x, y), (u, v) in zip(points, points[1:] + points[:1], strict=True):
+        made += [(x + (u - x) * k / parts, y + (v - y) * k / parts) for k in range(parts)]
+    return [[str(x), str(y)] for x, y in made]
 
 
 def _on_grid(base: Case, name: CaseName, bits: int) -> Case:

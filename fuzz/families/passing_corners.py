@@ -38,9 +38,7 @@ def _wedge(dice: random.Random, x: Fraction | int, way: int) -> Ring:
     return [(x, 0), (x + 1, way * height), (x - 1, way * height)]
 
 
-def _teeth(
-    dice: random.Random, x: Fraction | int, apart: int, count: int, way: int
-) -> Polygon:
+def _teeth(dice: random.Random, x: Fraction | int, apart: int, count: int, way: int) -> Polygon:
     """A bar above the line (below it) with teeth whose tips are on it."""
     height, width = dice.randint(6, 9), dice.randint(1, 4)
     ring: Ring = []

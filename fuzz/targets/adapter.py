@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import zlib
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
@@ -51,16 +52,21 @@ class AdapterTarget:
         return self._guarded(case, lambda d: self._at(case, d, "at"))
 
     def updated_sum(self, before: Case | SpaceCase, case: Case | SpaceCase) -> Answer:
-        """The sum by `update` from that of `before`, the same operands at another scale."""
+        """The sum by `update` from that of `before`, the same operands at another scale. In every
+        other case, by name, that is itself reached by `update`, from the sum of `case`."""
 
         def ask(declaration: Declaration) -> Answer:
             lack = lacking(declaration, before)
             if lack:
                 return skipped(lack, declaration)
-            first = self._at(before, declaration, "at")
-            if first.verdict is not None:
-                return first
-            return self._at(case, declaration, "update")
+            steps: list[tuple[Case | SpaceCase, str]] = [(before, "at"), (case, "update")]
+            if zlib.crc32(case.name.text.encode()) % 2:
+                steps = [(case, "at"), (before, "update"), (case, "update")]
+            for at, verb in steps:
+                answer = self._at(at, declaration, verb)
+                if answer.verdict is not None:
+                    break
+            return answer
 
         return self._guarded(case, ask, "update")
 
