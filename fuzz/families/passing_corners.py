@@ -6,15 +6,16 @@ from __future__ import annotations
 import random
 from fractions import Fraction
 
-from minkref.fuzz.families.drawing import Polygon, Ring, Shape, box, placed, shape_text
+from minkref.fuzz.families.drawing import Polygon, Ring, Shape, box, placed, scaled, shape_text
 from minkref.fuzz.families.random_pairs import Pair
 
 FRAME, WALL = 600, 50  # half of the opening of a frame around all, and how thick it is
+FRAMED, SCALED_FROM = 12, 60  # first indices of pairs with a frame, and at other scales than 1
 SCALES = (Fraction(2), Fraction(5, 2), Fraction(3), Fraction(4))
 
 
 def passing_pair(seed: int, index: int) -> Pair:
-    """At the scale of the touch, or at three quarters of it."""
+    """At the scale of the touch, or at three quarters of it; of early pairs that is 1."""
     dice = random.Random(f"minkref passing {seed} {index}")
     scale = dice.choice(SCALES)
     left, right = -dice.randint(8, 12) * 2, dice.randint(8, 12) * 2
@@ -23,12 +24,14 @@ def passing_pair(seed: int, index: int) -> Pair:
     second = first + scale * (right - left)
     P: Shape = [[_wedge(dice, right, 1)], [_wedge(dice, left, -1)]]
     Q: Shape = [_teeth(dice, first, tips, count, 1), _teeth(dice, second, tips, count, -1)]
-    if dice.random() < 0.5:  # the pocket belongs to a hole, not to the outside
+    if index >= FRAMED and dice.random() < 0.5:  # the pocket belongs to a hole, not to the outside
         side, inner = FRAME + WALL, 2 * FRAME
         Q.append([box(-side, -side, 2 * side, 2 * side), box(-FRAME, -FRAME, inner, inner)])
     turns, mirrored = dice.randrange(4), dice.random() < 0.5
-    texts = [shape_text(placed(shape, turns, mirrored)) for shape in (P, Q)]
     at = scale if dice.random() < 0.5 else scale * Fraction(3, 4)
+    if index <= SCALED_FROM:
+        P, at = scaled(P, at), Fraction(1)
+    texts = [shape_text(placed(shape, turns, mirrored)) for shape in (P, Q)]
     return Pair(seed, index, 6 + 8 * count, texts[0], texts[1], str(at))
 
 

@@ -25,7 +25,7 @@ FINGERPRINTS = {
     "fit": "c8e135a371be4f3a",
     "collinear": "a7f885392598f27e",
     "touching": "74faf6ff0fd44c5b",
-    "passing": "cc6ae07ee115d89f",
+    "passing": "04dca53217a06274",
     "cells": "32b59382d0c560ab",
     "nested": "6af138a6dbbcc800",
     "comb": "f65c020a2f9b5de4",
