@@ -15,7 +15,7 @@ SCALES = (Fraction(2), Fraction(5, 2), Fraction(3), Fraction(4))
 
 
 def passing_pair(seed: int, index: int) -> Pair:
-    """At the scale of the touch, or at three quarters of it; of early pairs that is 1."""
+    """At the scale of the touch, or at three quarters of it; of early pairs, and some others, that is 1."""
     dice = random.Random(f"minkref passing {seed} {index}")
     scale = dice.choice(SCALES)
     left, right = -dice.randint(8, 12) * 2, dice.randint(8, 12) * 2
@@ -29,7 +29,7 @@ def passing_pair(seed: int, index: int) -> Pair:
         Q.append([box(-side, -side, 2 * side, 2 * side), box(-FRAME, -FRAME, inner, inner)])
     turns, mirrored = dice.randrange(4), dice.random() < 0.5
     at = scale if dice.random() < 0.5 else scale * Fraction(3, 4)
-    if index <= SCALED_FROM:
+    if index <= SCALED_FROM or dice.random() < 0.5:
         P, at = scaled(P, at), Fraction(1)
     texts = [shape_text(placed(shape, turns, mirrored)) for shape in (P, Q)]
     return Pair(seed, index, 6 + 8 * count, texts[0], texts[1], str(at))
