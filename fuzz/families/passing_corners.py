@@ -15,7 +15,8 @@ SCALES = (Fraction(2), Fraction(5, 2), Fraction(3), Fraction(4))
 
 
 def passing_pair(seed: int, index: int) -> Pair:
-    """At the scale of the touch, or at three quarters of it; of early pairs, and some others, that is 1."""
+    """At the scale of the touch, or at three quarters of it; of early pairs that is 1, and of some
+    others."""
     dice = random.Random(f"minkref passing {seed} {index}")
     scale = dice.choice(SCALES)
     left, right = -dice.randint(8, 12) * 2, dice.randint(8, 12) * 2
