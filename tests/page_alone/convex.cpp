@@ -15,7 +15,8 @@ std::vector<Point> points_of(const std::string& line, const std::string& key) {
   std::vector<Point> points;
   std::vector<long long> numbers;
   int depth = 0;
-  for (std::size_t at = line.find("\"" + key + "\""), i = line.find('{', at); i < line.size(); ++i) {
+  for (std::size_t at = line.find("\"" + key + "\""), i = line.find('{', at); i < line.size();
+       ++i) {
     if (line[i] == '{') ++depth;
     if (line[i] == '}' && --depth == 0) break;
     if (line[i] == '-' || std::isdigit(static_cast<unsigned char>(line[i]))) {
@@ -55,11 +56,13 @@ int main() {
   std::vector<Point> Q;
   for (std::string line; std::getline(std::cin, line);) {
     const auto has = [&](const char* word) { return line.find(word) != std::string::npos; };
-    const std::string seq = std::to_string(std::atoll(line.c_str() + line.find(':', line.find("\"seq\"")) + 1));
+    const std::string seq =
+        std::to_string(std::atoll(line.c_str() + line.find(':', line.find("\"seq\"")) + 1));
     if (has("\"stop\"")) return 0;
     std::string body = "\"status\": \"result\"";
     if (has("\"hello\"")) {
-      body += R"(, "protocol": "adapter-v1", "name": "convex.cpp", "version": "1", "language": "C++",
+      body +=
+          R"(, "protocol": "adapter-v1", "name": "convex.cpp", "version": "1", "language": "C++",
 "arithmetic": "exact", "grid": {"unit": "1", "largest": "1e15"}, "sum": "region", "capabilities": ["plane"])";
       body.erase(std::remove(body.begin(), body.end(), '\n'), body.end());
     } else if (has("\"load\"")) {
