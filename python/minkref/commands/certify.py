@@ -15,7 +15,7 @@ import typer
 from minkref import _core
 from minkref.certify.certificate import Certificate, NoProof
 from minkref.certify.convex_certificate import ConvexCertificate
-from minkref.certify.self_check import is_verified
+from minkref.commands.certify_check import is_verified
 from minkref.documents import (
     Stopwatch,
     as_text,

@@ -58,7 +58,7 @@ def command(
     watch = Stopwatch()
     rows = []
     for path in _found(files):
-        code, message, claims = _verdict(path, case, seconds, tests, bytes_)
+        code, message, claims = verdict_of(path, case, seconds, tests, bytes_)
         rows.append(
             {"file": str(path), "verdict": WORDS[code], "message": message, "claims": claims}
         )
@@ -71,7 +71,7 @@ def command(
     raise typer.Exit(next((code for code in worst if WORDS[code] in verdicts), checker.VERIFIED))
 
 
-def _verdict(
+def verdict_of(
     path: Path, case: Path | None, seconds: float, tests: float, most: float
 ) -> checker.Verdict:
     """By the checker of the form that the certificate says it has."""

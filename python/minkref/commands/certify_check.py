@@ -5,7 +5,7 @@ from __future__ import annotations
 import tempfile
 from pathlib import Path
 
-from minkref.oracle.checker import check, check_convex
+from minkref.commands.check import WORDS, verdict_of
 
 SECONDS, TESTS, BYTES = 600.0, 1e10, 2.0**30
 
@@ -23,11 +23,9 @@ def is_verified(certificate: str, case: str, name: str) -> bool:
         path.write_text(certificate, encoding="utf-8")
         beside = Path(folder, "it.case.json")
         beside.write_text(case, encoding="utf-8")
-        code, why, _ = check.verdict(path, beside, SECONDS, TESTS, BYTES)
-        if (code, why) == (check.MALFORMED, check.OF_CONVEX_BODIES):
-            code, why, _ = check_convex.verdict(path, beside, SECONDS, TESTS, BYTES)
-    if code in (check.VERIFIED, check.OUT_OF_BUDGET):
-        return code == check.VERIFIED
+        code, why, _ = verdict_of(path, beside, SECONDS, TESTS, BYTES)
+    if WORDS[code] in ("verified", "out of budget"):
+        return WORDS[code] == "verified"
     raise Refuted(
         f"minkref made a certificate of {name} that is no proof, and has not written it: {why}"
     )
