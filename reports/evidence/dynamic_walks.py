@@ -19,11 +19,11 @@ SUBJECT = (
     "parallel and triple events; operands of 8 to 40 vertices, half with holes: after each step "
     "arrangement and sum are the static ones."
 )
-MINUTES = (6, 0.5)
+MINUTES = (6, 0.3)
 DEPENDS = (*REFERENCE, "fuzz/families/integer_rings.py", "fuzz/families/random_pairs.py")
 
 SEED = 2012
-WALKS, QUICK_WALKS, STEPS = 1000, 16, 30
+WALKS, QUICK_WALKS, STEPS = 1000, 10, 30
 PROCESSES = 2
 KINDS = ("pair", "parallel", "triple")
 

@@ -27,11 +27,11 @@ SUBJECT = (
     "or as Q): both routes list every boundary event once and no other, with the components and "
     "holes at and between them; every build ends; no certificate of an interval with an event."
 )
-MINUTES = (15, 0.5)
+MINUTES = (15, 0.2)
 DEPENDS = (*REFERENCE, *READERS, *COMPARISON, "certify/*", "oracle/sampled/*")
 
 SEED = 2207
-PAIRS, QUICK_PAIRS = 20_000, 300
+PAIRS, QUICK_PAIRS = 20_000, 100
 PROCESSES = 2
 SECONDS = 20.0  # in which two builds of the index and the walk of a lattice pair must end
 BYTES = 4 << 30  # that a worker may take

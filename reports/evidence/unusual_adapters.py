@@ -17,13 +17,12 @@ SUBJECT = (
     "alone by somebody who had not read the judge, each on 500 cases in the plane or in space: no "
     "finding, nothing undecided."
 )
-MINUTES = (60, 0.5)
+MINUTES = (60, None)
 DEPENDS = (*REFERENCE, *READERS, *COMPARISON, "tests/page_alone/*")
 
-CASES, QUICK_CASES = 500, 20
-PAIRS, QUICK_PAIRS = 300, 24  # of one run
+CASES = 500
+PAIRS = 300  # of one run
 RUNS = 12
-QUICK_KINDS = ("Triangles", "AllIn", "EventsAbsolute", "RejectsAtSum", "ScalesItselfInSpace")
 # Two that take only convex polygons meet more of them here.
 CONVEX = ("--family", "convex", "--family", "collinear", "--family", "offset")
 GOOD = ("pass", "pass-within", "skipped")
@@ -60,12 +59,11 @@ def judged(
 
 def run(quick: bool) -> Findings:
     findings = Findings()
-    cases, pairs = (QUICK_CASES, QUICK_PAIRS) if quick else (CASES, PAIRS)
-    targets = {name: target_of(name) for name in (QUICK_KINDS if quick else kinds("UNUSUAL"))}
+    targets = {name: target_of(name) for name in kinds("UNUSUAL")}
     with tempfile.TemporaryDirectory() as folder:
-        others = {} if quick else programs(Path(folder))
+        others = programs(Path(folder))
         rows = {
-            name: judged(target, cases, pairs, CONVEX if name in others else ())
+            name: judged(target, CASES, PAIRS, CONVEX if name in others else ())
             for name, target in {**targets, **others}.items()
         }
     alarms, few = 0, 0
@@ -73,10 +71,10 @@ def run(quick: bool) -> Findings:
         findings.figures[name] = ", ".join(f"{n:,} {verdict}" for verdict, n in counts.items())
         bad = sum(n for verdict, n in counts.items() if verdict not in GOOD)
         alarms += bad
-        few += sum(n for verdict, n in counts.items() if verdict != "skipped") < cases
+        few += sum(n for verdict, n in counts.items() if verdict != "skipped") < CASES
         for line in shown[:3]:
             findings.note(f"{name}: {line}")
     findings.figures["kinds"] = len(rows)
     findings.law("alarms, and cases undecided", alarms == 0, 0, alarms)
-    findings.law(f"kinds with fewer than {cases} cases", few == 0, 0, few)
+    findings.law(f"kinds with fewer than {CASES} cases", few == 0, 0, few)
     return findings
