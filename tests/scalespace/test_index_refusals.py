@@ -108,7 +108,7 @@ def test_more_memory_than_allowed_is_refused() -> None:
 
 def test_ctrl_c_ends_a_build() -> None:
     P, Q = read_operand("disc1").set, read_operand("cells1815").set
-    timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
+    timer = threading.Timer(0.1, os.kill, (os.getpid(), signal.SIGINT))
     timer.start()
     with pytest.raises(KeyboardInterrupt):
         Index(P, Q, "1/10", "10")
