@@ -20,6 +20,8 @@ from minkref.fuzz.verdicts.baseline import Baseline
 from minkref.fuzz.verdicts.judgement import REFEREE
 from minkref.fuzz.verdicts.verdict import BROKEN, GOOD, Outcome, Verdict
 
+REJECTS = "rejects-invalid"  # the capability that invalid cases ask for
+
 
 @dataclass(frozen=True)
 class Finding:
@@ -97,7 +99,7 @@ class Run:
 
 def verb_of(text: str) -> str:
     """The capability that a case asks for by its name, or the verb `at`."""
-    verbs = {f"{UPDATE}(": UPDATE, f"{EVENTS}(": EVENTS, f"{INVALID}:": "rejects-invalid"}
+    verbs = {f"{UPDATE}(": UPDATE, f"{EVENTS}(": EVENTS, f"{INVALID}:": REJECTS}
     return next((verb for start, verb in verbs.items() if text.startswith(start)), "at")
 
 
@@ -107,7 +109,7 @@ def not_asked(done: Run, declared: Mapping[str, Declaration]) -> list[str]:
     for name, declaration in declared.items():
         able = declaration.capabilities
         in_plane = [("at", "plane", 2)] + [
-            (verb, "plane", 2) for verb in (UPDATE, EVENTS, "rejects-invalid") if verb in able
+            (verb, "plane", 2) for verb in (UPDATE, EVENTS, REJECTS) if verb in able
         ]
         in_space = [("at", "space", 3)] + [(UPDATE, "space", 3)] * (UPDATE in able)
         missing = [

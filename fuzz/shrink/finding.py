@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from minkref.fuzz.run.runner import Finding
+from minkref.fuzz.run.runner import REJECTS, Finding, verb_of
 from minkref.fuzz.run.worker import CaseResult
 from minkref.fuzz.shrink.plane_steps import PlaneCase, smaller_in_plane
 from minkref.fuzz.shrink.shrinker import MOST_CALLS, shrink
@@ -34,6 +34,8 @@ def shrink_finding(
     does not show again in a fresh process."""
     literal = finding.case.literal
     if literal is None or finding.case.P is None or finding.case.Q is None:
+        return None
+    if verb_of(finding.case.name.text) == REJECTS:  # no smaller operands are known to be invalid
         return None
     with Trial(finding.outcome.target, limits) as trial:
         first = trial.ask(literal)
