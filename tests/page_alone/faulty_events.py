@@ -123,14 +123,6 @@ class EventsOfPairs(Events):
         return [scale for scale in found if scale in pairs]
 
 
-class EventsInsideOnly(Events):
-    """Leaves out events at the ends of the window."""
-
-    def scales(self, request: Request) -> list[Fraction]:
-        ends = {Fraction(request[end]) for end in ("from", "to")}
-        return [scale for scale in super().scales(request) if scale not in ends]
-
-
 class EventsDescending(Events):
     """Lists the scales in descending order."""
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from conversation import Answer, Rejected, Request
-from space_adapter import ALL, Space, UpdatingInSpace, scaling_of
+from space_adapter import Space, UpdatingInSpace, scaling_of
 from space_blocks import prism
 from space_sets import parts_of, shell_of
 from space_sums import sum_in_space
@@ -51,16 +51,3 @@ class RejectsHollow(Space):
             if len(parts_of(shell_of(operand))) > 1:
                 raise Rejected("more than one shell")
         return super().load(request)
-
-
-class AcceptsInvalidInSpace(Space):
-    """Promises to reject invalid input, and rejects nothing."""
-
-    def hello(self) -> Answer:
-        return {**super().hello(), "capabilities": [*ALL, "rejects-invalid"]}
-
-    def at(self, request: Request) -> Answer:
-        try:
-            return super().at(request)
-        except Exception:  # noqa: BLE001 whatever comes in, something goes out
-            return self.form([])

@@ -16,9 +16,9 @@ FOLDER = Path(__file__).parent
 SECONDS = 120
 
 
-def verify(target: str, *words: str) -> tuple[int, dict[str, Any]]:
+def verify(target: str, *words: str, shrink_calls: str = "0") -> tuple[int, dict[str, Any]]:
     command = [sys.executable, "-m", "minkref", "verify", target, *words]
-    more = ["--no-models", "--jobs", "1", "--shrink-calls", "0", "--json"]
+    more = ["--no-models", "--jobs", "1", "--shrink-calls", shrink_calls, "--json"]
     ran = subprocess.run([*command, *more], capture_output=True, text=True, timeout=SECONDS)
     assert ran.stdout, ran.stderr
     return ran.returncode, json.loads(ran.stdout)
@@ -108,4 +108,9 @@ def test_a_fault_is_found(name: str, case: str) -> None:
 @pytest.mark.parametrize("name", ["AcceptsInvalid", "EventsShifted"])
 def test_a_fault_is_found_in_a_run(name: str) -> None:
     code, _ = verify(adapter(name), "--first", "--pairs", "1200")
+    assert code == 1
+
+
+def test_input_accepted_against_a_promise_is_shrunk() -> None:
+    code, _ = verify(adapter("AcceptsInvalid"), "--first", "--pairs", "1200", shrink_calls="40")
     assert code == 1

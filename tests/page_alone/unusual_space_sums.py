@@ -6,7 +6,6 @@ from fractions import Fraction
 from typing import Any, ClassVar
 
 from conversation import Answer, Request
-from face_pieces import convex_faces
 from plane_adapter import Events, Refusing, Updating
 from space_adapter import ALL, SETS, Space, UpdatingInSpace, in_triangles
 from space_sets import Shell, is_convex, shell_of
@@ -35,20 +34,6 @@ class AllOutInSpace(Space):
     def shells(self, request: Request) -> list[Shell]:
         found = super().shells(request)
         return sum_in_space(found[0], cube(Fraction(9, 10000))) if found else []
-
-
-class SumOfSurfaces(Space):
-    """All p + q of the boundaries of convex bodies: the sums of all pairs of faces."""
-
-    declares: ClassVar[dict[str, Any]] = {
-        "sum": "boundary",
-        "capabilities": ["space", "rational", "non-uniform"],
-    }
-
-    def shells(self, request: Request) -> list[Shell]:
-        pair = [convex_faces(shell_of(one)) for one in (request["sP"], self.Q)]
-        pieces = [sums(first, second) for first in pair[0] for second in pair[1]]
-        return [piece for piece in pieces if piece]
 
 
 class GridInSpace(Space):
