@@ -27,7 +27,7 @@ void in_parallel(std::size_t count, const BuildControl& control, BuildProgress::
   const auto run = [&](unsigned thread) {
     try {
       auto worker = make_worker(thread);
-      for (std::size_t reported = 0;;) {
+      for (std::size_t reported = step;;) {
         const std::size_t first = next.fetch_add(chunk);
         if (first >= count) return;
         control.look_now();
@@ -44,6 +44,7 @@ void in_parallel(std::size_t count, const BuildControl& control, BuildProgress::
       control.stop();
     }
   };
+  control.report(stage, 0, count);
   std::vector<std::thread> others;
   for (unsigned k = 1; k < control.threads(); ++k) others.emplace_back(run, k);
   run(0);

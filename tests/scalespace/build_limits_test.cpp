@@ -85,7 +85,9 @@ TEST(BuildLimits, EndABuildInEachStage) {
     for (const Stage stage : stages) steps.emplace_back(stage, 0);
     for (std::uint64_t part = 1; part < 5; ++part) steps.emplace_back(Stage::rings, part);
     for (const Step& step : steps) {
-      EXPECT_EQ(build.end(step, true), "memory-limit");
+      EXPECT_EQ(build.end(step, true), "memory-limit")
+          << threads << " threads, stage " << static_cast<int>(step.first) << ", part "
+          << step.second;
       EXPECT_EQ(build.end(step, false), "interrupted");
     }
   }
