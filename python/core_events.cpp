@@ -198,7 +198,8 @@ using IntervalRow =
     std::tuple<std::string, bool, std::optional<std::string>, std::optional<std::string>>;
 
 MovingEdge<Vector2<Rational>> exact_edge(const EdgeNumbers& numbers) {
-  const auto& [kind, n] = numbers;
+  const auto& kind = std::get<0>(numbers);
+  const auto& n = std::get<1>(numbers);
   const auto vector = [&](std::size_t i) {
     return Vector2<Rational>(Rational(n[i]), Rational(n[i + 1]));
   };

@@ -45,6 +45,8 @@ SPACE_FAMILIES = {
     "space-prism": "prisms over polygons with holes",
     "space-convex": "random convex polyhedra on a grid",
     "space-sphere": "hulls of rational points of the unit sphere",
+    "space-round": "hulls of many of them: sums of a hundred vertices and more",
+    "space-thin": "points and segments beside convex polyhedra",
     "space-offset": "boxes and L-shaped prisms far from the origin",
     "space-torus": "polygonal tori",
     "space-star": "star-shaped polyhedra",
@@ -86,7 +88,10 @@ class SpaceCase:
             fault = solid.fault()
             if fault is not None:
                 raise Refusal(fault, where, "mend the mesh", "not-closed")
-            solids.append(solid.without_unused_vertices())
+            solids.append(solid if solid.is_thin else solid.without_unused_vertices())
+        if all(solid.is_thin for solid in solids):
+            mend = "give one by its faces"
+            raise Refusal("neither operand has a volume", where, mend, "not-solid")
         pair = known_pair(solids[0], solids[1], _scale(str(scale), where))
         return SpaceCase(name, pair, pair, "named")
 
@@ -136,6 +141,8 @@ class SpaceCase:
     def needs(self) -> frozenset[str]:
         needs = {"space"}
         for solid in (self.asked.P, self.asked.Q):
+            if solid.is_thin:
+                needs.add("point" if len(solid.vertices) == 1 else "segment")
             if not is_convex(solid):
                 needs.add("non-convex")
                 needs |= _topology(solid)
@@ -185,7 +192,7 @@ def known_pair(P: Polyhedron, Q: Polyhedron, scale: Scale) -> SpacePair:
     cells."""
     if is_convex(P) and is_convex(Q):
         return SpacePair(P, Q, scale, "named", Truth.HULL)
-    if all(_extent(solid) <= MOST_GRID for solid in (P, Q)):
+    if not any(solid.is_thin or _extent(solid) > MOST_GRID for solid in (P, Q)):
         try:
             cells = (cells_of(P), cells_of(Q))
         except ValueError:

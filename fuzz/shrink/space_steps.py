@@ -84,6 +84,10 @@ def _candidates(case: SolidCase) -> Iterator[SolidCase]:
 
 def _simpler_solids(solid: Polyhedron) -> Iterator[Polyhedron]:
     """Its box, its hull, one of its shells alone."""
+    if solid.is_thin:
+        if len(solid.vertices) == 2:
+            yield from (Polyhedron((vertex,), ()) for vertex in solid.vertices)
+        return
     low, high = solid.box
     (a, b, c), (x, y, z) = low, high
     yield convex_hull([low, (x, b, c), (a, y, c), (a, b, z)])
@@ -94,6 +98,8 @@ def _simpler_solids(solid: Polyhedron) -> Iterator[Polyhedron]:
 
 def _fewer_cells(solid: Polyhedron) -> Iterator[Polyhedron]:
     """A polycube with a half of its cells, or less one."""
+    if solid.is_thin:
+        return
     try:
         cells = cells_of(solid)
     except ValueError:
@@ -130,7 +136,7 @@ def _closed(cell: Cell, axis: int, gone: int) -> Cell:
 
 def _fewer_corners(solid: Polyhedron) -> Iterator[Polyhedron]:
     """Of a convex one, the hull of all vertices but one or half of them."""
-    if not is_convex(solid) or len(solid.vertices) <= 4:
+    if solid.is_thin or not is_convex(solid) or len(solid.vertices) <= 4:
         return
     vertices = solid.vertices
     half = len(vertices) // 2

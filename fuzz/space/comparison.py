@@ -51,11 +51,12 @@ def compare(
     tolerance."""
     if tolerance < 0:
         raise ValueError("the tolerance is negative")
-    result = result.without_opposite_faces().without_unused_vertices()
+    whole = result.without_unused_vertices()
+    result = whole.without_opposite_faces()
     malformed = _malformed(pair, result, exact)
     if malformed is not None:
         return malformed
-    trial = Trial(pair, result, Fraction(0) if exact else tolerance)
+    trial = Trial(pair, whole, result, Fraction(0) if exact else tolerance)
     proven, message = _examine(trial, exact)
     if trial.refuted is not None:
         return Comparison("undecided", message=trial.refuted, points=trial.points)
@@ -169,7 +170,7 @@ def _prove(trial: Trial, exact: bool) -> tuple[bool, str]:
         return False, ""
     changed = False
     try:
-        for outer, inner in changes(surface, stray, MOST_STRAY):
+        for outer, inner in changes(trial.whole, trial.result, surface, stray, MOST_STRAY):
             changed = True
             trial.test(outer)
             trial.test(inner)

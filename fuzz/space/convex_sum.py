@@ -17,8 +17,21 @@ def true_sum(P: Polyhedron, Q: Polyhedron, scale: Scale) -> Polyhedron:
     nothing with the reference, of larger ones by it."""
     if len(P.vertices) * len(Q.vertices) <= MOST_BY_HULL:
         return sum_of_convex(P, Q, scale)
-    found = _core.convex_sum(body_of(P), body_of(Q), scaling_of(scale))
-    return polyhedron_of(found.surface)
+    return reference_sum(P, Q, scale)
+
+
+def reference_sum(P: Polyhedron, Q: Polyhedron, scale: Scale) -> Polyhedron:
+    """By the reference. One of the operands may be a point or a segment."""
+    if P.is_thin:
+        return reference_sum(Q, P.scaled(scale), Fraction(1))
+    scaling = scaling_of(scale)
+    if not Q.is_thin:
+        return polyhedron_of(_core.convex_sum(body_of(P), body_of(Q), scaling).surface)
+    ends = [(str(x), str(y), str(z)) for x, y, z in Q.vertices]
+    if len(ends) == 1:
+        body = polyhedron_of(body_of(P).surface())
+        return body.scaled(scale).translated(Q.vertices[0])
+    return polyhedron_of(_core.convex_sum_with_segment(body_of(P), scaling, *ends).surface)
 
 
 def body_of(polyhedron: Polyhedron) -> _core.ConvexPolyhedron:

@@ -9,7 +9,7 @@ from fractions import Fraction
 from math import lcm
 from typing import Literal
 
-from minkref.fuzz.space.face_pieces import middle, pieces
+from minkref.fuzz.space.face_pieces import middle, pieces, polygon_of
 from minkref.fuzz.space.integers import (
     Point,
     Scale,
@@ -248,7 +248,7 @@ def _all_pieces(
     boxes = [box_of(t) for t in others]
     for triangle, n in zip(triangles, normals, strict=True):
         near = [others[j] for _, j in _box_pairs([box_of(triangle)], boxes, 0)]
-        for piece in pieces(triangle, near):
+        for piece in pieces([polygon_of(triangle)], n, near):
             yield middle(piece), n
 
 

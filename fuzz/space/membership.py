@@ -169,6 +169,10 @@ def box_of(triangle: tuple[Whole, Whole, Whole]) -> Box:
     )
 
 
+def boxes_meet(a: Box, b: Box) -> bool:
+    return all(a[k] <= b[k + 1] and b[k] <= a[k + 1] for k in (0, 2, 4))
+
+
 def _float(number: Fraction) -> float:
     """The nearest double; beyond their range, infinity."""
     try:

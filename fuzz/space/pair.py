@@ -12,6 +12,7 @@ from minkref.fuzz.space.integers import Scale
 from minkref.fuzz.space.meeting import Meeting
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.prism import Prism, sum_of_prisms
+from minkref.fuzz.space.thin_meeting import ThinMeeting
 
 
 class Truth(StrEnum):
@@ -37,7 +38,8 @@ class SpacePair:
 
     @cached_property
     def meeting(self) -> Meeting:
-        return Meeting(self.P, self.Q, self.scale)
+        kind = ThinMeeting if self.P.is_thin or self.Q.is_thin else Meeting
+        return kind(self.P, self.Q, self.scale)
 
     @cached_property
     def cell_sum(self) -> CellSum:

@@ -12,8 +12,9 @@ from minkref.fuzz.space.generators.over_polygon import random_prism
 from minkref.fuzz.space.generators.polycube import frame, hollow_box, l_prism, random_polycube
 from minkref.fuzz.space.generators.star import star
 from minkref.fuzz.space.generators.torus import torus
-from minkref.fuzz.space.integers import Scale
+from minkref.fuzz.space.integers import Point, Scale
 from minkref.fuzz.space.pair import SpacePair, Truth
+from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.prism import Prism
 
 GROWTH = 10  # pairs after which operands grow by a step
@@ -88,6 +89,35 @@ def _sphere(dice: random.Random, step: int, scale: Scale) -> SpacePair:
     return SpacePair(P, Q, scale, "sphere", Truth.HULL)
 
 
+def _round(dice: random.Random, step: int, scale: Scale) -> SpacePair:
+    P = sphere(dice, dice.randint(16, 24 + 8 * step), Fraction(dice.randint(1, 4)))
+    Q = sphere(dice, dice.randint(10, 14 + 4 * step), Fraction(1, dice.randint(1, 3)))
+    return SpacePair(P, Q, scale, "round", Truth.HULL)
+
+
+def _thin(dice: random.Random, step: int, scale: Scale) -> SpacePair:
+    """A point or a segment, often parallel to an edge or a facet of the other operand."""
+    body = random_hull(dice, dice.randint(4, 5 + 2 * step), 3 + step)
+    start = _lattice_point(dice, -3 - step, 3 + step)
+    if dice.random() < 0.3:
+        flat = Polyhedron((start,), ())
+    else:
+        ring = [body.vertices[k] for k in dice.choice(body.faces)]
+        a, b = dice.sample(ring, 2)
+        way = tuple(q - p for p, q in zip(a, b, strict=True))
+        if dice.random() < 0.5:
+            way = _lattice_point(dice, 1, 3 + step)
+        x, y, z = (p + d for p, d in zip(start, way, strict=True))
+        flat = Polyhedron((start, (x, y, z)), ())
+    P, Q = (flat, body) if dice.random() < 0.5 else (body, flat)
+    return SpacePair(P, Q, scale, "thin", Truth.HULL)
+
+
+def _lattice_point(dice: random.Random, low: int, high: int) -> Point:
+    x, y, z = (Fraction(dice.randint(low, high)) for _ in range(3))
+    return (x, y, z)
+
+
 def _offset(dice: random.Random, step: int, scale: Scale) -> SpacePair:
     far = 10 ** (1 + step)
     low = (Fraction(far + dice.randint(0, 9)), Fraction(far), Fraction(-far, dice.randint(1, 3)))
@@ -125,6 +155,8 @@ FAMILIES: dict[str, Callable[[random.Random, int, Scale], SpacePair]] = {
     "prism": _prism,
     "convex": _convex,
     "sphere": _sphere,
+    "round": _round,
+    "thin": _thin,
     "offset": _offset,
     "torus": _torus,
     "star": _star,

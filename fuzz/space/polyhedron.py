@@ -29,7 +29,8 @@ Face = tuple[int, ...]
 
 @dataclass(frozen=True)
 class Polyhedron:
-    """As a set: the points of positive winding number, and their closure."""
+    """As a set: the points of positive winding number, and their closure. An operand without faces
+    is its vertex, or the segment between its two."""
 
     vertices: tuple[Point, ...]
     faces: tuple[Face, ...]
@@ -50,6 +51,11 @@ class Polyhedron:
         vertices = tuple(_point(row, k) for k, row in enumerate(value["vertices"]))
         faces = tuple(_face(row, k, len(vertices)) for k, row in enumerate(value["faces"]))
         return Polyhedron(vertices, faces)
+
+    @property
+    def is_thin(self) -> bool:
+        """A point or a segment."""
+        return not self.faces and len(self.vertices) in (1, 2)
 
     def document(self) -> dict[str, Any]:
         return {
@@ -183,8 +189,11 @@ class Polyhedron:
     def fault(self) -> str | None:
         """A sentence that says what keeps this from being an operand; None where nothing does. Of
         self-intersection nothing is said."""
+        if self.is_thin:
+            same = len(set(self.vertices)) < len(self.vertices)
+            return "the two ends of the segment are the same point" if same else None
         if not self.faces:
-            return "there are no faces"
+            return "there are no faces, and not one vertex or two"
         for number, face in enumerate(self.faces):
             if any(not 0 <= index < len(self.vertices) for index in face):
                 return f"face {number} has an index out of range"

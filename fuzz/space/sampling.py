@@ -12,7 +12,7 @@ from minkref.fuzz.space.meeting import cube_inside
 from minkref.fuzz.space.membership import Surface
 from minkref.fuzz.space.pair import SpacePair, Truth
 from minkref.fuzz.space.polyhedron import Polyhedron
-from minkref.fuzz.space.stray_faces import both_sides
+from minkref.fuzz.space.sides import both_sides
 
 T = TypeVar("T")
 FACES = 60

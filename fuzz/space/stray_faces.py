@@ -6,9 +6,12 @@ import random
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
+from minkref.fuzz.space.covered_faces import CoveredFaces
 from minkref.fuzz.space.face_pieces import middle, pieces
 from minkref.fuzz.space.integers import Point, Whole
-from minkref.fuzz.space.membership import Surface
+from minkref.fuzz.space.membership import Surface, boxes_meet
+from minkref.fuzz.space.polyhedron import Polyhedron
+from minkref.fuzz.space.sides import both_sides
 
 PLACES = 3  # tried in a piece of a face
 # The boundary of the sum may pass between the two points; then they are moved closer.
@@ -19,50 +22,33 @@ class TooMany(Exception):
     """There are more triangles than can be cut by each other."""
 
 
-def both_sides(surface: Surface, place: Point, n: Whole) -> tuple[Point, Point]:
-    """Two points so near a place on a triangle with normal `n` that nothing of the surface lies
-    between: on its outer and on its inner side. Neither is on the surface."""
-    dice = random.Random(f"side {place}")
-    length = max(abs(number) for number in n)
-    spread = 0
-    while True:
-        x, y, z = (Fraction(number + dice.randint(-spread, spread) * length // 64) for number in n)
-        if n[0] * x + n[1] * y + n[2] * z > 0:
-            t = surface.clear_step(place, (x, y, z))
-            if t is not None:
-                return (
-                    (place[0] + t * x, place[1] + t * y, place[2] + t * z),
-                    (place[0] - t * x, place[1] - t * y, place[2] - t * z),
-                )
-        length = max(length, 64)
-        spread += 1
-
-
-def changes(surface: Surface, stray: Sequence[int], most: int) -> Iterator[tuple[Point, Point]]:
-    """Pairs of points on both sides of these triangles, one in the set of positive winding number
-    and one not, some for each piece of a triangle that parts the set from the rest. If there are
-    none, none of the triangles bounds the set anywhere. TooMany where more than `most` triangles
-    would have to be cut."""
+def changes(
+    whole: Polyhedron, result: Polyhedron, surface: Surface, stray: Sequence[int], most: int
+) -> Iterator[tuple[Point, Point]]:
+    """Pairs of points on both sides of these triangles of `result`, one in the set of positive
+    winding number and one not, some for each piece of a triangle that parts the set from the rest.
+    If there are none, none of the triangles bounds the set anywhere. `whole` is the result with
+    its opposite faces. TooMany where more than `most` triangles would have to be cut."""
+    covered = CoveredFaces(whole)
+    left = {}
+    for number in stray:
+        parts = covered.left(result.triangles[number])
+        if parts:
+            left[number] = parts
     unit = surface.denominator
-    for number in stray:
-        a, b, c = surface.triangles[number]
-        third = 3 * unit
-        place = (
-            Fraction(a[0] + b[0] + c[0], third),
-            Fraction(a[1] + b[1] + c[1], third),
-            Fraction(a[2] + b[2] + c[2], third),
-        )
-        yield from _change(surface, place, surface.normals[number])
-    if len(stray) > most:
-        raise TooMany(f"{len(stray)} triangles lie off the boundary of the sum")
-    for number in stray:
+    for number, parts in left.items():
+        x, y, z = middle(parts[0])
+        yield from _change(surface, (x / unit, y / unit, z / unit), surface.normals[number])
+    if len(left) > most:
+        raise TooMany(f"{len(left)} triangles lie off the boundary of the sum")
+    for number, parts in left.items():
         box = surface.boxes[number]
         near = [
             other
             for k, other in enumerate(surface.triangles)
-            if k != number and _boxes_meet(surface.boxes[k], box)
+            if k != number and boxes_meet(surface.boxes[k], box)
         ]
-        for piece in pieces(surface.triangles[number], near):
+        for piece in pieces(parts, surface.normals[number], near):
             dice = random.Random(number)
             corners = [(x / unit, y / unit, z / unit) for x, y, z in piece]
             for _ in range(PLACES):
@@ -80,7 +66,3 @@ def _change(surface: Surface, place: Point, n: Whole) -> Iterator[tuple[Point, P
 
 def _towards(a: Point, b: Point, t: Fraction) -> Point:
     return (a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2]))
-
-
-def _boxes_meet(a: Sequence[int], b: Sequence[int]) -> bool:
-    return all(a[k] <= b[k + 1] and b[k] <= a[k + 1] for k in (0, 2, 4))

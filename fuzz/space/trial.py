@@ -20,7 +20,8 @@ class Trial:
     outside of it. `refuted` says that a witness did not stand its check: the fault is ours."""
 
     pair: SpacePair
-    result: Polyhedron
+    whole: Polyhedron  # the result with pairs of faces that cancel
+    result: Polyhedron  # without, by the same vertices
     tolerance: Fraction
     reasons: list[Reason] = field(default_factory=list)
     witness: Witness | None = None

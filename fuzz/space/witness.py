@@ -24,7 +24,8 @@ Edge = tuple[Place, Place]
 
 @dataclass(frozen=True)
 class Face:
-    """A planar polygon, a normal, and its lowest and highest coordinates."""
+    """A planar polygon, a normal, and its lowest and highest coordinates; or a point or a segment
+    that is an operand, as a ring of one or two."""
 
     ring: list[Place]
     normal: Place
@@ -34,6 +35,10 @@ class Face:
     @property
     def edges(self) -> Iterator[Edge]:
         return zip(self.ring, self.ring[1:] + self.ring[:1], strict=True)
+
+    @property
+    def is_thin(self) -> bool:
+        return len(self.ring) < 3
 
 
 def holds(
@@ -87,7 +92,7 @@ def _times(point: Point, unit: int) -> Place:
 def _faces(polyhedron: Polyhedron, points: Iterable[Point], unit: int) -> list[Face]:
     places = [_times(point, unit) for point in points]
     found = []
-    for face in polyhedron.faces:
+    for face in polyhedron.faces or (range(len(places)),):
         ring = [places[index] for index in face]
         (x0, x1), (y0, y1), (z0, z1) = ((min(c), max(c)) for c in zip(*ring, strict=True))
         found.append(Face(ring, _normal(ring), (x0, y0, z0), (x1, y1, z1)))
@@ -105,6 +110,8 @@ def contains(faces: list[Face], point: Place) -> bool:
         return False
     if any(_in_face(face, point) for face in faces):
         return True
+    if any(face.is_thin for face in faces):
+        return False
     dice = random.Random(f"ray {point}")
     while True:
         ray = (dice.randint(-999, 999), dice.randint(-999, 999), dice.randint(-999, 999))
@@ -166,6 +173,8 @@ def _box_meets(centre: Place, t: int, face: Face) -> bool:
         return False
     if any(_edges_near((centre, centre), edge, t) for edge in face.edges):
         return True
+    if face.is_thin:
+        return False
     heights = []
     for i, j, k in product((-t, t), repeat=3):
         corner = (centre[0] + i, centre[1] + j, centre[2] + k)
@@ -206,6 +215,8 @@ def _between(a: Place, b: Place, t: Fraction) -> Place:
 
 
 def _in_face(face: Face, point: Place) -> bool:
+    if face.is_thin:
+        return _edges_near((point, point), (face.ring[0], face.ring[-1]), 0)
     return _dot(face.normal, _minus(point, face.ring[0])) == 0 and _side(face, point) >= 0
 
 

@@ -11,8 +11,9 @@ from minkref.errors import message_of
 from minkref.fuzz.cases.case import Case
 from minkref.fuzz.cases.invalid_case import InvalidCase
 from minkref.fuzz.cases.space_case import SpaceCase
-from minkref.fuzz.space.convex_sum import body_of, polyhedron_of, scaling_of
+from minkref.fuzz.space.convex_sum import body_of, polyhedron_of, reference_sum, scaling_of
 from minkref.fuzz.space.integers import Scale
+from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.targets.answer import Answer, lacking, skipped
 from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.verdicts.verdict import Verdict
@@ -27,7 +28,7 @@ UNIT: Scaling = ("1", "1", "1")
 UNLIKE_UNIT: Scaling = ("2", "1", "1/3")
 _SPACE = frozenset(("space", "rational", "non-uniform"))
 CONVEX_DECLARATIONS = {
-    "convex": Declaration("minkref:convex", capabilities=_SPACE),
+    "convex": Declaration("minkref:convex", capabilities=_SPACE | {"point", "segment"}),
     DYNAMIC: Declaration(f"minkref:{DYNAMIC}", capabilities=_SPACE | {"update"}),
 }
 
@@ -47,9 +48,8 @@ class ConvexReferenceTarget:
         return self._updated(case, None) if self.route == DYNAMIC else self._fresh(case)
 
     def _fresh(self, case: Case | SpaceCase | InvalidCase) -> Answer:
-        def compute(solid: SpaceCase) -> _core.ConvexSum:
-            asked = solid.asked
-            return _core.convex_sum(body_of(asked.P), body_of(asked.Q), scaling_of(asked.scale))
+        def compute(solid: SpaceCase) -> Polyhedron:
+            return reference_sum(solid.asked.P, solid.asked.Q, solid.asked.scale)
 
         return self._guarded(case, compute)
 
@@ -65,27 +65,27 @@ class ConvexReferenceTarget:
     def _updated(self, case: Case | SpaceCase | InvalidCase, start: Scale | None) -> Answer:
         """Without a scaling to start at from one that is another than that of the case."""
 
-        def step(solid: SpaceCase) -> _core.ConvexSum:
+        def step(solid: SpaceCase) -> Polyhedron:
             to = scaling_of(solid.asked.scale)
             elsewhere = UNIT if to != UNIT else UNLIKE_UNIT
             bodies = body_of(solid.asked.P), body_of(solid.asked.Q)
             moving = _core.DynamicConvexSum(*bodies, scaling_of(start) if start else elsewhere)
             moving.update(to)
-            return moving.sum()
+            return polyhedron_of(moving.sum().surface)
 
         return self._guarded(case, step)
 
     def _guarded(
         self,
         case: Case | SpaceCase | InvalidCase,
-        compute: Callable[[SpaceCase], _core.ConvexSum],
+        compute: Callable[[SpaceCase], Polyhedron],
     ) -> Answer:
         lack = lacking(self.declaration, case)
         if lack or not isinstance(case, SpaceCase):
             return skipped(lack or "in space only", self.declaration)
         start = time.perf_counter()
         try:
-            solid = polyhedron_of(compute(case).surface)
+            solid = compute(case)
         except MemoryError as error:
             return Answer(verdict=Verdict.OUT_OF_MEMORY, message=str(error))
         except Exception as error:  # noqa: BLE001 a fault of the target, whatever it is

@@ -49,6 +49,7 @@ def judged(
     shown: list[str] = []
     for seed in range(1, RUNS + 1):
         words = [target, *more, "--pairs", str(pairs), "--seed", str(seed), "--jobs", "1"]
+        words += ["--call-seconds", "300"]
         _, value = verify(*words, "--no-models", "--shrink-calls", "0", seconds=1800)
         counts.update(counts_of(value, value["targets"][0]["name"]))
         shown += [finding["reproduce"] for finding in value["findings"]]

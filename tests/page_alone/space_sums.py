@@ -32,7 +32,7 @@ def sum_in_space(P: Shell, Q: Shell) -> list[Shell]:
     for one, other in ((P, Q), (Q, P)):
         if not one[1] and len(one[0]) == 1:
             return [moved(other, one[0][0])] if other[1] else []
-    if not P[1] or is_convex(P):
+    if not P[1] or (Q[1] and is_convex(P)):
         P, Q = Q, P
     if not P[1]:
         return []

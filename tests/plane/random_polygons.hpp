@@ -32,7 +32,7 @@ struct Mesh {
 /// and split at repeated vertices, so rings are simple and touch where the triangles do.
 class MeshRegion {
  public:
-  MeshRegion(const Mesh& mesh, const std::vector<bool>& chosen) : mesh_(mesh), chosen_(chosen) {
+  MeshRegion(const Mesh& mesh, const std::vector<bool>& chosen) : mesh_(mesh) {
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       if (!chosen[t]) continue;
       for (std::size_t i = 0; i < 3; ++i) owner_[{corner(t, i), corner(t, i + 1)}] = t;
@@ -103,7 +103,6 @@ class MeshRegion {
   }
 
   const Mesh& mesh_;
-  const std::vector<bool>& chosen_;
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> owner_;
   std::vector<std::size_t> component_;
 };

@@ -21,7 +21,18 @@ from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.witness import holds
 from minkref.fuzz.verdicts.verdict import Reason, Witness
 
-KNOWN = ("polycube", "hollow", "frame", "l-prism", "prism", "convex", "sphere", "offset")
+KNOWN = (
+    "polycube",
+    "hollow",
+    "frame",
+    "l-prism",
+    "prism",
+    "convex",
+    "sphere",
+    "round",
+    "thin",
+    "offset",
+)
 EPS = Fraction(1, 10**9)
 NOTHING = Polyhedron((), ())
 

@@ -10,7 +10,7 @@ from minkref.fuzz.space.comparison import compare
 from minkref.fuzz.space.hull import convex_hull, sum_of_convex
 from minkref.fuzz.space.integers import Point
 from minkref.fuzz.space.laws import refined, rotations, transformed_pairs
-from minkref.fuzz.space.meeting import Meeting, decide
+from minkref.fuzz.space.meeting import decide
 from minkref.fuzz.space.pair import Truth
 from minkref.fuzz.space.pairs import FAMILIES, space_pair
 from minkref.fuzz.space.polyhedron import Polyhedron
@@ -31,11 +31,14 @@ def test_operands_are_valid_and_the_same_each_time(family: str) -> None:
     for index in (0, 3, 14, 27, 66):
         pair = space_pair(family, 5, index)
         assert pair.P.fault() is None and pair.Q.fault() is None
-        assert pair.P.volume > 0 and pair.Q.volume > 0
+        assert all(solid.volume > 0 for solid in (pair.P, pair.Q) if not solid.is_thin)
+        assert not (pair.P.is_thin and pair.Q.is_thin)
         assert pair == space_pair(family, 5, index)
 
 
-@pytest.mark.parametrize("family", ["polycube", "hollow", "prism", "convex", "sphere", "offset"])
+@pytest.mark.parametrize(
+    "family", ["polycube", "hollow", "prism", "convex", "sphere", "round", "thin", "offset"]
+)
 def test_sum_of_the_transformed_pair_mapped_back_is_the_sum(family: str) -> None:
     for index in (2, 13, 31):
         pair = space_pair(family, 6, index)
@@ -49,7 +52,7 @@ def test_sum_of_the_transformed_pair_mapped_back_is_the_sum(family: str) -> None
                 image = sum_of_convex(law.pair.P, law.pair.Q, law.pair.scale)
                 assert compare(pair, law.back(image)).proven, law.name
             # The other way: the map takes a point of one sum to a point of the other.
-            there = Meeting(law.pair.P, law.pair.Q, law.pair.scale)
+            there = law.pair.meeting
             here = pair.meeting
             dice = random.Random(index)
             for x in places(dice, total, 12):

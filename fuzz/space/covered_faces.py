@@ -1,0 +1,155 @@
+"""Faces of a result that lie inside its other shells: where convex bodies overlap or abut, as in a
+sum that is made of sums of convex pieces."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from minkref.fuzz.space.face_pieces import halves, middle, pieces, polygon_of
+from minkref.fuzz.space.integers import Point, Whole, cross, dot, normal, primitive
+from minkref.fuzz.space.membership import Box, Surface, box_of, boxes_meet
+from minkref.fuzz.space.polyhedron import Polyhedron
+from minkref.fuzz.space.sides import both_sides
+
+MOST_OTHERS = 1000  # triangles of shells that are not convex
+Triple = tuple[int, int, int]
+Plane = tuple[Whole, int]  # the points x with n x = d
+
+
+@dataclass(frozen=True)
+class Shell:
+    """A convex one, that runs around its inside counter-clockwise."""
+
+    planes: list[Plane]
+    box: Box
+
+    @property
+    def size(self) -> int:
+        a, b, c, d, e, f = self.box
+        return (b - a) * (d - c) * (f - e)
+
+
+class CoveredFaces:
+    """`left` says what the convex shells of the result leave of a triangle as a face between
+    winding number 0 and 1: polygons. Where the winding number of the other shells is somewhere
+    negative, or they have too many triangles to tell, all is left."""
+
+    def __init__(self, result: Polyhedron) -> None:
+        shell_of = {
+            vertex: name
+            for face, name in zip(result.faces, result.shells, strict=True)
+            for vertex in face
+        }
+        groups: dict[int, list[Triple]] = {}
+        for triple in result.triangles:
+            groups.setdefault(shell_of[triple[0]], []).append(triple)
+        self._points = result.wholes
+        self._convex: dict[int, Shell] = {}
+        if len(groups) > 1:
+            for name, triples in groups.items():
+                shell = _convex_shell(triples, self._points)
+                if shell is not None:
+                    self._convex[name] = shell
+        others = [t for name, group in groups.items() if name not in self._convex for t in group]
+        for name in self._around(others):
+            others += groups[name]
+            del self._convex[name]
+        if self._convex and not _never_negative(result, others):
+            self._convex = {}
+        self._order = sorted(self._convex, key=lambda name: -self._convex[name].size)
+        self._own = {t: name for name in self._convex for t in groups[name]}
+
+    def _around(self, others: Sequence[Triple]) -> list[int]:
+        """The largest convex shell, where these may be cavities in it."""
+        points = {self._points[k] for triple in others for k in triple}
+        around = [
+            name
+            for name, shell in self._convex.items()
+            if all(dot(n, point) <= d for n, d in shell.planes for point in points)
+        ]
+        return sorted(around, key=lambda name: -self._convex[name].size)[:1] if points else []
+
+    def left(self, triple: Triple) -> list[list[Point]]:
+        """In units of the denominator of the result, whose vertices are named."""
+        i, j, k = triple
+        triangle = (self._points[i], self._points[j], self._points[k])
+        n, box, own = normal(*triangle), box_of(triangle), self._own.get(triple)
+        parts = [polygon_of(triangle)]
+        for name in self._order:
+            shell = self._convex[name]
+            if name == own or not boxes_meet(shell.box, box):
+                continue
+            parts = [piece for part in parts for piece in _less(part, shell, n, own is not None)]
+            if not parts:
+                break
+        return parts
+
+
+def _less(part: list[Point], shell: Shell, n: Whole, covered_below: bool) -> list[list[Point]]:
+    """The part of a face with normal `n` without what lies in the shell. What lies in its surface
+    counts where the shell is on the outer side, and another is below."""
+    gone: list[list[Point]] = []
+    for m, d in shell.planes:
+        sides = [m[0] * x + m[1] * y + m[2] * z - d for x, y, z in part]
+        if max(sides) <= 0:
+            if any(sides) or (covered_below and dot(m, n) < 0):
+                continue
+            return [*gone, part]
+        if min(sides) >= 0:
+            return [*gone, part]
+        inside, outside = halves(part, sides)
+        gone.append(outside)
+        part = inside
+    return gone
+
+
+def _convex_shell(triples: Sequence[Triple], points: Sequence[Whole]) -> Shell | None:
+    """None where it is not convex, not closed by its own edges, or runs the other way."""
+    edges: Counter[tuple[int, int]] = Counter()
+    planes: set[Plane] = set()
+    for i, j, k in triples:
+        edges.update(((i, j), (j, k), (k, i)))
+        n = primitive(normal(points[i], points[j], points[k]))
+        planes.add((n, dot(n, points[i])))
+    corners = {points[vertex] for edge in edges for vertex in edge}
+    if any(count != edges[(j, i)] for (i, j), count in edges.items()):
+        return None
+    if any(dot(n, corner) > d for n, d in planes for corner in corners):
+        return None
+    if _is_flat(planes):
+        return None
+    xs, ys, zs = zip(*corners, strict=True)
+    return Shell(sorted(planes), (min(xs), max(xs), min(ys), max(ys), min(zs), max(zs)))
+
+
+def _is_flat(planes: set[Plane]) -> bool:
+    """All planes are the two sides of one."""
+    (first, _), *rest = planes
+    return all(cross(first, n) == (0, 0, 0) for n, _ in rest)
+
+
+def _never_negative(result: Polyhedron, triples: Sequence[Triple]) -> bool:
+    """The winding number of these triangles is nowhere less than 0: on neither side of any piece
+    of them."""
+    if len(triples) > MOST_OTHERS:
+        return False
+    if not triples:
+        return True
+    surface = Surface(Polyhedron(result.vertices, tuple(triples)))
+    unit = surface.denominator
+    for number, triangle in enumerate(surface.triangles):
+        box = surface.boxes[number]
+        near = [
+            other
+            for k, other in enumerate(surface.triangles)
+            if k != number and boxes_meet(surface.boxes[k], box)
+        ]
+        for piece in pieces([polygon_of(triangle)], surface.normals[number], near):
+            x, y, z = middle(piece)
+            place = (x / unit, y / unit, z / unit)
+            for point in both_sides(surface, place, surface.normals[number]):
+                if (surface.winding(point) or 0) < 0:
+                    return False
+    return True
