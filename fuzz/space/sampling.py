@@ -5,11 +5,12 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
+from math import lcm
 from typing import TypeVar
 
-from minkref.fuzz.space.integers import Point, Whole
+from minkref.fuzz.space.integers import Point, Whole, dot
 from minkref.fuzz.space.meeting import cube_inside
-from minkref.fuzz.space.membership import Surface
+from minkref.fuzz.space.membership import Surface, in_triangle
 from minkref.fuzz.space.pair import SpacePair, Truth
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.sides import both_sides
@@ -47,7 +48,9 @@ def sums_of_points(pair: SpacePair, distance: Fraction) -> Iterator[tuple[Point,
 def points_near(
     pair: SpacePair, result: Polyhedron, surface: Surface, distance: Fraction
 ) -> Iterator[Point]:
-    """Beside the faces of the result, at distances from `distance` on, and in the box of both."""
+    """In gaps of the operands, beside the faces of the result, at distances from `distance` on, and
+    in the box of both."""
+    yield from _in_gaps(pair)
     dice = random.Random(f"points {pair.family} {len(result.vertices)} {len(result.faces)}")
     size = _size(result)
     steps = [size / 4096, size / 64]
@@ -74,6 +77,41 @@ def points_near(
             for k in range(3)
         )
         yield (x, y, z)
+
+
+def _in_gaps(pair: SpacePair) -> Iterator[Point]:
+    """Where cavities, tunnels and dents of the sum are, if it has any: halfway between two faces of
+    one operand with nothing of it between, beside the middle of the other."""
+    dice = random.Random(f"gaps {pair.family} {len(pair.P.vertices)} {len(pair.Q.vertices)}")
+    meeting = pair.meeting
+    for surface, other in ((meeting.in_sP, pair.Q), (meeting.in_Q, meeting.sP)):
+        low, high = other.box
+        for n, place in _on_faces(surface, FACES, dice):
+            across = _gap(surface, place, n)
+            if across is not None:
+                x, y, z = (place[k] + across / 2 * n[k] + (low[k] + high[k]) / 2 for k in range(3))
+                yield (x, y, z)
+
+
+def _gap(surface: Surface, place: Point, n: Whole) -> Fraction | None:
+    """How far along the outer normal of a face the next face is, in lengths of `n`; None where
+    there is none."""
+    unit = surface.denominator
+    start = (place[0] * unit, place[1] * unit, place[2] * unit)
+    nearest: Fraction | None = None
+    for corners, m in zip(surface.triangles, surface.normals, strict=True):
+        along = dot(m, n)
+        if along >= 0:  # not seen from outside
+            continue
+        height = sum((m[k] * (corners[0][k] - start[k]) for k in range(3)), Fraction(0))
+        t = height / along
+        if t <= 0 or (nearest is not None and t >= nearest):
+            continue
+        x, y, z = (start[k] + t * n[k] for k in range(3))
+        w = lcm(x.denominator, y.denominator, z.denominator)
+        if in_triangle((int(x * w), int(y * w), int(z * w)), w, corners, m):
+            nearest = t
+    return None if nearest is None else nearest / unit
 
 
 def _into_hull(hull: Polyhedron) -> Iterator[Point]:

@@ -294,7 +294,7 @@ def named_command(name: str) -> list[str]:
         if not parts or shutil.which(parts[0]) is None:
             raise Refusal("there is no such program", name, "check the name and PATH")
         return parts
-    path = Path(name)
+    path = Path(name).absolute()  # of a name alone the system would search PATH
     if not path.is_file():
         raise Refusal("there is no such program", name, "check the path")
     if os.access(path, os.X_OK):

@@ -21,6 +21,7 @@ from minkref.fuzz.targets.adapter_process import named_command
 from minkref.fuzz.targets.answer import LOAD_SECONDS, Limits, Target
 from minkref.fuzz.targets.cgal_method import SLOW_LIMIT, CgalMethod, is_fast
 from minkref.fuzz.targets.convex_reference import CONVEX_ROUTES, ConvexReferenceTarget
+from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.targets.python_callable import callable_target
 from minkref.fuzz.targets.reference import ROUTES, ReferenceTarget
 from minkref.fuzz.targets.shared_library import library_target
@@ -39,6 +40,7 @@ class TargetEntry:
     about: str
     available: bool
     reason: str | None = None
+    declaration: Declaration | None = None  # of a function that was loaded
 
 
 def list_targets() -> list[TargetEntry]:
@@ -80,7 +82,7 @@ def select(
     the raw ones; `minkref` stands for every judge, `all` for whatever is found here. A name
     that is unknown or absent is refused, as is a `py:` target that is not loaded in
     `load_seconds`."""
-    from minkref.fuzz.targets.callable_check import refuse_unless_callable
+    from minkref.fuzz.targets.callable_check import declaration_of_function
 
     entries = {entry.name: entry for entry in list_targets()}
     plain = [
@@ -101,12 +103,10 @@ def select(
         if name in groups:
             chosen += [e for e in groups[name] if e.available]
             absent += [e for e in groups[name] if not e.available]
-        elif name.startswith("py:"):
-            refuse_unless_callable(name, load_seconds)
-            chosen.append(TargetEntry(name, None, "a Python function", True))
-        elif name.startswith("so:"):
-            refuse_unless_callable(name, load_seconds)
-            chosen.append(TargetEntry(name, None, "a C function", True))
+        elif is_function(name):
+            declared = declaration_of_function(name, load_seconds)
+            about = "a C function" if name.startswith("so:") else "a Python function"
+            chosen.append(TargetEntry(name, declared.version, about, True, declaration=declared))
         elif is_program(name):
             chosen.append(_named_adapter(name))
         elif name not in entries:
@@ -132,8 +132,12 @@ def is_default(name: str) -> bool:
     return name.startswith((REFERENCE, "cgal-")) and name not in adapters.ADAPTERS
 
 
+def is_function(name: str) -> bool:
+    return name.startswith(("py:", "so:"))
+
+
 def is_program(name: str) -> bool:
-    return name.startswith("cmd:") or ("/" in name and not name.startswith(("py:", "so:")))
+    return name.startswith("cmd:") or ("/" in name and not is_function(name))
 
 
 def is_adapter(name: str) -> bool:

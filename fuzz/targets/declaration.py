@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import difflib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
@@ -9,11 +10,34 @@ from typing import Any
 
 from minkref.fuzz.cases.grid import bits_of
 
+# What the cases have that need each.
+CAPABILITIES = {
+    "plane": "operands in the plane",
+    "space": "operands in space",
+    "non-convex": "an operand that is not convex",
+    "holes": "an operand with holes; in space, with tunnels or cavities",
+    "components": "an operand of several polygons or shells",
+    "touching": "rings of an operand that touch each other",
+    "empty": "the empty set as an operand",
+    "point": "a point as an operand",
+    "segment": "a segment as an operand",
+    "rational": "numbers that no double holds",
+    "non-uniform": "a scale of three numbers, in space",
+    "rejects-invalid": "invalid operands in the plane, to be rejected",
+    "update": "an update from another scale",
+    "events": "the scales of topology events in the plane",
+}
 PLANE = frozenset(
     ("plane", "non-convex", "holes", "components", "touching", "empty", "point", "segment")
 ) | {"rational"}
-CAPABILITIES = PLANE | {"space", "non-uniform", "rejects-invalid", "update", "events"}
 MOST_TEXT = 200
+OF_THE_ANSWER = frozenset(("seq", "status", "protocol"))
+MEMBERS = frozenset(
+    ("name", "version", "language", "arithmetic", "numbers", "grid", "tolerance", "sum", "sets")
+) | {"capabilities"}
+OF_TOLERANCE = frozenset(("absolute", "relative"))
+OF_GRID = frozenset(("bits", "unit", "largest"))
+FREE = "x-"  # members whose names begin so mean nothing to us
 
 
 class DeclarationError(ValueError):
@@ -69,17 +93,17 @@ class Declaration:
 
 
 def read_declaration(value: Mapping[str, Any], name: str) -> Declaration:
-    """Raises DeclarationError for what is none."""
+    """Raises DeclarationError for what is none, a member of another name too."""
+    _refuse_unknown("member", set(value) - OF_THE_ANSWER, MEMBERS)
     capabilities = value.get("capabilities", sorted(PLANE))
     if not isinstance(capabilities, list) or not all(isinstance(c, str) for c in capabilities):
         raise DeclarationError("capabilities is not a list of words")
-    unknown = sorted(set(capabilities) - CAPABILITIES)
-    if unknown:
-        known = ", ".join(sorted(CAPABILITIES))
-        raise DeclarationError(f"there is no capability {unknown[0][:40]!r}; there are {known}")
+    _refuse_unknown("capability", set(capabilities), frozenset(CAPABILITIES))
     tolerance = value.get("tolerance", {})
     if not isinstance(tolerance, dict):
         raise DeclarationError("tolerance is not an object with absolute and relative")
+    _refuse_unknown("member of tolerance", set(tolerance), OF_TOLERANCE)
+    _refuse_unknown("member of grid", set(_grid(value)), OF_GRID)
     declared = Declaration(
         name=_text(value, "name", name),
         version=_text(value, "version", "") or None,
@@ -102,6 +126,17 @@ def read_declaration(value: Mapping[str, Any], name: str) -> Declaration:
     if declared.exact and (declared.absolute or declared.relative):
         raise DeclarationError("exact arithmetic has no tolerance")
     return declared
+
+
+def _refuse_unknown(what: str, given: set[str], known: frozenset[str]) -> None:
+    """Names the right word that is nearest."""
+    unknown = sorted(word for word in given - known if not word.startswith(FREE))
+    if unknown:
+        near = difflib.get_close_matches(unknown[0], sorted(known), n=1, cutoff=0.0)
+        listed = ", ".join(sorted(known))
+        raise DeclarationError(
+            f"there is no {what} {unknown[0][:40]!r}; did you mean {near[0]}? There are {listed}"
+        )
 
 
 def _grid(value: Mapping[str, Any]) -> dict[str, Any]:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import shlex
 from dataclasses import replace
 
+from minkref.errors import Refusal, cut
 from minkref.fuzz.targets.adapter import AdapterTarget
-from minkref.fuzz.targets.answer import REGIONS, Answer, Limits
-from minkref.fuzz.targets.catalogue import TargetEntry, is_adapter, make_target
+from minkref.fuzz.targets.answer import REGIONS, Limits
+from minkref.fuzz.targets.catalogue import TargetEntry, is_adapter, is_function, make_target
 from minkref.fuzz.targets.convex_reference import CONVEX_DECLARATIONS
 from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.targets.reference import UPDATING
@@ -17,21 +19,33 @@ _OURS = {one.name: one for one in (*UPDATING.values(), *CONVEX_DECLARATIONS.valu
 def declarations_of(
     entries: list[TargetEntry], limits: Limits
 ) -> tuple[list[TargetEntry], dict[str, Declaration]]:
-    """The entries with the versions that adapters give, and all declarations. An adapter that does
-    not start is taken to declare nothing but the plane: the run says what is wrong with it."""
+    """The entries with the versions that adapters give, and all declarations. Refuses an adapter
+    that does not start, or whose `hello` fails."""
     found: dict[str, Declaration] = {}
     named = []
     for entry in entries:
-        found[entry.name] = REGIONS
+        found[entry.name] = entry.declaration or _OURS.get(entry.name, REGIONS)
         if is_adapter(entry.name):
-            target = make_target(entry.name, limits)
-            assert isinstance(target, AdapterTarget)
-            declared = target.declared()
-            target.close()
-            if not isinstance(declared, Answer):
-                found[entry.name] = declared
-                entry = replace(entry, version=declared.version or entry.version)
-        elif entry.name in _OURS:
-            found[entry.name] = _OURS[entry.name]
+            declared = _of_adapter(entry.name, limits)
+            found[entry.name] = declared
+            entry = replace(entry, version=declared.version or entry.version)
         named.append(entry)
     return named, found
+
+
+def _of_adapter(name: str, limits: Limits) -> Declaration:
+    target = make_target(name, limits)
+    assert isinstance(target, AdapterTarget)
+    declared = target.declared()
+    target.close()
+    if isinstance(declared, Declaration):
+        return declared
+    what = f"the adapter does not begin: {declared.message}"
+    if declared.log:
+        what += f"; the end of its log: {cut(declared.log.strip())}"
+    raise Refusal(what, name, f"run it by hand: {shlex.join(target.command)}", "no-adapter")
+
+
+def declares_itself(name: str) -> bool:
+    """A program or function of somebody else, which says what it takes."""
+    return is_adapter(name) or is_function(name)

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import importlib
 import json
+import os
+import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, cast
@@ -28,10 +30,8 @@ class CallableTarget:
 
     def __init__(self, name: str) -> None:
         self.name = name
-        self._function = load_function(name)
-        declared = getattr(self._function, "minkref", None)
-        self._declaration = read_declaration(declared or {}, name)
-        self._plain = declared is None
+        self._function, self._declaration = load_function(name)
+        self._plain = not hasattr(self._function, "minkref")
 
     def sum(self, case: Case | SpaceCase | InvalidCase) -> Answer:
         declaration = self._declaration
@@ -101,10 +101,21 @@ def callable_target(name: str) -> Target:
         return UnloadableTarget(name, message_of(error))
 
 
-def load_function(name: str) -> Callable[[Any, Any], Any]:
-    """The function of `py:module:function`. Raises what the import of the module raises."""
+def load_function(name: str) -> tuple[Callable[[Any, Any], Any], Declaration]:
+    """The function of `py:module:function` and its declaration. Modules of the current folder are
+    found, too. Raises what the import of the module raises, and DeclarationError."""
     _, module, function = name.split(":", 2)
-    loaded = getattr(importlib.import_module(module), function)
+    here = os.getcwd()
+    sys.path.insert(0, here)
+    try:
+        loaded = getattr(importlib.import_module(module), function)
+    finally:
+        sys.path.remove(here)
+        if here not in sys.path:
+            sys.path.append(here)  # for what the module imports later; it shadows nothing
     if not callable(loaded):
         raise TypeError(f"{function} is no function")
-    return cast(Callable[[Any, Any], Any], loaded)
+    declared = getattr(loaded, "minkref", {})
+    if not isinstance(declared, dict):
+        raise DeclarationError("the attribute minkref is no dictionary")
+    return cast(Callable[[Any, Any], Any], loaded), read_declaration(declared, name)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ctypes
 import json
+import os
 from ctypes import POINTER, Structure, c_char_p, c_double, c_int, c_ubyte, c_void_p
 from typing import Any
 
@@ -87,7 +88,7 @@ def load_library(name: str) -> tuple[Any, Declaration]:
     """The function of `so:path:function` and its declaration. Raises OSError, AttributeError, or
     ValueError."""
     _, path, function = name.split(":", 2)
-    library = ctypes.CDLL(path)
+    library = ctypes.CDLL(os.path.abspath(path) if os.path.exists(path) else path)
     found = getattr(library, function)
     found.restype = c_int
     found.argtypes = [POINTER(_Set), POINTER(_Set), POINTER(_Set)]

@@ -12,7 +12,9 @@ from minkref.schemas import schema_text
 
 def _print_schema(context: typer.Context, wanted: bool) -> None:
     if wanted:
-        sys.stdout.write(schema_text(str(context.info_name)))
+        above = context.parent
+        group = f"{above.info_name}_" if above is not None and above.parent is not None else ""
+        sys.stdout.write(schema_text(f"{group}{context.info_name}"))
         raise typer.Exit
 
 

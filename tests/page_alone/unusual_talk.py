@@ -29,10 +29,12 @@ class LogsMuch(Plane):
 
 
 class FurtherMembers(Plane):
-    """Adds members that the page does not know to each answer."""
+    """Adds members that the page does not know to each answer; in `hello` their names begin as it
+    asks."""
 
     def answer(self, request: Request) -> Answer:
-        return {**super().answer(request), "seconds": 0.1, "x-note": {"verb": request["verb"]}}
+        answer = {**super().answer(request), "x-note": {"verb": request["verb"]}}
+        return answer if request["verb"] == "hello" else {**answer, "seconds": 0.1}
 
 
 class KeysInAnotherOrder(Plane):

@@ -342,3 +342,15 @@ def test_a_witness_that_lies_does_not_hold() -> None:
     assert not holds(block, unit, one, outside, Fraction(1, 2))
     assert not holds(block, unit, one, Witness(("2", "5/2", "1"), False))  # on the boundary
     assert not holds(block, unit, one, replace(outside, in_truth=True))
+
+
+@pytest.mark.parametrize("swapped", [False, True])
+def test_a_cavity_that_is_filled_is_found_where_points_alone_are_known(swapped: bool) -> None:
+    """It takes a thousandth of the volume, and no face of the result is near."""
+    block = frozenset(product(range(5), repeat=3))
+    hollow = surface_of(block - {(2, 2, 2)})
+    half = cube((Fraction(0),) * 3, Fraction(1, 2))
+    P, Q = (half, hollow) if swapped else (hollow, half)
+    filled = cube((Fraction(0),) * 3, Fraction(11, 2))
+    found = compare(SpacePair(P, Q, Fraction(1), "named"), filled)
+    assert found.verdict == "wrong" and found.reasons == (Reason.EXTRA,)

@@ -13,6 +13,10 @@ from typing import Any
 
 import jsonschema
 import pytest
+from minkref.errors import Refusal
+from minkref.fuzz.targets.answer import Limits
+from minkref.fuzz.targets.catalogue import select
+from minkref.fuzz.targets.declared import declarations_of
 from minkref.schemas import schema
 
 FOLDER = Path(__file__).parent / "bad_adapters"
@@ -65,11 +69,9 @@ def verdicts(value: Any, name: str) -> set[str]:
 
 
 CRASHED = [
-    f"{how}-at-{verb}"
-    for how in ("segv", "abort", "exit-0", "exit-3")
-    for verb in ("hello", "load", "at")
+    f"{how}-at-{verb}" for how in ("segv", "abort", "exit-0", "exit-3") for verb in ("load", "at")
 ]
-CRASHED += ["ends-at-once", "dies-with-a-log", "half-a-line-then-segv", "half-a-line-then-exit-0"]
+CRASHED += ["dies-with-a-log", "half-a-line-then-segv", "half-a-line-then-exit-0"]
 CRASHED += ["no-newline-and-dies", "child-holds-the-pipes", "child-apart-holds-the-pipes"]
 CRASHED += ["kills-parent", "kills-parent-at-hello", "kills-group"]
 ERRORED = [
@@ -83,14 +85,15 @@ ERRORED = [
         *("number-true", "million-digits", "million-digits-in-text", "exponent"),
     )
 ]
-ERRORED += [f"{verb}-{what}" for verb in ("greets", "loads") for what in ("garbage", "deep")]
-ERRORED += ["answers-before-any-request", "prints-before-hello", "closes-stdout-and-lives"]
+ERRORED += ["loads-garbage", "loads-deep", "closes-stdout-and-lives"]
 ERRORED += ["gigabyte-without-a-newline", "closes-everything-and-lives", "skips-what-it-declares"]
-ERRORED += ["errs", "errs-without-a-reason", "capability-unknown", "capabilities-text"]
-ERRORED += ["capabilities-numbers", "capabilities-empty", "protocol-v9", "protocol-missing"]
-ERRORED += ["protocol-list", "name-long", "numbers-words", "sum-other", "arithmetic-number"]
-ERRORED += [f"tolerance-{what}" for what in ("negative", "no-number", "list", "nan", "long")]
-ERRORED += ["both-forms", "ring-of-no-point", "long-numbers-that-cross"]
+ERRORED += [
+    "errs",
+    "errs-without-a-reason",
+    "both-forms",
+    "ring-of-no-point",
+    "long-numbers-that-cross",
+]
 WRONG = ["rejects-valid-input", "rejects-at-load", "says-10-to-400", "exact-but-rounds"]
 WRONG += ["float-beyond", "another-each-time", "ring-far-away", "rings-none", "polygons-twice"]
 PASS = ["right", "hello-slow", "slow", "deaf-to-sigterm", "children-and-right", "stops-parent"]
@@ -99,6 +102,13 @@ PASS += ["version-hostile", "name-missing", "capabilities-missing", "ring-of-one
 PASS += ["ring-of-two-points"]
 TIMED_OUT = ["hangs-at-load", "hangs-at-at", "half-a-line-then-hangs", "stops-itself"]
 TIMED_OUT += ["log-without-end"]
+NO_BEGIN = [f"{how}-at-hello" for how in ("segv", "abort", "exit-0", "exit-3")]
+NO_BEGIN += ["ends-at-once", "greets-garbage", "greets-deep", "prints-before-hello"]
+NO_BEGIN += ["answers-before-any-request", "memory-at-hello", "capability-unknown"]
+NO_BEGIN += [f"capabilities-{what}" for what in ("text", "numbers", "empty")]
+NO_BEGIN += ["protocol-v9", "protocol-missing", "protocol-list", "name-long", "numbers-words"]
+NO_BEGIN += ["sum-other", "arithmetic-number"]
+NO_BEGIN += [f"tolerance-{what}" for what in ("negative", "no-number", "list", "nan", "long")]
 LIMITS = {TIMED_OUT[0]: {"seconds": 3}, "memory-without-end": {"megabytes": 256}}
 
 
@@ -106,8 +116,7 @@ LIMITS = {TIMED_OUT[0]: {"seconds": 3}, "memory-without-end": {"megabytes": 256}
     ("ways", "expected", "code"),
     [
         (CRASHED, {"crashed"}, 3),
-        (ERRORED[:35], {"errored"}, 3),
-        (ERRORED[35:], {"errored"}, 3),
+        (ERRORED, {"errored"}, 3),
         (WRONG, {"wrong"}, 1),
         (PASS, {"pass"}, 0),
         (["float-within"], {"pass-within"}, 0),
@@ -127,6 +136,34 @@ def test_each_is_charged_with_what_it_does(
     assert said == {way: expected for way in ways}
     assert verdicts(value, "minkref:paper") == {"pass"}
     assert found == code
+
+
+@pytest.mark.parametrize("way", NO_BEGIN)
+def test_one_that_does_not_begin_is_refused(way: str) -> None:
+    chosen, _ = select([target(way)])
+    with pytest.raises(Refusal, match="does not begin"):
+        declarations_of(chosen, Limits(60, 1 << 30))
+
+
+@pytest.mark.parametrize(
+    ("name", "what"),
+    [
+        (target("exit-3-at-hello"), "it ended (exit code 3)"),
+        (target("capability-unknown"), "did you mean point?"),
+        ("./no_program", "there is no such program"),
+        ("./text.py", "cannot be started"),
+    ],
+)
+def test_a_run_with_one_that_does_not_begin_ends_at_once(
+    tmp_path: Path, name: str, what: str
+) -> None:
+    """Nothing is run, and nothing written."""
+    (tmp_path / "text.py").write_text("no program\n")
+    (tmp_path / "text.py").chmod(0o755)
+    more = ("--report", tmp_path / "report", "--ledger", tmp_path / "ledger", "--pairs", "500")
+    code, value = verify(["minkref:paper", name], tmp_path, *more)
+    assert code == 2 and what in value["error"]["what"] and value["error"]["where"] == name
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["text.py"]
 
 
 @pytest.mark.parametrize(

@@ -8,6 +8,7 @@ from typing import Annotated
 
 import typer
 
+from minkref.commands import adapter_check
 from minkref.errors import Refusal
 from minkref.fuzz.adapters import catalogue
 from minkref.fuzz.adapters.template import LANGUAGES, template
@@ -51,6 +52,9 @@ def new(
         what = f"the file cannot be written: {error.strerror}"
         raise Refusal(what, str(path), "choose another place", "cannot-write") from error
     sys.stdout.write(shown(f"{path}") + "\n" + "".join(f"  {line}\n" for line in run))
+
+
+app.command("check", epilog=adapter_check.EXAMPLES)(adapter_check.command)
 
 
 @app.command("install", epilog=INSTALL_EXAMPLES)

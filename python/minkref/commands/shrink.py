@@ -22,7 +22,8 @@ from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.shrink.shrinker import MOST_CALLS
 from minkref.fuzz.shrink.trial import Trial
 from minkref.fuzz.targets.answer import Limits, load_limit
-from minkref.fuzz.targets.catalogue import select
+from minkref.fuzz.targets.catalogue import TargetEntry, select
+from minkref.fuzz.targets.declared import declarations_of
 from minkref.fuzz.verdicts.verdict import GOOD, Verdict
 from minkref.options import Json, Schema
 from minkref.signals import ending_in_order
@@ -72,7 +73,7 @@ def command(
         check_writable(output)
     limits = Limits(call_seconds, call_memory << 20)
     refuse_unless_case(case)
-    (entry,), _ = _one(target, limits)
+    (entry,), _ = declarations_of(_one(target, limits), limits)
     with ending_in_order():
         with Trial(entry.name, limits) as trial:
             result, outcome = trial.ask(CaseName(case, "shrinking").text)
@@ -113,12 +114,12 @@ def command(
     raise typer.Exit(int(ExitCode.WRONG if outcome.verdict is Verdict.WRONG else ExitCode.BROKEN))
 
 
-def _one(target: str, limits: Limits) -> Any:
-    chosen, absent = select([target], load_limit(limits))
+def _one(target: str, limits: Limits) -> list[TargetEntry]:
+    chosen, _ = select([target], load_limit(limits))
     if len(chosen) != 1:
         what = f"this stands for {len(chosen)} targets"
         raise Refusal(what, f"--target {target}", "name one of `minkref targets`")
-    return chosen, absent
+    return chosen
 
 
 def _print(small: SmallFinding, found: Finding, value: dict[str, Any]) -> None:

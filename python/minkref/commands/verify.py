@@ -21,8 +21,8 @@ from minkref.fuzz.run.runner import not_asked, run
 from minkref.fuzz.shrink.groups import shrunk_groups
 from minkref.fuzz.shrink.shrinker import MOST_CALLS
 from minkref.fuzz.targets.answer import Limits, load_limit
-from minkref.fuzz.targets.catalogue import is_adapter, select
-from minkref.fuzz.targets.declared import declarations_of
+from minkref.fuzz.targets.catalogue import select
+from minkref.fuzz.targets.declared import declarations_of, declares_itself
 from minkref.fuzz.verdicts.baseline import Baseline, read_baseline
 from minkref.options import Json, Schema
 from minkref.output_folder import make_folder
@@ -176,8 +176,6 @@ def command(
     for file in (junit_file, sarif_file, markdown_file, lines_file):
         if file is not None:
             check_writable(file)
-    if report is not None:
-        make_folder(report)
     listed = read_baseline(baseline) if baseline is not None else Baseline()
     limits = Limits(call_seconds, call_memory << 20, size_limit, call_output << 20)
     chosen, absent = select(targets or [], load_limit(limits))
@@ -185,6 +183,8 @@ def command(
     cases = case_list(
         seed, pairs, seconds, case, models, family, derived, suite, corpus, declared.values()
     )
+    if report is not None:
+        make_folder(report)
     workers = jobs or os.cpu_count() or 1
     names = [entry.name for entry in chosen]
     versions = {entry.name: entry.version for entry in chosen}
@@ -203,7 +203,9 @@ def command(
     finally:
         if book is not None:
             book.close()
-    cases.notes += not_asked(done, {name: declared[name] for name in names if is_adapter(name)})
+    cases.notes += not_asked(
+        done, {name: declared[name] for name in names if declares_itself(name)}
+    )
     code = done.exit_code(strict)
     value = document_of(done, groups, chosen, absent, declared, cases, watch, code)
     if report is not None:

@@ -1,0 +1,203 @@
+"""`minkref adapter check`: a few sums that show whether an adapter works, and what it declares."""
+
+from __future__ import annotations
+
+import json as texts
+import sys
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Annotated, Any
+
+import typer
+from rich.table import Table
+
+from minkref.commands.verify_limits import check_numbers
+from minkref.commands.verify_output import witness_text
+from minkref.documents import Stopwatch, as_text, document
+from minkref.errors import Refusal
+from minkref.exits import ExitCode
+from minkref.fuzz.shrink.trial import Trial
+from minkref.fuzz.space.cells import Cell, surface_of
+from minkref.fuzz.targets.answer import Limits, load_limit
+from minkref.fuzz.targets.catalogue import select
+from minkref.fuzz.targets.declaration import CAPABILITIES, Declaration
+from minkref.fuzz.targets.declared import declarations_of
+from minkref.fuzz.verdicts.verdict import BROKEN, Outcome, Verdict
+from minkref.options import Json, Schema
+from minkref.signals import ending_in_order
+from minkref.terminal import console, shown
+
+EXAMPLES = """Examples:
+
+minkref adapter check ./my_library_adapter
+
+minkref adapter check py:my_module:my_sum --json"""
+
+TRIANGLE = '{"polygons":[{"outer":[["0","0"],["2","0"],["0","2"]],"holes":[]}]}'
+SQUARE = '{"polygons":[{"outer":[["0","0"],["1","0"],["1","1"],["0","1"]],"holes":[]}]}'
+HOOK = (
+    '{"polygons":[{"outer":[["0","0"],["4","0"],["4","4"],["3","4"],["3","1"],["0","1"]],'
+    '"holes":[]}]}'
+)
+FRAME = (
+    '{"polygons":[{"outer":[["0","0"],["4","0"],["4","4"],["0","4"]],'
+    '"holes":[[["1","1"],["1","3"],["3","3"],["3","1"]]]}]}'
+)
+BLOCK = [(x, y, z) for x in range(3) for y in range(3) for z in range(3)]
+
+
+@dataclass(frozen=True)
+class Trying:
+    """What is asked: P, Q and the scale as a case that names itself."""
+
+    title: str
+    P: str
+    Q: str
+    scale: str = "1"
+
+    @property
+    def literal(self) -> str:
+        value = {"P": texts.loads(self.P), "Q": texts.loads(self.Q), "scale": self.scale}
+        return texts.dumps(value, separators=(",", ":"))
+
+
+IN_PLANE = [
+    Trying("a triangle and a square", TRIANGLE, SQUARE),
+    Trying("the same, the triangle doubled", TRIANGLE, SQUARE, "2"),
+    Trying("a hook and a triangle: the hook is not convex", HOOK, TRIANGLE),
+    Trying("a frame and a square: the hole becomes smaller", FRAME, SQUARE),
+]
+
+
+def _solid(*cells: Cell) -> str:
+    return surface_of(frozenset(cells)).to_json()
+
+
+IN_SPACE = [
+    Trying("two cubes", _solid((0, 0, 0)), _solid((0, 0, 0))),
+    Trying("the same, the first doubled", _solid((0, 0, 0)), _solid((0, 0, 0)), "2"),
+    Trying(
+        "a hook and a cube: the hook is not convex",
+        _solid((0, 0, 0), (1, 0, 0), (0, 1, 0)),
+        _solid((0, 0, 0)),
+    ),
+    Trying(
+        "a hollow cube and half a cube: the hole becomes smaller",
+        _solid(*(cell for cell in BLOCK if cell != (1, 1, 1))),
+        surface_of(frozenset({(0, 0, 0)})).scaled(Fraction(1, 2)).to_json(),
+    ),
+]
+
+
+def command(
+    target: Annotated[
+        str,
+        typer.Argument(
+            help="As for `minkref verify`: ./PATH, cmd:COMMAND, py:module:function, "
+            "so:./library.so:function, or a name of `minkref targets`.",
+            metavar="TARGET",
+        ),
+    ],
+    call_seconds: Annotated[
+        float, typer.Option("--call-seconds", help="Time limit of one call.")
+    ] = 30.0,
+    call_memory: Annotated[
+        int, typer.Option("--call-memory", help="Memory limit of one call, in MiB.", metavar="MIB")
+    ] = 4096,
+    json: Json = False,
+    schema: Schema = False,
+) -> None:
+    """Start an adapter, show what it declares and what that leaves out, and ask for four sums:
+    two of convex operands, one of an operand that is not convex, and one with a hole. Exits with 1
+    where a sum is proven wrong, 3 where the adapter breaks, and 2 where it does not start."""
+    watch = Stopwatch()
+    check_numbers(0, None, None, call_seconds, call_memory, 1, None)
+    limits = Limits(call_seconds, call_memory << 20)
+    chosen, _ = select([target], load_limit(limits))
+    if len(chosen) != 1:
+        what = f"this stands for {len(chosen)} targets"
+        raise Refusal(what, target, "name one of `minkref targets`")
+    (entry,), declarations = declarations_of(chosen, limits)
+    declared = declarations[entry.name]
+    able = declared.capabilities
+    trials = [*(IN_PLANE if "plane" in able else ()), *(IN_SPACE if "space" in able else ())]
+    with ending_in_order(), Trial(entry.name, limits) as trial:
+        rows = [(trying, trial.ask(trying.literal)[1]) for trying in trials]
+    code = _exit_code([outcome for _, outcome in rows])
+    value = document(
+        "adapter_check",
+        watch,
+        exit_code=int(code),
+        target={"name": entry.name, "version": entry.version, **_declared(declared)},
+        left_out={word: CAPABILITIES[word] for word in sorted(set(CAPABILITIES) - able)},
+        sums=[_row(trying, outcome) for trying, outcome in rows],
+    )
+    if json:
+        sys.stdout.write(as_text(value))
+    else:
+        _print(value, rows)
+    if code:
+        raise typer.Exit(int(code))
+
+
+def _exit_code(outcomes: list[Outcome | None]) -> ExitCode:
+    verdicts = {outcome.verdict for outcome in outcomes if outcome}
+    if Verdict.WRONG in verdicts:
+        return ExitCode.WRONG
+    return ExitCode.BROKEN if verdicts & set(BROKEN) else ExitCode.ALL_WELL
+
+
+def _declared(declared: Declaration) -> dict[str, Any]:
+    return {
+        "arithmetic": declared.arithmetic,
+        "numbers": declared.numbers,
+        "tolerance": {"absolute": str(declared.absolute), "relative": str(declared.relative)},
+        "sum": declared.sum,
+        "capabilities": sorted(declared.capabilities),
+    }
+
+
+def _row(trying: Trying, outcome: Outcome | None) -> dict[str, Any]:
+    witness = outcome.witness.document() if outcome and outcome.witness else None
+    return {
+        "what": trying.title,
+        "case": trying.literal,
+        "verdict": str(outcome.verdict) if outcome else "skipped",
+        "reasons": [str(reason) for reason in outcome.reasons] if outcome else [],
+        "message": outcome.message if outcome else "",
+        "witness": witness,
+        "seconds": round(outcome.seconds, 6) if outcome else 0,
+    }
+
+
+def _print(value: dict[str, Any], rows: list[tuple[Trying, Outcome | None]]) -> None:
+    out = console()
+    target = value["target"]
+    version = f" {target['version']}" if target["version"] else ""
+    out.print(shown(f"{target['name']}{version} begins, and answers"), soft_wrap=True)
+    tolerance = target["tolerance"]
+    out.print(
+        shown(
+            f"  arithmetic {target['arithmetic']}, numbers as {target['numbers']}, tolerance "
+            f"{tolerance['absolute']} + {tolerance['relative']} of the size, sum of the "
+            f"{target['sum']}"
+        ),
+        soft_wrap=True,
+    )
+    out.print(f"  takes: {', '.join(target['capabilities'])}", soft_wrap=True)
+    table = Table(box=None, pad_edge=False)
+    for heading in ("sum", "verdict", "seconds"):
+        table.add_column(heading)
+    for row in value["sums"]:
+        table.add_row(row["what"], row["verdict"], f"{row['seconds']:.3f}")
+    out.print(table)
+    for trying, outcome in rows:
+        if outcome is not None and (outcome.message or outcome.witness):
+            said = outcome.message or ", ".join(outcome.kinds)
+            out.print(shown(f"{trying.title}: {said}"), soft_wrap=True)
+            if outcome.witness is not None:
+                out.print(shown(f"  {witness_text(outcome.witness, trying.scale)}"), soft_wrap=True)
+    if value["left_out"]:
+        out.print("Not declared, so cases that need it are skipped:")
+        for word, need in value["left_out"].items():
+            out.print(f"  {word}: {need}", soft_wrap=True)
