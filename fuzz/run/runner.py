@@ -12,13 +12,14 @@ from minkref.fuzz.cases.case_list import CaseList, Wait
 from minkref.fuzz.cases.invalid_case import FAMILY as INVALID
 from minkref.fuzz.cases.verbs import EVENTS, UPDATE
 from minkref.fuzz.run.ledger import Ledger
-from minkref.fuzz.run.pool import run_cases
+from minkref.fuzz.run.pool import InternalError, run_cases
 from minkref.fuzz.run.worker import CaseResult, Job
 from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.verdicts.baseline import Baseline
 from minkref.fuzz.verdicts.judgement import REFEREE
 from minkref.fuzz.verdicts.verdict import BROKEN, GOOD, Outcome, Verdict
+from minkref.signals import Ended, Stoppable
 
 REJECTS = "rejects-invalid"  # the capability that invalid cases ask for
 
@@ -59,6 +60,8 @@ class Run:
     cases: Counter[str] = field(default_factory=Counter)
     began: dict[str, int] = field(default_factory=dict)  # the first case of each group
     asked: Counter[tuple[str, str, int]] = field(default_factory=Counter)  # target, verb, dimension
+    ended: int | None = None  # the number of the signal that ended it
+    failed: str | None = None  # the fault of ours that ended it
     absent: int = 0  # derived cases that do not exist, as probes of a pair without events
 
     def smallest(self) -> list[tuple[Finding, int]]:
@@ -75,7 +78,12 @@ class Run:
             key=lambda item: (order.index(item[0].outcome.verdict), item[0].kind),
         )
 
-    def exit_code(self, strict: bool = False) -> ExitCode:
+    def exit_code(self, strict: bool = False) -> int:
+        """As ExitCode; 128 and the number of the signal that ended the run."""
+        if self.failed is not None:
+            return ExitCode.INTERNAL
+        if self.ended is not None:
+            return 128 + self.ended
         verdicts = {finding.outcome.verdict for finding in self.findings}
         if Verdict.WRONG in verdicts:
             return ExitCode.WRONG
@@ -135,20 +143,31 @@ def run(
 ) -> Run:
     """Runs all cases. With `cases.pairs` given the verdicts do not depend on `jobs`. What the
     ledger holds is not run again; every result is in it before it is shown. `first`: ends with the
-    first case on which something is wrong or broken and not known."""
+    first case on which something is wrong or broken and not known. SIGINT, SIGTERM and SIGHUP end
+    it, and so does a fault of ours: what was judged until then is in the result, and `ended` or
+    `failed` says so."""
     done = Run(list(targets))
+    with Stoppable() as stoppable:
 
-    def take(result: CaseResult) -> None:
-        _take(done, result, versions, baseline)
-        cases.learn(result.number, result.name.text, result.coverage)
-        progress(done)
+        def take(result: CaseResult, ledger: Ledger | None = None) -> None:
+            with stoppable.held():
+                if ledger is not None:
+                    ledger.write(result)
+                _take(done, result, versions, baseline)
+                cases.learn(result.number, result.name.text, result.coverage)
+            progress(done)
 
-    for result in run_cases(_jobs(cases, ledger, take), targets, limits, jobs):
-        if ledger is not None:
-            ledger.write(result)
-        take(result)
-        if first and any(f.outcome.verdict in (Verdict.WRONG, *BROKEN) for f in done.findings):
-            break
+        try:
+            for result in run_cases(_jobs(cases, ledger, take), targets, limits, jobs):
+                take(result, ledger)
+                if first and any(
+                    f.outcome.verdict in (Verdict.WRONG, *BROKEN) for f in done.findings
+                ):
+                    break
+        except Ended as ended:
+            done.ended = ended.number
+        except InternalError as error:
+            done.failed = str(error)
     done.findings.sort(key=lambda finding: (finding.outcome.target, finding.case.number))
     done.groups.sort(key=lambda group: done.began[group])
     return done

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import signal
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
+from minkref.errors import message_of
 from minkref.fuzz.run.runner import Finding, Run
 from minkref.fuzz.shrink.finding import SmallFinding, shrink_finding
 from minkref.fuzz.shrink.shrinker import MOST_CALLS
 from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.verdicts.verdict import Outcome, Verdict
+from minkref.signals import Ended
 
 EXAMPLES = 3  # findings of a kind that are shrunk; of a known fault one
 CALLS_FOR_KNOWN = 150
@@ -26,6 +29,7 @@ class Group:
 
     example: Finding
     count: int
+    unshrunk: str = ""  # why a finding could not be shrunk, where we failed
     small: list[SmallFinding] = field(default_factory=list)
     also: list[str] = field(default_factory=list)
 
@@ -41,8 +45,28 @@ def shrunk_groups(
     most_calls: int = MOST_CALLS,
     progress: Callable[[str], None] = lambda _: None,
 ) -> list[Group]:
-    """Shrinks the smallest findings of each kind. Deterministic: bounded by calls, not by time."""
+    """Shrinks the smallest findings of each kind. Deterministic: bounded by calls, not by time.
+    What fails in us leaves a finding as it is, and the group says so; a signal leaves all that are
+    left, and the run says so."""
     groups = groups_of(run)
+    if run.ended is not None or run.failed is not None:
+        return groups
+    try:
+        _shrink_all(run, groups, limits, most_calls, progress)
+    except KeyboardInterrupt:
+        run.ended = int(signal.SIGINT)
+    except Ended as ended:
+        run.ended = ended.number
+    return _merged(groups)
+
+
+def _shrink_all(
+    run: Run,
+    groups: list[Group],
+    limits: Limits,
+    most_calls: int,
+    progress: Callable[[str], None],
+) -> None:
     for group in groups:
         outcome = group.example.outcome
         if outcome.verdict is Verdict.UNDECIDED or most_calls <= 0:
@@ -54,11 +78,14 @@ def shrunk_groups(
         same.sort(key=lambda finding: finding.case.size)
         progress(f"shrinking: {outcome.target} {' '.join(outcome.kinds)}")
         for finding in same[:examples]:
-            small = shrink_finding(finding, limits, calls)
+            try:
+                small = shrink_finding(finding, limits, calls)
+            except Exception as error:  # noqa: BLE001 a fault of ours costs no finding
+                group.unshrunk = message_of(error).splitlines()[0]
+                continue
             if small is not None and small.literal not in {s.literal for s in group.small}:
                 group.small.append(small)
         group.small.sort(key=lambda small: small.result.size)
-    return _merged(groups)
 
 
 def _bounds(outcome: Outcome, limits: Limits, most_calls: int) -> tuple[int, int]:

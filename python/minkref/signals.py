@@ -10,7 +10,7 @@ import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
 from types import FrameType
-from typing import NoReturn
+from typing import Any, NoReturn
 
 PR_SET_PDEATHSIG = 1
 
@@ -35,6 +35,41 @@ def interruptible() -> Iterator[None]:
         yield
     finally:
         signal.signal(signal.SIGINT, before)
+
+
+class Stoppable:
+    """Within it SIGINT, SIGTERM and SIGHUP raise Ended, but what is `held` is first done whole."""
+
+    def __init__(self) -> None:
+        self._holds = 0
+        self._number: int | None = None
+        self._before: dict[int, Any] = {}
+
+    def __enter__(self) -> Stoppable:
+        numbers = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+        for number in (n for n in numbers if _may_handle(n)):
+            self._before[number] = signal.signal(number, self._handle)
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        for number, handler in self._before.items():
+            signal.signal(number, handler)
+
+    @contextmanager
+    def held(self) -> Iterator[None]:
+        """Signals that come meanwhile are raised at the end."""
+        self._holds += 1
+        try:
+            yield
+        finally:
+            self._holds -= 1
+        if self._number is not None and not self._holds:
+            raise Ended(self._number)
+
+    def _handle(self, number: int, _: FrameType | None) -> None:
+        self._number = number
+        if not self._holds:
+            raise Ended(number)
 
 
 @contextmanager

@@ -8,7 +8,7 @@ from typing import Any
 from rich.table import Table
 
 from minkref.documents import Stopwatch, as_text, document
-from minkref.fuzz.targets.catalogue import list_targets
+from minkref.fuzz.targets.catalogue import TargetEntry, list_targets
 from minkref.options import Json, Schema
 from minkref.terminal import console
 
@@ -23,11 +23,15 @@ def command(json: Json = False, schema: Schema = False) -> None:
     """The implementations that `minkref verify` can test here, and how to get those that are
     absent."""
     watch = Stopwatch()
-    value = document("targets", watch, targets=[vars(target) for target in list_targets()])
+    value = document("targets", watch, targets=[_row(target) for target in list_targets()])
     if json:
         sys.stdout.write(as_text(value))
     else:
         _print(value)
+
+
+def _row(target: TargetEntry) -> dict[str, Any]:
+    return {name: value for name, value in vars(target).items() if name != "declaration"}
 
 
 def _print(value: dict[str, Any]) -> None:

@@ -4,6 +4,7 @@ witness."""
 from __future__ import annotations
 
 import os
+import signal
 import sys
 from pathlib import Path
 from typing import Annotated
@@ -17,7 +18,8 @@ from minkref.documents import Stopwatch, as_text, check_writable, write_atomical
 from minkref.errors import refusal_text
 from minkref.exits import ExitCode
 from minkref.fuzz.run.ledger import Ledger
-from minkref.fuzz.run.runner import not_asked, run
+from minkref.fuzz.run.pool import InternalError
+from minkref.fuzz.run.runner import Run, not_asked, run
 from minkref.fuzz.shrink.groups import shrunk_groups
 from minkref.fuzz.shrink.shrinker import MOST_CALLS
 from minkref.fuzz.targets.answer import Limits, load_limit
@@ -206,7 +208,17 @@ def command(
     cases.notes += not_asked(
         done, {name: declared[name] for name in names if declares_itself(name)}
     )
+    cases.notes += [
+        f"{group.example.case.name.text}: making it smaller failed, a fault of ours: "
+        f"{group.unshrunk}"
+        for group in groups
+        if group.unshrunk
+    ]
     code = done.exit_code(strict)
+    if done.ended is not None:
+        cases.notes.append(_ended(done, ledger))
+    if done.failed is not None:
+        cases.notes.append("ended by a fault of ours: what was judged until then is here")
     value = document_of(done, groups, chosen, absent, declared, cases, watch, code)
     if report is not None:
         again = command_line("verify", command, locals())
@@ -224,7 +236,18 @@ def command(
         sys.stdout.write(as_text(value))
     else:
         print_tables(done, groups, value)
-    if code is ExitCode.USAGE:
+    if done.failed is not None:
+        raise InternalError(done.failed)
+    if code == ExitCode.USAGE:
         sys.stderr.write(refusal_text(NOTHING_RUN))
     if code:
         raise typer.Exit(int(code))
+
+
+def _ended(done: Run, ledger: Path | None) -> str:
+    """What a run that a signal ended has done, and how to go on."""
+    name = signal.Signals(done.ended or 0).name
+    how = "a run with --ledger FILE goes on where it was ended"
+    if ledger is not None:
+        how = f"the same command goes on from {ledger}"
+    return f"ended by {name} after {sum(done.cases.values()):,} cases: {how}"

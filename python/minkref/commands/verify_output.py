@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import signal
 import sys
 from types import TracebackType
 from typing import Any
@@ -13,7 +14,6 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 from rich.table import Table
 
 from minkref.documents import Stopwatch, document
-from minkref.exits import ExitCode
 from minkref.fuzz.cases.case_list import CaseList
 from minkref.fuzz.run.runner import Cell, Finding, Run
 from minkref.fuzz.shrink.finding import SmallFinding
@@ -76,14 +76,15 @@ def document_of(
     declared: dict[str, Declaration],
     cases: CaseList,
     watch: Stopwatch,
-    code: ExitCode,
+    code: int,
 ) -> dict[str, Any]:
     """The JSON document of a run."""
     versions = {entry.name: entry.version for entry in chosen}
     return document(
         "verify",
         watch,
-        exit_code=int(code),
+        exit_code=code,
+        ended_by=signal.Signals(run.ended).name if run.ended is not None else None,
         seed=cases.seed,
         targets=[_target_document(entry, declared[entry.name]) for entry in chosen],
         absent=[{"name": entry.name, "reason": entry.reason} for entry in absent],
@@ -262,6 +263,10 @@ def describe(group: Group) -> list[str]:
         lines.append(f"  signal {outcome.signal}")
     if outcome.log:
         lines.append(f"  its log ends: {outcome.log.strip()[-LOG_SHOWN:]}")
+    if group.unshrunk:
+        lines.append(
+            f"  left as it is: making it smaller failed, a fault of ours: {group.unshrunk}"
+        )
     if not group.small:
         lines += [f"  the smallest: case {finding.case.name.text}", *_lines(finding)]
     for small in group.small:

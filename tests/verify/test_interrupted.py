@@ -1,0 +1,174 @@
+"""A run that a signal or a fault of ours ends writes what it has judged, whole."""
+
+from __future__ import annotations
+
+import json
+import os
+import random
+import signal
+import subprocess
+import sys
+import time
+import xml.etree.ElementTree as ElementTree
+from collections import Counter
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+from minkref.fuzz.run import runner
+from minkref.fuzz.run.pool import InternalError
+from minkref.fuzz.shrink import groups as shrinking
+from minkref.schemas import schema
+
+FOLDER = Path(__file__).parent
+MOMENTS = 4
+SEED = 23
+WORDS = ["py:faulty_sums:loses_holes", "minkref:winding", "--pairs", "100000", "--jobs", "2"]
+WORDS += ["--no-models", "--shrink-calls", "5"]
+
+
+def heed_signals() -> None:
+    """A background job of a shell is started deaf to SIGINT."""
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, signal.SIG_DFL)
+
+
+def environment() -> dict[str, str]:
+    return {**os.environ, "PYTHONPATH": f"{FOLDER}{os.pathsep}{os.environ.get('PYTHONPATH', '')}"}
+
+
+def ended(folder: Path, number: int, seconds: float) -> tuple[int, Any, str]:
+    """Ended so long after its first result is in the ledger."""
+    folder.mkdir()
+    files = ["--ledger", "run.jsonl", "--report", "report", "--junit", "junit.xml"]
+    files += ["--sarif", "verify.sarif", "--markdown", "verify.md", "--lines", "lines.jsonl"]
+    words = [sys.executable, "-m", "minkref", "verify", *WORDS, *files, "--json"]
+    with subprocess.Popen(
+        words,
+        cwd=folder,
+        env=environment(),
+        text=True,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        preexec_fn=heed_signals,
+    ) as process:
+        deadline = time.monotonic() + 60
+        ledger = folder / "run.jsonl"
+        while time.monotonic() < deadline and len(lines_of(ledger)) < 1:
+            time.sleep(0.02)
+        time.sleep(seconds)
+        process.send_signal(number)
+        output, errors = process.communicate(timeout=120)
+    assert "Traceback" not in errors
+    return process.returncode, json.loads(output), errors
+
+
+def lines_of(ledger: Path) -> list[Any]:
+    """The results in it, without those that only say that there is no such case."""
+    if not ledger.is_file():
+        return []
+    rows = [json.loads(line) for line in ledger.read_text().splitlines()[1:]]
+    return [row for row in rows if "absent" not in row]
+
+
+def same_as_the_ledger(folder: Path, value: Any) -> None:
+    """Everything that was judged, and nothing else, is in all that was written."""
+    rows = lines_of(folder / "run.jsonl")
+    assert sum(group["cases"] for group in value["groups"]) == len(rows)
+    judged: Counter[tuple[str, str]] = Counter()
+    for row in rows:
+        judged.update((outcome["target"], outcome["verdict"]) for outcome in row["outcomes"])
+    shown: Counter[tuple[str, str]] = Counter()
+    for cell in value["matrix"]:
+        shown.update({(cell["target"], v): n for v, n in cell["verdicts"].items()})
+    assert shown == judged
+    wrong = sum(n for (_, verdict), n in judged.items() if verdict == "wrong")
+    assert len(value["findings"]) == wrong
+    assert len((folder / "lines.jsonl").read_text().splitlines()) >= wrong
+    suites = ElementTree.parse(folder / "junit.xml").getroot()
+    assert {suite.get("name") for suite in suites} == {cell["target"] for cell in value["matrix"]}
+    assert bool(json.loads((folder / "verify.sarif").read_text())["runs"][0]["results"]) == bool(
+        wrong
+    )
+    assert (folder / "report" / "index.html").is_file() and (folder / "verify.md").is_file()
+
+
+def test_a_run_that_is_interrupted_writes_all_that_it_has_judged(tmp_path: Path) -> None:
+    dice = random.Random(SEED)
+    for k in range(MOMENTS):
+        number = (signal.SIGINT, signal.SIGINT, signal.SIGTERM, signal.SIGHUP)[k % 4]
+        folder = tmp_path / str(k)
+        code, value, _ = ended(folder, number, dice.uniform(0, 1.5))
+        jsonschema.validate(value, schema("verify"))
+        assert (code, value["exit_code"]) == (128 + number,) * 2, (SEED, k)
+        assert value["ended_by"] == signal.Signals(number).name
+        assert any("goes on from run.jsonl" in note for note in value["notes"])
+        same_as_the_ledger(folder, value)
+
+
+def test_the_ledger_of_an_interrupted_run_goes_on(tmp_path: Path) -> None:
+    folder = tmp_path / "first"
+    ended(folder, signal.SIGINT, 0.2)
+    before = (folder / "run.jsonl").read_text().splitlines()
+    folder.rename(tmp_path / "again")
+    ledger = tmp_path / "again" / "run.jsonl"
+    words = [sys.executable, "-m", "minkref", "verify", *WORDS, "--ledger", "run.jsonl", "--json"]
+    with subprocess.Popen(
+        words,
+        cwd=ledger.parent,
+        env=environment(),
+        stdout=subprocess.DEVNULL,
+        preexec_fn=heed_signals,
+    ) as process:
+        deadline = time.monotonic() + 60
+        while time.monotonic() < deadline and len(ledger.read_text().splitlines()) <= len(before):
+            time.sleep(0.05)
+        process.send_signal(signal.SIGINT)
+        assert process.wait(60) == 130
+    assert ledger.read_text().splitlines()[: len(before)] == before
+
+
+def verify_here(*words: str, capsys: pytest.CaptureFixture[str]) -> tuple[int, Any, str]:
+    from minkref.cli import run
+
+    more = ("--pairs", "40", "--jobs", "1", "--no-models", "--family", "holes", "--json")
+    code = run(["verify", "py:faulty_sums:loses_holes", *more, *words])
+    said = capsys.readouterr()
+    return code, json.loads(said.out), said.err
+
+
+def test_a_shrinker_that_fails_costs_no_finding(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def fails(*_: object) -> None:
+        raise KeyError("a fault of the shrinker")
+
+    monkeypatch.syspath_prepend(str(FOLDER))
+    monkeypatch.setenv("PYTHONPATH", str(FOLDER))
+    monkeypatch.setattr(shrinking, "shrink_finding", fails)
+    code, value, _ = verify_here(capsys=capsys)
+    assert code == 1 and value["findings"] and not value["shrunk"]
+    assert any("a fault of the shrinker" in note for note in value["notes"])
+
+
+def test_a_fault_of_ours_costs_no_finding(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    real = runner.run_cases
+
+    def fails(*words: Any) -> Any:
+        for number, result in enumerate(real(*words)):
+            if number == 30:
+                raise InternalError("a fault of the suite")
+            yield result
+
+    monkeypatch.syspath_prepend(str(FOLDER))
+    monkeypatch.setenv("PYTHONPATH", str(FOLDER))
+    monkeypatch.setattr(runner, "run_cases", fails)
+    code, value, errors = verify_here("--report", str(tmp_path / "report"), capsys=capsys)
+    assert code == 70 and "a fault of the suite" in errors
+    jsonschema.validate(value, schema("verify"))
+    assert value["exit_code"] == 70 and value["findings"]
+    assert sum(group["cases"] for group in value["groups"]) <= 30
+    assert (tmp_path / "report" / "index.html").is_file()
