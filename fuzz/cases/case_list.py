@@ -32,6 +32,8 @@ FAR_AND_LARGE = (  # each in every second round
     ("scaled-down:90", "far in"),
     ("cut:300", "many vertices"),
 )
+MOST_TRIES = 20  # cases made for each that is asked for
+FEWEST_TRIES = 500
 SPACE_ROUNDS = 3  # in which each family in space has its turn, beside families in the plane
 
 
@@ -43,7 +45,8 @@ class Wait(Enum):
 
 @dataclass
 class CaseList:
-    """What a run goes through. Generated cases are counted by `pairs` or bounded by `seconds`; they
+    """What a run goes through. Generated cases are counted by `pairs`, those alone that exist and
+    that a target takes, or bounded by `seconds`; they
     are drawn from `families` in turn. With `derived` there are, among them, probes of scales at
     events, cases changed by laws, and mutants of those that `learn` found interesting; all depends
     on the seed and the results alone, not on time."""
@@ -59,6 +62,7 @@ class CaseList:
     derived: bool = False
     files: tuple[str, ...] = ()
     invalid: bool = False  # also pairs of which one operand is invalid
+    doubles: bool = False  # no target takes other numbers: each pair on a grid, too
     spent: float = 0.0  # seconds of an earlier part of the run
     notes: list[str] = field(default_factory=list)
 
@@ -67,23 +71,43 @@ class CaseList:
         self._seen: set[str] = set()
         self._learned: list[tuple[int, str, str]] = []
         self._parents: list[str] = []
+        self._missing = 0
+        self.generating = False
 
     def __iter__(self) -> Iterator[CaseName | Wait]:
         if self.named:
             yield from (CaseName(text, "named") for text in self.named)
             return
         yield from (CaseName(text, "case files") for text in self.files)
-        end = time.monotonic() + self.seconds - self.spent
+        self.generating = True
+        yield from self._bounded(time.monotonic() + self.seconds - self.spent)
+        self.generating = False
+        yield from self._rest
+
+    def _bounded(self, end: float) -> Iterator[CaseName | Wait]:
+        """Those generated until there are enough, or the time is over. Where there may be enough
+        all results are waited for: where it stops depends on no order in which they come."""
         count = 0
         for name in self._generated():
             if isinstance(name, Wait):
                 yield name
                 continue
-            if count >= self.pairs if self.pairs is not None else time.monotonic() >= end:
+            if self.pairs is None:
+                if time.monotonic() >= end:
+                    break
+            elif count - self._missing >= self.pairs:
+                if count:
+                    yield Wait.FOR_ALL
+                if count - self._missing >= self.pairs:
+                    break
+            if self.pairs is not None and count >= MOST_TRIES * self.pairs + FEWEST_TRIES:
+                yield Wait.FOR_ALL
+                self.notes.append(
+                    f"{count:,} cases were made, and the targets take {count - self._missing:,}"
+                )
                 break
             yield name
             count += 1
-        yield from self._rest
 
     @property
     def count(self) -> int | None:
@@ -98,7 +122,13 @@ class CaseList:
         """What tells one run from another."""
         names = ("seed", "pairs", "seconds", "named", "models", "families", "space", "laws")
         head: dict[str, object] = {name: getattr(self, name) for name in names}
-        return {**head, "derived": self.derived, "files": self.files, "invalid": self.invalid}
+        return {**head, "derived": self.derived, "files": self.files, "invalid": self.invalid} | {
+            "doubles": self.doubles
+        }
+
+    def miss(self) -> None:
+        """One that was generated does not exist, or no target takes it."""
+        self._missing += self.generating
 
     def learn(self, number: int, text: str, coverage: str | None) -> None:
         """Takes note of what a case showed. The order in which results come does not matter."""
@@ -125,6 +155,8 @@ class CaseList:
         texts = {family: f"{family}:{self.seed}:{index}" for family in self.families}
         for family in self.families:
             yield CaseName(texts[family], family)
+            if self.doubles:
+                yield CaseName(f"grid:{GRID_BITS}({texts[family]})", "on a grid")
         rounds = SPACE_ROUNDS if self.families else 1
         for family in self.space[index % rounds :: rounds]:
             yield CaseName(f"{family}:{self.seed}:{index // rounds}", family)

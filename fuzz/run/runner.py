@@ -63,6 +63,7 @@ class Run:
     ended: int | None = None  # the number of the signal that ended it
     failed: str | None = None  # the fault of ours that ended it
     absent: int = 0  # derived cases that do not exist, as probes of a pair without events
+    untaken: Counter[str] = field(default_factory=Counter)  # why no target takes a generated case
 
     def smallest(self) -> list[tuple[Finding, int]]:
         """The smallest finding of each kind, with how many there are; the most serious first."""
@@ -154,6 +155,8 @@ def run(
                 if ledger is not None:
                     ledger.write(result)
                 _take(done, result, versions, baseline)
+                if not result.is_run:
+                    cases.miss()
                 cases.learn(result.number, result.name.text, result.coverage)
             progress(done)
 
@@ -185,7 +188,7 @@ def _jobs(
         if known is not None:
             take(known)
         else:
-            yield Job(number, name, cases.derived)
+            yield Job(number, name, cases.derived, cases.generating)
         number += 1
 
 
@@ -194,6 +197,9 @@ def _take(
 ) -> None:
     if result.absent is not None:
         done.absent += 1
+        return
+    if result.untaken is not None:
+        done.untaken[result.untaken] += 1
         return
     group = result.name.group
     if group not in done.groups:

@@ -36,6 +36,7 @@ class Job:
     number: int
     name: CaseName
     learning: bool = False  # whether it is asked what the case shows that is new
+    generated: bool = False  # one of many: where no target takes it, it is left out
     lost: dict[str, Outcome] = field(default_factory=dict)
     overdue: set[str] = field(default_factory=set)
 
@@ -43,7 +44,7 @@ class Job:
 @dataclass
 class CaseResult:
     """What a worker hands back on one case. Sets are texts, and only where something is amiss.
-    `absent` says why there is no such case."""
+    `absent` says why there is no such case, `untaken` why no target takes it."""
 
     number: int
     name: CaseName
@@ -61,6 +62,11 @@ class CaseResult:
     position: str = ""
     coverage: str | None = None
     absent: str | None = None
+    untaken: str | None = None
+
+    @property
+    def is_run(self) -> bool:
+        return self.absent is None and self.untaken is None
 
 
 def work(pipe: Connection, targets: list[str], limits: Limits) -> None:
@@ -115,6 +121,10 @@ class _Work:
         if isinstance(case, Case) and case.law is None:
             ruled = [self._rule(case, name) for name in self.targets if is_check(name)]
         outcomes = asking.outcomes([name for name in self.targets if not is_check(name)])
+        if self.job.generated and not any(map(is_check, self.targets)) and _all_skip(outcomes):
+            job = self.job
+            why = outcomes[0].message
+            return CaseResult(job.number, job.name, "1", [], "", "", (0, 0, ""), untaken=why)
         return self._result(case, [*ruled, *outcomes], asking)
 
     def _target(self, name: str) -> Target:
@@ -162,6 +172,10 @@ class _Work:
                 result.P, result.Q = case.P_json, case.Q_json
             result.expected = asking.expected(outcomes)
         return result
+
+
+def _all_skip(outcomes: list[Outcome]) -> bool:
+    return bool(outcomes) and all(outcome.verdict is Verdict.SKIPPED for outcome in outcomes)
 
 
 def is_check(name: str) -> bool:

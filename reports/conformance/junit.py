@@ -19,7 +19,8 @@ _FORBIDDEN = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]"
 
 def junit(run: Run, groups: list[Group]) -> str:
     """`wrong` is a failure, a broken target an error, `known` and `undecided` are system output.
-    A kind of finding is told in each family in which it was found."""
+    A kind of finding is told once, in the family of its smallest example; others that show it say
+    where."""
     root = ElementTree.Element("testsuites", name="minkref verify")
     where: dict[Kind, set[str]] = {}
     for finding in run.findings:
@@ -82,7 +83,12 @@ def _test_case(
     )
     counts["tests"] += 1
     summary = cell_text(cell).replace("\n", ", ")
-    text = "\n".join([summary, *(line for item in found for line in describe(item))])
+    lines = [summary]
+    for item in found:
+        there = item.example.case.name.group
+        kinds = ", ".join(item.example.outcome.kinds)
+        lines += describe(item) if there == group else [f"{kinds}: told under {there}"]
+    text = "\n".join(lines)
     broken = [verdict for verdict in BROKEN if cell.verdicts[verdict]]
     if cell.verdicts[Verdict.WRONG]:
         counts["failures"] += 1

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 from typing import Any
+from urllib.parse import quote
 
 from minkref.commands.verify_output import describe
 from minkref.fuzz.run.runner import Finding
@@ -60,6 +62,24 @@ def _rule(kinds: Kinds) -> dict[str, Any]:
     }
 
 
+def _place(target: str) -> str:
+    """A file for code scanning, which shows no result without one: that of the target, relative to
+    the current folder, where it is below it; else the name of the target."""
+    words = [target]
+    if target.startswith("cmd:"):
+        words = target.removeprefix("cmd:").split()
+    elif target.startswith("py:"):
+        words = [target.split(":")[1].replace(".", "/") + ".py"]
+    elif target.startswith("so:"):
+        words = [target.split(":")[1]]
+    here = Path.cwd()
+    for word in words:
+        path = (here / word).resolve()
+        if path.is_file() and path.is_relative_to(here):
+            return quote(str(path.relative_to(here)))
+    return quote(target, safe="")
+
+
 def _results(group: Group, rule: int) -> list[dict[str, Any]]:
     finding = group.example
     outcome = finding.outcome
@@ -72,7 +92,13 @@ def _results(group: Group, rule: int) -> list[dict[str, Any]]:
             "level": LEVELS.get(outcome.verdict, "warning"),
             "message": {"text": "\n".join(describe(group))},
             "locations": [
-                {"logicalLocations": [{"name": shown(outcome.target), "kind": "module"}]}
+                {
+                    "physicalLocation": {
+                        "artifactLocation": {"uri": _place(outcome.target)},
+                        "region": {"startLine": 1},
+                    },
+                    "logicalLocations": [{"name": shown(outcome.target), "kind": "module"}],
+                }
             ],
             "partialFingerprints": {
                 "minkrefCase/v1": shown(

@@ -55,7 +55,7 @@ def results(folder: Path) -> list[dict[str, Any]]:
     if not path.is_file():
         return []
     rows = [json.loads(line) for line in path.read_text().splitlines()[1:]]
-    return [row for row in rows if "absent" not in row]
+    return [row for row in rows if "absent" not in row and "untaken" not in row]
 
 
 def complete(folder: Path, value: dict[str, Any]) -> bool:

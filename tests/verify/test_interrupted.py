@@ -69,7 +69,7 @@ def lines_of(ledger: Path) -> list[Any]:
     if not ledger.is_file():
         return []
     rows = [json.loads(line) for line in ledger.read_text().splitlines()[1:]]
-    return [row for row in rows if "absent" not in row]
+    return [row for row in rows if "absent" not in row and "untaken" not in row]
 
 
 def same_as_the_ledger(folder: Path, value: Any) -> None:

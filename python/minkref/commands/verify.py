@@ -86,7 +86,11 @@ def command(
     ] = 150.0,
     pairs: Annotated[
         int | None,
-        typer.Option("--pairs", help="Number of generated cases, instead of a time.", metavar="N"),
+        typer.Option(
+            "--pairs",
+            help="Number of generated cases that a target takes, instead of a time.",
+            metavar="N",
+        ),
     ] = None,
     seed: Annotated[int, typer.Option("--seed", help="Seed of the generated cases.")] = 1,
     family: Annotated[

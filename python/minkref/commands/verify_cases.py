@@ -65,6 +65,7 @@ def case_list(
         derived,
         files.names,
         "rejects-invalid" in able and fuzz and not families,
+        "rational" not in able,
     )
     if files.note is not None:
         cases.notes.append(files.note)

@@ -6,6 +6,7 @@ import json
 import re
 import signal
 import sys
+from collections import Counter
 from types import TracebackType
 from typing import Any
 
@@ -23,6 +24,7 @@ from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.verdicts.verdict import GOOD, Verdict, Witness
 from minkref.terminal import console, shown
 
+LACKING = "does not declare "
 LOG_SHOWN = 400  # characters
 _NOTHING_AMISS = (*GOOD, Verdict.SKIPPED)
 SMALL = 400  # vertices up to which a finding carries its operands in full
@@ -89,6 +91,7 @@ def document_of(
         targets=[_target_document(entry, declared[entry.name]) for entry in chosen],
         absent=[{"name": entry.name, "reason": entry.reason} for entry in absent],
         notes=cases.notes,
+        left_out=dict(_untaken(run)),
         groups=[{"name": name, "cases": run.cases[name]} for name in run.groups],
         matrix=[
             {
@@ -162,8 +165,13 @@ def shrunk_document(
 
 
 def print_tables(run: Run, groups: list[Group], value: dict[str, Any]) -> None:
-    """The matrix, the smallest findings of each kind, and one sentence that says how it ended."""
+    """The smallest findings of each kind, the matrix, what was not asked, and one sentence that
+    says how it ended."""
     out = console()
+    for group in groups:
+        for line in describe(group):
+            out.print(line, soft_wrap=True)
+        out.print()
     out.print(_matrix(run))
     absent: dict[str, list[str]] = {}
     for row in value["absent"]:
@@ -171,13 +179,9 @@ def print_tables(run: Run, groups: list[Group], value: dict[str, Any]) -> None:
     for reason, names in absent.items():
         out.print(shown(f"absent ({', '.join(names)}): {reason}"), soft_wrap=True)
     for note in value["notes"]:
-        out.print(note, soft_wrap=True)
-    for reason, names in _skips(run).items():
-        out.print(shown(f"skipped ({', '.join(names)}): {reason}"), soft_wrap=True)
-    for group in groups:
-        out.print()
-        for line in describe(group):
-            out.print(line, soft_wrap=True)
+        out.print(shown(note), soft_wrap=True)
+    for line in _skips(run):
+        out.print(shown(line), soft_wrap=True)
     out.print()
     out.print(conclusion(run), soft_wrap=True)
     if value["report"]:
@@ -230,15 +234,45 @@ def cell_text(cell: Cell | None) -> str:
     )
 
 
-def _skips(run: Run) -> dict[str, list[str]]:
-    """Why cases were skipped, with names and numbers of single cases left out, and by whom."""
-    found: dict[str, list[str]] = {}
+def _skips(run: Run) -> list[str]:
+    """A line for each missing capability, and each other reason, with the number of cases; by whom,
+    where others took them. A case that needs several counts for each."""
+    counts: Counter[str] = Counter()
+    targets: dict[str, list[str]] = {}
     for (target, _), cell in run.matrix.items():
-        for message in cell.skips:
-            names = found.setdefault(general_reason(message), [])
-            if target not in names:
-                names.append(target)
-    return found
+        for message, count in cell.skips.items():
+            for reason in _reasons(message):
+                counts[reason] += count
+                if target not in targets.setdefault(reason, []):
+                    targets[reason].append(target)
+    untaken: Counter[str] = Counter()
+    for message, count in run.untaken.items():
+        untaken.update(dict.fromkeys(_reasons(message), count))
+    return [
+        f"skipped, {_cases(count)}: {reason} ({', '.join(targets[reason])})"
+        for reason, count in counts.most_common()
+    ] + [
+        f"left out, {_cases(count)}: {reason} (no target takes them)"
+        for reason, count in untaken.most_common()
+    ]
+
+
+def _cases(count: int) -> str:
+    return "1 case" if count == 1 else f"{count:,} cases"
+
+
+def _reasons(message: str) -> list[str]:
+    """One for each capability that a skip names."""
+    text = general_reason(message)
+    words = text.removeprefix(LACKING)
+    return [f"{LACKING}{word}" for word in words.split(", ")] if words != text else [text]
+
+
+def _untaken(run: Run) -> Counter[str]:
+    counts: Counter[str] = Counter()
+    for message, count in run.untaken.items():
+        counts[general_reason(message)] += count
+    return counts
 
 
 def general_reason(message: str) -> str:
@@ -269,6 +303,9 @@ def describe(group: Group) -> list[str]:
         )
     if not group.small:
         lines += [f"  the smallest: case {finding.case.name.text}", *_lines(finding)]
+    else:
+        found = finding.case
+        lines.append(f"  found on {found.name.text}, scale {found.scale}, {found.size[0]} vertices")
     for small in group.small:
         shown_as = "" if small.stable else ", not every time"
         lines.append(
