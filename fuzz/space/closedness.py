@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from itertools import pairwise
 
 from minkref.fuzz.space.integers import Point, Whole, cross, dot, minus, primitive
-from minkref.fuzz.space.polyhedron import Polyhedron
+from minkref.fuzz.space.polyhedron import Face, Polyhedron
 
 Line = tuple[Whole, Whole]
 
@@ -16,9 +17,18 @@ def open_edge(polyhedron: Polyhedron) -> Point | None:
     """The middle of a stretch along which faces run more often one way than the other; None where
     the surface is closed. Vertices count as one where their coordinates are the same, and an edge
     may be cut into several on one of its sides. O(n log n) for n edges."""
-    points = polyhedron.wholes
+    found = open_stretch(polyhedron.wholes, polyhedron.faces)
+    if found is None:
+        return None
+    a, b = found
+    half = Fraction(1, 2 * polyhedron.denominator)
+    return (half * (a[0] + b[0]), half * (a[1] + b[1]), half * (a[2] + b[2]))
+
+
+def open_stretch(points: Sequence[Whole], faces: Iterable[Face]) -> tuple[Whole, Whole] | None:
+    """The ends of such a stretch of some faces, whose vertices are named."""
     flow: Counter[tuple[Whole, Whole]] = Counter()
-    for face in polyhedron.faces:
+    for face in faces:
         for i, j in zip(face, face[1:] + face[:1], strict=True):
             a, b = points[i], points[j]
             if a < b:
@@ -37,6 +47,5 @@ def open_edge(polyhedron: Polyhedron) -> Point | None:
         for (here, a, count), (there, b, _) in pairwise(ends):
             running += count
             if running and here != there:
-                half = Fraction(1, 2 * polyhedron.denominator)
-                return (half * (a[0] + b[0]), half * (a[1] + b[1]), half * (a[2] + b[2]))
+                return a, b
     return None

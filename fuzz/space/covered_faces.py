@@ -3,7 +3,6 @@ sum that is made of sums of convex pieces."""
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -11,6 +10,7 @@ from minkref.fuzz.space.face_pieces import halves, middle, pieces, polygon_of
 from minkref.fuzz.space.integers import Point, Whole, cross, dot, normal, primitive
 from minkref.fuzz.space.membership import Box, Surface, box_of, boxes_meet
 from minkref.fuzz.space.polyhedron import Polyhedron
+from minkref.fuzz.space.shells import shells_of
 from minkref.fuzz.space.sides import both_sides
 
 MOST_OTHERS = 1000  # triangles of shells that are not convex
@@ -37,29 +37,23 @@ class CoveredFaces:
     negative, or they have too many triangles to tell, all is left."""
 
     def __init__(self, result: Polyhedron) -> None:
-        shell_of = {
-            vertex: name
-            for face, name in zip(result.faces, result.shells, strict=True)
-            for vertex in face
-        }
-        groups: dict[int, list[Triple]] = {}
-        for triple in result.triangles:
-            groups.setdefault(shell_of[triple[0]], []).append(triple)
+        groups = shells_of(result)
         self._points = result.wholes
         self._convex: dict[int, Shell] = {}
+        triples = [[t for face in faces for t in result.triangles_of(face)] for faces in groups]
         if len(groups) > 1:
-            for name, triples in groups.items():
-                shell = _convex_shell(triples, self._points)
+            for name, own in enumerate(triples):
+                shell = _convex_shell(own, self._points)
                 if shell is not None:
                     self._convex[name] = shell
-        others = [t for name, group in groups.items() if name not in self._convex for t in group]
+        others = [t for name, own in enumerate(triples) if name not in self._convex for t in own]
         for name in self._around(others):
-            others += groups[name]
+            others += triples[name]
             del self._convex[name]
         if self._convex and not _never_negative(result, others):
             self._convex = {}
         self._order = sorted(self._convex, key=lambda name: -self._convex[name].size)
-        self._own = {t: name for name in self._convex for t in groups[name]}
+        self._own = {t: name for name in self._convex for t in triples[name]}
 
     def _around(self, others: Sequence[Triple]) -> list[int]:
         """The largest convex shell, where these may be cavities in it."""
@@ -106,17 +100,14 @@ def _less(part: list[Point], shell: Shell, n: Whole, covered_below: bool) -> lis
 
 
 def _convex_shell(triples: Sequence[Triple], points: Sequence[Whole]) -> Shell | None:
-    """None where it is not convex, not closed by its own edges, or runs the other way."""
-    edges: Counter[tuple[int, int]] = Counter()
+    """Of a closed surface; None where it is not convex, flat, or runs the other way."""
     planes: set[Plane] = set()
+    corners: set[Whole] = set()
     for i, j, k in triples:
-        edges.update(((i, j), (j, k), (k, i)))
         n = primitive(normal(points[i], points[j], points[k]))
         planes.add((n, dot(n, points[i])))
-    corners = {points[vertex] for edge in edges for vertex in edge}
-    if any(count != edges[(j, i)] for (i, j), count in edges.items()):
-        return None
-    if any(dot(n, corner) > d for n, d in planes for corner in corners):
+        corners |= {points[i], points[j], points[k]}
+    if not planes or any(dot(n, corner) > d for n, d in planes for corner in corners):
         return None
     if _is_flat(planes):
         return None

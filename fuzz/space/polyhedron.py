@@ -130,11 +130,11 @@ class Polyhedron:
     @cached_property
     def triangles(self) -> tuple[tuple[int, int, int], ...]:
         """The faces in triangles, as indices; none without area."""
-        found = []
-        for face in self.faces:
-            for i, j, k in face_triangles([self.wholes[index] for index in face]):
-                found.append((face[i], face[j], face[k]))
-        return tuple(found)
+        return tuple(triple for face in self.faces for triple in self.triangles_of(face))
+
+    def triangles_of(self, face: Face) -> list[tuple[int, int, int]]:
+        triples = face_triangles([self.wholes[index] for index in face])
+        return [(face[i], face[j], face[k]) for i, j, k in triples]
 
     @cached_property
     def volume(self) -> Fraction:

@@ -33,14 +33,16 @@ class EventsUp(EventsNearest):
     """Scales as the next double above."""
 
     def scales(self, request: Request) -> list[Any]:
-        return [math.nextafter(float(s), math.inf) for s in super().scales(request)]
+        nearest = [(s, float(s)) for s in super().scales(request)]
+        return [d if d > s else math.nextafter(d, math.inf) for s, d in nearest]
 
 
 class EventsDown(EventsNearest):
     """Scales as the next double below."""
 
     def scales(self, request: Request) -> list[Any]:
-        return [math.nextafter(float(s), 0) for s in super().scales(request)]
+        nearest = [(s, float(s)) for s in super().scales(request)]
+        return [d if d < s else math.nextafter(d, 0) for s, d in nearest]
 
 
 class EventsAbsolute(Events):

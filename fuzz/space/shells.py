@@ -1,0 +1,55 @@
+"""The closed pieces that a surface falls into."""
+
+from __future__ import annotations
+
+from minkref.fuzz.space.closedness import open_stretch
+from minkref.fuzz.space.integers import Whole
+from minkref.fuzz.space.polyhedron import Face, Polyhedron
+
+Faces = tuple[Face, ...]
+
+
+def shells_of(surface: Polyhedron) -> list[Faces]:
+    """Faces that hang together by the names of their vertices, where they close; of the others
+    those that hang together by edges along the same points, each edge with the last face before
+    that runs along it the other way. What does not close even so is one piece with the rest."""
+    groups: dict[int, list[Face]] = {}
+    for face, name in zip(surface.faces, surface.shells, strict=True):
+        groups.setdefault(name, []).append(face)
+    closed, rest = _parted(surface, list(groups.values()))
+    pieces, left = _parted(surface, _by_edges(surface, rest))
+    return [*closed, *pieces, *((tuple(left),) if left else ())]
+
+
+def _parted(surface: Polyhedron, groups: list[list[Face]]) -> tuple[list[Faces], list[Face]]:
+    closed, rest = [], []
+    for group in groups:
+        if open_stretch(surface.wholes, group) is None:
+            closed.append(tuple(group))
+        else:
+            rest += group
+    return closed, rest
+
+
+def _by_edges(surface: Polyhedron, faces: list[Face]) -> list[list[Face]]:
+    points = surface.wholes
+    parent = list(range(len(faces)))
+
+    def root(k: int) -> int:
+        while parent[k] != k:
+            parent[k] = parent[parent[k]]
+            k = parent[k]
+        return k
+
+    waiting: dict[tuple[Whole, Whole], list[int]] = {}
+    for number, face in enumerate(faces):
+        for i, j in zip(face, face[1:] + face[:1], strict=True):
+            a, b = points[i], points[j]
+            if opposite := waiting.get((b, a)):
+                parent[root(number)] = root(opposite.pop())
+            else:
+                waiting.setdefault((a, b), []).append(number)
+    groups: dict[int, list[Face]] = {}
+    for number, face in enumerate(faces):
+        groups.setdefault(root(number), []).append(face)
+    return list(groups.values())
