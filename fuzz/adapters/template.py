@@ -8,6 +8,7 @@ from pathlib import Path
 from minkref.errors import Refusal
 
 TEMPLATES = Path(__file__).parent / "templates"
+HEADER = Path(__file__).parent / "minkref_adapter.h"
 PLACE = "NAME"
 VERIFY = "minkref verify {stem} --seconds 30"
 # Language: the template, the ending of the file, how it is started.
@@ -17,6 +18,15 @@ LANGUAGES = {
         "template.cpp",
         ".cpp",
         ("g++ -std=c++17 -O2 {file} -o {stem}", "minkref verify {stem} --seconds 30"),
+    ),
+    "c": (
+        "template.c",
+        ".c",
+        (
+            'cc -std=c11 -O2 -shared -fPIC -include "$(minkref adapter header)" {file} '
+            "-o {stem}.so",
+            "minkref verify so:{stem}.so:minkowski_sum --seconds 30",
+        ),
     ),
     "javascript": ("template.js", ".js", ('minkref verify "cmd:node {file}" --seconds 30',)),
     "rust": ("template.rs", ".rs", ("rustc -O {file} -o {stem}", VERIFY)),

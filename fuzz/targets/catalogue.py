@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import subprocess
 from dataclasses import dataclass
+from pathlib import Path
 
-from minkref.errors import Refusal
+from minkref.errors import Refusal, nearest
 from minkref.fuzz.adapters import catalogue as adapters
 from minkref.fuzz.cgal.executables import (
     ABOUT,
@@ -110,7 +111,7 @@ def select(
         elif is_program(name):
             chosen.append(_named_adapter(name))
         elif name not in entries:
-            raise Refusal("there is no such target", name, "`minkref targets` lists them")
+            raise Refusal("there is no such target", name, _mend(name, [*entries, *groups]))
         elif not entries[name].available:
             raise Refusal(
                 f"this target is absent: {entries[name].reason}", name, "install it as said"
@@ -118,6 +119,13 @@ def select(
         else:
             chosen.append(entries[name])
     return list({entry.name: entry for entry in chosen}.values()), absent
+
+
+def _mend(name: str, known: list[str]) -> str:
+    """For a name that is none of a target; perhaps it is that of a file."""
+    if Path(name).is_file():
+        return f"write ./{name} for the program of this name"
+    return f"{nearest(name, known)}`minkref targets` lists them"
 
 
 def _named_adapter(name: str) -> TargetEntry:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from pathlib import Path
@@ -32,6 +33,13 @@ class Entry:
 class Baseline:
     entries: tuple[Entry, ...] = ()
 
+    def matching(self, target: str, version: str | None) -> list[Entry]:
+        return [
+            entry
+            for entry in self.entries
+            if fnmatchcase(target, entry.target) and fnmatchcase(version or "", entry.version)
+        ]
+
     def apply(self, outcome: Outcome, version: str | None) -> Outcome:
         """`known` iff every kind of the outcome's fault is listed for its target and version."""
         if outcome.verdict in _NO_FAULT:
@@ -42,14 +50,8 @@ class Baseline:
         return outcome.known("; ".join(dict.fromkeys(r for r in reasons if r is not None)))
 
     def _reason(self, target: str, version: str, kind: str) -> str | None:
-        for entry in self.entries:
-            if (
-                fnmatchcase(target, entry.target)
-                and fnmatchcase(version, entry.version)
-                and kind == entry.kind
-            ):
-                return entry.reason
-        return None
+        entries = self.matching(target, version)
+        return next((entry.reason for entry in entries if entry.kind == kind), None)
 
 
 def read_baseline(path: Path) -> Baseline:
@@ -81,3 +83,16 @@ def read_baseline(path: Path) -> Baseline:
                 f"choose one of {', '.join(KINDS)}",
             )
     return Baseline(tuple(Entry(*(entry[field] for field in _FIELDS)) for entry in entries))
+
+
+def unused(
+    baseline: Baseline, outcomes: Iterable[Outcome], versions: Mapping[str, str | None]
+) -> list[str]:
+    """A sentence for each entry about a target of the run, in its version, that no outcome met."""
+    met = {(outcome.target, kind) for outcome in outcomes for kind in outcome.kinds}
+    return [
+        f"the baseline lists {entry.kind} of {target}, which this run did not meet"
+        for target, version in versions.items()
+        for entry in baseline.matching(target, version)
+        if (target, entry.kind) not in met
+    ]

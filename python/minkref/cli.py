@@ -21,7 +21,6 @@ REPORT = "run again with --debug and report the traceback"
 app = typer.Typer(
     name="minkref",
     no_args_is_help=True,
-    add_completion=False,
     rich_markup_mode="rich",
     pretty_exceptions_enable=False,
     help="The exact reference and verification suite for Minkowski sums under scaling.",
@@ -45,7 +44,7 @@ def _root(
     version_wanted: Annotated[
         bool,
         typer.Option(
-            "--version", callback=_print_version, is_eager=True, help="Print the version."
+            "--version", "-V", callback=_print_version, is_eager=True, help="Print the version."
         ),
     ] = False,
     debug: Annotated[

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import difflib
+from collections.abc import Callable, Iterable
 from typing import TypeVar
 
 from minkref import _core
@@ -30,6 +31,12 @@ class Refusal(Exception):
 
     def document(self) -> dict[str, object]:
         return {"code": self.code, "what": self.what, "where": self.where, "mend": self.mend}
+
+
+def nearest(word: str, known: Iterable[str]) -> str:
+    """`did you mean X? ` where a known word is near; else nothing."""
+    near = difflib.get_close_matches(word, list(known), n=1)
+    return f"did you mean {near[0]}? " if near else ""
 
 
 def refusal_text(error: dict[str, object]) -> str:

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import difflib
 import os
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from minkref import _core
-from minkref.errors import Refusal, refusing
+from minkref.errors import Refusal, nearest, refusing
 from minkref.model_catalogue import PAPER_MODELS, VARIABLE, all_models, shipped_polyhedra
 from minkref.terminal import shown
 
@@ -58,8 +57,7 @@ def read_operand(name: str) -> Operand:
             "`minkref models` lists the polygons",
             "three-dimensional",
         )
-    near = difflib.get_close_matches(name, list(models), n=1)
-    hint = f"did you mean {near[0]}? " if near else ""
+    hint = nearest(name, models)
     raise Refusal(
         "there is neither a file nor a model of this name",
         name,

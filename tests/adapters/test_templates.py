@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 import subprocess
 import sys
@@ -44,6 +45,15 @@ def region(ring: list[list[float]]) -> dict[str, Any]:
     return {"polygons": [{"outer": ring, "holes": []}]}
 
 
+def rings(answer: dict[str, Any]) -> list[list[list[float]]]:
+    """All rings of an answer without holes."""
+    if "rings" in answer:
+        found: list[list[list[float]]] = answer["rings"]
+        return found
+    assert all(polygon["holes"] == [] for polygon in answer["polygons"])
+    return [polygon["outer"] for polygon in answer["polygons"]]
+
+
 def corners(ring: list[list[float]]) -> set[tuple[float, float]]:
     """The vertices at which the ring turns."""
     turning = set()
@@ -62,7 +72,7 @@ def test_a_conversation(command: list[str], converse: Callable[[list[str]], Any]
     assert hello["capabilities"] == ["plane"]
     assert hello["tolerance"] == {"absolute": "0", "relative": "1e-9"}
     answer = adapter.sum(region(SQUARE), region(SQUARE))
-    (ring,) = answer["rings"]
+    (ring,) = rings(answer)
     assert corners(ring) == {(0, 0), (2, 0), (2, 2), (0, 2)}
     assert adapter.ask("at", scale="3", sP=region([[0, 0], [3, 0], [0, 3]]))["status"] == "result"
     assert adapter.stop() == 0
@@ -74,11 +84,11 @@ def test_sums_of_convex_polygons(
 ) -> None:
     adapter = converse(command)
     turned = SQUARE[shift:] + SQUARE[:shift]
-    (ring,) = adapter.sum(region(turned), region([[-1.5, 0.25], [1e-3, -2], [4e2, 7]]))["rings"]
+    (ring,) = rings(adapter.sum(region(turned), region([[-1.5, 0.25], [1e-3, -2], [4e2, 7]])))
     sums = {(x + u, y + v) for x, y in SQUARE for u, v in [(-1.5, 0.25), (1e-3, -2), (4e2, 7)]}
     assert corners(ring) <= sums
     assert len(corners(ring)) == 7
-    (split,) = adapter.sum(region([*turned, [0.5, 0.5]][:4]), region(SQUARE))["rings"]
+    (split,) = rings(adapter.sum(region([*turned, [0.5, 0.5]][:4]), region(SQUARE)))
     assert corners(split) == {(0, 0), (2, 0), (2, 2), (0, 2)}
 
 
@@ -90,3 +100,51 @@ def test_lines_that_are_no_requests(
     assert adapter.line(line)["status"] in ("errored", "skipped")
     assert adapter.ask("at", scale="1", sP=region(SQUARE))["status"] == "errored"
     assert adapter.hello()["status"] == "result"
+
+
+def test_sets_of_several_polygons_with_holes_in_the_template_in_cpp(
+    tmp_path: Path, converse: Callable[[list[str]], Any]
+) -> None:
+    """Whatever `minkowski_sum` is given and gives goes through whole."""
+    if not shutil.which("g++"):
+        pytest.skip("g++ is not installed")
+    text = (TEMPLATES / "template.cpp").read_text(encoding="utf-8")
+    begin = text.index("{", text.index("bool minkowski_sum"))
+    end = text.index("\n}", begin)
+    source = tmp_path / "echo.cpp"
+    source.write_text(f"{text[:begin]}{{\n  (void)Q, sum = sP;\n  return true;{text[end:]}")
+    program = str(tmp_path / "echo")
+    unused = "-Wno-unused-function"  # convex_sum
+    subprocess.run([*COMPILERS["cpp"], unused, str(source), "-o", program], check=True, timeout=300)
+    frame = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0]]
+    holes = [[[1.0, 1.0], [1.0, 2.0], [2.0, 1.0]], [[3.0, 2.5], [2.5, 3.0], [3.0, 3.0]]]
+    island = {"outer": [[9.0, 9.0], [1e300, 9.0], [9.0, 10.5]], "holes": []}
+    sP = {"polygons": [{"outer": frame, "holes": holes}, island]}
+    answer = converse([program]).sum(sP, region(SQUARE))
+    assert answer["polygons"] == sP["polygons"]
+
+
+LANGUAGES = {"python": "python3", "c": "cc", "c++": "g++", "javascript": "node", "rust": "rustc"}
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_commands_that_are_printed_work_as_printed(tmp_path: Path, language: str) -> None:
+    if not shutil.which(LANGUAGES[language]):
+        pytest.skip(f"{LANGUAGES[language]} is not installed")
+    environment = {
+        **os.environ,
+        "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}",
+    }
+
+    def shell(line: str) -> str:
+        ran = subprocess.run(
+            line, shell=True, cwd=tmp_path, env=environment, capture_output=True, text=True
+        )
+        assert ran.returncode == 0, ran.stdout + ran.stderr
+        return ran.stdout
+
+    first, *commands = shell(f"minkref adapter new my-lib --language {language}").splitlines()
+    assert (tmp_path / first).is_file() and commands
+    for line in commands:
+        short = line.strip().replace("--seconds 30", "--pairs 8 --no-models --jobs 1")
+        shell(short)

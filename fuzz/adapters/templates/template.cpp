@@ -9,15 +9,20 @@
 #include <vector>
 
 using Ring = std::vector<std::pair<double, double>>;
+struct Polygon {
+  Ring outer;
+  std::vector<Ring> holes;  // clockwise
+};
+using Set = std::vector<Polygon>;  // rings may touch at points; none is the empty set
 
 const char* declaration =
     R"("result","protocol":"adapter-v1","name":"NAME","version":"1","language":"C++",)"
     R"("arithmetic":"float64","numbers":"double","tolerance":{"absolute":"0","relative":"1e-9"},)"
     R"("sum":"region","capabilities":["plane"])";
 
-// PUT YOUR OWN CALL HERE. P, Q and the sum run counter-clockwise. This one takes the edges of both
-// in the order of their directions, from the leftmost vertices.
-Ring minkowski_sum(Ring P, Ring Q) {
+// Of two convex rings: the edges of both in the order of their directions, from the leftmost
+// vertices.
+Ring convex_sum(Ring P, Ring Q) {
   Ring sum;
   for (Ring* ring : {&P, &Q}) {
     std::rotate(ring->begin(), std::min_element(ring->begin(), ring->end()), ring->end());
@@ -36,35 +41,77 @@ Ring minkowski_sum(Ring P, Ring Q) {
   return sum;
 }
 
-// The first ring under the key: no JSON reader, but enough for the lines that minkref sends.
-Ring ring_of(const std::string& line, const char* key) {
-  const char* c = std::strstr(line.c_str(), key);
-  if (c != nullptr) c = std::strstr(c, "[[");
+// PUT YOUR OWN CALL HERE. Outer rings run counter-clockwise. To be asked for sets with holes and of
+// several polygons, declare "non-convex", "holes" and "components"; false: it cannot.
+bool minkowski_sum(const Set& sP, const Set& Q, Set& sum) {
+  if (sP.size() != 1 || Q.size() != 1 || !sP[0].holes.empty() || !Q[0].holes.empty()) return false;
+  sum = {{convex_sum(sP[0].outer, Q[0].outer), {}}};
+  return true;
+}
+
+// [[x, y], ...] at c, which is moved behind it.
+Ring read_ring(const char*& c) {
   Ring ring;
-  double x, y;
-  for (int n = 0; c && std::sscanf(c + 1, " [%lf ,%lf ]%n", &x, &y, &n) == 2; c += 1 + n)
+  double x = 0, y = 0;
+  int n = 0;
+  for (c = std::strchr(c, '[') + 1; std::sscanf(c, " [%lf ,%lf ]%n", &x, &y, &n) == 2;) {
     ring.emplace_back(x, y);
+    c += n;
+    if (*c == ',') ++c;
+  }
+  ++c;
   return ring;
 }
 
-std::string answer(const std::string& line, Ring& Q) {
+// The set under the key, the last of its line: no JSON reader, but enough for what minkref sends.
+Set read_set(const std::string& line, const char* key) {
+  Set set;
+  const char* c = std::strstr(line.c_str(), key);
+  while (c != nullptr && (c = std::strstr(c, "\"outer\"")) != nullptr) {
+    set.push_back({read_ring(c), {}});
+    c = std::strchr(std::strstr(c, "\"holes\""), '[') + 1;
+    for (c += std::strspn(c, ", "); *c == '['; c += std::strspn(c, ", ")) {
+      set.back().holes.push_back(read_ring(c));
+    }
+  }
+  return set;
+}
+
+std::string written(const Ring& ring) {
+  std::string text;
+  for (const auto& [x, y] : ring) {
+    char point[80];
+    std::snprintf(point, sizeof point, "%s[%.17g,%.17g]", text.empty() ? "" : ",", x, y);
+    text += point;
+  }
+  return "[" + text + "]";
+}
+
+std::string written(const Set& set) {
+  std::string text;
+  for (const Polygon& polygon : set) {
+    std::string holes;
+    for (const Ring& hole : polygon.holes) holes += (holes.empty() ? "" : ",") + written(hole);
+    text += text.empty() ? "" : ",";
+    text += "{\"outer\":" + written(polygon.outer) + ",\"holes\":[" + holes + "]}";
+  }
+  return "[" + text + "]";
+}
+
+std::string answer(const std::string& line, Set& Q) {
   const auto has = [&](const char* word) { return line.find(word) != std::string::npos; };
   if (has("\"hello\"")) return declaration;
-  if (has("\"load\"")) Q = ring_of(line, "\"Q\"");
+  if (has("\"load\"")) Q = read_set(line, "\"Q\"");
   if (has("\"load\"") || has("\"stop\"")) return R"("result")";
-  const Ring sP = ring_of(line, "\"sP\"");
+  const Set sP = read_set(line, "\"sP\"");
   if (sP.empty() || Q.empty()) return R"("errored","reason":"not understood")";
-  std::string ring;
-  for (auto [x, y] : minkowski_sum(sP, Q)) {
-    char text[80];
-    std::snprintf(text, sizeof text, ",[%.17g,%.17g]", x, y);
-    ring += text;
-  }
-  return R"("result","rings":[[)" + ring.substr(1) + "]]";
+  Set sum;
+  if (!minkowski_sum(sP, Q, sum)) return R"("skipped","reason":"more than one ring")";
+  return R"("result","polygons":)" + written(sum);
 }
 
 int main() {
-  Ring Q;
+  Set Q;
   for (std::string line; std::getline(std::cin, line);) {
     int seq = 0;
     std::sscanf(line.c_str(), "{\"seq\":%d", &seq);  // the first member of every request

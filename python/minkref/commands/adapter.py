@@ -11,7 +11,7 @@ import typer
 from minkref.commands import adapter_check
 from minkref.errors import Refusal
 from minkref.fuzz.adapters import catalogue
-from minkref.fuzz.adapters.template import LANGUAGES, template
+from minkref.fuzz.adapters.template import HEADER, LANGUAGES, template
 from minkref.terminal import shown
 
 NEW_EXAMPLES = """Examples:
@@ -55,6 +55,14 @@ def new(
 
 
 app.command("check", epilog=adapter_check.EXAMPLES)(adapter_check.command)
+
+
+@app.command("header")
+def header() -> None:
+    """Print where minkref_adapter.h is, for a sum as a C function: `so:./library.so:function`.
+
+    cc -shared -fPIC -include "$(minkref adapter header)" mine.c -o libmine.so"""
+    sys.stdout.write(f"{HEADER}\n")
 
 
 @app.command("install", epilog=INSTALL_EXAMPLES)

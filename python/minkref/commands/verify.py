@@ -25,7 +25,7 @@ from minkref.fuzz.shrink.shrinker import MOST_CALLS
 from minkref.fuzz.targets.answer import Limits, load_limit
 from minkref.fuzz.targets.catalogue import select
 from minkref.fuzz.targets.declared import declarations_of, declares_itself
-from minkref.fuzz.verdicts.baseline import Baseline, read_baseline
+from minkref.fuzz.verdicts.baseline import Baseline, read_baseline, unused
 from minkref.options import Json, Schema
 from minkref.output_folder import make_folder
 from minkref.reports.conformance.again import command_line
@@ -171,6 +171,10 @@ def command(
             metavar="N",
         ),
     ] = None,
+    quiet: Annotated[
+        bool,
+        typer.Option("--quiet", help="Print nothing: the exit code and the files tell all."),
+    ] = False,
     json: Json = False,
     schema: Schema = False,
 ) -> None:
@@ -218,6 +222,7 @@ def command(
         for group in groups
         if group.unshrunk
     ]
+    cases.notes += unused(listed, [finding.outcome for finding in done.findings], versions)
     code = done.exit_code(strict)
     if done.ended is not None:
         cases.notes.append(_ended(done, ledger))
@@ -238,7 +243,7 @@ def command(
         write_atomically(lines_file, json_lines(value))
     if json:
         sys.stdout.write(as_text(value))
-    else:
+    elif not quiet:
         print_tables(done, groups, value)
     if done.failed is not None:
         raise InternalError(done.failed)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from pathlib import Path
 
-from minkref.errors import Refusal
+from minkref.errors import Refusal, nearest
 from minkref.fuzz.cases import naming
 from minkref.fuzz.cases.case import CaseName
 from minkref.fuzz.cases.case_files import CaseFiles, case_files
@@ -36,7 +36,8 @@ def case_list(
     what names no case."""
     if suite not in SUITES:
         what = f"there is no suite {suite[:40]!r}"
-        raise Refusal(what, "--suite", f"choose one of {', '.join(SUITES)}")
+        mend = f"{nearest(suite, SUITES)}choose one of {', '.join(SUITES)}"
+        raise Refusal(what, "--suite", mend)
     for text in named or []:
         refuse_unless_case(text)
     for name in families or []:
@@ -44,7 +45,7 @@ def case_list(
             raise Refusal(
                 "there is no such family",
                 f"--family {name[:40]}",
-                "`minkref families` lists them",
+                f"{nearest(name, (*FAMILIES, *SPACE_FAMILIES))}`minkref families` lists them",
             )
     able = frozenset(word for kind in declared for word in kind.capabilities)
     space, plane = "space" in able, "plane" in able

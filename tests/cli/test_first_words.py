@@ -1,0 +1,79 @@
+"""What a new user types first: the version, completion, a word that is nearly right."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+
+def run(*words: str, folder: Path) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, "-m", "minkref", *words],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        timeout=120,
+        env={**os.environ, "COLUMNS": "100"},
+    )
+
+
+def test_the_version_in_short(tmp_path: Path) -> None:
+    short, long = (run(word, folder=tmp_path) for word in ("-V", "--version"))
+    assert short.stdout == long.stdout and short.stdout.startswith("minkref ")
+    assert (short.returncode, short.stderr) == (0, "")
+
+
+def test_completion_of_a_shell(tmp_path: Path) -> None:
+    ran = run("--show-completion", "bash", folder=tmp_path)
+    assert ran.returncode == 0 and "_MINKREF_COMPLETE=complete_bash" in ran.stdout
+
+
+@pytest.mark.parametrize(
+    ("words", "mend"),
+    [
+        (("verify", "cgal-reducd"), "did you mean cgal-reduced?"),
+        (("verify", "minkref:papr"), "did you mean minkref:paper?"),
+        (("verify", "minkref:paper", "--family", "hole"), "did you mean holes?"),
+        (("verify", "minkref:paper", "--family", "space-thn"), "did you mean space-thin?"),
+        (("verify", "minkref:paper", "--suite", "corpse"), "did you mean corpus?"),
+        (("verify", "adapter.py"), "write ./adapter.py"),
+    ],
+)
+def test_a_word_that_is_nearly_right(tmp_path: Path, words: tuple[str, ...], mend: str) -> None:
+    (tmp_path / "adapter.py").write_text("")
+    ran = run(*words, folder=tmp_path)
+    assert ran.returncode == 2 and mend in ran.stderr
+
+
+def test_where_the_header_is(tmp_path: Path) -> None:
+    ran = run("adapter", "header", folder=tmp_path)
+    assert ran.returncode == 0
+    path = Path(ran.stdout.strip())
+    assert path.name == "minkref_adapter.h" and "minkref_sum_function" in path.read_text()
+
+
+def test_a_quiet_run_says_it_by_its_exit_code(tmp_path: Path) -> None:
+    more = ("--pairs", "8", "--no-models", "--jobs", "1", "--quiet")
+    for extra, code in ((("minkref:paper",), 0), (("minkref:paper", "--family", "x"), 2)):
+        ran = run("verify", *extra, *more, folder=tmp_path)
+        assert (ran.returncode, ran.stdout) == (code, "")
+    ran = run("verify", "minkref:paper", *more, "--json", folder=tmp_path)
+    assert json.loads(ran.stdout)["exit_code"] == 0
+
+
+def test_entries_of_a_baseline_that_nothing_met(tmp_path: Path) -> None:
+    entries = [
+        {"target": target, "version": version, "kind": "missing", "reason": "known"}
+        for target, version in (("minkref:*", "*"), ("minkref:*", "0.0.9"), ("other", "*"))
+    ]
+    text = json.dumps({"baseline": "baseline-v1", "entries": entries})
+    (tmp_path / "known.json").write_text(text)
+    more = ("--pairs", "8", "--no-models", "--jobs", "1", "--baseline", "known.json", "--json")
+    ran = run("verify", "minkref:paper", *more, folder=tmp_path)
+    notes = json.loads(ran.stdout)["notes"]
+    assert notes == ["the baseline lists missing of minkref:paper, which this run did not meet"]
