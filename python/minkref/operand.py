@@ -9,9 +9,11 @@ from pathlib import Path
 from minkref import _core
 from minkref.errors import Refusal, nearest, refusing
 from minkref.model_catalogue import PAPER_MODELS, VARIABLE, all_models, shipped_polyhedra
+from minkref.operand_text import is_text, source_of, text_and_form
 from minkref.terminal import shown
 
 FORMATS = (".wkt", ".geojson", ".poly", ".json")
+LONGEST_NAME = 255  # characters, which no system's names of files exceed
 LONGEST_FILE = 64 << 20  # bytes; that of formats/limits.hpp
 
 
@@ -30,7 +32,8 @@ class Operand:
 
 
 def read_operand(name: str) -> Operand:
-    """A file wins over a model of the same name. Refuses what does not exist or is not valid."""
+    """A file wins over a model of the same name, and both over a text: `-` is standard input, WKT
+    and JSON are operands themselves. Refuses what does not exist or is not valid."""
     if not name:
         raise Refusal("the name is empty", "operand", "name a file or a model", "no-such-file")
     path = Path(name)
@@ -39,6 +42,8 @@ def read_operand(name: str) -> Operand:
     models = all_models()
     if name in models:
         return _read(name, models[name].path)
+    if is_text(name):
+        return _of_text(name)
     _refuse_special(name, path)
     if path.suffix in FORMATS or len(path.parts) > 1:
         raise Refusal("there is no such file", name, "check the path", "no-such-file")
@@ -66,11 +71,20 @@ def read_operand(name: str) -> Operand:
     )
 
 
+def _of_text(name: str) -> Operand:
+    text, form = text_and_form(name)
+    source = shown(source_of(name))
+    operand = refusing(source, lambda: _core.read_text(text, form, source))
+    warnings = list(_core.warnings())
+    refusing(source, lambda: operand.validate(source))
+    return Operand(source, source, operand, warnings)
+
+
 def is_file(name: str) -> bool:
     """A file that can be read as an operand: a regular one, a pipe with an ending that names its
     format, or one operand of a case (`case.json#Q`)."""
     path = Path(name)
-    if "\0" in name:
+    if "\0" in name or len(path.name) > LONGEST_NAME:
         return False
     if name.endswith(("#P", "#Q")) and Path(name[:-2]).is_file():
         return True

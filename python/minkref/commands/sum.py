@@ -15,14 +15,14 @@ from minkref.documents import (
     Stopwatch,
     as_text,
     check_spares,
-    check_writable,
     document,
-    write_atomically,
 )
 from minkref.errors import Refusal, refusing
 from minkref.exact import read_scale, scientific
 from minkref.operand import Operand, read_operand
+from minkref.operand_text import STANDARD_INPUT
 from minkref.options import Json, Schema
+from minkref.output_target import Target, target_of
 from minkref.parents import PassageRows, passages_of
 from minkref.scale_space import IndexFile, check_spares_index, index_of, route_with
 from minkref.signals import interruptible
@@ -40,6 +40,10 @@ minkref sum disc1 cells1815 --scale 541/186 --json
 
 minkref sum P.wkt Q.geojson --scale 7/5 -o sum.svg
 
+minkref sum "POLYGON ((0 0, 2 0, 0 2, 0 0))" g1 -o -
+
+cat P.wkt | minkref sum - Q.wkt --scale 7/5 -o - --format geojson
+
 minkref sum g1 g2 --arithmetic mpfr:53
 
 minkref sum disc1 cells1815 --index cells.index --scale 7/5
@@ -50,12 +54,18 @@ ROUTES = ("paper", "winding", "definition", "dynamic", "index")
 DEFAULT = "paper"
 MOVING = ("dynamic", "index")  # routes that find all scales of a window
 SHOWN = 5  # tight passages that people see
-OUTPUTS = {".wkt": "wkt", ".geojson": "geojson", ".poly": "poly", ".json": "json", ".svg": "svg"}
+OUTPUTS = ("wkt", "geojson", "poly", "json", "svg")
 
 
 def command(
-    P: Annotated[str, typer.Argument(help="First operand, the scaled one: a file or a model.")],
-    Q: Annotated[str, typer.Argument(help="Second operand: a file or a model.")],
+    P: Annotated[
+        str,
+        typer.Argument(
+            help="First operand, the scaled one: a file, a model, WKT or JSON itself, or `-` for "
+            "standard input."
+        ),
+    ],
+    Q: Annotated[str, typer.Argument(help="Second operand, of the same kinds.")],
     scale: Annotated[
         str,
         typer.Option(
@@ -85,8 +95,16 @@ def command(
         typer.Option(
             "-o",
             help="Write the sum there: .wkt, .geojson, .poly, .json or .svg; in space .off, .obj, "
-            ".stl, .ply or .json.",
+            ".stl, .ply or .json. `-`: to standard output, and nothing else.",
             metavar="FILE",
+        ),
+    ] = None,
+    form: Annotated[
+        str | None,
+        typer.Option(
+            "--format",
+            help="Of what is written, whatever its name ends in; of `-` WKT by default, in space "
+            "OFF.",
         ),
     ] = None,
     json: Json = False,
@@ -97,14 +115,15 @@ def command(
     if in_space(P, Q):
         if index is not None:
             raise Refusal("there is no index in space", f"--index {index}", "leave it out")
-        sum_in_space(P, Q, scale, route or DEFAULT, arithmetic, output, json)
+        sum_in_space(P, Q, scale, route or DEFAULT, arithmetic, output, json, form)
         return
+    if P == Q == STANDARD_INPUT:
+        raise Refusal("standard input is one operand", "P and Q", "name a file for the other")
     watch = Stopwatch()
     exact_scale = read_scale(scale)
     route = route_with(index, route, DEFAULT)
     _check_route(route, arithmetic)
-    if output is not None:
-        _check_output(output)
+    target = target_of(output, form, OUTPUTS, "wkt", json)
     with interruptible():
         first, second = read_operand(P), read_operand(Q)
         if output is not None:
@@ -112,9 +131,10 @@ def command(
             check_spares_index(output, index)
         result = compute(first, second, exact_scale, route, arithmetic, index)
         region = result.pop("region")
-    written = _written(region, output) if output is not None else None
-    if output is not None and written is not None:
-        write_atomically(output, written[0])
+    written = _written(region, target) if target is not None else None
+    if target is not None and written is not None:
+        if target.write(*written):
+            return
     value = document(
         "sum",
         watch,
@@ -132,18 +152,17 @@ def command(
         _print(value)
 
 
-def _written(region: _core.PolygonSet | None, output: Path) -> tuple[str, bool]:
-    """The text of the output file, and whether it is exact."""
+def _written(region: _core.PolygonSet | None, target: Target) -> tuple[str, bool]:
+    """The text of the output, and whether it is exact."""
     if region is None:
         raise Refusal(
             "the arithmetic could not decide a sign: there is nothing to write",
-            str(output),
+            target.name,
             "use --arithmetic rational",
             "undecided-sign",
         )
-    form = OUTPUTS[output.suffix.lower()]
-    text = refusing(str(output), lambda: _core.write(region, form))
-    return text, _core.writes_exactly(region, form)
+    text = refusing(target.name, lambda: _core.write(region, target.form))
+    return text, _core.writes_exactly(region, target.form)
 
 
 def compute(
@@ -234,16 +253,6 @@ def _check_route(route: str, arithmetic: str) -> None:
             f"--route {route} --arithmetic {arithmetic}",
             "leave out one of the two options",
         )
-
-
-def _check_output(output: Path) -> None:
-    if output.suffix.lower() not in OUTPUTS:
-        raise Refusal(
-            f"the ending {output.suffix or '(none)'} names no format that can be written",
-            str(output),
-            f"choose one of {', '.join(OUTPUTS)}",
-        )
-    check_writable(output)
 
 
 def _print(value: dict[str, Any]) -> None:

@@ -11,7 +11,7 @@ from typing import Any
 from minkref import _core
 from minkref.errors import Refusal, refusing
 from minkref.model_catalogue import shipped_polyhedra
-from minkref.operand import LONGEST_FILE, is_utf8
+from minkref.operand import LONGEST_FILE, LONGEST_NAME, is_utf8
 from minkref.terminal import shown
 
 FORMATS = (".off", ".obj", ".stl", ".ply")
@@ -80,7 +80,7 @@ def _models() -> dict[str, Path]:
 
 def _is_polyhedron(name: str) -> bool:
     path = Path(name)
-    if "\0" in name or not name:
+    if "\0" in name or not name or len(path.name) > LONGEST_NAME:
         return False
     if path.suffix.lower() in FORMATS:
         return True

@@ -12,12 +12,11 @@ from minkref.documents import (
     Stopwatch,
     as_text,
     check_spares,
-    check_writable,
     document,
-    write_atomically,
 )
 from minkref.errors import Refusal, refusing
 from minkref.exact import scientific
+from minkref.output_target import target_of
 from minkref.signals import interruptible
 from minkref.space.operand import SpaceOperand, read_space_operand
 from minkref.space.scaling import read_scaling, text_of
@@ -25,29 +24,33 @@ from minkref.space.sums import ROUTES, compute, sum_fields
 from minkref.sweep_folder import SPACE_FORMATS
 from minkref.terminal import lines, shown
 
-OUTPUTS = tuple(f".{form}" for form in SPACE_FORMATS)
-
 
 def sum_in_space(
-    P: str, Q: str, scale: str, route: str, arithmetic: str, output: Path | None, json: bool
+    P: str,
+    Q: str,
+    scale: str,
+    route: str,
+    arithmetic: str,
+    output: Path | None,
+    json: bool,
+    form: str | None = None,
 ) -> None:
     """The command, its options read but not yet checked."""
     watch = Stopwatch()
     scaling = read_scaling(scale)
     route = _checked_route(route, arithmetic)
-    if output is not None:
-        _check_output(output)
+    target = target_of(output, form, SPACE_FORMATS, "off", json)
     with interruptible():
         first, second = read_space_operand(P), read_space_operand(Q)
         if output is not None:
             check_spares(output, [first.file, second.file])
         answer = compute(first, second, scaling, route)
     exact = None
-    if output is not None:
-        form = output.suffix.lower().removeprefix(".")
-        text = refusing(str(output), lambda: _core.write_mesh(answer.surface, form))
-        exact = _core.writes_mesh_exactly(answer.surface, form)
-        write_atomically(output, text)
+    if target is not None:
+        text = refusing(target.name, lambda: _core.write_mesh(answer.surface, target.form))
+        exact = _core.writes_mesh_exactly(answer.surface, target.form)
+        if target.write(text, exact):
+            return
     value = document(
         "sum",
         watch,
@@ -90,17 +93,6 @@ def _checked_route(route: str, arithmetic: str) -> str:
         mend = f"in space choose one of {', '.join(ROUTES)}"
         raise Refusal(f"there is no route {route!r} in space", "--route", mend)
     return chosen
-
-
-def _check_output(output: Path) -> None:
-    if output.suffix.lower() not in OUTPUTS:
-        raise Refusal(
-            f"the ending {output.suffix or '(none)'} names no format that a polyhedron can be "
-            "written in",
-            str(output),
-            f"choose one of {', '.join(OUTPUTS)}",
-        )
-    check_writable(output)
 
 
 def _print(value: dict[str, Any], scaling: str) -> None:

@@ -1,0 +1,65 @@
+"""Operands that are texts: on standard input, or on the command line itself."""
+
+from __future__ import annotations
+
+import json
+import re
+import sys
+
+from minkref.errors import Refusal
+
+STANDARD_INPUT = "-"
+LONGEST = 64 << 20  # bytes; that of formats/limits.hpp
+_WKT = re.compile(
+    r"\s*(SRID=\d+;)?\s*(MULTI)?(POLYGON|POINT|LINESTRING)\b|\s*GEOMETRYCOLLECTION\b", re.IGNORECASE
+)
+MEND = "write WKT, GeoJSON, or the plain JSON of docs/formats.md"
+
+
+def is_text(name: str) -> bool:
+    """Standard input, WKT or JSON; a file or model of the same name is looked for first."""
+    return name == STANDARD_INPUT or is_inline(name)
+
+
+def is_inline(name: str) -> bool:
+    return _WKT.match(name) is not None or name.lstrip().startswith("{")
+
+
+def text_and_form(name: str) -> tuple[str, str]:
+    """The text, and the format that it is in, by how it begins. Refuses others, and what is
+    longer than a file may be."""
+    text = _standard_input() if name == STANDARD_INPUT else name
+    if _WKT.match(text):
+        return text, "wkt"
+    if text.lstrip().startswith("{"):
+        return text, "geojson" if _is_geojson(text) else "json"
+    if re.match(r"\s*\d+\s", text):
+        return text, "poly"
+    raise Refusal("this is no format that is known", source_of(name), MEND, "unknown-format")
+
+
+def source_of(name: str) -> str:
+    """What a message calls it."""
+    if name == STANDARD_INPUT:
+        return "standard input"
+    return name if len(name) <= 60 else f"{name[:57]}..."
+
+
+def _is_geojson(text: str) -> bool:
+    try:
+        value = json.loads(text)
+    except (ValueError, RecursionError):
+        return False  # the reader of plain JSON says what is wrong
+    return isinstance(value, dict) and "type" in value
+
+
+def _standard_input() -> str:
+    data = sys.stdin.buffer.read(LONGEST + 1)
+    if len(data) > LONGEST:
+        what = f"the text is longer than {LONGEST} bytes"
+        raise Refusal(what, "standard input", "split the input", "file-too-large")
+    try:
+        return data.decode("utf-8")
+    except UnicodeDecodeError as error:
+        what = f"the text is not UTF-8: {error.reason} at byte {error.start}"
+        raise Refusal(what, "standard input", "write it as UTF-8", "not-utf8") from error
