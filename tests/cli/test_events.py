@@ -132,3 +132,9 @@ def test_no_precision_is_enough_where_edges_only_touch(minkref: Minkref) -> None
     ran = minkref("events", "g1", "g2", "--least-precision", "--json").json
     assert ran["touching_pairs"] > 0
     assert ran["least_precision"]["bits"] is None
+
+
+def test_what_a_birth_of_a_pair_event_is_is_said_in_words(minkref: Minkref) -> None:
+    """It is none of a hole, which is what most look for."""
+    ran = minkref("events", "g1", "g2", "--from", "1/2", "--to", "1")
+    assert "two edges of the convolution start" in ran.out and "--kind topology" in ran.out

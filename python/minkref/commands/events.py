@@ -52,6 +52,13 @@ minkref events g1 g2 --form printed --arithmetic mpfr:53"""
 
 KINDS = ("pair", "parallel", "triple", "arrangement", "boundary", "topology")
 PAIR_KINDS = ("pair", "parallel")
+MEANINGS = {  # of the changes, under the table
+    "pair": "birth, death: two edges of the convolution start, or cease, to meet as s grows. Where "
+    "holes and components of the sum do, --kind topology says.",
+    "parallel": "birth, death: two parallel edges start, or cease, to share a piece as s grows. "
+    "Where holes and components of the sum do, --kind topology says.",
+    "topology": "before, after: the features that take part, by number; `outside` is no hole.",
+}
 ROUTED_KINDS = ("boundary", "topology")
 ROUTES = ("dynamic", "index")
 FORMS = ("corrected", "printed")
@@ -341,6 +348,8 @@ def _print_first(found: EventList) -> None:
     console().print(table)
     if len(found) > SHOWN:
         sys.stdout.write(f"{len(found) - SHOWN:,} more: --json or -o FILE gives all\n")
+    if events[0]["kind"] in MEANINGS:
+        sys.stdout.write(MEANINGS[events[0]["kind"]] + "\n")
     for name, lives in found.features().items():
         if lives:
             _print_lives(name, lives)
