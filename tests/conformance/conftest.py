@@ -192,6 +192,7 @@ def _document(run: Run) -> dict[str, Any]:
         ],
         "absent": [{"name": "openscad", "reason": "not <installed>"}],
         "notes": ["a note & <more>"],
+        "left_out": {"does not declare holes": 1},
         "groups": [{"name": name, "cases": run.cases[name]} for name in run.groups],
         "findings": [
             {"target": f.outcome.target, "message": f.outcome.message} for f in run.findings
