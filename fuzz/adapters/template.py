@@ -17,7 +17,7 @@ LANGUAGES = {
     "c++": (
         "template.cpp",
         ".cpp",
-        ("g++ -std=c++17 -O2 {file} -o {stem}", "minkref verify {stem} --seconds 30"),
+        ("c++ -std=c++17 -O2 {file} -o {stem}", VERIFY),
     ),
     "c": (
         "template.c",

@@ -45,11 +45,10 @@ class Wait(Enum):
 
 @dataclass
 class CaseList:
-    """What a run goes through. Generated cases are counted by `pairs`, those alone that exist and
-    that a target takes, or bounded by `seconds`; they
-    are drawn from `families` in turn. With `derived` there are, among them, probes of scales at
-    events, cases changed by laws, and mutants of those that `learn` found interesting; all depends
-    on the seed and the results alone, not on time."""
+    """What a run goes through. Generated cases are bounded by `seconds`, or counted by `pairs`:
+    those that exist and that a target takes. They are drawn from `families` in turn. With `derived`
+    there are, among them, probes of scales at events, cases changed by laws, and mutants of those
+    that `learn` found interesting; all depends on the seed and the results alone, not on time."""
 
     seed: int = 1
     pairs: int | None = None
@@ -122,9 +121,8 @@ class CaseList:
         """What tells one run from another."""
         names = ("seed", "pairs", "seconds", "named", "models", "families", "space", "laws")
         head: dict[str, object] = {name: getattr(self, name) for name in names}
-        return {**head, "derived": self.derived, "files": self.files, "invalid": self.invalid} | {
-            "doubles": self.doubles
-        }
+        more = ("derived", "files", "invalid", "doubles")
+        return {**head, **{name: getattr(self, name) for name in more}}
 
     def miss(self) -> None:
         """One that was generated does not exist, or no target takes it."""

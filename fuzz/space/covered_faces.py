@@ -6,16 +6,25 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from minkref.fuzz.space.face_pieces import halves, middle, pieces, polygon_of
-from minkref.fuzz.space.integers import Point, Whole, cross, dot, normal, primitive
-from minkref.fuzz.space.membership import Box, Surface, box_of, boxes_meet
+from minkref.fuzz.space.boxes import Box, BoxTree, box_of
+from minkref.fuzz.space.face_pieces import (
+    Plane,
+    Polygon,
+    Triangle,
+    halves,
+    heights,
+    inside,
+    pieces,
+    polygon_of,
+)
+from minkref.fuzz.space.integers import Whole, cross, dot, normal, primitive
+from minkref.fuzz.space.membership import Surface
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.shells import shells_of
 from minkref.fuzz.space.sides import both_sides
 
 MOST_OTHERS = 1000  # triangles of shells that are not convex
 Triple = tuple[int, int, int]
-Plane = tuple[Whole, int]  # the points x with n x = d
 
 
 @dataclass(frozen=True)
@@ -23,6 +32,7 @@ class Shell:
     """A convex one, that runs around its inside counter-clockwise."""
 
     planes: list[Plane]
+    corners: list[Whole]
     box: Box
 
     @property
@@ -53,6 +63,7 @@ class CoveredFaces:
         if self._convex and not _never_negative(result, others):
             self._convex = {}
         self._order = sorted(self._convex, key=lambda name: -self._convex[name].size)
+        self._tree = BoxTree([self._convex[name].box for name in self._order])
         self._own = {t: name for name in self._convex for t in triples[name]}
 
     def _around(self, others: Sequence[Triple]) -> list[int]:
@@ -65,15 +76,17 @@ class CoveredFaces:
         ]
         return sorted(around, key=lambda name: -self._convex[name].size)[:1] if points else []
 
-    def left(self, triple: Triple) -> list[list[Point]]:
-        """In units of the denominator of the result, whose vertices are named."""
+    def left(self, triple: Triple) -> list[Polygon]:
+        """In parts of the unit, as many as the denominator of the result, whose vertices are
+        named."""
         i, j, k = triple
         triangle = (self._points[i], self._points[j], self._points[k])
-        n, box, own = normal(*triangle), box_of(triangle), self._own.get(triple)
+        n, own = normal(*triangle), self._own.get(triple)
         parts = [polygon_of(triangle)]
-        for name in self._order:
+        for number in self._tree.meeting(box_of(triangle)):
+            name = self._order[number]
             shell = self._convex[name]
-            if name == own or not boxes_meet(shell.box, box):
+            if name == own or _is_beside(shell, triangle, n):
                 continue
             parts = [piece for part in parts for piece in _less(part, shell, n, own is not None)]
             if not parts:
@@ -81,21 +94,33 @@ class CoveredFaces:
         return parts
 
 
-def _less(part: list[Point], shell: Shell, n: Whole, covered_below: bool) -> list[list[Point]]:
+def _is_beside(shell: Shell, triangle: Triangle, n: Whole) -> bool:
+    """A plane of the shell, or that of the triangle with normal `n`, shows that the shell holds no
+    inside point of the triangle, nor its inside from above."""
+    for m, d in shell.planes:
+        if all(dot(m, corner) >= d for corner in triangle):
+            return any(dot(m, corner) > d for corner in triangle) or dot(m, n) > 0
+    levels = [dot(n, corner) for corner in shell.corners]
+    level = dot(n, triangle[0])
+    if min(levels) >= level:
+        return levels.count(level) < 3
+    return max(levels) <= level
+
+
+def _less(part: Polygon, shell: Shell, n: Whole, covered_below: bool) -> list[Polygon]:
     """The part of a face with normal `n` without what lies in the shell. What lies in its surface
     counts where the shell is on the outer side, and another is below."""
-    gone: list[list[Point]] = []
+    whole, gone = part, []
     for m, d in shell.planes:
-        sides = [m[0] * x + m[1] * y + m[2] * z - d for x, y, z in part]
+        sides = heights(part, (m, d))
         if max(sides) <= 0:
             if any(sides) or (covered_below and dot(m, n) < 0):
                 continue
-            return [*gone, part]
+            return [whole]
         if min(sides) >= 0:
-            return [*gone, part]
-        inside, outside = halves(part, sides)
+            return [whole]
+        part, outside = halves(part, sides)
         gone.append(outside)
-        part = inside
     return gone
 
 
@@ -111,8 +136,7 @@ def _convex_shell(triples: Sequence[Triple], points: Sequence[Whole]) -> Shell |
         return None
     if _is_flat(planes):
         return None
-    xs, ys, zs = zip(*corners, strict=True)
-    return Shell(sorted(planes), (min(xs), max(xs), min(ys), max(ys), min(zs), max(zs)))
+    return Shell(sorted(planes), sorted(corners), box_of(corners))
 
 
 def _is_flat(planes: set[Plane]) -> bool:
@@ -129,17 +153,10 @@ def _never_negative(result: Polyhedron, triples: Sequence[Triple]) -> bool:
     if not triples:
         return True
     surface = Surface(Polyhedron(result.vertices, tuple(triples)))
-    unit = surface.denominator
     for number, triangle in enumerate(surface.triangles):
-        box = surface.boxes[number]
-        near = [
-            other
-            for k, other in enumerate(surface.triangles)
-            if k != number and boxes_meet(surface.boxes[k], box)
-        ]
+        near = [surface.triangles[k] for k in surface.near(number)]
         for piece in pieces([polygon_of(triangle)], surface.normals[number], near):
-            x, y, z = middle(piece)
-            place = (x / unit, y / unit, z / unit)
+            place = inside(piece, surface.denominator)
             for point in both_sides(surface, place, surface.normals[number]):
                 if (surface.winding(point) or 0) < 0:
                     return False

@@ -32,6 +32,12 @@ def whole(point: Point, denominator: int) -> Whole:
     )
 
 
+def middle(points: Sequence[Point]) -> Point:
+    """Their mean."""
+    x, y, z = (sum((p[k] for p in points), Fraction(0)) / len(points) for k in range(3))
+    return (x, y, z)
+
+
 def minus(a: Whole, b: Whole) -> Whole:
     return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
 

@@ -9,17 +9,19 @@ from fractions import Fraction
 from math import lcm
 from typing import Literal
 
-from minkref.fuzz.space.face_pieces import middle, pieces, polygon_of
+from minkref.fuzz.space.boxes import BoxTree, box_of, box_pairs
+from minkref.fuzz.space.face_pieces import inside, pieces, polygon_of
 from minkref.fuzz.space.integers import (
     Point,
     Scale,
     Whole,
     dot,
     factors,
+    middle,
     normal,
     whole,
 )
-from minkref.fuzz.space.membership import Box, Surface, box_of, in_triangle
+from minkref.fuzz.space.membership import Surface, in_triangle
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.triangle_contact import (
     Triangle,
@@ -90,7 +92,7 @@ class Meeting:
             return not self.meets(x)
         a, b, _, unit = self._placed(x, distance)
         reach = int(distance * unit)
-        for i, j in _box_pairs(
+        for i, j in box_pairs(
             [box_of(t) for t in a] if unit != self.denominator else self._boxes_a,
             [box_of(t) for t in b],
             reach,
@@ -159,7 +161,7 @@ class Meeting:
             (X - w * k[1], X - w * k[0], Y - w * k[3], Y - w * k[2], Z - w * k[5], Z - w * k[4])
             for k in self._boxes_b
         ]
-        for i, j in _box_pairs(boxes_a, boxes_b, 0):
+        for i, j in box_pairs(boxes_a, boxes_b, 0):
             met = contact(a[i], self._normals_a[i], b[j], self._normals_b[j])
             if met is not None:
                 yield as_point(met[0], unit), met[1]
@@ -245,11 +247,11 @@ def cube_inside(surface: Surface, place: Point, distance: Fraction) -> bool:
 def _all_pieces(
     triangles: list[Triangle], normals: list[Whole], others: list[Triangle]
 ) -> Iterator[tuple[Point, Whole]]:
-    boxes = [box_of(t) for t in others]
+    tree = BoxTree([box_of(t) for t in others])
     for triangle, n in zip(triangles, normals, strict=True):
-        near = [others[j] for _, j in _box_pairs([box_of(triangle)], boxes, 0)]
+        near = [others[j] for j in tree.meeting(box_of(triangle))]
         for piece in pieces([polygon_of(triangle)], n, near):
-            yield middle(piece), n
+            yield inside(piece), n
 
 
 def _same_side(place: Point, n: Whole, others: list[Triangle], normals: list[Whole]) -> bool:
@@ -283,32 +285,3 @@ def _times(triangles: list[Triangle], factor: int) -> list[Triangle]:
         )
         for a, b, c in triangles
     ]
-
-
-def _box_pairs(first: list[Box], second: list[Box], reach: int) -> Iterator[tuple[int, int]]:
-    """Pairs of boxes that meet once those of `first` have grown by `reach` on all sides."""
-    if not first or not second:
-        return
-    rows = list(zip(*second, strict=True))
-    low = [min(rows[k]) - reach for k in (0, 2, 4)]
-    high = [max(rows[k]) + reach for k in (1, 3, 5)]
-    order = sorted(range(len(second)), key=lambda j: second[j][0])
-    entries = [(*second[j], j) for j in order]
-    for i, (left, right, front, back, bottom, top) in enumerate(first):
-        if (
-            left > high[0]
-            or right < low[0]
-            or front > high[1]
-            or back < low[1]
-            or bottom > high[2]
-            or top < low[2]
-        ):
-            continue
-        left, right = left - reach, right + reach
-        front, back = front - reach, back + reach
-        bottom, top = bottom - reach, top + reach
-        for x0, x1, y0, y1, z0, z1, j in entries:
-            if x0 > right:
-                break
-            if x1 >= left and y0 <= back and y1 >= front and z0 <= top and z1 >= bottom:
-                yield i, j

@@ -6,6 +6,7 @@ from fractions import Fraction
 from functools import cached_property
 from math import inf, isfinite, isqrt, lcm
 
+from minkref.fuzz.space.boxes import Box, BoxTree, box_of
 from minkref.fuzz.space.integers import (
     Point,
     Whole,
@@ -18,7 +19,6 @@ from minkref.fuzz.space.integers import (
 from minkref.fuzz.space.polyhedron import Polyhedron
 
 MOST_COLUMNS = 64  # along one axis
-Box = tuple[int, int, int, int, int, int]  # lowest and highest x, y, z
 
 
 class Surface:
@@ -64,6 +64,14 @@ class Surface:
     @cached_property
     def boxes(self) -> list[Box]:
         return [box_of(triangle) for triangle in self.triangles]
+
+    @cached_property
+    def _tree(self) -> BoxTree:
+        return BoxTree(self.boxes)
+
+    def near(self, number: int) -> list[int]:
+        """The other triangles whose boxes meet that of this one."""
+        return [k for k in self._tree.meeting(self.boxes[number]) if k != number]
 
     def _column(self, place: float, axis: int) -> int:
         low, high = self._low[axis], self._high[axis]
@@ -155,22 +163,6 @@ def _passes(x: int, y: int, w: int, a: Whole, b: Whole, c: Whole, up: int) -> bo
         if (turn > 0) != (up > 0):
             return False
     return True
-
-
-def box_of(triangle: tuple[Whole, Whole, Whole]) -> Box:
-    (ax, ay, az), (bx, by, bz), (cx, cy, cz) = triangle
-    return (
-        min(ax, bx, cx),
-        max(ax, bx, cx),
-        min(ay, by, cy),
-        max(ay, by, cy),
-        min(az, bz, cz),
-        max(az, bz, cz),
-    )
-
-
-def boxes_meet(a: Box, b: Box) -> bool:
-    return all(a[k] <= b[k + 1] and b[k] <= a[k + 1] for k in (0, 2, 4))
 
 
 def _float(number: Fraction) -> float:

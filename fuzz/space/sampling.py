@@ -8,7 +8,7 @@ from fractions import Fraction
 from math import lcm
 from typing import TypeVar
 
-from minkref.fuzz.space.integers import Point, Whole, dot
+from minkref.fuzz.space.integers import Point, Whole, dot, middle
 from minkref.fuzz.space.meeting import cube_inside
 from minkref.fuzz.space.membership import Surface, in_triangle
 from minkref.fuzz.space.pair import SpacePair, Truth
@@ -116,7 +116,7 @@ def _gap(surface: Surface, place: Point, n: Whole) -> Fraction | None:
 
 def _into_hull(hull: Polyhedron) -> Iterator[Point]:
     """From each vertex towards the middle."""
-    centre = _middle(hull.vertices)
+    centre = middle(hull.vertices)
     for vertex in hull.vertices:
         for share in (3, 8, 14, 20, 30):
             t = Fraction(1, 1 << share)
@@ -132,23 +132,17 @@ def _on_faces(surface: Surface, most: int, dice: random.Random) -> Iterator[tupl
         for x, y, z in surface.triangles[number]:
             unit = surface.denominator
             corners.append((Fraction(x, unit), Fraction(y, unit), Fraction(z, unit)))
-        middle = _middle(corners)
+        centre = middle(corners)
         corner = dice.choice(corners)
-        yield surface.normals[number], middle
+        yield surface.normals[number], centre
         yield (
             surface.normals[number],
-            _middle([*([corner] * 12), middle, *corners]),
+            middle([*([corner] * 12), centre, *corners]),
         )
 
 
 def _some(values: Sequence[T], most: int, dice: random.Random) -> list[T]:
     return list(values) if len(values) <= most else dice.sample(values, most)
-
-
-def _middle(points: tuple[Point, ...] | list[Point]) -> Point:
-    count = len(points)
-    x, y, z = (sum((p[k] for p in points), Fraction(0)) / count for k in range(3))
-    return (x, y, z)
 
 
 def _mean(a: Point, b: Point, dice: random.Random) -> Point:

@@ -7,9 +7,9 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
 from minkref.fuzz.space.covered_faces import CoveredFaces
-from minkref.fuzz.space.face_pieces import middle, pieces
+from minkref.fuzz.space.face_pieces import inside, pieces
 from minkref.fuzz.space.integers import Point, Whole
-from minkref.fuzz.space.membership import Surface, boxes_meet
+from minkref.fuzz.space.membership import Surface
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.sides import both_sides
 
@@ -37,29 +37,22 @@ def changes(
             left[number] = parts
     unit = surface.denominator
     for number, parts in left.items():
-        x, y, z = middle(parts[0])
-        yield from _change(surface, (x / unit, y / unit, z / unit), surface.normals[number])
+        yield from _change(surface, inside(parts[0], unit), surface.normals[number])
     if len(left) > most:
         raise TooMany(f"{len(left)} triangles lie off the boundary of the sum")
     for number, parts in left.items():
-        box = surface.boxes[number]
-        near = [
-            other
-            for k, other in enumerate(surface.triangles)
-            if k != number and boxes_meet(surface.boxes[k], box)
-        ]
+        near = [surface.triangles[k] for k in surface.near(number)]
         for piece in pieces(parts, surface.normals[number], near):
             dice = random.Random(number)
-            corners = [(x / unit, y / unit, z / unit) for x, y, z in piece]
             for _ in range(PLACES):
-                place = middle(corners + [dice.choice(corners) for _ in range(2)])
+                place = inside(piece + [dice.choice(piece) for _ in range(2)], unit)
                 yield from _change(surface, place, surface.normals[number])
 
 
 def _change(surface: Surface, place: Point, n: Whole) -> Iterator[tuple[Point, Point]]:
     outer, inner = both_sides(surface, place, n)
-    outside, inside = surface.winding(outer), surface.winding(inner)
-    if ((outside or 0) > 0) != ((inside or 0) > 0):
+    above, below = surface.winding(outer), surface.winding(inner)
+    if ((above or 0) > 0) != ((below or 0) > 0):
         for shrink in SHRINKS:
             yield _towards(place, outer, shrink), _towards(place, inner, shrink)
 

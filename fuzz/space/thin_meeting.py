@@ -81,7 +81,7 @@ class ThinMeeting(Meeting):
         for triangle, n in zip(self._body.triangles, self._body.normals, strict=True):
             height = factor * dot(n, triangle[0])
             at_a, at_b = dot(n, a) - height, dot(n, b) - height
-            if (at_a < 0) != (at_b < 0) and at_a != at_b:
+            if (at_a < 0) != (at_b < 0):
                 found.add(Fraction(at_a, at_a - at_b))
         return sorted(t for t in found if 0 <= t <= 1)
 

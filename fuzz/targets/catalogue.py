@@ -19,7 +19,7 @@ from minkref.fuzz.cgal.executables import (
 from minkref.fuzz.judges import checks
 from minkref.fuzz.targets.adapter import AdapterTarget
 from minkref.fuzz.targets.adapter_process import named_command
-from minkref.fuzz.targets.answer import LOAD_SECONDS, Limits, Target
+from minkref.fuzz.targets.answer import LOAD_SECONDS, Limits, Target, load_limit
 from minkref.fuzz.targets.cgal_method import SLOW_LIMIT, CgalMethod, is_fast
 from minkref.fuzz.targets.convex_reference import CONVEX_ROUTES, ConvexReferenceTarget
 from minkref.fuzz.targets.declaration import Declaration
@@ -119,6 +119,15 @@ def select(
         else:
             chosen.append(entries[name])
     return list({entry.name: entry for entry in chosen}.values()), absent
+
+
+def select_one(name: str, limits: Limits) -> TargetEntry:
+    """The target of this name. Refuses a name that stands for several."""
+    chosen, _ = select([name], load_limit(limits))
+    if len(chosen) != 1:
+        what = f"this stands for {len(chosen)} targets"
+        raise Refusal(what, name, "name one of `minkref targets`")
+    return chosen[0]
 
 
 def _mend(name: str, known: list[str]) -> str:

@@ -9,12 +9,11 @@ from pathlib import Path
 from minkref import _core
 from minkref.errors import Refusal, nearest, refusing
 from minkref.model_catalogue import PAPER_MODELS, VARIABLE, all_models, shipped_polyhedra
-from minkref.operand_text import is_text, source_of, text_and_form
+from minkref.operand_text import LONGEST, decoded, is_text, source_of, text_and_form
 from minkref.terminal import shown
 
 FORMATS = (".wkt", ".geojson", ".poly", ".json")
 LONGEST_NAME = 255  # characters, which no system's names of files exceed
-LONGEST_FILE = 64 << 20  # bytes; that of formats/limits.hpp
 
 
 @dataclass(frozen=True)
@@ -127,18 +126,11 @@ def _whole_text(path: Path) -> str:
     name = shown(str(path))
     try:
         with path.open("rb") as stream:
-            read = stream.read(LONGEST_FILE + 1)
+            read = stream.read(LONGEST + 1)
     except OSError as error:
         what = f"the file cannot be read: {error.strerror}"
         raise Refusal(what, name, "name a file that you may read", "cannot-read") from error
-    if len(read) > LONGEST_FILE:
-        what = f"the text is longer than {LONGEST_FILE} bytes"
-        raise Refusal(what, name, "split the input", "file-too-large")
-    try:
-        return read.decode("utf-8")
-    except UnicodeDecodeError as error:
-        what = f"the text is not UTF-8: {error.reason} at byte {error.start}"
-        raise Refusal(what, name, "save the file as UTF-8", "not-utf8") from error
+    return decoded(read, name)
 
 
 def is_utf8(name: str) -> bool:

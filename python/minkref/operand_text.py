@@ -28,7 +28,9 @@ def is_inline(name: str) -> bool:
 def text_and_form(name: str) -> tuple[str, str]:
     """The text, and the format that it is in, by how it begins. Refuses others, and what is
     longer than a file may be."""
-    text = _standard_input() if name == STANDARD_INPUT else name
+    text = name
+    if name == STANDARD_INPUT:
+        text = decoded(sys.stdin.buffer.read(LONGEST + 1), source_of(name))
     if _WKT.match(text):
         return text, "wkt"
     if text.lstrip().startswith("{"):
@@ -53,13 +55,14 @@ def _is_geojson(text: str) -> bool:
     return isinstance(value, dict) and "type" in value
 
 
-def _standard_input() -> str:
-    data = sys.stdin.buffer.read(LONGEST + 1)
+def decoded(data: bytes, name: str) -> str:
+    """The text of a file or of standard input, of which one byte more than LONGEST was read at
+    most. Refuses what is longer, or not UTF-8."""
     if len(data) > LONGEST:
         what = f"the text is longer than {LONGEST} bytes"
-        raise Refusal(what, "standard input", "split the input", "file-too-large")
+        raise Refusal(what, name, "split the input", "file-too-large")
     try:
         return data.decode("utf-8")
     except UnicodeDecodeError as error:
         what = f"the text is not UTF-8: {error.reason} at byte {error.start}"
-        raise Refusal(what, "standard input", "write it as UTF-8", "not-utf8") from error
+        raise Refusal(what, name, "save it as UTF-8", "not-utf8") from error

@@ -31,3 +31,9 @@ Schema = Annotated[
         help="Print the JSON schema of what --json prints.",
     ),
 ]
+CallSeconds = Annotated[
+    float, typer.Option("--call-seconds", help="Time limit of one call of one target.")
+]
+CallMemory = Annotated[
+    int, typer.Option("--call-memory", help="Memory limit of one call, in MiB.", metavar="MIB")
+]

@@ -9,7 +9,7 @@ from typing import TypeVar
 
 from minkref.errors import Refusal
 from minkref.exact import read_scale
-from minkref.operand import LONGEST_FILE
+from minkref.operand_text import LONGEST, decoded
 from minkref.terminal import shown
 
 S = TypeVar("S")
@@ -58,16 +58,9 @@ def _text(path: Path, name: str) -> str:
         raise Refusal("this is a folder", name, mend, "not-a-file")
     try:
         with path.open("rb") as stream:
-            read = stream.read(LONGEST_FILE + 1)
+            read = stream.read(LONGEST + 1)
     except (OSError, ValueError) as error:
         what = getattr(error, "strerror", None) or str(error)
         code = "no-such-file" if isinstance(error, FileNotFoundError) else "cannot-read"
         raise Refusal(f"the file cannot be read: {what}", name, mend, code) from error
-    if len(read) > LONGEST_FILE:
-        what = f"the text is longer than {LONGEST_FILE} bytes"
-        raise Refusal(what, name, "split the file", "file-too-large")
-    try:
-        return read.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        what = f"the text is not UTF-8: {error.reason} at byte {error.start}"
-        raise Refusal(what, name, mend, "not-utf8") from error
+    return decoded(read, name).removeprefix("\ufeff")

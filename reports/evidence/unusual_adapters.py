@@ -77,6 +77,6 @@ def run(quick: bool) -> Findings:
             findings.note(f"{name}: {line}")
     findings.figures["kinds"] = len(rows)
     findings.law("alarms", alarms == 0, 0, alarms)
-    findings.target("cases undecided", open_cases == 0, 0, open_cases)
+    findings.law("cases undecided", open_cases == 0, 0, open_cases)
     findings.law(f"kinds with fewer than {CASES} cases", few == 0, 0, few)
     return findings

@@ -15,7 +15,7 @@ from minkref.fuzz.adapters import catalogue
 
 TEMPLATES = catalogue.HERE / "templates"
 COMPILERS = {
-    "cpp": ["g++", "-std=c++17", "-Wall", "-Wextra", "-Werror", "-O1"],
+    "cpp": ["c++", "-std=c++17", "-Wall", "-Wextra", "-Werror", "-O1"],
     "rs": ["rustc", "-D", "warnings"],
 }
 SQUARE = [[0, 0], [1, 0], [1, 1], [0, 1]]
@@ -26,8 +26,8 @@ def started(ending: str, folder: Path) -> list[str]:
     source = str(TEMPLATES / f"template.{ending}")
     if ending == "py":
         return [sys.executable, source]
-    tool = {"js": "node", "cpp": "g++", "rs": "rustc"}[ending]
-    if not shutil.which(tool):
+    tool = {"js": "node", "cpp": "c++", "rs": "rustc"}[ending]
+    if ending != "cpp" and not shutil.which(tool):  # what built minkref has a C++ compiler
         pytest.skip(f"{tool} is not installed")
     if ending == "js":
         return ["node", source]
@@ -106,8 +106,6 @@ def test_sets_of_several_polygons_with_holes_in_the_template_in_cpp(
     tmp_path: Path, converse: Callable[[list[str]], Any]
 ) -> None:
     """Whatever `minkowski_sum` is given and gives goes through whole."""
-    if not shutil.which("g++"):
-        pytest.skip("g++ is not installed")
     text = (TEMPLATES / "template.cpp").read_text(encoding="utf-8")
     begin = text.index("{", text.index("bool minkowski_sum"))
     end = text.index("\n}", begin)
@@ -124,12 +122,12 @@ def test_sets_of_several_polygons_with_holes_in_the_template_in_cpp(
     assert answer["polygons"] == sP["polygons"]
 
 
-LANGUAGES = {"python": "python3", "c": "cc", "c++": "g++", "javascript": "node", "rust": "rustc"}
+LANGUAGES = {"python": "python3", "c": "cc", "c++": "c++", "javascript": "node", "rust": "rustc"}
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_the_commands_that_are_printed_work_as_printed(tmp_path: Path, language: str) -> None:
-    if not shutil.which(LANGUAGES[language]):
+    if language in ("javascript", "rust") and not shutil.which(LANGUAGES[language]):
         pytest.skip(f"{LANGUAGES[language]} is not installed")
     environment = {
         **os.environ,

@@ -14,16 +14,15 @@ from rich.table import Table
 from minkref.commands.verify_limits import check_numbers
 from minkref.commands.verify_output import witness_text
 from minkref.documents import Stopwatch, as_text, document
-from minkref.errors import Refusal
 from minkref.exits import ExitCode
 from minkref.fuzz.shrink.trial import Trial
 from minkref.fuzz.space.cells import Cell, surface_of
-from minkref.fuzz.targets.answer import Limits, load_limit
-from minkref.fuzz.targets.catalogue import select
+from minkref.fuzz.targets.answer import Limits
+from minkref.fuzz.targets.catalogue import select_one
 from minkref.fuzz.targets.declaration import CAPABILITIES, Declaration
 from minkref.fuzz.targets.declared import declarations_of
 from minkref.fuzz.verdicts.verdict import BROKEN, Outcome, Verdict
-from minkref.options import Json, Schema
+from minkref.options import CallMemory, CallSeconds, Json, Schema
 from minkref.signals import ending_in_order
 from minkref.terminal import console, shown
 
@@ -98,12 +97,8 @@ def command(
             metavar="TARGET",
         ),
     ],
-    call_seconds: Annotated[
-        float, typer.Option("--call-seconds", help="Time limit of one call.")
-    ] = 30.0,
-    call_memory: Annotated[
-        int, typer.Option("--call-memory", help="Memory limit of one call, in MiB.", metavar="MIB")
-    ] = 4096,
+    call_seconds: CallSeconds = 30.0,
+    call_memory: CallMemory = 4096,
     json: Json = False,
     schema: Schema = False,
 ) -> None:
@@ -113,11 +108,7 @@ def command(
     watch = Stopwatch()
     check_numbers(0, None, None, call_seconds, call_memory, 1, None)
     limits = Limits(call_seconds, call_memory << 20)
-    chosen, _ = select([target], load_limit(limits))
-    if len(chosen) != 1:
-        what = f"this stands for {len(chosen)} targets"
-        raise Refusal(what, target, "name one of `minkref targets`")
-    (entry,), declarations = declarations_of(chosen, limits)
+    (entry,), declarations = declarations_of([select_one(target, limits)], limits)
     declared = declarations[entry.name]
     able = declared.capabilities
     trials = [*(IN_PLANE if "plane" in able else ()), *(IN_SPACE if "space" in able else ())]

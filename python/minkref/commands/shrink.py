@@ -21,11 +21,11 @@ from minkref.fuzz.shrink.finding import SmallFinding, shrink_finding
 from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.shrink.shrinker import MOST_CALLS
 from minkref.fuzz.shrink.trial import Trial
-from minkref.fuzz.targets.answer import Limits, load_limit
-from minkref.fuzz.targets.catalogue import TargetEntry, select
+from minkref.fuzz.targets.answer import Limits
+from minkref.fuzz.targets.catalogue import select_one
 from minkref.fuzz.targets.declared import declarations_of
 from minkref.fuzz.verdicts.verdict import GOOD, Verdict
-from minkref.options import Json, Schema
+from minkref.options import CallMemory, CallSeconds, Json, Schema
 from minkref.signals import ending_in_order
 from minkref.terminal import console, shown
 
@@ -54,12 +54,8 @@ def command(
     calls: Annotated[
         int, typer.Option("--calls", help="At most so many calls of the target.", metavar="N")
     ] = MOST_CALLS,
-    call_seconds: Annotated[
-        float, typer.Option("--call-seconds", help="Time limit of one call.")
-    ] = 30.0,
-    call_memory: Annotated[
-        int, typer.Option("--call-memory", help="Memory limit of one call, in MiB.", metavar="MIB")
-    ] = 4096,
+    call_seconds: CallSeconds = 30.0,
+    call_memory: CallMemory = 4096,
     json: Json = False,
     schema: Schema = False,
 ) -> None:
@@ -73,7 +69,7 @@ def command(
         check_writable(output)
     limits = Limits(call_seconds, call_memory << 20)
     refuse_unless_case(case)
-    (entry,), _ = declarations_of(_one(target, limits), limits)
+    (entry,), _ = declarations_of([select_one(target, limits)], limits)
     with ending_in_order():
         with Trial(entry.name, limits) as trial:
             result, outcome = trial.ask(CaseName(case, "shrinking").text)
@@ -112,14 +108,6 @@ def command(
     else:
         _print(small, found, value)
     raise typer.Exit(int(ExitCode.WRONG if outcome.verdict is Verdict.WRONG else ExitCode.BROKEN))
-
-
-def _one(target: str, limits: Limits) -> list[TargetEntry]:
-    chosen, _ = select([target], load_limit(limits))
-    if len(chosen) != 1:
-        what = f"this stands for {len(chosen)} targets"
-        raise Refusal(what, f"--target {target}", "name one of `minkref targets`")
-    return chosen
 
 
 def _print(small: SmallFinding, found: Finding, value: dict[str, Any]) -> None:

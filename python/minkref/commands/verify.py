@@ -26,7 +26,7 @@ from minkref.fuzz.targets.answer import Limits, load_limit
 from minkref.fuzz.targets.catalogue import select
 from minkref.fuzz.targets.declared import declarations_of, declares_itself
 from minkref.fuzz.verdicts.baseline import Baseline, read_baseline, unused
-from minkref.options import Json, Schema
+from minkref.options import CallMemory, CallSeconds, Json, Schema
 from minkref.output_folder import make_folder
 from minkref.reports.conformance.again import command_line
 from minkref.reports.conformance.junit import junit
@@ -153,12 +153,8 @@ def command(
     strict: Annotated[
         bool, typer.Option("--strict", help="Exit with 4 where something stays undecided.")
     ] = False,
-    call_seconds: Annotated[
-        float, typer.Option("--call-seconds", help="Time limit of one call of one target.")
-    ] = 30.0,
-    call_memory: Annotated[
-        int, typer.Option("--call-memory", help="Memory limit of one call, in MiB.", metavar="MIB")
-    ] = 4096,
+    call_seconds: CallSeconds = 30.0,
+    call_memory: CallMemory = 4096,
     call_output: Annotated[
         int,
         typer.Option("--call-output", help="Size limit of one answer, in MiB.", metavar="MIB"),

@@ -11,7 +11,8 @@ from typing import Any
 from minkref import _core
 from minkref.errors import Refusal, refusing
 from minkref.model_catalogue import shipped_polyhedra
-from minkref.operand import LONGEST_FILE, LONGEST_NAME, is_utf8
+from minkref.operand import LONGEST_NAME, is_utf8
+from minkref.operand_text import LONGEST
 from minkref.terminal import shown
 
 FORMATS = (".off", ".obj", ".stl", ".ply")
@@ -93,7 +94,7 @@ def _holds_vertices(path: Path) -> bool:
     """A JSON object with a member `vertices`. What else is wrong with it the reader says."""
     try:
         with path.open("rb") as stream:
-            document: Any = json.loads(stream.read(LONGEST_FILE), parse_int=str, parse_float=str)
+            document: Any = json.loads(stream.read(LONGEST), parse_int=str, parse_float=str)
     except (OSError, ValueError, RecursionError):
         return False
     return isinstance(document, dict) and "vertices" in document

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Callable
 
 from hypothesis import strategies as st
@@ -10,6 +9,7 @@ from hypothesis import strategies as st
 from minkref.degeneracies.catalogue import FAMILIES
 from minkref.degeneracies.draft import Draft, Facts, Family, NothingDrawn
 from minkref.degeneracies.generate import FEWEST, MOST
+from minkref.errors import nearest
 from minkref.fuzz.families.drawing import signed_area
 from minkref.strategies.dice import Dice
 from minkref.strategies.reduction import KINDS, places, simpler, without
@@ -31,11 +31,8 @@ def degenerate_pairs(family: str | None = None) -> st.SearchStrategy[DegenerateP
     if family is None:
         return st.sampled_from(list(FAMILIES.values())).flatmap(_members)
     if family not in FAMILIES:
-        near = difflib.get_close_matches(family, list(FAMILIES), n=1)
-        raise ValueError(
-            f"there is no family {family!r}: "
-            + (f"did you mean {near[0]}?" if near else f"the families are {', '.join(FAMILIES)}")
-        )
+        near = nearest(family, FAMILIES) or f"the families are {', '.join(FAMILIES)}"
+        raise ValueError(f"there is no family {family!r}: {near.strip()}")
     return _members(FAMILIES[family])
 
 
