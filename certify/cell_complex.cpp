@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "reference/interrupt.hpp"
+
 namespace minkref::certify {
 
 CellComplex::CellComplex(const PieceTree& P, const PieceTree& Q, NormalTable& normals,
@@ -63,6 +65,7 @@ Point solved(const Normal& n, const Normal& m, const Rational& c, const Rational
 }  // namespace
 
 std::uint32_t CellComplex::meet(std::uint32_t first, std::uint32_t second) {
+  look_for_interrupt();
   const MovingLine &a = lines_[first], &b = lines_[second];
   const Point point = solved(normals_[a.normal], normals_[b.normal], a.here.exact, b.here.exact);
   const auto [place, fresh] =
@@ -112,6 +115,7 @@ int CellComplex::side_of_pair(std::uint32_t A, std::uint32_t B, std::uint32_t no
 }
 
 CellComplex::Parts CellComplex::cut(const Cell& cell, std::uint32_t line) {
+  look_for_interrupt();
   const std::size_t n = cell.corners.size();
   std::vector<int> sides(n);
   bool any_below = false, any_above = false;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "reference/interrupt.hpp"
+
 namespace minkref::certify {
 namespace {
 
@@ -157,6 +159,7 @@ std::vector<CoveredCell> Covering::cover(Cell cell) {
   std::vector<CoveredCell> covered;
   std::vector<Cell> open{std::move(cell)};
   while (!open.empty()) {
+    look_for_interrupt();
     Cell part = std::move(open.back());
     open.pop_back();
     const std::optional<Candidate> best = best_for(part);

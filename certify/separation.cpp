@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <unordered_map>
 
+#include "reference/interrupt.hpp"
+
 namespace minkref::certify {
 namespace {
 
@@ -29,6 +31,7 @@ class Separation {
     std::vector<std::int64_t> code;
     const double s = to_double(complex_.scale());
     while (!pairs.empty()) {
+      look_for_interrupt();
       const auto [A, B] = pairs.back();
       pairs.pop_back();
       if (const auto normal = separating(A, B)) {

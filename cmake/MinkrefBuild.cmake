@@ -9,7 +9,9 @@ if(PROJECT_IS_TOP_LEVEL)
   set(CMAKE_CXX_FLAGS_RELEASE "-O2")
   find_program(CCACHE_PROGRAM ccache)
   if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-    set(CMAKE_CXX_COMPILER_LAUNCHER "${CCACHE_PROGRAM}")
+    # What the cache may overlook lets it work with a precompiled header.
+    set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env
+        "CCACHE_SLOPPINESS=pch_defines,time_macros" "${CCACHE_PROGRAM}")
   endif()
 endif()
 
@@ -22,6 +24,24 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 # The error bounds of the float filters hold for IEEE operations in the order written: no contraction
 # to fused multiply-add, and never -ffast-math.
 add_compile_options(-ffp-contract=off)
+
+# minkref_precompiled(TARGET HEADER...): a precompiled header of these and cmake/precompiled.hpp.
+# minkref_precompiled(TARGET AS OTHER): that of another target, compiled with the same flags.
+function(minkref_precompiled target)
+  if(NOT MINKREF_PCH)
+    return()
+  endif()
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(${target} PRIVATE -fpch-preprocess)  # for ccache
+  elseif(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+    target_compile_options(${target} PRIVATE "SHELL:-Xclang -fno-pch-timestamp")
+  endif()
+  if(ARGV1 STREQUAL "AS")
+    target_precompile_headers(${target} REUSE_FROM ${ARGV2})
+  else()
+    target_precompile_headers(${target} PRIVATE "${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp" ${ARGN})
+  endif()
+endfunction()
 
 # minkref_warnings(TARGET...): warnings are errors in our own code. Headers of others come in through
 # imported targets, which are system headers and do not warn.

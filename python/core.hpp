@@ -1,6 +1,6 @@
 // The pieces of the extension module minkref._core. Exact numbers cross the border as strings, "n"
 // or "n/d", coordinates for drawing as doubles. Everything that computes releases the interpreter
-// lock.
+// lock, and ends where a signal's handler in Python raises.
 #pragma once
 
 #include <nanobind/nanobind.h>
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "formats/reading.hpp"
+#include "reference/interrupt.hpp"
 #include "reference/plane/convolution/convolution.hpp"
 #include "reference/plane/polygon_set.hpp"
 
@@ -37,6 +38,28 @@ struct Set {
 using EdgeRow =
     std::tuple<std::string, int, std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t>;
 std::vector<EdgeRow> convolution_rows(const std::vector<ConvolutionEdge>& edges);
+
+/// Bytes that the process may have in memory while C++ computes: those that were set, otherwise
+/// nine tenths of what there is at the first question in a call.
+void set_memory_limit(std::uint64_t bytes);
+std::uint64_t memory_limit();
+
+/// Throws LimitExceeded ("memory-limit") where the edges of a convolution, or the pairs of
+/// triangles that `definition` looks at, take more than there may be; before any of them is made.
+void refuse_large_convolution(const PolygonSet& P, const PolygonSet& Q, bool full = false);
+void refuse_large_definition(const PolygonSet& P, const PolygonSet& Q);
+
+/// While it lives, C++ computes without the interpreter lock; what the handler of a signal raises,
+/// as KeyboardInterrupt, ends the work, and so does the memory limit (LimitExceeded).
+class Computing {
+ public:
+  Computing();
+
+ private:
+  nanobind::gil_scoped_release released_;
+  Interruptible interruptible_;
+};
+using Released = nanobind::call_guard<Computing>;
 
 void bind_errors(nanobind::module_& module);
 void bind_polygon_set(nanobind::module_& module);

@@ -109,7 +109,7 @@ void bind_certify(nb::module_& module) {
           [](certify::Prover* self, const Set& P, const Set& Q) {
             new (self) certify::Prover(P.value, Q.value);
           },
-          "P"_a, "Q"_a, nb::call_guard<nb::gil_scoped_release>())
+          "P"_a, "Q"_a, Released())
       .def(
           "pieces",
           [](const certify::Prover& self, const std::string& operand) {
@@ -119,12 +119,11 @@ void bind_certify(nb::module_& module) {
           "operand"_a, "The step `pieces` of operand P or Q.")
       .def("box", &box, "largest"_a,
            "A box that holds the sums at all scales up to the largest: left, bottom, right, top.")
-      .def("prove", &prove, "scale"_a, "box"_a, "by"_a, "passages"_a = false,
-           nb::call_guard<nb::gil_scoped_release>(),
+      .def("prove", &prove, "scale"_a, "box"_a, "by"_a, "passages"_a = false, Released(),
            "The step `eq` at a scale; the sum, its components and holes; its tight passages, as "
            "points and elements of the step; points that its rings pass more than once. Exact.")
       .def("prove_around", &prove_around, "scale"_a, "box"_a, "by"_a, "from_scale"_a, "to_scale"_a,
-           nb::call_guard<nb::gil_scoped_release>(),
+           Released(),
            "The step `move` around a scale, as far as it goes within two; those scales; the "
            "vertices (x0, x1, y0, y1) by polygon and ring; components and holes; points that the "
            "rings pass more than once. None if the proof at this scale goes nowhere. Exact.");

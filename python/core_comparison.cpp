@@ -39,7 +39,7 @@ Fields decision(const Set& P, const Set& Q, const std::string& scale, const std:
                 const std::string& y) {
   Witness witness;
   {
-    nb::gil_scoped_release released;
+    const Computing released;
     witness =
         decide(P.value, Q.value, parse_rational(scale), {parse_rational(x), parse_rational(y)});
   }
@@ -53,7 +53,7 @@ Fields decision(const Set& P, const Set& Q, const std::string& scale, const std:
 std::optional<Fields> difference_point(const Set& first, const Set& second) {
   std::optional<Difference> found;
   {
-    nb::gil_scoped_release released;
+    const Computing released;
     found = difference(first.value, second.value);
   }
   if (!found) return std::nullopt;
@@ -67,7 +67,7 @@ std::optional<Fields> difference_point(const Set& first, const Set& second) {
 
 void bind_comparison(nb::module_& module) {
   module.def(
-      "canonicalize", canonical, "set"_a, nb::call_guard<nb::gil_scoped_release>(),
+      "canonicalize", canonical, "set"_a, Released(),
       "Canonical form, components, holes, and whether the rings' winding numbers are 0 and 1.");
   module.def(
       "decide", decision, "P"_a, "Q"_a, "scale"_a, "x"_a, "y"_a,

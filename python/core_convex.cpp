@@ -163,7 +163,7 @@ void bind_convex(nb::module_& module) {
           },
           "For each facet the vertices of the face of P and of that of Q.");
   module.def("convex_sum", &static_sum, "P"_a, "Q"_a, "scaling"_a, "route"_a = "traversal",
-             nb::call_guard<nb::gil_scoped_release>(),
+             Released(),
              "S P + Q from scratch, by the route traversal or brute-force. Exact, certified closed "
              "and convex.");
   module.def(
@@ -172,7 +172,7 @@ void bind_convex(nb::module_& module) {
          const ExactSpacePoint& b) {
         return sum_with_segment(*P.value, to_scaling(scaling), to_point(a), to_point(b));
       },
-      "P"_a, "scaling"_a, "a"_a, "b"_a, nb::call_guard<nb::gil_scoped_release>(),
+      "P"_a, "scaling"_a, "a"_a, "b"_a, Released(),
       "S P + the segment from a to b. Exact, certified closed and convex.");
   nb::class_<MovingConvexSum>(module, "DynamicConvexSum",
                               "S P + Q kept up to date (Behar & Lien 2012, Sec. 6).")
@@ -182,14 +182,14 @@ void bind_convex(nb::module_& module) {
           "update", &update, "scaling"_a,
           "Mends what the new scaling makes wrong: what was found, walked and mended, and seconds.")
       .def(
-          "sum", [](const MovingConvexSum& self) { return surface_of(self.sum); },
-          nb::call_guard<nb::gil_scoped_release>(), "In canonical form, certified.")
+          "sum", [](const MovingConvexSum& self) { return surface_of(self.sum); }, Released(),
+          "In canonical form, certified.")
       .def(
           "pairs",
           [](const MovingConvexSum& self) { return pairs_of(self.sum.vertices().pairs()); },
           "The pairs of vertices whose sums are corners of facets in generic position.")
       .def_prop_ro("ee_pairs", [](const MovingConvexSum& self) { return self.sum.ee_pairs(); })
-      .def("equals_route", &same_state, "route"_a, nb::call_guard<nb::gil_scoped_release>(),
+      .def("equals_route", &same_state, "route"_a, Released(),
            "Whether all compatible pairs are those that a static route finds.");
   module.def("incompatibility", &degree, "P"_a, "facet"_a, "Q"_a, "vertex"_a, "scaling"_a,
              "form"_a = "corrected",

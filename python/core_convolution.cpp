@@ -45,7 +45,6 @@ std::vector<SegmentTuple> segments(const Set& P, const Set& Q, const std::string
 }  // namespace
 
 void bind_convolution(nb::module_& module) {
-  using Released = nb::call_guard<nb::gil_scoped_release>;
   module.def(
       "reduced_convolution",
       [](const Set& P, const Set& Q) {

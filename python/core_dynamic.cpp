@@ -36,6 +36,7 @@ class Arrangement {
     const Stopwatch watch;
     const ScaleWindow window = window_of(from, to);
     refuse_bad_operands(P_, Q_, 1);
+    refuse_large_convolution(P_, Q_);
     refuse_bad_window(window);
     if (!P_.empty() && !Q_.empty()) {
       events_ = std::make_unique<ArrangementEvents>(P_, Q_, opened(window));
@@ -151,6 +152,7 @@ class Dynamic {
   Dynamic(const Set& P, const Set& Q, const std::optional<std::string>& from,
           const std::optional<std::string>& to)
       : P_(P.value), Q_(Q.value) {
+    refuse_large_convolution(P_, Q_);
     const Stopwatch watch;
     sum_ = std::make_unique<DynamicSum>(P.value, Q.value, window_of(from, to));
     seconds = watch.seconds();
@@ -288,7 +290,6 @@ class Dynamic {
 }  // namespace
 
 void bind_dynamic(nb::module_& module) {
-  using Released = nb::call_guard<nb::gil_scoped_release>;
   using OptionalText = std::optional<std::string>;
   nb::class_<Arrangement>(module, "ArrangementEvents",
                           "Pair, parallel and triple events of sP + Q in a closed window, sorted.")

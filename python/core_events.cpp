@@ -55,6 +55,7 @@ Events find(const Set& P, const Set& Q, const std::optional<std::string>& from,
   if (from) window.from = parse_rational(*from);
   if (to) window.to = parse_rational(*to);
   const Stopwatch watch;
+  refuse_large_convolution(P.value, Q.value);
   PairEvents events = pair_events(P.value, Q.value, window, kind_named(kind), form_named(form));
   const double taken = watch.seconds();
   return {std::move(events), P.value, Q.value, taken};
@@ -121,7 +122,7 @@ std::pair<nb::bytes, nb::bytes> scale_texts(const Events& events) {
   std::vector<std::int64_t> begins{0};
   std::string texts;
   {
-    const nb::gil_scoped_release released;
+    const Computing released;
     for (const Rational& scale : critical_scales(events.value, events.P, events.Q)) {
       texts += to_string(scale);
       begins.push_back(static_cast<std::int64_t>(texts.size()));
@@ -155,7 +156,7 @@ Fields counts(const Events& events) {
 Fields trial(const Set& P, const Set& Q, const std::string& arithmetic, const std::string& form) {
   PrecisionTrial result;
   {
-    const nb::gil_scoped_release released;
+    const Computing released;
     result = precision_trial(P.value, Q.value, arithmetic, form_named(form));
   }
   Fields fields;
@@ -178,7 +179,7 @@ Fields trial(const Set& P, const Set& Q, const std::string& arithmetic, const st
 Fields forms(const Set& P, const Set& Q) {
   FormComparison result;
   {
-    const nb::gil_scoped_release released;
+    const Computing released;
     result = compare_forms(P.value, Q.value);
   }
   Fields fields;
@@ -299,7 +300,6 @@ std::vector<IntervalRow> pair_intervals(
 }  // namespace
 
 void bind_events(nb::module_& module) {
-  using Released = nb::call_guard<nb::gil_scoped_release>;
   nb::class_<Events>(module, "PairEvents", "The pair and parallel events of sP + Q, sorted.")
       .def_ro("seconds", &Events::seconds)
       .def("__len__", [](const Events& events) { return events.value.events.size(); })

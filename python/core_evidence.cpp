@@ -53,12 +53,10 @@ Fields trial_of_filter(std::uint64_t seed, std::uint64_t count) {
 }  // namespace
 
 void bind_evidence(nb::module_& module) {
-  module.def("face_points", points_of_faces, "P"_a, "Q"_a, "scale"_a,
-             nb::call_guard<nb::gil_scoped_release>(),
+  module.def("face_points", points_of_faces, "P"_a, "Q"_a, "scale"_a, Released(),
              "An interior point of every bounded face of the reduced convolution's arrangement: x, "
              "y, in_sum.");
-  module.def("decide_many", decide_many, "P"_a, "Q"_a, "scale"_a, "points"_a,
-             nb::call_guard<nb::gil_scoped_release>(),
+  module.def("decide_many", decide_many, "P"_a, "Q"_a, "scale"_a, "points"_a, Released(),
              "The contact (empty, touching, overlapping) of each point, by pairs of triangles.");
   module.def(
       "filter_trial", trial_of_filter, "seed"_a, "count"_a,

@@ -23,7 +23,6 @@ Set keep(Reading reading) {
 }  // namespace
 
 void bind_files(nb::module_& module) {
-  using Released = nb::call_guard<nb::gil_scoped_release>;
   module.def(
       "read_file",
       [](const std::string& path) {

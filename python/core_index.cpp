@@ -79,12 +79,12 @@ class Index {
   using Progress = std::function<void(std::string, std::uint64_t, std::uint64_t)>;
 
   Index(const Set& P, const Set& Q, const std::optional<std::string>& from,
-        const std::optional<std::string>& to, unsigned threads, std::uint64_t memory_limit,
+        const std::optional<std::string>& to, unsigned threads, std::uint64_t limit,
         const std::optional<Progress>& progress) {
     const Stopwatch watch;
     BuildOptions options;
     options.threads = threads;
-    options.memory_limit = memory_limit;
+    options.memory_limit = limit != 0 ? limit : memory_limit();
     if (progress) {
       options.progress = [&](const BuildProgress& now) {
         static constexpr std::array<const char*, 4> stages{"cells", "pairs", "patches", "rings"};
@@ -92,14 +92,7 @@ class Index {
         (*progress)(stages.at(static_cast<std::size_t>(now.stage)), now.done, now.total);
       };
     }
-    // Signals are asked after some times a second: for each of them the interpreter has to be free.
-    options.interrupt = [last = std::chrono::steady_clock::now()]() mutable {
-      const auto now = std::chrono::steady_clock::now();
-      if (now - last < std::chrono::milliseconds(50)) return;
-      last = now;
-      const nb::gil_scoped_acquire locked;
-      if (PyErr_CheckSignals() != 0) throw nb::python_error();
-    };
+    refuse_large_convolution(P.value, Q.value);
     index_.emplace(P.value, Q.value, window_of(from, to), options);
     seconds = watch.seconds();
   }
@@ -355,7 +348,6 @@ void bind_rings(nb::module_& module) {
 }  // namespace
 
 void bind_index(nb::module_& module) {
-  using Released = nb::call_guard<nb::gil_scoped_release>;
   using OptionalText = std::optional<std::string>;
   bind_rings(module);
   nb::class_<Index>(module, "ScaleSpaceIndex",

@@ -23,7 +23,6 @@ std::pair<Surface, std::vector<std::string>> keep(MeshReading reading) {
 }  // namespace
 
 void bind_mesh_files(nb::module_& module) {
-  using Released = nb::call_guard<nb::gil_scoped_release>;
   module.def(
       "read_mesh_file", [](const std::string& path) { return keep(read_mesh_file(path)); },
       "path"_a, Released(),

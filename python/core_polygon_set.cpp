@@ -72,7 +72,6 @@ Set from_json(const std::string& text) {
 }  // namespace
 
 void bind_polygon_set(nb::module_& module) {
-  using Released = nb::call_guard<nb::gil_scoped_release>;
   nb::class_<Set>(module, "PolygonSet", "A closed regular set bounded by polygons; exact.")
       .def_static("from_json", from_json, "text"_a, Released(),
                   "From {\"polygons\":[{\"outer\":ring,\"holes\":[...]}]}; nothing is validated.")

@@ -42,7 +42,6 @@ std::vector<std::array<double, 3>> approximate_points(const Polyhedron& polyhedr
 }  // namespace
 
 void bind_space(nb::module_& module) {
-  using Released = nb::call_guard<nb::gil_scoped_release>;
   nb::class_<Surface>(module, "Polyhedron",
                       "A closed surface of planar faces, exact; faces run counter-clockwise seen "
                       "from outside. Without faces: the empty set, a point, a segment.")

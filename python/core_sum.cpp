@@ -47,6 +47,11 @@ TimedSum timed_sum(const Set& P, const Set& Q, const std::string& scale, const s
                    const std::string& arithmetic, bool with_passages) {
   const Rational s = parse_rational(scale);
   const Route way = route_named(route);
+  if (way == Route::definition) {
+    refuse_large_definition(P.value, Q.value);
+  } else {
+    refuse_large_convolution(P.value, Q.value, way == Route::winding);
+  }
   const Stopwatch watch;
   Sum sum = minkowski_sum(P.value, Q.value, s, way, arithmetic,
                           with_passages ? Passages::find : Passages::leave);
@@ -93,8 +98,7 @@ void bind_sum(nb::module_& module) {
           },
           "As the function's; None unless asked for and rational.");
   module.def("minkowski_sum", timed_sum, "P"_a, "Q"_a, "scale"_a, "route"_a = "paper",
-             "arithmetic"_a = "rational", "tight_passages"_a = false,
-             nb::call_guard<nb::gil_scoped_release>(),
+             "arithmetic"_a = "rational", "tight_passages"_a = false, Released(),
              "sP + Q. Routes: paper, winding, definition. Arithmetics: rational, interval, double, "
              "mpfr:BITS. Raises BadInput, UndecidedSign.");
   module.def(
@@ -102,7 +106,7 @@ void bind_sum(nb::module_& module) {
       [](const Set& P, const Set& Q, const std::string& scale) {
         return passage_rows(tight_passages(P.value, Q.value, parse_rational(scale)));
       },
-      "P"_a, "Q"_a, "scale"_a, nb::call_guard<nb::gil_scoped_release>(),
+      "P"_a, "Q"_a, "scale"_a, Released(),
       "What the sum of the interiors misses inside of sP + Q: (points, contacts), contacts being "
       "rows as reduced_convolution's for each segment.");
 }

@@ -93,7 +93,7 @@ Fields timed_walk(const ConvexBody& P, const ConvexBody& Q,
   for (const ExactSpacePoint& scaling : scalings) list.push_back(to_scaling(scaling));
   TimedWalk walk(*P.value, *Q.value, list.at(0));
   {
-    const nb::gil_scoped_release unlocked;
+    const Computing unlocked;
     for (std::size_t k = 1; k < list.size(); ++k) {
       walk.step(list[k], all_every > 0 && k % all_every == 0);
     }

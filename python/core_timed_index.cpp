@@ -138,8 +138,7 @@ std::map<std::string, std::vector<Row>> timed_queries(const std::string& path,
 }  // namespace
 
 void bind_timed_index(nb::module_& module) {
-  module.def("timed_index_queries", &timed_queries, "path"_a, "scales"_a, "passes"_a,
-             nb::call_guard<nb::gil_scoped_release>(),
+  module.def("timed_index_queries", &timed_queries, "path"_a, "scales"_a, "passes"_a, Released(),
              "Of an index in a file, by form and scale: least seconds of the query over some "
              "passes, least seconds of evaluating its vertices alone, vertices.");
 }

@@ -5,6 +5,7 @@
 
 #include "reference/convex/convexity.hpp"
 #include "reference/error.hpp"
+#include "reference/interrupt.hpp"
 #include "reference/space/area_vector.hpp"
 
 namespace minkref {
@@ -148,6 +149,7 @@ void ConvexPolyhedron::link(const std::vector<Face>& rings) {
   for (auto* list : {&target_, &twin_, &facet_, &next_}) list->resize(corners.size());
   start_.assign(rings.size(), none);
   for (std::uint32_t c = 0; c < corners.size(); ++c) {
+    look_for_interrupt();
     const Corner& corner = corners[c];
     const std::uint32_t h = place[c];
     target_[h] = corner.target;
@@ -191,6 +193,7 @@ Polyhedron ConvexPolyhedron::surface() const {
         {Rational(p[0], denominator_), Rational(p[1], denominator_), Rational(p[2], denominator_)});
   }
   for (const std::uint32_t start : start_) {
+    look_for_interrupt();
     Face& ring = result.faces.emplace_back();
     std::uint32_t h = start;
     do {

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "reference/error.hpp"
+#include "reference/interrupt.hpp"
 #include "reference/space/area_vector.hpp"
 #include "reference/space/face_edges.hpp"
 #include "reference/space/polyhedron_place.hpp"
@@ -45,6 +46,7 @@ class Surface {
     if (!is_closed_) refuse("the surface is not closed", 0, {});
     const std::vector<Face>& faces = polyhedron_.faces;
     for (std::uint32_t f = 0; f < faces.size(); ++f) {
+      look_for_interrupt();
       for (const std::uint32_t v : faces[f]) {
         if (dot_sign(normals_[f], points_[v] - points_[faces[f][0]]) != 0) {
           refuse("the vertices of a face lie in no plane", f, {v});
@@ -72,6 +74,7 @@ class Surface {
 
   bool are_edges_twice() const {
     for (std::size_t k = 0; k < pairs_.size(); ++k) {
+      look_for_interrupt();
       const auto& [a, b] = pairs_[k];
       if (a.from != b.to || a.to != b.from) return false;
       if (k > 0 && a.ends() == pairs_[k - 1].first.ends()) return false;
@@ -92,6 +95,7 @@ class Surface {
     parent_.resize(polyhedron_.faces.size());
     std::iota(parent_.begin(), parent_.end(), 0U);
     for (const auto& [a, b] : pairs_) {
+      look_for_interrupt();
       if (!in_one_plane(a, b)) continue;
       const auto [low, high] = std::minmax({root(a.face), root(b.face)});
       parent_[high] = low;
@@ -112,6 +116,7 @@ class Surface {
     std::sort(edges.begin(), edges.end(), less);
     std::vector<Face> result;
     for (std::size_t k = 0, end = 0; k < edges.size(); k = end) {
+      look_for_interrupt();
       for (end = k; end < edges.size() && edges[end].face == edges[k].face;) ++end;
       Face ring;
       std::size_t at = k;
@@ -147,6 +152,7 @@ class Surface {
   /// down, and then up, once.
   void check_rings(const std::vector<Face>& facets) const {
     for (std::size_t f = 0; f < facets.size(); ++f) {
+      look_for_interrupt();
       const Face& ring = facets[f];
       const std::size_t n = ring.size();
       if (n < 3) refuse("the faces in a plane bound no convex polygon", faces_[f], ring);
@@ -172,6 +178,7 @@ class Surface {
   /// Where it is not strict, faces in one plane may meet at an edge.
   void check_ridges(bool is_strict) const {
     for (const auto& [a, b] : pairs_) {
+      look_for_interrupt();
       const auto &left = normals_[a.face], &right = normals_[b.face];
       const int turn = turn_sign(left, right, points_[a.to] - points_[a.from]);
       if (turn > 0) continue;
@@ -199,6 +206,7 @@ class Surface {
     const auto seen = [&](std::uint32_t v) { return combination(28, points_[v], -1, o, 0, o); };
     std::size_t met = 0;
     for (std::size_t f = 0; f < facets.size(); ++f) {
+      look_for_interrupt();
       const Face& ring = facets[f];
       const auto& normal = normals_[faces_[f]];
       Point before = seen(ring[1]);

@@ -7,6 +7,7 @@
 
 #include "reference/convex/convexity.hpp"
 #include "reference/error.hpp"
+#include "reference/interrupt.hpp"
 
 namespace minkref {
 namespace {
@@ -69,12 +70,14 @@ std::pair<std::vector<Face>, std::vector<FacetParents>> merged(const Pieces<Poin
   std::vector<std::uint32_t> order(rings.size());
   std::iota(order.begin(), order.end(), 0U);
   const auto compared = [&](std::uint32_t a, std::uint32_t b) {
+    look_for_interrupt();
     return compare(directions[a], directions[b]);
   };
   std::sort(order.begin(), order.end(),
             [&](std::uint32_t a, std::uint32_t b) { return compared(a, b) < 0; });
   std::pair<std::vector<Face>, std::vector<FacetParents>> result;
   for (std::size_t k = 0, end = 0; k < order.size(); k = end) {
+    look_for_interrupt();
     Face corners;
     for (end = k; end < order.size() && compared(order[end], order[k]) == 0; ++end) {
       corners.insert(corners.end(), rings[order[end]].begin(), rings[order[end]].end());
@@ -99,6 +102,7 @@ void make_canonical(ConvexSum& sum, std::vector<Face> rings, std::vector<FacetPa
   std::vector<std::uint32_t> number(pieces.pairs.size());
   const IntegerVector& under = pieces.denominators;
   for (std::uint32_t k = 0; k < used.size(); ++k) {
+    look_for_interrupt();
     number[used[k]] = k;
     const Point& p = pieces.points[used[k]];
     points.push_back(p);

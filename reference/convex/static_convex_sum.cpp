@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "reference/interrupt.hpp"
+
 namespace minkref {
 namespace {
 
@@ -10,6 +12,7 @@ namespace {
 std::vector<std::uint32_t> vertices_by_traversal(const Contact& contact) {
   std::vector<std::uint32_t> vertex(contact.normals().facets());
   for (const auto& [facet, before] : contact.normals().traversal()) {
+    look_for_interrupt();
     vertex[facet] = climb(contact, facet, vertex[before]).vertex;
   }
   return vertex;
@@ -21,6 +24,7 @@ std::vector<std::uint32_t> vertices_by_brute_force(const Contact& contact) {
   for (std::uint32_t f = 0; f < contact.normals().facets(); ++f) {
     std::uint32_t found = UINT32_MAX;
     for (std::uint32_t v = 0; v < body.vertices(); ++v) {
+      look_for_interrupt();
       bool rises = false;
       for (std::uint32_t h = body.first(v); h < body.first(v + 1); ++h) {
         rises = rises || contact.rises(f, h);
@@ -43,6 +47,7 @@ Compatibility by_traversal(const Contacts& contacts) {
   result.chains.resize(P.edges());
   std::vector<double> slacks;
   for (std::uint32_t e = 0; e < P.edges(); ++e) {
+    look_for_interrupt();
     const std::uint32_t h = P.half_edge(e);
     walk_chain(contacts.across_Q, e, result.vertex_of_Q[P.left(h)], result.vertex_of_Q[P.right(h)],
                result.chains[e], slacks);
@@ -59,6 +64,7 @@ Compatibility by_brute_force(const Contacts& contacts) {
     const std::uint32_t h = P.half_edge(e);
     std::vector<std::uint32_t> crossed;
     for (std::uint32_t d = 0; d < Q.half_edges(); ++d) {
+      look_for_interrupt();
       // The arc of h runs from its left facet to its right one, and so does that of d.
       if (!contacts.across_P.rises(P.left(h), d) && contacts.across_P.rises(P.right(h), d) &&
           contacts.across_Q.rises(Q.left(d), h) && !contacts.across_Q.rises(Q.right(d), h)) {

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "reference/error.hpp"
+#include "reference/interrupt.hpp"
 
 namespace minkref {
 namespace {
@@ -173,6 +174,7 @@ Nearest nearest_magnitude(const Rational& value) {
 }  // namespace
 
 Rational parse_rational(std::string_view text, const NumberLimits& limits) {
+  look_for_interrupt();
   const auto too_long = [&] {
     return LimitExceeded("number-too-long",
                          "the number " + quoted(text) + " has more than " +

@@ -1,6 +1,7 @@
 // Signs for points with rational coordinates, behind a float filter.
 #pragma once
 
+#include "reference/interrupt.hpp"
 #include "reference/number/rational.hpp"
 #include "reference/plane/polygon_set.hpp"
 
@@ -11,7 +12,9 @@ class FilteredPoint {
  public:
   FilteredPoint() = default;
   explicit FilteredPoint(const Point& point)
-      : exact_(point), x_(to_double(point.x)), y_(to_double(point.y)) {}
+      : exact_(point), x_(to_double(point.x)), y_(to_double(point.y)) {
+    look_for_interrupt();
+  }
   const Point& exact() const { return exact_; }
   double x() const { return x_; }
   double y() const { return y_; }

@@ -3,7 +3,6 @@
 
 #include <atomic>
 #include <string>
-#include <thread>
 
 #include "reference/scalespace/build_options.hpp"
 
@@ -12,7 +11,8 @@ namespace minkref {
 /// `options` must outlive it.
 class BuildControl {
  public:
-  explicit BuildControl(const BuildOptions& options) : options_(options) {}
+  /// Throws BadInput ("too-many-threads").
+  explicit BuildControl(const BuildOptions& options);
 
   unsigned threads() const { return options_.threads == 0 ? 1 : options_.threads; }
 
@@ -22,7 +22,7 @@ class BuildControl {
     thread_local unsigned turns = 0;
     if (++turns % turns_between_looks == 0) look_now();
   }
-  /// Throws LimitExceeded ("memory-limit"), what the interrupt throws, and in other threads
+  /// Throws LimitExceeded ("memory-limit"), what an interrupt throws, and in other threads
   /// Stopped. Some 10 us.
   void look_now() const;
   /// From the calling thread.
@@ -32,17 +32,11 @@ class BuildControl {
   void stop() const { stopped_ = true; }
   struct Stopped {};
 
-  static constexpr unsigned turns_between_looks = 256;
+  static constexpr unsigned turns_between_looks = 256, most_threads = 1024;
 
  private:
-  void check_memory() const;
-
   const BuildOptions& options_;
-  std::thread::id calling_thread_ = std::this_thread::get_id();
   mutable std::atomic<bool> stopped_{false};
 };
-
-/// What the process has in memory now; 0 where the system does not tell.
-std::uint64_t resident_bytes();
 
 }  // namespace minkref

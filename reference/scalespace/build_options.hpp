@@ -1,4 +1,4 @@
-// How an index is built: threads, progress, interrupts, memory.
+// How an index is built: threads, progress, memory.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +18,6 @@ struct BuildOptions {
   std::function<void(const BuildProgress&)> progress;
   /// Bytes that the process may have in memory while it builds; 0: no limit.
   std::uint64_t memory_limit = 0;
-  /// Called from the calling thread, often, in each stage. May throw, which ends the build.
-  std::function<void()> interrupt = {};
 };
 
 }  // namespace minkref

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "reference/interrupt.hpp"
 #include "reference/plane/dynamic/double_range.hpp"
 #include "reference/plane/routes/simply_connected.hpp"
 
@@ -114,6 +115,7 @@ class Growth {
     const double reach = 2 * size_;
     Corners corners{{-reach, -reach}, {reach, -reach}, {reach, reach}, {-reach, reach}};
     for (const auto& [distance, k] : by_distance_) {
+      look_for_interrupt();
       if (!is_apart(corners, edges_[k], 0)) grow_up_to(seed, edges_[k], corners);
     }
     for (Corner& c : corners) {
@@ -218,6 +220,7 @@ std::vector<ConvexPiece> convex_pieces(const PolygonSet& region, std::size_t mos
   };
   for (const bool fill : {false, true}) {
     for (const auto& candidate : triangles) {
+      look_for_interrupt_now();
       if (result.size() == most_pieces) return result;
       const Corners& t = candidate.second;
       const Corner seed = middle_of(t);

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -15,7 +16,8 @@ namespace minkref {
 
 /// Calls worker(k) once for each k from 0 to count - 1, in no order; thread t of 0, 1, ... has a
 /// worker of its own, from make_worker(t), which is called by that thread. An exception ends all,
-/// and is thrown here. Reports progress, and looks at interrupts and the memory limit.
+/// and is thrown here. Where the system starts no more threads, those that there are do all the
+/// work. Reports progress, and looks at interrupts and the memory limit.
 template <class MakeWorker>
 void in_parallel(std::size_t count, const BuildControl& control, BuildProgress::Stage stage,
                  MakeWorker&& make_worker) {
@@ -46,7 +48,15 @@ void in_parallel(std::size_t count, const BuildControl& control, BuildProgress::
   };
   control.report(stage, 0, count);
   std::vector<std::thread> others;
-  for (unsigned k = 1; k < control.threads(); ++k) others.emplace_back(run, k);
+  const std::size_t useful = std::min<std::size_t>(control.threads(), (count + chunk - 1) / chunk);
+  others.reserve(useful);
+  for (unsigned k = 1; k < useful; ++k) {
+    try {
+      others.emplace_back(run, k);
+    } catch (const std::system_error&) {
+      break;
+    }
+  }
   run(0);
   for (std::thread& other : others) other.join();
   if (fault) std::rethrow_exception(fault);

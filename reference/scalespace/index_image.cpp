@@ -3,14 +3,13 @@
 #include <unistd.h>
 
 #include <boost/crc.hpp>
-#include <boost/interprocess/file_mapping.hpp>
-#include <boost/interprocess/mapped_region.hpp>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 
 #include "reference/error.hpp"
+#include "reference/scalespace/private_copy.hpp"
 
 namespace minkref {
 namespace {
@@ -57,30 +56,17 @@ IntegerColumn IndexImage::integers(Column which) const {
   return {entry.words, column<std::uint64_t>(which)};
 }
 
-IndexImage IndexImage::map(const std::string& path) {
-  namespace ip = boost::interprocess;
-  std::error_code error;
-  const auto size = std::filesystem::file_size(path, error);
-  if (error) {
-    throw refused(path, "no-file", "the index cannot be read: " + error.message(),
-                  "give a file that `minkref index` wrote");
-  }
+IndexImage IndexImage::read(const std::string& path) {
   constexpr const char* foreign = "give a file that `minkref index` wrote";
   constexpr const char* again = "build it again with `minkref index`";
-  if (size < sizeof(Header)) throw refused(path, "not-an-index", "the file is no index", foreign);
-  std::shared_ptr<ip::mapped_region> region;
-  try {
-    const ip::file_mapping file(path.c_str(), ip::read_only);
-    region = std::make_shared<ip::mapped_region>(file, ip::read_only);
-  } catch (const ip::interprocess_exception& fault) {
-    throw refused(path, "no-file", std::string("the index cannot be mapped: ") + fault.what(),
-                  foreign);
+  const PrivateCopy copy = private_copy(path, {magic.data(), magic.size()});
+  if (copy.bytes.size() < sizeof(Header)) {
+    throw refused(path, "not-an-index", "the file is no index", foreign);
   }
   IndexImage image;
-  image.bytes_ = {static_cast<const std::byte*>(region->get_address()), region->get_size()};
-  image.owner_ = region;
-  const Header& header = *static_cast<const Header*>(region->get_address());
-  if (header.magic != magic) throw refused(path, "not-an-index", "the file is no index", foreign);
+  image.bytes_ = copy.bytes;
+  image.owner_ = copy.owner;
+  const Header& header = *reinterpret_cast<const Header*>(copy.bytes.data());
   if (header.byte_order != byte_order) {
     throw refused(path, "not-an-index", "the index comes from a machine with another byte order",
                   again);
@@ -110,7 +96,7 @@ void IndexImage::save(const std::string& path) const {
   std::error_code none;
   if (std::filesystem::exists(path, none) && !std::filesystem::is_regular_file(path, none)) {
     throw refused(path, "cannot-write", "the index cannot be written: this is no file",
-                  "name a file: an index is mapped, not read from a stream");
+                  "name a file: an index is no stream");
   }
   const std::string beside = path + "." + std::to_string(::getpid()) + ".part";
   const auto fail = [&] {

@@ -1,4 +1,4 @@
-// The bytes of an index: columns of numbers of one kind, in memory or in a mapped file.
+// The bytes of an index: columns of numbers of one kind.
 #pragma once
 
 #include <array>
@@ -54,9 +54,10 @@ class IndexImage {
  public:
   class Writer;
 
-  /// Maps a file. Throws BadInput: "no-file", "not-an-index" (foreign), "index-version",
-  /// "damaged-index" (length, directory or checksum). O(bytes), for the checksum.
-  static IndexImage map(const std::string& path);
+  /// Takes a copy of a file (private_copy.hpp), which then may change. Throws BadInput: "no-file",
+  /// "not-an-index" (foreign), "index-version", "damaged-index" (length, directory or checksum).
+  /// O(bytes).
+  static IndexImage read(const std::string& path);
   /// Writes a file beside, then renames it. Throws BadInput ("cannot-write").
   void save(const std::string& path) const;
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "reference/interrupt.hpp"
+
 namespace minkref {
 namespace {
 
@@ -162,6 +164,7 @@ std::size_t InteriorSolids::choose(const std::vector<SweptQuad>& samples) {
   for (std::size_t k = 0; k < count; ++k) extents.emplace_back(sample(k));
   std::vector<Pair> pairs;
   for (std::size_t k = 0; k < count; ++k) {
+    look_for_interrupt();
     if (const auto pair = largest_pair(sample(k))) pairs.push_back(*pair);
   }
   std::sort(pairs.begin(), pairs.end());
@@ -169,6 +172,7 @@ std::size_t InteriorSolids::choose(const std::vector<SweptQuad>& samples) {
   using Held = std::bitset<most_samples>;
   std::vector<Held> held(pairs.size());
   for (std::size_t i = 0; i < pairs.size(); ++i) {
+    look_for_interrupt();
     const Box &a = P_.boxes[pairs[i].of_P], &b = Q_.boxes[pairs[i].of_Q];
     for (std::size_t k = 0; k < count; ++k) {
       held[i][k] = extents[k].within(a, b) && holds(pairs[i], sample(k), room_for(sample(k)));

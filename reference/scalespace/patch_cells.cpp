@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/interrupt.hpp"
 #include "reference/scalespace/in_parallel.hpp"
 
 namespace minkref {
@@ -75,6 +76,7 @@ class Search {
 
  private:
   void look(const PatchCell& cell, int halvings, bool may_be_inside, std::vector<PatchCell>& kept) {
+    look_for_interrupt();
     if (may_be_inside) {
       const auto [track, reach] = middle_of(*edge_, cell);
       const double clearance = tracks_.clearance(track, cell.low, cell.high, hints_);
@@ -141,6 +143,7 @@ std::vector<SweptQuad> small_parts(const InteriorTracks& tracks,
   std::vector<SweptQuad> result;
   InteriorTracks::Hints hints;
   for (std::size_t k = 0; k < most; ++k) {
+    look_for_interrupt();
     const RoundedEdge& e = edges[k * edges.size() / most];
     const PatchCell& band = bands[k % bands.size()];
     if (!(band.low > 0) || !std::isfinite(band.high)) continue;

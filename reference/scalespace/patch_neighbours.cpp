@@ -60,9 +60,11 @@ struct Found {
 
 class Search {
  public:
-  Search(const Subject& subject, const PairFilter& filter, Found& found)
+  Search(const Subject& subject, const PairFilter& filter, const BuildControl& control,
+         Found& found)
       : subject_(subject),
         filter_(filter),
+        control_(control),
         error_(filter.error()),
         found_(found),
         candidates_(subject.live.size() + 1) {}
@@ -96,6 +98,7 @@ class Search {
   }
 
   void look(std::uint32_t i, std::uint32_t j) {
+    control_.look();
     const RoundedEdge &a = subject_.edges[i], &b = subject_.edges[j];
     const double turn = a.dx * b.dy - a.dy * b.dx, right = turn < 0 ? -1 : 1, c = right * turn;
     if (c > 64 * error_) {
@@ -154,6 +157,7 @@ class Search {
 
   const Subject& subject_;
   const PairFilter& filter_;
+  const BuildControl& control_;
   double error_;
   Found& found_;
   InteriorTracks::Hints hints_;
@@ -194,7 +198,7 @@ PatchNeighbours patch_neighbours(const InteriorTracks& tracks, InteriorSolids& s
   const PairFilter filter = subject.filter();
   std::vector<Found> found(control.threads());
   in_parallel(subject.live.size(), control, BuildProgress::Stage::pairs,
-              [&](unsigned thread) { return Search(subject, filter, found[thread]); });
+              [&](unsigned thread) { return Search(subject, filter, control, found[thread]); });
   PatchNeighbours result = listed(found, edges.size());
   result.cells = std::move(subject.cells);
   return result;

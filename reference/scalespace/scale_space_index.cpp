@@ -64,7 +64,7 @@ ScaleSpaceIndex::ScaleSpaceIndex(const PolygonSet& P, const PolygonSet& Q,
 
 ScaleSpaceIndex ScaleSpaceIndex::open(const std::string& path) {
   try {
-    return ScaleSpaceIndex(IndexImage::map(path));
+    return ScaleSpaceIndex(IndexImage::read(path));
   } catch (const BadInput& refusal) {
     throw refusal.from(path);
   }

@@ -21,7 +21,7 @@ class ScaleSpaceIndex {
   ScaleSpaceIndex(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window,
                   const BuildOptions& options = {});
 
-  /// One that was saved, by a memory map. Throws BadInput as IndexImage::map does. O(bytes).
+  /// One that was saved. Throws BadInput as IndexImage::read does. O(bytes).
   static ScaleSpaceIndex open(const std::string& path);
   void save(const std::string& path) const { image_.save(path); }
   std::size_t bytes() const { return image_.bytes(); }

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "reference/interrupt.hpp"
+
 namespace minkref {
 namespace {
 
@@ -90,6 +92,7 @@ void SignedDistance::measure(const std::vector<Edge>& edges) {
   std::vector<std::size_t> near;
   for (std::size_t first_row = 0; first_row < rows_; first_row += block) {
     for (std::size_t first = 0; first < columns_; first += block) {
+      look_for_interrupt_now();
       const double x = left_ + (static_cast<double>(first) + block / 2.0) * spacing_,
                    y = bottom_ + (static_cast<double>(first_row) + block / 2.0) * spacing_;
       double least = infinity;
@@ -122,6 +125,7 @@ void SignedDistance::mark_outside(const std::vector<Edge>& edges) {
   if (columns_ * rows_ == 1) return;
   std::vector<double> crossings;
   for (std::size_t r = 0; r < rows_; ++r) {
+    look_for_interrupt_now();
     const double y = bottom_ + static_cast<double>(r) * spacing_;
     crossings.clear();
     for (const Edge& e : edges) {
@@ -162,6 +166,7 @@ std::vector<Disc> SignedDistance::inscribed_discs(std::size_t count) const {
   std::vector<bool> covered(samples_.size());
   std::vector<Disc> result;
   for (const std::size_t k : order) {
+    look_for_interrupt();
     if (result.size() == count) break;
     if (covered[k]) continue;
     const std::size_t column = k % columns_, row = k / columns_;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "reference/error.hpp"
+#include "reference/interrupt.hpp"
 #include "reference/plane/polygon_set.hpp"
 #include "reference/space/area_vector.hpp"
 #include "reference/space/face_edges.hpp"
@@ -88,6 +89,7 @@ class Validator {
   }
 
   void check_face(std::uint32_t f) const {
+    look_for_interrupt();
     const Face& face = faces()[f];
     const std::vector<IntegerVector>& points = integers_.points;
     for (std::size_t k = 0; k < face.size(); ++k) {
@@ -139,6 +141,7 @@ class Validator {
   void check_edges() const {
     const std::vector<FaceEdge> edges = sorted_edges(faces());
     for (std::size_t k = 0, end = 0; k < edges.size(); k = end) {
+      look_for_interrupt();
       for (end = k; end < edges.size() && edges[end].ends() == edges[k].ends();) ++end;
       if (end - k == 2 && edges[k].from != edges[k + 1].from) continue;
       Place at = place(edges[k].face, {edges[k].from, edges[k].to});
@@ -176,6 +179,7 @@ class Validator {
     };
     std::sort(corners.begin(), corners.end(), less);
     for (std::size_t k = 0, end = 0; k < corners.size(); k = end) {
+      look_for_interrupt();
       for (end = k; end < corners.size() && corners[end].vertex == corners[k].vertex;) ++end;
       std::size_t seen = 0, at = k;
       do {

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "reference/error.hpp"
+#include "reference/interrupt.hpp"
 #include "reference/scalespace/build_control.hpp"
 #include "reference/scalespace/scale_space_index.hpp"
 #include "tests/plane/shapes.hpp"
@@ -43,9 +44,9 @@ class Build {
       reached = Step{now.stage, now.done} == at;
       if (reached && by_memory) options_.memory_limit = 1;
     };
-    options_.interrupt = [&] {
+    const Interruptible interruptible([&] {
       if (reached && !by_memory) throw Interrupted{};
-    };
+    });
     try {
       const ScaleSpaceIndex index(P_, Q_, window_, options_);
     } catch (const LimitExceeded& e) {
@@ -64,7 +65,7 @@ class Build {
       result[{now.stage, now.done}] += count;
       count = 0;
     };
-    options_.interrupt = [&] { ++count; };
+    const Interruptible interruptible([&] { ++count; });
     const ScaleSpaceIndex index(P_, Q_, window_, options_);
     return result;
   }

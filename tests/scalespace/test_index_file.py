@@ -55,7 +55,7 @@ def test_a_saved_index_gives_the_same_answers(index: Index, tmp_path: Path) -> N
     assert [file.name for file in tmp_path.iterdir()] == ["copy.index"]
 
 
-@pytest.mark.parametrize("how", ["saved over", "replaced", "deleted"])
+@pytest.mark.parametrize("how", ["saved over", "replaced", "deleted", "cut off", "overwritten"])
 def test_an_open_index_is_as_it_was_after_its_file_is_another(
     indices: dict[str, Index], tmp_path: Path, how: str
 ) -> None:
@@ -67,8 +67,14 @@ def test_an_open_index_is_as_it_was_after_its_file_is_another(
     elif how == "replaced":
         other.write_bytes(b"short")
         os.replace(other, path)
-    else:
+    elif how == "deleted":
         path.unlink()
+    elif how == "cut off":
+        os.truncate(path, 10)
+    else:
+        length = path.stat().st_size
+        with open(path, "r+b") as file:
+            file.write(b"\xff" * length)
     assert everything(opened) == everything(indices["letters"])
 
 

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import os
 import signal
+import subprocess
+import sys
 import threading
 from pathlib import Path
 
 import pytest
-from indexed_sums import FORMS, NUMBERS, Index, operands
+from indexed_sums import FORMS, NUMBERS, Index, operands, scales
 from minkref import _core
 from minkref.operand import read_operand
 
@@ -128,3 +130,33 @@ def test_files_that_cannot_be_read_or_written_are_refused(
             indices["islands"].save(str(path))
         assert code_of(refused) == "cannot-write"
     assert list(tmp_path.iterdir()) == []
+
+
+def test_too_many_threads_are_refused(indices: dict[str, Index]) -> None:
+    index = indices["islands"]
+    for ask in (
+        lambda: index.batch(scales(index, 4), "double", 4_000_000_000),
+        lambda: Index(index.P, index.Q, "1", "2", 1025),
+    ):
+        with pytest.raises(_core.BadInput) as refused:
+            ask()
+        assert code_of(refused) == "too-many-threads"
+
+
+NO_ROOM_FOR_STACKS = """
+import resource
+from minkref import _core
+from minkref.operand import read_operand
+P, Q = read_operand("g1").set, read_operand("g2").set
+index = _core.ScaleSpaceIndex(P, Q, "1/2", "2")
+scales = [f"{k}/100" for k in range(60, 190)]
+expected = [rings.x.tolist() for rings in index.batch(scales, "double", 1)]
+with open("/proc/self/statm") as file:
+    size = int(file.read().split()[0]) * resource.getpagesize()
+resource.setrlimit(resource.RLIMIT_AS, (size + (4 << 20),) * 2)
+assert [rings.x.tolist() for rings in index.batch(scales, "double", 64)] == expected
+"""
+
+
+def test_where_no_thread_starts_the_caller_does_all_the_work() -> None:
+    subprocess.run([sys.executable, "-c", NO_ROOM_FOR_STACKS], check=True, timeout=60)

@@ -1,6 +1,7 @@
 // Arrangement: cycles of half-edges, and which cycle lies in which face.
 #pragma once
 
+#include "reference/interrupt.hpp"
 #include "reference/plane/arrangement/arrangement.hpp"
 
 namespace minkref {
@@ -38,6 +39,7 @@ void Arrangement<K>::find_faces() {
     component[n] = c;
     stack.push_back(n);
     while (!stack.empty()) {
+      look_for_interrupt();
       const std::uint32_t at = stack.back();
       stack.pop_back();
       if (at != least[c] && before(at, least[c])) least[c] = at;
@@ -73,6 +75,7 @@ void Arrangement<K>::find_faces() {
     } while (h != first);
   };
   for (std::uint32_t h = 0; h < origin_.size(); ++h) {
+    look_for_interrupt();
     if (outside[h] || face_[h] != none) continue;
     face_cycles_.emplace_back();
     mark(h, static_cast<std::uint32_t>(face_cycles_.size() - 1));
@@ -84,6 +87,7 @@ void Arrangement<K>::find_faces() {
   std::vector<Box> boxes;
   if (least.size() > 1) {
     for (std::uint32_t h = 0; h < origin_.size(); h += 2) {
+      look_for_interrupt();
       const int y = kernel_.compare_y(nodes_[origin_[h]], nodes_[target(h)]);
       if (y == 0) continue;
       upward.push_back(y < 0 ? h : h ^ 1U);

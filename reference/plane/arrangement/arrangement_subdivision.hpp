@@ -3,6 +3,7 @@
 #pragma once
 
 #include "reference/fault.hpp"
+#include "reference/interrupt.hpp"
 #include "reference/plane/arrangement/arrangement.hpp"
 
 namespace minkref {
@@ -26,16 +27,23 @@ void Arrangement<K>::subdivide() {
 
   // Contacts by segment (counting sort), then by position; contacts at one position are one point.
   std::vector<std::uint32_t> first(proper.size() + 1, 0);
-  for (const auto& contact : contacts) ++first[contact.segment + 1];
+  for (const auto& contact : contacts) {
+    look_for_interrupt();
+    ++first[contact.segment + 1];
+  }
   std::partial_sum(first.begin(), first.end(), first.begin());
   std::vector<std::uint32_t> order(contacts.size());
   {
     std::vector<std::uint32_t> place(first.begin(), first.end());
-    for (std::uint32_t c = 0; c < contacts.size(); ++c) order[place[contacts[c].segment]++] = c;
+    for (std::uint32_t c = 0; c < contacts.size(); ++c) {
+      look_for_interrupt();
+      order[place[contacts[c].segment]++] = c;
+    }
   }
   parent_.resize(vertices_.size() + meeting.crossings().size());
   std::iota(parent_.begin(), parent_.end(), 0U);
   for (std::size_t i = 0; i < proper.size(); ++i) {
+    look_for_interrupt_now();
     const auto begin = order.begin() + first[i], end = order.begin() + first[i + 1];
     std::stable_sort(begin, end, [&](std::uint32_t a, std::uint32_t b) {
       return kernel_.compare(contacts[a].position, contacts[b].position) < 0;
@@ -75,6 +83,7 @@ void Arrangement<K>::subdivide() {
   std::vector<Piece> pieces;
   pieces.reserve(proper.size() + contacts.size());
   for (std::uint32_t i = 0; i < proper.size(); ++i) {
+    look_for_interrupt_now();
     std::uint32_t previous = node_of(proper[i].from);
     const auto cut = [&](std::uint32_t point) {
       const std::uint32_t n = node_of(point);
@@ -87,10 +96,12 @@ void Arrangement<K>::subdivide() {
   }
   // Pieces between the same two nodes are one sub-edge.
   std::stable_sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) {
+    look_for_interrupt();
     return a.low != b.low ? a.low < b.low : a.high < b.high;
   });
   covers_.reserve(pieces.size());
   for (std::size_t i = 0; i < pieces.size(); ++i) {
+    look_for_interrupt();
     if (i == 0 || pieces[i].low != pieces[i - 1].low || pieces[i].high != pieces[i - 1].high) {
       first_cover_.push_back(static_cast<std::uint32_t>(covers_.size()));
       origin_.push_back(pieces[i].low);
@@ -104,15 +115,22 @@ void Arrangement<K>::subdivide() {
 template <class K>
 void Arrangement<K>::link() {
   first_leaving_.assign(nodes_.size() + 1, 0);
-  for (const std::uint32_t n : origin_) ++first_leaving_[n + 1];
+  for (const std::uint32_t n : origin_) {
+    look_for_interrupt();
+    ++first_leaving_[n + 1];
+  }
   std::partial_sum(first_leaving_.begin(), first_leaving_.end(), first_leaving_.begin());
   leaving_.resize(origin_.size());
   {
     std::vector<std::uint32_t> place(first_leaving_.begin(), first_leaving_.end());
-    for (std::uint32_t h = 0; h < origin_.size(); ++h) leaving_[place[origin_[h]]++] = h;
+    for (std::uint32_t h = 0; h < origin_.size(); ++h) {
+      look_for_interrupt();
+      leaving_[place[origin_[h]]++] = h;
+    }
   }
   next_.resize(origin_.size());
   for (std::uint32_t n = 0; n < nodes_.size(); ++n) {
+    look_for_interrupt();
     const auto begin = leaving_.begin() + first_leaving_[n];
     const auto end = leaving_.begin() + first_leaving_[n + 1];
     std::stable_sort(begin, end, [&](std::uint32_t g, std::uint32_t h) {

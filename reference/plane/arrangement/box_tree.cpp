@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "reference/interrupt.hpp"
+
 namespace minkref {
 
 BoxTree::BoxTree(std::vector<Box> boxes) : items_(boxes.size()), sorted_(std::move(boxes)) {
@@ -16,6 +18,7 @@ BoxTree::BoxTree(std::vector<Box> boxes) : items_(boxes.size()), sorted_(std::mo
 
 // While building, sorted_ holds the boxes in their original order.
 void BoxTree::build(std::uint32_t begin, std::uint32_t end) {
+  look_for_interrupt();
   const auto at = static_cast<std::uint32_t>(nodes_.size());
   nodes_.push_back({Box{}, begin, end, 0});
   Box box, centres;

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <vector>
 
+#include "reference/interrupt.hpp"
 #include "reference/plane/kernel/box.hpp"
 
 namespace minkref {
@@ -21,6 +22,7 @@ class BoxTree {
   /// then returns true.
   template <class Report>
   bool query(const Box& box, Report&& report) const {
+    look_for_interrupt();
     return !nodes_.empty() && query_node(0, box, report);
   }
 
@@ -65,6 +67,7 @@ class BoxTree {
 
   template <class Report>
   void self_pairs(std::uint32_t at, Report& report) const {
+    look_for_interrupt();
     const Node& node = nodes_[at];
     if (leaf(node)) {
       for (std::uint32_t i = node.begin; i < node.end; ++i) {
@@ -81,6 +84,7 @@ class BoxTree {
 
   template <class Report>
   void disjoint_pairs(std::uint32_t first, std::uint32_t second, Report& report) const {
+    look_for_interrupt();
     const Node& a = nodes_[first];
     const Node& b = nodes_[second];
     if (!a.box.overlaps(b.box)) return;
@@ -103,6 +107,7 @@ class BoxTree {
   template <class Overlap, class Report>
   bool cross_pairs(std::uint32_t first, const BoxTree& other, std::uint32_t second,
                    Overlap& overlap, Report& report) const {
+    look_for_interrupt();
     const Node& a = nodes_[first];
     const Node& b = other.nodes_[second];
     if (!overlap(a.box, b.box)) return false;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "reference/fault.hpp"
+#include "reference/interrupt.hpp"
 #include "reference/plane/arrangement/box_tree.hpp"
 #include "reference/plane/kernel/direction_order.hpp"
 
@@ -26,6 +27,7 @@ std::vector<std::uint32_t> coincident_vertices(const K& kernel,
   std::iota(order.begin(), order.end(), 0U);
   std::iota(representative.begin(), representative.end(), 0U);
   const auto compare = [&](std::uint32_t i, std::uint32_t j) {
+    look_for_interrupt();
     const int x = kernel.compare(vertices[i].x(), vertices[j].x());
     return x != 0 ? x : kernel.compare(vertices[i].y(), vertices[j].y());
   };

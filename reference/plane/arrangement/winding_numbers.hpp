@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "reference/interrupt.hpp"
 #include "reference/plane/arrangement/arrangement.hpp"
 
 namespace minkref {
@@ -17,6 +18,7 @@ std::vector<int> winding_numbers(const Arrangement<K>& arrangement, Sign&& sign_
   std::vector<std::uint32_t> queue{0};
   known[0] = true;
   while (!queue.empty()) {
+    look_for_interrupt();
     const std::uint32_t face = queue.back();
     queue.pop_back();
     arrangement.for_each_half_edge(face, [&](std::uint32_t h) {

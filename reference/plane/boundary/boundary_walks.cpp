@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "reference/fault.hpp"
+#include "reference/interrupt.hpp"
 #include "reference/plane/boundary/boundary_graph.hpp"
 #include "reference/plane/point_predicates.hpp"
 
@@ -73,6 +74,7 @@ class WalkFinder {
       rays_[place[graph_.edges[e].second]++] = {e, false};
     }
     for (std::uint32_t p = 0; p < points_.size(); ++p) {
+      look_for_interrupt();
       const FilteredPoint& at = points_[p];
       const auto half = [&](const Ray& ray) {
         const int y = compare_y(far_end(ray), at);
@@ -108,6 +110,7 @@ class WalkFinder {
       if (seen[first]) continue;
       std::uint32_t least = graph_.edges[first].first, e = first;
       while (!seen[e]) {
+        look_for_interrupt();
         seen[e] = true;
         const std::uint32_t p = graph_.edges[e].first;
         if (p != least && compare_xy(points_[p], points_[least]) < 0) least = p;
@@ -168,6 +171,7 @@ class WalkFinder {
   std::uint32_t nearest_to_the_left(std::uint32_t p) const {
     std::uint32_t nearest = none;
     for (std::uint32_t e = 0; e < graph_.edges.size(); ++e) {
+      look_for_interrupt();
       const auto [from, to] = graph_.edges[e];
       if (from == p || to == p) continue;
       // The component is on the right of an edge that runs downwards.

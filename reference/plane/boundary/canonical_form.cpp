@@ -3,6 +3,7 @@
 #include <unordered_map>
 
 #include "reference/fault.hpp"
+#include "reference/interrupt.hpp"
 #include "reference/plane/boundary/boundary_graph.hpp"
 #include "reference/plane/point_predicates.hpp"
 
@@ -15,6 +16,7 @@ std::vector<std::vector<std::uint32_t>> simple_rings(const std::vector<std::uint
   std::vector<std::uint32_t> open;
   std::unordered_map<std::uint32_t, std::size_t> position;
   for (const std::uint32_t point : walk) {
+    look_for_interrupt();
     const auto found = position.find(point);
     if (found != position.end() && !planted(Fault::pinch_not_split)) {
       auto& ring =
@@ -30,6 +32,7 @@ std::vector<std::vector<std::uint32_t>> simple_rings(const std::vector<std::uint
 }
 
 int compare_rings(const Ring& a, const Ring& b) {
+  look_for_interrupt();
   for (std::size_t i = 0; i < a.size() && i < b.size(); ++i) {
     const int order = compare_xy(a[i], b[i]);
     if (order != 0) return order;
@@ -50,6 +53,7 @@ class RingBuilder {
     std::vector<std::uint32_t> kept;
     const std::size_t n = indices.size();
     for (std::size_t i = 0; i < n; ++i) {
+      look_for_interrupt();
       // The rings are simple, so a vertex on the line of its neighbours in the ring lies between
       // them.
       if (orientation(points_[indices[(i + n - 1) % n]], points_[indices[i]],

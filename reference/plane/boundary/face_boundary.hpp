@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "reference/interrupt.hpp"
 #include "reference/plane/arrangement/arrangement.hpp"
 #include "reference/plane/boundary/boundary_graph.hpp"
 
@@ -23,6 +24,7 @@ BoundaryGraph face_boundary(const Arrangement<K>& arrangement, const std::vector
     return number[n];
   };
   for (std::uint32_t h = 0; h < arrangement.half_edge_count(); ++h) {
+    look_for_interrupt();
     if (inside[arrangement.face(h)] && !inside[arrangement.face(h ^ 1U)]) {
       const std::uint32_t from = point(arrangement.origin(h));
       graph.edges.emplace_back(from, point(arrangement.target(h)));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "reference/fault.hpp"
+#include "reference/interrupt.hpp"
 #include "reference/plane/convolution/convolution.hpp"
 #include "reference/plane/kernel/direction_order.hpp"
 #include "reference/plane/kernel/operand.hpp"
@@ -81,6 +82,7 @@ void compatible_pairs(const K& kernel, const std::vector<detail::DirectedEdge<K>
     const auto& ring = y.rings[r];
     const auto n = static_cast<std::uint32_t>(ring.size());
     for (std::uint32_t i = 0; i < n; ++i) {
+      look_for_interrupt();
       const VertexId vertex{r, i};
       if (n == 1) {
         for (const auto& edge : edges_of_x) report(edge.start, vertex, 1);

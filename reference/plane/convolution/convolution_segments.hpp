@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "reference/interrupt.hpp"
 #include "reference/plane/arrangement/segment_contacts.hpp"
 #include "reference/plane/convolution/convolution_rule.hpp"
 
@@ -51,6 +52,7 @@ ConvolutionSegments<K> convolution_segments(std::vector<ConvolutionEdge> edges,
   };
   result.segments.reserve(edges.size());
   for (const ConvolutionEdge& e : edges) {
+    look_for_interrupt();
     if (e.kind == ConvolutionEdge::Kind::S) {
       result.segments.push_back({vertex(e.edge, e.vertex), vertex(following(P, e.edge), e.vertex)});
     } else {

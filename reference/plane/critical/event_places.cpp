@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "reference/interrupt.hpp"
 #include "reference/plane/critical/event_scale.hpp"
 #include "reference/plane/critical/line_intersection.hpp"
 #include "reference/plane/kernel/exact_frame.hpp"
@@ -48,6 +49,7 @@ std::vector<EventPlace> event_places(const PairEvents& events, std::size_t first
   const PlainKernel<Rational> kernel;
   std::vector<EventPlace> result;
   for (std::size_t i = first; i < std::min(last, events.events.size()); ++i) {
+    look_for_interrupt();
     const PairEvent& event = events.events[i];
     const Edge &a = edges[event.a], &b = edges[event.b];
     const Rational scale = event_scale(kernel, a, b, event);

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "reference/interrupt.hpp"
 #include "reference/number/eigen.hpp"
 #include "reference/number/rational.hpp"
 #include "reference/plane/convolution/convolution.hpp"
@@ -57,6 +58,7 @@ std::vector<MovingEdge<V>> moving_edges(const std::vector<ConvolutionEdge>& edge
   std::vector<MovingEdge<V>> result;
   result.reserve(edges.size());
   for (const ConvolutionEdge& e : edges) {
+    look_for_interrupt();
     if (e.kind == ConvolutionEdge::Kind::S) {
       result.push_back({e.kind, vertex(P, e.edge), vertex(Q, e.vertex), direction(P, e.edge)});
     } else {

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "reference/fault.hpp"
+#include "reference/interrupt.hpp"
 #include "reference/plane/convolution/convolution_rule.hpp"
 #include "reference/plane/critical/event_scale.hpp"
 #include "reference/plane/critical/pair_filter.hpp"
@@ -93,6 +94,7 @@ class Search {
       return last - std::min(first, last);
     };
     const auto look = [&](std::uint32_t a, bool b_is_s, std::uint32_t first) {
+      look_for_interrupt_now();
       const std::size_t n = candidates(a, b_is_s, first);
       for (std::size_t i = 0; i < n; ++i) pair(a, b_is_s ? found[i] : s_count + found[i]);
       survivors += n;
@@ -178,8 +180,10 @@ class Search {
   /// By doubles first; runs of neighbours that doubles cannot tell apart once more, exactly.
   void sort() {
     auto& events = result_.events;
-    std::sort(events.begin(), events.end(),
-              [](const PairEvent& x, const PairEvent& y) { return x.approximate < y.approximate; });
+    std::sort(events.begin(), events.end(), [](const PairEvent& x, const PairEvent& y) {
+      look_for_interrupt();
+      return x.approximate < y.approximate;
+    });
     const auto certain = [](const PairEvent& x, const PairEvent& y) {
       return y.approximate - x.approximate > (x.approximate + y.approximate) * filter_bound;
     };
@@ -202,10 +206,12 @@ class Search {
     std::vector<std::pair<Parameter, PairEvent>> run;
     run.reserve(last - first);
     for (std::size_t i = first; i < last; ++i) {
+      look_for_interrupt();
       const PairEvent& e = events[i];
       run.emplace_back(event_scale(kernel_, edges_[e.a], edges_[e.b], e), e);
     }
     std::sort(run.begin(), run.end(), [&](const auto& x, const auto& y) {
+      look_for_interrupt();
       const int order = kernel_.compare(x.first, y.first);
       if (order != 0) return order < 0;
       return std::tie(x.second.a, x.second.b) < std::tie(y.second.a, y.second.b);
@@ -274,6 +280,7 @@ FormComparison compare_forms(const PolygonSet& P, const PolygonSet& Q) {
     const auto edges =
         moving_edges(convolution_edges(frame.kernel, frame.P, frame.Q, false), frame.P, frame.Q);
     for (std::size_t a = 0; a < edges.size(); ++a) {
+      look_for_interrupt_now();
       for (std::size_t b = a + 1; b < edges.size(); ++b) {
         const auto conditions = pair_conditions(frame.kernel, edges[a], edges[b]);
         if (conditions.turn == 0) continue;
@@ -307,6 +314,7 @@ std::vector<Rational> critical_scales(const PairEvents& events, const PolygonSet
   on_exact_frame(P, Q, [&](const auto& frame) {
     const auto edges = moving_edges(events.edges, frame.P, frame.Q);
     for (const PairEvent& e : events.events) {
+      look_for_interrupt();
       if (e.rank < result.size()) continue;
       result.push_back(
           exact_parameter(frame.kernel, event_scale(frame.kernel, edges[e.a], edges[e.b], e)));

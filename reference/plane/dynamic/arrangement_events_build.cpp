@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "reference/fault.hpp"
+#include "reference/interrupt.hpp"
 #include "reference/plane/critical/event_scale.hpp"
 #include "reference/plane/critical/parallel_pair.hpp"
 #include "reference/plane/dynamic/arrangement_events.hpp"
@@ -69,6 +70,7 @@ void ArrangementEvents::collect_nodes() {
                end = meeting.begin() + first_of[event.a + 1];
     const auto pair = std::lower_bound(
         begin, end, event.b, [](const MeetingPair& p, std::uint32_t b) { return p.b < b; });
+    look_for_interrupt();
     Lifetime& lifetime = lifetimes[static_cast<std::size_t>(pair - meeting.begin())];
     const std::uint32_t moment = moment_of_rank[event.rank];
     const bool at_start = moment == always && window_.from && event.rank == 0 &&
@@ -98,6 +100,7 @@ void ArrangementEvents::collect_nodes() {
   };
   std::vector<Placed> ends;  // end points of edges on other edges
   for (std::size_t i = 0; i < meeting.size(); ++i) {
+    look_for_interrupt();
     const MeetingPair& pair = meeting[i];
     if (pair.kind == MeetingPair::Kind::crossing || lifetimes[i].outside) continue;
     for (const auto& [edge, other] : {std::pair{pair.a, pair.b}, std::pair{pair.b, pair.a}}) {
@@ -162,8 +165,10 @@ void ArrangementEvents::order() {
   for (std::uint32_t t = 0; t < triples_.size(); ++t) {
     items.push_back({triples_[t].approximate, {Source::Kind::triple, t}});
   }
-  std::sort(items.begin(), items.end(),
-            [](const Item& x, const Item& y) { return x.approximate < y.approximate; });
+  std::sort(items.begin(), items.end(), [](const Item& x, const Item& y) {
+    look_for_interrupt();
+    return x.approximate < y.approximate;
+  });
   std::vector<std::uint32_t> group_of_moment(moments_->size());
   group_of_triple_.resize(triples_.size());
   const auto exact_of = [&](const Source& source) {
@@ -193,10 +198,13 @@ void ArrangementEvents::order() {
     } else {
       std::vector<std::pair<Rational, Item>> run;
       for (std::size_t i = first; i < last; ++i) {
+        look_for_interrupt();
         run.emplace_back(exact_of(items[i].source), items[i]);
       }
-      std::stable_sort(run.begin(), run.end(),
-                       [](const auto& x, const auto& y) { return x.first < y.first; });
+      std::stable_sort(run.begin(), run.end(), [](const auto& x, const auto& y) {
+        look_for_interrupt();
+        return x.first < y.first;
+      });
       for (std::size_t i = 0; i < run.size(); ++i) {
         const bool equal =
             !planted(Fault::equal_scales_apart) &&

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "reference/fault.hpp"
+#include "reference/interrupt.hpp"
 #include "reference/plane/dynamic/edge_happenings.hpp"
 #include "reference/plane/dynamic/sub_edge_status.hpp"
 #include "reference/plane/dynamic/swept_edge.hpp"
@@ -66,6 +67,7 @@ struct EdgeSweep::Impl {
     }
     for (std::size_t i = 0; i < happenings.size();) {
       std::size_t j = i;
+      look_for_interrupt();
       while (j < happenings.size() && happenings[j].group == happenings[i].group) ++j;
       const std::uint32_t next = j < happenings.size() ? happenings[j].group : always;
       pass(std::span(happenings).subspan(i, j - i), next);

@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "reference/fault.hpp"
+#include "reference/interrupt.hpp"
 #include "reference/plane/dynamic/boundary_changes.hpp"
 
 namespace minkref {
@@ -55,6 +56,7 @@ class TimelineBuilder {
     show_rings(0);
     show_features(0);
     for (const std::uint32_t group : groups) {
+      look_for_interrupt_now();
       if (const auto quiet = history_.quiet(group)) {
         skip(group, *quiet);
       } else {

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "reference/fault.hpp"
+#include "reference/interrupt.hpp"
 #include "reference/plane/convolution/convolution_segments.hpp"
 #include "reference/plane/dynamic/double_range.hpp"
 #include "reference/plane/kernel/double_block.hpp"
@@ -112,6 +113,7 @@ class Search {
     columns_.pad();
     found_.resize(columns_.node.size() + block_width);
     for (std::size_t i = 0; i + 1 < columns_.node.size(); ++i) {
+      look_for_interrupt();
       const std::size_t count = swap_candidates(columns_, i, i + 1, found_.data());
       for (std::size_t k = 0; k < count; ++k) decide(edge, i, found_[k]);
     }
@@ -186,11 +188,13 @@ class Search {
   std::vector<TripleEvent> merged() {
     auto& all = found_events_;
     std::sort(all.begin(), all.end(), [](const TripleEvent& x, const TripleEvent& y) {
+      look_for_interrupt();
       return std::tie(x.a, x.b, x.c, x.first, x.second) <
              std::tie(y.a, y.b, y.c, y.first, y.second);
     });
     std::vector<TripleEvent> result;
     for (const TripleEvent& event : all) {
+      look_for_interrupt();
       const auto same_triple = [&](const TripleEvent& x) {
         return x.a == event.a && x.b == event.b && x.c == event.c;
       };

@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "reference/interrupt.hpp"
+
 namespace minkref {
 
 GridFit grid_fit(const std::vector<const PolygonSet*>& sets, std::size_t limit) {
@@ -11,6 +13,7 @@ GridFit grid_fit(const std::vector<const PolygonSet*>& sets, std::size_t limit) 
       for (const Polygon& polygon : set->polygons) {
         for (std::size_t r = 0; r <= polygon.holes.size(); ++r) {
           for (const Point& p : r == 0 ? polygon.outer : polygon.holes[r - 1]) {
+            look_for_interrupt();
             visit(p.x);
             visit(p.y);
           }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "reference/fault.hpp"
+#include "reference/interrupt.hpp"
 #include "reference/plane/arrangement/arrangement.hpp"
 #include "reference/plane/tight_passages.hpp"
 
@@ -98,6 +99,7 @@ TightGraph tight_graph(const K& kernel, const Arrangement<K>& arrangement,
     return number[n];
   };
   for (std::uint32_t h = 0; h < arrangement.half_edge_count(); h += 2) {
+    look_for_interrupt();
     if (!detail::runs_both_ways(arrangement, h)) continue;
     const Point a = position(arrangement.origin(h)), b = position(arrangement.target(h));
     if (!planted(Fault::tight_unproved) &&
@@ -112,6 +114,7 @@ TightGraph tight_graph(const K& kernel, const Arrangement<K>& arrangement,
     graph.edges.push_back(std::move(edge));
   }
   for (std::uint32_t n = 0; n < arrangement.node_count(); ++n) {
+    look_for_interrupt();
     if (planted(Fault::tight_points_missed)) break;
     if (number[n] != Arrangement<K>::none || !detail::surrounded(kernel, arrangement, n) ||
         !detail::all_faces_at(arrangement, n, inside)) {

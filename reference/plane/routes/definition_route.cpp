@@ -3,6 +3,7 @@
 #include <map>
 
 #include "reference/fault.hpp"
+#include "reference/interrupt.hpp"
 #include "reference/plane/kernel/exact_frame.hpp"
 #include "reference/plane/point_predicates.hpp"
 #include "reference/plane/routes/convolution_arrangement.hpp"
@@ -86,6 +87,7 @@ BoundaryGraph definition_route(const PolygonSet& P, const PolygonSet& Q, Statist
     ConvexUnion<K> sums(frame.kernel);
     for (const auto& p : frame.P.rings) {
       for (const auto& q : frame.Q.rings) {
+        look_for_interrupt();
         auto sum = convex_sum(frame.kernel, p, q);
         if (sum.size() >= 3) sums.add(std::move(sum));
       }

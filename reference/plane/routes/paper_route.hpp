@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "reference/fault.hpp"
+#include "reference/interrupt.hpp"
 #include "reference/plane/arrangement/arrangement.hpp"
 #include "reference/plane/arrangement/exact_arrangement.hpp"
 #include "reference/plane/arrangement/interior_point.hpp"
@@ -113,6 +114,7 @@ std::vector<bool> faces_of_sum(const Arrangement<K>& arrangement, bool connected
   std::vector<bool> inside;
   inside.reserve(arrangement.face_count());
   for (std::uint32_t face = 0; face < arrangement.face_count(); ++face) {
+    look_for_interrupt();
     inside.push_back(face_in_sum(arrangement, face, connected, meets, asked));
   }
   return inside;

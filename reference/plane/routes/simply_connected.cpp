@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "reference/interrupt.hpp"
 #include "reference/plane/boundary/set_boundary.hpp"
 #include "reference/plane/point_predicates.hpp"
 
@@ -29,6 +30,7 @@ class Cutter {
       return compare_xy(points_[a.first], points_[b.first]) > 0;
     });
     for (const auto& [rightmost, hole] : order) {
+      look_for_interrupt_now();
       const std::uint32_t end = visible_vertex(ring, rightmost);
       splice(ring, corner(ring, end, rightmost), *hole, corner(*hole, rightmost, end));
     }
@@ -122,6 +124,7 @@ class EarClipper {
     std::size_t i = 0, misses = 0;
     while (ring.size() > 3) {
       const std::size_t n = ring.size();
+      look_for_interrupt_now();
       if (misses > n) throw std::logic_error("triangulate: no ear found");
       i %= n;
       const std::uint32_t a = ring[(i + n - 1) % n], b = ring[i], c = ring[(i + 1) % n];

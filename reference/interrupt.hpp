@@ -1,0 +1,33 @@
+// Long work can be broken off: its loops ask now and then whether to go on.
+#pragma once
+
+#include <functional>
+
+namespace minkref {
+
+/// While it lives, the long loops of this thread call `look`, some hundred times a second or more.
+/// What `look` throws ends the work: what was being made is lost, and its arguments are as they
+/// were. One inside of another takes its place.
+class Interruptible {
+ public:
+  explicit Interruptible(std::function<void()> look);
+  ~Interruptible();
+  Interruptible(const Interruptible&) = delete;
+  Interruptible& operator=(const Interruptible&) = delete;
+
+ private:
+  std::function<void()> look_;
+  const std::function<void()>* before_;
+};
+
+/// In each turn of a loop whose turns take a millisecond.
+void look_for_interrupt_now();
+
+/// In each turn of a loop that may be long; looks now and then. A turn costs next to nothing.
+inline void look_for_interrupt() {
+  constexpr unsigned turns_between_looks = 64;
+  static thread_local unsigned turns = 0;
+  if (++turns % turns_between_looks == 0) look_for_interrupt_now();
+}
+
+}  // namespace minkref

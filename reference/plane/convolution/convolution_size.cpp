@@ -1,0 +1,20 @@
+#include "reference/plane/convolution/convolution_size.hpp"
+
+#include "reference/plane/convolution/convolution_rule.hpp"
+#include "reference/plane/kernel/exact_frame.hpp"
+
+namespace minkref {
+
+std::uint64_t convolution_size(const PolygonSet& P, const PolygonSet& Q, bool full) {
+  return on_exact_frame(P, Q, [&](const auto& frame) {
+    std::uint64_t size = 0;
+    const auto count = [&](VertexId, VertexId, int) { ++size; };
+    compatible_pairs(frame.kernel, detail::edges_by_angle(frame.kernel, frame.P), frame.Q,
+                     TurnEnds::first_included, full, count);
+    compatible_pairs(frame.kernel, detail::edges_by_angle(frame.kernel, frame.Q), frame.P,
+                     TurnEnds::last_included, full, count);
+    return size;
+  });
+}
+
+}  // namespace minkref

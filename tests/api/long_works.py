@@ -1,0 +1,78 @@
+"""Work of a second and more, one for each function that can be long: what a signal and a limit of
+memory have to end."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cache
+from math import cos, pi, sin
+
+from minkref import _core
+
+SCALING = ("1", "3/2", "7/5")
+
+
+def _set(ring: list[tuple[int, int]]) -> _core.PolygonSet:
+    text = ",".join(f"[{x},{y}]" for x, y in ring)
+    return _core.PolygonSet.from_json(f'{{"polygons":[{{"outer":[{text}],"holes":[]}}]}}')
+
+
+@cache
+def star(spikes: int, radius: int = 1_000_000) -> _core.PolygonSet:
+    """Long spikes all around: nearly every edge meets nearly every other."""
+    angles = [pi * k / spikes for k in range(2 * spikes)]
+    radii = [radius if k % 2 else radius // 3 for k in range(2 * spikes)]
+    return _set(
+        [(round(r * cos(a)), round(r * sin(a))) for r, a in zip(radii, angles, strict=True)]
+    )
+
+
+@cache
+def disc(corners: int, radius: int = 1_000_000) -> _core.PolygonSet:
+    angles = [2 * pi * k / corners for k in range(corners)]
+    return _set([(round(radius * cos(a)), round(radius * sin(a))) for a in angles])
+
+
+@cache
+def comb(teeth: int) -> _core.PolygonSet:
+    ring = [(0, -1), (4 * teeth, -1 - teeth)]
+    for k in reversed(range(teeth)):
+        ring += [(4 * k + 3, 1), (4 * k + 2, 40 + 3 * k), (4 * k + 1, 1 + k % 2)]
+    return _set(ring)
+
+
+@cache
+def drum(sides: int) -> _core.ConvexPolyhedron:
+    """A prism over a regular polygon, nearly: convex, with so many facets and two."""
+    n, radius = sides, 10**12
+    ring = [(round(radius * cos(2 * pi * k / n)), round(radius * sin(2 * pi * k / n)))
+            for k in range(n)]  # fmt: skip
+    points = [(str(x), str(y), str(z)) for z in (0, 1) for x, y in ring]
+    walls = [[k, (k + 1) % n, n + (k + 1) % n, n + k] for k in range(n)]
+    caps = [list(reversed(range(n))), list(range(n, 2 * n))]
+    return _core.ConvexPolyhedron(_core.Polyhedron(points, walls + caps))
+
+
+def _proof(P: _core.PolygonSet, Q: _core.PolygonSet) -> object:
+    prover = _core.Prover(P, Q)
+    return prover.prove("1", prover.box("1"), (0, 1))
+
+
+def works() -> dict[str, Callable[[], object]]:
+    """Each call computes what it names, for a second at the least."""
+    large, small = star(110), comb(60)
+    return {
+        "sum, paper": lambda: _core.minkowski_sum(star(200), comb(150), "1"),
+        "sum, winding": lambda: _core.minkowski_sum(star(200), comb(150), "1", "winding"),
+        "sum, definition": lambda: _core.minkowski_sum(large, small, "1", "definition"),
+        "sum, mpfr": lambda: _core.minkowski_sum(large, small, "1", "paper", "mpfr:200"),
+        "tight passages": lambda: _core.tight_passages(star(200), comb(150), "1"),
+        "pair events": lambda: _core.pair_events(star(400), comb(300)),
+        "arrangement events": lambda: _core.ArrangementEvents(large, small),
+        "dynamic sum": lambda: _core.DynamicSum(large, small, "1/2", "2"),
+        "index": lambda: _core.ScaleSpaceIndex(star(300), comb(250), "1/2", "2"),
+        "proof of a sum": lambda: _proof(star(40), comb(30)),
+        "decision": lambda: _core.decide(disc(20_000), disc(20_001), "1", "0", "0"),
+        "validation": lambda: disc(600_000).validate(),
+        "convex sum": lambda: _core.convex_sum(drum(1500), drum(1501), SCALING, "brute-force"),
+    }

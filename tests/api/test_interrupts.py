@@ -1,0 +1,92 @@
+"""Ctrl-C, and the limit of memory, end long work in C++ soon."""
+
+from __future__ import annotations
+
+import os
+import signal
+import threading
+import time
+from collections.abc import Iterator
+
+import pytest
+from long_works import comb, star, works
+from minkref import _core
+
+SOON = 0.2  # seconds of this thread's processor: others may have the machine
+GROWING = (
+    "sum, paper",
+    "sum, winding",
+    "dynamic sum",
+    "arrangement events",
+    "index",
+    "pair events",
+)
+
+
+@pytest.mark.parametrize("name", works())
+def test_an_interrupt_ends_work_within_a_fifth_of_a_second(name: str) -> None:
+    work = works()[name]
+    clock = time.pthread_getcpuclockid(threading.get_ident())
+    sent = []
+
+    def send() -> None:
+        sent.append(time.clock_gettime(clock))
+        os.kill(os.getpid(), signal.SIGINT)
+
+    timer = threading.Timer(0.3, send)
+    timer.start()
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            work()
+        assert time.clock_gettime(clock) - sent[0] < SOON
+    finally:
+        timer.cancel()
+        timer.join()
+
+
+def test_operands_are_whole_after_an_interrupt() -> None:
+    P, Q = star(200), comb(150)
+    before = P.to_json(), Q.to_json()
+    timer = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        _core.minkowski_sum(P, Q, "1", "winding")
+    assert (P.to_json(), Q.to_json()) == before
+    small = _core.minkowski_sum(star(5), comb(3), "1")
+    assert small.region.canonical_json() == (
+        _core.minkowski_sum(star(5), comb(3), "1", "definition").region.canonical_json()
+    )
+
+
+@pytest.fixture
+def little_memory() -> Iterator[None]:
+    _core.set_memory_limit(1 << 20)  # less than the interpreter has
+    yield
+    _core.set_memory_limit(0)
+
+
+@pytest.mark.parametrize("name", GROWING)
+def test_a_limit_of_memory_ends_work_with_a_refusal(name: str, little_memory: None) -> None:
+    with pytest.raises(
+        _core.LimitExceeded, match="memory than it may have|at the least"
+    ) as refused:
+        works()[name]()
+    assert refused.value.code == "memory-limit"
+
+
+def test_without_a_limit_there_is_what_the_system_has() -> None:
+    with open("/proc/meminfo") as file:
+        total = next(int(line.split()[1]) << 10 for line in file if line.startswith("MemTotal"))
+    assert 1 << 26 < _core.memory_limit() < total
+
+
+@pytest.mark.parametrize("route", ["paper", "winding", "definition"])
+def test_what_cannot_fit_is_refused_before_the_work(route: str) -> None:
+    began = time.thread_time()
+    with pytest.raises(_core.LimitExceeded, match="edges of the convolution|pairs of triangles"):
+        _core.set_memory_limit(300 << 20)
+        try:
+            _core.minkowski_sum(star(1500), star(1499), "1", route)
+        finally:
+            _core.set_memory_limit(0)
+    assert time.thread_time() - began < 2
