@@ -41,12 +41,23 @@ def bounds(layers: Iterable[Layer]) -> Box:
     return (min(xs), min(ys), max(xs), max(ys)) if xs else (0.0, 0.0, 1.0, 1.0)
 
 
+def height_of(box: Box, width: int) -> float:
+    """The height of a picture of the box: as its sides are, but neither flat nor very high."""
+    across, up = _sides(box)
+    return min(max(width * up / across, 60.0), 1.4 * width)
+
+
+def _sides(box: Box) -> tuple[float, float]:
+    return max(box[2] - box[0], 1e-9), max(box[3] - box[1], 1e-9)
+
+
 def picture(layers: Sequence[Layer], caption: str, width: int = 340, box: Box | None = None) -> str:
     """One SVG element, y upwards, all layers in one frame. `box` makes several pictures
     comparable."""
-    xmin, ymin, xmax, ymax = box or bounds(layers)
-    across, up = max(xmax - xmin, 1e-9), max(ymax - ymin, 1e-9)
-    height = min(max(width * up / across, 60.0), 1.4 * width)
+    box = box or bounds(layers)
+    xmin, _, _, ymax = box
+    across, up = _sides(box)
+    height = height_of(box, width)
     pad = 8.0
     unit = min((width - 2 * pad) / across, (height - 2 * pad) / up)
     left, top = (width - unit * across) / 2, (height - unit * up) / 2

@@ -11,6 +11,7 @@ import typer
 
 from minkref import _core
 from minkref.arithmetic import check_arithmetic
+from minkref.commands.sum_table import print_table
 from minkref.documents import (
     Stopwatch,
     as_text,
@@ -18,19 +19,20 @@ from minkref.documents import (
     document,
 )
 from minkref.errors import Refusal, refusing
-from minkref.exact import read_scale, scientific
+from minkref.exact import read_scale
 from minkref.operand import Operand, read_operand
 from minkref.operand_text import STANDARD_INPUT
 from minkref.options import Json, Schema
-from minkref.output_target import Target, target_of
+from minkref.output_target import STANDARD_OUTPUT, Target, target_of
 from minkref.parents import PassageRows, passages_of
+from minkref.reports.sum_picture import sum_picture
 from minkref.scale_space import IndexFile, check_spares_index, index_of, route_with
 from minkref.signals import interruptible
 from minkref.space.operand import in_space
 from minkref.space.sum_command import sum_in_space
 from minkref.space.sums import ROUTES as SPACE_ROUTES
 from minkref.sum_fields import SUM_FIELDS, sum_fields
-from minkref.terminal import lines, shown
+from minkref.terminal import console
 
 EXAMPLES = """Examples:
 
@@ -39,6 +41,8 @@ minkref sum glyph1204 glyph275
 minkref sum disc1 cells1815 --scale 541/186 --json
 
 minkref sum P.wkt Q.geojson --scale 7/5 -o sum.svg
+
+minkref sum g1 o1 --plot
 
 minkref sum "POLYGON ((0 0, 2 0, 0 2, 0 0))" g1 -o -
 
@@ -53,7 +57,6 @@ minkref sum gs3 rod --scale 2,1/3,5 -o sum.off"""
 ROUTES = ("paper", "winding", "definition", "dynamic", "index")
 DEFAULT = "paper"
 MOVING = ("dynamic", "index")  # routes that find all scales of a window
-SHOWN = 5  # tight passages that people see
 OUTPUTS = ("wkt", "geojson", "poly", "json", "svg")
 
 
@@ -107,6 +110,13 @@ def command(
             "OFF.",
         ),
     ] = None,
+    only_sum: Annotated[
+        bool,
+        typer.Option("--only-sum", help="In an SVG, the sum without P and Q beside it."),
+    ] = False,
+    plot: Annotated[
+        bool, typer.Option("--plot", help="Below the table, a small picture of the sum.")
+    ] = False,
     json: Json = False,
     schema: Schema = False,
 ) -> None:
@@ -115,6 +125,9 @@ def command(
     if in_space(P, Q):
         if index is not None:
             raise Refusal("there is no index in space", f"--index {index}", "leave it out")
+        if plot or only_sum:
+            option = "--plot" if plot else "--only-sum"
+            raise Refusal("no picture is drawn in space", option, "see `minkref view P Q`")
         sum_in_space(P, Q, scale, route or DEFAULT, arithmetic, output, json, form)
         return
     if P == Q == STANDARD_INPUT:
@@ -124,6 +137,7 @@ def command(
     route = route_with(index, route, DEFAULT)
     _check_route(route, arithmetic)
     target = target_of(output, form, OUTPUTS, "wkt", json)
+    _check_pictures(plot, only_sum, target, json)
     with interruptible():
         first, second = read_operand(P), read_operand(Q)
         if output is not None:
@@ -131,7 +145,8 @@ def command(
             check_spares_index(output, index)
         result = compute(first, second, exact_scale, route, arithmetic, index)
         region = result.pop("region")
-    written = _written(region, target) if target is not None else None
+    drawn = (first, second, exact_scale, result) if not only_sum else None
+    written = _written(region, target, drawn) if target is not None else None
     if target is not None and written is not None:
         if target.write(*written):
             return
@@ -148,12 +163,40 @@ def command(
     )
     if json:
         sys.stdout.write(as_text(value))
-    else:
-        _print(value)
+        return
+    print_table(value)
+    if plot:
+        _plot(region)
 
 
-def _written(region: _core.PolygonSet | None, target: Target) -> tuple[str, bool]:
-    """The text of the output, and whether it is exact."""
+def _check_pictures(plot: bool, only_sum: bool, target: Target | None, json: bool) -> None:
+    if only_sum and (target is None or target.form != "svg"):
+        raise Refusal("no picture is written", "--only-sum", "add -o FILE.svg")
+    if not plot:
+        return
+    if json or (target is not None and target.path == STANDARD_OUTPUT):
+        other = "--json" if json else "-o -"
+        what = "standard output takes one thing alone"
+        raise Refusal(what, f"--plot {other}", "leave out one of the two")
+    from minkref.terminal_picture import check_drawable
+
+    check_drawable()
+
+
+def _plot(region: _core.PolygonSet | None) -> None:
+    from minkref.terminal_picture import terminal_picture
+
+    if region is not None:
+        sys.stdout.write("\n" + terminal_picture(region, console().width))
+
+
+def _written(
+    region: _core.PolygonSet | None,
+    target: Target,
+    drawn: tuple[Operand, Operand, str, dict[str, Any]] | None,
+) -> tuple[str, bool]:
+    """The text of the output, and whether it is exact. `drawn`: what an SVG shows beside the
+    sum."""
     if region is None:
         raise Refusal(
             "the arithmetic could not decide a sign: there is nothing to write",
@@ -161,6 +204,9 @@ def _written(region: _core.PolygonSet | None, target: Target) -> tuple[str, bool
             "use --arithmetic rational",
             "undecided-sign",
         )
+    if target.form == "svg" and drawn is not None:
+        P, Q, scale, found = drawn
+        return sum_picture(P, Q, scale, region, found["components"], found["holes"]), False
     text = refusing(target.name, lambda: _core.write(region, target.form))
     return text, _core.writes_exactly(region, target.form)
 
@@ -253,79 +299,3 @@ def _check_route(route: str, arithmetic: str) -> None:
             f"--route {route} --arithmetic {arithmetic}",
             "leave out one of the two options",
         )
-
-
-def _print(value: dict[str, Any]) -> None:
-    rows = [
-        ("sum", f"{value['scale']} {value['P']} + {value['Q']}"),
-        ("route, arithmetic", f"{value['route']}, {value['arithmetic']}"),
-    ]
-    if value["undecided"]:
-        rows.append(("result", f"undecided: {_why_undecided(value['arithmetic'])}"))
-    else:
-        rows += _described(value)
-    exact = value["exact"]
-    if exact is not None:
-        words = {True: "the same set", False: "another set:", None: "the true sum:"}
-        rows.append(("exact", words[exact["equal"]]))
-        if not exact["equal"]:
-            rows += [(f"  {name}", text) for name, text in _described(exact)]
-    rows += _passage_rows(value["tight_passages"])
-    signs = value["signs"]
-    if signs is not None and signs["total"]:
-        rows.append(("signs", f"{signs['total']:,}: {_deciders(signs, value['arithmetic'])}"))
-    rows.append(("seconds", f"{value['seconds']:.3f}"))
-    if value["output"]:
-        rounded = "" if value["output_exact"] else " (rounded; .json is exact)"
-        rows.append(("written", value["output"] + rounded))
-    sys.stdout.write(lines(rows))
-    for warning in value["warnings"]:
-        sys.stderr.write(f"warning: {shown(warning)}\n")
-
-
-def _passage_rows(passages: list[dict[str, Any]] | None) -> list[tuple[str, str]]:
-    if passages is None:
-        return [("tight passages", "with --arithmetic rational only")]
-    if not passages:
-        return [("tight passages", "none")]
-    points = sum(len(passage["points"]) == 1 for passage in passages)
-    counts = (_counted(points, "point"), _counted(len(passages) - points, "polyline"))
-    rows = [("tight passages", ", ".join(filter(None, counts)))]
-    for passage in passages[:SHOWN]:
-        where = " ".join(f"({x}, {y})" for x, y in passage["points"])
-        rows.append(("", where if len(where) <= 200 else f"{where[:200]}..."))
-    if len(passages) > SHOWN:
-        rows.append(("", f"and {len(passages) - SHOWN} more; --json prints them"))
-    return rows
-
-
-def _counted(count: int, word: str) -> str:
-    return f"{count:,} {word}{'s' if count > 1 else ''}" if count else ""
-
-
-def _why_undecided(arithmetic: str) -> str:
-    if arithmetic == "interval":
-        return "the intervals could not certify a sign"
-    return f"in the arithmetic {arithmetic} a value overflowed to what is not a number"
-
-
-def _deciders(signs: dict[str, Any], arithmetic: str) -> str:
-    if arithmetic != "rational":
-        return f"all by {arithmetic}"
-    return ", ".join(
-        f"{signs['shares'][name]:.2%} {name.replace('_', ' ')}"
-        for name in ("by_float", "by_integer", "by_rational")
-    )
-
-
-def _described(value: dict[str, Any]) -> list[tuple[str, str]]:
-    area = value["area"]
-    exactly = area if len(area) <= 60 else f"({len(area):,} characters; --json prints it)"
-    near = value["area_approximate"]
-    rounded = scientific(area) if near is None else f"{near:.10g}"
-    return [
-        ("area", f"{rounded} = {exactly}"),
-        ("components, holes", f"{value['components']}, {value['holes']}"),
-        ("vertices", f"{value['vertices']:,}"),
-        ("digest", value["digest"]),
-    ]

@@ -1,0 +1,87 @@
+"""What `minkref sum` prints for people."""
+
+from __future__ import annotations
+
+import sys
+from typing import Any
+
+from minkref.exact import scientific
+from minkref.terminal import lines, shown
+
+SHOWN = 5  # tight passages that people see
+
+
+def print_table(value: dict[str, Any]) -> None:
+    rows = [
+        ("sum", f"{value['scale']} {value['P']} + {value['Q']}"),
+        ("route, arithmetic", f"{value['route']}, {value['arithmetic']}"),
+    ]
+    if value["undecided"]:
+        rows.append(("result", f"undecided: {_why_undecided(value['arithmetic'])}"))
+    else:
+        rows += _described(value)
+    exact = value["exact"]
+    if exact is not None:
+        words = {True: "the same set", False: "another set:", None: "the true sum:"}
+        rows.append(("exact", words[exact["equal"]]))
+        if not exact["equal"]:
+            rows += [(f"  {name}", text) for name, text in _described(exact)]
+    rows += _passage_rows(value["tight_passages"])
+    signs = value["signs"]
+    if signs is not None and signs["total"]:
+        rows.append(("signs", f"{signs['total']:,}: {_deciders(signs, value['arithmetic'])}"))
+    rows.append(("seconds", f"{value['seconds']:.3f}"))
+    if value["output"]:
+        rounded = "" if value["output_exact"] else " (rounded; .json is exact)"
+        rows.append(("written", value["output"] + rounded))
+    sys.stdout.write(lines(rows))
+    for warning in value["warnings"]:
+        sys.stderr.write(f"warning: {shown(warning)}\n")
+
+
+def _passage_rows(passages: list[dict[str, Any]] | None) -> list[tuple[str, str]]:
+    if passages is None:
+        return [("tight passages", "with --arithmetic rational only")]
+    if not passages:
+        return [("tight passages", "none")]
+    points = sum(len(passage["points"]) == 1 for passage in passages)
+    counts = (_counted(points, "point"), _counted(len(passages) - points, "polyline"))
+    rows = [("tight passages", ", ".join(filter(None, counts)))]
+    for passage in passages[:SHOWN]:
+        where = " ".join(f"({x}, {y})" for x, y in passage["points"])
+        rows.append(("", where if len(where) <= 200 else f"{where[:200]}..."))
+    if len(passages) > SHOWN:
+        rows.append(("", f"and {len(passages) - SHOWN} more; --json prints them"))
+    return rows
+
+
+def _counted(count: int, word: str) -> str:
+    return f"{count:,} {word}{'s' if count > 1 else ''}" if count else ""
+
+
+def _why_undecided(arithmetic: str) -> str:
+    if arithmetic == "interval":
+        return "the intervals could not certify a sign"
+    return f"in the arithmetic {arithmetic} a value overflowed to what is not a number"
+
+
+def _deciders(signs: dict[str, Any], arithmetic: str) -> str:
+    if arithmetic != "rational":
+        return f"all by {arithmetic}"
+    return ", ".join(
+        f"{signs['shares'][name]:.2%} {name.replace('_', ' ')}"
+        for name in ("by_float", "by_integer", "by_rational")
+    )
+
+
+def _described(value: dict[str, Any]) -> list[tuple[str, str]]:
+    area = value["area"]
+    exactly = area if len(area) <= 60 else f"({len(area):,} characters; --json prints it)"
+    near = value["area_approximate"]
+    rounded = scientific(area) if near is None else f"{near:.10g}"
+    return [
+        ("area", f"{rounded} = {exactly}"),
+        ("components, holes", f"{value['components']}, {value['holes']}"),
+        ("vertices", f"{value['vertices']:,}"),
+        ("digest", value["digest"]),
+    ]

@@ -1,0 +1,79 @@
+"""Sets of any size in the frame of a picture: moved and scaled exactly, then rounded to doubles."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from minkref import _core
+from minkref.exact import in_double_range, scientific
+
+Exact = tuple[Fraction, Fraction]
+ExactPolygons = list[list[list[Exact]]]  # per polygon: outer ring, holes
+ExactBox = tuple[Fraction, Fraction, Fraction, Fraction]  # left, bottom, right, top
+Ring = list[tuple[float, float]]
+Polygons = list[list[Ring]]
+
+
+def exact_polygons(region: _core.PolygonSet) -> ExactPolygons:
+    """The rings of a set; of a point or a segment one of one or two points."""
+    return [
+        [
+            [(Fraction(x), Fraction(y)) for x, y in ring]
+            for ring in (polygon["outer"], *polygon["holes"])
+        ]
+        for polygon in json.loads(_core.write(region, "json"))["polygons"]
+    ]
+
+
+def box_of(polygons: ExactPolygons) -> ExactBox | None:
+    """The bounding box; None of the empty set."""
+    outer = [point for polygon in polygons for point in polygon[0]]
+    if not outer:
+        return None
+    xs, ys = zip(*outer, strict=True)
+    return min(xs), min(ys), max(xs), max(ys)
+
+
+def box_text(box: ExactBox) -> str:
+    """Where it lies: `x 0 to 7/5, y -1 to 1`; long numbers rounded."""
+    left, bottom, right, top = (_short(str(number)) for number in box)
+    return f"x {left} to {right}, y {bottom} to {top}"
+
+
+def _short(number: str) -> str:
+    if len(number) <= 9:
+        return number
+    near = in_double_range(number)
+    return scientific(number) if near is None else f"{near:.6g}"
+
+
+@dataclass(frozen=True)
+class Frame:
+    """`left` and `bottom` become 0, and lengths are multiplied by `factor`."""
+
+    left: Fraction
+    bottom: Fraction
+    factor: Fraction
+
+    def polygons(self, exact: ExactPolygons) -> Polygons:
+        """The rings, each number rounded once."""
+        return [[self._ring(ring) for ring in polygon] for polygon in exact]
+
+    def _ring(self, ring: Sequence[Exact]) -> Ring:
+        return [
+            (float((x - self.left) * self.factor), float((y - self.bottom) * self.factor))
+            for x, y in ring
+        ]
+
+
+def fitted(box: ExactBox, width: int, height: int) -> Frame:
+    """The frame in which the box fits into `width` by `height`, as large as can be; a point has the
+    factor 1."""
+    left, bottom, right, top = box
+    factors = [
+        room / length for room, length in ((width, right - left), (height, top - bottom)) if length
+    ]
+    return Frame(left, bottom, min(factors, default=Fraction(1)))
