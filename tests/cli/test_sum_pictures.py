@@ -57,9 +57,7 @@ def test_a_crack_thinner_than_a_dot_is_a_line_through_the_inside() -> None:
     assert set(range(28, 68)) in lines
 
 
-@pytest.mark.parametrize(
-    "size", ["1e400", "1e-900", "1", "1" + "0" * 300]
-)
+@pytest.mark.parametrize("size", ["1e400", "1e-900", "1", "1" + "0" * 300])
 def test_a_triangle_of_any_size_is_drawn_alike(size: str) -> None:
     text = drawn(f"POLYGON ((0 0, {size} 0, 0 {size}, 0 0))")
     assert dots(text) == dots(drawn("POLYGON ((0 0, 7 0, 0 7, 0 0))"))

@@ -62,9 +62,22 @@ def test_baseline_makes_new_faults_alone_fail(tmp_path: Path) -> None:
 
 
 def test_step_without_targets_says_so(tmp_path: Path) -> None:
+    (tmp_path / "pyproject.toml").write_text("[tool.other]\nx = 1\n", encoding="utf-8")
     ran = step(tmp_path, TARGETS="")
-    assert ran.returncode != 0
+    assert ran.returncode == 2
     assert "name the targets" in ran.stderr
+
+
+@pytest.mark.parametrize(
+    ("file", "head"), [("minkref.toml", ""), ("pyproject.toml", "[tool.minkref]\n")]
+)
+def test_step_takes_the_targets_of_the_settings(tmp_path: Path, file: str, head: str) -> None:
+    text = f'{head}targets = ["py:faulty_sums:nothing"]\npairs = 4\nseed = 7\n'
+    (tmp_path / file).write_text(text, encoding="utf-8")
+    ran = step(tmp_path, TARGETS="", SECONDS_GIVEN="")
+    assert ran.returncode == 1, ran.stderr
+    assert f"settings: {file}" in ran.stdout
+    assert "4 cases, 1 targets" in ran.stdout
 
 
 def test_action_gives_every_input_to_the_step() -> None:

@@ -34,6 +34,7 @@ from minkref.reports.conformance.lines import json_lines
 from minkref.reports.conformance.markdown import markdown
 from minkref.reports.conformance.page import write_report
 from minkref.reports.conformance.sarif import sarif
+from minkref.settings import begin_settings, is_outdone, naming_settings
 from minkref.signals import ending_in_order
 
 EXAMPLES = """Examples:
@@ -60,7 +61,9 @@ NOTHING_RUN: dict[str, object] = {
 }
 
 
+@naming_settings
 def command(
+    context: typer.Context,
     targets: Annotated[
         list[str] | None,
         typer.Argument(
@@ -112,6 +115,22 @@ def command(
             "--case",
             help="Only this case: FAMILY:SEED:INDEX, P+Q@SCALE, a case file, or the JSON of one.",
             metavar="CASE",
+            is_eager=True,  # with one no settings are looked for
+        ),
+    ] = None,
+    no_settings: Annotated[
+        bool,
+        typer.Option("--no-settings", is_eager=True, help="Look for no settings of this folder."),
+    ] = False,
+    settings: Annotated[
+        Path | None,
+        typer.Option(
+            "--settings",
+            help="Read the options that are not given from this file. Without: from the next "
+            "minkref.toml, or pyproject.toml with [tool.minkref], of this folder or one above.",
+            metavar="FILE",
+            is_eager=True,
+            callback=begin_settings,
         ),
     ] = None,
     models: Annotated[
@@ -178,6 +197,8 @@ def command(
     small ones first, with probes at their events, laws, and mutants of those that show something
     new; then the shipped models, and the paper's kind of input at five scales."""
     watch = Stopwatch()
+    if is_outdone(context, "pairs", by="seconds"):
+        pairs = None
     check_numbers(seconds, pairs, jobs, call_seconds, call_memory, call_output, size_limit)
     for file in (junit_file, sarif_file, markdown_file, lines_file):
         if file is not None:
@@ -189,6 +210,8 @@ def command(
     cases = case_list(
         seed, pairs, seconds, case, models, family, derived, suite, corpus, declared.values()
     )
+    if settings is not None:
+        cases.notes.append(f"settings: {settings}")
     if report is not None:
         make_folder(report)
     workers = jobs or os.cpu_count() or 1
@@ -226,7 +249,8 @@ def command(
         cases.notes.append("ended by a fault of ours: what was judged until then is here")
     value = document_of(done, groups, chosen, absent, declared, cases, watch, code)
     if report is not None:
-        again = command_line("verify", command, locals())
+        said = {**locals(), "settings": None, "no_settings": settings is not None}
+        again = command_line("verify", command, said)
         value["report"] = str(write_report(report, done, groups, value, limits, again))
         value["seconds"] = watch.seconds()
     if junit_file is not None:
