@@ -61,23 +61,17 @@ class Asking:
         outcomes = self._judged(self.case, self.answers, names)
         return [self._once_more(self.case, outcome) for outcome in outcomes]
 
-    def coverage(self, outcomes: list[Outcome]) -> str | None:
-        """What a case showed: family, position of the scale, shape of the sum, whatever is
-        amiss. None where no route of ours has a sum."""
+    def coverage(self) -> str | None:
+        """What a case showed: family, position of the scale, shape of the sum, needs. None where no
+        route of ours has a sum."""
         case = self.case
         if not isinstance(case, Case) or case.law is not None:
             return None
         region = next((self.answers[n].region for n in TRUTHS if n in self.answers), None)
         if region is None:
             return None
-        amiss = sorted(
-            f"{outcome.target} {' '.join(outcome.kinds)}"
-            for outcome in outcomes
-            if outcome.verdict not in (*GOOD, Verdict.SKIPPED)
-        )
         shape = f"{min(region.components, 3)} {min(region.holes, 4)}"
-        needs = " ".join(sorted(case.needs))
-        return "|".join([case.family, case.position, shape, needs, *amiss])
+        return "|".join([case.family, case.position, shape, " ".join(sorted(case.needs))])
 
     def expected(self, outcomes: list[Outcome]) -> str | None:
         """The sum as canonical JSON by a route that nothing refutes."""
@@ -103,11 +97,11 @@ class Asking:
         return self._in_time(name, lambda: target.sum(case))
 
     def _in_time(self, name: str, ask: Callable[[], Answer]) -> Answer:
-        self.begin(name)
-        answer = ask()
-        if answer.verdict is Verdict.TIMED_OUT:  # a machine may stand still: once more
+        for _ in range(self.limits.tries):  # a machine may stand still
             self.begin(name)
             answer = ask()
+            if answer.verdict is not Verdict.TIMED_OUT:
+                break
         return answer
 
     def _once_more(self, case: Case, outcome: Outcome) -> Outcome:

@@ -20,7 +20,7 @@ from minkref.fuzz.cases.case import CaseName
 from minkref.fuzz.run.worker import CaseResult
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict, Witness
 
-FORMAT = "ledger-v1"
+FORMAT = "ledger-v2"
 
 
 class Ledger:

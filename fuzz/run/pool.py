@@ -135,7 +135,9 @@ def _replaced(worker: _Worker, lost: Outcome, targets: list[str], limits: Limits
     worker.kill()
     if lost.target in job.lost:
         raise _internal(worker, "the same step took a worker down twice")
-    if lost.verdict is Verdict.TIMED_OUT and lost.target not in job.overdue:
+    ours = lost.target == CASE or lost.target.startswith(JUDGING)
+    again = lost.verdict is Verdict.TIMED_OUT and (ours or limits.tries > 1)
+    if again and lost.target not in job.overdue:
         job.overdue.add(lost.target)  # perhaps the machine stood still: once more
     else:
         job.lost[lost.target] = lost

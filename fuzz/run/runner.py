@@ -13,9 +13,9 @@ from minkref.fuzz.cases.invalid_case import FAMILY as INVALID
 from minkref.fuzz.cases.verbs import EVENTS, UPDATE
 from minkref.fuzz.run.ledger import Ledger
 from minkref.fuzz.run.pool import InternalError, run_cases
+from minkref.fuzz.run.resting import Resting
 from minkref.fuzz.run.worker import CaseResult, Job
 from minkref.fuzz.targets.answer import Limits
-from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.verdicts.baseline import Baseline
 from minkref.fuzz.verdicts.judgement import REFEREE
 from minkref.fuzz.verdicts.verdict import BROKEN, GOOD, Outcome, Verdict
@@ -64,6 +64,7 @@ class Run:
     failed: str | None = None  # the fault of ours that ended it
     absent: int = 0  # derived cases that do not exist, as probes of a pair without events
     untaken: Counter[str] = field(default_factory=Counter)  # why no target takes a generated case
+    resting: dict[str, str] = field(default_factory=dict)  # target: the case it last did not answer
 
     def smallest(self) -> list[tuple[Finding, int]]:
         """The smallest finding of each kind, with how many there are; the most serious first."""
@@ -112,25 +113,6 @@ def verb_of(text: str) -> str:
     return next((verb for start, verb in verbs.items() if text.startswith(start)), "at")
 
 
-def not_asked(done: Run, declared: Mapping[str, Declaration]) -> list[str]:
-    """What targets declare and no case of the run asked for: a sentence for each target."""
-    notes = []
-    for name, declaration in declared.items():
-        able = declaration.capabilities
-        in_plane = [("at", "plane", 2)] + [
-            (verb, "plane", 2) for verb in (UPDATE, EVENTS, REJECTS) if verb in able
-        ]
-        in_space = [("at", "space", 3)] + [(UPDATE, "space", 3)] * (UPDATE in able)
-        missing = [
-            f"{verb} ({where})"
-            for verb, where, dimension in (*in_plane, *in_space)
-            if where in able and not done.asked[name, verb, dimension]
-        ]
-        if missing:
-            notes.append(f"{name} declares what this run did not ask for: {', '.join(missing)}")
-    return notes
-
-
 def run(
     cases: CaseList,
     targets: list[str],
@@ -142,42 +124,83 @@ def run(
     ledger: Ledger | None = None,
     first: bool = False,
 ) -> Run:
-    """Runs all cases. With `cases.pairs` given the verdicts do not depend on `jobs`. What the
-    ledger holds is not run again; every result is in it before it is shown. `first`: ends with the
-    first case on which something is wrong or broken and not known. SIGINT, SIGTERM and SIGHUP end
-    it, and so does a fault of ours: what was judged until then is in the result, and `ended` or
-    `failed` says so."""
+    """Runs all cases. With `cases.pairs` given the verdicts do not depend on `jobs`: results are
+    taken in the order of the cases. What the ledger holds is not run again; every result is in it
+    before it is shown. `first`: ends with the first case on which something is wrong or broken and
+    not known. Targets that do not answer rest, unless the cases are named. SIGINT, SIGTERM and
+    SIGHUP end it, and so does a fault of ours: what was judged until then is in the result, and
+    `ended` or `failed` says so."""
     done = Run(list(targets))
+    resting = Resting([] if cases.named else targets, done.resting)
+    waiting: dict[int, CaseResult] = {}
+    number = 0
+
+    def is_over() -> bool:
+        amiss = (Verdict.WRONG, *BROKEN)
+        return resting.is_over or (
+            first and any(finding.outcome.verdict in amiss for finding in done.findings)
+        )
+
+    def take_next(result: CaseResult) -> None:
+        result = resting.applied(result)
+        _take(done, result, versions, baseline)
+        if not result.is_run:
+            cases.miss()
+        cases.learn(result.number, result.name.text, _coverage(result))
+        resting.note(result)
+
     with Stoppable() as stoppable:
 
         def take(result: CaseResult, ledger: Ledger | None = None) -> None:
+            nonlocal number
             with stoppable.held():
                 if ledger is not None:
                     ledger.write(result)
-                _take(done, result, versions, baseline)
-                if not result.is_run:
-                    cases.miss()
-                cases.learn(result.number, result.name.text, result.coverage)
+                waiting[result.number] = result
+                while number in waiting and not is_over():
+                    take_next(waiting.pop(number))
+                    number += 1
             progress(done)
 
         try:
-            for result in run_cases(_jobs(cases, ledger, take), targets, limits, jobs):
+            jobs_of = _jobs(cases, ledger, take, done.resting)
+            for result in run_cases(jobs_of, targets, limits, jobs):
                 take(result, ledger)
-                if first and any(
-                    f.outcome.verdict in (Verdict.WRONG, *BROKEN) for f in done.findings
-                ):
+                if is_over():
                     break
         except Ended as ended:
             done.ended = ended.number
         except InternalError as error:
             done.failed = str(error)
+        try:
+            with stoppable.held():  # those after a case that has no result
+                for _, result in sorted(waiting.items()):
+                    if not is_over():
+                        take_next(result)
+        except Ended as ended:
+            done.ended = ended.number
     done.findings.sort(key=lambda finding: (finding.outcome.target, finding.case.number))
     done.groups.sort(key=lambda group: done.began[group])
     return done
 
 
+def _coverage(result: CaseResult) -> str | None:
+    """What the case showed, and what is amiss."""
+    if result.coverage is None:
+        return None
+    amiss = sorted(
+        f"{outcome.target} {' '.join(outcome.kinds)}"
+        for outcome in result.outcomes
+        if outcome.verdict not in (*GOOD, Verdict.SKIPPED)
+    )
+    return "|".join([result.coverage, *amiss])
+
+
 def _jobs(
-    cases: CaseList, ledger: Ledger | None, take: Callable[[CaseResult], None]
+    cases: CaseList,
+    ledger: Ledger | None,
+    take: Callable[[CaseResult], None],
+    resting: Mapping[str, str],
 ) -> Iterator[Job | Wait]:
     number = 0
     for name in cases:
@@ -188,7 +211,7 @@ def _jobs(
         if known is not None:
             take(known)
         else:
-            yield Job(number, name, cases.derived, cases.generating)
+            yield Job(number, name, cases.derived, cases.generating, frozenset(resting))
         number += 1
 
 

@@ -37,6 +37,7 @@ class Job:
     name: CaseName
     learning: bool = False  # whether it is asked what the case shows that is new
     generated: bool = False  # one of many: where no target takes it, it is left out
+    resting: frozenset[str] = frozenset()  # targets that are not asked
     lost: dict[str, Outcome] = field(default_factory=dict)
     overdue: set[str] = field(default_factory=set)
 
@@ -44,7 +45,8 @@ class Job:
 @dataclass
 class CaseResult:
     """What a worker hands back on one case. Sets are texts, and only where something is amiss.
-    `absent` says why there is no such case, `untaken` why no target takes it."""
+    `absent` says why there is no such case, `untaken` why no target takes it. `coverage`: what the
+    case shows, without what is amiss."""
 
     number: int
     name: CaseName
@@ -63,6 +65,7 @@ class CaseResult:
     coverage: str | None = None
     absent: str | None = None
     untaken: str | None = None
+    generated: bool = False
 
     @property
     def is_run(self) -> bool:
@@ -120,11 +123,11 @@ class _Work:
         ruled = []
         if isinstance(case, Case) and case.law is None:
             ruled = [self._rule(case, name) for name in self.targets if is_check(name)]
-        outcomes = asking.outcomes([name for name in self.targets if not is_check(name)])
-        if self.job.generated and not any(map(is_check, self.targets)) and _all_skip(outcomes):
-            job = self.job
-            why = outcomes[0].message
-            return CaseResult(job.number, job.name, "1", [], "", "", (0, 0, ""), untaken=why)
+        names = [name for name in self.targets if name not in self.job.resting]
+        outcomes = asking.outcomes([name for name in names if not is_check(name)])
+        if self.job.generated and not any(map(is_check, self.targets)) and all_skip(outcomes):
+            job, why = self.job, outcomes[0].message
+            return CaseResult(job.number, job.name, "1", outcomes, "", "", (0, 0, ""), untaken=why)
         return self._result(case, [*ruled, *outcomes], asking)
 
     def _target(self, name: str) -> Target:
@@ -157,13 +160,14 @@ class _Work:
         result = CaseResult(
             job.number, job.name, case.scale, outcomes, case.P_name, case.Q_name, case.size
         )
+        result.generated = job.generated
         result.dimension, result.family, result.position = (
             case.dimension,
             case.family,
             case.position,
         )
         if job.learning:
-            result.coverage = asking.coverage(outcomes)
+            result.coverage = asking.coverage()
         if any(outcome.verdict not in (*GOOD, Verdict.SKIPPED) for outcome in outcomes):
             result.literal = case.literal
             if isinstance(case, SpaceCase):
@@ -174,7 +178,7 @@ class _Work:
         return result
 
 
-def _all_skip(outcomes: list[Outcome]) -> bool:
+def all_skip(outcomes: list[Outcome]) -> bool:
     return bool(outcomes) and all(outcome.verdict is Verdict.SKIPPED for outcome in outcomes)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from minkref.fuzz.run.runner import REJECTS, Finding, verb_of
 from minkref.fuzz.run.worker import CaseResult
@@ -11,7 +11,7 @@ from minkref.fuzz.shrink.shrinker import MOST_CALLS, shrink
 from minkref.fuzz.shrink.space_steps import SolidCase, smaller_in_space
 from minkref.fuzz.shrink.trial import Trial, same_fault
 from minkref.fuzz.targets.answer import Limits
-from minkref.fuzz.verdicts.verdict import Outcome
+from minkref.fuzz.verdicts.verdict import Outcome, Verdict
 
 
 @dataclass(frozen=True)
@@ -25,19 +25,34 @@ class SmallFinding:
     calls: int
     complete: bool
     stable: bool
+    seconds: float | None = None  # of a time-out: the limit of the calls that made it small
+
+
+BRIEF = (0.25, 1.0)  # seconds
+
+
+def brief(limits: Limits) -> Limits:
+    """For a target that does not answer: a tenth of the seconds, though not less or more than BRIEF
+    and never more than before; once each time. What is found so is asked again as usual."""
+    least, most = BRIEF
+    seconds = min(limits.seconds, max(least, min(most, limits.seconds / 10)))
+    return replace(limits, seconds=seconds, tries=1)
 
 
 def shrink_finding(
     finding: Finding, limits: Limits, most_calls: int = MOST_CALLS
 ) -> SmallFinding | None:
     """The smallest case found with the same fault: verdict, reasons, signal. None where the fault
-    does not show again in a fresh process."""
+    does not show again in a fresh process. Of a time-out smaller cases are asked about with the
+    limits of `brief`, and the smallest with those of the run."""
     literal = finding.case.literal
     if literal is None or finding.case.P is None or finding.case.Q is None:
         return None
     if verb_of(finding.case.name.text) == REJECTS:  # no smaller operands are known to be invalid
         return None
-    with Trial(finding.outcome.target, limits) as trial:
+    silent = Verdict.TIMED_OUT in (finding.outcome.verdict, finding.outcome.was)
+    used = brief(limits) if silent else limits
+    with Trial(finding.outcome.target, used) as trial:
         first = trial.ask(literal)
         if not same_fault(finding.outcome, first[1]):
             return None
@@ -60,7 +75,12 @@ def shrink_finding(
             solid = SolidCase.read(finding.case.P, finding.case.Q, case.scale)
             shaped = shrink(solid, smaller_in_space, still, most_calls)
             calls, complete = shaped.calls, shaped.complete
-        again = trial.ask(kept[0].name.text)
+        again = trial.ask(kept[0].name.text) if not silent else None
+    if again is None:
+        with Trial(finding.outcome.target, limits) as trial:
+            again = kept = trial.ask(kept[0].name.text)
+        if not same_fault(finding.outcome, again[1]):
+            return None
     result, outcome = kept
     assert outcome is not None
     return SmallFinding(
@@ -70,4 +90,5 @@ def shrink_finding(
         calls,
         complete,
         same_fault(finding.outcome, again[1]),
+        used.seconds if silent else None,
     )

@@ -17,8 +17,7 @@ from minkref.signals import Ended
 EXAMPLES = 3  # findings of a kind that are shrunk; of a known fault one
 CALLS_FOR_KNOWN = 150
 CALLS_FOR_MEMORY = 60  # of a target that takes all the memory that it may have
-SECONDS_OF_WAITING = 120.0  # for a target that does not answer, which is asked twice each time
-FEWEST_CALLS = 10  # with fewer a case hardly becomes smaller
+CALLS_FOR_TIME_OUT = 12  # of a target that does not answer, each as long as `brief` says
 
 
 @dataclass
@@ -71,9 +70,7 @@ def _shrink_all(
         outcome = group.example.outcome
         if outcome.verdict is Verdict.UNDECIDED or most_calls <= 0:
             continue
-        calls, examples = _bounds(outcome, limits, most_calls)
-        if not examples:
-            continue
+        calls, examples = _bounds(outcome, most_calls)
         same = [finding for finding in run.findings if finding.kind == group.example.kind]
         same.sort(key=lambda finding: finding.case.size)
         progress(f"shrinking: {outcome.target} {' '.join(outcome.kinds)}")
@@ -88,12 +85,11 @@ def _shrink_all(
         group.small.sort(key=lambda small: small.result.size)
 
 
-def _bounds(outcome: Outcome, limits: Limits, most_calls: int) -> tuple[int, int]:
+def _bounds(outcome: Outcome, most_calls: int) -> tuple[int, int]:
     """Calls for one finding, and how many findings: fewer where calls are slow by their nature."""
     faults = (outcome.verdict, outcome.was)
     if Verdict.TIMED_OUT in faults:
-        calls = min(most_calls, int(SECONDS_OF_WAITING / (2 * limits.seconds)))
-        return calls, int(calls >= min(most_calls, FEWEST_CALLS))
+        return min(most_calls, CALLS_FOR_TIME_OUT), 1
     if Verdict.OUT_OF_MEMORY in faults:
         return min(most_calls, CALLS_FOR_MEMORY), 1
     if outcome.verdict is Verdict.KNOWN:

@@ -21,12 +21,14 @@ REGIONS = Declaration("minkref")
 
 @dataclass(frozen=True)
 class Limits:
-    """For one call of one target. `output`: bytes of an answer, and of its log."""
+    """For one call of one target. `output`: bytes of an answer, and of its log. `tries`: how often
+    one that does not answer is asked before it is said of it."""
 
     seconds: float = 30.0
     bytes: int = 4 << 30
     size: int | None = None
     output: int = 64 << 20
+    tries: int = 2
 
 
 @dataclass

@@ -140,9 +140,18 @@ def test_case_that_is_none_is_refused(minkref: Any, case: str) -> None:
     assert value["error"]["what"]
 
 
-def test_target_that_hangs_is_not_called_hundreds_of_times(minkref: Any) -> None:
-    arguments = ("--pairs", "1", "--family", "random", "--no-models", "--call-seconds", "8")
+def test_a_time_out_is_made_small_by_few_and_short_calls(minkref: Any) -> None:
+    arguments = ("--pairs", "1", "--family", "random", "--no-models", "--call-seconds", "1")
     code, value, _ = minkref("verify", "py:faulty_sums:hangs", *arguments)
-    assert code == 3
-    assert value["shrunk"] == []
-    assert value["seconds"] < 60
+    (small,) = value["shrunk"]
+    assert code == 3 and small["verdict"] == "timed-out"
+    assert small["call_seconds"] == 0.25 and small["calls"] <= 12
+    assert "1 s" in small["message"]  # with the limit of the run it is the same
+
+
+def test_a_case_that_is_slow_but_answered_is_no_smaller_time_out(minkref: Any) -> None:
+    """With a quarter of a second it would be one."""
+    arguments = ("--pairs", "1", "--family", "random", "--no-models", "--call-seconds", "2")
+    code, value, _ = minkref("verify", "py:faulty_sums:slow_if_small", *arguments)
+    assert code == 3 and value["shrunk"] == []
+    assert [finding["verdict"] for finding in value["findings"]] == ["timed-out"]

@@ -19,7 +19,8 @@ from minkref.errors import refusal_text
 from minkref.exits import ExitCode
 from minkref.fuzz.run.ledger import Ledger
 from minkref.fuzz.run.pool import InternalError
-from minkref.fuzz.run.runner import Run, not_asked, run
+from minkref.fuzz.run.runner import Run, run
+from minkref.fuzz.run.unasked import not_asked, resting_notes
 from minkref.fuzz.shrink.groups import shrunk_groups
 from minkref.fuzz.shrink.shrinker import MOST_CALLS
 from minkref.fuzz.targets.answer import Limits, load_limit
@@ -235,6 +236,7 @@ def command(
     cases.notes += not_asked(
         done, {name: declared[name] for name in names if declares_itself(name)}
     )
+    cases.notes += resting_notes(done, names, cases.count)
     cases.notes += [
         f"{group.example.case.name.text}: making it smaller failed, a fault of ours: "
         f"{group.unshrunk}"

@@ -161,6 +161,7 @@ def shrunk_document(
         "calls": small.calls,
         "complete": small.complete,
         "stable": small.stable,
+        "call_seconds": small.seconds,
     }
 
 
@@ -309,10 +310,15 @@ def describe(group: Group) -> list[str]:
     for small in group.small:
         shown_as = "" if small.stable else ", not every time"
         lines.append(
-            f"  shrunk to {small.result.size[0]} vertices in {small.calls} calls{shown_as}:"
+            f"  shrunk to {small.result.size[0]} vertices in {small.calls} calls"
+            f"{_brief(small)}{shown_as}:"
         )
         lines += _lines(Finding(small.outcome, small.result))
     return [shown(line) for line in lines]
+
+
+def _brief(small: SmallFinding) -> str:
+    return "" if small.seconds is None else f" of {small.seconds:g} s at most"
 
 
 def _lines(finding: Finding) -> list[str]:
