@@ -12,7 +12,7 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-from minkref.errors import Refusal
+from minkref.errors import Refusal, choice
 from minkref.fuzz.adapters import installation
 from minkref.fuzz.cgal.executables import BUILD_COMMAND, search_folders
 
@@ -121,8 +121,7 @@ def default_folder() -> Path:
 
 def adapter_named(name: str) -> Adapter:
     if name not in ADAPTERS:
-        known = ", ".join(ADAPTERS)
-        raise Refusal(f"there is no adapter {name[:60]!r}", "adapter", f"choose one of {known}")
+        raise Refusal(f"there is no adapter {name[:60]!r}", "adapter", choice(name, ADAPTERS))
     return ADAPTERS[name]
 
 

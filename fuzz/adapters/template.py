@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from minkref.errors import Refusal
+from minkref.errors import Refusal, choice
 
 TEMPLATES = Path(__file__).parent / "templates"
 HEADER = Path(__file__).parent / "minkref_adapter.h"
@@ -40,7 +40,7 @@ def template(name: str, language: str, folder: Path) -> tuple[Path, str, list[st
         raise Refusal(
             f"there is no template in {language[:40]!r}",
             "--language",
-            f"choose one of {', '.join(LANGUAGES)}",
+            choice(language, LANGUAGES),
         )
     if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_-]{0,59}", name):
         raise Refusal(

@@ -10,7 +10,7 @@ from fnmatch import fnmatchcase
 from pathlib import Path
 from typing import Any
 
-from minkref.errors import Refusal, cut
+from minkref.errors import Refusal, choice, cut
 from minkref.fuzz.verdicts.verdict import BROKEN, GOOD, Outcome, Reason, Verdict
 
 _FIELDS = ("target", "version", "kind", "reason")
@@ -80,7 +80,7 @@ def read_baseline(path: Path) -> Baseline:
             raise Refusal(
                 f"entry {number} has the kind {entry['kind'][:40]!r}, which nothing has",
                 str(path),
-                f"choose one of {', '.join(KINDS)}",
+                choice(entry["kind"], KINDS),
             )
     return Baseline(tuple(Entry(*(entry[field] for field in _FIELDS)) for entry in entries))
 

@@ -39,6 +39,12 @@ def nearest(word: str, known: Iterable[str]) -> str:
     return f"did you mean {near[0]}? " if near else ""
 
 
+def choice(word: str, known: Iterable[str]) -> str:
+    """What to write in place of a word that is not one of a few."""
+    words = list(known)
+    return f"{nearest(word, words)}choose one of {', '.join(words)}"
+
+
 def refusal_text(error: dict[str, object]) -> str:
     """The refusal for people; `error` is its document."""
     text = f"minkref: {shown(str(error['where']))}: {shown(str(error['what']))}\n"

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from minkref.documents import check_writable, write_atomically
-from minkref.errors import Refusal, nearest
+from minkref.errors import Refusal, choice
 
 STANDARD_OUTPUT = Path("-")
 
@@ -44,7 +44,7 @@ def target_of(
             raise Refusal("there is nothing to write", f"--format {form}", "add -o FILE, or -o -")
         return None
     if form is not None and form not in forms:
-        mend = f"{nearest(form, forms)}choose one of {', '.join(forms)}"
+        mend = choice(form, forms)
         raise Refusal("there is no such format", f"--format {form[:40]}", mend)
     if output == STANDARD_OUTPUT:
         if json:

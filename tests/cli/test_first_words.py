@@ -6,7 +6,9 @@ import json
 import os
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -42,12 +44,36 @@ def test_completion_of_a_shell(tmp_path: Path) -> None:
         (("verify", "minkref:paper", "--family", "space-thn"), "did you mean space-thin?"),
         (("verify", "minkref:paper", "--suite", "corpse"), "did you mean corpus?"),
         (("verify", "adapter.py"), "write ./adapter.py"),
+        (("sum", "g1", "gg1"), "did you mean g1?"),
+        (("sum", "g1", "g2", "--route", "papr"), "did you mean paper?"),
+        (("sum", "g1", "g2", "--arithmetic", "ratioal"), "did you mean rational?"),
+        (("sum", "gs3", "rod", "--route", "dynamc"), "did you mean dynamic?"),
+        (
+            ("sweep", "g1", "g2", "--scales", "s", "-o", "x", "--format", "jsn"),
+            "did you mean json?",
+        ),
+        (("events", "g1", "g2", "--kind", "pairs"), "did you mean pair?"),
+        (("events", "g1", "g2", "--form", "printd"), "did you mean printed?"),
+        (("adapter", "new", "x", "--language", "pyton"), "did you mean python?"),
+        (("adapter", "install", "clippr2"), "did you mean clipper2?"),
+        (("generate", "antena"), "did you mean antennas?"),
+        (("report", "audi"), "did you mean audit?"),
+        (("bench", "--only", "tabel1"), "did you mean table1?"),
+        (("verfy",), "Did you mean 'verify'"),
     ],
 )
-def test_a_word_that_is_nearly_right(tmp_path: Path, words: tuple[str, ...], mend: str) -> None:
+def test_a_word_that_is_nearly_right(
+    minkref: Callable[..., Any],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    words: tuple[str, ...],
+    mend: str,
+) -> None:
     (tmp_path / "adapter.py").write_text("")
-    ran = run(*words, folder=tmp_path)
-    assert ran.returncode == 2 and mend in ran.stderr
+    (tmp_path / "s").write_text("1\n")
+    monkeypatch.chdir(tmp_path)
+    ran = minkref(*words)
+    assert ran.code == 2 and mend in ran.err
 
 
 def test_where_the_header_is(tmp_path: Path) -> None:

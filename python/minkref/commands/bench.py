@@ -8,7 +8,7 @@ from typing import Annotated, Any
 import typer
 
 from minkref.documents import Stopwatch, as_text, document
-from minkref.errors import Refusal
+from minkref.errors import Refusal, choice
 from minkref.exits import ExitCode
 from minkref.options import Json, Schema
 from minkref.progress import progress
@@ -50,7 +50,7 @@ def command(
     watch = Stopwatch()
     for name in only or []:
         if name not in PARTS:
-            mend = f"choose one of {', '.join(PARTS)}"
+            mend = choice(name, PARTS)
             raise Refusal(f"there is no part {name!r}", "--only", mend)
     parts = only or PARTS
     flat: table1.Table1 | None = None

@@ -19,7 +19,7 @@ from minkref.documents import (
     listing,
     write_atomically,
 )
-from minkref.errors import Refusal, refusing
+from minkref.errors import Refusal, choice, refusing
 from minkref.event_lists import (
     BoundaryEventList,
     EventList,
@@ -196,9 +196,7 @@ def _route(kind: str, route: str | None, index: Path | None) -> str | None:
     if kind in ROUTED_KINDS:
         chosen = route_with(index, route, ROUTES[0])
         if chosen not in ROUTES:
-            raise Refusal(
-                f"there is no route {chosen!r}", "--route", f"choose one of {', '.join(ROUTES)}"
-            )
+            raise Refusal(f"there is no route {chosen!r}", "--route", choice(chosen, ROUTES))
         return chosen
     if route is not None or index is not None:
         raise Refusal(
@@ -230,11 +228,9 @@ def _least(P: Operand, Q: Operand, form: str) -> dict[str, int | None]:
 
 def _check(kind: str, form: str, arithmetic: str, least: bool, output: Path | None) -> None:
     if kind not in KINDS:
-        raise Refusal(
-            f"there is no kind {kind!r} of events", "--kind", f"choose one of {', '.join(KINDS)}"
-        )
+        raise Refusal(f"there is no kind {kind!r} of events", "--kind", choice(kind, KINDS))
     if form not in FORMS:
-        raise Refusal(f"there is no form {form!r}", "--form", f"choose one of {', '.join(FORMS)}")
+        raise Refusal(f"there is no form {form!r}", "--form", choice(form, FORMS))
     check_arithmetic(arithmetic)
     if arithmetic != "rational" and kind != "pair":
         raise Refusal(

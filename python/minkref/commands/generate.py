@@ -25,7 +25,7 @@ from minkref.degeneracies.catalogue import FAMILIES, SPACE_FAMILIES
 from minkref.degeneracies.files import FileRow, Made, made_invalid, made_member
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, INVALID_MESH_FAMILIES
 from minkref.documents import Stopwatch, document, listing
-from minkref.errors import Refusal, refusal_of
+from minkref.errors import Refusal, nearest, refusal_of
 from minkref.fuzz.run import child
 from minkref.options import Json, Schema
 from minkref.output_folder import folder_to_write
@@ -189,8 +189,8 @@ def _chosen(families: list[str]) -> list[str]:
     unknown = [name for name in families if name not in known]
     if unknown:
         mend = (
-            "`minkref families` lists all families: name those that it says `generate` makes, "
-            f"{ALL}, {SPACE}, {INVALID} or {INVALID_MESH}"
+            f"{nearest(unknown[0], known)}name {ALL}, {SPACE}, {INVALID}, {INVALID_MESH}, or some "
+            "that `minkref families` says `generate` makes"
         )
         raise Refusal("there is no such family", shown(unknown[0]), mend, "unknown-family")
     return list(dict.fromkeys(name for word in families for name in known[word]))

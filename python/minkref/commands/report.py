@@ -11,7 +11,7 @@ import typer
 
 from minkref.degeneracies import lint
 from minkref.documents import Stopwatch, as_text, document
-from minkref.errors import Refusal
+from minkref.errors import Refusal, nearest
 from minkref.exits import ExitCode
 from minkref.options import Json, Schema
 from minkref.output_folder import folder_to_write
@@ -68,7 +68,7 @@ def command(
     watch = Stopwatch()
     for subject in subjects:
         if subject not in SUBJECTS:
-            mend = f"name some of {', '.join(SUBJECTS)}"
+            mend = f"{nearest(subject, SUBJECTS)}name some of {', '.join(SUBJECTS)}"
             raise Refusal("there is no such report", shown(subject), mend)
     folder = folder_to_write(output)
     cases = _corpus(corpus)

@@ -18,7 +18,7 @@ from minkref.documents import (
     check_spares,
     document,
 )
-from minkref.errors import Refusal, refusing
+from minkref.errors import Refusal, choice, refusing
 from minkref.exact import read_scale
 from minkref.operand import Operand, read_operand
 from minkref.operand_text import STANDARD_INPUT
@@ -289,9 +289,7 @@ def _signs(statistics: dict[str, Any]) -> dict[str, Any]:
 
 def _check_route(route: str, arithmetic: str) -> None:
     if route not in ROUTES:
-        raise Refusal(
-            f"there is no route {route!r}", "--route", f"choose one of {', '.join(ROUTES)}"
-        )
+        raise Refusal(f"there is no route {route!r}", "--route", choice(route, ROUTES))
     check_arithmetic(arithmetic)
     if arithmetic != "rational" and route != "paper":
         raise Refusal(

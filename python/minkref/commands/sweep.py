@@ -12,7 +12,7 @@ from rich.table import Table
 
 from minkref import _core
 from minkref.documents import Stopwatch, as_text, document
-from minkref.errors import Refusal, refusing
+from minkref.errors import Refusal, choice, refusing
 from minkref.exact import approximate, read_scale
 from minkref.operand import Operand, read_operand
 from minkref.options import Json, Schema
@@ -102,9 +102,7 @@ def command(
     watch = Stopwatch()
     route = route_with(index, route, ROUTES[0])
     if route not in ROUTES:
-        raise Refusal(
-            f"there is no route {route!r}", "--route", f"choose one of {', '.join(ROUTES)}"
-        )
+        raise Refusal(f"there is no route {route!r}", "--route", choice(route, ROUTES))
     scales = _scales(from_scale, to_scale, steps, scales_file)
     if form is not None and output is None:
         raise Refusal(
@@ -221,9 +219,7 @@ def _scales(first: str | None, last: str | None, steps: int | None, file: Path |
 
 def _folder(output: Path | None, form: str) -> SweepFolder | None:
     if form not in FORMATS:
-        raise Refusal(
-            f"there is no format {form!r}", "--format", f"choose one of {', '.join(FORMATS)}"
-        )
+        raise Refusal(f"there is no format {form!r}", "--format", choice(form, FORMATS))
     return SweepFolder(output, form) if output is not None else None
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from pathlib import Path
 
-from minkref.errors import Refusal, nearest
+from minkref.errors import Refusal, choice, nearest
 from minkref.fuzz.cases import naming
 from minkref.fuzz.cases.case import CaseName
 from minkref.fuzz.cases.case_files import CaseFiles, case_files
@@ -36,7 +36,7 @@ def case_list(
     what names no case."""
     if suite not in SUITES:
         what = f"there is no suite {suite[:40]!r}"
-        mend = f"{nearest(suite, SUITES)}choose one of {', '.join(SUITES)}"
+        mend = choice(suite, SUITES)
         raise Refusal(what, "--suite", mend)
     for text in named or []:
         refuse_unless_case(text)

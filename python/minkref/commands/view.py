@@ -14,7 +14,7 @@ from rich.console import Console
 
 from minkref import _core
 from minkref.documents import Stopwatch, as_text, check_writable, document, write_atomically
-from minkref.errors import Refusal, refusing
+from minkref.errors import Refusal, choice, refusing
 from minkref.exact import approximate, read_scale
 from minkref.operand import read_operand
 from minkref.options import Json, Schema
@@ -99,9 +99,7 @@ def command(
     window = _window(from_scale, to_scale, _given(("--scale", scale), ("--scales", scales)))
     route = route_with(index, route, ROUTES[0])
     if route not in ROUTES:
-        raise Refusal(
-            f"there is no route {route!r}", "--route", f"choose one of {', '.join(ROUTES)}"
-        )
+        raise Refusal(f"there is no route {route!r}", "--route", choice(route, ROUTES))
     _check_output(output)
     check_spares_index(output, index)
     first, second = read_operand(P), read_operand(Q)

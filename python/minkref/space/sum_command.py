@@ -14,7 +14,7 @@ from minkref.documents import (
     check_spares,
     document,
 )
-from minkref.errors import Refusal, refusing
+from minkref.errors import Refusal, choice, refusing
 from minkref.exact import scientific
 from minkref.output_target import target_of
 from minkref.signals import interruptible
@@ -90,7 +90,7 @@ def _checked_route(route: str, arithmetic: str) -> str:
         )
     chosen = "traversal" if route == "paper" else route
     if chosen not in ROUTES:
-        mend = f"in space choose one of {', '.join(ROUTES)}"
+        mend = f"in space: {choice(route, ROUTES)}"
         raise Refusal(f"there is no route {route!r} in space", "--route", mend)
     return chosen
 

@@ -12,7 +12,7 @@ from rich.table import Table
 
 from minkref import _core
 from minkref.documents import Stopwatch, as_text, document
-from minkref.errors import Refusal, refusing
+from minkref.errors import Refusal, choice, refusing
 from minkref.exact import approximate
 from minkref.progress import progress
 from minkref.signals import ending_in_order
@@ -40,7 +40,7 @@ def sweep_in_space(
         )
     form = form or "json"
     if form not in SPACE_FORMATS:
-        mend = f"in space choose one of {', '.join(SPACE_FORMATS)}"
+        mend = f"in space: {choice(form, SPACE_FORMATS)}"
         raise Refusal(f"there is no format {form!r}", "--format", mend)
     folder = SweepFolder(output, form) if output is not None else None
     first, second = read_space_operand(P), read_space_operand(Q)
