@@ -30,9 +30,30 @@ def test_the_version_in_short(tmp_path: Path) -> None:
     assert (short.returncode, short.stderr) == (0, "")
 
 
-def test_completion_of_a_shell(tmp_path: Path) -> None:
-    ran = run("--show-completion", "bash", folder=tmp_path)
-    assert ran.returncode == 0 and "_MINKREF_COMPLETE=complete_bash" in ran.stdout
+COMPLETE = """
+eval "$(minkref --show-completion)"
+complete_words() {
+  COMP_WORDS=("$@") COMP_CWORD=$(($# - 1)) COMPREPLY=()
+  _minkref_completion minkref
+  echo "${COMPREPLY[@]}"
+}
+complete_words minkref ver
+complete_words minkref verify --no-s
+exit 0
+"""
+
+
+def test_completion_in_bash(tmp_path: Path) -> None:
+    path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
+    ran = subprocess.run(
+        ["bash", "-c", COMPLETE],
+        cwd=tmp_path,
+        env={**os.environ, "PATH": path},
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
+    assert (ran.stdout, ran.stderr) == ("verify\n--no-settings\n", "")
 
 
 @pytest.mark.parametrize(
