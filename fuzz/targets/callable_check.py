@@ -11,7 +11,7 @@ from minkref.fuzz.targets.declaration import Declaration, DeclarationError
 from minkref.fuzz.targets.python_callable import load_function
 from minkref.fuzz.targets.shared_library import load_library
 
-SO_MEND = "write so:./library.so:function (fuzz/adapters/minkref_adapter.h)"
+SO_MEND = "write so:./library.so:function; `minkref adapter header` prints where its header is"
 MEND = "write py:module:function, the module importable from here"
 
 

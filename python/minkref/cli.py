@@ -120,7 +120,7 @@ def run(arguments: Sequence[str]) -> int:
     except TyperException as error:
         if not error.format_message():  # no command: the help has been shown
             return ExitCode.USAGE
-        return _refuse(_usage(error), rest)
+        return _refuse(_usage(error, rest), rest)
     except typer.Abort:
         return 130
     except Ended as ended:
@@ -129,15 +129,26 @@ def run(arguments: Sequence[str]) -> int:
         return _internal(error, debug, REPORT)
 
 
-def _usage(error: TyperException) -> dict[str, object]:
+def _usage(error: TyperException, arguments: Sequence[str]) -> dict[str, object]:
     context = getattr(error, "ctx", None)
-    path = context.command_path if context else "minkref"
+    path = context.command_path if context else _path_of(arguments)
     return {
         "code": "usage",
         "what": error.format_message(),
         "where": path,
         "mend": f"`{path} --help` shows the options and examples",
     }
+
+
+def _path_of(arguments: Sequence[str]) -> str:
+    """`minkref sum` of arguments that begin with a command, also one of a group."""
+    path, command = "minkref", _built()
+    for word in arguments:
+        known = getattr(command, "commands", {})
+        if word not in known:
+            break
+        path, command = f"{path} {word}", known[word]
+    return path
 
 
 def _refuse(error: dict[str, object], arguments: Sequence[str]) -> int:

@@ -24,12 +24,12 @@ class Target:
 
     def write(self, text: str, exact: bool) -> bool:
         """True where it was standard output, to which nothing else is written then; where the text
-        is rounded a warning says so."""
+        is rounded, and no picture, a warning says so."""
         if self.path != STANDARD_OUTPUT:
             write_atomically(self.path, text)
             return False
         sys.stdout.write(text if text.endswith("\n") else text + "\n")
-        if not exact:
+        if not exact and self.form != "svg":
             sys.stderr.write("warning: standard output is rounded; json is exact\n")
         return True
 

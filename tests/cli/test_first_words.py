@@ -81,6 +81,9 @@ def test_completion_in_bash(tmp_path: Path) -> None:
         (("report", "audi"), "did you mean audit?"),
         (("bench", "--only", "tabel1"), "did you mean table1?"),
         (("verfy",), "Did you mean 'verify'"),
+        (("sum", "g1", "g2", "--scale"), "`minkref sum --help`"),
+        (("adapter", "new", "x", "--language"), "`minkref adapter new --help`"),
+        (("verify", "so:./x.so:f"), "`minkref adapter header`"),
     ],
 )
 def test_a_word_that_is_nearly_right(

@@ -49,6 +49,11 @@ def test_the_sum_alone_is_on_standard_output(tmp_path: Path, form: str) -> None:
     assert ran.stdout.rstrip("\n") == file.read_text().rstrip("\n")
 
 
+def test_a_picture_is_not_called_rounded(tmp_path: Path) -> None:
+    ran = run(tmp_path, "g1", "g2", "-o", "-", "--format", "svg")
+    assert ran.stdout.startswith("<svg") and ran.stdout.endswith("</svg>\n") and ran.stderr == ""
+
+
 def test_well_known_text_unless_another_format_is_asked_for(tmp_path: Path) -> None:
     assert run(tmp_path, TRIANGLE, TRIANGLE, "-o", "-").stdout == "POLYGON ((0 0, 4 0, 0 4, 0 0))\n"
 

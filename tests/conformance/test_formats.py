@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import xml.etree.ElementTree as ElementTree
 from typing import Any
 
@@ -34,14 +35,43 @@ def test_junit_counts_and_tells_each_kind_where_it_was_found(made: Any) -> None:
     assert counts["minkref:paper"] == ["2", "0", "0", "0"]
     assert counts["pysfcgal"] == ["2", "2", "0", "0"]
     assert counts["cgal-reduced"] == ["1", "0", "0", "0"]
-    assert [root.get(key) for key in ("tests", "failures", "errors", "skipped")] == [
-        str(sum(int(row[k] or 0) for row in counts.values())) for k in range(4)
+    assert [root.get(key) for key in ("tests", "failures", "errors")] == [
+        str(sum(int(row[k] or 0) for row in counts.values())) for k in range(3)
     ]
     assert float(suites["minkref:paper"].get("time") or 0) == 0.5
     (hostile,) = (suite for name, suite in suites.items() if name and "script" in name)
     assert "\\x1b" in (hostile.get("name") or "")
     (failure,) = (e for e in suites["pysfcgal"].iter("failure") if "hole-lost" in (e.text or ""))
     assert "--case" in (failure.text or "")
+
+
+COUNTS = {"name", "time", "tests", "failures", "errors"}
+# Of each element: attributes, those that must be there, what may be in it. As junit-10.xsd says.
+JUNIT: dict[str, tuple[set[str], set[str], set[str]]] = {
+    "testsuites": (COUNTS, set(), {"testsuite"}),
+    "testsuite": (
+        {*COUNTS, "skipped", "timestamp", "hostname", "id", "package", "file"},
+        {"name", "tests", "failures", "errors"},
+        {"testsuite", "properties", "testcase", "system-out", "system-err"},
+    ),
+    "testcase": (
+        {"name", "time", "classname", "group"},
+        {"name"},
+        {"skipped", "error", "failure", "system-out", "system-err"},
+    ),
+    **{name: ({"type", "message"}, set(), set()) for name in ("failure", "error", "skipped")},
+    "system-out": (set(), set(), set()),
+}
+
+
+def test_junit_has_nothing_that_its_schema_forbids(made: Any) -> None:
+    root = ElementTree.fromstring(junit(made.run, made.groups))
+    assert root.tag == "testsuites"
+    for element in root.iter():
+        may, must, inside = JUNIT[element.tag]
+        assert must <= set(element.attrib) <= may, element.tag
+        assert {child.tag for child in element} <= inside
+        assert re.fullmatch(r"\d*(\.\d*)?", element.get("time", "0"))
 
 
 def required(value: dict[str, Any], fields: dict[str, type]) -> None:
