@@ -39,6 +39,8 @@ complete_words() {
 }
 complete_words minkref ver
 complete_words minkref verify --no-s
+complete_words minkref verify clipper2-d
+complete_words minkref verify --family small
 exit 0
 """
 
@@ -53,7 +55,8 @@ def test_completion_in_bash(tmp_path: Path) -> None:
         text=True,
         timeout=120,
     )
-    assert (ran.stdout, ran.stderr) == ("verify\n--no-settings\n", "")
+    said = "verify\n--no-settings\nclipper2-double\nsmall-holes\n"
+    assert (ran.stdout, ran.stderr) == (said, "")
 
 
 @pytest.mark.parametrize(

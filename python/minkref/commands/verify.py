@@ -11,6 +11,7 @@ from typing import Annotated
 
 import typer
 
+from minkref import completion
 from minkref.commands.verify_cases import case_list
 from minkref.commands.verify_limits import check_numbers
 from minkref.commands.verify_output import ProgressLine, document_of, print_tables
@@ -73,6 +74,7 @@ def command(
             "`minkref`: the reference before its judges; `all`: all that is found here. Without: "
             "our routes and every CGAL method found.",
             metavar="TARGET...",
+            autocompletion=completion.targets,
         ),
     ] = None,
     baseline: Annotated[
@@ -99,7 +101,11 @@ def command(
     seed: Annotated[int, typer.Option("--seed", help="Seed of the generated cases.")] = 1,
     family: Annotated[
         list[str] | None,
-        typer.Option("--family", help="Only these families (`minkref families`)."),
+        typer.Option(
+            "--family",
+            help="Only these families (`minkref families`).",
+            autocompletion=completion.families,
+        ),
     ] = None,
     derived: Annotated[
         bool,

@@ -1,0 +1,16 @@
+"""What a shell offers for words of `minkref verify`. Where nothing matches it offers files."""
+
+from __future__ import annotations
+
+
+def targets(incomplete: str) -> list[str]:
+    from minkref.fuzz.targets.catalogue import list_targets
+
+    return [entry.name for entry in list_targets() if entry.name.startswith(incomplete)]
+
+
+def families(incomplete: str) -> list[str]:
+    from minkref.fuzz.cases.space_case import SPACE_FAMILIES
+    from minkref.fuzz.families.catalogue import FAMILIES
+
+    return [name for name in (*FAMILIES, *SPACE_FAMILIES) if name.startswith(incomplete)]
