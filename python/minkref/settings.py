@@ -99,11 +99,14 @@ def _named(refusal: Refusal, context: typer.Context, settings: Settings | None) 
 
 def _tables() -> Iterator[tuple[Path, dict[str, Any]]]:
     """The files with settings, from the current folder upwards; in a folder minkref.toml first."""
-    here = Path.cwd()
+    try:
+        here = Path.cwd()
+    except OSError:  # the folder is gone
+        return
     for folder in (here, *here.parents):
         for name in (OWN, SHARED):
             path = folder / name
-            if path.is_file():
+            if os.path.isfile(path):  # not where a folder above may not be looked into
                 shown = Path(os.path.relpath(path))
                 table = _table(shown)
                 if table is not None:

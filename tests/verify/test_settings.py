@@ -145,6 +145,14 @@ def test_an_option_that_is_wrong_is_not_said_of_the_file(
     assert verify(capsys, "--pairs", "-3")["error"]["where"] == "--pairs"
 
 
+def test_a_folder_that_is_gone_has_no_settings(
+    library: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (library / "minkref.toml").write_text("nonsense = 1\n")
+    (library / "tests").rmdir()
+    assert "suite" in verify(capsys, "--suite", "none")["error"]["what"]
+
+
 @pytest.mark.parametrize(
     ("text", "where"),
     [(None, "none.toml"), ("[tool.minkref]\npair = 3", "pyproject.toml, pair"), ("", "")],
