@@ -31,6 +31,9 @@ def text_and_form(name: str) -> tuple[str, str]:
     text = name
     if name == STANDARD_INPUT:
         text = decoded(sys.stdin.buffer.read(LONGEST + 1), source_of(name))
+        if not text.strip():
+            mend = "pipe a set into it; it is one operand: name a file for the other"
+            raise Refusal("nothing is left to be read", source_of(name), mend, "unknown-format")
     if _WKT.match(text):
         return text, "wkt"
     if text.lstrip().startswith("{"):

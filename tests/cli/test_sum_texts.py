@@ -82,6 +82,20 @@ def test_a_long_text_is_no_name_of_a_file(tmp_path: Path) -> None:
     assert ran.returncode == 0 and json.loads(ran.stdout)["vertices"] == 2000
 
 
+@pytest.mark.parametrize("command", ["events", "index", "sweep", "view", "certify"])
+def test_standard_input_is_one_operand_of_every_command(tmp_path: Path, command: str) -> None:
+    more = {"sweep": ["--from", "1", "--to", "2", "--steps", "2"], "index": ["-o", "x.index"]}
+    more["certify"] = ["-o", "x.cert.json"]
+    ran = subprocess.run(
+        [sys.executable, "-m", "minkref", command, "-", "-", *more.get(command, [])],
+        cwd=tmp_path,
+        input=TRIANGLE.encode(),
+        capture_output=True,
+        timeout=120,
+    )
+    assert ran.returncode == 2 and b"it is one operand: name a file" in ran.stderr
+
+
 def test_in_space(tmp_path: Path) -> None:
     ran = run(tmp_path, "gs3", "rod", "-o", "-")
     written = run(tmp_path, "gs3", "rod", "-o", "sum.data", "--format", "off")
@@ -94,7 +108,7 @@ def test_in_space(tmp_path: Path) -> None:
     [
         (("-", "-"), TRIANGLE, "standard input is one operand"),
         (("-", "g1"), "hello", "no format that is known"),
-        (("-", "g1"), "", "no format that is known"),
+        (("-", "g1"), "", "nothing is left to be read"),
         (("-", "g1"), b"\xff\xfe", "not UTF-8"),
         (("-", "g1"), "[" * 100_000, "no format that is known"),
         (("POLYGON ((0 0, 1", "g1"), "", "the text ends"),

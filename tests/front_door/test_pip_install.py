@@ -42,6 +42,8 @@ def test_pip_install_gives_a_working_command(tmp_path: Path) -> None:
 
     assert minkref.__version__ in minkref_command("--version")
     summed = json.loads(minkref_command("sum", "g1", "g2", "--json"))
+    assert "\u286a" in minkref_command("sum", "g1", "g2", "--plot", "-o", "sum.svg")
+    assert (tmp_path / "sum.svg").is_file()
     where = subprocess.run(
         [str(binary / "python"), "-c", IMPORTS],
         check=True,
