@@ -189,8 +189,8 @@ def _chosen(families: list[str]) -> list[str]:
     unknown = [name for name in families if name not in known]
     if unknown:
         mend = (
-            f"{nearest(unknown[0], known)}name {ALL}, {SPACE}, {INVALID}, {INVALID_MESH}, or some "
-            "that `minkref families` says `generate` makes"
+            f"{nearest(unknown[0], known)}`minkref families` lists all families: name some that it "
+            f"says `generate` makes, {ALL}, {SPACE}, {INVALID} or {INVALID_MESH}"
         )
         raise Refusal("there is no such family", shown(unknown[0]), mend, "unknown-family")
     return list(dict.fromkeys(name for word in families for name in known[word]))
