@@ -52,8 +52,8 @@ void require_room(std::uint64_t count, const std::string& what) {
   throw LimitExceeded("memory-limit",
                       "there are " + std::to_string(count) + " " + what + ", which take " +
                           std::to_string((count * least_bytes >> 20) + 1) +
-                          " MiB at the least, and there may be " + std::to_string(limit >> 20) +
-                          " MiB in all",
+                          " MiB at the least; the process has " + std::to_string(now >> 20) +
+                          " MiB of the " + std::to_string(limit >> 20) + " MiB that it may have",
                       "raise the limit, or take simpler operands");
 }
 

@@ -13,15 +13,19 @@ from minkref import _core
 from minkref.errors import Refusal
 
 MEBIBYTE = 1 << 20
+MOST = 1 << 24  # MiB
 ROOM = 1 << 30  # for what is allocated between two looks at the limit
+
+SIMPLER = "take simpler operands"
+SMALLER = "take a smaller window of scales, or simpler operands"
 
 Memory = Annotated[
     int | None,
     typer.Option(
         "--memory",
-        help="The most memory that the work may have, in MiB. Default: nine tenths of what is free.",
+        help="The most memory that the work may have, in MiB. Default: nine tenths of what is "
+        "free.",
         metavar="MIB",
-        min=1,
     ),
 ]
 
@@ -30,6 +34,9 @@ Memory = Annotated[
 def memory_wall(limit: int | None, work: str, where: str, instead: str) -> Iterator[None]:
     """Within it the process may have `limit` MiB (None: nine tenths of what is free). Raises
     Refusal where more is needed: it names `work` and says what to do `instead`."""
+    if limit is not None and not 0 <= limit <= MOST:
+        range_of = f"it has to be 0 (the default) to {MOST:,}"
+        raise Refusal(range_of, f"--memory {limit}", "choose another number")
     _core.set_memory_limit((limit or 0) * MEBIBYTE)
     before = resource.getrlimit(resource.RLIMIT_DATA)
     most = _core.memory_limit() + ROOM

@@ -65,16 +65,13 @@ def build_index(
     first: str | None,
     last: str | None,
     threads: int | None = None,
-    memory: int = 0,
 ) -> _core.ScaleSpaceIndex:
-    """Of a closed window; open towards 0 or infinity where a bound is None. `memory`: in bytes."""
+    """Of a closed window; open towards 0 or infinity where a bound is None."""
     with progress(WHOLE) as line:
         tell = _teller(line)
         return refusing(
             f"{P.name} and {Q.name}",
-            lambda: _core.ScaleSpaceIndex(
-                P.set, Q.set, first, last, threads or cores(), memory, tell
-            ),
+            lambda: _core.ScaleSpaceIndex(P.set, Q.set, first, last, threads or cores(), 0, tell),
         )
 
 

@@ -23,20 +23,6 @@ class Ended(BaseException):
         self.number = number
 
 
-@contextmanager
-def interruptible() -> Iterator[None]:
-    """Ctrl-C ends the process at once, also while C++ computes. Only where there is nothing to
-    clean up."""
-    if not _may_handle(signal.SIGINT):
-        yield
-        return
-    before = signal.signal(signal.SIGINT, signal.SIG_DFL)
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGINT, before)
-
-
 class Stoppable:
     """Within it SIGINT, SIGTERM and SIGHUP raise Ended, but what is `held` is first done whole."""
 

@@ -23,7 +23,6 @@ from minkref.reports.bench.pairs import SMALL, Pair
 from minkref.reports.bench.rescalings import WINDOW
 from minkref.reports.bench.spread import Spread, spread
 from minkref.reports.bench.table1 import cgal_oracle
-from minkref.signals import interruptible
 
 #: The large pairs, by the names of models; `-` is the reflection in the origin.
 LARGE = (("monkey", "bird"), ("neuron", "disc1"), ("neuron", "disc5"), ("monkey", "-monkey"))
@@ -112,16 +111,13 @@ def _time_pair(
     tell(f"{pair.name}: build")
     builds: list[float] = []
     while len(builds) < (1 if quick else BUILDS):
-        with interruptible():
-            index = refusing(
-                pair.name, lambda: _core.ScaleSpaceIndex(pair.P.set, pair.Q.set, *WINDOW)
-            )
+        index = refusing(pair.name, lambda: _core.ScaleSpaceIndex(pair.P.set, pair.Q.set, *WINDOW))
         builds.append(index.seconds)
         if index.seconds > LONG_BUILD:
             break
     scales = query_scales(table.seed, table.queries)
     tell(f"{pair.name}: queries")
-    with tempfile.TemporaryDirectory() as folder, interruptible():
+    with tempfile.TemporaryDirectory() as folder:
         path = str(Path(folder) / "index")
         index.save(path)
         timed = _core.timed_index_queries(path, scales, PASSES)

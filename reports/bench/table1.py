@@ -23,7 +23,6 @@ from minkref.reports.bench.baselines import (
 from minkref.reports.bench.pairs import Pair, pairs
 from minkref.reports.bench.rescalings import WINDOW, rescalings
 from minkref.reports.bench.spread import Spread, least, spread
-from minkref.signals import interruptible
 
 PAPER_MEAN = 150.68  # over its 25 pairs
 COUNT, QUICK_COUNT = 100, 10
@@ -95,10 +94,9 @@ def _time_pair(
     """The first scale is where it starts from."""
     start, *scales = scales
     tell(f"{pair.name}: all events")
-    with interruptible():
-        moving = refusing(
-            pair.name, lambda: _core.DynamicSum(pair.P.set, pair.Q.set, WINDOW[0], WINDOW[1])
-        )
+    moving = refusing(
+        pair.name, lambda: _core.DynamicSum(pair.P.set, pair.Q.set, WINDOW[0], WINDOW[1])
+    )
     counts = dict(moving.counts())
     crossed = _crossed(moving, start, scales)
     tell(f"{pair.name}: dynamic update")

@@ -68,7 +68,7 @@ def little_memory() -> Iterator[None]:
 @pytest.mark.parametrize("name", GROWING)
 def test_a_limit_of_memory_ends_work_with_a_refusal(name: str, little_memory: None) -> None:
     with pytest.raises(
-        _core.LimitExceeded, match="memory than it may have|at the least"
+        _core.LimitExceeded, match=r"memory than it may have|at the least"
     ) as refused:
         works()[name]()
     assert refused.value.code == "memory-limit"
@@ -83,7 +83,7 @@ def test_without_a_limit_there_is_what_the_system_has() -> None:
 @pytest.mark.parametrize("route", ["paper", "winding", "definition"])
 def test_what_cannot_fit_is_refused_before_the_work(route: str) -> None:
     began = time.thread_time()
-    with pytest.raises(_core.LimitExceeded, match="edges of the convolution|pairs of triangles"):
+    with pytest.raises(_core.LimitExceeded, match=r"edges of the convolution|pairs of triangles"):
         _core.set_memory_limit(300 << 20)
         try:
             _core.minkowski_sum(star(1500), star(1499), "1", route)

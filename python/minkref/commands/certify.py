@@ -27,9 +27,9 @@ from minkref.documents import (
 )
 from minkref.errors import Refusal, refusing
 from minkref.exact import read_point, read_scale
+from minkref.memory import SIMPLER, Memory, memory_wall
 from minkref.operand import read_operand
 from minkref.options import Json, Schema
-from minkref.signals import interruptible
 from minkref.space.operand import in_space, read_space_operand
 from minkref.space.scaling import Scaling, read_scaling
 from minkref.space.sums import bodies
@@ -110,6 +110,7 @@ def command(
             "making it.",
         ),
     ] = True,
+    memory: Memory = None,
     json: Json = False,
     schema: Schema = False,
 ) -> None:
@@ -122,7 +123,7 @@ def command(
     case = output.with_name(f"{stem}.case.json")
     wish = Wish(scale, event, from_scale, to_scale, degeneracy, point)
     wish.check()
-    with interruptible():
+    with memory_wall(memory, "the proof", f"{P} and {Q}", SIMPLER):
         files, make = (_in_space if in_space(P, Q) else _in_the_plane)(P, Q, wish)
         for path in (output, case):
             check_writable(path)

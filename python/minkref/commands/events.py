@@ -30,6 +30,7 @@ from minkref.event_lists import (
 from minkref.event_table import write_parquet
 from minkref.exact import approximate, read_window
 from minkref.fuzz.least_precision import MOST_BITS, least_precision
+from minkref.memory import SMALLER, Memory, memory_wall
 from minkref.operand import Operand, read_operand
 from minkref.options import Json, Schema
 from minkref.progress import progress
@@ -127,6 +128,7 @@ def command(
         Path | None,
         typer.Option("-o", help="Write all events there: .json or .parquet.", metavar="FILE"),
     ] = None,
+    memory: Memory = None,
     json: Json = False,
     schema: Schema = False,
 ) -> None:
@@ -140,55 +142,60 @@ def command(
         check_spares(output, [first.file, second.file])
         check_spares_index(output, index)
     where = f"{first.name} and {second.name}"
-    found: EventList
-    if route == "index":
-        swept = index_of(index, first, second, window[0], window[1])
-        window = [own or bound for own, bound in zip(window, swept.window, strict=True)]
-        found = BoundaryEventList(swept, kind, window)
-    else:
-        with progress(1) as line:
-            line.now(f"finding all {kind} events")
-            found = refusing(where, lambda: find_events(first.set, second.set, window, kind, form))
-    counts = _counts(found, first, second, window)
-    trial: dict[str, Any] | None = None
-    if arithmetic != "rational":
-        trial = dict(
-            refusing(where, lambda: _core.precision_trial(first.set, second.set, arithmetic, form))
-        )
-    counts.update(count=len(found), distinct=found.distinct)
-    fields: dict[str, Any] = {
-        "P": first.name,
-        "Q": second.name,
-        "from": window[0],
-        "to": window[1],
-        "kind": kind,
-        "form": form,
-        "arithmetic": arithmetic,
-        "route": route,
-        "warnings": first.warnings + second.warnings,
-        "output": str(output) if output else None,
-        "compute_seconds": found.seconds,
-        "segments": {"S": counts.pop("s_edges"), "T": counts.pop("t_edges")},
-        "signs": {name: counts.pop(name) for name in ("by_float", "by_integer", "by_rational")},
-        "kernel": counts.pop("kernel"),
-        **counts,
-        "trial": trial,
-        "least_precision": _least(first, second, form) if least else None,
-        **found.features(),
-    }
-    if output is not None and output.suffix.lower() == ".parquet":
-        assert isinstance(found, PairEventList)  # by _check
-        write_parquet(found.found, output)
-    elif output is not None:
-        value = document("events", watch, **fields)
-        write_atomically(output, listing(value, "events", stream(found)))
-    if json and output is None:
-        value = document("events", watch, **fields)
-        sys.stdout.writelines(listing(value, "events", stream(found)))
-    elif json:
-        sys.stdout.write(as_text(document("events", watch, **fields, events=None)))
-    else:
-        _print(document("events", watch, **fields), found)
+    with memory_wall(memory, f"{kind} events", where, SMALLER):
+        found: EventList
+        if route == "index":
+            swept = index_of(index, first, second, window[0], window[1])
+            window = [own or bound for own, bound in zip(window, swept.window, strict=True)]
+            found = BoundaryEventList(swept, kind, window)
+        else:
+            with progress(1) as line:
+                line.now(f"finding all {kind} events")
+                found = refusing(
+                    where, lambda: find_events(first.set, second.set, window, kind, form)
+                )
+        counts = _counts(found, first, second, window)
+        trial: dict[str, Any] | None = None
+        if arithmetic != "rational":
+            trial = dict(
+                refusing(
+                    where, lambda: _core.precision_trial(first.set, second.set, arithmetic, form)
+                )
+            )
+        counts.update(count=len(found), distinct=found.distinct)
+        fields: dict[str, Any] = {
+            "P": first.name,
+            "Q": second.name,
+            "from": window[0],
+            "to": window[1],
+            "kind": kind,
+            "form": form,
+            "arithmetic": arithmetic,
+            "route": route,
+            "warnings": first.warnings + second.warnings,
+            "output": str(output) if output else None,
+            "compute_seconds": found.seconds,
+            "segments": {"S": counts.pop("s_edges"), "T": counts.pop("t_edges")},
+            "signs": {name: counts.pop(name) for name in ("by_float", "by_integer", "by_rational")},
+            "kernel": counts.pop("kernel"),
+            **counts,
+            "trial": trial,
+            "least_precision": _least(first, second, form) if least else None,
+            **found.features(),
+        }
+        if output is not None and output.suffix.lower() == ".parquet":
+            assert isinstance(found, PairEventList)  # by _check
+            write_parquet(found.found, output)
+        elif output is not None:
+            value = document("events", watch, **fields)
+            write_atomically(output, listing(value, "events", stream(found)))
+        if json and output is None:
+            value = document("events", watch, **fields)
+            sys.stdout.writelines(listing(value, "events", stream(found)))
+        elif json:
+            sys.stdout.write(as_text(document("events", watch, **fields, events=None)))
+        else:
+            _print(document("events", watch, **fields), found)
 
 
 def _route(kind: str, route: str | None, index: Path | None) -> str | None:

@@ -14,11 +14,11 @@ from minkref import _core
 from minkref.documents import Stopwatch, as_text, check_spares, check_writable, document, replacing
 from minkref.errors import Refusal, refusing
 from minkref.exact import read_window
+from minkref.memory import SMALLER, Memory, memory_wall
 from minkref.operand import read_operand
 from minkref.options import Json, Schema
 from minkref.progress import progress
 from minkref.scale_space import build_index, cores
-from minkref.signals import interruptible
 from minkref.terminal import counted, lines, shown
 
 EXAMPLES = """Examples:
@@ -30,7 +30,6 @@ minkref index glyph1204 glyph275 --from 1/10 --to 10 -o glyphs.index --json
 minkref sum disc1 cells1815 --index cells.index --scale 7/5"""
 
 MOST_THREADS = 256
-MOST_MEMORY = 1 << 24  # MiB
 MOST_CHECKS = 10_000
 
 
@@ -50,14 +49,7 @@ def command(
         int | None,
         typer.Option("--threads", help="Of the build: as many as there are cores.", metavar="N"),
     ] = None,
-    memory: Annotated[
-        int,
-        typer.Option(
-            "--memory",
-            help="Refuse to go on once the build has more in memory: 0, no limit.",
-            metavar="MIB",
-        ),
-    ] = 0,
+    memory: Memory = None,
     check: Annotated[
         int,
         typer.Option(
@@ -72,12 +64,12 @@ def command(
     `sum`, `sweep`, `events` and `view` with --index FILE."""
     watch = Stopwatch()
     window = read_window(from_scale, to_scale)
-    _check_numbers(threads, memory, check)
+    _check_numbers(threads, check)
     check_writable(output)
     first, second = read_operand(P), read_operand(Q)
     check_spares(output, [first.file, second.file])
-    with interruptible():
-        index = build_index(first, second, window[0], window[1], threads, memory << 20)
+    with memory_wall(memory, "the index", f"{P} and {Q}", SMALLER):
+        index = build_index(first, second, window[0], window[1], threads)
     checked = _checked(index, check)
     with replacing(output) as temporary:
         refusing(str(output), lambda: index.save(str(temporary)))
@@ -103,10 +95,9 @@ def command(
         _print(value)
 
 
-def _check_numbers(threads: int | None, memory: int, check: int) -> None:
+def _check_numbers(threads: int | None, check: int) -> None:
     limits = (
         ("--threads", 1 if threads is None else threads, 1, MOST_THREADS),
-        ("--memory", memory, 0, MOST_MEMORY),
         ("--check", check, 0, MOST_CHECKS),
     )
     for option, value, least, most in limits:
@@ -119,7 +110,7 @@ def _check_numbers(threads: int | None, memory: int, check: int) -> None:
 def _checked(index: _core.ScaleSpaceIndex, count: int) -> dict[str, Any]:
     """The scales at which the sum was compared with that of another route: all equal."""
     scales = scales_of(index, count)
-    with progress(len(scales)) as line, interruptible():
+    with progress(len(scales)) as line:
         for scale in scales:
             line.now("comparing with the static route")
             if index.first_difference([scale]):

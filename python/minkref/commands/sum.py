@@ -20,6 +20,7 @@ from minkref.documents import (
 )
 from minkref.errors import Refusal, choice, refusing
 from minkref.exact import read_scale
+from minkref.memory import SIMPLER, Memory, memory_wall
 from minkref.operand import Operand, read_operand
 from minkref.operand_text import STANDARD_INPUT
 from minkref.options import Json, Schema
@@ -27,7 +28,6 @@ from minkref.output_target import STANDARD_OUTPUT, Target, target_of
 from minkref.parents import PassageRows, passages_of
 from minkref.reports.sum_picture import sum_picture
 from minkref.scale_space import IndexFile, check_spares_index, index_of, route_with
-from minkref.signals import interruptible
 from minkref.space.operand import in_space
 from minkref.space.sum_command import sum_in_space
 from minkref.space.sums import ROUTES as SPACE_ROUTES
@@ -56,6 +56,11 @@ minkref sum gs3 rod --scale 2,1/3,5 -o sum.off"""
 
 ROUTES = ("paper", "winding", "definition", "dynamic", "index")
 DEFAULT = "paper"
+INSTEAD = dict.fromkeys(ROUTES, SIMPLER) | {
+    "definition": f"{SIMPLER}, or the route paper",
+    "dynamic": f"{SIMPLER}, or the route paper",
+    "index": f"{SIMPLER}, or the route paper",
+}
 MOVING = ("dynamic", "index")  # routes that find all scales of a window
 OUTPUTS = ("wkt", "geojson", "poly", "json", "svg")
 
@@ -117,6 +122,7 @@ def command(
     plot: Annotated[
         bool, typer.Option("--plot", help="Below the table, a small picture of the sum.")
     ] = False,
+    memory: Memory = None,
     json: Json = False,
     schema: Schema = False,
 ) -> None:
@@ -128,7 +134,7 @@ def command(
         if plot or only_sum:
             option = "--plot" if plot else "--only-sum"
             raise Refusal("no picture is drawn in space", option, "see `minkref view P Q`")
-        sum_in_space(P, Q, scale, route or DEFAULT, arithmetic, output, json, form)
+        sum_in_space(P, Q, scale, route or DEFAULT, arithmetic, output, json, form, memory)
         return
     if P == Q == STANDARD_INPUT:
         raise Refusal("standard input is one operand", "P and Q", "name a file for the other")
@@ -138,7 +144,7 @@ def command(
     _check_route(route, arithmetic)
     target = target_of(output, form, OUTPUTS, "wkt", json)
     _check_pictures(plot, only_sum, target, json)
-    with interruptible():
+    with memory_wall(memory, f"route {route}", f"{P} and {Q}", INSTEAD[route]):
         first, second = read_operand(P), read_operand(Q)
         if output is not None:
             check_spares(output, [first.file, second.file])

@@ -14,12 +14,13 @@ from minkref import _core
 from minkref.documents import Stopwatch, as_text, document
 from minkref.errors import Refusal, choice, refusing
 from minkref.exact import approximate, read_scale
+from minkref.memory import SMALLER, Memory, memory_wall
 from minkref.operand import Operand, read_operand
 from minkref.options import Json, Schema
 from minkref.progress import progress
 from minkref.scale_space import IndexFile, index_of, route_with
 from minkref.scales import MOST_SCALES, evenly_spaced, read_scales
-from minkref.signals import ending_in_order, interruptible
+from minkref.signals import ending_in_order
 from minkref.space.operand import in_space
 from minkref.space.sweep_command import sweep_in_space
 from minkref.sum_fields import sum_fields
@@ -88,6 +89,7 @@ def command(
         str | None,
         typer.Option("--format", help=f"Of these files: {', '.join(FORMATS)}; json by default."),
     ] = None,
+    memory: Memory = None,
     json: Json = False,
     schema: Schema = False,
 ) -> None:
@@ -97,7 +99,7 @@ def command(
         given = _given(from_scale, to_scale, steps)
         for option, named in (("--route", route), ("--index", index)):
             given += [] if named is None else [option]
-        sweep_in_space(P, Q, scales_file, given, output, form, json)
+        sweep_in_space(P, Q, scales_file, given, output, form, json, memory)
         return
     watch = Stopwatch()
     route = route_with(index, route, ROUTES[0])
@@ -113,7 +115,8 @@ def command(
     first, second = read_operand(P), read_operand(Q)
     if folder is not None:
         folder.check_spares([first.file, second.file, *([index] if index else [])])
-    with ending_in_order(), progress(len(scales)) as line:
+    wall = memory_wall(memory, f"route {route}", f"{P} and {Q}", SMALLER)
+    with wall, ending_in_order(), progress(len(scales)) as line:
         line.now("finding all events")
         sums = _sums(first, second, scales, route, index)
         rows: list[Row] = []
@@ -151,12 +154,11 @@ def command(
 def _sums(P: Operand, Q: Operand, scales: list[str], route: str, index: Path | None) -> Sums:
     """All events of the least window that holds the scales; no sum is asked for yet."""
     least, greatest = min(scales, key=Fraction), max(scales, key=Fraction)
-    with interruptible():
-        if route == "index":
-            return index_of(index, P, Q, least, greatest)
-        return refusing(
-            f"{P.name} and {Q.name}", lambda: _core.DynamicSum(P.set, Q.set, least, greatest)
-        )
+    if route == "index":
+        return index_of(index, P, Q, least, greatest)
+    return refusing(
+        f"{P.name} and {Q.name}", lambda: _core.DynamicSum(P.set, Q.set, least, greatest)
+    )
 
 
 def step(sums: Sums, scale: str) -> tuple[Row, _core.PolygonSet]:

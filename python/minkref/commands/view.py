@@ -16,10 +16,10 @@ from minkref import _core
 from minkref.documents import Stopwatch, as_text, check_writable, document, write_atomically
 from minkref.errors import Refusal, choice, refusing
 from minkref.exact import approximate, read_scale
+from minkref.memory import SMALLER, Memory, memory_wall
 from minkref.operand import read_operand
 from minkref.options import Json, Schema
 from minkref.scale_space import IndexFile, check_spares_index, index_of, route_with
-from minkref.signals import interruptible
 from minkref.space.operand import in_space
 from minkref.space.view_command import view_in_space
 from minkref.terminal import lines, shown
@@ -78,6 +78,7 @@ def command(
     output: Annotated[
         Path, typer.Option("-o", help="The page to write: .html.", metavar="FILE")
     ] = Path("view.html"),
+    memory: Memory = None,
     json: Json = False,
     schema: Schema = False,
 ) -> None:
@@ -89,7 +90,7 @@ def command(
         given = _given(
             ("--from", from_scale), ("--to", to_scale), ("--route", route), ("--index", index)
         )
-        view_in_space(P, Q, scale, scales, given, output, json)
+        view_in_space(P, Q, scale, scales, given, output, json, memory)
         return
     watch = Stopwatch()
     if index is not None:
@@ -109,7 +110,8 @@ def command(
             return index_of(index, first, second, window.first, window.last)
         return _core.DynamicSum(first.set, second.set, window.first, window.last)
 
-    with interruptible(), _progress() as progress:
+    wall = memory_wall(memory, f"route {route}", f"{P} and {Q}", SMALLER)
+    with wall, _progress() as progress:
         data = refusing(
             f"{first.name} and {second.name}",
             lambda: picture(first.set, second.set, window, sums, progress),

@@ -16,8 +16,8 @@ from minkref.documents import (
 )
 from minkref.errors import Refusal, choice, refusing
 from minkref.exact import scientific
+from minkref.memory import SIMPLER, memory_wall
 from minkref.output_target import target_of
-from minkref.signals import interruptible
 from minkref.space.operand import SpaceOperand, read_space_operand
 from minkref.space.scaling import read_scaling, text_of
 from minkref.space.sums import ROUTES, compute, sum_fields
@@ -34,13 +34,14 @@ def sum_in_space(
     output: Path | None,
     json: bool,
     form: str | None = None,
+    memory: int | None = None,
 ) -> None:
     """The command, its options read but not yet checked."""
     watch = Stopwatch()
     scaling = read_scaling(scale)
     route = _checked_route(route, arithmetic)
     target = target_of(output, form, SPACE_FORMATS, "off", json)
-    with interruptible():
+    with memory_wall(memory, f"route {route}", f"{P} and {Q}", SIMPLER):
         first, second = read_space_operand(P), read_space_operand(Q)
         if output is not None:
             check_spares(output, [first.file, second.file])

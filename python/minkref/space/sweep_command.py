@@ -14,6 +14,7 @@ from minkref import _core
 from minkref.documents import Stopwatch, as_text, document
 from minkref.errors import Refusal, choice, refusing
 from minkref.exact import approximate
+from minkref.memory import SIMPLER, memory_wall
 from minkref.progress import progress
 from minkref.signals import ending_in_order
 from minkref.space.operand import SpaceOperand, read_space_operand
@@ -29,7 +30,7 @@ Row = dict[str, Any]
 
 def sweep_in_space(
     P: str, Q: str, scales: Path | None, given: list[str], output: Path | None, form: str | None,
-    json: bool,
+    json: bool, memory: int | None = None,
 ) -> None:  # fmt: skip
     """The command, its options read but not yet checked. `given` are options of the plane."""
     watch = Stopwatch()
@@ -46,7 +47,8 @@ def sweep_in_space(
     first, second = read_space_operand(P), read_space_operand(Q)
     if folder is not None:
         folder.check_spares([first.file, second.file])
-    with ending_in_order(), progress(len(scalings)) as line:
+    wall = memory_wall(memory, "the update", f"{P} and {Q}", SIMPLER)
+    with wall, ending_in_order(), progress(len(scalings)) as line:
         start = time.perf_counter()
         step = _steps(first, second, scalings[0])
         first_seconds = time.perf_counter() - start

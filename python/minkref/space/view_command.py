@@ -10,6 +10,7 @@ from minkref import _core
 from minkref.documents import Stopwatch, as_text, document, write_atomically
 from minkref.errors import Refusal, refusing
 from minkref.exact import approximate
+from minkref.memory import SIMPLER, memory_wall
 from minkref.progress import progress
 from minkref.signals import ending_in_order
 from minkref.space.operand import read_space_operand
@@ -31,7 +32,7 @@ from minkref.terminal import counted, lines, shown
 
 def view_in_space(
     P: str, Q: str, scale: str | None, scales: Path | None, given: list[str], output: Path,
-    json: bool,
+    json: bool, memory: int | None = None,
 ) -> None:  # fmt: skip
     """The command, its options read but not yet checked. `given` are options of the plane."""
     watch = Stopwatch()
@@ -42,7 +43,8 @@ def view_in_space(
     shapes = Body(first.name, operands[0]), Body(second.name, operands[1])
     frames = Frames(len(scalings))
     rows: list[dict[str, Any]] = []
-    with ending_in_order(), progress(len(scalings)) as line:
+    wall = memory_wall(memory, "the page", f"{P} and {Q}", SIMPLER)
+    with wall, ending_in_order(), progress(len(scalings)) as line:
         where = f"{first.name} and {second.name}"
         moving = refusing(where, lambda: _core.DynamicConvexSum(*operands, scalings[0]))
         for scaling in scalings:

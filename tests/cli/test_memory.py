@@ -1,0 +1,58 @@
+"""Work that would take more memory than it may have ends with a refusal, and writes nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from minkref import _core
+from minkref.errors import Refusal
+from minkref.memory import SIMPLER, memory_wall
+
+Minkref = Callable[..., Any]
+LARGE = ("glyph1204", "cells1815")
+COMMANDS = {
+    "sum": ("sum", *LARGE, "-o", "out.json"),
+    "sum by definition": ("sum", *LARGE, "--route", "definition", "-o", "out.json"),
+    "sum by dynamic update": ("sum", *LARGE, "--route", "dynamic", "-o", "out.json"),
+    "sweep": ("sweep", *LARGE, "--from", "1/2", "--to", "2", "--steps", "3", "-o", "out"),
+    "events": ("events", *LARGE, "-o", "out.json"),
+    "boundary events": ("events", *LARGE, "--kind", "boundary", "-o", "out.json"),
+    "view": ("view", *LARGE, "-o", "out.html"),
+    "certify": ("certify", *LARGE, "-o", "out.cert.json"),
+    "index": ("index", *LARGE, "-o", "out.index"),
+}
+
+
+@pytest.mark.parametrize("name", COMMANDS)
+def test_a_command_that_needs_more_than_it_may_have_is_refused(
+    name: str, minkref: Minkref, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    answer = minkref(*COMMANDS[name], "--memory", "30", "--json")
+    error = answer.json["error"]
+    assert (answer.code, error["code"]) == (2, "memory-limit")
+    assert "--memory" in error["mend"]
+    assert all(operand in error["where"] for operand in LARGE)
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("number", ["-1", "99999999999"])
+def test_a_limit_that_is_none_is_refused(number: str, minkref: Minkref) -> None:
+    answer = minkref("sum", "g1", "g2", "--memory", number)
+    assert answer.code == 2
+    assert f"--memory {number}" in answer.err
+
+
+def test_memory_that_ends_between_two_looks_is_a_refusal_too() -> None:
+    with pytest.raises(Refusal) as refused, memory_wall(None, "the work", "P and Q", SIMPLER):
+        raise MemoryError
+    assert refused.value.code == "memory-limit"
+
+
+def test_other_refusals_pass_the_wall_unchanged() -> None:
+    with pytest.raises(_core.BadInput) as refused, memory_wall(None, "work", "P", SIMPLER):
+        _core.read_text("POLYGON", "wkt")
+    assert refused.value.code != "memory-limit"
