@@ -41,7 +41,10 @@ def search(name: str, seconds: int) -> dict[str, Any]:
 def run(quick: bool) -> Findings:
     findings = Findings()
     faults = kinds("FAULTY")
-    rows = [search(name, SECONDS) for name in faults]
+    rows = []
+    for name in faults:
+        rows.append(search(name, SECONDS))
+        print(rows[-1], flush=True)
     for row in rows:
         about = (
             f"{row['seconds']:.0f} s, {row['verdict']}"

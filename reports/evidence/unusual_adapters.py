@@ -5,6 +5,7 @@ from __future__ import annotations
 import shutil
 import subprocess
 import tempfile
+import time
 from collections import Counter
 from pathlib import Path
 
@@ -61,12 +62,13 @@ def judged(
 def run(quick: bool) -> Findings:
     findings = Findings()
     targets = {name: target_of(name) for name in kinds("UNUSUAL")}
+    rows = {}
     with tempfile.TemporaryDirectory() as folder:
         others = programs(Path(folder))
-        rows = {
-            name: judged(target, CASES, PAIRS, CONVEX if name in others else ())
-            for name, target in {**targets, **others}.items()
-        }
+        for name, target in {**targets, **others}.items():
+            began = time.monotonic()
+            rows[name] = judged(target, CASES, PAIRS, CONVEX if name in others else ())
+            print(f"{name}: {time.monotonic() - began:.0f} s, {dict(rows[name][0])}", flush=True)
     alarms, open_cases, few = 0, 0, 0
     for name, (counts, shown) in rows.items():
         findings.figures[name] = ", ".join(f"{n:,} {verdict}" for verdict, n in counts.items())
