@@ -45,8 +45,9 @@ std::vector<Point> trial_points(Source& random, const Case& c, const PolygonSet&
   for (int i = 0; i < 6; ++i) {
     trial.push_back(c.scale * any(c.P) + any(c.Q));
     trial.push_back(any(sum));
-    trial.push_back(any(sum) + Point{Rational(random.between(-3, 3), 1 << random.between(0, 40)),
-                                     Rational(random.between(-3, 3), 7)});
+    const Rational near(1, Integer(1) << random.between(0, 40));
+    trial.push_back(any(sum) +
+                    Point{random.between(-3, 3) * near, Rational(random.between(-3, 3), 7)});
     trial.push_back(
         {Rational(random.between(-200, 400), 13), Rational(random.between(-200, 400), 11)});
   }
