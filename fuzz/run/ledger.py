@@ -1,7 +1,8 @@
 """The ledger of a run: one JSON line for each result, written before anything is said of it.
 
 A run that was killed goes on from its ledger: what is written is not run again, and half a line at
-its end is dropped.
+its end is dropped. A line that is not as it was written, or not where, is refused (ledger_chain.py
+says against whom that holds).
 """
 
 from __future__ import annotations
@@ -17,10 +18,11 @@ from typing import Any, Self
 
 from minkref.errors import Refusal
 from minkref.fuzz.cases.case import CaseName
+from minkref.fuzz.run.ledger_chain import Chain, ledger_key
 from minkref.fuzz.run.worker import CaseResult
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict, Witness
 
-FORMAT = "ledger-v2"
+FORMAT = "ledger-v3"
 
 
 class Ledger:
@@ -29,7 +31,8 @@ class Ledger:
 
     def __init__(self, path: Path, head: dict[str, Any]) -> None:
         self.path = path
-        self._head = {"ledger": FORMAT, **head}
+        self._chain = Chain(ledger_key())
+        self._head = {"ledger": FORMAT, "key": self._chain.name, **head}
         self._known: dict[int, CaseResult] = {}
         self._began = time.monotonic()
         self.spent = 0.0
@@ -76,7 +79,7 @@ class Ledger:
         self.close()
 
     def _append(self, value: dict[str, Any]) -> None:
-        data = _line(value)
+        data = self._chain.close(_line(value)) + b"\n"
         try:
             while data:
                 data = data[os.write(self._file, data) :]
@@ -89,9 +92,9 @@ class Ledger:
             raise Refusal("this is no file", str(self.path), "name a file", "cannot-write")
         text = self.path.read_bytes()
         *lines, half = text.split(b"\n")
-        if lines and self._value(lines[0], 1) != json.loads(json.dumps(self._head)):
-            raise self._foreign("its first line names other targets, cases or limits")
-        if not lines and not _line(self._head).startswith(half):
+        if lines:
+            self._read_head(lines[0])
+        elif not Chain(ledger_key()).close(_line(self._head)).startswith(half):
             raise self._foreign("its first line is none of a ledger")
         if half:
             os.ftruncate(self._file, len(text) - len(half))
@@ -99,7 +102,7 @@ class Ledger:
             self._append(self._head)
             return
         for number, line in enumerate(lines[1:], 2):
-            value = self._value(line, number)
+            value = self._value(self._opened(line, number), number)
             try:
                 result = _result(value)
                 self.spent = float(value["spent"])
@@ -107,6 +110,37 @@ class Ledger:
                 what = f"line {number} is no result: {error}"
                 raise Refusal(what, str(self.path), "remove the file", "bad-ledger") from error
             self._known[result.number] = result
+
+    def _read_head(self, line: bytes) -> None:
+        head = self._value(line, 1)
+        if not isinstance(head, dict) or not str(head.get("ledger")).startswith("ledger-v"):
+            raise self._foreign("its first line is none of a ledger")
+        if head["ledger"] != FORMAT:
+            raise self._foreign(f"it is a {head['ledger']!s:.20}, of another version of minkref")
+        if head.get("key") != self._head["key"]:
+            raise Refusal(
+                "this ledger was written under another key, so that nobody can tell whether its "
+                "results are forged",
+                str(self.path),
+                "go on as the user and on the machine that wrote it (or set XDG_STATE_HOME to the "
+                "folder with its minkref/ledger.key), or name another file",
+                "other-key",
+            )
+        self._opened(line, 1)
+        del head["chain"]
+        if head != json.loads(json.dumps(self._head)):
+            raise self._foreign("its first line names other targets, cases or limits")
+
+    def _opened(self, line: bytes, number: int) -> bytes:
+        opened = self._chain.open(line)
+        if opened is None:
+            raise Refusal(
+                f"line {number} is not what the run wrote there: the file was changed since",
+                str(self.path),
+                "remove the file and begin again",
+                "bad-ledger",
+            )
+        return opened
 
     def _value(self, line: bytes, number: int) -> Any:
         try:
@@ -125,7 +159,7 @@ class Ledger:
 
 
 def _line(value: dict[str, Any]) -> bytes:
-    return json.dumps(value, separators=(",", ":")).encode() + b"\n"
+    return json.dumps(value, separators=(",", ":")).encode()
 
 
 def _plain(result: CaseResult) -> dict[str, Any]:
