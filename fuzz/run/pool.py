@@ -157,7 +157,21 @@ def _read(worker: _Worker) -> CaseResult | Outcome | None:
     if message[0] == "done":
         result: CaseResult = message[1]
         return result
+    if message[0] == "no memory":
+        return _without_memory(worker)
     raise InternalError(f"{message[1]}\n{message[2]}")
+
+
+def _without_memory(worker: _Worker) -> Outcome:
+    """Of a step that needed more than a worker may have."""
+    if worker.step.startswith(JUDGING):
+        return _not_judged(worker, "there is too little memory")
+    return Outcome(
+        worker.step,
+        Verdict.OUT_OF_MEMORY,
+        message="there is too little memory",
+        seconds=time.monotonic() - worker.since,
+    )
 
 
 def _died(worker: _Worker) -> Outcome:

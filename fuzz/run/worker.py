@@ -25,7 +25,6 @@ CASE = "minkref:case"  # the step before any target: the case is made
 CASE_SECONDS = 60.0
 JUDGING_SECONDS = 120.0  # for what is said of one answer
 JUDGE_SECONDS = 600.0  # for one judge on one case: slow by design
-REST = 2 << 30  # bytes that a worker may need beside what one call of a target may take
 
 
 @dataclass
@@ -76,7 +75,7 @@ def work(pipe: Connection, targets: list[str], limits: Limits) -> None:
     """The loop of a worker. Before each step it says which target is about to run, and how long it
     may, so that the parent knows whose fault the death of this process is."""
     child.begin()
-    _limit_memory(limits.bytes + REST)
+    _limit_memory(limits.bytes + limits.judging_bytes)
     made: dict[str, Target | Check] = {}
     try:
         while True:
@@ -87,6 +86,8 @@ def work(pipe: Connection, targets: list[str], limits: Limits) -> None:
                 pipe.send(("done", _Work(pipe, job, targets, limits, made).result()))
             except (BrokenPipeError, EOFError):
                 return
+            except MemoryError:
+                pipe.send(("no memory",))
             except Exception as error:  # noqa: BLE001 the parent reports it
                 pipe.send(("failed", f"{job.name.text}: {error}", traceback.format_exc()))
     except (EOFError, OSError):
@@ -117,8 +118,9 @@ class _Work:
         try:
             case = naming.load(self.job.name)
         except NoCase as reason:
-            job = self.job
-            return CaseResult(job.number, job.name, "1", [], "", "", (0, 0, ""), absent=str(reason))
+            return self._absent(str(reason))
+        except MemoryError:
+            return self._absent("there is too little memory to make it")
         asking = Asking(case, self._target, self._begin, self.job.lost, self.limits)
         ruled = []
         if isinstance(case, Case) and case.law is None:
@@ -129,6 +131,10 @@ class _Work:
             job, why = self.job, outcomes[0].message
             return CaseResult(job.number, job.name, "1", outcomes, "", "", (0, 0, ""), untaken=why)
         return self._result(case, [*ruled, *outcomes], asking)
+
+    def _absent(self, why: str) -> CaseResult:
+        job = self.job
+        return CaseResult(job.number, job.name, "1", [], "", "", (0, 0, ""), absent=why)
 
     def _target(self, name: str) -> Target:
         if name not in self.made:

@@ -15,6 +15,7 @@ from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.verdicts.region import Region, plain_polygons, region_of_polygons
 from minkref.fuzz.verdicts.verdict import Verdict
 
+JUDGING_BYTES = 2 << 30
 LOAD_SECONDS = 60.0  # at least, for the import of a module or the start of a program
 REGIONS = Declaration("minkref")
 
@@ -22,13 +23,15 @@ REGIONS = Declaration("minkref")
 @dataclass(frozen=True)
 class Limits:
     """For one call of one target. `output`: bytes of an answer, and of its log. `tries`: how often
-    one that does not answer is asked before it is said of it."""
+    one that does not answer is asked before it is said of it. `judging_bytes`: what a worker may
+    have beside, to make and judge a case."""
 
     seconds: float = 30.0
     bytes: int = 4 << 30
     size: int | None = None
     output: int = 64 << 20
     tries: int = 2
+    judging_bytes: int = JUDGING_BYTES
 
 
 @dataclass

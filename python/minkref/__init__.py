@@ -25,6 +25,7 @@ if TYPE_CHECKING:
         minkowski_sum,
         read_file,
         read_text,
+        set_memory_limit,
         tight_passages,
         write,
     )
@@ -43,6 +44,7 @@ __all__ = [
     "minkowski_sum",
     "read_file",
     "read_text",
+    "set_memory_limit",
     "tight_passages",
     "version",
     "write",

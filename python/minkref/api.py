@@ -33,6 +33,7 @@ __all__ = [
     "minkowski_sum",
     "read_file",
     "read_text",
+    "set_memory_limit",
     "tight_passages",
     "write",
 ]
@@ -56,6 +57,18 @@ def minkowski_sum(
     Minkowski Sums Under Scaling", 2012, Sec. 3."""
     _validate(P=P, Q=Q)
     return _core.minkowski_sum(P, Q, str(scale), route, arithmetic)
+
+
+def set_memory_limit(bytes: int | None) -> None:
+    """What the process may have in memory while a sum, events or an index are computed: in bytes,
+    or None for nine tenths of what is free when the work begins. Work that needs more raises
+    LimitExceeded with the code `memory-limit`, where it can be told before it begins, else as soon
+    as it has it; what it has made is lost. It holds for all threads, from the next call on. Raises
+    Refusal for a number below one."""
+    if bytes is not None and bytes < 1:
+        what = f"it has to be a number of bytes, or None, not {bytes}"
+        raise Refusal(what, "set_memory_limit", "give 4 << 30 for four GiB")
+    _core.set_memory_limit(bytes or 0)
 
 
 def tight_passages(P: PolygonSet, Q: PolygonSet, scale: str | int = 1) -> list[dict[str, Any]]:

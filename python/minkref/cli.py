@@ -121,6 +121,8 @@ def run(arguments: Sequence[str]) -> int:
         if not error.format_message():  # no command: the help has been shown
             return ExitCode.USAGE
         return _refuse(_usage(error, rest), rest)
+    except MemoryError:
+        return _refuse(_no_memory(rest), rest)
     except typer.Abort:
         return 130
     except Ended as ended:
@@ -137,6 +139,15 @@ def _usage(error: TyperException, arguments: Sequence[str]) -> dict[str, object]
         "what": error.format_message(),
         "where": path,
         "mend": f"`{path} --help` shows the options and examples",
+    }
+
+
+def _no_memory(arguments: Sequence[str]) -> dict[str, object]:
+    return {
+        "code": "memory-limit",
+        "what": "there is no more memory",
+        "where": _path_of(arguments),
+        "mend": "take simpler or fewer operands, or end what else the machine runs",
     }
 
 

@@ -45,7 +45,8 @@ def memory_wall(limit: int | None, work: str, where: str, instead: str) -> Itera
     try:
         yield
     except MemoryError:
-        raise _refusal("there is no more memory", work, where, instead) from None
+        what = f"it needs more than the {most // MEBIBYTE:,} MiB that it may have"
+        raise _refusal(what, work, where, instead) from None
     except _core.LimitExceeded as error:
         if error.code != "memory-limit":
             raise

@@ -9,7 +9,8 @@ from collections.abc import Callable
 from typing import Any
 
 from faulty_sums import Set, right
-from minkref.fuzz.run import worker
+from minkref.fuzz.cases import naming
+from minkref.fuzz.run import asking, worker
 from minkref.fuzz.verdicts import judgement
 
 worker.JUDGING_SECONDS = 1.0
@@ -30,11 +31,31 @@ def exhausts_memory(P: Set, Q: Set) -> Set:
     return right(P, Q)
 
 
-def _no_memory() -> None:
+def exhausts_memory_beside_the_judge(P: Set, Q: Set) -> Set:
+    """As the one above, where the judge has nothing to catch it."""
+
+    def spoilt(case: Any, answers: Any, names: list[str], judging: Callable[[str], None]) -> Any:
+        spoiling = [name for name in answers if name.startswith("py:spoils_judging")]
+        if any(answers[name].region for name in spoiling):
+            judging(spoiling[0])
+            _no_memory()
+        return _judge(case, answers, names, judging)
+
+    asking.judge = spoilt  # type: ignore[attr-defined]
+    return right(P, Q)
+
+
+def leaves_no_memory_for_the_next_case(P: Set, Q: Set) -> Set:
+    naming.load = lambda name: _no_memory()
+    return right(P, Q)
+
+
+def _no_memory() -> Any:
     raise MemoryError
 
 
 _one = judgement._one
+_judge = judgement.judge
 
 
 def _judge_by(spoil: Callable[[], object]) -> None:

@@ -108,6 +108,7 @@ def test_broken_target_is_charged_and_others_are_not(
         ("dies", "could not be judged: the process died (SIGSEGV)"),
         ("takes_for_ever", "could not be judged: there was no end after 1 s"),
         ("exhausts_memory", "too little memory"),
+        ("exhausts_memory_beside_the_judge", "too little memory"),
     ],
 )
 def test_answer_that_cannot_be_judged_is_undecided_and_ends_no_run(
@@ -119,6 +120,14 @@ def test_answer_that_cannot_be_judged_is_undecided_and_ends_no_run(
     assert counts(run, right) == {"pass": 2}
     assert run.exit_code() is ExitCode.ALL_WELL
     assert message in run.findings[0].outcome.message
+
+
+def test_a_case_that_takes_more_memory_than_there_is_is_absent_and_ends_no_run(
+    verify: Verify,
+) -> None:
+    run = verify("py:spoils_judging:leaves_no_memory_for_the_next_case", pairs=2)
+    assert sum(run.cases.values()) == 1
+    assert run.failed is None
 
 
 def test_one_late_answer_is_no_time_out(

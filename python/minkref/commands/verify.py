@@ -24,7 +24,7 @@ from minkref.fuzz.run.runner import Run, run
 from minkref.fuzz.run.unasked import not_asked, resting_notes
 from minkref.fuzz.shrink.groups import shrunk_groups
 from minkref.fuzz.shrink.shrinker import MOST_CALLS
-from minkref.fuzz.targets.answer import Limits, load_limit
+from minkref.fuzz.targets.answer import JUDGING_BYTES, Limits, load_limit
 from minkref.fuzz.targets.catalogue import select
 from minkref.fuzz.targets.declared import declarations_of, declares_itself
 from minkref.fuzz.verdicts.baseline import Baseline, read_baseline, unused
@@ -185,6 +185,14 @@ def command(
         int,
         typer.Option("--call-output", help="Size limit of one answer, in MiB.", metavar="MIB"),
     ] = 64,
+    memory: Annotated[
+        int,
+        typer.Option(
+            "--memory",
+            help="What a worker may have beside --call-memory, to make and judge a case, in MiB.",
+            metavar="MIB",
+        ),
+    ] = JUDGING_BYTES >> 20,
     size_limit: Annotated[
         int | None,
         typer.Option(
@@ -206,12 +214,14 @@ def command(
     watch = Stopwatch()
     if is_outdone(context, "pairs", by="seconds"):
         pairs = None
-    check_numbers(seconds, pairs, jobs, call_seconds, call_memory, call_output, size_limit)
+    check_numbers(seconds, pairs, jobs, call_seconds, call_memory, call_output, size_limit, memory)
     for file in (junit_file, sarif_file, markdown_file, lines_file):
         if file is not None:
             check_writable(file)
     listed = read_baseline(baseline) if baseline is not None else Baseline()
-    limits = Limits(call_seconds, call_memory << 20, size_limit, call_output << 20)
+    limits = Limits(
+        call_seconds, call_memory << 20, size_limit, call_output << 20, judging_bytes=memory << 20
+    )
     chosen, absent = select(targets or [], load_limit(limits))
     chosen, declared = declarations_of(chosen, limits)
     cases = case_list(

@@ -16,6 +16,7 @@ def check_numbers(
     call_memory: int,
     call_output: int,
     size_limit: int | None,
+    memory: int | None = None,
 ) -> None:
     for option, value, least, most in (
         ("--seconds", seconds, 0, None),
@@ -23,6 +24,7 @@ def check_numbers(
         ("--jobs", jobs, 1, MOST_JOBS),
         ("--call-memory", call_memory, 16, MOST_MEMORY),
         ("--call-output", call_output, 1, MOST_MEMORY),
+        ("--memory", memory, 256, MOST_MEMORY),
         ("--size-limit", size_limit, 1, None),
     ):
         if value is not None and not value >= least:
