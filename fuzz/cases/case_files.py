@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass
-from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
 from minkref.errors import Refusal, cut
 from minkref.fuzz.cases.case import CaseName
 from minkref.fuzz.cases.space_case_file import is_in_space, read_space_case, scalings_in
+from minkref.fuzz.targets.number_text import number_of
 from minkref.operand import read_operand
 
 NO_CASES = (".cert.json", ".refusal.json")
@@ -114,10 +114,10 @@ def _within(interval: Any) -> str:
     """1, or the end that is nearer to it."""
     ends = interval if isinstance(interval, dict) else {}
     try:
-        if "from" in ends and Fraction(str(ends["from"])) > 1:
+        if "from" in ends and number_of(str(ends["from"])) > 1:
             return str(ends["from"])
-        if "to" in ends and Fraction(str(ends["to"])) < 1:
+        if "to" in ends and number_of(str(ends["to"])) < 1:
             return str(ends["to"])
-    except (ValueError, ZeroDivisionError):
+    except ValueError:
         pass  # the reader of cases refuses it
     return "1"

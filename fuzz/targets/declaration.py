@@ -9,6 +9,7 @@ from fractions import Fraction
 from typing import Any
 
 from minkref.fuzz.cases.grid import bits_of
+from minkref.fuzz.targets.number_text import number_of
 
 # What the cases have that need each.
 CAPABILITIES = {
@@ -182,10 +183,9 @@ def _number(tolerance: Mapping[str, Any], field: str) -> Fraction:
     if not isinstance(text, str) or len(text) > MOST_TEXT:
         raise DeclarationError(f"{field} is not a decimal or fraction as a text")
     try:
-        number = Fraction(text if len(text.lower().partition("e")[2]) < 6 else "")
-    except (ValueError, ZeroDivisionError) as error:
-        what = f"{field} is not a decimal or fraction as a text"
-        raise DeclarationError(what) from error
+        number = number_of(text)
+    except ValueError as error:
+        raise DeclarationError(f"{field}: {error}") from error
     if number < 0:
         raise DeclarationError(f"{field} is negative")
     return number

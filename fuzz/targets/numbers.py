@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import math
-import re
 from dataclasses import replace
 from fractions import Fraction
 from typing import Any
@@ -12,14 +11,11 @@ from typing import Any
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.targets.answer import Answer, no_set
 from minkref.fuzz.targets.declaration import Declaration
+from minkref.fuzz.targets.number_text import GRAMMAR, LONGEST_NUMBER, is_number
 from minkref.fuzz.verdicts.region import region_of_polygons
 from minkref.fuzz.verdicts.verdict import Verdict
 
-LONGEST_NUMBER = 100_000  # characters
 MOST_VERTICES = 400_000  # of an answer: what can be compared in time
-_TEXT = re.compile(  # docs/adapter-protocol.md; no longer exponents
-    r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]{1,4})?|[+-]?[0-9]+/0*[1-9][0-9]*"
-)
 
 
 class Unreadable(ValueError):
@@ -73,9 +69,8 @@ def received(number: Any, declaration: Declaration) -> str:
         raise Unreadable(f"{number[:40]!r}: numbers are JSON numbers where `double` is declared")
     if len(number) > LONGEST_NUMBER:
         raise Unreadable(f"a number has more than {LONGEST_NUMBER:,} characters")
-    if not _TEXT.fullmatch(number):
-        what = "neither n nor n/d nor a decimal with an exponent of four digits at most"
-        raise Unreadable(f"{number[:40]!r} is {what}")
+    if not is_number(number):
+        raise Unreadable(f"{number[:40]!r} is no number: {GRAMMAR}")
     return number
 
 

@@ -10,6 +10,7 @@ from typing import Any
 
 from minkref import _core
 from minkref.exact import digest
+from minkref.fuzz.targets.number_text import GRAMMAR, is_number
 
 Ring = list[list[str]]
 Polygon = dict[str, Any]  # "outer": a ring, "holes": rings
@@ -88,7 +89,10 @@ def _plain_point(point: Any) -> list[str]:
 
 def _plain_number(number: Any) -> str:
     if isinstance(number, str):
-        return "".join(number)
+        text = "".join(number)  # no text of a class of its own
+        if not is_number(text):
+            raise ValueError(f"{text[:40]!r} is no number: {GRAMMAR}")
+        return text
     if isinstance(number, int) and not isinstance(number, bool):
         return int.__repr__(number)
     raise ValueError("a point is not a pair of exact numbers")

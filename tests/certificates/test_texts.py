@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import copy
+import importlib.util
 import json
 import random
+import time
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -126,3 +128,17 @@ def test_a_certificate_without_its_case_is_malformed_to_both(tmp_path: Path) -> 
         file.write_text(json.dumps(value), encoding="utf-8")
         for command in (in_python(), in_cpp()):
             assert verdicts(command, [file])[0].code == 2, path
+
+
+@pytest.mark.parametrize("checker", [CHECKER, CONVEX_CHECKER])
+def test_a_long_text_that_is_no_number_is_refused_at_once(checker: Path) -> None:
+    """A grammar that reads digits in two ways takes minutes for these."""
+    found = importlib.util.spec_from_file_location(checker.stem, checker)
+    assert found is not None and found.loader is not None
+    module = importlib.util.module_from_spec(found)
+    found.loader.exec_module(module)
+    since = time.monotonic()
+    for text in ("1" * 99_999 + "x", "1/" + "1" * 99_997 + "x", "1." + "0" * 99_997 + "x"):
+        with pytest.raises(module.NotVerified, match="is no number"):
+            module.number(text)
+    assert time.monotonic() - since < 2

@@ -1,0 +1,25 @@
+"""The one grammar of numbers that are texts in the answers and declarations of others
+(docs/adapter-protocol.md)."""
+
+from __future__ import annotations
+
+import re
+from fractions import Fraction
+
+LONGEST_NUMBER = 100_000  # characters
+GRAMMAR = "n, n/d, or a decimal with an exponent of four digits at most, in ASCII digits"
+# No part can be read in two ways: a long text that is no number is refused in linear time.
+_NUMBER = re.compile(
+    r"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]{1,4})?|[+-]?[0-9]+/0*[1-9][0-9]*"
+)
+
+
+def is_number(text: str) -> bool:
+    return len(text) <= LONGEST_NUMBER and _NUMBER.fullmatch(text) is not None
+
+
+def number_of(text: str) -> Fraction:
+    """Exact. ValueError for a text that is none."""
+    if not is_number(text):
+        raise ValueError(f"{text[:40]!r} is no number: {GRAMMAR}")
+    return Fraction(text)
