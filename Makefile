@@ -3,9 +3,11 @@
 #   make test                    GoogleTest and pytest
 #   make evidence [ONLY="NAME ..."] [QUICK=1]
 #   make lint | format
+#   make sbom                    the software bill of materials, build/sbom.cdx.json
+#   make lock [UPGRADE=1]        requirements.txt and those of the adapters, with digests
 SHELL := /bin/bash
 .DEFAULT_GOAL := run
-.PHONY: run test evidence lint format setup environment clean
+.PHONY: run test evidence lint format sbom lock setup environment clean
 
 CXX_SOURCES = $(shell find reference formats certify oracle python fuzz tests -name '*.cpp' -o -name '*.hpp')
 PYTHON_SOURCES = python certify degeneracies fuzz oracle reports models tests scripts
@@ -38,6 +40,12 @@ format: environment
 	.venv/bin/clang-format -i $(CXX_SOURCES)
 	.venv/bin/ruff check --fix-only --quiet $(PYTHON_SOURCES)
 	.venv/bin/ruff format $(PYTHON_SOURCES)
+
+sbom: setup
+	.venv/bin/python scripts/sbom.py
+
+lock: environment
+	scripts/lock.sh $(if $(UPGRADE),--upgrade)
 
 clean:
 	rm -rf build .venv

@@ -35,8 +35,9 @@ if ! fresh environment "$key" || [[ ! -x .venv/bin/python ]]; then
   say "making .venv with $python"
   rm -f build/stamps/environment
   "$python" -m venv --clear .venv
-  .venv/bin/python -m pip install --quiet --disable-pip-version-check -r requirements.txt ||
-    { say "pip could not install the packages of requirements.txt" >&2; exit 2; }
+  # Nothing without its digest, and nothing built here by tools that have none.
+  .venv/bin/python -m pip install --quiet --disable-pip-version-check --require-hashes --only-binary :all: \
+    -r requirements.txt || { say "pip could not install the packages of requirements.txt" >&2; exit 2; }
   echo "$key" >build/stamps/environment
 fi
 [[ $last == environment ]] && exit 0

@@ -120,7 +120,8 @@ def _alone(lock: Path) -> Iterator[None]:
 
 def _make_environment(home: Path) -> None:
     _make_empty_environment(home / "venv")
-    _pip(home / "venv", "install", "-r", str(HERE / f"{home.name}.requirements.txt"))
+    requirements = str(HERE / f"{home.name}.requirements.txt")
+    _pip(home / "venv", "install", "--require-hashes", "-r", requirements)
 
 
 def _make_empty_environment(folder: Path) -> None:
@@ -152,7 +153,8 @@ def _clipper2_sources(home: Path) -> Path:
     environment, downloads = home / "venv", home / "download"
     _make_empty_environment(environment)
     requirements = str(HERE / "clipper2.requirements.txt")
-    wanted = ["--no-deps", "--no-binary", "pyclipr", "--dest", str(downloads), "-r", requirements]
+    wanted = ["--require-hashes", "--no-deps", "--no-binary", "pyclipr", "--dest", str(downloads)]
+    wanted += ["-r", requirements]
     # Sources are wanted: without its hooks the package is not compiled to find its metadata.
     _pip(environment, "download", *wanted, HATCH_BUILD_NO_HOOKS="true")
     (archive,) = downloads.glob("pyclipr-*.tar.gz")

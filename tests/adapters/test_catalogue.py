@@ -136,7 +136,7 @@ def test_every_adapter_has_its_files(tmp_path: Path) -> None:
         assert (catalogue.HERE / adapter.program).is_file()
         if adapter.kind == "python":
             pins = catalogue.HERE / f"{adapter.home}.requirements.txt"
-            assert all("==" in line for line in pins.read_text(encoding="utf-8").splitlines())
+            assert f"{adapter.home}==" in pins.read_text(encoding="utf-8")
         if adapter.kind in ("python", "c++"):
             said = catalogue.absence(name, tmp_path)
             assert said == f"{name} is not installed: minkref adapter install {name}"
