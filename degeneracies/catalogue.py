@@ -11,6 +11,7 @@ from minkref.degeneracies.plane import (
     incidences,
     lines,
     magnitudes,
+    touches,
 )
 from minkref.degeneracies.space import always, at_a_scaling, shapes, updates
 from minkref.degeneracies.space import magnitudes as magnitudes_in_space
@@ -26,6 +27,7 @@ FAMILIES: dict[str, Family] = {
         contacts,
         convolutions,
         magnitudes,
+        touches,
     )
     for family in module.FAMILIES
 }
