@@ -105,7 +105,8 @@ def run(arguments: Sequence[str]) -> int:
     debug = "--debug" in arguments
     rest = [argument for argument in arguments if argument != "--debug"]
     try:
-        from minkref.errors import Refusal
+        from minkref import _core
+        from minkref.errors import Refusal, refusal_of
     except ImportError as error:
         built = "build the extension module with `make run`"
         return _internal(error, debug, built if "_core" in str(error) else REPORT)
@@ -121,6 +122,8 @@ def run(arguments: Sequence[str]) -> int:
         if not error.format_message():  # no command: the help has been shown
             return ExitCode.USAGE
         return _refuse(_usage(error, rest), rest)
+    except _core.LimitExceeded as error:
+        return _refuse(refusal_of(error, _path_of(rest)).document(), rest)
     except MemoryError:
         return _refuse(_no_memory(rest), rest)
     except typer.Abort:

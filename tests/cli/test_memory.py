@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from minkref import _core
+from minkref import _core, cli
 from minkref.errors import Refusal
 from minkref.memory import SIMPLER, memory_wall
 
@@ -56,3 +56,34 @@ def test_other_refusals_pass_the_wall_unchanged() -> None:
     with pytest.raises(_core.BadInput) as refused, memory_wall(None, "work", "P", SIMPLER):
         _core.read_text("POLYGON", "wkt")
     assert refused.value.code != "memory-limit"
+
+
+@pytest.mark.parametrize(
+    "error",
+    [MemoryError(), _core.LimitExceeded],
+    ids=["the system has no more", "the work has too much"],
+)
+def test_no_command_calls_a_lack_of_memory_a_fault_of_ours(
+    error: Any, minkref: Minkref, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Those without --memory too."""
+
+    def raises(*_: object, **__: object) -> None:
+        if isinstance(error, MemoryError):
+            raise error
+        _core.set_memory_limit(1 << 20)
+        try:
+            _core.minkowski_sum(many_edges(), many_edges(), "1")
+        finally:
+            _core.set_memory_limit(0)
+
+    monkeypatch.setattr(cli, "_built", lambda: raises)
+    answer = minkref("report", "audit", "--json")
+    assert answer.code == 2
+    assert answer.json["error"]["code"] == "memory-limit"
+    assert "internal" not in answer.err
+
+
+def many_edges() -> _core.PolygonSet:
+    ring = [f"{x} {x * x}" for x in range(2000)]
+    return _core.read_text(f"POLYGON(({', '.join([*ring, ring[0]])}))", "wkt")
