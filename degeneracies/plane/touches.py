@@ -20,8 +20,8 @@ Part = Callable[[Random, int], Ring]  # above the line y = 0 for 1, below it for
 
 def _two_tiers(dice: Random, of_p: Part, of_q: Part, half: int) -> Draft:
     """A part of P and one of Q stand on a line, one of each hangs from it, and so do their sums,
-    whose places along it pass each other at the scale 1. The other two sums are as far off as the parts of P
-    are apart, at least twice `half`."""
+    whose places along it pass each other at the scale 1. The other two sums are as far off as the
+    parts of P are apart, at least twice `half`."""
     left, right = -half - dice.randint(0, 3), half + dice.randint(0, 3)
     first = -dice.randint(half, 3 * half)
     P = [*moved([[of_p(dice, 1)]], right, 0), *moved([[of_p(dice, -1)]], left, 0)]
