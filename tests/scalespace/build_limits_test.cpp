@@ -5,6 +5,7 @@
 
 #include "reference/error.hpp"
 #include "reference/interrupt.hpp"
+#include "reference/memory.hpp"
 #include "reference/scalespace/build_control.hpp"
 #include "reference/scalespace/scale_space_index.hpp"
 #include "tests/plane/shapes.hpp"
@@ -35,14 +36,17 @@ class Build {
  public:
   Build(unsigned threads, int teeth) : Q_(comb(teeth)) { options_.threads = threads; }
 
-  /// Until `at` is reported, from when on there is no memory left, or an interrupt. How it ends.
+  /// Until `at` is reported, from when on too much memory is taken, or an interrupt waits. How it
+  /// ends.
   std::string end(const Step& at, bool by_memory) {
+    constexpr std::size_t margin = 64 << 20;
     bool reached = false;
-    options_.memory_limit = 0;
+    std::vector<char> taken;
+    options_.memory_limit = by_memory ? resident_bytes() + margin : 0;
     options_.progress = [&](const BuildProgress& now) {
       if (reached) ADD_FAILURE() << "goes on to " << now.done << " of " << now.total;
       reached = Step{now.stage, now.done} == at;
-      if (reached && by_memory) options_.memory_limit = 1;
+      if (reached && by_memory) taken.assign(margin, 1);
     };
     const Interruptible interruptible([&] {
       if (reached && !by_memory) throw Interrupted{};
