@@ -76,6 +76,7 @@ Computing::Computing() : interruptible_(Look()) {}
 NB_MODULE(_core, module) {
   using namespace nanobind::literals;
   module.doc() = "The exact reference, in the plane and in space; numbers are strings, n or n/d.";
+  module.attr("__version__") = MINKREF_VERSION;
   minkref::python::bind_errors(module);
   module.def("set_memory_limit", &minkref::python::set_memory_limit, "bytes"_a,
              "Bytes that the process may have in memory while C++ computes; 0: nine tenths of what "

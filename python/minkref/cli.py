@@ -12,6 +12,7 @@ import typer
 from typer.exceptions import TyperException
 
 from minkref import streams
+from minkref.command_group import CommandGroup
 from minkref.exits import ExitCode
 from minkref.signals import Ended
 from minkref.version import version
@@ -20,6 +21,7 @@ REPORT = "run again with --debug and report the traceback"
 
 app = typer.Typer(
     name="minkref",
+    cls=CommandGroup,
     no_args_is_help=True,
     rich_markup_mode="rich",
     pretty_exceptions_enable=False,
@@ -54,48 +56,9 @@ def _root(
     pass
 
 
-def _register() -> None:
-    from minkref.commands import (
-        adapter,
-        bench,
-        certify,
-        check,
-        events,
-        families,
-        generate,
-        index,
-        models,
-        report,
-        shrink,
-        sum,
-        sweep,
-        targets,
-        verify,
-        view,
-    )
-
-    app.command("sum", epilog=sum.EXAMPLES)(sum.command)
-    app.command("index", epilog=index.EXAMPLES)(index.command)
-    app.command("sweep", epilog=sweep.EXAMPLES)(sweep.command)
-    app.command("events", epilog=events.EXAMPLES)(events.command)
-    app.command("view", epilog=view.EXAMPLES)(view.command)
-    app.command("verify", epilog=verify.EXAMPLES)(verify.command)
-    app.command("certify", epilog=certify.EXAMPLES)(certify.command)
-    app.command("check", epilog=check.EXAMPLES)(check.command)
-    app.command("generate", epilog=generate.EXAMPLES)(generate.command)
-    app.command("shrink", epilog=shrink.EXAMPLES)(shrink.command)
-    app.add_typer(adapter.app, name="adapter")
-    app.command("bench", epilog=bench.EXAMPLES)(bench.command)
-    app.command("report", epilog=report.EXAMPLES)(report.command)
-    app.command("models", epilog=models.EXAMPLES)(models.command)
-    app.command("targets", epilog=targets.EXAMPLES)(targets.command)
-    app.command("families", epilog=families.EXAMPLES)(families.command)
-
-
 @cache
 def _built() -> Callable[..., Any]:
-    """The whole command, which takes a tenth of a second to build: once in a process."""
-    _register()
+    """The whole command; those below it are built when they are called."""
     return typer.main.get_command(app)
 
 

@@ -5,29 +5,38 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import TYPE_CHECKING
 
-from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+if TYPE_CHECKING:
+    from rich.progress import Progress
 
 
 class Steps:
-    """Counts what is done of a known number of steps."""
+    """Counts what is done of a known number of steps; tells nobody where there is no line."""
 
-    def __init__(self, progress: Progress, total: int) -> None:
-        self._progress = progress
-        self._task = progress.add_task("", total=total)
+    def __init__(self, line: Progress | None, total: int) -> None:
+        self._line = line
+        self._task = line.add_task("", total=total) if line else None
 
     def now(self, text: str) -> None:
         """Says what is being done."""
-        self._progress.update(self._task, description=text)
+        if self._line is not None and self._task is not None:
+            self._line.update(self._task, description=text)
 
     def done(self, count: int = 1) -> None:
-        self._progress.advance(self._task, count)
+        if self._line is not None and self._task is not None:
+            self._line.advance(self._task, count)
 
 
 @contextmanager
 def progress(total: int) -> Iterator[Steps]:
     """On standard error, and gone when the work is done."""
+    if not sys.stderr.isatty():
+        yield Steps(None, total)
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+
     line = Progress(
         TextColumn("{task.description}", markup=False),
         BarColumn(),
@@ -35,7 +44,6 @@ def progress(total: int) -> Iterator[Steps]:
         TimeElapsedColumn(),
         console=Console(stderr=True),
         transient=True,
-        disable=not sys.stderr.isatty(),
     )
     with line:
         yield Steps(line, total)

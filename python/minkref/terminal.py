@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
-from rich.console import Console
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from rich.console import Console
 
 PIPE_WIDTH = 200
 
 
 def console() -> Console:
     """Texts are shown as they are: brackets are no markup."""
+    from rich.console import Console
+
     plain = Console(highlight=False, markup=False, emoji=False)
     if plain.is_terminal:
         return plain

@@ -26,7 +26,12 @@ minkref adapter install clipper2 manifold3d
 
 minkref adapter install all"""
 
-app = typer.Typer(no_args_is_help=True, help="Programs that let an implementation be tested.")
+app = typer.Typer(
+    no_args_is_help=True,
+    add_completion=False,
+    rich_markup_mode="rich",
+    help="Programs that let an implementation be tested.",
+)
 
 
 @app.command("new", epilog=NEW_EXAMPLES)

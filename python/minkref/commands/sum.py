@@ -26,7 +26,6 @@ from minkref.operand_text import STANDARD_INPUT
 from minkref.options import Json, Schema
 from minkref.output_target import STANDARD_OUTPUT, Target, target_of
 from minkref.parents import PassageRows, passages_of
-from minkref.reports.sum_picture import sum_picture
 from minkref.scale_space import IndexFile, check_spares_index, index_of, route_with
 from minkref.space.operand import in_space
 from minkref.space.sum_command import sum_in_space
@@ -212,6 +211,8 @@ def _written(
         )
     if target.form == "svg" and drawn is not None:
         P, Q, scale, found = drawn
+        from minkref.reports.sum_picture import sum_picture
+
         return sum_picture(P, Q, scale, region, found["components"], found["holes"]), False
     text = refusing(target.name, lambda: _core.write(region, target.form))
     return text, _core.writes_exactly(region, target.form)

@@ -1,0 +1,102 @@
+"""The commands of `minkref`: each is imported when it is called, none to list them all."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, MutableMapping
+from importlib import import_module
+from typing import Any
+
+import typer
+from typer.core import TyperCommand, TyperGroup
+
+#: In the order of the help: the module in `minkref.commands` has the name of the command.
+COMMANDS = {
+    "sum": "The exact sum of sP and Q, in canonical form.",
+    "index": "The sums at all scales of a window, found once and written to a file.",
+    "sweep": "The exact sums at many scales.",
+    "events": "The scales at which something changes, exact and sorted.",
+    "view": "A page that shows the sum, its events and its holes over a window of scales.",
+    "verify": "Test implementations against the exact reference.",
+    "certify": "A proof of a sum, an event or an interval without events.",
+    "check": "Follow proofs, and say whether they hold.",
+    "generate": "Degenerate cases, each with a proof of what it is.",
+    "shrink": "The smallest case that still shows a fault.",
+    "adapter": "Programs that let an implementation be tested.",
+    "bench": "The paper's tables: dynamic updates, and the index, against computing afresh.",
+    "report": "The paper on trial, its tables and figures beside ours, the corpus as pages.",
+    "models": "List the models that other commands accept.",
+    "targets": "List what `minkref verify` can test here.",
+    "families": "List the families of generated cases.",
+}
+
+
+def load(name: str) -> Any:
+    """The command of this name. Imports its module."""
+    module = import_module(f"minkref.commands.{name}")
+    app = getattr(module, "app", None)
+    if app is None:
+        app = typer.Typer(add_completion=False, rich_markup_mode="rich")
+        app.command(name, epilog=module.EXAMPLES)(module.command)
+    command = typer.main.get_command(app)
+    command.name = name
+    return command
+
+
+class _Commands(MutableMapping[str, Any]):
+    """From names to commands; one is loaded when it is taken."""
+
+    def __init__(self) -> None:
+        self._loaded: dict[str, Any] = {}
+
+    def __getitem__(self, name: str) -> Any:
+        if name not in self._loaded:
+            if name not in COMMANDS:
+                raise KeyError(name)
+            self._loaded[name] = load(name)
+        return self._loaded[name]
+
+    def __contains__(self, name: object) -> bool:
+        return name in COMMANDS
+
+    def __setitem__(self, name: str, command: Any) -> None:
+        self._loaded[name] = command
+
+    def __delitem__(self, name: str) -> None:
+        del self._loaded[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(COMMANDS)
+
+    def __len__(self) -> int:
+        return len(COMMANDS)
+
+
+class CommandGroup(TyperGroup):
+    """For lists of commands, in the help and in a shell's completion, their lines are enough."""
+
+    def __init__(self, **options: Any) -> None:
+        super().__init__(**options)
+        self.commands = _Commands()
+        self._listing = False
+
+    def list_commands(self, ctx: Any) -> list[str]:
+        return list(COMMANDS)
+
+    def get_command(self, ctx: Any, cmd_name: str) -> Any:
+        if self._listing and cmd_name in COMMANDS:
+            return TyperCommand(cmd_name, help=COMMANDS[cmd_name])
+        return super().get_command(ctx, cmd_name)
+
+    def format_help(self, ctx: Any, formatter: Any) -> None:
+        self._listing = True
+        try:
+            super().format_help(ctx, formatter)
+        finally:
+            self._listing = False
+
+    def shell_complete(self, ctx: Any, incomplete: str) -> Any:
+        self._listing = True
+        try:
+            return super().shell_complete(ctx, incomplete)
+        finally:
+            self._listing = False
