@@ -6,6 +6,7 @@ import re
 
 from minkref.fuzz.verdicts.verdict import Verdict
 from minkref.reports.conformance.case_view import CaseView, written
+from minkref.reports.conformance.markdown_text import plain
 from minkref.reports.conformance.programs.catalogue import library
 from minkref.reports.conformance.words import meaning
 from minkref.terminal import shown
@@ -15,7 +16,7 @@ def bug_report(view: CaseView, version: str | None, presence: list[str]) -> str:
     """Title, versions, input, expected, got, how to reproduce it without minkref, and why the
     expected is right."""
     outcome, case = view.outcome, view.case
-    name = shown(library(outcome.target))
+    name = library(outcome.target)
     kinds = ", ".join(outcome.kinds)
     lines = [
         f"# Minkowski sum of {'two solids' if case.dimension == 3 else 'two polygons'}: "
@@ -23,8 +24,8 @@ def bug_report(view: CaseView, version: str | None, presence: list[str]) -> str:
         "",
         "## Versions",
         "",
-        f"- {name} {version or '(version not known)'}, {shown(outcome.target)}",
-        *(f"- {line}" for line in presence),
+        plain(f"- {name} {version or '(version not known)'}, {outcome.target}"),
+        *(plain(f"- {line}") for line in presence),
         "",
         "## Input",
         "",

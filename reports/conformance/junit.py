@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import xml.etree.ElementTree as ElementTree
 from collections import Counter
 
@@ -11,10 +10,9 @@ from minkref.errors import cut
 from minkref.fuzz.run.runner import Cell, Run
 from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.verdicts.verdict import BROKEN, Verdict
+from minkref.terminal import shown
 
 Kind = tuple[str, str, tuple[str, ...]]
-
-_FORBIDDEN = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
 def junit(run: Run, groups: list[Group]) -> str:
@@ -60,7 +58,7 @@ def _set(element: ElementTree.Element, counts: Counter[str], seconds: float) -> 
 
 
 def _make_legal(element: ElementTree.Element) -> None:
-    """Escapes what XML 1.0 cannot say."""
+    """Escapes what XML 1.0 cannot say, and what a terminal obeys."""
     if element.text:
         element.text = _legal(element.text)
     for name, value in element.items():
@@ -68,7 +66,7 @@ def _make_legal(element: ElementTree.Element) -> None:
 
 
 def _legal(text: str) -> str:
-    return _FORBIDDEN.sub(lambda found: ascii(found[0])[1:-1], text)
+    return "\n".join(shown(line) for line in text.split("\n"))
 
 
 def _test_case(

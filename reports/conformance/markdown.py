@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-import re
 from typing import Any
 
 from minkref.commands.verify_output import conclusion, describe
 from minkref.fuzz.run.runner import Run
 from minkref.fuzz.shrink.groups import Group
 from minkref.reports.conformance.counts import Counts, total
+from minkref.reports.conformance.markdown_text import plain
 from minkref.reports.conformance.words import ending
-from minkref.terminal import shown
 
 
 def markdown(run: Run, groups: list[Group], value: dict[str, Any]) -> str:
     """A table of targets by families, why cases were skipped, then each kind of finding."""
-    lines = ["# minkref verify", "", _plain(f"{ending(value['exit_code'])} {conclusion(run)}.")]
+    lines = ["# minkref verify", "", plain(f"{ending(value['exit_code'])} {conclusion(run)}.")]
     lines += ["", f"minkref {value['version']}, seed {value['seed']}.", ""]
     heads = [f"{group} ({run.cases[group]:,})" for group in run.groups]
     lines.append(_row(["target", *heads]))
@@ -29,13 +28,13 @@ def markdown(run: Run, groups: list[Group], value: dict[str, Any]) -> str:
         whole = total((run.matrix.get((target, g)), run.cases[g]) for g in run.groups)
         skips += [f"- {target}: {count:,} skipped: {why}" for why, count in whole.why_skipped]
     lines += ["", "`8/9`: 8 of 9 judged cases are right; skipped cases are not among them.", ""]
-    lines += [_plain(line) for line in skips]
+    lines += [plain(line) for line in skips]
     for group in groups:
         first, *rest = describe(group)
-        lines += ["", f"## {_plain(first)}", "", *(f"    {line}" for line in rest)]
+        lines += ["", f"## {plain(first)}", "", *(f"    {line}" for line in rest)]
     absent = [f"- {row['name']} is absent: {row['reason']}" for row in value["absent"]]
-    lines += ["", *(_plain(line) for line in absent)]
-    lines += [_plain(f"- {note}") for note in value["notes"]]
+    lines += ["", *(plain(line) for line in absent)]
+    lines += [plain(f"- {note}") for note in value["notes"]]
     return "\n".join(lines).rstrip() + "\n"
 
 
@@ -56,10 +55,4 @@ def _row(cells: list[str]) -> str:
 
 
 def _cell(text: str) -> str:
-    return "<br>".join(_plain(line) for line in text.split("\n"))
-
-
-def _plain(text: str) -> str:
-    """One line in which nothing is markup."""
-    escaped = shown(text).replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
-    return re.sub(r"([\\`*\[\]|#])", r"\\\1", escaped)
+    return "<br>".join(plain(line) for line in text.split("\n"))

@@ -74,10 +74,18 @@ def _place(target: str) -> str:
         words = [target.split(":")[1]]
     here = Path.cwd()
     for word in words:
-        path = (here / word).resolve()
-        if path.is_file() and path.is_relative_to(here):
-            return quote(str(path.relative_to(here)))
-    return quote(target, safe="")
+        try:
+            path = (here / word).resolve()
+            if path.is_file() and path.is_relative_to(here):
+                return quote(bytes(path.relative_to(here)))
+        except (OSError, ValueError):
+            continue  # no name of a file: too long, or with a null byte
+    return quote(target, safe="", errors="backslashreplace")
+
+
+def _without_links(text: str) -> str:
+    """SARIF has links in plain texts too: `[text](address)`."""
+    return text.replace("](", "] (")
 
 
 def _results(group: Group, rule: int) -> list[dict[str, Any]]:
@@ -90,7 +98,7 @@ def _results(group: Group, rule: int) -> list[dict[str, Any]]:
             "ruleId": _rule_id(outcome.kinds),
             "ruleIndex": rule,
             "level": LEVELS.get(outcome.verdict, "warning"),
-            "message": {"text": "\n".join(describe(group))},
+            "message": {"text": _without_links("\n".join(describe(group)))},
             "locations": [
                 {
                     "physicalLocation": {
