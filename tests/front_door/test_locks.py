@@ -72,3 +72,18 @@ def test_set_up_installs_no_package_without_a_digest(tmp_path: Path) -> None:
     assert done.returncode == 2, done.stderr
     assert "Hashes are required" in done.stderr and "--hash=sha256:" in done.stderr
     assert not (tmp_path / "build" / "stamps" / "environment").exists()
+
+
+def test_actions_are_pinned_to_commits_and_workflows_may_only_read() -> None:
+    for name in ("action.yml", "docs/ci.md"):
+        text = (ROOT / name).read_text(encoding="utf-8")
+        used = re.findall(r"\buses: (\S+)@(\S+)(.*)", text)
+        assert used, name
+        for action, version, remark in used:
+            if action == "OWNER/minkref":
+                assert version == "COMMIT"
+            else:
+                assert re.fullmatch(r"[0-9a-f]{40}", version), action
+                assert re.fullmatch(r" # v\d+\.\d+\.\d+", remark), action
+        if "jobs:" in text:
+            assert re.search(r"^ *permissions:\n *contents: read\n *jobs:", text, re.MULTILINE)
