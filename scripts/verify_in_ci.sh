@@ -1,17 +1,17 @@
 #!/bin/bash
 # verify_in_ci.sh: the step of action.yml. Reads TARGETS, SECONDS_GIVEN, SEED, BASELINE, ARGUMENTS and REPORT; writes the
 # report, JUnit XML and SARIF to the folder REPORT, and the summary to GITHUB_STEP_SUMMARY where that is set.
-# TARGETS and ARGUMENTS are split at spaces. What is empty is that of the settings (minkref.toml, or [tool.minkref] of
+# TARGETS and ARGUMENTS are split at spaces and ends of lines. What is empty is that of the settings (minkref.toml, or [tool.minkref] of
 # pyproject.toml), the targets too. Exits as `minkref verify` does.
 set -uo pipefail
 
 report=${REPORT:-minkref-report}
-read -r -a words <<<"${TARGETS:-}"
+IFS=$' \t\r\n' read -d '' -r -a words <<<"${TARGETS:-}"
 if [[ ${#words[@]} == 0 && ! -f minkref.toml ]] && ! grep -qs '^\[tool\.minkref\]' pyproject.toml; then
   echo "name the targets, separated by spaces, or write settings: minkref.toml" >&2
   exit 2
 fi
-read -r -a further <<<"${ARGUMENTS:-}"
+IFS=$' \t\r\n' read -d '' -r -a further <<<"${ARGUMENTS:-}"
 [[ -z ${SECONDS_GIVEN:-} ]] || words+=(--seconds "$SECONDS_GIVEN")
 [[ -z ${SEED:-} ]] || words+=(--seed "$SEED")
 [[ -z ${BASELINE:-} ]] || words+=(--baseline "$BASELINE")

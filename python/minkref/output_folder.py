@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import fcntl
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 from minkref.documents import check_writable
@@ -41,6 +43,27 @@ def make_folder(folder: Path) -> None:
         raise _no_folder(folder) from error
     except OSError as error:
         raise _cannot_make(folder, error) from error
+
+
+@contextmanager
+def held_folder(folder: Path) -> Iterator[None]:
+    """Makes the folder; until the end no other run may hold it. Nothing is left of the lock, however
+    the process ends. A file system without locks of folders (some over a network) has none."""
+    make_folder(folder)
+    file = os.open(folder, os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC)
+    try:
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError as error:
+        os.close(file)
+        mend = "name another folder, or wait for the other run"
+        what = "another run writes to this folder"
+        raise Refusal(what, str(folder), mend, "cannot-write") from error
+    except OSError:
+        pass
+    try:
+        yield
+    finally:
+        os.close(file)
 
 
 def _no_folder(path: Path) -> Refusal:

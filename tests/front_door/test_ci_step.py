@@ -61,6 +61,23 @@ def test_baseline_makes_new_faults_alone_fail(tmp_path: Path) -> None:
     assert ran.returncode == 0, ran.stdout + ran.stderr
 
 
+@pytest.mark.parametrize("end", ["\n", "\r\n", " \n\t", "\n\n"])
+def test_step_reads_all_lines_of_targets_and_of_arguments(tmp_path: Path, end: str) -> None:
+    """As a workflow writes them below each other."""
+    targets = end.join(["", "py:faulty_sums:right", "minkref:paper", "*", ""])
+    arguments = end.join(["", "--pairs", "2 --no-models", "--family random", ""])
+    (tmp_path / "a file").touch()
+    ran = step(tmp_path, TARGETS=targets.replace("*", "minkref:winding"), ARGUMENTS=arguments)
+    assert ran.returncode == 0, ran.stderr
+    rows = (tmp_path / "minkref-report" / "findings.jsonl").read_text(encoding="utf-8")
+    run = json.loads(rows.splitlines()[0])
+    names = [row["name"] for row in run["targets"]]
+    assert names == ["py:faulty_sums:right", "minkref:paper", "minkref:winding"]
+    assert [group["name"] for group in run["groups"]] == ["random"]
+    starred = step(tmp_path, TARGETS=targets, ARGUMENTS=arguments)
+    assert starred.returncode == 2 and "*" in starred.stderr, "no pattern of file names"
+
+
 def test_step_without_targets_says_so(tmp_path: Path) -> None:
     (tmp_path / "pyproject.toml").write_text("[tool.other]\nx = 1\n", encoding="utf-8")
     ran = step(tmp_path, TARGETS="")

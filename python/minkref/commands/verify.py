@@ -29,7 +29,7 @@ from minkref.fuzz.targets.catalogue import select
 from minkref.fuzz.targets.declared import declarations_of, declares_itself
 from minkref.fuzz.verdicts.baseline import Baseline, read_baseline, unused
 from minkref.options import CallMemory, CallSeconds, Json, Schema
-from minkref.output_folder import make_folder
+from minkref.output_folder import held_folder
 from minkref.reports.conformance.again import command_line
 from minkref.reports.conformance.junit import junit
 from minkref.reports.conformance.lines import json_lines
@@ -230,7 +230,7 @@ def command(
     if settings is not None:
         cases.notes.append(f"settings: {settings}")
     if report is not None:
-        make_folder(report)
+        context.with_resource(held_folder(report))
     workers = jobs or os.cpu_count() or 1
     names = [entry.name for entry in chosen]
     versions = {entry.name: entry.version for entry in chosen}
