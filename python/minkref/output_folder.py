@@ -47,7 +47,7 @@ def make_folder(folder: Path) -> None:
 
 @contextmanager
 def held_folder(folder: Path) -> Iterator[None]:
-    """Makes the folder; until the end no other run may hold it. Nothing is left of the lock, however
+    """Makes the folder; until the end no other run may hold it. No lock is left, however
     the process ends. A file system without locks of folders (some over a network) has none."""
     make_folder(folder)
     file = os.open(folder, os.O_RDONLY | os.O_DIRECTORY | os.O_CLOEXEC)
