@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import re
 import sys
 import time
 from pathlib import Path
@@ -21,6 +22,8 @@ from minkref.reports.evidence.framework import child, store, table
 from minkref.reports.evidence.framework.part import Part, load, names
 from rich.console import Console
 from rich.status import Status as Spinner
+
+EARLIER = ", of an earlier run"
 
 
 def arguments() -> argparse.Namespace:
@@ -60,8 +63,28 @@ def write_summary(parts: list[Part], quick: bool) -> None:
             documents.append(document | {"status": f"{document['status']}, of older code"})
         else:
             documents.append(document)
-    path = store.FOLDER / "summary-quick.md" if quick else store.SCRIPTS_FOLDER / "SUMMARY.md"
-    path.write_text(table.markdown(documents, absent, quick), encoding="utf-8")
+    text = table.markdown(documents, absent, quick)
+    if quick:
+        (store.FOLDER / "summary-quick.md").write_text(text, encoding="utf-8")
+        return
+    path = store.SCRIPTS_FOLDER / "SUMMARY.md"
+    before = path.read_text(encoding="utf-8") if path.exists() else ""
+    path.write_text(with_earlier(text, before, list(absent)), encoding="utf-8")
+
+
+def with_earlier(text: str, before: str, absent: list[str]) -> str:
+    """The summary with rows and sections of parts that have no result here, as in a fresh clone,
+    from the summary that is there: they are marked, for nobody knows whether the code changed."""
+    for name in absent:
+        row = re.search(rf"^\| \[{name}\]\(#{name}\) \| ([^|]*) (\|.*)$", before, re.M)
+        section = re.search(rf"^## {name}\n.*?(?=^## |\Z)", before, re.M | re.S)
+        if row is None or section is None:
+            continue
+        status = row[1] if ", of " in row[1] else f"{row[1]}{EARLIER}"
+        line = f"| [{name}](#{name}) | {status} {row[2]}"
+        text = text.replace(f"| {name} | not run | | | |", line)
+        text += f"\n{section[0].rstrip()}\n"
+    return text
 
 
 def main() -> int:

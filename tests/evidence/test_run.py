@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 import sys
 from pathlib import Path
 
@@ -106,6 +107,24 @@ def test_only_named_parts_are_run_and_the_summary_keeps_the_others(
     assert stage.ran == ["second", "first"]
     text = (stage.folder / "SUMMARY.md").read_text()
     assert "| [first](#first) | met |" in text and "| [second](#second) | met |" in text
+
+
+def test_in_a_fresh_clone_the_summary_keeps_what_others_have_reached(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    stage.outcome["second"] = "missed"
+    assert call(monkeypatch, "second") == 0
+    for _ in range(2):  # and in the clone of the clone
+        shutil.rmtree(stage.folder / "evidence")
+        assert call(monkeypatch, "first") == 0
+        text = (stage.folder / "SUMMARY.md").read_text()
+        assert "| [first](#first) | met |" in text
+        assert "| [second](#second) | missed, of an earlier run |" in text
+        assert text.count("\n## second\n\nThe second subject.\n") == 1
+        assert "| speed (target) | 1 | 2 | missed |" in text
+    assert call(monkeypatch, "second") == 0
+    text = (stage.folder / "SUMMARY.md").read_text()
+    assert "| [second](#second) | missed |" in text and text.count("\n## second\n") == 1
 
 
 def test_unknown_part_is_wrong_usage(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
