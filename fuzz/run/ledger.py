@@ -175,6 +175,7 @@ def _result(value: dict[str, Any]) -> CaseResult:
     fields = {name: field for name, field in value.items() if name != "spent"}
     fields["name"] = CaseName(**value["name"])
     fields["outcomes"] = [_outcome(outcome) for outcome in value["outcomes"]]
+    fields["needs"] = tuple(value.get("needs", ()))
     fields["size"] = (value["size"][0], value["size"][1], value["size"][2])
     return CaseResult(**fields)
 

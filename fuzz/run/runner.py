@@ -60,6 +60,7 @@ class Run:
     cases: Counter[str] = field(default_factory=Counter)
     began: dict[str, int] = field(default_factory=dict)  # the first case of each group
     asked: Counter[tuple[str, str, int]] = field(default_factory=Counter)  # target, verb, dimension
+    met: Counter[tuple[str, str, int]] = field(default_factory=Counter)  # and what cases needed
     ended: int | None = None  # the number of the signal that ended it
     failed: str | None = None  # the fault of ours that ended it
     absent: int = 0  # derived cases that do not exist, as probes of a pair without events
@@ -236,6 +237,7 @@ def _take(
         cell.seconds += judged.seconds
         if judged.verdict is not Verdict.SKIPPED:
             done.asked[outcome.target, verb_of(result.name.text), result.dimension] += 1
+            done.met.update((outcome.target, need, result.dimension) for need in result.needs)
         if judged.verdict is Verdict.SKIPPED:
             cell.skips[judged.message] += 1
         elif judged.verdict not in GOOD:

@@ -7,11 +7,14 @@ from collections.abc import Iterable, Mapping
 from minkref.fuzz.cases.verbs import EVENTS, UPDATE
 from minkref.fuzz.run.resting import MOST_TIME_OUTS, RESTS
 from minkref.fuzz.run.runner import REJECTS, Run
-from minkref.fuzz.targets.declaration import Declaration
+from minkref.fuzz.targets.declaration import CAPABILITIES, Declaration
+
+NAMED = "named"  # the group of cases that the command names
 
 
 def not_asked(done: Run, declared: Mapping[str, Declaration]) -> list[str]:
-    """What targets declare and no case of the run asked for: a sentence for each target."""
+    """What targets declare and no case of the run asked for: a sentence for each target and verbs,
+    and, unless the cases were named, one for what operands and scales may be."""
     notes = []
     for name, declaration in declared.items():
         able = declaration.capabilities
@@ -26,7 +29,25 @@ def not_asked(done: Run, declared: Mapping[str, Declaration]) -> list[str]:
         ]
         if missing:
             notes.append(f"{name} declares what this run did not ask for: {', '.join(missing)}")
+        absent = [
+            f"in {'the plane' if dimension == 2 else 'space'} {', '.join(kinds)}"
+            for where, dimension in (("plane", 2), ("space", 3))
+            if where in able and (kinds := _not_met(done, name, able, dimension))
+        ]
+        if absent and set(done.groups) != {NAMED}:
+            notes.append(f"{name} declares what no case of this run had: {'; '.join(absent)}")
     return notes
+
+
+def _not_met(done: Run, name: str, able: Iterable[str], dimension: int) -> list[str]:
+    """Kinds of operands, numbers and scales that a target takes and was not asked about."""
+    others = {"plane", "space", UPDATE, EVENTS, REJECTS, *(["non-uniform"] * (dimension == 2))}
+    return [
+        capability
+        for capability in CAPABILITIES
+        if capability in able and capability not in others
+        if not done.met[name, capability, dimension]
+    ]
 
 
 def resting_notes(done: Run, targets: Iterable[str], count: int | None) -> list[str]:

@@ -19,6 +19,7 @@ from minkref.fuzz.run import child
 from minkref.fuzz.run.asking import JUDGING, Asking
 from minkref.fuzz.targets.answer import Limits, Target, load_limit
 from minkref.fuzz.targets.catalogue import is_adapter, make_target
+from minkref.fuzz.targets.declared import declares_itself
 from minkref.fuzz.verdicts.verdict import GOOD, Outcome, Verdict
 
 CASE = "minkref:case"  # the step before any target: the case is made
@@ -45,7 +46,8 @@ class Job:
 class CaseResult:
     """What a worker hands back on one case. Sets are texts, and only where something is amiss.
     `absent` says why there is no such case, `untaken` why no target takes it. `coverage`: what the
-    case shows, without what is amiss."""
+    case shows, without what is amiss. `needs`: the capabilities that it asks for, where a target
+    declares some."""
 
     number: int
     name: CaseName
@@ -65,6 +67,7 @@ class CaseResult:
     absent: str | None = None
     untaken: str | None = None
     generated: bool = False
+    needs: tuple[str, ...] = ()
 
     @property
     def is_run(self) -> bool:
@@ -172,6 +175,8 @@ class _Work:
             case.family,
             case.position,
         )
+        if any(map(declares_itself, self.targets)):
+            result.needs = tuple(sorted(case.needs))
         if job.learning:
             result.coverage = asking.coverage()
         if any(outcome.verdict not in (*GOOD, Verdict.SKIPPED) for outcome in outcomes):

@@ -63,6 +63,25 @@ def test_right_in_space(name: str) -> None:
     no_alarm(adapter(name), "--pairs", "11")
 
 
+def test_what_is_declared_and_no_case_had_is_noted() -> None:
+    """A report must not look as if all that is declared had been tried."""
+    name = adapter("PlaneAndSpace")
+    words = ("--family", "convex", "--family", "space-polycube", "--pairs", "12")
+    (note,) = [note for note in verify(name, *words)[1]["notes"] if "no case of this run" in note]
+    before, _, rest = note.partition(" declares what no case of this run had: ")
+    in_plane, in_space = rest.split("; ")
+    assert name in before
+    assert {"holes", "components", "segment"} < kinds_in(in_plane, "in the plane ")
+    assert "empty" in kinds_in(in_space, "in space ") and "non-convex" not in in_space
+    alone = verify(name, "--case", "convex:1:0")[1]["notes"]
+    assert not any("no case of this run" in note for note in alone)
+
+
+def kinds_in(text: str, where: str) -> set[str]:
+    assert text.startswith(where)
+    return set(text.removeprefix(where).split(", "))
+
+
 def test_a_scale_of_three_numbers_is_a_list() -> None:
     no_alarm(adapter("ScalesItselfInSpace"), "--case", "space-offset:1:0")
 
