@@ -7,12 +7,13 @@ import pickle
 import signal
 import time
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from multiprocessing import resource_tracker
 from multiprocessing.connection import Connection, wait
 from typing import Any
 
 from minkref.fuzz.cases.case_list import Wait
+from minkref.fuzz.isolation.isolation import usual
 from minkref.fuzz.run import child
 from minkref.fuzz.run.asking import JUDGING
 from minkref.fuzz.run.worker import CASE, CaseResult, Job, work
@@ -73,6 +74,8 @@ def run_cases(
     """The results of all cases, in the order in which they are done. Where the cases say Wait, the
     next is asked for only after all results before have been taken. Raises InternalError where the
     suite itself fails; ends its workers in every case."""
+    isolation = limits.isolation or usual()
+    limits = replace(limits, isolation=isolation)
     queue = _Queue(iter(cases))
     workers = [_Worker(targets, limits) for _ in range(max(1, jobs))]
     try:
@@ -109,6 +112,7 @@ def run_cases(
     finally:
         for worker in workers:
             worker.kill()
+        isolation.clear()
 
 
 @dataclass

@@ -8,20 +8,20 @@ from __future__ import annotations
 
 import json
 import os
-import resource
 import selectors
-import signal
 import subprocess
 import sys
 import time
+from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from minkref.errors import cut
+from minkref.fuzz.isolation.isolation import usual
+from minkref.fuzz.isolation.kept_program import WATCH_SECONDS, KeptProgram
 from minkref.fuzz.targets.answer import Limits, load_limit
 from minkref.fuzz.targets.declaration import Declaration, DeclarationError, read_declaration
-from minkref.fuzz.targets.keeper import end, keep
 from minkref.fuzz.verdicts.verdict import Verdict
 from minkref.version import version
 
@@ -52,32 +52,26 @@ class AdapterProcess:
     limits: Limits
     environment: dict[str, str] = field(default_factory=dict)
     declaration: Declaration | None = None
-    _process: subprocess.Popen[bytes] | None = None
+    _program: KeptProgram | None = None
     _sequence: int = 0
     _rest: bytes = b""
     _log: bytes = b""
 
     def start(self) -> Declaration:
         """The declaration; starts the program if it does not run. Raises Failure."""
-        if self._process is not None and self.declaration:
-            if self._process.poll() is None:
+        if self._program is not None and self.declaration:
+            if self._program.process.poll() is None:
                 return self.declaration
             raise self._died(b"")
         self.close()
         self._rest, self._log = b"", b""
         try:
-            self._process = subprocess.Popen(
-                self.command,
-                stdin=subprocess.PIPE,
-                stdout=subprocess.PIPE,
-                stderr=subprocess.PIPE,
-                bufsize=0,
-                env={**os.environ, **self.environment},
-                preexec_fn=_child_setting(self.limits.bytes),
-            )
+            isolation = self.limits.isolation or usual()
+            program = KeptProgram(self.command, self.limits.bytes, isolation, self.environment)
         except (OSError, subprocess.SubprocessError) as error:
             raise Failure(Verdict.ERRORED, f"cannot be started: {error}") from error
-        for stream in (self._process.stdin, self._process.stdout, self._process.stderr):
+        self._program = program
+        for stream in (program.process.stdin, program.process.stdout, program.process.stderr):
             assert stream is not None
             os.set_blocking(stream.fileno(), False)
         answer = self.ask(
@@ -125,18 +119,9 @@ class AdapterProcess:
 
     def close(self) -> None:
         """Ends the program with all that it started."""
-        process, self._process = self._process, None
-        if process is None:
-            return
-        if process.poll() is None:
-            self._stop(process)
-        end(process)
-        for stream in (process.stdin, process.stdout, process.stderr):
-            if stream:
-                try:
-                    stream.close()
-                except OSError:
-                    pass
+        if self._program is not None and self._program.process.poll() is None:
+            self._stop(self._program.process)
+        self._end()
 
     def _stop(self, process: subprocess.Popen[bytes]) -> None:
         """Asks it to end."""
@@ -151,10 +136,11 @@ class AdapterProcess:
             pass
 
     def _exchange(self, request: bytes, seconds: float) -> bytes:
-        process = self._process
-        assert process and process.stdin and process.stdout and process.stderr
+        assert self._program is not None
+        process = self._program.process
+        assert process.stdin and process.stdout and process.stderr
         deadline = time.monotonic() + seconds
-        sent = 0
+        sent = logged = 0
         answer = bytearray(self._rest)
         searched = 0  # bytes in which there is no end of a line
         if b"\n" in answer:
@@ -166,7 +152,10 @@ class AdapterProcess:
             selector.register(process.stdin, selectors.EVENT_WRITE)
             while True:
                 remaining = deadline - time.monotonic()
-                ready = selector.select(max(0.0, remaining)) if remaining > 0 else []
+                wait = max(0.0, min(remaining, WATCH_SECONDS))
+                ready = selector.select(wait) if remaining > 0 else []
+                if self._program.exceeded():
+                    raise self._too_much_memory()
                 if not ready and remaining <= 0:
                     partly = f", after {len(answer):,} bytes of one" if answer else ""
                     raise self._fault(f"no answer in {seconds:g} s{partly}", Verdict.TIMED_OUT)
@@ -190,6 +179,7 @@ class AdapterProcess:
                         selector.unregister(key.fileobj)
                         open_ends.discard(key.fileobj)
                     elif key.fileobj is process.stderr:
+                        logged += len(piece)
                         self._log = (self._log + piece)[-LOG_BYTES:]
                     else:
                         answer += piece
@@ -198,26 +188,24 @@ class AdapterProcess:
                     self._rest = bytes(answer[length + 1 :])
                     return bytes(answer[:length])
                 searched = len(answer)
-                if len(answer) > self.limits.output:
-                    what = f"an answer of more than {self.limits.output:,} bytes (--call-output)"
-                    raise self._fault(what, Verdict.ERRORED)
+                if len(answer) + logged > self.limits.output:
+                    log = f", {logged:,} of them log" if logged else ""
+                    what = f"an answer of more than {self.limits.output:,} bytes{log}"
+                    raise self._fault(f"{what} (--call-output)", Verdict.ERRORED)
                 if process.stdout not in open_ends:
                     raise self._died(bytes(answer))
 
     def _died(self, partial: bytes) -> Failure:
-        process = self._process
-        assert process is not None
+        program = self._program
+        assert program is not None
         try:
-            code = process.wait(STOP_SECONDS)
+            code = program.process.wait(STOP_SECONDS)
         except subprocess.TimeoutExpired:
             return self._fault("it closed its output and runs on", Verdict.ERRORED)
         self._drain()
-        name = None
-        if code < 0:
-            try:
-                name = signal.Signals(-code).name
-            except ValueError:
-                name = f"signal {-code}"
+        if program.exceeded():
+            return self._too_much_memory()
+        code, name = program.exit_of(code)
         half = f", in the middle of a line: {_short(_text(partial))}" if partial else ""
         verdict = Verdict.CRASHED
         if any(word in self.log.lower() for word in MEMORY_WORDS):
@@ -225,38 +213,33 @@ class AdapterProcess:
         return self._fault(f"it ended ({name or f'exit code {code}'}){half}", verdict, name)
 
     def _drain(self) -> None:
-        process = self._process
-        assert process is not None and process.stderr is not None
+        assert self._program is not None and self._program.process.stderr is not None
         try:
-            while piece := os.read(process.stderr.fileno(), 1 << 16):
+            while piece := os.read(self._program.process.stderr.fileno(), 1 << 16):
                 self._log = (self._log + piece)[-LOG_BYTES:]
         except OSError:
             pass
 
+    def _too_much_memory(self) -> Failure:
+        most = f"{self.limits.bytes >> 20:,} MiB"
+        what = f"it took more than {most}, with all that it started (--call-memory)"
+        return self._fault(what, Verdict.OUT_OF_MEMORY)
+
     def _fault(self, message: str, verdict: Verdict, signal_name: str | None = None) -> Failure:
         """Ends the program."""
-        process, self._process = self._process, None
+        self._end()
         self.declaration = None
-        if process is not None:
-            end(process)
-            for stream in (process.stdin, process.stdout, process.stderr):
-                if stream:
-                    stream.close()
         return Failure(verdict, cut(message), signal_name, self.log)
 
-
-def _child_setting(memory: int) -> Any:
-    parent = os.getpid()
-
-    def begin() -> None:
-        keep(parent)
-        signal.signal(signal.SIGINT, signal.SIG_IGN)
-        _, hard = resource.getrlimit(resource.RLIMIT_AS)
-        if hard == resource.RLIM_INFINITY or memory < hard:
-            resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
-        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-
-    return begin
+    def _end(self) -> None:
+        program, self._program = self._program, None
+        if program is None:
+            return
+        program.end()
+        for stream in (program.process.stdin, program.process.stdout, program.process.stderr):
+            if stream:
+                with suppress(OSError):
+                    stream.close()
 
 
 def _parsed(line: bytes) -> Any:

@@ -10,6 +10,7 @@ from minkref.errors import message_of
 from minkref.fuzz.cases.case import Case
 from minkref.fuzz.cases.invalid_case import InvalidCase
 from minkref.fuzz.cases.space_case import SpaceCase
+from minkref.fuzz.isolation.isolation import Isolation
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.verdicts.region import Region, plain_polygons, region_of_polygons
@@ -32,6 +33,12 @@ class Limits:
     output: int = 64 << 20
     tries: int = 2
     judging_bytes: int = JUDGING_BYTES
+    isolation: Isolation | None = None  # of programs of others; without, the best there is
+
+    def document(self) -> dict[str, Any]:
+        """What of it tells one run from another."""
+        walls = self.isolation and {"kind": self.isolation.kind, "passed": self.isolation.passed}
+        return {**vars(self), "isolation": walls}
 
 
 @dataclass

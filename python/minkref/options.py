@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from minkref.fuzz.isolation.isolation import KINDS
 from minkref.schemas import schema_text
 
 
@@ -36,4 +37,22 @@ CallSeconds = Annotated[
 ]
 CallMemory = Annotated[
     int, typer.Option("--call-memory", help="Memory limit of one call, in MiB.", metavar="MIB")
+]
+IsolationKind = Annotated[
+    str,
+    typer.Option(
+        "--isolation",
+        help="Walls around the programs of others: sandbox (bubblewrap), none, or auto, which is "
+        "the sandbox where it works.",
+        metavar="|".join(KINDS),
+        autocompletion=lambda: list(KINDS),
+    ),
+]
+PassedVariables = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--pass-env",
+        help="Hand this variable on to them; of the environment they get a short list only.",
+        metavar="NAME",
+    ),
 ]

@@ -7,6 +7,7 @@ from collections import Counter
 
 from minkref.commands.verify_output import cell_text, describe
 from minkref.errors import cut
+from minkref.fuzz.isolation.isolation import Isolation
 from minkref.fuzz.run.runner import Cell, Run
 from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.verdicts.verdict import BROKEN, Verdict
@@ -15,7 +16,7 @@ from minkref.terminal import shown
 Kind = tuple[str, str, tuple[str, ...]]
 
 
-def junit(run: Run, groups: list[Group]) -> str:
+def junit(run: Run, groups: list[Group], walls: Isolation | None = None) -> str:
     """`wrong` is a failure, a broken target an error, `known` and `undecided` are system output.
     A kind of finding is told once, in the family of its smallest example; others that show it say
     where."""
@@ -26,6 +27,8 @@ def junit(run: Run, groups: list[Group]) -> str:
     totals: Counter[str] = Counter()
     for target in run.targets:
         suite = ElementTree.SubElement(root, "testsuite", name=target)
+        if walls is not None:
+            _say(suite, walls)
         counts = Counter({"tests": 0, "failures": 0, "errors": 0, "skipped": 0})
         seconds = 0.0
         for group in run.groups:
@@ -49,6 +52,13 @@ def junit(run: Run, groups: list[Group]) -> str:
         _make_legal(element)
     ElementTree.indent(root)
     return ElementTree.tostring(root, encoding="unicode", xml_declaration=True) + "\n"
+
+
+def _say(suite: ElementTree.Element, walls: Isolation) -> None:
+    properties = ElementTree.SubElement(suite, "properties")
+    for name, value in walls.document().items():
+        text = ", ".join(value) if isinstance(value, list) else str(value)
+        ElementTree.SubElement(properties, "property", name=f"isolation.{name}", value=text)
 
 
 def _set(element: ElementTree.Element, counts: Counter[str], seconds: float) -> None:

@@ -15,6 +15,7 @@ from minkref.commands.verify_limits import check_numbers
 from minkref.commands.verify_output import witness_text
 from minkref.documents import Stopwatch, as_text, document
 from minkref.exits import ExitCode
+from minkref.fuzz.isolation.isolation import AUTO, Isolation, choose
 from minkref.fuzz.shrink.trial import Trial
 from minkref.fuzz.space.cells import Cell, surface_of
 from minkref.fuzz.targets.answer import Limits
@@ -22,7 +23,14 @@ from minkref.fuzz.targets.catalogue import select_one
 from minkref.fuzz.targets.declaration import CAPABILITIES, Declaration
 from minkref.fuzz.targets.declared import declarations_of
 from minkref.fuzz.verdicts.verdict import BROKEN, Outcome, Verdict
-from minkref.options import CallMemory, CallSeconds, Json, Schema
+from minkref.options import (
+    CallMemory,
+    CallSeconds,
+    IsolationKind,
+    Json,
+    PassedVariables,
+    Schema,
+)
 from minkref.signals import ending_in_order
 from minkref.terminal import console, shown
 
@@ -99,6 +107,8 @@ def command(
     ],
     call_seconds: CallSeconds = 30.0,
     call_memory: CallMemory = 4096,
+    isolation: IsolationKind = AUTO,
+    pass_env: PassedVariables = None,
     json: Json = False,
     schema: Schema = False,
 ) -> None:
@@ -107,7 +117,8 @@ def command(
     where a sum is proven wrong, 3 where the adapter breaks, and 2 where it does not start."""
     watch = Stopwatch()
     check_numbers(0, None, None, call_seconds, call_memory, 1, None)
-    limits = Limits(call_seconds, call_memory << 20)
+    walls = choose(isolation, tuple(pass_env or ()))
+    limits = Limits(call_seconds, call_memory << 20, isolation=walls)
     (entry,), declarations = declarations_of([select_one(target, limits)], limits)
     declared = declarations[entry.name]
     able = declared.capabilities
@@ -120,13 +131,14 @@ def command(
         watch,
         exit_code=int(code),
         target={"name": entry.name, "version": entry.version, **_declared(declared)},
+        isolation=walls.document(),
         left_out={word: CAPABILITIES[word] for word in sorted(set(CAPABILITIES) - able)},
         sums=[_row(trying, outcome) for trying, outcome in rows],
     )
     if json:
         sys.stdout.write(as_text(value))
     else:
-        _print(value, rows)
+        _print(value, rows, walls)
     if code:
         raise typer.Exit(int(code))
 
@@ -161,7 +173,9 @@ def _row(trying: Trying, outcome: Outcome | None) -> dict[str, Any]:
     }
 
 
-def _print(value: dict[str, Any], rows: list[tuple[Trying, Outcome | None]]) -> None:
+def _print(
+    value: dict[str, Any], rows: list[tuple[Trying, Outcome | None]], walls: Isolation
+) -> None:
     out = console()
     target = value["target"]
     version = f" {target['version']}" if target["version"] else ""
@@ -176,6 +190,7 @@ def _print(value: dict[str, Any], rows: list[tuple[Trying, Outcome | None]]) -> 
         soft_wrap=True,
     )
     out.print(f"  takes: {', '.join(target['capabilities'])}", soft_wrap=True)
+    out.print(shown(f"  {walls.sentence()}"), soft_wrap=True)
     table = Table(box=None, pad_edge=False)
     for heading in ("sum", "verdict", "seconds"):
         table.add_column(heading)

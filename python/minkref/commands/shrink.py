@@ -15,6 +15,7 @@ from minkref.documents import Stopwatch, as_text, check_writable, document, writ
 from minkref.errors import Refusal
 from minkref.exits import ExitCode
 from minkref.fuzz.cases.case import CaseName
+from minkref.fuzz.isolation.isolation import AUTO, choose
 from minkref.fuzz.run.runner import Finding
 from minkref.fuzz.shrink.case_file import case_text, has_case_file
 from minkref.fuzz.shrink.finding import SmallFinding, shrink_finding
@@ -25,7 +26,14 @@ from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.targets.catalogue import select_one
 from minkref.fuzz.targets.declared import declarations_of
 from minkref.fuzz.verdicts.verdict import GOOD, Verdict
-from minkref.options import CallMemory, CallSeconds, Json, Schema
+from minkref.options import (
+    CallMemory,
+    CallSeconds,
+    IsolationKind,
+    Json,
+    PassedVariables,
+    Schema,
+)
 from minkref.signals import ending_in_order
 from minkref.terminal import console, shown
 
@@ -56,6 +64,8 @@ def command(
     ] = MOST_CALLS,
     call_seconds: CallSeconds = 30.0,
     call_memory: CallMemory = 4096,
+    isolation: IsolationKind = AUTO,
+    pass_env: PassedVariables = None,
     json: Json = False,
     schema: Schema = False,
 ) -> None:
@@ -67,7 +77,8 @@ def command(
     check_numbers(0, None, None, call_seconds, call_memory, 1, None)
     if output is not None:
         check_writable(output)
-    limits = Limits(call_seconds, call_memory << 20)
+    walls = choose(isolation, tuple(pass_env or ()))
+    limits = Limits(call_seconds, call_memory << 20, isolation=walls)
     refuse_unless_case(case)
     (entry,), _ = declarations_of([select_one(target, limits)], limits)
     with ending_in_order():
@@ -102,6 +113,7 @@ def command(
         target=entry.name,
         shrunk=shrunk_document(Group(found, 1), small, {entry.name: entry.version}),
         output=str(output) if output else None,
+        isolation=walls.document(),
     )
     if json:
         sys.stdout.write(as_text(value))

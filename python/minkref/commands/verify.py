@@ -18,6 +18,7 @@ from minkref.commands.verify_output import ProgressLine, document_of, print_tabl
 from minkref.documents import Stopwatch, as_text, check_writable, write_atomically
 from minkref.errors import refusal_text
 from minkref.exits import ExitCode
+from minkref.fuzz.isolation.isolation import AUTO, choose
 from minkref.fuzz.run.ledger import Ledger
 from minkref.fuzz.run.pool import InternalError
 from minkref.fuzz.run.runner import Run, run
@@ -28,7 +29,14 @@ from minkref.fuzz.targets.answer import JUDGING_BYTES, Limits, load_limit
 from minkref.fuzz.targets.catalogue import select
 from minkref.fuzz.targets.declared import declarations_of, declares_itself
 from minkref.fuzz.verdicts.baseline import Baseline, read_baseline, unused
-from minkref.options import CallMemory, CallSeconds, Json, Schema
+from minkref.options import (
+    CallMemory,
+    CallSeconds,
+    IsolationKind,
+    Json,
+    PassedVariables,
+    Schema,
+)
 from minkref.output_folder import held_folder
 from minkref.reports.conformance.again import command_line
 from minkref.reports.conformance.junit import junit
@@ -183,7 +191,11 @@ def command(
     call_memory: CallMemory = 4096,
     call_output: Annotated[
         int,
-        typer.Option("--call-output", help="Size limit of one answer, in MiB.", metavar="MIB"),
+        typer.Option(
+            "--call-output",
+            help="Size limit of one answer with what is logged meanwhile, in MiB.",
+            metavar="MIB",
+        ),
     ] = 64,
     memory: Annotated[
         int,
@@ -201,6 +213,8 @@ def command(
             metavar="N",
         ),
     ] = None,
+    isolation: IsolationKind = AUTO,
+    pass_env: PassedVariables = None,
     quiet: Annotated[
         bool,
         typer.Option("--quiet", help="Print nothing: the exit code and the files tell all."),
@@ -219,8 +233,15 @@ def command(
         if file is not None:
             check_writable(file)
     listed = read_baseline(baseline) if baseline is not None else Baseline()
+    files = (ledger, report, junit_file, sarif_file, markdown_file, lines_file)
+    walls = choose(isolation, tuple(pass_env or ()), tuple(file for file in files if file))
     limits = Limits(
-        call_seconds, call_memory << 20, size_limit, call_output << 20, judging_bytes=memory << 20
+        call_seconds,
+        call_memory << 20,
+        size_limit,
+        call_output << 20,
+        judging_bytes=memory << 20,
+        isolation=walls,
     )
     chosen, absent = select(targets or [], load_limit(limits))
     chosen, declared = declarations_of(chosen, limits)
@@ -229,6 +250,8 @@ def command(
     )
     if settings is not None:
         cases.notes.append(f"settings: {settings}")
+    if any(declares_itself(entry.name) for entry in chosen):
+        cases.notes.append(walls.sentence())
     if report is not None:
         context.with_resource(held_folder(report))
     workers = jobs or os.cpu_count() or 1
@@ -237,7 +260,7 @@ def command(
     head = {
         "targets": [[entry.name, entry.version] for entry in chosen],
         "cases": cases.head(),
-        "limits": vars(limits),
+        "limits": limits.document(),
     }
     book = Ledger(ledger, head) if ledger is not None else None
     try:
@@ -265,14 +288,14 @@ def command(
         cases.notes.append(_ended(done, ledger))
     if done.failed is not None:
         cases.notes.append("ended by a fault of ours: what was judged until then is here")
-    value = document_of(done, groups, chosen, absent, declared, cases, watch, code)
+    value = document_of(done, groups, chosen, absent, declared, cases, watch, code, walls)
     if report is not None:
         said = {**locals(), "settings": None, "no_settings": settings is not None}
         again = command_line("verify", command, said)
         value["report"] = str(write_report(report, done, groups, value, limits, again))
         value["seconds"] = watch.seconds()
     if junit_file is not None:
-        write_atomically(junit_file, junit(done, groups))
+        write_atomically(junit_file, junit(done, groups, walls))
     if sarif_file is not None:
         write_atomically(sarif_file, sarif(groups, value))
     if markdown_file is not None:

@@ -16,6 +16,7 @@ from rich.table import Table
 
 from minkref.documents import Stopwatch, document
 from minkref.fuzz.cases.case_list import CaseList
+from minkref.fuzz.isolation.isolation import Isolation
 from minkref.fuzz.run.runner import Cell, Finding, Run
 from minkref.fuzz.shrink.finding import SmallFinding
 from minkref.fuzz.shrink.groups import Group
@@ -79,6 +80,7 @@ def document_of(
     cases: CaseList,
     watch: Stopwatch,
     code: int,
+    walls: Isolation,
 ) -> dict[str, Any]:
     """The JSON document of a run."""
     versions = {entry.name: entry.version for entry in chosen}
@@ -87,6 +89,7 @@ def document_of(
         watch,
         exit_code=code,
         ended_by=signal.Signals(run.ended).name if run.ended is not None else None,
+        isolation=walls.document(),
         seed=cases.seed,
         targets=[_target_document(entry, declared[entry.name]) for entry in chosen],
         absent=[{"name": entry.name, "reason": entry.reason} for entry in absent],

@@ -1,18 +1,23 @@
 """A process between ours and a program that is not ours.
 
-What the program does to its parent it does to the keeper. The keeper adopts whatever the program
-leaves behind, also in sessions of its own, and ends all of it with the program, or when we die.
+For where there is no sandbox. What the program does to its parent it does to the keeper, which it
+cannot signal where it runs as a user of its own. The keeper adopts whatever the program leaves
+behind, also in sessions of its own, and ends all of it with the program, or when we die; then it
+removes the folder of the program's temporary files.
 """
 
 from __future__ import annotations
 
 import ctypes
 import os
+import shutil
 import signal
 import subprocess
 import sys
-from pathlib import Path
+from collections.abc import Callable
+from contextlib import suppress
 
+from minkref.fuzz.isolation.process_tree import children_of
 from minkref.signals import PR_SET_PDEATHSIG, end_with_parent, kill_group
 
 PR_SET_CHILD_SUBREAPER = 36
@@ -21,11 +26,13 @@ END_SECONDS = 5.0
 _SIGNALS = (signal.SIGCHLD, signal.SIGTERM)
 
 
-def keep(parent: int) -> None:
+def keep(parent: int, folder: str, begin: Callable[[], None]) -> None:
     """For the child of a fork, which becomes the keeper: leads a session, forks, and returns in the
-    new child only. `parent` is the process that both end with."""
+    new child only, after `begin`. `parent` is the process that both end with. `folder` is removed
+    at the end."""
     os.setsid()
     if sys.platform != "linux":
+        begin()
         return
     keeper = os.getpid()
     ctypes.CDLL(None).prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
@@ -33,10 +40,11 @@ def keep(parent: int) -> None:
     child = os.fork()
     if child == 0:
         signal.pthread_sigmask(signal.SIG_SETMASK, mask)
-        end_with_parent(keeper)
+        begin()
+        end_with_parent(keeper)  # after a change of the user, which forgets it
         return
     try:
-        _wait(child, parent)
+        _wait(child, parent, folder)
     finally:
         os._exit(1)
 
@@ -54,7 +62,7 @@ def end(process: subprocess.Popen[bytes]) -> None:
     process.wait()
 
 
-def _wait(child: int, parent: int) -> None:
+def _wait(child: int, parent: int, folder: str) -> None:
     """Ends as the child does, after all that it started."""
     os.closerange(0, MOST_FILES)
     ctypes.CDLL(None).prctl(PR_SET_PDEATHSIG, signal.SIGTERM, 0, 0, 0)
@@ -68,6 +76,7 @@ def _wait(child: int, parent: int) -> None:
                 break
             status = how if ended == child else None
     _end_children()
+    shutil.rmtree(folder, ignore_errors=True)
     if status is not None and os.WIFSIGNALED(status):
         number = os.WTERMSIG(status)
         if number not in (signal.SIGKILL, signal.SIGSTOP):
@@ -86,19 +95,7 @@ def _end_children() -> None:
             return
         if ended:
             continue
-        for child in _children():
-            os.kill(child, signal.SIGKILL)
+        for child in children_of(os.getpid()):
+            with suppress(ProcessLookupError):
+                os.kill(child, signal.SIGKILL)
         os.waitpid(-1, 0)
-
-
-def _children() -> list[int]:
-    found = []
-    for entry in Path("/proc").iterdir():
-        if entry.name.isdecimal():
-            try:
-                text = (entry / "stat").read_bytes()
-            except OSError:
-                continue
-            if int(text.rpartition(b")")[2].split()[1]) == os.getpid():
-                found.append(int(entry.name))
-    return found

@@ -1,0 +1,1 @@
+"""Walls around the programs of others."""

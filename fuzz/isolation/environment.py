@@ -1,0 +1,34 @@
+"""The variables that a program of somebody else is given: those of a short list."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+
+# Of the language, of where programs and libraries lie, and ours (docs/security.md).
+NAMES = (
+    *("PATH", "LANG", "LANGUAGE", "TZ", "LD_LIBRARY_PATH", "NODE_PATH", "JAVA_HOME", "CLASSPATH"),
+    *("VIRTUAL_ENV", "CONDA_PREFIX", "PYENV_ROOT", "PYENV_VERSION", "RUSTUP_HOME", "CARGO_HOME"),
+    *("OMP_NUM_THREADS", "OPENSCAD"),
+)
+PREFIXES = ("LC_", "PYTHON", "MINKREF_")
+MARK = "MINKREF_STARTED_BY"  # by which what a program left behind is found again
+
+
+def listed_variables(passed: Iterable[str]) -> dict[str, str]:
+    """Those of ours that are on the list, or `passed` by name."""
+    wanted = {*NAMES, *passed}
+    return {
+        name: value
+        for name, value in os.environ.items()
+        if name in wanted or name.startswith(PREFIXES)
+    }
+
+
+def environment_of(
+    passed: tuple[str, ...], more: dict[str, str], folder: str, home: str, mark: str
+) -> dict[str, str]:
+    """What a program begins with. `folder` is its own for temporary files, `home` its HOME, unless
+    that is passed."""
+    own = {"HOME": home, "TMPDIR": folder, MARK: mark}
+    return {**own, **listed_variables(passed), **more, MARK: mark}

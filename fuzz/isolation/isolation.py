@@ -1,0 +1,96 @@
+"""Which walls a run has around the programs of others, chosen once and said aloud."""
+
+from __future__ import annotations
+
+import functools
+import os
+import secrets
+import sys
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from minkref.errors import Refusal, choice
+from minkref.fuzz.isolation import control_group, leftovers, other_user, sandbox
+from minkref.fuzz.run.ledger_chain import state_folder
+
+AUTO, SANDBOX, NONE = "auto", "sandbox", "none"
+KINDS = (AUTO, SANDBOX, NONE)
+
+
+@dataclass(frozen=True)
+class Isolation:
+    """`kind` is `sandbox` or `none`; `why` there is none. `passed`: variables that are handed on
+    beside those of the list. `hidden`: files and folders of the run. `room`: where a control group
+    is made, without which memory is measured. `own_user`: without a sandbox, as root. `mark`: of
+    what this run starts."""
+
+    kind: str
+    why: str = ""
+    passed: tuple[str, ...] = ()
+    hidden: tuple[str, ...] = ()
+    room: control_group.Room | None = None
+    own_user: bool = False
+    mark: str = field(default_factory=lambda: secrets.token_hex(8), compare=False)
+
+    @property
+    def memory(self) -> str:
+        """How the memory of a whole tree of processes is held to its limit."""
+        return f"control group of version {self.room.version}" if self.room else "measured"
+
+    def clear(self) -> None:
+        """Ends and removes what is left of programs whose worker was killed."""
+        if self.kind == NONE and sys.platform == "linux":
+            leftovers.end_marked(self.mark)
+        if self.room is not None:
+            control_group.remove_stale(self.room)
+
+    def document(self) -> dict[str, Any]:
+        return {
+            "kind": self.kind,
+            "tool": sandbox.sandbox_version() if self.kind == SANDBOX else None,
+            "why_none": self.why or None,
+            "memory": self.memory,
+            "own_user": self.own_user,
+            "passed": list(self.passed),
+        }
+
+    def sentence(self) -> str:
+        """For people."""
+        passed = f"; variables passed: {', '.join(self.passed)}" if self.passed else ""
+        if self.kind == SANDBOX:
+            how = f"sandbox ({sandbox.sandbox_version()}), without network"
+        else:
+            user = "as a user of its own" if self.own_user else "with all rights of ours"
+            how = f"NONE: {self.why}. Each program runs {user}, with network"
+        return f"isolation: {how}; memory of all its processes: {self.memory}{passed}"
+
+
+def choose(
+    wanted: str = AUTO, passed: tuple[str, ...] = (), hidden: tuple[str | Path, ...] = ()
+) -> Isolation:
+    """The walls that there can be. Refuses what is no kind, and `sandbox` where there is none."""
+    if wanted not in KINDS:
+        what = f"there is no isolation {wanted[:40]!r}"
+        raise Refusal(what, "--isolation", choice(wanted, KINDS))
+    for name in passed:
+        if not name or "=" in name or "\0" in name:
+            raise Refusal("this names no variable", f"--pass-env {name[:40]!r}", "give its name")
+    why = sandbox.absence() if wanted != NONE else "asked for by --isolation none"
+    if why is not None and wanted == SANDBOX:
+        raise Refusal(f"there is no sandbox: {why}", "--isolation sandbox", "give auto or none")
+    kind = SANDBOX if why is None else NONE
+    places = tuple(os.path.abspath(path) for path in (state_folder(), *hidden))
+    own_user = kind == NONE and _can_change_user()
+    return Isolation(kind, why or "", passed, places, control_group.find_room(), own_user)
+
+
+@functools.cache
+def usual() -> Isolation:
+    """Of a run that says nothing else."""
+    return choose()
+
+
+@functools.cache
+def _can_change_user() -> bool:
+    return other_user.can_change()

@@ -1,0 +1,43 @@
+"""What a program left behind, found by a mark in its environment, and ended."""
+
+from __future__ import annotations
+
+import os
+import signal
+import time
+from pathlib import Path
+
+from minkref.fuzz.isolation.environment import MARK
+
+SECONDS = 5.0  # in which what starts new processes all the time is caught, or left
+
+
+def end_marked(mark: str) -> int:
+    """Kills every process with the mark, and those that they start meanwhile. Returns how many
+    there were. One that cleared its environment is not found."""
+    count, deadline = 0, time.monotonic() + SECONDS
+    while time.monotonic() < deadline:
+        found = marked(mark)
+        for process in found:
+            try:
+                os.kill(process, signal.SIGKILL)
+                count += 1
+            except (ProcessLookupError, PermissionError):
+                continue
+        if not found:
+            break
+    return count
+
+
+def marked(mark: str) -> list[int]:
+    """Processes whose mark begins so."""
+    wanted = f"\0{MARK}={mark}".encode()
+    found = []
+    for entry in Path("/proc").iterdir():
+        if entry.name.isdecimal():
+            try:
+                if wanted in b"\0" + (entry / "environ").read_bytes():
+                    found.append(int(entry.name))
+            except OSError:  # it ended, or is not ours
+                continue
+    return found

@@ -1,0 +1,65 @@
+"""Processes as /proc tells of them: children, and the memory of a tree."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+PAGE = os.sysconf("SC_PAGE_SIZE")
+PROC = Path("/proc")
+
+
+def children_of(parent: int) -> list[int]:
+    """Its children, by the list that the kernel keeps; else by a look at every process."""
+    try:
+        return [int(p) for p in (PROC / f"{parent}/task/{parent}/children").read_text().split()]
+    except (OSError, ValueError):
+        return [child for child, its in _parents().items() if its == parent]
+
+
+def tree_bytes(root: int) -> int:
+    """The memory of all processes below `root`, which is not counted itself. What several share
+    counts once where the kernel tells the shares, else in each."""
+    return sum(_bytes_of(process) for process in _below(root))
+
+
+def resident_bytes(root: int) -> int:
+    """At least as much as tree_bytes, at less cost: what is shared counts in each."""
+    return sum(_resident(process) for process in _below(root))
+
+
+def _below(root: int) -> list[int]:
+    parents = _parents()
+    found, new = [], [root]
+    while new:
+        new = [process for process, its in parents.items() if its in new]
+        found += new
+    return found
+
+
+def _parents() -> dict[int, int]:
+    found = {}
+    for entry in os.listdir(PROC):
+        if entry.isdecimal():
+            try:
+                text = (PROC / entry / "stat").read_bytes()
+                found[int(entry)] = int(text.rpartition(b")")[2].split()[1])
+            except (OSError, IndexError):
+                continue
+    return found
+
+
+def _resident(process: int) -> int:
+    try:
+        return int((PROC / f"{process}/statm").read_text().split()[1]) * PAGE
+    except (OSError, IndexError):
+        return 0
+
+
+def _bytes_of(process: int) -> int:
+    try:
+        text = (PROC / f"{process}/smaps_rollup").read_text()
+    except OSError:
+        return _resident(process)
+    words = text.partition("\nPss:")[2].split()
+    return int(words[0]) * 1024 if words else _resident(process)

@@ -1,0 +1,140 @@
+"""The command line of bubblewrap around a program of somebody else.
+
+Its own PID, network, IPC and UTS spaces; the whole system readable and nothing of it writable; no
+capabilities and no new privileges; folders of its own for temporary files. Folders in which
+sockets of the system lie are hidden, as are the places where secrets are kept, and what the run
+writes.
+"""
+
+from __future__ import annotations
+
+import functools
+import os
+import shutil
+import subprocess
+import sys
+from collections.abc import Iterable
+from pathlib import Path
+
+PROGRAM = "bwrap"
+FOLDER, HOME = "/tmp", "/tmp/home"  # within
+EMPTIED = ("/tmp", "/var/tmp", "/run")  # these are the program's own, empty at its start
+SECRETS = (".ssh", ".gnupg", ".aws", ".azure", ".kube", ".docker", ".config/gcloud", ".config/gh")
+SECRET_FILES = (".netrc", ".git-credentials", ".npmrc", ".pypirc")
+SPACES = ("--unshare-pid", "--unshare-net", "--unshare-ipc", "--unshare-uts")
+MOST_FILES = 200  # that are shown one by one
+TRY_SECONDS = 20.0
+LIBRARY_VARIABLES = ("PATH", "LD_LIBRARY_PATH", "PYTHONPATH", "NODE_PATH", "CLASSPATH")
+
+
+def sandboxed(
+    command: list[str], environment: dict[str, str], hidden: Iterable[str], memory: int
+) -> list[str]:
+    """The command within the sandbox. `hidden`: files and folders of ours that it shall not see.
+    `memory`: bytes that its temporary files may take, in each of two places."""
+    words = [PROGRAM, *SPACES, "--die-with-parent", "--new-session", "--cap-drop", "ALL"]
+    words += ["--ro-bind", "/", "/", "--proc", "/proc", "--dev", "/dev"]
+    words += ["--size", str(memory), "--tmpfs", "/dev/shm", "--remount-ro", "/dev"]
+    for folder in filter(os.path.isdir, EMPTIED):
+        words += ["--size", str(memory), "--tmpfs", folder]
+    words += ["--dir", HOME]
+    shown = _shown(readable(command, environment))
+    for path in shown:
+        words += ["--ro-bind", path, path]
+    words += _covered([*_secrets(), *hidden], keep=readable(command, environment))
+    return [*words, "--chdir", os.getcwd(), "--", *command]
+
+
+def readable(command: list[str], environment: dict[str, str]) -> list[Path]:
+    """Folders that the program needs: of each word of its command that is a path, of the libraries
+    that the environment names, ours, and the current one."""
+    found = [Path.cwd(), Path(sys.prefix), Path(sys.base_prefix), *_ours()]
+    for word in command:
+        path = Path(shutil.which(word) or word) if word == command[0] else Path(word)
+        if os.path.lexists(path):
+            for each in (path.absolute(), path.resolve()):
+                found.append(_home_of(each))
+    for name in LIBRARY_VARIABLES:
+        paths = environment.get(name, "").split(os.pathsep)
+        found += [_home_of(Path(path, "x")) for path in paths if os.path.isabs(path)]
+    return found
+
+
+def _ours() -> list[Path]:
+    """This package, with what it is linked to, and the folder of installed adapters."""
+    import minkref
+    from minkref.fuzz.adapters.catalogue import default_folder
+
+    here = Path(__file__).resolve()
+    rooms = [here.parents[2], *(Path(place) for place in minkref.__path__), default_folder()]
+    return [place.absolute() for place in rooms]
+
+
+def _home_of(path: Path) -> Path:
+    """The folder of a program; of one in bin/, as of a virtual environment, what bin/ is in."""
+    if path.is_dir():
+        return path
+    return path.parent.parent if path.parent.name == "bin" else path.parent
+
+
+def _shown(wanted: Iterable[Path]) -> list[str]:
+    """What of `wanted` lies in a folder that is emptied, outer ones first. Of such a folder itself
+    its files."""
+    found: set[str] = set()
+    for folder in wanted:
+        place = str(folder)
+        if place in EMPTIED:
+            files = (entry.path for entry in os.scandir(place) if entry.is_file())
+            found.update(sorted(files)[:MOST_FILES])
+        elif place.startswith(tuple(f"{one}/" for one in EMPTIED)) and os.path.exists(place):
+            found.add(place)
+    return sorted(found)
+
+
+def _secrets() -> list[str]:
+    home = Path.home()
+    return [str(home / name) for name in (*SECRETS, *SECRET_FILES)]
+
+
+def _covered(paths: Iterable[str], keep: Iterable[Path]) -> list[str]:
+    """Words that cover what is there of `paths`, but not folders in which something is needed."""
+    kept = [str(path) for path in keep]
+    words: list[str] = []
+    for path in sorted({os.path.realpath(path) for path in paths}):
+        if os.path.isfile(path):
+            words += ["--ro-bind", "/dev/null", path]
+        elif os.path.isdir(path) and not any(f"{one}/".startswith(f"{path}/") for one in kept):
+            words += ["--size", "65536", "--tmpfs", path]
+    return words
+
+
+@functools.cache
+def absence() -> str | None:
+    """Why there can be no sandbox here; None where one was made."""
+    if sys.platform != "linux":
+        return "bubblewrap runs on Linux only"
+    if shutil.which(PROGRAM) is None:
+        return "bubblewrap is not installed (Debian: apt-get install bubblewrap)"
+    words = sandboxed(["true"], dict(os.environ), (), 1 << 20)
+    try:
+        done = subprocess.run(
+            words,
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+            errors="replace",
+            timeout=TRY_SECONDS,
+            check=False,
+        )
+    except (OSError, subprocess.TimeoutExpired) as error:
+        return f"bubblewrap does not work here: {error}"
+    if done.returncode:
+        return f"bubblewrap does not work here: {done.stderr.strip()[-200:]}"
+    return None
+
+
+@functools.cache
+def sandbox_version() -> str:
+    """As `bubblewrap 0.8.0`."""
+    done = subprocess.run([PROGRAM, "--version"], capture_output=True, text=True, check=False)
+    return done.stdout.strip() or PROGRAM

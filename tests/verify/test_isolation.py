@@ -1,0 +1,193 @@
+"""The walls around the programs of others: what they may see, reach, write and use up, and that
+nothing of them is left, in the sandbox and without it, as docs/security.md says."""
+
+from __future__ import annotations
+
+import os
+import socket
+import subprocess
+import sys
+import time
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from minkref.errors import Refusal
+from minkref.fuzz.isolation import sandbox
+from minkref.fuzz.isolation.environment import NAMES, PREFIXES
+from minkref.fuzz.isolation.isolation import Isolation, choose
+from minkref.fuzz.isolation.leftovers import marked
+from minkref.fuzz.targets.adapter_process import AdapterProcess, Failure
+from minkref.fuzz.targets.answer import Limits
+from minkref.fuzz.verdicts.verdict import Verdict
+
+PROGRAM = Path(__file__).parent / "isolated_adapter.py"
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
+needs_sandbox = pytest.mark.skipif(sandbox.absence() is not None, reason=str(sandbox.absence()))
+MIB = 1 << 20
+
+
+@pytest.fixture(params=[pytest.param("sandbox", marks=needs_sandbox), "none"])
+def walls(request: pytest.FixtureRequest) -> Isolation:
+    return choose(request.param)
+
+
+def said(walls: Isolation, what: str, argument: object = "", megabytes: int = 512) -> str:
+    """What the adapter says of its try; nothing of it runs afterwards."""
+    limits = Limits(60, megabytes * MIB, isolation=walls)
+    process = AdapterProcess("it", [sys.executable, str(PROGRAM), what, str(argument)], limits)
+    try:
+        return str(process.start().version)
+    finally:
+        process.close()
+        assert marked(walls.mark) == []
+
+
+def test_of_the_environment_it_is_given_a_list(
+    walls: Isolation, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("SECRET_TOKEN", "x")
+    monkeypatch.setenv("WANTED", "x")
+    own = {"HOME", "TMPDIR", "PWD", "SHLVL", "_"}
+    given = set(said(walls, "environment").split())
+    assert {name for name in given if not name.startswith(PREFIXES)} <= {*NAMES, *own}
+    given = set(said(replace(walls, passed=("WANTED",)), "environment").split())
+    assert "WANTED" in given and "SECRET_TOKEN" not in given
+
+
+def test_only_without_the_sandbox_it_reaches_the_network(walls: Isolation) -> None:
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        said_of_it = said(walls, "network", server.getsockname()[1])
+    assert (said_of_it == "reached") == (walls.kind == "none")
+
+
+@needs_sandbox
+def test_sockets_of_the_system_are_out_of_reach_in_the_sandbox(tmp_path: Path) -> None:
+    with socket.socket(socket.AF_UNIX) as server:
+        server.bind(str(tmp_path / "it"))
+        server.listen()
+        assert said(choose("sandbox"), "unix-socket", f"at:{tmp_path}/it") != "reached"
+
+
+@pytest.mark.parametrize("place", ["beside", "current", "home", "user"])
+def test_it_writes_in_its_own_folders_only(
+    walls: Isolation, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, place: str
+) -> None:
+    """Without a sandbox that holds where each program has a user of its own."""
+    if walls.kind == "none" and not walls.own_user:
+        pytest.skip("without a sandbox, and not root: documented")
+    monkeypatch.chdir(tmp_path)
+    folder = {"beside": PROGRAM.parent, "current": tmp_path, "home": Path.home(), "user": "/usr"}
+    file = Path(folder[place], f"written-{walls.mark}")
+    assert said(walls, "write", file).startswith("not: ")
+    assert not file.exists()
+
+
+def test_home_and_temporary_folder_are_its_own_and_gone_afterwards(walls: Isolation) -> None:
+    folder = said(walls, "own-folders")
+    assert folder.startswith("/")
+    assert folder == sandbox.FOLDER or not Path(folder).exists()
+    assert not Path(folder, "mine").exists()
+
+
+def test_files_of_the_run_cannot_be_changed_nor_read_in_the_sandbox(
+    walls: Isolation, tmp_path: Path
+) -> None:
+    ledger, report = tmp_path / "run.jsonl", tmp_path / "report"
+    ledger.write_text("what was judged")
+    report.mkdir()
+    (report / "index.html").write_text("what was judged")
+    hiding = choose(walls.kind, hidden=(ledger, report))
+    for file in (ledger, report / "index.html"):
+        if walls.kind == "sandbox":
+            assert said(hiding, "read", f"at:{file}").startswith("not: ")
+        if walls.kind == "sandbox" or walls.own_user:
+            said(hiding, "write", file)
+            assert file.read_text() == "what was judged"
+
+
+def test_forty_processes_that_left_it_and_killed_their_keeper_are_ended(walls: Isolation) -> None:
+    try:
+        said(walls, "forty")
+    except Failure as failure:
+        assert failure.verdict is Verdict.CRASHED
+
+
+@needs_sandbox
+def test_in_the_sandbox_it_sees_no_process_but_its_own() -> None:
+    assert len(said(choose("sandbox"), "see-processes").split()) <= 3
+
+
+@needs_sandbox
+def test_in_the_sandbox_it_has_no_rights_of_root() -> None:
+    capabilities, no_new, remounted = said(choose("sandbox"), "privileges").split()
+    assert int(capabilities, 16) == 0 and no_new == "1" and remounted != "0"
+
+
+@pytest.mark.parametrize("measured", [False, True])
+def test_memory_is_counted_of_the_whole_tree(walls: Isolation, measured: bool) -> None:
+    """Four children, each below the limit."""
+    if measured:
+        walls = replace(walls, room=None)
+    with pytest.raises(Failure) as caught:
+        said(walls, "tree", 400, megabytes=256)
+    assert caught.value.verdict is Verdict.OUT_OF_MEMORY
+    assert "--call-memory" in caught.value.message
+
+
+def test_nothing_is_left_where_the_one_that_started_it_is_killed(walls: Isolation) -> None:
+    script = (
+        "import sys, time\n"
+        "from minkref.fuzz.isolation.isolation import Isolation, choose\n"
+        "from dataclasses import replace\n"
+        "from minkref.fuzz.targets.adapter_process import AdapterProcess\n"
+        "from minkref.fuzz.targets.answer import Limits\n"
+        f"walls = replace(choose({walls.kind!r}), mark={walls.mark!r})\n"
+        f"words = [sys.executable, {str(PROGRAM)!r}, 'own-folders']\n"
+        "AdapterProcess('it', words, Limits(isolation=walls)).start()\n"
+        "print('begun', flush=True)\n"
+        "time.sleep(600)\n"
+    )
+    with subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE) as process:
+        assert process.stdout is not None
+        assert process.stdout.readline() == b"begun\n"
+        assert marked(walls.mark)
+        process.kill()
+    deadline = time.monotonic() + 10
+    while marked(walls.mark) and time.monotonic() < deadline:
+        time.sleep(0.02)
+    assert marked(walls.mark) == []
+    walls.clear()
+    if walls.room is not None:
+        assert not list(walls.room.folder.glob(f"minkref-{process.pid}-*"))
+
+
+@needs_sandbox
+@pytest.mark.parametrize("place", ["beside", "below"])
+def test_an_adapter_below_the_folder_for_temporary_files_begins(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, place: str
+) -> None:
+    """By a relative path, with a module beside it, run by whatever its first line names."""
+    folder = tmp_path if place == "beside" else tmp_path / "deep"
+    folder.mkdir(exist_ok=True)
+    for name in ("adapter.py", "isolated_adapter.py"):
+        source = PROGRAM.parent / "bad_adapters" / name
+        text = (source if source.is_file() else PROGRAM).read_text()
+        (folder / name).write_text(f"#!{sys.executable}\n{text}")
+    (folder / "isolated_adapter.py").chmod(0o755)
+    monkeypatch.chdir(tmp_path)
+    program = os.path.join(".", os.path.relpath(folder / "isolated_adapter.py", tmp_path))
+    words = [os.path.abspath(program), "own-folders"]
+    process = AdapterProcess("it", words, Limits(isolation=choose("sandbox")))
+    try:
+        assert process.start().version == sandbox.FOLDER
+    finally:
+        process.close()
+
+
+@pytest.mark.parametrize(("wanted", "passed"), [("sandbx", ()), ("none", ("A=b",))])
+def test_what_names_no_isolation_or_no_variable_is_refused(
+    wanted: str, passed: tuple[str, ...]
+) -> None:
+    with pytest.raises(Refusal):
+        choose(wanted, passed)
