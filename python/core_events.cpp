@@ -10,6 +10,7 @@
 #include <optional>
 #include <tuple>
 
+#include "formats/write_events.hpp"
 #include "python/core.hpp"
 #include "python/stopwatch.hpp"
 #include "reference/error.hpp"
@@ -91,6 +92,19 @@ std::vector<Row> rows(const Events& events, std::size_t first, std::size_t last)
                         place.to ? std::optional(to_strings(*place.to)) : std::nullopt);
   }
   return result;
+}
+
+nb::bytes json(const Events& events, std::size_t first, std::size_t last,
+               const std::vector<std::string>& edges, const std::string& end) {
+  if (edges.size() != events.value.edges.size()) {
+    throw BadInput("wrong-length", "there is not one text for each edge", "give those of edges()");
+  }
+  std::string text;
+  {
+    const Computing released;
+    text = events_as_json(events.value, events.P, events.Q, edges, first, last, end);
+  }
+  return nb::bytes(text.data(), text.size());
 }
 
 using Columns = nb::typed<nb::dict, nb::str, nb::bytes>;
@@ -309,6 +323,10 @@ void bind_events(nb::module_& module) {
           Released(), "The edges that events name by their index: rows as reduced_convolution's.")
       .def("rows", rows, "first"_a, "last"_a, Released(),
            "Events first to last - 1: (scale, rank, change, parallel, a, b, at, to), exact.")
+      .def(
+          "json", json, "first"_a, "last"_a, "edges"_a, "end"_a,
+          "Events first to last - 1 as JSON objects in UTF-8, each followed by `end`; `edges`: the "
+          "text of each edge.")
       .def("columns", columns,
            "All events as little-endian columns: scale (doubles), rank, a, b "
            "(32 bits), change (0 birth, 1 death, 2 touch, 3 overlap), parallel.")

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-import sys
+import json
+from collections import deque
 from collections.abc import Iterator, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
 from fractions import Fraction
 from typing import Any, Protocol
 
-from rich.console import Console
-from rich.progress import Progress
-
 from minkref import _core
 from minkref.parents import parents
+from minkref.progress import progress
+from minkref.scale_space import cores
 
 CHUNK = 32768  # events at a time
 
@@ -32,6 +33,10 @@ class EventList(Protocol):
         """As the published schema has them."""
         ...
 
+    def json(self, first: int, last: int, end: str) -> bytes:
+        """The same as JSON texts, each followed by `end`."""
+        ...
+
     def features(self) -> dict[str, Any]:
         """`holes` and `components` through the scales, for topology events; null otherwise."""
         ...
@@ -47,6 +52,7 @@ class PairEventList:
         self.found = found
         self.seconds = found.seconds
         self._edges = [parents(row) for row in found.edges()]
+        self._edge_texts = [json.dumps(edge) for edge in self._edges]
 
     def __len__(self) -> int:
         return len(self.found)
@@ -69,6 +75,9 @@ class PairEventList:
             }
             for scale, rank, change, parallel, a, b, at, to in self.found.rows(first, last)
         ]
+
+    def json(self, first: int, last: int, end: str) -> bytes:
+        return self.found.json(first, last, self._edge_texts, end)
 
     def features(self) -> dict[str, Any]:
         return NO_FEATURES
@@ -108,6 +117,9 @@ class ArrangementEventList:
                 self._ranks[first:last], rows, strict=True
             )
         ]
+
+    def json(self, first: int, last: int, end: str) -> bytes:
+        return _as_json(self.events(first, last), end)
 
     def features(self) -> dict[str, Any]:
         return NO_FEATURES
@@ -188,6 +200,9 @@ class BoundaryEventList:
     def events(self, first: int, last: int) -> list[dict[str, Any]]:
         return self._events[first:last]
 
+    def json(self, first: int, last: int, end: str) -> bytes:
+        return _as_json(self.events(first, last), end)
+
     def features(self) -> dict[str, Any]:
         if self._kind != "topology":
             return NO_FEATURES
@@ -209,12 +224,28 @@ def find_events(
     return BoundaryEventList(_core.DynamicSum(P, Q, window[0], window[1]), kind)
 
 
-def stream(found: EventList) -> Iterator[dict[str, Any]]:
-    """Every event; progress on a terminal."""
-    with Progress(
-        console=Console(stderr=True), transient=True, disable=not sys.stderr.isatty()
-    ) as progress:
-        task = progress.add_task("events", total=len(found))
-        for first in range(0, len(found), CHUNK):
-            yield from found.events(first, first + CHUNK)
-            progress.update(task, completed=first + CHUNK)
+def _as_json(events: list[dict[str, Any]], end: str) -> bytes:
+    return "".join(json.dumps(event) + end for event in events).encode()
+
+
+def json_pieces(found: EventList, count: int, end: str) -> Iterator[bytes]:
+    """The first `count` events as JSON texts, each followed by `end`, some thousand at a time and
+    by all cores; progress on a terminal."""
+    firsts = iter(range(0, min(count, len(found)), CHUNK))
+    workers = cores()
+    with progress(count) as line, ThreadPoolExecutor(workers) as pool:
+        line.now("writing events")
+        waiting: deque[Future[bytes]] = deque()
+
+        def begin() -> None:
+            first = next(firsts, None)
+            if first is not None:
+                last = min(first + CHUNK, count)
+                waiting.append(pool.submit(found.json, first, last, end))
+
+        for _ in range(2 * workers):
+            begin()
+        while waiting:
+            yield waiting.popleft().result()
+            begin()
+            line.done(CHUNK)

@@ -12,11 +12,11 @@ from minkref.errors import Refusal
 CHANGES = ("birth", "death", "touch", "overlap")
 
 
-def write_parquet(found: _core.PairEvents, path: Path) -> None:
-    """One row an event, in order: `s` (the exact scale, a text that is stored once for all events
-    of equal scale), `s_double` (the nearest double or one beside it), `rank`, `kind`, `change`, and
-    the two edges, `a_kind`, `a_edge_ring`, ... Written whole or not at all. Refuses without
-    pyarrow."""
+def write_parquet(found: _core.PairEvents, path: Path, count: int) -> None:
+    """The first `count` events, a row each, in order: `s` (the exact scale, a text that is stored
+    once for all events of equal scale), `s_double` (the nearest double or one beside it), `rank`,
+    `kind`, `change`, and the two edges, `a_kind`, `a_edge_ring`, ... Written whole or not at all.
+    Refuses without pyarrow."""
     try:
         import pyarrow.parquet
     except ImportError as error:
@@ -27,7 +27,7 @@ def write_parquet(found: _core.PairEvents, path: Path) -> None:
             "no-pyarrow",
         ) from error
     with replacing(path) as temporary:
-        pyarrow.parquet.write_table(_table(found), temporary)
+        pyarrow.parquet.write_table(_table(found).slice(0, count), temporary)
 
 
 def _table(found: _core.PairEvents) -> Any:

@@ -48,7 +48,7 @@ def target_of(
         raise Refusal("there is no such format", f"--format {form[:40]}", mend)
     if output == STANDARD_OUTPUT:
         if json:
-            what = "standard output takes the sum or the document, not both"
+            what = "standard output takes the result or the document, not both"
             raise Refusal(what, "-o - --json", "leave out one of the two")
         return Target(output, form or default)
     ending = output.suffix.lower().removeprefix(".")

@@ -14,10 +14,7 @@ from minkref.documents import (
     Stopwatch,
     as_text,
     check_spares,
-    check_writable,
     document,
-    listing,
-    write_atomically,
 )
 from minkref.errors import Refusal, choice, refusing
 from minkref.event_lists import (
@@ -25,14 +22,13 @@ from minkref.event_lists import (
     EventList,
     PairEventList,
     find_events,
-    stream,
 )
-from minkref.event_table import write_parquet
+from minkref.event_output import FORMATS, document_pieces, print_pieces, write_events
 from minkref.exact import approximate, read_window
-from minkref.fuzz.least_precision import MOST_BITS, least_precision
 from minkref.memory import SMALLER, Memory, memory_wall
 from minkref.operand import Operand, read_operand
 from minkref.options import Json, Schema
+from minkref.output_target import STANDARD_OUTPUT, Target, target_of
 from minkref.progress import progress
 from minkref.scale_space import IndexFile, check_spares_index, index_of, route_with
 from minkref.terminal import console, counted, lines, shown
@@ -63,7 +59,6 @@ MEANINGS = {  # of the changes, under the table
 ROUTED_KINDS = ("boundary", "topology")
 ROUTES = ("dynamic", "index")
 FORMS = ("corrected", "printed")
-OUTPUTS = (".json", ".parquet")
 SHOWN = 10  # events that people see
 PAIR_COUNTS = (
     "pairs", "filtered_pairs", "intersecting_pairs", "always_meeting_pairs", "touching_pairs",
@@ -124,9 +119,24 @@ def command(
         ),
     ] = None,
     index: IndexFile = None,
+    limit: Annotated[
+        int | None,
+        typer.Option(
+            "--limit", help="List the first N events only; they are all counted.", metavar="N"
+        ),
+    ] = None,
     output: Annotated[
         Path | None,
-        typer.Option("-o", help="Write all events there: .json or .parquet.", metavar="FILE"),
+        typer.Option(
+            "-o",
+            help="Write the events there: .json, .jsonl (an event a line) or .parquet; - is "
+            "standard output.",
+            metavar="FILE",
+        ),
+    ] = None,
+    file_format: Annotated[
+        str | None,
+        typer.Option("--format", help=f"Of the file: {', '.join(FORMATS)}; its ending without."),
     ] = None,
     memory: Memory = None,
     json: Json = False,
@@ -134,7 +144,9 @@ def command(
 ) -> None:
     """All scales at which edges of the reduced convolution start or stop meeting: exact, sorted."""
     watch = Stopwatch()
-    _check(kind, form, arithmetic, least, output)
+    _check(kind, form, arithmetic, least, limit)
+    target = target_of(output, file_format, FORMATS, "json", json)
+    _check_parquet(target, kind)
     route = _route(kind, route, index)
     window = read_window(from_scale, to_scale)
     first, second = read_operand(P), read_operand(Q)
@@ -183,19 +195,17 @@ def command(
             "least_precision": _least(first, second, form) if least else None,
             **found.features(),
         }
-        if output is not None and output.suffix.lower() == ".parquet":
-            assert isinstance(found, PairEventList)  # by _check
-            write_parquet(found.found, output)
-        elif output is not None:
-            value = document("events", watch, **fields)
-            write_atomically(output, listing(value, "events", stream(found)))
-        if json and output is None:
-            value = document("events", watch, **fields)
-            sys.stdout.writelines(listing(value, "events", stream(found)))
+        count = len(found) if limit is None else min(limit, len(found))
+        head = document("events", watch, **fields)
+        if target is not None:
+            write_events(target, head, found, count)
+        if json and target is None:
+            print_pieces(document_pieces(head, found, count))
         elif json:
             sys.stdout.write(as_text(document("events", watch, **fields, events=None)))
-        else:
-            _print(document("events", watch, **fields), found)
+        elif target is None or target.path != STANDARD_OUTPUT:
+            shown_events = SHOWN if limit is None else limit
+            _print(document("events", watch, **fields), found, shown_events)
 
 
 def _route(kind: str, route: str | None, index: Path | None) -> str | None:
@@ -229,11 +239,13 @@ def _counts(found: EventList, P: Operand, Q: Operand, window: list[str | None]) 
 
 
 def _least(P: Operand, Q: Operand, form: str) -> dict[str, int | None]:
+    from minkref.fuzz.least_precision import MOST_BITS, least_precision
+
     bits = refusing(f"{P.name} and {Q.name}", lambda: least_precision(P.set, Q.set, form))
     return {"bits": bits, "most_tried": MOST_BITS}
 
 
-def _check(kind: str, form: str, arithmetic: str, least: bool, output: Path | None) -> None:
+def _check(kind: str, form: str, arithmetic: str, least: bool, limit: int | None) -> None:
     if kind not in KINDS:
         raise Refusal(f"there is no kind {kind!r} of events", "--kind", choice(kind, KINDS))
     if form not in FORMS:
@@ -257,20 +269,20 @@ def _check(kind: str, form: str, arithmetic: str, least: bool, output: Path | No
             f"--kind {kind} --form {form}",
             "leave out one of the two options",
         )
-    if output is None:
+    if limit is not None and limit < 0:
+        raise Refusal("there are no fewer than none", f"--limit {limit}", "give 0 or more")
+
+
+def _check_parquet(target: Target | None, kind: str) -> None:
+    if target is None or target.form != "parquet":
         return
-    if output.suffix.lower() == ".parquet" and kind not in PAIR_KINDS:
-        raise Refusal(f"{kind} events are not written as Parquet", str(output), "name a .json file")
-    if output.suffix.lower() not in OUTPUTS:
-        raise Refusal(
-            f"the ending {output.suffix or '(none)'} names no format that can be written",
-            str(output),
-            f"choose one of {', '.join(OUTPUTS)}",
-        )
-    check_writable(output)
+    if kind not in PAIR_KINDS:
+        raise Refusal(f"{kind} events are not written as Parquet", target.name, "name a .json file")
+    if target.path == STANDARD_OUTPUT:
+        raise Refusal("Parquet is written to a file", "-o -", "name one, or choose --format jsonl")
 
 
-def _print(value: dict[str, Any], found: EventList) -> None:
+def _print(value: dict[str, Any], found: EventList, count: int) -> None:
     window = f"[{value['from'] or '0'}, {value['to'] or 'oo'}]"
     if value["from"] is None:
         window = "(" + window[1:]
@@ -310,7 +322,7 @@ def _print(value: dict[str, Any], found: EventList) -> None:
     if value["trial"] is not None:
         sys.stdout.write("\n" + lines(_trial_rows(value["arithmetic"], value["trial"])))
     if value["output"] is None and value["trial"] is None:
-        _print_first(found)
+        _print_first(found, count)
     for warning in value["warnings"]:
         sys.stderr.write(f"warning: {shown(warning)}\n")
 
@@ -334,12 +346,12 @@ def _trial_rows(arithmetic: str, trial: dict[str, Any]) -> list[tuple[str, str]]
     ]
 
 
-def _print_first(found: EventList) -> None:
+def _print_first(found: EventList, count: int) -> None:
     from rich.table import Table
 
-    if len(found) == 0:
+    events = found.events(0, min(count, len(found)))
+    if not events:
         return
-    events = found.events(0, SHOWN)
     topology = events[0]["kind"] == "topology"
     table = Table("s", "about", "change", "before, after" if topology else "edges", "at")
     for event in events:
@@ -349,8 +361,8 @@ def _print_first(found: EventList) -> None:
         table.add_row(event["s"], f"{approximate(event['s']):.6g}", change, what, f"({where})")
     sys.stdout.write("\n")
     console().print(table)
-    if len(found) > SHOWN:
-        sys.stdout.write(f"{len(found) - SHOWN:,} more: --json or -o FILE gives all\n")
+    if len(found) > len(events):
+        sys.stdout.write(f"{len(found) - len(events):,} more: --json or -o FILE gives all\n")
     if events[0]["kind"] in MEANINGS:
         sys.stdout.write(MEANINGS[events[0]["kind"]] + "\n")
     for name, lives in found.features().items():
