@@ -6,21 +6,36 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from html import escape
 
+from minkref.exact_frame import Frame
+from minkref.reports.axes import drawn_axes, room_of_numbers
 from minkref.terminal import shown
 
 Segment = tuple[float, float, float, float]
 Polygons = Sequence[Sequence[Sequence[tuple[float, float]]]]  # per polygon: outer ring, holes
 Box = tuple[float, float, float, float]
+PAD = 8.0
+BELOW = 22.0  # room for the numbers of an axis
+
+
+@dataclass(frozen=True)
+class Label:
+    """A text at a place, moved by some units of the picture; `anchor` as SVG has it."""
+
+    at: tuple[float, float]
+    text: str
+    anchor: str = "start"
+    move: tuple[float, float] = (0.0, 0.0)
 
 
 @dataclass(frozen=True)
 class Layer:
-    """Rings, segments or a marked point, drawn in the style of a class of the page."""
+    """Rings, segments, a marked point and texts, drawn in the style of a class of the page."""
 
     style: str
     polygons: Polygons = ()
     segments: Sequence[Segment] = ()
     point: tuple[float, float] | None = None
+    labels: Sequence[Label] = ()
 
 
 def bounds(layers: Iterable[Layer]) -> Box:
@@ -51,25 +66,52 @@ def _sides(box: Box) -> tuple[float, float]:
     return max(box[2] - box[0], 1e-9), max(box[3] - box[1], 1e-9)
 
 
-def picture(layers: Sequence[Layer], caption: str, width: int = 340, box: Box | None = None) -> str:
+def picture(
+    layers: Sequence[Layer],
+    caption: str,
+    width: int = 340,
+    box: Box | None = None,
+    frame: Frame | None = None,
+) -> str:
     """One SVG element, y upwards, all layers in one frame. `box` makes several pictures
-    comparable."""
+    comparable. With `frame`, that in which the coordinates are, there are axes with the numbers
+    outside of it; what lies beyond the axes is covered."""
     box = box or bounds(layers)
     xmin, _, _, ymax = box
     across, up = _sides(box)
     height = height_of(box, width)
-    pad = 8.0
-    unit = min((width - 2 * pad) / across, (height - 2 * pad) / up)
-    left, top = (width - unit * across) / 2, (height - unit * up) / 2
+    left = right = low = PAD
+    if frame is not None:
+        left, right, low = 2 * PAD + room_of_numbers(box, frame), 2 * PAD, BELOW
+        height += low - PAD
+    unit = min((width - left - right) / across, (height - PAD - low) / up)
+    from_left = left + (width - left - right - unit * across) / 2
+    from_top = PAD + (height - PAD - low - unit * up) / 2
 
     def at(x: float, y: float) -> str:
-        return f"{left + unit * (x - xmin):.2f} {top + unit * (ymax - y):.2f}"
+        return f"{from_left + unit * (x - xmin):.2f} {from_top + unit * (ymax - y):.2f}"
 
-    parts = [_layer(layer, at) for layer in layers]
+    parts = [_layer(layer, at) for layer in layers if layer.style != "witness"]
+    if frame is not None:
+        area = (left - PAD, 0.0, width - PAD, height - low + PAD / 2)
+        seen = (
+            xmin + (area[0] - from_left) / unit, ymax - (area[3] - from_top) / unit,
+            xmin + (area[2] - from_left) / unit, ymax - (area[1] - from_top) / unit,
+        )  # fmt: skip
+        parts.append(_cover(area, width, height))
+        parts.append(drawn_axes(area, seen, frame))
+    parts += [_layer(layer, at) for layer in layers if layer.style == "witness"]
     return (
         f'<svg viewBox="0 0 {width} {height:.0f}" width="{width}" height="{height:.0f}" role="img" '
         f'aria-label="{escape(shown(caption), quote=True)}">{"".join(parts)}</svg>'
     )
+
+
+def _cover(area: Box, width: int, height: float) -> str:
+    """Of all that is outside of the area."""
+    x0, y0, x1, y1 = area
+    inner = f"M{x0:.2f} {y0:.2f}H{x1:.2f}V{y1:.2f}H{x0:.2f}Z"
+    return f'<path class="cover" fill-rule="evenodd" d="M0 0H{width}V{height:.0f}H0Z{inner}"/>'
 
 
 def _layer(layer: Layer, at: Callable[[float, float], str]) -> str:
@@ -88,4 +130,12 @@ def _layer(layer: Layer, at: Callable[[float, float], str]) -> str:
     if layer.point:
         x, y = at(*layer.point).split()
         out.append(f'<circle class="{style}" cx="{x}" cy="{y}" r="4"/>')
+    for label in layer.labels:
+        across, down = (
+            float(n) + m for n, m in zip(at(*label.at).split(), label.move, strict=True)
+        )
+        out.append(
+            f'<text class="{style}" x="{across:.2f}" y="{down:.2f}" text-anchor="{label.anchor}">'
+            f"{escape(shown(label.text))}</text>"
+        )
     return "".join(out)

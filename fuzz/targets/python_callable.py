@@ -16,17 +16,23 @@ from minkref.fuzz.cases.invalid_case import InvalidCase
 from minkref.fuzz.cases.space_case import SpaceCase
 from minkref.fuzz.targets.answer import Answer, Target, answered, lacking, skipped
 from minkref.fuzz.targets.declaration import Declaration, DeclarationError, read_declaration
-from minkref.fuzz.targets.numbers import Unreadable, plane_answer, sent_set
+from minkref.fuzz.targets.numbers import (
+    Unreadable,
+    plane_answer,
+    sent_set,
+    sent_solid,
+    solid_answer,
+)
 from minkref.fuzz.verdicts.verdict import Verdict
 
 
 class CallableTarget:
     """The function takes sP and Q as dictionaries in the form of the canonical JSON (not
-    necessarily canonical) and returns their sum in the same form, its numbers as texts `n` or
-    `n/d` or as int, its rings running either way. None says that the case is outside its
-    capabilities, and ValueError that an operand is invalid. A dictionary `minkref` among the
-    function's attributes is its declaration, as the answer to `hello` of the adapter protocol:
-    with `"numbers": "double"` it takes and returns floats."""
+    necessarily canonical), in space with `vertices` and `faces`, and returns their sum in the same
+    form, its numbers as texts `n` or `n/d` or as int, its rings running either way. None says that
+    the case is outside its capabilities, and ValueError that an operand is invalid. A dictionary
+    `minkref` among the function's attributes is its declaration, as the answer to `hello` of the
+    adapter protocol: with `"numbers": "double"` it takes and returns floats."""
 
     def __init__(self, name: str) -> None:
         self.name = name
@@ -35,15 +41,13 @@ class CallableTarget:
 
     def sum(self, case: Case | SpaceCase | InvalidCase) -> Answer:
         declaration = self._declaration
-        if isinstance(case, SpaceCase):
-            return skipped("does not declare space", declaration)
-        if not self._plain or isinstance(case, InvalidCase):
+        if not self._plain or not isinstance(case, Case):
             lack = lacking(declaration, case)
             if lack:
                 return skipped(lack, declaration)
         try:
-            P = sent_set(case.scaled_P_json, declaration)
-            Q = sent_set(case.Q_json, declaration)
+            send = sent_solid if isinstance(case, SpaceCase) else sent_set
+            P, Q = (send(text, declaration) for text in (case.scaled_P_json, case.Q_json))
         except OverflowError:
             return skipped("numbers beyond the range of doubles", declaration)
         try:
@@ -58,7 +62,8 @@ class CallableTarget:
             return Answer(verdict=verdict, message=message, declaration=declaration)
         if result is None:
             return skipped("outside the capabilities of the target", declaration)
-        return answer_of(result, declaration)
+        read = solid_of if isinstance(case, SpaceCase) else answer_of
+        return read(result, declaration)
 
     def close(self) -> None:
         pass
@@ -76,6 +81,15 @@ def answer_of(result: Any, declaration: Declaration) -> Answer:
         answer = answered(result, 0.0, turned=True)
     answer.declaration = declaration
     return answer
+
+
+def solid_of(result: Any, declaration: Declaration) -> Answer:
+    """As answer_of, in space."""
+    try:
+        return solid_answer(json.loads(json.dumps(result)), declaration, 0.0)
+    except (Unreadable, TypeError, ValueError, AttributeError, RecursionError) as error:
+        message = f"the answer is no polyhedron: {message_of(error)}"
+        return Answer(verdict=Verdict.ERRORED, message=message, declaration=declaration)
 
 
 @dataclass

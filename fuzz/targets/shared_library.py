@@ -47,7 +47,7 @@ class LibraryTarget:
         declaration = self._declaration
         lack = lacking(declaration, case)
         if lack or isinstance(case, SpaceCase):
-            return skipped(lack or "does not declare space", declaration)
+            return skipped(lack or "in the plane only", declaration)
         try:
             P = _packed(sent_set(case.scaled_P_json, declaration))
             Q = _packed(sent_set(case.Q_json, declaration))
@@ -100,6 +100,8 @@ def load_library(name: str) -> tuple[Any, Declaration]:
         if not isinstance(hello, dict):
             raise DeclarationError("minkref_hello gives no JSON object")
     declaration = read_declaration({"name": name, **ADD_ON, **hello, "numbers": "double"}, name)
+    if "space" in declaration.capabilities:
+        raise DeclarationError("capabilities has space, and a C function is for the plane")
     return found, declaration
 
 

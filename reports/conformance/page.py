@@ -6,7 +6,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from minkref.commands.verify_output import conclusion
+from minkref.commands.verify_output import conclusion, left_out
 from minkref.documents import write_atomically
 from minkref.fuzz.run.runner import Run
 from minkref.fuzz.shrink.groups import Group
@@ -86,6 +86,7 @@ def _shared(
         "findings": findings,
         "absent": absent,
         "absent_cases": run.absent,
+        "left_out": left_out(run).most_common(),
         "notes": [shown(note) for note in value["notes"]],
         "verdicts": [(str(v), SIGNS[v], VERDICTS[v]) for v in Verdict],
         "showcases": showcases(),

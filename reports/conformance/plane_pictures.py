@@ -1,149 +1,182 @@
 """The pictures of a case in the plane: operands, expected, got, difference, and the witness as the
-place where sP and x - Q meet or do not."""
+place where sP and x - Q meet or do not. Numbers are exact until they are in the frame, so that sets
+of any size and cracks of any thickness are drawn."""
 
 from __future__ import annotations
 
-import json
-import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 
 from minkref import _core
-from minkref.exact import approximate
+from minkref.exact_frame import (
+    Exact,
+    ExactBox,
+    ExactPolygons,
+    Frame,
+    box_of,
+    exact_polygons,
+    fitted,
+)
 from minkref.fuzz.verdicts.region import minus
 from minkref.fuzz.verdicts.verdict import Outcome, Witness
-from minkref.reports.drawing import Box, Layer, Polygons, bounds, picture
+from minkref.reports.axes import rounded
+from minkref.reports.conformance.close_up import clipped, close_up
+from minkref.reports.drawing import Box, Label, Layer, picture
 
-CLOSE = 0.12  # of the frame: a difference less wide and less high is drawn by itself too
+PANE = 340
+SMALL = 280  # of an operand
+LONGEST = 8  # characters of a coordinate that is written beside its point
+LEFT = Fraction(1, 3)  # of the picture: a text beside a point there goes on to the right
+
+Set = tuple[str, ExactPolygons]  # with its style
 
 
 @dataclass(frozen=True)
 class Picture:
+    """`small`: without axes, for where there is little room."""
+
     caption: str
     svg: str
-    box: Box | None = None
-
-
-def drawable(rings: Polygons) -> bool:
-    """Coordinates are finite and not beyond what a picture can scale."""
-    return all(abs(c) < 1e300 for polygon in rings for ring in polygon for p in ring for c in p)
+    small: str = ""
 
 
 def operand_pictures(P: str, Q: str, scale: str) -> list[Picture]:
     scaled = "" if scale == "1" else f", to be scaled by {scale}"
     found = []
     for name, text, style in (("P", P, "first"), ("Q", Q, "second")):
-        rings = _core.PolygonSet.from_json(text).rings()
-        if drawable(rings):
-            caption = f"{name}{scaled if name == 'P' else ''}"
-            found.append(Picture(caption, picture([Layer(style, rings)], caption, 260)))
+        caption = f"{name}{scaled if name == 'P' else ''}"
+        found.append(_drawn([(style, _exact(text))], caption, width=SMALL))
     return found
 
 
 def comparison_pictures(expected: str, outcome: Outcome) -> list[Picture]:
     """Expected, got and difference in one frame, the witness marked; a close-up where the
-    difference is small."""
-    wanted = Layer("sum", _core.PolygonSet.from_json(expected).rings())
-    groups = [("expected", [wanted])]
-    differing: list[Layer] = []
+    difference is small or thin."""
+    wanted = _exact(expected)
+    groups: list[tuple[str, list[Set]]] = [("expected", [("sum", wanted)])]
+    differing: list[Set] = []
     if outcome.got is not None:
-        got = Layer("got", _core.PolygonSet.from_json(outcome.got).rings())
-        missing = Layer("missing", minus(expected, outcome.got).rings())
-        extra = Layer("extra", minus(outcome.got, expected).rings())
-        differing = [missing, extra]
-        groups.append((f"got from {outcome.target}", [got]))
-        groups.append((_difference(missing, extra), [_faint(wanted), missing, extra]))
-    every = [layer for _, layers in groups for layer in layers]
-    if not all(drawable(layer.polygons) for layer in every):
-        return []
-    marks = _marks(outcome.witness)
-    box = bounds([*every, *marks])
-    found = [
-        Picture(caption, picture([*layers, *marks], caption, box=box), box)
-        for caption, layers in groups
+        differing = [
+            ("missing", exact_polygons(minus(expected, outcome.got))),
+            ("extra", exact_polygons(minus(outcome.got, expected))),
+        ]
+        groups.append((f"got from {outcome.target}", [("got", _exact(outcome.got))]))
+        groups.append((_difference(differing), [("faint", wanted), *differing]))
+    witness = outcome.witness
+    marked = (witness, _place(witness.point)) if witness else None
+    shown = [polygon for _, sets in groups for _, each in sets for polygon in each]
+    whole = _box([*shown, *([[[marked[1]]]] if marked else [])])
+    pictures = [_drawn(sets, caption, whole, marked) for caption, sets in groups]
+    window = close_up(
+        [polygon for _, polygons in differing for polygon in polygons],
+        whole,
+        marked[1] if marked else None,
+    )
+    if window is not None:
+        factor = max(whole[2] - whole[0], whole[3] - whole[1]) / (window[2] - window[0])
+        caption = f"the difference, {_times(factor)} times larger"
+        sets = [(style, clipped(each, window)) for style, each in [("faint", wanted), *differing]]
+        pictures.append(_drawn(sets, caption, window, marked))
+    return pictures
+
+
+def meeting_picture(P: str, Q: str, scale: str, witness: Witness) -> Picture:
+    """sP and x - Q: a common point, or none."""
+    at = witness.scale or scale
+    x = _place(witness.point)
+    first = exact_polygons(_core.PolygonSet.from_json(P).scaled(at))
+    second = [
+        [[(x[0] - a, x[1] - b) for a, b in ring] for ring in polygon] for polygon in _exact(Q)
     ]
-    near = bounds(layer for layer in differing if layer.polygons)
-    if any(layer.polygons for layer in differing) and _smaller(near, box):
-        caption = f"the difference, {_factor(box, near):,.0f} times larger"
-        layers = [_faint(wanted), *differing, *marks]
-        found.append(Picture(caption, picture(layers, caption, box=_padded(near))))
+    sets = [("first clear", first), ("second clear", second)]
+    if witness.in_truth and witness.p:
+        p = _place(witness.p)
+        common = (Fraction(at) * p[0], Fraction(at) * p[1])
+        caption = "the witness: sP (blue) and x - Q (ochre) meet in s p"
+        return _drawn(sets, caption, None, (None, common))
+    return _drawn(sets, "the witness: sP (blue) and x - Q (ochre) do not meet")
+
+
+def _drawn(
+    sets: list[Set],
+    caption: str,
+    window: ExactBox | None = None,
+    marked: tuple[Witness | None, Exact] | None = None,
+    width: int = PANE,
+) -> Picture:
+    """All in one frame: the window, else what holds them all."""
+    window = window or _box([polygon for _, polygons in sets for polygon in polygons])
+    frame = fitted(window, width, width)
+    box: Box = (
+        0.0,
+        0.0,
+        float((window[2] - window[0]) * frame.factor),
+        float((window[3] - window[1]) * frame.factor),
+    )
+    layers = [Layer(style, frame.polygons(polygons)) for style, polygons in sets]
+    marks = _marks(*marked, window, frame) if marked else []
+    plain = [Layer(mark.style, mark.polygons, point=mark.point) for mark in marks]
+    return Picture(
+        caption,
+        picture([*layers, *marks], caption, width, box, frame),
+        picture([*layers, *plain], caption, width, box),
+    )
+
+
+def _marks(witness: Witness | None, at: Exact, window: ExactBox, frame: Frame) -> list[Layer]:
+    """A point with its coordinates, and the square of the tolerance of a witness."""
+    found = []
+    half = Fraction(witness.tolerance) if witness else Fraction(0)
+    if half:
+        square = (at[0] - half, at[1] - half, at[0] + half, at[1] + half)
+        corners = [[(square[i], square[j]) for i, j in ((0, 1), (2, 1), (2, 3), (0, 3))]]
+        found.append(Layer("square", frame.polygons(clipped([corners], window))))
+    if all(window[k] <= at[k] <= window[k + 2] for k in (0, 1)):
+        ((place,),) = frame.polygons([[[at]]])[0]
+        part = (at[0] - window[0]) / (window[2] - window[0] or 1)
+        anchor, across = ("start", 7.0) if part < LEFT else ("end", -7.0)
+        if LEFT <= part <= 1 - LEFT:
+            anchor, across = "middle", 0.0
+        label = Label(place, _written(at), anchor, (across, -8.0))
+        found.append(Layer("witness", point=place, labels=[label]))
     return found
 
 
-def meeting_picture(P: str, Q: str, scale: str, witness: Witness) -> Picture | None:
-    """sP and x - Q: a common point, or none."""
-    at = witness.scale or scale
-    x = [Fraction(number) for number in witness.point]
-    turned = {
-        "polygons": [
-            {
-                "outer": _turned(polygon["outer"], x),
-                "holes": [_turned(hole, x) for hole in polygon["holes"]],
-            }
-            for polygon in json.loads(Q)["polygons"]
-        ]
+def _written(at: Exact) -> str:
+    texts = [str(number) for number in at]
+    if all(len(text) <= LONGEST for text in texts):
+        return f"({', '.join(texts)})"
+    return f"≈ ({', '.join(rounded(number, 4) for number in at)})"
+
+
+def _exact(text: str) -> ExactPolygons:
+    return exact_polygons(_core.PolygonSet.from_json(text))
+
+
+def _place(point: Iterable[str]) -> Exact:
+    x, y = (Fraction(number) for number in point)
+    return x, y
+
+
+def _box(polygons: ExactPolygons) -> ExactBox:
+    """A unit square around nothing; not a point."""
+    box = box_of(polygons) or (Fraction(0), Fraction(0), Fraction(1), Fraction(1))
+    if box[0] == box[2] and box[1] == box[3]:
+        return (box[0] - 1, box[1] - 1, box[2] + 1, box[3] + 1)
+    return box
+
+
+def _difference(differing: list[Set]) -> str:
+    words = {
+        "missing": "missing from the result (red, hatched /)",
+        "extra": "too much in the result (orange, hatched \\)",
     }
-    first = _core.PolygonSet.from_json(P).scaled(at).rings()
-    second = _core.PolygonSet.from_json(json.dumps(turned)).rings()
-    if not (drawable(first) and drawable(second)):
-        return None
-    layers = [Layer("first clear", first), Layer("second clear", second)]
-    if witness.in_truth and witness.p:
-        common = [float(Fraction(at) * Fraction(number)) for number in witness.p]
-        layers.append(Layer("witness", point=(common[0], common[1])))
-        caption = "the witness: sP (blue) and x - Q (ochre) meet in s p"
-    else:
-        caption = "the witness: sP (blue) and x - Q (ochre) do not meet"
-    return Picture(caption, picture(layers, caption))
-
-
-def _turned(ring: list[list[str]], x: list[Fraction]) -> list[list[str]]:
-    return [[str(a - Fraction(b)) for a, b in zip(x, point, strict=True)] for point in ring]
-
-
-def _faint(layer: Layer) -> Layer:
-    return Layer("faint", layer.polygons)
-
-
-def _difference(missing: Layer, extra: Layer) -> str:
-    parts = [
-        text
-        for layer, text in (
-            (missing, "missing from the result (red, hatched /)"),
-            (extra, "too much in the result (orange, hatched \\)"),
-        )
-        if layer.polygons
-    ]
+    parts = [words[style] for style, polygons in differing if polygons]
     return f"difference: {' and '.join(parts) or 'none as sets of points'}"
 
 
-def _marks(witness: Witness | None) -> list[Layer]:
-    """The witness, and the square of its tolerance."""
-    if witness is None:
-        return []
-    x, y = (approximate(number) for number in witness.point)
-    if not (math.isfinite(x) and math.isfinite(y)):
-        return []
-    half = float(Fraction(witness.tolerance))
-    square = [
-        (x - half, y - half),
-        (x + half, y - half),
-        (x + half, y + half),
-        (x - half, y + half),
-    ]
-    marks = [Layer("square", [[square]])] if half else []
-    return [*marks, Layer("witness", point=(x, y))]
-
-
-def _smaller(near: Box, box: Box) -> bool:
-    return all(near[k + 2] - near[k] < CLOSE * (box[k + 2] - box[k]) for k in (0, 1))
-
-
-def _factor(box: Box, near: Box) -> float:
-    pad = _padded(near)
-    return min((box[k + 2] - box[k]) / max(pad[k + 2] - pad[k], 1e-300) for k in (0, 1))
-
-
-def _padded(box: Box) -> Box:
-    pad = 0.4 * max(box[2] - box[0], box[3] - box[1], 1e-12)
-    return (box[0] - pad, box[1] - pad, box[2] + pad, box[3] + pad)
+def _times(factor: Fraction) -> str:
+    if factor < 10**6:
+        return f"{float(factor):,.0f}"
+    return f"10^{len(str(int(factor))) - 1}"

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 from minkref.fuzz.cases.case import CaseName
 from minkref.fuzz.cases.naming import load
 from minkref.fuzz.cases.space_case import SpaceCase
 from minkref.fuzz.run.worker import CaseResult
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.verdicts.verdict import Outcome
+from minkref.reports.conformance.argument import point_text
 from minkref.reports.conformance.plane_pictures import Picture
+from minkref.reports.conformance.solid_axes import axes_around, box_around
 from minkref.reports.conformance.solid_drawing import (
     place_of,
     projected,
@@ -16,7 +20,7 @@ from minkref.reports.conformance.solid_drawing import (
     wire_layer,
 )
 from minkref.reports.conformance.space_argument import scale_of
-from minkref.reports.drawing import Layer, bounds, picture
+from minkref.reports.drawing import Label, Layer, picture
 
 
 def expected_in_space(case: CaseResult) -> Polyhedron | None:
@@ -58,7 +62,8 @@ def space_operand_pictures(P: Polyhedron, Q: Polyhedron, scale: str) -> list[Pic
         layers = solid_layers(solid, style)
         if layers is not None:
             caption = f"{name}{scaled if name == 'P' else ''}"
-            found.append(Picture(caption, picture(layers, caption, 260)))
+            layers = [*layers, *axes_around([solid])]
+            found.append(Picture(caption, picture(layers, caption, 280, box_around(layers))))
     return found
 
 
@@ -72,21 +77,36 @@ def space_comparison_pictures(
     frame = wire_layer(wanted, "wire")
     caption = "expected" if known else "expected: the box of the sum, which is decided by points"
     groups: list[tuple[str, list[Layer]]] = []
+    solids = [wanted]
     if shown is not None:
         groups.append((caption, shown))
     elif frame is not None:
         groups.append((caption, [frame]))
     if outcome.got is not None:
         result = Polyhedron.from_json(outcome.got)
+        solids.append(result)
         got = solid_layers(result, "got")
         lines = wire_layer(result, "wire-got")
         if got is not None and lines is not None:
             groups.append((f"got from {outcome.target}", got))
             both = [layer for layer in (frame, lines) if layer is not None]
             groups.append(("both: expected green, got violet and dashed", both))
-    place = place_of(outcome.witness.point) if outcome.witness else None
-    marks = [Layer("witness", point=projected(place))] if place else []
-    box = bounds([*(layer for _, layers in groups for layer in layers), *marks])
+    witness = outcome.witness
+    place = place_of(witness.point) if witness else None
+    marks = []
+    points = []
+    if witness is not None and place is not None:
+        label = Label(projected(place), point_text(witness.point), "middle", (0.0, -8.0))
+        marks = [Layer("witness", point=projected(place), labels=[label])]
+        x, y, z = (Fraction(number) for number in witness.point)
+        points = [(x, y, z)]
+    axes = axes_around(solids, points)
+    box = box_around([*(layer for _, layers in groups for layer in layers), *axes, *marks])
     return [
-        Picture(text, picture([*layers, *marks], text, box=box), box) for text, layers in groups
+        Picture(
+            text,
+            picture([*layers, *axes, *marks], text, box=box),
+            picture([*layers, *(Layer(mark.style, point=mark.point) for mark in marks)], text),
+        )
+        for text, layers in groups
     ]

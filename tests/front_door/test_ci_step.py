@@ -94,7 +94,7 @@ def test_step_takes_the_targets_of_the_settings(tmp_path: Path, file: str, head:
     ran = step(tmp_path, TARGETS="", SECONDS_GIVEN="")
     assert ran.returncode == 1, ran.stderr
     assert f"settings: {file}" in ran.stdout
-    assert "4 cases, 1 targets" in ran.stdout
+    assert "4 cases, 1 target" in ran.stdout
 
 
 def test_action_gives_every_input_to_the_step() -> None:

@@ -23,7 +23,7 @@ from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.targets.catalogue import TargetEntry
 from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.verdicts.verdict import GOOD, Verdict, Witness
-from minkref.terminal import console, shown
+from minkref.terminal import console, counted, shown
 
 LACKING = "does not declare "
 LOG_SHOWN = 400  # characters
@@ -249,16 +249,21 @@ def _skips(run: Run) -> list[str]:
                 counts[reason] += count
                 if target not in targets.setdefault(reason, []):
                     targets[reason].append(target)
-    untaken: Counter[str] = Counter()
-    for message, count in run.untaken.items():
-        untaken.update(dict.fromkeys(_reasons(message), count))
     return [
         f"skipped, {_cases(count)}: {reason} ({', '.join(targets[reason])})"
         for reason, count in counts.most_common()
     ] + [
         f"left out, {_cases(count)}: {reason} (no target takes them)"
-        for reason, count in untaken.most_common()
+        for reason, count in left_out(run).most_common()
     ]
+
+
+def left_out(run: Run) -> Counter[str]:
+    """How many cases no target takes for want of each capability."""
+    counts: Counter[str] = Counter()
+    for message, count in run.untaken.items():
+        counts.update(dict.fromkeys(_reasons(message), count))
+    return counts
 
 
 def _cases(count: int) -> str:
@@ -363,5 +368,6 @@ def conclusion(run: Run) -> str:
             verdicts[verdict] = verdicts.get(verdict, 0) + count
     counts = ", ".join(f"{verdicts[v]:,} {v}" for v in Verdict if verdicts.get(v))
     return (
-        f"{sum(run.cases.values()):,} cases, {len(run.targets)} targets: {counts or 'nothing run'}"
+        f"{_cases(sum(run.cases.values()))}, {counted(len(run.targets), 'target')}: "
+        f"{counts or 'nothing run'}"
     )
