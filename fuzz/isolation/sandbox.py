@@ -18,7 +18,8 @@ from pathlib import Path
 
 PROGRAM = "bwrap"
 FOLDER, HOME = "/tmp", "/tmp/home"  # within
-EMPTIED = ("/tmp", "/var/tmp", "/run")  # these are the program's own, empty at its start
+EMPTIED = ("/tmp", "/run")  # these are the program's own, empty at its start
+DEVICES = ("null", "zero", "random", "urandom")  # fewer than bubblewrap's --dev: each costs a mount
 SECRETS = (".ssh", ".gnupg", ".aws", ".azure", ".kube", ".docker", ".config/gcloud", ".config/gh")
 SECRET_FILES = (".netrc", ".git-credentials", ".npmrc", ".pypirc")
 SPACES = ("--unshare-pid", "--unshare-net", "--unshare-ipc", "--unshare-uts")
@@ -31,13 +32,16 @@ def sandboxed(
     command: list[str], environment: dict[str, str], hidden: Iterable[str], memory: int
 ) -> list[str]:
     """The command within the sandbox. `hidden`: files and folders of ours that it shall not see.
-    `memory`: bytes that its temporary files may take, in each of two places."""
+    `memory`: bytes that its temporary files may take, in each of three places."""
     words = [PROGRAM, *SPACES, "--die-with-parent", "--new-session", "--cap-drop", "ALL"]
-    words += ["--ro-bind", "/", "/", "--proc", "/proc", "--dev", "/dev"]
-    words += ["--size", str(memory), "--tmpfs", "/dev/shm", "--remount-ro", "/dev"]
-    for folder in filter(os.path.isdir, EMPTIED):
+    words += ["--ro-bind", "/", "/", "--proc", "/proc"]
+    for folder in ("/dev", *filter(os.path.isdir, EMPTIED)):
         words += ["--size", str(memory), "--tmpfs", folder]
-    words += ["--dir", HOME]
+    for name in DEVICES:
+        words += ["--dev-bind", f"/dev/{name}", f"/dev/{name}"]
+    for name, place in (("fd", ""), ("stdin", "/0"), ("stdout", "/1"), ("stderr", "/2")):
+        words += ["--symlink", f"/proc/self/fd{place}", f"/dev/{name}"]
+    words += ["--dir", "/dev/shm", "--dir", HOME]
     shown = _shown(readable(command, environment))
     for path in shown:
         words += ["--ro-bind", path, path]
