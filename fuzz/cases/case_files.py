@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from minkref.errors import Refusal, cut
+from minkref.file_text import text_of_file
 from minkref.fuzz.cases.case import CaseName
 from minkref.fuzz.cases.space_case_file import is_in_space, read_space_case, scalings_in
 from minkref.fuzz.targets.number_text import number_of
@@ -81,18 +82,19 @@ def _left_out(count: int, plane: bool) -> str:
 
 def _json_of(path: Path) -> Any:
     """Refuses what is no JSON; other JSON than cases may be in the folder."""
+    mend = "mend the file, or take it out of the folder"
+    text = text_of_file(path, str(path), mend)
     try:
-        return json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError, RecursionError) as error:
-        mend = "mend the file, or take it out of the folder"
+        return json.loads(text)
+    except (ValueError, RecursionError) as error:
         raise Refusal(f"this is no JSON: {cut(str(error))}", str(path), mend, "syntax") from error
 
 
 def case_document(path: Path) -> dict[str, Any] | None:
     """The JSON of a case; None of any other file."""
     try:
-        value = json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError, RecursionError):
+        value = json.loads(text_of_file(path, str(path), ""))
+    except (Refusal, ValueError, RecursionError):
         return None
     is_case = isinstance(value, dict) and value.get("schema") == "case-v1"
     return value if is_case else None

@@ -9,6 +9,7 @@ from typing import Any
 from minkref import _core
 from minkref.errors import Refusal, cut, refusing
 from minkref.exact import read_scale
+from minkref.file_text import text_of_file
 from minkref.fuzz.cases.case import CaseName
 from minkref.fuzz.cases.space_case import SpaceCase
 from minkref.fuzz.space.convex_sum import polyhedron_of
@@ -49,7 +50,7 @@ def _scaling(value: Any, where: str) -> str:
 
 def read_space_case(name: CaseName, path: Path, scale: str) -> SpaceCase:
     """At one scaling. Refuses an operand that is missing, or no polyhedron."""
-    value = json.loads(path.read_text(encoding="utf-8"), parse_float=str)
+    value = json.loads(text_of_file(path, str(path), MEND), parse_float=str)
     operands = []
     for part in "PQ":
         where = f"{path}#{part}"

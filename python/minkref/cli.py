@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import sys
 import traceback
 from collections.abc import Callable, Sequence
@@ -94,6 +95,8 @@ def run(arguments: Sequence[str]) -> int:
     except Ended as ended:
         return 128 + ended.number
     except Exception as error:  # noqa: BLE001 the border of the program
+        if isinstance(error, OSError) and error.errno == errno.ENAMETOOLONG:
+            return _refuse(_long_name(error, rest), rest)
         return _internal(error, debug, REPORT)
 
 
@@ -114,6 +117,16 @@ def _no_memory(arguments: Sequence[str]) -> dict[str, object]:
         "what": "there is no more memory",
         "where": _path_of(arguments),
         "mend": "take simpler or fewer operands, or end what else the machine runs",
+    }
+
+
+def _long_name(error: OSError, arguments: Sequence[str]) -> dict[str, object]:
+    name = str(error.filename or "")
+    return {
+        "code": "cannot-read",
+        "what": f"no file has a name of {len(name):,} characters",
+        "where": f"{_path_of(arguments)}, {name[:60]}...",
+        "mend": "check the path",
     }
 
 

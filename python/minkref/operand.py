@@ -8,8 +8,9 @@ from pathlib import Path
 
 from minkref import _core
 from minkref.errors import Refusal, nearest, refusing
+from minkref.file_text import text_of_file
 from minkref.model_catalogue import PAPER_MODELS, VARIABLE, all_models, shipped_polyhedra
-from minkref.operand_text import LONGEST, decoded, is_text, source_of, text_and_form
+from minkref.operand_text import is_text, source_of, text_and_form
 from minkref.terminal import shown
 
 FORMATS = (".wkt", ".geojson", ".poly", ".json")
@@ -96,7 +97,8 @@ def read_set(path: Path) -> tuple[_core.PolygonSet, list[str]]:
     if is_utf8(source):
         read = refusing(source, lambda: _core.read_file(source))
     else:
-        text, form = _whole_text(path), path.suffix.lower().removeprefix(".")
+        text = text_of_file(path, shown(source), "name a file that you may read")
+        form = path.suffix.lower().removeprefix(".")
         read = refusing(shown(source), lambda: _core.read_text(text, form, shown(source)))
     return read, list(_core.warnings())
 
@@ -119,18 +121,6 @@ def _refuse_special(name: str, path: Path) -> None:
         f"write it to a file first whose ending names the format: {', '.join(FORMATS)}",
         "not-a-file",
     )
-
-
-def _whole_text(path: Path) -> str:
-    """The text of a file whose name is not UTF-8, which C++ does not take."""
-    name = shown(str(path))
-    try:
-        with path.open("rb") as stream:
-            read = stream.read(LONGEST + 1)
-    except OSError as error:
-        what = f"the file cannot be read: {error.strerror}"
-        raise Refusal(what, name, "name a file that you may read", "cannot-read") from error
-    return decoded(read, name)
 
 
 def is_utf8(name: str) -> bool:

@@ -7,9 +7,9 @@ import re
 import sys
 
 from minkref.errors import Refusal
+from minkref.file_text import LONGEST, decoded
 
 STANDARD_INPUT = "-"
-LONGEST = 64 << 20  # bytes; that of formats/limits.hpp
 _WKT = re.compile(
     r"\s*(SRID=\d+;)?\s*(MULTI)?(POLYGON|POINT|LINESTRING)\b|\s*GEOMETRYCOLLECTION\b", re.IGNORECASE
 )
@@ -56,16 +56,3 @@ def _is_geojson(text: str) -> bool:
     except (ValueError, RecursionError):
         return False  # the reader of plain JSON says what is wrong
     return isinstance(value, dict) and "type" in value
-
-
-def decoded(data: bytes, name: str) -> str:
-    """The text of a file or of standard input, of which one byte more than LONGEST was read at
-    most. Refuses what is longer, or not UTF-8."""
-    if len(data) > LONGEST:
-        what = f"the text is longer than {LONGEST} bytes"
-        raise Refusal(what, name, "split the input", "file-too-large")
-    try:
-        return data.decode("utf-8")
-    except UnicodeDecodeError as error:
-        what = f"the text is not UTF-8: {error.reason} at byte {error.start}"
-        raise Refusal(what, name, "save it as UTF-8", "not-utf8") from error

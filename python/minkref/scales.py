@@ -9,7 +9,7 @@ from typing import TypeVar
 
 from minkref.errors import Refusal
 from minkref.exact import read_scale
-from minkref.operand_text import LONGEST, decoded
+from minkref.file_text import text_of_file
 from minkref.terminal import shown
 
 S = TypeVar("S")
@@ -56,11 +56,4 @@ def _text(path: Path, name: str) -> str:
     mend = "name a text file with one scale a line"
     if path.is_dir():
         raise Refusal("this is a folder", name, mend, "not-a-file")
-    try:
-        with path.open("rb") as stream:
-            read = stream.read(LONGEST + 1)
-    except (OSError, ValueError) as error:
-        what = getattr(error, "strerror", None) or str(error)
-        code = "no-such-file" if isinstance(error, FileNotFoundError) else "cannot-read"
-        raise Refusal(f"the file cannot be read: {what}", name, mend, code) from error
-    return decoded(read, name).removeprefix("\ufeff")
+    return text_of_file(path, name, mend).removeprefix("\ufeff")

@@ -15,9 +15,11 @@ from typing import Any
 import typer
 
 from minkref.command_options import CommandOption, options_of
-from minkref.errors import Refusal, nearest
+from minkref.errors import Refusal, cut, nearest
+from minkref.file_text import text_of_file
 
 OWN, SHARED = "minkref.toml", "pyproject.toml"
+LONGEST = 1 << 20  # bytes
 KINDS: dict[type, tuple[str, tuple[type, ...]]] = {  # what TOML has for each
     bool: ("true or false", (bool,)),
     int: ("an integer", (int,)),
@@ -115,14 +117,13 @@ def _tables() -> Iterator[tuple[Path, dict[str, Any]]]:
 
 def _table(path: Path) -> dict[str, Any] | None:
     """The settings in a file; None where a pyproject.toml has none."""
+    mend = "mend the file, or leave it out with --no-settings"
+    text = text_of_file(path, str(path), mend, LONGEST)
     try:
-        document = tomllib.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        what = f"the settings cannot be read: {error.strerror}"
-        raise Refusal(what, str(path), "name another file", "settings") from error
-    except ValueError as error:  # no TOML, or not UTF-8
-        mend = "mend the file, or leave it out with --no-settings"
-        raise Refusal(f"this is no TOML: {error}", str(path), mend, "settings") from error
+        document = tomllib.loads(text)
+    except (ValueError, RecursionError) as error:
+        what = f"this is no TOML: {cut(str(error))}"
+        raise Refusal(what, str(path), mend, "settings") from error
     if path.name != SHARED:
         return document
     tool = document.get("tool", {})

@@ -126,7 +126,9 @@ def test_another_file(library: Path, capsys: pytest.CaptureFixture[str]) -> None
         ("family = ['hole']", "minkref.toml, family hole", "did you mean holes?"),
         ("suite = 'corpse'", "minkref.toml, suite", "did you mean corpus?"),
         ("x y", "minkref.toml", "no TOML"),
-        ("\udcff", "minkref.toml", "no TOML"),
+        ("\udcff", "minkref.toml", "not UTF-8"),
+        ("x = " + "[" * 100_000, "minkref.toml", "no TOML"),
+        ("#" * 2_000_000, "minkref.toml", "longer than 1,048,576 bytes"),
     ],
 )
 def test_what_is_refused(

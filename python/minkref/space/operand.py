@@ -10,9 +10,9 @@ from typing import Any
 
 from minkref import _core
 from minkref.errors import Refusal, refusing
+from minkref.file_text import LONGEST, bytes_of_file
 from minkref.model_catalogue import shipped_polyhedra
 from minkref.operand import LONGEST_NAME, is_utf8
-from minkref.operand_text import LONGEST
 from minkref.terminal import shown
 
 FORMATS = (".off", ".obj", ".stl", ".ply")
@@ -103,10 +103,6 @@ def _holds_vertices(path: Path) -> bool:
 def _read(path: Path, source: str) -> tuple[_core.Polyhedron, list[str]]:
     if is_utf8(str(path)):
         return refusing(source, lambda: _core.read_mesh_file(str(path)))
-    try:
-        content = path.read_bytes()
-    except OSError as error:
-        what = f"the file cannot be read: {error.strerror}"
-        raise Refusal(what, source, "name a file that you may read", "cannot-read") from error
+    content = bytes_of_file(path, source, "name a file that you may read")
     form = path.suffix.lower().removeprefix(".")
     return refusing(source, lambda: _core.read_mesh_text(content, form, source))
