@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 
 #include "reference/error.hpp"
@@ -56,6 +57,22 @@ Rational tree_sum(std::vector<Rational> values) {
   return values[0];
 }
 
+BadInput contradicts_itself(const std::string& what) {
+  return {"damaged-index", "the index contradicts itself: " + what,
+          "build it again with `minkref index`"};
+}
+
+/// Of an index that was opened, where an algorithm relies on them.
+void require_valid(std::initializer_list<std::reference_wrapper<const PolygonSet>> operands) {
+  for (const PolygonSet& operand : operands) {
+    try {
+      validate(operand);
+    } catch (const BadInput& fault) {
+      throw contradicts_itself("an operand is none: " + fault.problem());
+    }
+  }
+}
+
 }  // namespace
 
 ScaleSpaceIndex::ScaleSpaceIndex(const PolygonSet& P, const PolygonSet& Q,
@@ -64,7 +81,9 @@ ScaleSpaceIndex::ScaleSpaceIndex(const PolygonSet& P, const PolygonSet& Q,
 
 ScaleSpaceIndex ScaleSpaceIndex::open(const std::string& path) {
   try {
-    return ScaleSpaceIndex(IndexImage::read(path));
+    ScaleSpaceIndex index(IndexImage::read(path));
+    index.opened_ = true;
+    return index;
   } catch (const BadInput& refusal) {
     throw refusal.from(path);
   }
@@ -136,7 +155,19 @@ bool ScaleSpaceIndex::is_plain(const Place& at) const {
 }
 
 void ScaleSpaceIndex::collect(const Place& at, TrackRings& rings) const {
-  if (!is_plain(at)) return collect_touching(at.interval, rings);
+  try {
+    if (is_plain(at)) {
+      collect_from_bucket(at, rings);
+    } else {
+      collect_touching(at.interval, rings);
+    }
+  } catch (const std::logic_error& contradiction) {
+    if (!opened_) throw;
+    throw contradicts_itself(contradiction.what());
+  }
+}
+
+void ScaleSpaceIndex::collect_from_bucket(const Place& at, TrackRings& rings) const {
   const IndexBucket& bucket = columns_.buckets[columns_.bucket_of[at.interval]];
   const std::size_t most = bucket.entry_end - bucket.entry_begin + 1;
   rings.tracks.resize(most);
@@ -391,7 +422,11 @@ Sum ScaleSpaceIndex::sum(const Rational& scale, Passages passages) const {
   result.statistics.t_edges = columns_.counts.t_edges;
   if (passages == Passages::find) {
     result.tight_passages.emplace();
-    if (!result.region.empty()) result.tight_passages = tight_passages(P(), Q(), scale);
+    if (!result.region.empty()) {
+      const PolygonSet P = this->P(), Q = this->Q();
+      if (opened_) require_valid({P, Q});
+      result.tight_passages = tight_passages(P, Q, scale);
+    }
   }
   return result;
 }

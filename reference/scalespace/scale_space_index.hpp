@@ -21,7 +21,8 @@ class ScaleSpaceIndex {
   ScaleSpaceIndex(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window,
                   const BuildOptions& options = {});
 
-  /// One that was saved. Throws BadInput as IndexImage::read does. O(bytes).
+  /// One that was saved. Throws BadInput as IndexImage::read does; where a forged file contradicts
+  /// itself, questions may too ("damaged-index"). O(bytes).
   static ScaleSpaceIndex open(const std::string& path);
   void save(const std::string& path) const { image_.save(path); }
   std::size_t bytes() const { return image_.bytes(); }
@@ -87,7 +88,9 @@ class ScaleSpaceIndex {
  private:
   explicit ScaleSpaceIndex(IndexImage image);
 
+  /// Of an index that was opened, a contradiction is a fault of the file.
   void collect(const Place& at, TrackRings& rings) const;
+  void collect_from_bucket(const Place& at, TrackRings& rings) const;
   void collect_touching(std::uint32_t event, TrackRings& rings) const;
   /// Rings and features of an interval into the shape; take(entry, k) for each corner k.
   template <class Take>
@@ -101,7 +104,8 @@ class ScaleSpaceIndex {
   IndexImage image_;
   IndexColumns columns_;
   ScaleWindow window_;
-  double largest_ = 0;  ///< of the tracks' coefficients
+  double largest_ = 0;   ///< of the tracks' coefficients
+  bool opened_ = false;  ///< from a file, rather than built
 };
 
 }  // namespace minkref

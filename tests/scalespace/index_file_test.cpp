@@ -1,6 +1,8 @@
 // An index comes back from its file as it was; what is no such file is refused.
 #include <gtest/gtest.h>
 
+#include <boost/crc.hpp>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -80,6 +82,45 @@ TEST_F(IndexFile, AnyBitThatChangesIsSeen) {
   }
   write(whole + "more");
   EXPECT_EQ(refusal(), "damaged-index");
+}
+
+/// With the checksum of what it says.
+std::string forged(std::string bytes, std::size_t word, std::uint32_t value) {
+  constexpr std::size_t checksum_at = 24;
+  const auto put = [&](std::size_t at, std::uint32_t number) {
+    std::memcpy(bytes.data() + at, &number, sizeof number);
+  };
+  put(4 * word, value);
+  put(checksum_at, 0);
+  boost::crc_32_type crc;
+  crc.process_bytes(bytes.data(), bytes.size());
+  put(checksum_at, crc.checksum());
+  return bytes;
+}
+
+TEST_F(IndexFile, AForgedOneIsNeverTakenForAFaultOfOurs) {
+  const PolygonSet bar = box(0, 0, 3, 1);
+  const PolygonSet hook = region({{0, 0}, {5, 0}, {5, 5}, {3, 5}, {3, 2}, {2, 2}, {2, 5}, {0, 5}});
+  const ScaleSpaceIndex built(bar, hook, {Rational(1, 4), Rational(4)});
+  built.save(path_);
+  const std::string whole = bytes();
+  std::size_t opened = 0, refused = 0;
+  for (std::size_t word = 8; word < whole.size() / 4; word += 3) {
+    write(forged(whole, word, static_cast<std::uint32_t>(word % 4)));
+    try {
+      const ScaleSpaceIndex index = ScaleSpaceIndex::open(path_);
+      ++opened;
+      for (std::uint32_t k = 0; k < index.events(); ++k) {
+        index.sum(index.event(k), Passages::find);
+      }
+    } catch (const BadInput& refusal) {
+      ++refused;
+    } catch (const std::exception& fault) {
+      ADD_FAILURE() << fault.what() << " after a change of word " << word;
+    }
+  }
+  EXPECT_GT(opened, 100U);
+  EXPECT_GT(refused, 50U);
 }
 
 TEST_F(IndexFile, WhatIsForeignIsNamedSo) {
