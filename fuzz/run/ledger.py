@@ -173,6 +173,8 @@ def _plain(result: CaseResult) -> dict[str, Any]:
 
 def _result(value: dict[str, Any]) -> CaseResult:
     fields = {name: field for name, field in value.items() if name != "spent"}
+    if type(value["number"]) is not int or {type(n) for n in value["name"].values()} != {str}:
+        raise TypeError("its case has no number and name")
     fields["name"] = CaseName(**value["name"])
     fields["outcomes"] = [_outcome(outcome) for outcome in value["outcomes"]]
     fields["needs"] = tuple(value.get("needs", ()))

@@ -1,4 +1,4 @@
-"""libFuzzer on every reader, those of polyhedra too, with the address and undefined behaviour
+"""libFuzzer on every reader, those of polyhedra and of index files too, with the address and undefined behaviour
 sanitizers."""
 
 from __future__ import annotations
@@ -13,14 +13,15 @@ from minkref.reports.evidence.framework.part import READERS, Findings
 from minkref.reports.evidence.framework.store import ROOT
 
 SUBJECT = (
-    "libFuzzer (clang, address and undefined behaviour sanitizers) on every parser, that of meshes "
-    "too, 5 minutes each: no finding left."
+    "libFuzzer (clang, address and undefined behaviour sanitizers) on every parser, those of meshes "
+    "and of index files too, 5 minutes each: no finding left."
 )
-MINUTES = (23, 2.3)
+MINUTES = (26, 2.3)
 DEPENDS = (
     *READERS,
     "reference/number/*.?pp",
     "reference/space/*.?pp",
+    "reference/scalespace/*.?pp",
     "reference/error.?pp",
     "tests/fuzzing/*",
 )

@@ -212,3 +212,20 @@ def test_the_state_is_in_the_folder_of_the_user_by_default(
     else:
         monkeypatch.setenv("XDG_STATE_HOME", given)
     assert state_folder() == Path.home() / ".local" / "state" / "minkref"
+
+
+@pytest.mark.parametrize(
+    "change", [{"number": [1]}, {"number": "1"}, {"name": {"text": 1, "group": ""}}]
+)
+def test_values_of_other_kinds_are_no_result_even_under_the_key(
+    path: Path, change: dict[str, object]
+) -> None:
+    chain = Chain(ledger_key())
+    lines = []
+    for number, line in enumerate(path.read_bytes().splitlines()):
+        value = json.loads(line)
+        del value["chain"]
+        if number == 2:
+            value = {**value, **change}
+        lines.append(chain.close(json.dumps(value, separators=(",", ":")).encode()) + b"\n")
+    assert refused(path, lines).what.startswith("line 3 is no result")
