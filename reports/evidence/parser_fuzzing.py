@@ -1,5 +1,5 @@
-"""libFuzzer on every reader, those of polyhedra and of index files too, with the address and undefined behaviour
-sanitizers."""
+"""libFuzzer on every reader, those of polyhedra and of index files too, with the address and
+undefined behaviour sanitizers."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from minkref.reports.evidence.framework.part import READERS, Findings
 from minkref.reports.evidence.framework.store import ROOT
 
 SUBJECT = (
-    "libFuzzer (clang, address and undefined behaviour sanitizers) on every parser, those of meshes "
-    "and of index files too, 5 minutes each: no finding left."
+    "libFuzzer (clang, address and undefined behaviour sanitizers) on every parser, those of "
+    "meshes and of index files too, 5 minutes each: no finding left."
 )
 MINUTES = (26, 2.3)
 DEPENDS = (
