@@ -4,13 +4,14 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from pathlib import Path
 from typing import Any
 
 from minkref.errors import Refusal, choice, cut
+from minkref.file_text import text_of_file
 from minkref.fuzz.verdicts.verdict import BROKEN, GOOD, Outcome, Reason, Verdict
 
 _FIELDS = ("target", "version", "kind", "reason")
@@ -56,18 +57,16 @@ class Baseline:
 
 def read_baseline(path: Path) -> Baseline:
     """Refuses what is not `{"baseline": "baseline-v1", "entries": [...]}` with texts in all
-    fields."""
+    fields, and no others."""
     mend = 'write {"baseline": "baseline-v1", "entries": [{"target", "version", "kind", "reason"}]}'
+    text = text_of_file(path, str(path), "check the path")
     try:
-        value: Any = json.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise Refusal(
-            f"the baseline cannot be read: {error.strerror}", str(path), "check the path"
-        ) from error
+        value: Any = json.loads(text, object_pairs_hook=_once_each)
     except (ValueError, RecursionError) as error:
         raise Refusal(f"the baseline is not JSON: {cut(str(error))}", str(path), mend) from error
     if not isinstance(value, dict) or value.get("baseline") != "baseline-v1":
         raise Refusal("this is no baseline of version 1", str(path), mend)
+    _refuse_unknown(value, ("baseline", "entries"), "the baseline", str(path))
     entries = value.get("entries")
     if not isinstance(entries, list):
         raise Refusal("the baseline has no list of entries", str(path), mend)
@@ -76,6 +75,7 @@ def read_baseline(path: Path) -> Baseline:
             not isinstance(entry.get(field), str) or not entry[field] for field in _FIELDS
         ):
             raise Refusal(f"entry {number} lacks one of {', '.join(_FIELDS)}", str(path), mend)
+        _refuse_unknown(entry, _FIELDS, f"entry {number}", str(path))
         if entry["kind"] not in KINDS:
             raise Refusal(
                 f"entry {number} has the kind {entry['kind'][:40]!r}, which nothing has",
@@ -83,6 +83,20 @@ def read_baseline(path: Path) -> Baseline:
                 choice(entry["kind"], KINDS),
             )
     return Baseline(tuple(Entry(*(entry[field] for field in _FIELDS)) for entry in entries))
+
+
+def _once_each(members: list[tuple[str, Any]]) -> dict[str, Any]:
+    value = dict(members)
+    if len(value) < len(members):
+        raise ValueError("a member occurs twice")
+    return value
+
+
+def _refuse_unknown(value: dict[str, Any], known: Sequence[str], where: str, path: str) -> None:
+    for member in value:
+        if member not in known:
+            what = f"{where} has the member {member[:40]!r}, which nothing reads"
+            raise Refusal(what, path, choice(member, known))
 
 
 def unused(

@@ -8,6 +8,7 @@ from fractions import Fraction
 from math import inf, nextafter
 
 from minkref import _core
+from minkref.exact import scientific
 from minkref.fuzz.cases.case import Case
 from minkref.fuzz.targets.answer import Answer
 from minkref.fuzz.targets.declaration import Declaration
@@ -43,7 +44,7 @@ def judge_events(case: Case, name: str, claimed: list[Fraction], declared: Decla
     within = Within(declared)
     room = within.room(high)
     if 2 * room >= high - low:
-        message = f"a tolerance of {float(room):.3g} is as large as the window of scales"
+        message = f"a tolerance of {scientific(str(room))} is as large as the window of scales"
         return Outcome(name, Verdict.SKIPPED, message=message)
     wide = (low - room if room < low else low / 2, high + room)
     moving = _core.DynamicSum(case.P, case.Q, *map(str, wide))

@@ -143,3 +143,12 @@ def test_rejected_operands_whose_sum_is_empty_have_a_witness(told: Callable[...,
     assert outcome.reasons == (Reason.REJECTED_VALID,)
     assert outcome.witness is not None
     assert holds(plain.P_json, plain.Q_json, plain.scale, outcome.witness)
+
+
+def test_a_tolerance_beyond_all_doubles_is_no_fault_of_ours() -> None:
+    huge = Declaration(
+        "t", arithmetic="float64", absolute=Fraction(10) ** 1000, relative=Fraction(10) ** 1000
+    )
+    outcome = judge_events(case_of(SQUARE, SEGMENT), "t", [], huge)
+    assert outcome.verdict is Verdict.SKIPPED
+    assert "e1000" in outcome.message
