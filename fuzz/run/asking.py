@@ -194,12 +194,11 @@ class Asking:
         if JUDGING + name in self.lost:
             return without_scales(case, name, self._judgeable(name, Answer()))
         self._judging(name)
-        declared = target.declared()
-        assert not isinstance(declared, Answer)
+        scales, declared = claimed
         if declared.boundary:
             message = "of the sum of the boundaries no events are known"
             return Outcome(name, Verdict.SKIPPED, message=message)
-        return judge_events(case, name, claimed, declared)
+        return judge_events(case, name, scales, declared)
 
     def _refused(self, case: InvalidCase, name: str) -> Outcome:
         if name in self.lost:

@@ -70,8 +70,11 @@ class AdapterTarget:
 
         return self._guarded(case, ask, "update")
 
-    def events(self, case: Case, start: str, end: str) -> list[Fraction] | Answer:
-        """Scales of topology events in [start, end] as the target has them; else why not."""
+    def events(
+        self, case: Case, start: str, end: str
+    ) -> tuple[list[Fraction], Declaration] | Answer:
+        """Scales of topology events in [start, end] as the target has them, and what it declares;
+        else why not."""
         found: list[Fraction] = []
 
         def ask(declaration: Declaration) -> Answer:
@@ -91,7 +94,7 @@ class AdapterTarget:
             return Answer(declaration=declaration)
 
         answer = self._guarded(case, ask, "events")
-        return found if answer.verdict is None else answer
+        return (found, answer.declaration) if answer.verdict is None else answer
 
     def declared(self) -> Declaration | Answer:
         """What it says of itself; an answer that says why it does not."""
