@@ -1,8 +1,12 @@
 // The extension module minkref._core.
 #include "python/core.hpp"
 
+#include <gmp.h>
+
 #include <atomic>
 #include <chrono>
+#include <cstdlib>
+#include <new>
 
 #include "reference/error.hpp"
 #include "reference/memory.hpp"
@@ -69,12 +73,27 @@ void refuse_large_definition(const PolygonSet& P, const PolygonSet& Q) {
   require_room(std::uint64_t{P.vertices()} * Q.vertices(), "pairs of triangles");
 }
 
+/// GMP ends the process where it gets no memory, unless its functions for that throw.
+void let_gmp_raise() {
+  static constexpr auto check = [](void* memory) {
+    if (memory == nullptr) throw std::bad_alloc();
+    return memory;
+  };
+  mp_set_memory_functions(
+      [](std::size_t bytes) { return check(std::malloc(bytes)); },
+      [](void* old, std::size_t, std::size_t bytes) { return check(std::realloc(old, bytes)); },
+      [](void* memory, std::size_t) { std::free(memory); });
+}
+
 Computing::Computing() : interruptible_(Look()) {}
 
 }  // namespace minkref::python
 
 NB_MODULE(_core, module) {
   using namespace nanobind::literals;
+  // What is alive when the interpreter ends, as in a thread that runs on, is no fault to tell of.
+  nanobind::set_leak_warnings(false);
+  minkref::python::let_gmp_raise();
   module.doc() = "The exact reference, in the plane and in space; numbers are strings, n or n/d.";
   module.attr("__version__") = MINKREF_VERSION;
   minkref::python::bind_errors(module);

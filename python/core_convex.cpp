@@ -143,6 +143,14 @@ void bind_convex(nb::module_& module) {
           },
           "surface"_a, "source"_a = "",
           "Refuses (BadInput) what is not valid, not convex or has no volume. Exact.")
+      .def("__copy__", [](const nb::object& self) { return self; })
+      .def(
+          "__deepcopy__", [](const nb::object& self, nb::handle) { return self; }, "memo"_a)
+      .def("__getstate__", [](const ConvexBody& self) { return Surface(self.value->surface()); })
+      .def("__setstate__",
+           [](ConvexBody& self, const Surface& state) {
+             new (&self) ConvexBody(certified(state, ""));
+           })
       .def_prop_ro("vertices", [](const ConvexBody& self) { return self.value->vertices(); })
       .def_prop_ro("edges", [](const ConvexBody& self) { return self.value->edges(); })
       .def_prop_ro("facets", [](const ConvexBody& self) { return self.value->facets(); })

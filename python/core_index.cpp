@@ -359,7 +359,7 @@ void bind_index(nb::module_& module) {
            "memory_limit"_a = 0, "progress"_a = nb::none(), Released())
       .def_static(
           "open", [](const std::string& path) { return Index(path); }, "path"_a, Released(),
-          "One that was saved, by a memory map.")
+          "One that was saved: a copy of its file, which then may change.")
       .def(
           "save", [](const Index& i, const std::string& path) { i.index().save(path); }, "path"_a,
           Released())

@@ -5,6 +5,7 @@
 #include <nanobind/stl/vector.h>
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 
 #include "formats/json_text.hpp"
@@ -59,8 +60,7 @@ std::string canonical_text(const Set& set) {
 }
 
 /// The rings as they stand in the text: nothing is turned, nothing is validated.
-Set from_json(const std::string& text) {
-  const ReadLimits limits;
+Set set_of(const std::string& text, const ReadLimits& limits) {
   Input input("", limits);
   const JsonText document(text, input);
   SetBuilder builder(input);
@@ -69,20 +69,38 @@ Set from_json(const std::string& text) {
   return {std::move(reading.set), false, std::move(reading.origins)};
 }
 
+Set from_json(const std::string& text) { return set_of(text, ReadLimits{}); }
+
+std::string to_json(const Set& set) {
+  std::string text = write(set.value, Format::json);
+  while (text.ends_with('\n')) text.pop_back();
+  return text;
+}
+
+/// Of a text that we wrote, however long its numbers are. Where the rings stood in a file is gone.
+Set from_state(const std::pair<std::string, bool>& state) {
+  constexpr std::size_t most = std::numeric_limits<std::size_t>::max() / 2;
+  ReadLimits limits;
+  limits.number.digits = limits.bytes = limits.vertices = limits.json_values = limits.number_bytes =
+      limits.containment_steps = most;
+  return {set_of(state.first, limits).value, state.second};
+}
+
 }  // namespace
 
 void bind_polygon_set(nb::module_& module) {
   nb::class_<Set>(module, "PolygonSet", "A closed regular set bounded by polygons; exact.")
       .def_static("from_json", from_json, "text"_a, Released(),
                   "From {\"polygons\":[{\"outer\":ring,\"holes\":[...]}]}; nothing is validated.")
+      .def("to_json", to_json, Released(), "The rings as they are stored.")
+      .def("__copy__", [](const nb::object& self) { return self; })
       .def(
-          "to_json",
-          [](const Set& set) {
-            std::string text = write(set.value, Format::json);
-            while (text.ends_with('\n')) text.pop_back();
-            return text;
-          },
-          Released(), "The rings as they are stored.")
+          "__deepcopy__", [](const nb::object& self, nb::handle) { return self; }, "memo"_a)
+      .def("__getstate__", [](const Set& set) { return std::pair(to_json(set), set.canonical); })
+      .def("__setstate__",
+           [](Set& self, const std::pair<std::string, bool>& state) {
+             new (&self) Set(from_state(state));
+           })
       .def("canonical_json", canonical_text, Released(), "Canonical JSON of the canonical form.")
       .def(
           "validate",

@@ -2,6 +2,7 @@
 #include "python/core_space.hpp"
 
 #include <nanobind/stl/array.h>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
@@ -20,6 +21,7 @@ Polyhedron polyhedron_of(const std::vector<ExactSpacePoint>& vertices,
   Polyhedron result;
   for (const ExactSpacePoint& vertex : vertices) result.vertices.push_back(to_point(vertex));
   result.faces = faces;
+  validate_faces(result);
   return result;
 }
 
@@ -51,7 +53,18 @@ void bind_space(nb::module_& module) {
              const std::vector<Face>& faces) {
             new (self) Surface(polyhedron_of(vertices, faces));
           },
-          "vertices"_a, "faces"_a)
+          "vertices"_a, "faces"_a,
+          "Refuses (BadInput) a face that names no vertex, or has fewer than three.")
+      .def("__copy__", [](const nb::object& self) { return self; })
+      .def(
+          "__deepcopy__", [](const nb::object& self, nb::handle) { return self; }, "memo"_a)
+      .def("__getstate__",
+           [](const Surface& self) { return std::pair(points(self.value()), self.value().faces); })
+      .def("__setstate__",
+           [](Surface& self,
+              const std::pair<std::vector<ExactSpacePoint>, std::vector<Face>>& state) {
+             new (&self) Surface(polyhedron_of(state.first, state.second));
+           })
       .def(
           "points", [](const Surface& self) { return points(self.value()); },
           "The vertices, exact.")

@@ -85,6 +85,16 @@ Fields statistics(const TimedSum& sum) {
 
 void bind_sum(nb::module_& module) {
   nb::class_<TimedSum>(module, "Sum", "sP + Q in canonical form, and how it was got.")
+      .def("__copy__", [](const nb::object& self) { return self; })
+      .def(
+          "__deepcopy__", [](const nb::object& self, nb::handle) { return self; }, "memo"_a)
+      .def(
+          "__reduce_ex__",
+          [](const TimedSum&, int) -> nb::object {
+            throw nb::type_error("a Sum cannot be pickled; pickle its region, a PolygonSet");
+          },
+          nb::sig("def __reduce_ex__(self, protocol: typing.SupportsIndex, /) "
+                  "-> str | tuple[typing.Any, ...]"))
       .def_ro("region", &TimedSum::region)
       .def_ro("components", &TimedSum::components)
       .def_ro("holes", &TimedSum::holes)

@@ -1,16 +1,20 @@
 """The Python interface: exact sets, their sums, and what tells two sets apart.
 
-Numbers are texts, `n` or `n/d`. What is refused raises BadInput, with the attributes code, problem,
-mend, source, line, ring, vertices and coordinates. Source: docs/definitions.md.
+Numbers are texts, `n` or `n/d`, or exact numbers of Python, int and Fraction. An argument of
+another type raises TypeError, which says what is expected. What is refused raises BadInput, with
+the attributes code, problem, mend, source, line, ring, vertices and coordinates. Sets are values:
+they are copied and pickled. Source: docs/definitions.md.
 """
 
 from __future__ import annotations
 
 import os
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
 from minkref import _core
+from minkref.argument_types import check_methods, expect_sets, number, text_of, whole
 from minkref.errors import Refusal
 from minkref.operand import is_utf8, read_set
 from minkref.parents import passages_of
@@ -20,6 +24,9 @@ LimitExceeded = _core.LimitExceeded
 PolygonSet = _core.PolygonSet
 Sum = _core.Sum
 UndecidedSign = _core.UndecidedSign
+check_methods()
+
+Number = str | int | Fraction
 
 __all__ = [
     "BadInput",
@@ -42,7 +49,7 @@ __all__ = [
 def minkowski_sum(
     P: PolygonSet,
     Q: PolygonSet,
-    scale: str | int = 1,
+    scale: Number = 1,
     route: str = "paper",
     arithmetic: str = "rational",
 ) -> Sum:
@@ -56,7 +63,8 @@ def minkowski_sum(
     operand, scale, route or arithmetic that is none. Behar & Lien, "Dynamic
     Minkowski Sums Under Scaling", 2012, Sec. 3."""
     _validate(P=P, Q=Q)
-    return _core.minkowski_sum(P, Q, str(scale), route, arithmetic)
+    s = number("scale", scale)
+    return _core.minkowski_sum(P, Q, s, text_of("route", route), text_of("arithmetic", arithmetic))
 
 
 def set_memory_limit(bytes: int | None) -> None:
@@ -65,13 +73,13 @@ def set_memory_limit(bytes: int | None) -> None:
     LimitExceeded with the code `memory-limit`, where it can be told before it begins, else as soon
     as it has it; what it has made is lost. It holds for all threads, from the next call on. Raises
     Refusal for a number below one."""
-    if bytes is not None and bytes < 1:
+    if bytes is not None and whole("bytes", bytes) < 1:
         what = f"it has to be a number of bytes, or None, not {bytes}"
         raise Refusal(what, "set_memory_limit", "give 4 << 30 for four GiB")
     _core.set_memory_limit(bytes or 0)
 
 
-def tight_passages(P: PolygonSet, Q: PolygonSet, scale: str | int = 1) -> list[dict[str, Any]]:
+def tight_passages(P: PolygonSet, Q: PolygonSet, scale: Number = 1) -> list[dict[str, Any]]:
     """The points and polylines inside of the sum of P, scaled by `scale` > 0 about the origin, and
     Q that the sum of their interiors misses: `points`, and for each segment the features in
     `contacts`, as `minkref sum --json` has them. Exact, in canonical order. Both operands are
@@ -79,14 +87,14 @@ def tight_passages(P: PolygonSet, Q: PolygonSet, scale: str | int = 1) -> list[d
     each of its parts where shapes may touch from all sides. Raises BadInput. docs/definitions.md,
     "Tight passages"."""
     _validate(P=P, Q=Q)
-    return passages_of(_core.tight_passages(P, Q, str(scale)))
+    return passages_of(_core.tight_passages(P, Q, number("scale", scale)))
 
 
 def read_file(path: str | os.PathLike[str]) -> PolygonSet:
     """The polygon set in a file, exactly as its text says; the format by the ending (`.wkt`,
     `.geojson`, `.poly`, `.json`). Not validated. Linear in the length of the file. Raises BadInput
     (Refusal for a file whose name is not UTF-8). docs/formats.md."""
-    name = os.fspath(path)
+    name = os.fsdecode(path)
     return _core.read_file(name) if is_utf8(name) else read_set(Path(name))[0]
 
 
@@ -94,23 +102,25 @@ def read_text(text: str, format: str, source: str = "") -> PolygonSet:
     """The polygon set in a text in `wkt`, `geojson`, `poly`, `json` or `case`, exactly as it says;
     `source` names it in refusals. Not validated. Linear in the length. Raises BadInput.
     docs/formats.md."""
-    return _core.read_text(text, format, source)
+    given = {"text": text, "format": format, "source": source}
+    return _core.read_text(*(text_of(name, value) for name, value in given.items()))
 
 
 def write(set: PolygonSet, format: str) -> str:
     """The text of a set in `wkt`, `geojson`, `poly`, `json` or `svg`. `json` is exact; the others
     know decimals only and round other numbers to doubles. Linear. Raises BadInput for another
     format, and for a set that the format cannot hold. docs/formats.md."""
-    return _core.write(set, format)
+    expect_sets(set=set)
+    return _core.write(set, text_of("format", format))
 
 
-def decide(P: PolygonSet, Q: PolygonSet, scale: str | int, x: str, y: str) -> dict[str, Any]:
+def decide(P: PolygonSet, Q: PolygonSet, scale: Number, x: Number, y: Number) -> dict[str, Any]:
     """Whether the point (x, y) lies in scale P + Q, exactly and from the definition: `contact`
     says how scale P and the point less Q meet (`empty`, `touching`, `overlapping`), and `p`, `q`
     give scale p + q = (x, y) where they do. O(mn) pairs of triangles, after the validation of both
     operands. Raises BadInput. docs/definitions.md."""
     _validate(P=P, Q=Q)
-    return _core.decide(P, Q, str(scale), x, y)
+    return _core.decide(P, Q, number("scale", scale), number("x", x), number("y", y))
 
 
 def difference(first: PolygonSet, second: PolygonSet) -> dict[str, Any] | None:
@@ -122,5 +132,6 @@ def difference(first: PolygonSet, second: PolygonSet) -> dict[str, Any] | None:
 
 
 def _validate(**operands: PolygonSet) -> None:
+    expect_sets(**operands)
     for name, operand in operands.items():
         operand.validate(name)

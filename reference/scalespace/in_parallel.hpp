@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <exception>
 #include <mutex>
-#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -53,7 +52,7 @@ void in_parallel(std::size_t count, const BuildControl& control, BuildProgress::
   for (unsigned k = 1; k < useful; ++k) {
     try {
       others.emplace_back(run, k);
-    } catch (const std::system_error&) {
+    } catch (const std::exception&) {  // no thread, or no memory for one
       break;
     }
   }

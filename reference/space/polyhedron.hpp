@@ -45,6 +45,10 @@ using Scaling = std::array<Rational, 3>;
 /// faces do not cross each other is not looked at. Exact. O(n log n).
 void validate(const Polyhedron& polyhedron);
 
+/// Of `validate` what all other functions take for granted: refuses a face that names no vertex of
+/// the polyhedron, or has fewer than three. Linear.
+void validate_faces(const Polyhedron& polyhedron);
+
 /// Six times the volume, signed. Exact.
 Rational sextuple_volume(const Polyhedron& polyhedron);
 

@@ -20,7 +20,8 @@ class Validator {
   explicit Validator(const Polyhedron& polyhedron) : polyhedron_(polyhedron) {}
 
   void run() {
-    check_indices();
+    validate_faces(polyhedron_);
+    check_repetitions();
     if (!polyhedron_.is_solid()) return check_degenerate();
     check_all_used();
     integers_ = integer_points(polyhedron_.vertices);
@@ -37,21 +38,8 @@ class Validator {
     return place_in(polyhedron_, face, vertices);
   }
 
-  void check_indices() const {
+  void check_repetitions() const {
     for (std::uint32_t f = 0; f < faces().size(); ++f) {
-      for (const std::uint32_t v : faces()[f]) {
-        if (v >= polyhedron_.vertices.size()) {
-          throw BadInput("index-out-of-range",
-                         "a face names vertex " + std::to_string(v) + ", and there are " +
-                             std::to_string(polyhedron_.vertices.size()) + " vertices",
-                         "number the vertices from 0", place(f, {}));
-        }
-      }
-      if (faces()[f].size() < 3) {
-        throw BadInput("too-few-vertices",
-                       "a face has " + std::to_string(faces()[f].size()) + " vertices",
-                       "give at least three, or remove the face", place(f, faces()[f]));
-      }
       Face sorted = faces()[f];
       std::sort(sorted.begin(), sorted.end());
       const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
@@ -211,6 +199,25 @@ class Validator {
 };
 
 }  // namespace
+
+void validate_faces(const Polyhedron& polyhedron) {
+  const std::vector<Face>& faces = polyhedron.faces;
+  for (std::uint32_t f = 0; f < faces.size(); ++f) {
+    for (const std::uint32_t v : faces[f]) {
+      if (v >= polyhedron.vertices.size()) {
+        throw BadInput("index-out-of-range",
+                       "a face names vertex " + std::to_string(v) + ", and there are " +
+                           std::to_string(polyhedron.vertices.size()) + " vertices",
+                       "number the vertices from 0", place_in(polyhedron, f, {}));
+      }
+    }
+    if (faces[f].size() < 3) {
+      throw BadInput("too-few-vertices",
+                     "a face has " + std::to_string(faces[f].size()) + " vertices",
+                     "give at least three, or remove the face", place_in(polyhedron, f, faces[f]));
+    }
+  }
+}
 
 void validate(const Polyhedron& polyhedron) { Validator(polyhedron).run(); }
 

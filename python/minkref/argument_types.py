@@ -1,0 +1,93 @@
+"""Arguments of the public functions: what is of another type is refused in words that say what is
+expected (TypeError), and exact numbers of Python are taken as such."""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable
+from functools import wraps
+from numbers import Rational
+from typing import Any
+
+from minkref import _core
+
+SET = "a PolygonSet, as minkref.read_file and minkref.read_text give"
+TEXT = "a str"
+NUMBER = "an exact number: a str as '7/5' or '0.1', an int or a Fraction"
+
+
+def expect_sets(**given: Any) -> None:
+    for name, value in given.items():
+        if not isinstance(value, _core.PolygonSet):
+            raise _wrong(name, SET, value)
+
+
+def text_of(name: str, value: Any) -> str:
+    if not isinstance(value, str):
+        raise _wrong(name, TEXT, value)
+    return value
+
+
+def number(name: str, value: Any) -> str:
+    """The text of an exact number. A float is none: 0.1 is not the number that it shows."""
+    if isinstance(value, str):
+        return value
+    if isinstance(value, bool) or not isinstance(value, Rational):
+        raise _wrong(name, NUMBER, value)
+    return f"{int(value.numerator)}/{int(value.denominator)}"
+
+
+def whole(name: str, value: Any) -> int:
+    if isinstance(value, bool) or not isinstance(value, int):
+        raise _wrong(name, "an int", value)
+    return value
+
+
+def _wrong(name: str, expected: str, value: Any) -> TypeError:
+    return TypeError(f"{name} has to be {expected}, and is of type {type(value).__name__}")
+
+
+Reader = Callable[[str, Any], Any]
+_METHODS: dict[str, dict[str, Reader]] = {
+    "from_json": {"text": text_of},
+    "validate": {"source": text_of},
+    "scaled": {"factor": number},
+    "translated": {"x": number, "y": number},
+}
+
+
+def _checked(name: str, original: Callable[..., Any], readers: dict[str, Reader]) -> Any:
+    """The method, which reads what it is given by these where it does not take it as it is."""
+    is_static = name == "from_json"
+    names = [*([] if is_static else ["self"]), *readers]
+    either = inspect.Parameter.POSITIONAL_OR_KEYWORD
+    empty = {"source": ""}
+    signature = inspect.Signature(
+        [inspect.Parameter(n, either, default=empty.get(n, inspect.Parameter.empty)) for n in names]
+    )
+
+    @wraps(original)
+    def method(*given: Any, **named: Any) -> Any:
+        try:
+            return original(*given, **named)
+        except TypeError as error:
+            if "incompatible function arguments" not in str(error):
+                raise
+        try:
+            bound = signature.bind(*given, **named)
+        except TypeError as error:
+            raise TypeError(f"PolygonSet.{name}: {error}") from None
+        bound.apply_defaults()
+        return original(
+            *(readers[n](n, v) if n in readers else v for n, v in bound.arguments.items())
+        )
+
+    return staticmethod(method) if is_static else method
+
+
+def check_methods() -> None:
+    """Of PolygonSet, from now on."""
+    for name, readers in _METHODS.items():
+        original = getattr(_core.PolygonSet, name)
+        if not hasattr(original, "__wrapped__"):
+            setattr(_core.PolygonSet, name, _checked(name, original, readers))

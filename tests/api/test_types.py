@@ -1,0 +1,106 @@
+"""What is of a wrong type is refused in plain words, by every public function and method; exact
+numbers of Python are numbers, floats are not."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import minkref
+import pytest
+
+SQUARE = minkref.read_text("POLYGON((0 0,1 0,1 1,0 1,0 0))", "wkt")
+WRONG: list[Any] = [None, 3.5, float("nan"), b"1", [], {}, object(), True, "text", 7, SQUARE]
+NUMBERS = (str, int, Fraction)
+
+sum_, decide, at = minkref.minkowski_sum, minkref.decide, SQUARE.translated
+CALLS: dict[str, tuple[Callable[[Any], Any], tuple[type, ...]]] = {
+    "minkowski_sum P": (lambda x: sum_(x, SQUARE), (minkref.PolygonSet,)),
+    "minkowski_sum Q": (lambda x: sum_(SQUARE, x), (minkref.PolygonSet,)),
+    "minkowski_sum scale": (lambda x: sum_(SQUARE, SQUARE, x), NUMBERS),
+    "minkowski_sum route": (lambda x: sum_(SQUARE, SQUARE, 1, x), (str,)),
+    "minkowski_sum arithmetic": (lambda x: sum_(SQUARE, SQUARE, 1, "paper", x), (str,)),
+    "tight_passages P": (lambda x: minkref.tight_passages(x, SQUARE), (minkref.PolygonSet,)),
+    "tight_passages scale": (lambda x: minkref.tight_passages(SQUARE, SQUARE, x), NUMBERS),
+    "decide Q": (lambda x: decide(SQUARE, x, 1, "0", "0"), (minkref.PolygonSet,)),
+    "decide scale": (lambda x: decide(SQUARE, SQUARE, x, "0", "0"), NUMBERS),
+    "decide x": (lambda x: decide(SQUARE, SQUARE, 1, x, "0"), NUMBERS),
+    "decide y": (lambda x: decide(SQUARE, SQUARE, 1, "0", x), NUMBERS),
+    "difference first": (lambda x: minkref.difference(x, SQUARE), (minkref.PolygonSet,)),
+    "difference second": (lambda x: minkref.difference(SQUARE, x), (minkref.PolygonSet,)),
+    "read_text text": (lambda x: minkref.read_text(x, "wkt"), (str,)),
+    "read_text format": (lambda x: minkref.read_text("", x), (str,)),
+    "read_text source": (lambda x: minkref.read_text("POLYGON EMPTY", "wkt", x), (str,)),
+    "read_file path": (minkref.read_file, (str, bytes, Path)),
+    "write set": (lambda x: minkref.write(x, "wkt"), (minkref.PolygonSet,)),
+    "write format": (lambda x: minkref.write(SQUARE, x), (str,)),
+    "set_memory_limit bytes": (minkref.set_memory_limit, (int, type(None))),
+    "from_json text": (minkref.PolygonSet.from_json, (str,)),
+    "validate source": (SQUARE.validate, (str,)),
+    "scaled factor": (SQUARE.scaled, NUMBERS),
+    "translated x": (lambda x: at(x, "0"), NUMBERS),
+    "translated y": (lambda x: at("0", x), NUMBERS),
+}
+REFUSED = (minkref.BadInput, minkref.Refusal)
+
+
+def test_every_public_function_is_here() -> None:
+    functions = {
+        name
+        for name in minkref.__all__
+        if callable(getattr(minkref, name)) and not isinstance(getattr(minkref, name), type)
+    }
+    assert functions - {"version"} == {name.split()[0] for name in CALLS} & functions
+
+
+@pytest.mark.parametrize("name", CALLS)
+def test_a_wrong_type_is_refused_in_plain_words(name: str) -> None:
+    call, taken = CALLS[name]
+    for value in WRONG:
+        if isinstance(value, taken) and not isinstance(value, bool):
+            continue
+        with pytest.raises(TypeError) as error:
+            call(value)
+        said = str(error.value)
+        assert "\n" not in said and "_core" not in said and "nanobind" not in said, said
+        assert type(value).__name__ in said, said
+        assert name.startswith("read_file") or name.split()[1] in said, said
+    minkref.set_memory_limit(None)
+
+
+@pytest.mark.parametrize("name", [name for name, (_, taken) in CALLS.items() if taken is NUMBERS])
+def test_exact_numbers_of_python_are_numbers(name: str) -> None:
+    call, _ = CALLS[name]
+    for value in (Fraction(7, 5), 2, "7/5"):
+        call(value)
+
+
+def test_a_number_is_what_it_says() -> None:
+    assert SQUARE.scaled(Fraction(7, 5)).to_json() == SQUARE.scaled("7/5").to_json()
+    assert at(-2, Fraction(-1, 3)).to_json() == at("-2", "-1/3").to_json()
+    assert sum_(SQUARE, SQUARE, Fraction(1, 2)).region.area() == "9/4"
+    assert decide(SQUARE, SQUARE, 1, 2, Fraction(4, 2))["p"] == ["1", "1"]
+
+
+@pytest.mark.parametrize(
+    ("call", "why"),
+    [
+        (lambda: SQUARE.scaled(), "missing a required argument: 'factor'"),
+        (lambda: SQUARE.scaled("1", "2"), "too many positional arguments"),  # type: ignore[call-arg]
+        (lambda: SQUARE.scaled(by="1"), "missing a required argument: 'factor'"),  # type: ignore[call-arg]
+        (lambda: minkref.PolygonSet(), "PolygonSet"),
+    ],
+)
+def test_wrong_arguments_are_refused_in_plain_words(call: Callable[[], Any], why: str) -> None:
+    with pytest.raises(TypeError) as error:
+        call()
+    assert why in str(error.value) and "\n" not in str(error.value)
+
+
+def test_methods_keep_their_documentation() -> None:
+    assert "exact" in (minkref.PolygonSet.__doc__ or "")
+    assert "nothing is validated" in (minkref.PolygonSet.from_json.__doc__ or "")
+    SQUARE.validate()
+    SQUARE.validate(source="P")
