@@ -20,15 +20,16 @@ def children_of(parent: int) -> list[int]:
 def tree_bytes(root: int) -> int:
     """The memory of all processes below `root`, which is not counted itself. What several share
     counts once where the kernel tells the shares, else in each."""
-    return sum(_bytes_of(process) for process in _below(root))
+    return sum(_bytes_of(process) for process in descendants(root))
 
 
 def resident_bytes(root: int) -> int:
     """At least as much as tree_bytes, at less cost: what is shared counts in each."""
-    return sum(_resident(process) for process in _below(root))
+    return sum(_resident(process) for process in descendants(root))
 
 
-def _below(root: int) -> list[int]:
+def descendants(root: int) -> list[int]:
+    """All processes below `root`."""
     parents = _parents()
     found, new = [], [root]
     while new:

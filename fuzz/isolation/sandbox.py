@@ -42,26 +42,28 @@ def sandboxed(
     for name, place in (("fd", ""), ("stdin", "/0"), ("stdout", "/1"), ("stderr", "/2")):
         words += ["--symlink", f"/proc/self/fd{place}", f"/dev/{name}"]
     words += ["--dir", "/dev/shm", "--dir", HOME]
-    shown = _shown(readable(command, environment))
-    for path in shown:
+    here = os.getcwd()
+    named = tuple(environment.get(name, "") for name in LIBRARY_VARIABLES)
+    needed = readable(tuple(command), named, here)
+    for path in _shown(needed):
         words += ["--ro-bind", path, path]
-    words += _covered([*_secrets(), *hidden], keep=readable(command, environment))
-    return [*words, "--chdir", os.getcwd(), "--", *command]
+    words += _covered([*_secrets(), *hidden], keep=needed)
+    return [*words, "--chdir", here, "--", *command]
 
 
-def readable(command: list[str], environment: dict[str, str]) -> list[Path]:
+@functools.lru_cache
+def readable(command: tuple[str, ...], named: tuple[str, ...], here: str) -> tuple[Path, ...]:
     """Folders that the program needs: of each word of its command that is a path, of the libraries
-    that the environment names, ours, and the current one."""
-    found = [Path.cwd(), Path(sys.prefix), Path(sys.base_prefix), *_ours()]
+    that the environment names, ours, and the current one, `here`."""
+    found = [Path(here), Path(sys.prefix), Path(sys.base_prefix), *_ours()]
     for word in command:
         path = Path(shutil.which(word) or word) if word == command[0] else Path(word)
         if os.path.lexists(path):
             for each in (path.absolute(), path.resolve()):
                 found.append(_home_of(each))
-    for name in LIBRARY_VARIABLES:
-        paths = environment.get(name, "").split(os.pathsep)
-        found += [_home_of(Path(path, "x")) for path in paths if os.path.isabs(path)]
-    return found
+    paths = [path for text in named for path in text.split(os.pathsep) if os.path.isabs(path)]
+    found += [_home_of(Path(path, "x")) for path in paths]
+    return tuple(dict.fromkeys(found))
 
 
 def _ours() -> list[Path]:

@@ -1,0 +1,123 @@
+"""Runs of an adapter in the sandbox, killed at random moments, and resumed."""
+
+from __future__ import annotations
+
+import os
+import random
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import uuid
+from pathlib import Path
+
+from minkref.fuzz.isolation.control_group import find_room
+from minkref.fuzz.isolation.process_tree import descendants
+from minkref.fuzz.isolation.sandbox import absence
+from minkref.reports.evidence.framework.part import COMPARISON, READERS, REFERENCE, Findings
+from minkref.reports.evidence.framework.verify_run import COMMAND
+from minkref.reports.evidence.killed_runs import SEEDED, findings_of, results_in
+
+SUBJECT = (
+    "A run with an adapter in the sandbox, killed by SIGKILL at 50 random moments and resumed from "
+    "its ledger: the findings of an undisturbed run, no result lost, and no process, temporary "
+    "file or control group left behind."
+)
+MINUTES = (15, 1)
+DEPENDS = (*REFERENCE, *READERS, *COMPARISON, "tests/seeded/*.py")
+
+KILLS, QUICK_KILLS = 50, 3
+CASES = 150
+SEED = 24
+MARK = "MINKREF_EVIDENCE_MARK"
+PATIENCE = 5.0  # seconds in which what was sent SIGKILL has to be gone
+
+
+def start(ledger: Path, mark: str) -> subprocess.Popen[str]:
+    target = f"cmd:{sys.executable} {SEEDED / 'seeded_adapter.py'} {fault()}"
+    words = [*COMMAND, "verify", target, "--isolation", "sandbox", "--pairs", str(CASES)]
+    words += ["--seed", str(SEED), "--no-models", "--jobs", "2", "--shrink-calls", "0", "--json"]
+    return subprocess.Popen(
+        [*words, "--ledger", str(ledger)],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+        text=True,
+        start_new_session=True,
+        env={**os.environ, MARK: mark, "TMPDIR": str(ledger.parent / "temporary")},
+    )
+
+
+def fault() -> str:
+    from minkref.reports.evidence.seeded_faults_found import faults
+
+    return next(n for n in sorted(faults()) if "hole" in n and not faults()[n].needs_scale)
+
+
+def running(mark: str) -> int:
+    """Processes of a run, its adapters among them."""
+    count = 0
+    for entry in Path("/proc").iterdir():
+        if entry.name.isdecimal():
+            try:
+                count += f"{MARK}={mark}".encode() in (entry / "environ").read_bytes()
+            except OSError:
+                continue
+    return count
+
+
+def left(mark: str) -> int:
+    deadline = time.monotonic() + PATIENCE
+    while (count := running(mark)) and time.monotonic() < deadline:
+        time.sleep(0.02)
+    return count
+
+
+def groups_of(owners: list[int]) -> list[Path]:
+    """Control groups that these processes made."""
+    room = find_room()
+    found = (room.folder.glob(f"minkref-{owner}-*") for owner in owners) if room else ()
+    return [path for paths in found for path in paths]
+
+
+def run(quick: bool) -> Findings:
+    findings = Findings()
+    why = absence()
+    if why is not None:
+        findings.target("a sandbox", False, "available", why)
+        return findings
+    dice = random.Random(SEED)
+    kills = QUICK_KILLS if quick else KILLS
+    with tempfile.TemporaryDirectory(prefix="killed-runs-") as folder:
+        Path(folder, "temporary").mkdir()
+        since = time.monotonic()
+        expected = findings_of(start(Path(folder, "whole"), "none").communicate()[0])
+        seconds = time.monotonic() - since
+        findings.figures["cases, findings of the undisturbed run"] = f"{CASES}, {len(expected)}"
+        lost = different = killed = processes = groups = 0
+        for number in range(kills):
+            ledger, mark = Path(folder, str(number)), uuid.uuid4().hex
+            process = start(ledger, mark)
+            try:
+                process.communicate(timeout=dice.uniform(0.05, 0.95) * seconds)
+            except subprocess.TimeoutExpired:
+                killed += 1
+            written = results_in(ledger)
+            owners = [process.pid, *descendants(process.pid)]
+            process.send_signal(signal.SIGKILL)
+            process.communicate()
+            processes += left(mark)
+            resumed = start(ledger, mark)
+            different += findings_of(resumed.communicate()[0]) != expected
+            lost += len(written - results_in(ledger))
+            processes += left(mark)
+            groups += len(groups_of([*owners, resumed.pid]))
+        files = list(Path(folder, "temporary").iterdir())
+    findings.figures["runs killed before their end"] = f"{killed} of {kills}"
+    findings.law("runs killed before their end", killed > 0, "some", killed)
+    findings.law("results that were reported and are lost", lost == 0, 0, lost)
+    findings.law("resumed runs with other findings", different == 0, 0, different)
+    findings.law("processes left behind", processes == 0, 0, processes)
+    findings.law("control groups left behind", groups == 0, 0, groups)
+    findings.law("temporary files left behind", not files, 0, len(files))
+    return findings
