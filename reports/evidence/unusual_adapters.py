@@ -7,6 +7,7 @@ import subprocess
 import tempfile
 import time
 from collections import Counter
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from minkref.reports.evidence.framework.adapters_of_the_page import FOLDER, kinds, target_of
@@ -24,6 +25,7 @@ DEPENDS = (*REFERENCE, *READERS, *COMPARISON, "tests/page_alone/*")
 CASES = 500
 PAIRS = 300  # of one run
 RUNS = 12
+WORKERS = 2  # adapters judged at a time
 # Two that take only convex polygons meet more of them here.
 CONVEX = ("--family", "convex", "--family", "collinear", "--family", "offset")
 GOOD = ("pass", "pass-within", "skipped")
@@ -62,13 +64,17 @@ def judged(
 def run(quick: bool) -> Findings:
     findings = Findings()
     targets = {name: target_of(name) for name in kinds("UNUSUAL")}
-    rows = {}
-    with tempfile.TemporaryDirectory() as folder:
+    with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(WORKERS) as pool:
         others = programs(Path(folder))
-        for name, target in {**targets, **others}.items():
+
+        def row_of(name: str, target: str) -> tuple[Counter[str], list[str]]:
             began = time.monotonic()
-            rows[name] = judged(target, CASES, PAIRS, CONVEX if name in others else ())
-            print(f"{name}: {time.monotonic() - began:.0f} s, {dict(rows[name][0])}", flush=True)
+            row = judged(target, CASES, PAIRS, CONVEX if name in others else ())
+            print(f"{name}: {time.monotonic() - began:.0f} s, {dict(row[0])}", flush=True)
+            return row
+
+        targets |= others
+        rows = dict(zip(targets, pool.map(row_of, targets, targets.values()), strict=True))
     alarms, open_cases, few = 0, 0, 0
     for name, (counts, shown) in rows.items():
         findings.figures[name] = ", ".join(f"{n:,} {verdict}" for verdict, n in counts.items())
