@@ -124,7 +124,7 @@ def read_json(path: Path, most: float, decimals: bool) -> Json:
         return int(text) if len(text) <= MOST_DIGITS else refuse(text)
 
     try:
-        require(path.is_file(), f"{path} cannot be read: it is no file")
+        require(os.path.isfile(path), f"{str(path)[:400]} cannot be read: it is no file")
         with path.open("rb") as file:
             data = file.read(int(most) + 1)
         if data[:2] == b"\x1f\x8b" and len(data) <= most:

@@ -81,7 +81,8 @@ std::string read(const std::string& path, std::size_t most, bool standard_input)
   std::ifstream file;
   if (!standard_input) {
     std::error_code error;
-    require(std::filesystem::is_regular_file(path, error), path + " cannot be read: it is no file");
+    require(std::filesystem::is_regular_file(path, error),
+            path.substr(0, 400) + " cannot be read: it is no file");
     file.open(path, std::ios::binary);
     require(file.good(), path + " cannot be read");
   }

@@ -120,13 +120,17 @@ class Validator {
         boxes.push_back(box);  // rounding is monotone: what overlaps exactly overlaps here
       }
     }
-    // The first fault in the order of the input is the one that is named.
-    std::optional<std::pair<std::size_t, std::size_t>> first;
-    BoxTree(std::move(boxes)).pairs([&](std::uint32_t i, std::uint32_t j) {
-      const std::pair<std::size_t, std::size_t> pair = std::minmax<std::size_t>(i, j);
-      if ((!first || pair < *first) && refusal(edges[pair.first], edges[pair.second])) first = pair;
-    });
-    if (first) throw *refusal(edges[first->first], edges[first->second]);
+    // The first fault in the order of the input is the one that is named. Edges are asked in this
+    // order, so that in a ring that crosses itself everywhere not all pairs are looked at.
+    const BoxTree tree(boxes);
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      std::optional<std::uint32_t> least;
+      tree.query(boxes[i], [&](std::uint32_t j) {
+        if (j > i && (!least || j < *least) && refusal(edges[i], edges[j])) least = j;
+        return false;
+      });
+      if (least) throw *refusal(edges[i], edges[*least]);
+    }
   }
 
   /// What is wrong with the way two edges meet, if anything.

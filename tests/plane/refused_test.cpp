@@ -132,6 +132,16 @@ TEST(Refused, SelfIntersectionNamesTheTwoEdges) {
   EXPECT_EQ(all, (std::set<std::size_t>{0, 1, 2, 3}));
 }
 
+TEST(Refused, ARingThatCrossesItselfEverywhereIsRefusedWithoutALookAtAllPairs) {
+  // Some 20,000 million pairs of edges with boxes that overlap: a look at all takes a minute.
+  Ring ring;
+  for (long k = 0; k < 200'000; ++k) ring.push_back({k * 7919 % 1'048'583, k * 611'953 % 999'983});
+  const Refusal found = refusal(raw(std::move(ring)));
+  EXPECT_EQ(found.code, "self-intersection");
+  ASSERT_EQ(found.vertices.size(), 4U);
+  EXPECT_EQ(found.vertices[0], 0U);  // the first fault in the order of the ring
+}
+
 TEST(Refused, RingsThatTouchThemselves) {
   // A vertex twice, a vertex on an edge, an edge back along another, an antenna.
   for (const Ring& ring :
