@@ -18,7 +18,8 @@ setup:
 environment:
 	@scripts/set_up.sh environment
 
-run: setup
+run:
+	@scripts/set_up.sh run
 	.venv/bin/minkref verify --baseline fuzz/baseline.json --report build/report $(ARGS)
 
 test: setup

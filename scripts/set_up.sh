@@ -1,5 +1,6 @@
 #!/bin/bash
-# set_up.sh [packages|environment|build]: everything that a fresh clone needs, up to the named step (all without a name).
+# set_up.sh [packages|environment|run|build]: everything that a fresh clone needs, up to the named step (all without a
+# name). `run` builds what the main job takes, and again what was built before; `build` the tests and all programs too.
 # Each step is skipped when what it depends on has not changed: its key, a hash of contents, stands in a stamp.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -54,6 +55,25 @@ if ! fresh configure "$key" || [[ ! -f build/release/build.ninja ]]; then
   echo "$key" >build/stamps/configure
 fi
 
-# 4. Build, and put the package into .venv.
-cmake --build build/release -j "$(nproc)"
+# 4. Build, and put the package into .venv. A terminal gets one line that changes; the log has all.
+targets=()
+if [[ $last == run ]]; then
+  targets=(minkref_run)
+  for program in build/release/oracle/*/minkref-*; do
+    if [[ -f $program && -x $program ]]; then targets+=("${program##*/}"); fi
+  done
+fi
+shown() {
+  if [[ -t 1 ]]; then
+    awk '/^\[[0-9]+\/[0-9]+\]/ { printf "\r\033[Kminkref: build %s", substr($1, 2, length($1) - 2); fflush(); some = 1 }
+         END { if (some) printf "\r\033[K" }'
+  else
+    cat
+  fi
+}
+if ! cmake --build build/release -j "$(nproc)" ${targets[@]:+--target "${targets[@]}"} 2>&1 | tee build/build.log | shown; then
+  if [[ -t 1 ]]; then tail -n 30 build/build.log >&2; fi
+  say "the build failed: build/build.log has all of it" >&2
+  exit 2
+fi
 .venv/bin/python scripts/link_package.py

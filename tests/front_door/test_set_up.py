@@ -67,3 +67,21 @@ def test_an_interpreter_that_is_too_old_is_passed_over(tmp_path: Path) -> None:
     assert done.returncode == 0
     assert Path(done.stdout.strip()).is_file()
     assert Path(done.stdout.strip()).parent != tmp_path
+
+
+def ninja_plan(target: str) -> str:
+    build = ROOT / "build" / "release"
+    done = subprocess.run(
+        ["ninja", "-C", str(build), "-t", "commands", target], capture_output=True, text=True
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+def test_the_main_job_waits_for_no_test_and_no_program_that_it_does_not_call() -> None:
+    plan = ninja_plan("minkref_run")
+    assert "python/core_sum.cpp" in plan
+    assert "oracle/cgal/reduced.cpp" in plan
+    for other in ("tests/", "oracle/cgal/swept", "oracle/cgal/space", "oracle/checker/",
+                  "oracle/sampled/"):  # fmt: skip
+        assert f"{ROOT}/{other}" not in plan
