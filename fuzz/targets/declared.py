@@ -6,6 +6,7 @@ import shlex
 from dataclasses import replace
 
 from minkref.errors import Refusal, cut
+from minkref.fuzz.isolation.isolation import SANDBOX, usual
 from minkref.fuzz.targets.adapter import AdapterTarget
 from minkref.fuzz.targets.answer import REGIONS, Limits
 from minkref.fuzz.targets.catalogue import TargetEntry, is_adapter, is_function, make_target
@@ -43,7 +44,10 @@ def _of_adapter(name: str, limits: Limits) -> Declaration:
     what = f"the adapter does not begin: {declared.message}"
     if declared.log:
         what += f"; the end of its log: {cut(declared.log.strip())}"
-    raise Refusal(what, name, f"run it by hand: {shlex.join(target.command)}", "no-adapter")
+    mend = f"run it by hand: {shlex.join(target.command)}"
+    if (limits.isolation or usual()).kind == SANDBOX:
+        mend += "; in the sandbox it has no network and writes to TMPDIR only (--isolation none)"
+    raise Refusal(what, name, mend, "no-adapter")
 
 
 def declares_itself(name: str) -> bool:

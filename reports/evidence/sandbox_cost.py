@@ -69,7 +69,8 @@ def _report(findings: Findings, what: str, times: list[list[float]], unit: float
         findings.figures[f"{what}, {kind}"] = (
             f"{middle * unit:.3g} ({least * unit:.3g} to {most * unit:.3g})"
         )
-    return unit * statistics.median([a - b for a, b in zip(*times, strict=True)])
+    differences = [a - b for a, b in zip(*times, strict=True)]
+    return float(unit * statistics.median(differences))
 
 
 def _starts(walls: list[Isolation], count: int) -> list[list[float]]:
