@@ -1,0 +1,98 @@
+"""Adapters and files that mean harm: refused or judged, and nothing is left behind."""
+
+from __future__ import annotations
+
+import importlib
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import Any
+
+from minkref.reports.evidence.framework.part import COMPARISON, READERS, REFERENCE, Findings
+
+SUBJECT = (
+    "Hostile adapters, written from the documentation alone by somebody who had not read the "
+    "judge (escapes, forks, forgeries, floods, lies, numbers, memory, endings), with the sandbox "
+    "and without it, and hostile files for every reader: all are refused or judged, the verdicts "
+    "of the target beside them stay, nothing is left behind, nothing outside is changed."
+)
+MINUTES = (45, 1.5)
+DEPENDS = (*REFERENCE, *READERS, *COMPARISON, "python/minkref/**/*.py", "tests/hostile/**/*")
+
+FOLDER = Path(__file__).resolve().parents[2] / "tests" / "hostile"
+WORDS: tuple[str, ...] = ("--no-models", "--shrink-calls", "0", "--jobs", "1", "--no-settings")
+WORDS += ("--call-seconds", "3", "--call-memory", "400", "--call-output", "32")
+WAYS = ("sandbox", "none")
+QUICK_FILES = 12  # every so many of them
+AT_ONCE = 2
+
+
+def room(module: str) -> Any:
+    """A module of tests/hostile, whose own scripts find each other beside them."""
+    for folder in (FOLDER, FOLDER / "files"):
+        if str(folder) not in sys.path:
+            sys.path.insert(0, str(folder))
+    return importlib.import_module(module)
+
+
+def attacked(attack: Any, way: str) -> dict[str, Any]:
+    """One run of verify on a hostile adapter."""
+    words = (*attack.words, *WORDS, "--isolation", way)
+    seen = room("attack").attack(attack.adapter, *words, told=attack.told, tty=attack.tty)
+    row = {
+        "title": f"{attack.title}, {way}",
+        "faults": room("judging").faults_of(attack, seen, way == "sandbox"),
+        "code": seen.code,
+        "seconds": round(seen.seconds, 1),
+        "verdicts": seen.verdicts(),
+        "reached": room("judging").got(seen),
+        "traces": [*seen.outside, *seen.work],
+        "processes": len(seen.processes),
+    }
+    print(row, flush=True)
+    return row
+
+
+def read(hostile: Any) -> dict[str, Any]:
+    seen = room("reading").read(hostile)
+    print(seen, flush=True)
+    return {"title": seen.title, "faults": seen.faults, "code": seen.code, "peak": seen.peak_bytes}
+
+
+def run(quick: bool) -> Findings:
+    findings = Findings()
+    files = room("file_catalogue").FILES
+    chosen = [attack for attack in room("attacks").ATTACKS if attack.quick or not quick]
+    files = files[::QUICK_FILES] if quick else files
+    with ThreadPoolExecutor(AT_ONCE) as pool:
+        for way in WAYS:
+            rows = list(pool.map(lambda attack, way=way: attacked(attack, way), chosen))
+            tell_attacks(findings, way, rows)
+        tell_files(findings, list(pool.map(read, files)))
+    return findings
+
+
+def tell_attacks(findings: Findings, way: str, rows: list[dict[str, Any]]) -> None:
+    name = "with the sandbox" if way == "sandbox" else "without it"
+    bad = [row for row in rows if row["faults"]]
+    findings.law(f"attacks by adapters, {name}: not as documented", not bad, 0, len(bad))
+    left = sum(row["processes"] for row in rows)
+    findings.law(f"processes left behind, {name}", left == 0, 0, left)
+    findings.figures[f"attacks, {name}"] = rows
+    reached = sorted({word for row in rows for word in row["reached"]})
+    findings.note(f"{name}, adapters got at: {', '.join(reached) or 'nothing'}")
+    tell(findings, bad)
+
+
+def tell_files(findings: Findings, rows: list[dict[str, Any]]) -> None:
+    bad = [row for row in rows if row["faults"]]
+    findings.law("hostile files neither refused nor judged as documented", not bad, 0, len(bad))
+    findings.figures["hostile files"] = len(rows)
+    findings.figures["refused"] = sum(row["code"] != 0 for row in rows)
+    findings.figures["largest process, MiB"] = max(row["peak"] for row in rows) >> 20
+    tell(findings, bad)
+
+
+def tell(findings: Findings, bad: list[dict[str, Any]]) -> None:
+    for row in bad:
+        findings.note(f"{row['title']}: {'; '.join(row['faults'])}")

@@ -1,0 +1,145 @@
+"""All attacks by adapters, with what docs/adapter-protocol.md says of each: its verdicts."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+PASS, WRONG, ERRORED = "pass", "wrong", "errored"
+CRASHED, LATE, MEMORY = "crashed", "timed-out", "out-of-memory"
+CONVEX = ("--family", "convex", "--pairs", "3", "--no-derived")
+ALL_WAYS = (PASS, WRONG, ERRORED, CRASHED, LATE, MEMORY, "skipped", "pass-within")
+
+
+@dataclass(frozen=True)
+class Attack:
+    """`verdicts`: those that it may have; none: it does not begin, exit code 2. What it may get at,
+    in its own words: `inside` the sandbox, where all of that is its own and ends with it, and
+    `alone`, without one. `leaves`: files where everybody may write, or shared memory, without a
+    sandbox. `kills`: may end the run, without a sandbox and a user of its own."""
+
+    adapter: str
+    verdicts: tuple[str, ...] = (PASS,)
+    words: tuple[str, ...] = CONVEX
+    told: str = ""
+    inside: tuple[str, ...] = ()
+    alone: tuple[str, ...] = ()
+    leaves: bool = False
+    kills: bool = False
+    tty: bool = False
+    quick: bool = False
+
+    @property
+    def title(self) -> str:
+        return f"{self.adapter} {self.told}".strip()
+
+
+def of(verdicts: tuple[str, ...], *adapters: str) -> list[Attack]:
+    return [Attack(adapter, verdicts) for adapter in adapters]
+
+
+def several(adapter: str, verdicts: tuple[str, ...], numbers: list[int]) -> list[Attack]:
+    return [Attack(adapter, verdicts, told=f"first={number}") for number in numbers]
+
+
+PROCESSES = [
+    *of((PASS,), "ForksFifty", "DaemonWithoutEnvironment", "Relay", "ForksWhenTerminated"),
+    *of((PASS,), "OwnSubreaper", "OwnNamespace", "ManyThreads"),
+    Attack("Daemon", quick=True),
+    Attack("KillsItsKeeper", (PASS, CRASHED), kills=True, quick=True),
+    Attack("KillsItsGroup", (CRASHED,), kills=True),
+    Attack("KillsAllInSight", (PASS, CRASHED), kills=True),
+    Attack("TerminatesAllInSight", (PASS, CRASHED), kills=True),
+    Attack("StopsAllInSight", (PASS, CRASHED, LATE), kills=True),
+    Attack("TakesItsParentsFiles", (PASS, CRASHED), kills=True),
+    *of((LATE,), "StopsItself", "HearsNothing"),
+    *of((CRASHED,), "StoppedChild", "HoldsThePipes"),
+    Attack("DiesWhileItsChildrenAnswer", (CRASHED, PASS)),
+]
+FORGERIES = [
+    Attack("ForgesTheLedger", (WRONG,), quick=True),
+    *of((WRONG,), "AppendsToTheLedger", "ForgesTheReport", "LinksTheReportElsewhere"),
+    *of((WRONG,), "WritesToOurOutput", "AnotherName", "NastyName"),
+    *of((PASS,), "LocksTheLedger"),
+    *of((ERRORED,), "PrintsADocument", "NastyReason", "ObeyTheTerminal", "OtherSeq"),
+    *of((ERRORED, PASS, WRONG), "AnswersAhead", "AnswersTwice", "AnswersBeforeItIsAsked"),
+    *of((CRASHED,), "ObeyTheTerminalInTheLog"),
+]
+FLOODS = [
+    Attack("Floods", (ERRORED,), quick=True),
+    *of((ERRORED,), "FloodsOfEmptyLines", "HugeAnswer", "FloodsTheLog", "FloodsTheLogInSilence"),
+    *of((ERRORED, PASS), "FloodsOfAnswers", "Deep"),
+    *of((), "FloodsInHello"),
+    *of((LATE,), "Drips", "HalfALine", "HalfALineAndCloses", "ClosesAll", "ReadsNothing"),
+    Attack("NoText", (ERRORED, PASS, CRASHED), (*CONVEX[:3], "16", "--no-derived")),
+    *of((ERRORED, WRONG, LATE, "undecided"), "ManyRings", "ManyVertices", "LongDenominators"),
+    *of((CRASHED, LATE), "Empty"),
+]
+SPELLED = 100
+PLANE = ("--family", "convex", "--pairs", str(SPELLED), "--no-derived")
+SPACE = ("--family", "space-convex", "--pairs", str(SPELLED), "--no-derived")
+UPDATES = tuple(f"update(convex:1:{k})" for k in range(SPELLED))
+EVENTS = tuple(f"events(holes:1:{k})" for k in range(SPELLED))
+
+
+def cases(names: tuple[str, ...]) -> tuple[str, ...]:
+    return tuple(word for name in names for word in ("--case", name))
+
+
+NUMBERS = [
+    Attack("SpellsPolygons", (ERRORED,), PLANE),
+    Attack("SpellsRings", (ERRORED,), PLANE),
+    Attack("SpellsInDoubles", (ERRORED, WRONG), PLANE),
+    Attack("SpellsUpdates", (ERRORED, PASS), cases(UPDATES)),
+    Attack("SpellsEvents", (ERRORED,), cases(EVENTS)),
+    Attack("SpellsSpace", (ERRORED,), SPACE),
+    Attack("SpellsUpdatesInSpace", (ERRORED, WRONG), SPACE[:4]),
+    Attack("SpellsIndices", (ERRORED,), SPACE),
+    Attack("HugeNumbers", (WRONG, ERRORED), (*CONVEX[:3], "12", "--no-derived")),
+    *several("SpellsTolerance", (), [0, 2, 3, 12, 29, 47]),
+    *several("SpellsGridUnit", (), [0, 2, 47]),
+    *several("SpellsGridLargest", (), [2, 12, 70]),
+    *several("SpellsGridBits", (), [0, 2, 80]),
+]
+LIES = 44
+DECLARED = [
+    *several("Lies", (), list(range(LIES))),
+    Attack("PromisesAll", ALL_WAYS, ("--pairs", "20")),
+    Attack("HugeTolerance", ("pass-within", PASS, "undecided")),
+    Attack("AnotherEachTime", (PASS, CRASHED, ERRORED)),
+    Attack("RejectsAll", (WRONG,)),
+    Attack("ReasonsAreNoTexts", (ERRORED, WRONG)),
+]
+SHARED = ("shared-memory", "messages", "semaphores", "queue", "posix-memory")
+REACHING = [
+    Attack("ReadsTheEnvironment", quick=True),
+    Attack("ReachesTheNetwork", alone=("tcp", "udp", "unix", "interfaces"), quick=True),
+    Attack("Listens"),
+    Attack("TracesItsParents", inside=("trace", "memory")),
+    Attack("Privileges", alone=("capabilities",)),
+    Attack("ChangesTheTerminal", tty=True),
+    Attack("SharesMemory", inside=SHARED, alone=SHARED, leaves=True),
+    Attack(
+        "WritesEverywhere",
+        inside=("tmp", "shm", "run"),
+        alone=("tmp", "shm", "var"),
+        leaves=True,
+        quick=True,
+    ),
+    Attack("FillsTheTemporaryFolder", (PASS, MEMORY, CRASHED, ERRORED)),
+    *of((PASS,), "LeavesFiles", "LeavesFilesInTheWorkFolder", "SwapsTheTemporaryFolder"),
+    *of((PASS,), "LeavesThroughLinks"),
+]
+EATING = of((MEMORY,), "EatsMemory", "EatsMemoryAsATree", "EatsMemoryOfDaemons", "EatsSharedMemory")
+EATING += of((MEMORY, LATE, CRASHED), "EatsUnmappedMemory", "OpensFiles")
+ENDINGS = [
+    *several("Exits", (CRASHED,), [0, 2, 70, 130, 255]),
+    *several("ExitsInHello", (), [0, 70]),
+    *several("ExitsInLoad", (CRASHED,), [3]),
+    *several("ExitsAtOnce", (), [0, 137]),
+    *several("Dies", (CRASHED,), [2, 3, 4, 6, 9, 11, 13, 15, 31, 34]),
+    *of((CRASHED,), "DumpsItsCore"),
+    *of((), "HangsInHello"),
+]
+ATTACKS = [
+    *(*PROCESSES, *FORGERIES, *FLOODS, *NUMBERS, *DECLARED, *REACHING, *EATING, *ENDINGS),
+]

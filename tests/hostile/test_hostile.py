@@ -1,0 +1,47 @@
+"""A few of the hostile adapters and files; the part `hostile` of the evidence runs them all."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+FOLDER = Path(__file__).parent
+WORDS = ("--no-models", "--shrink-calls", "0", "--jobs", "1", "--no-settings")
+FILES = (
+    *("an underscore, json", "an exponent of twenty digits, wkt", "PLY, two billion vertices"),
+    *("settings, lists in lists", "index, a column of 2^64 - 1 elements"),
+    *("certificate, a case that is a device", "a bomb in gzip"),
+)
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
+
+
+@pytest.fixture
+def room(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its modules find each other beside them."""
+    for folder in (FOLDER, FOLDER / "files"):
+        monkeypatch.syspath_prepend(str(folder))
+
+
+@pytest.mark.parametrize("name", ["Daemon", "ForgesTheLedger"])
+def test_an_attack_is_judged_and_leaves_nothing(name: str, room: None) -> None:
+    from attack import attack
+    from attacks import ATTACKS
+    from judging import faults_of
+
+    (chosen,) = [one for one in ATTACKS if one.title == name]
+    seen = attack(name, *chosen.words, *WORDS)
+    sandboxed = (seen.document or {}).get("isolation", {}).get("kind") == "sandbox"
+    assert faults_of(chosen, seen, sandboxed) == []
+
+
+@pytest.mark.parametrize("title", FILES)
+def test_a_file_is_refused(title: str, room: None) -> None:
+    from file_catalogue import FILES
+    from reading import read
+
+    (chosen,) = [file for file in FILES if file.title == title]
+    seen: Any = read(chosen)
+    assert seen.faults == [], seen
