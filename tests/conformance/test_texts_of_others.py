@@ -13,6 +13,7 @@ from typing import Any
 
 import pytest
 from markdown_it import MarkdownIt
+from minkref.commands.verify_output import print_tables
 from minkref.fuzz.cases.case import CaseName
 from minkref.fuzz.run.runner import Cell, Finding
 from minkref.fuzz.run.worker import CaseResult
@@ -23,6 +24,7 @@ from minkref.reports.conformance.case_view import case_views
 from minkref.reports.conformance.junit import junit
 from minkref.reports.conformance.markdown import markdown
 from minkref.reports.conformance.markdown_text import plain
+from minkref.reports.conformance.page import write_report as write_pages
 from minkref.reports.conformance.sarif import _place, sarif
 
 NASTY = (
@@ -115,6 +117,23 @@ def test_sarif(hostile: Any) -> None:
             assert re.fullmatch(
                 r"[\w%./~-]+", location["physicalLocation"]["artifactLocation"]["uri"]
             )
+
+
+def test_pages(hostile: Any, tmp_path: Path) -> None:
+    write_pages(tmp_path, hostile.run, hostile.groups, hostile.value)
+    pages = sorted(tmp_path.glob("*.html"))
+    assert len(pages) > 5
+    for page in pages:
+        text = page.read_text(encoding="utf-8")
+        assert "<script>alert" not in text and "<img" not in text, page.name
+        found = OBEYED.search(text)
+        assert found is None, (page.name, text[found.start() - 90 : found.end() + 9])
+
+
+def test_terminal(hostile: Any, capsys: pytest.CaptureFixture[str]) -> None:
+    hostile.value.update(report=NASTY, peak_bytes=1)
+    print_tables(hostile.run, hostile.groups, hostile.value)
+    assert not OBEYED.search(capsys.readouterr().out)
 
 
 @pytest.mark.parametrize("name", ["a" * 5000, "a\0b", "b\udcff.py", "\ud800"])

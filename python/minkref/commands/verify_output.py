@@ -224,7 +224,7 @@ def _matrix(run: Run) -> Table:
             shown(target),
             *(f"{count:,}" if count else "" for count in counts),
             f"{sum(cell.seconds for cell in there):.2f}",
-            ", ".join(amiss),
+            shown(", ".join(amiss)),
         )
     return table
 
