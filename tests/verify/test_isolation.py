@@ -13,10 +13,13 @@ from pathlib import Path
 
 import pytest
 from minkref.errors import Refusal
+from minkref.fuzz.cases import naming
+from minkref.fuzz.cases.case import CaseName
 from minkref.fuzz.isolation import sandbox
 from minkref.fuzz.isolation.environment import NAMES, PREFIXES
 from minkref.fuzz.isolation.isolation import Isolation, choose
 from minkref.fuzz.isolation.leftovers import marked
+from minkref.fuzz.targets.adapter import AdapterTarget
 from minkref.fuzz.targets.adapter_process import AdapterProcess, Failure
 from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.verdicts.verdict import Verdict
@@ -183,6 +186,37 @@ def test_an_adapter_below_the_folder_for_temporary_files_begins(
         assert process.start().version == sandbox.FOLDER
     finally:
         process.close()
+
+
+# Verdicts in the sandbox, without it as root, and without it as another user (docs/security.md).
+DIFFER = {
+    "kills-parent": (None, Verdict.CRASHED, Verdict.CRASHED),
+    "stops-parent": (None, Verdict.CRASHED, None),
+    "closes-stdout-and-lives": (Verdict.TIMED_OUT, Verdict.ERRORED, Verdict.ERRORED),
+    "writes-to-the-ledger": (Verdict.CRASHED, Verdict.CRASHED, None),
+    "truncates-the-ledger": (Verdict.CRASHED, Verdict.CRASHED, None),
+    "log-without-end": (Verdict.ERRORED, Verdict.ERRORED, Verdict.ERRORED),
+}
+
+
+@pytest.mark.parametrize("way", DIFFER)
+def test_what_walls_change_of_a_verdict_is_as_documented(
+    walls: Isolation, tmp_path: Path, way: str
+) -> None:
+    ledger = tmp_path / "run.jsonl"
+    ledger.write_text("what was judged")
+    hiding = replace(walls, hidden=(str(ledger),))
+    seconds = 2 if way == "closes-stdout-and-lives" else 60
+    program = PROGRAM.parent / "bad_adapters" / "bad_adapter.py"
+    limits = Limits(seconds, 512 * MIB, output=MIB, isolation=hiding)
+    target = AdapterTarget("it", [sys.executable, str(program), way, str(ledger)], limits)
+    case = naming.load(CaseName("random:1:0", "random"))
+    verdict = target.sum(case).verdict
+    target.close()
+    column = 0 if walls.kind == "sandbox" else 1 if walls.own_user else 2
+    assert verdict == DIFFER[way][column]
+    assert column == 2 or ledger.read_text() == "what was judged"
+    assert marked(walls.mark) == []
 
 
 @pytest.mark.parametrize(("wanted", "passed"), [("sandbx", ()), ("none", ("A=b",))])
