@@ -10,7 +10,7 @@ from rich.table import Table
 from minkref.documents import Stopwatch, as_text, document
 from minkref.fuzz.targets.catalogue import TargetEntry, list_targets
 from minkref.options import Json, Schema
-from minkref.terminal import console
+from minkref.terminal import console, shown
 
 EXAMPLES = """Examples:
 
@@ -42,7 +42,7 @@ def _print(value: dict[str, Any]) -> None:
     for row in value["targets"]:
         table.add_row(
             row["name"],
-            row["version"] or "",
+            shown(row["version"] or ""),
             row["about"],
             "ready" if row["available"] else "absent",
         )
@@ -51,4 +51,4 @@ def _print(value: dict[str, Any]) -> None:
     out = console()
     out.print(table)
     for reason, names in absent.items():
-        out.print(f"{', '.join(names)}: {reason}", soft_wrap=True)
+        out.print(shown(f"{', '.join(names)}: {reason}"), soft_wrap=True)
