@@ -180,5 +180,5 @@ def _lost(lost: streams.OutputLost) -> int:
     if lost.reader_has_gone:
         return ExitCode.BROKEN_PIPE
     sys.stderr.write(f"minkref: cannot write to standard output: {lost}\n")
-    sys.stderr.write("  mend: give it an open file with room, or use -o, --junit or --report\n")
+    sys.stderr.write("  fix: give it an open file with room, or use -o, --junit or --report\n")
     return ExitCode.USAGE

@@ -48,7 +48,7 @@ def choice(word: str, known: Iterable[str]) -> str:
 def refusal_text(error: dict[str, object]) -> str:
     """The refusal for people; `error` is its document."""
     text = f"minkref: {shown(str(error['where']))}: {shown(str(error['what']))}\n"
-    return text + (f"  mend: {shown(str(error['mend']))}\n" if error["mend"] else "")
+    return text + (f"  fix: {shown(str(error['mend']))}\n" if error["mend"] else "")
 
 
 def message_of(error: BaseException) -> str:

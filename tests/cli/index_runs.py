@@ -129,7 +129,7 @@ def refused(minkref: Minkref, folder: Path, *arguments: str | Path) -> Any:
     before = {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
     ran = minkref(*arguments)
     assert (ran.code, ran.out) == (2, ""), ran.out
-    assert "mend:" in ran.err
+    assert "fix:" in ran.err
     document = minkref(*arguments, "--json")
     assert document.code == 2
     jsonschema.validate(document.json, error_schema())

@@ -99,7 +99,7 @@ def test_a_bad_option_is_refused_with_a_mend(
     ran = minkref("events", "g1", "g2", *options)
     assert (ran.code, ran.out) == (2, "")
     assert word in ran.err
-    assert "mend:" in ran.err
+    assert "fix:" in ran.err
 
 
 def test_the_printed_form_misses_events_and_says_that_it_is_printed(minkref: Minkref) -> None:

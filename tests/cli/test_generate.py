@@ -194,7 +194,7 @@ def test_what_cannot_be_meant_is_refused_and_makes_nothing(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     ran = minkref("generate", *words)
-    assert (ran.code, told in ran.err, "mend: " in ran.err) == (2, True, True)
+    assert (ran.code, told in ran.err, "fix: " in ran.err) == (2, True, True)
     assert not list(tmp_path.iterdir())
 
 

@@ -79,7 +79,7 @@ def test_misuse_exits_2_and_says_what_where_and_how_to_mend(
     ran = minkref(*arguments)
     assert ran.code == 2
     assert message.lower() in ran.err.lower()
-    assert "mend: " in ran.err
+    assert "fix: " in ran.err
     assert len(ran.err) < 1000
     assert list(tmp_path.iterdir()) == []
 

@@ -89,7 +89,7 @@ def test_a_bad_option_is_refused_with_a_mend(
     ran = minkref("view", *squares, *options)
     assert (ran.code, ran.out) == (2, "")
     assert word in ran.err
-    assert "mend:" in ran.err
+    assert "fix:" in ran.err
     assert list(tmp_path.glob("*.html")) == []
 
 

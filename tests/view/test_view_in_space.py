@@ -231,7 +231,7 @@ def test_a_bad_option_is_refused_with_a_mend(
     assert run(["view", cube, cube, *options]) == 2
     captured = capsys.readouterr()
     assert captured.out == ""
-    assert word in captured.err and "mend:" in captured.err
+    assert word in captured.err and "fix:" in captured.err
     assert list(tmp_path.glob("*.html")) == []
 
 

@@ -39,11 +39,13 @@ def command(
     output: Annotated[Path, typer.Option("-o", help="The file to write.", metavar="FILE")],
     from_scale: Annotated[
         str | None,
-        typer.Option("--from", help="Begin of the window, in it. Open to 0 without.", metavar="A"),
+        typer.Option(
+            "--from", help="Smallest scale, included. Default: every scale above 0.", metavar="A"
+        ),
     ] = None,
     to_scale: Annotated[
         str | None,
-        typer.Option("--to", help="End of the window, in it. Endless without.", metavar="B"),
+        typer.Option("--to", help="Largest scale, included. Default: no end.", metavar="B"),
     ] = None,
     threads: Annotated[
         int | None,
