@@ -9,8 +9,15 @@ from collections.abc import Iterable
 NAMES = (
     *("PATH", "LANG", "LANGUAGE", "TZ", "LD_LIBRARY_PATH", "NODE_PATH", "JAVA_HOME", "CLASSPATH"),
     *("VIRTUAL_ENV", "CONDA_PREFIX", "PYENV_ROOT", "PYENV_VERSION", "RUSTUP_HOME", "CARGO_HOME"),
-    *("OMP_NUM_THREADS", "OPENSCAD"),
+    *("JULIA_DEPOT_PATH", "OMP_NUM_THREADS", "OPENSCAD"),
 )
+# HOME is not handed on; these are what it says without them, where that is there.
+BELOW_HOME = {
+    "PYTHONUSERBASE": ".local",
+    "RUSTUP_HOME": ".rustup",
+    "CARGO_HOME": ".cargo",
+    "JULIA_DEPOT_PATH": ".julia",
+}
 PREFIXES = ("LC_", "PYTHON", "MINKREF_")
 MARK = "MINKREF_STARTED_BY"  # by which what a program left behind is found again
 
@@ -30,5 +37,9 @@ def environment_of(
 ) -> dict[str, str]:
     """What a program begins with. `folder` is its own for temporary files, `home` its HOME, unless
     that is passed."""
-    own = {"HOME": home, "TMPDIR": folder, MARK: mark}
+    own = {"HOME": home, "TMPDIR": folder}
+    for name, place in BELOW_HOME.items():
+        path = os.path.join(os.path.expanduser("~"), place)
+        if os.path.isdir(path):
+            own[name] = path
     return {**own, **listed_variables(passed), **more, MARK: mark}

@@ -34,6 +34,10 @@ def environment(_: str) -> str:
     return " ".join(sorted(os.environ))
 
 
+def variable(name: str) -> str:
+    return os.environ.get(name, "")
+
+
 def network(port: str) -> str:
     with socket.create_connection(("127.0.0.1", int(port)), timeout=5):
         return "reached"
@@ -92,7 +96,7 @@ def privileges(_: str) -> str:
 
 TRIES = {
     one.__name__.replace("_", "-"): one
-    for one in (environment, network, unix_socket, write, read, own_folders, forty)
+    for one in (environment, variable, network, unix_socket, write, read, own_folders, forty)
 }
 TRIES |= {"see-processes": see_processes, "tree": tree, "privileges": privileges}
 

@@ -58,6 +58,18 @@ def test_of_the_environment_it_is_given_a_list(
     assert "WANTED" in given and "SECRET_TOKEN" not in given
 
 
+def test_what_a_user_installed_in_the_home_folder_is_still_found(
+    walls: Isolation, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """HOME is another one, and Python would look for packages of the user there."""
+    packages = tmp_path / ".local" / "lib" / "python3" / "site-packages"
+    packages.mkdir(parents=True)
+    monkeypatch.setenv("HOME", str(tmp_path))
+    monkeypatch.delenv("PYTHONUSERBASE", raising=False)
+    monkeypatch.chdir(tmp_path)
+    assert said(walls, "variable", "PYTHONUSERBASE") == str(tmp_path / ".local")
+
+
 def test_only_without_the_sandbox_it_reaches_the_network(walls: Isolation) -> None:
     with socket.create_server(("127.0.0.1", 0)) as server:
         said_of_it = said(walls, "network", server.getsockname()[1])
