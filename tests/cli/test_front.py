@@ -12,7 +12,9 @@ from typing import Any
 import jsonschema
 import minkref as package
 import pytest
+from minkref.command_group import load
 from minkref.schemas import result_schema, schema
+from rich.text import Text
 
 Minkref = Callable[..., Any]
 COMMANDS = (
@@ -76,6 +78,17 @@ def test_help_of_every_command_has_examples(minkref: Minkref, command: str) -> N
     assert ran.code == 0
     assert "Examples" in ran.out
     assert f"minkref {command}" in ran.out
+
+
+@pytest.mark.parametrize("name", (*COMMANDS, "adapter"))
+def test_no_word_of_a_help_is_taken_for_markup(name: str) -> None:
+    """`[tool.minkref]` would vanish."""
+    commands = [load(name)]
+    while commands:
+        command = commands.pop()
+        commands += getattr(command, "commands", {}).values()
+        for text in (command.help, *(getattr(option, "help", "") for option in command.params)):
+            assert Text.from_markup(text or "").plain == (text or "")
 
 
 @pytest.mark.parametrize("command", COMMANDS)

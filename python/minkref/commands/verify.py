@@ -146,7 +146,7 @@ def command(
         typer.Option(
             "--settings",
             help="Read the options that are not given from this file. Without: from the next "
-            "minkref.toml, or pyproject.toml with [tool.minkref], of this folder or one above.",
+            "minkref.toml, or table tool.minkref of pyproject.toml, in this folder or one above.",
             metavar="FILE",
             is_eager=True,
             callback=begin_settings,
