@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 PASS, WRONG, ERRORED = "pass", "wrong", "errored"
 CRASHED, LATE, MEMORY = "crashed", "timed-out", "out-of-memory"
+NONE = "no-adapter"  # it does not begin: a refusal of the run
 CONVEX = ("--family", "convex", "--pairs", "3", "--no-derived")
 ALL_WAYS = (PASS, WRONG, ERRORED, CRASHED, LATE, MEMORY, "skipped", "pass-within")
 
@@ -53,12 +54,13 @@ PROCESSES = [
     Attack("TakesItsParentsFiles", (PASS, CRASHED), kills=True),
     *of((LATE,), "StopsItself", "HearsNothing"),
     *of((CRASHED,), "StoppedChild", "HoldsThePipes"),
-    Attack("DiesWhileItsChildrenAnswer", (CRASHED, PASS)),
+    Attack("DiesWhileItsChildrenAnswer", (CRASHED, PASS, NONE)),
 ]
 FORGERIES = [
     Attack("ForgesTheLedger", (WRONG,), quick=True),
     *of((WRONG,), "AppendsToTheLedger", "ForgesTheReport", "LinksTheReportElsewhere"),
-    *of((WRONG,), "WritesToOurOutput", "AnotherName", "NastyName"),
+    *of((WRONG,), "AnotherName", "NastyName"),
+    Attack("WritesToOurOutput", (WRONG, NONE)),
     *of((PASS,), "LocksTheLedger"),
     *of((ERRORED,), "PrintsADocument", "NastyReason", "ObeyTheTerminal", "OtherSeq"),
     *of((ERRORED, PASS, WRONG), "AnswersAhead", "AnswersTwice", "AnswersBeforeItIsAsked"),
@@ -125,7 +127,7 @@ REACHING = [
         leaves=True,
         quick=True,
     ),
-    Attack("FillsTheTemporaryFolder", (PASS, MEMORY, CRASHED, ERRORED)),
+    Attack("FillsTheTemporaryFolder", (PASS, MEMORY, CRASHED, NONE)),
     *of((PASS,), "LeavesFiles", "LeavesFilesInTheWorkFolder", "SwapsTheTemporaryFolder"),
     *of((PASS,), "LeavesThroughLinks"),
 ]

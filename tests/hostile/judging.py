@@ -8,7 +8,8 @@ import os
 from xml.etree import ElementTree
 
 from attack import WRITTEN, Seen
-from attacks import Attack
+from attacks import NONE, Attack
+from markdown_it import MarkdownIt
 from reading import obeyed
 
 SCRIPT = "<script>alert("  # as hostile adapters name themselves
@@ -56,8 +57,11 @@ def ends(attack: Attack, seen: Seen) -> list[str]:
         return [*faults, "no document"]
     if not attack.verdicts:
         return faults + ([] if seen.code == 2 else [f"it began: {seen.verdicts()}"])
-    if "error" in seen.document:
-        return [*faults, f"refused: {str(seen.document['error'].get('what'))[:300]}"]
+    error = seen.document.get("error", {})
+    if error.get("code") == NONE and NONE in attack.verdicts:
+        return faults
+    if error:
+        return [*faults, f"refused: {str(error.get('what'))[:300]}"]
     verdicts, ours = seen.verdicts(), seen.verdicts(ours=True)
     if not verdicts or not set(verdicts) <= {*attack.verdicts, "skipped"}:
         faults.append(f"verdicts {verdicts}, not {' or '.join(attack.verdicts)}")
@@ -97,6 +101,8 @@ def outputs(seen: Seen) -> list[str]:
                 json.loads(text)
         except (ValueError, ElementTree.ParseError) as error:
             faults.append(f"{name}: {str(error)[:80]}")
+        if name.endswith(".md"):
+            text = MarkdownIt("commonmark", {"html": True}).render(text)
         if name.endswith((".html", ".md")) and SCRIPT in text:
             faults.append(f"{name} has a script of the adapter")
         if bad := sorted({repr(letter) for letter in text if obeyed(letter)}):

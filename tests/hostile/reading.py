@@ -97,7 +97,7 @@ def faults_of(hostile: Hostile, told: dict[str, object], text: str) -> list[str]
     if code == 2:
         if len(text) > LONGEST:
             faults.append(f"a message of {len(text)} characters")
-        if "mend:" not in text and hostile.command[0] != "check":
+        if "fix:" not in text and hostile.command[0] != "check":
             faults.append("no mend")
     if bad := sorted({repr(letter) for letter in text if obeyed(letter)}):
         faults.append(f"letters that a terminal obeys: {' '.join(bad)}")
