@@ -40,6 +40,7 @@ LAWS_IN_SPACE = (
 SPACE_FAMILIES = {
     "space-polycube": "polycubes",
     "space-hollow": "boxes with a cavity and polycubes",
+    "space-apart": "several polycubes apart, and another",
     "space-frame": "frames of unit cells and polycubes",
     "space-l-prism": "L-shaped prisms and cubes",
     "space-prism": "prisms over polygons with holes",

@@ -9,7 +9,13 @@ from fractions import Fraction
 from minkref.fuzz.space.cells import Cell, surface_of
 from minkref.fuzz.space.generators.convex import box, cube, random_hull, sphere
 from minkref.fuzz.space.generators.over_polygon import random_prism
-from minkref.fuzz.space.generators.polycube import frame, hollow_box, l_prism, random_polycube
+from minkref.fuzz.space.generators.polycube import (
+    bodies_apart,
+    frame,
+    hollow_box,
+    l_prism,
+    random_polycube,
+)
 from minkref.fuzz.space.generators.star import star
 from minkref.fuzz.space.generators.torus import torus
 from minkref.fuzz.space.integers import Point, Scale
@@ -52,10 +58,19 @@ def _polycube(dice: random.Random, step: int, scale: Scale) -> SpacePair:
     return pair_of_cells("polycube", _moved(dice, P, 2), _moved(dice, Q, 2), scale)
 
 
-def _hollow(dice: random.Random, step: int, scale: Scale) -> SpacePair:
+def _hollow(dice: random.Random, step: int, scale: Fraction) -> SpacePair:
     P = hollow_box(dice, 3 + step // 2)
-    Q = random_polycube(dice, dice.randint(1, 1 + step // 2))
-    return pair_of_cells("hollow", P, _moved(dice, Q, 1), scale)
+    Q = _moved(dice, random_polycube(dice, dice.randint(1, 1 + step // 2)), 1)
+    if dice.random() < 0.7:  # a cavity of one cell is still one of the sum
+        scale *= 2
+    return pair_of_cells("hollow", P, Q, scale)
+
+
+def _apart(dice: random.Random, step: int, scale: Fraction) -> SpacePair:
+    P = bodies_apart(dice, 2 + dice.randint(0, step) // 3, 1 + step)
+    Q = _moved(dice, random_polycube(dice, dice.randint(1, 2 + step // 2)), 1)
+    P, Q = (Q, P) if dice.random() < 0.5 else (P, Q)
+    return pair_of_cells("apart", P, Q, scale)
 
 
 def _frame(dice: random.Random, step: int, scale: Scale) -> SpacePair:
@@ -147,9 +162,10 @@ def _star(dice: random.Random, step: int, scale: Scale) -> SpacePair:
     return SpacePair(P, Q, scale, "star")
 
 
-FAMILIES: dict[str, Callable[[random.Random, int, Scale], SpacePair]] = {
+FAMILIES: dict[str, Callable[[random.Random, int, Fraction], SpacePair]] = {
     "polycube": _polycube,
     "hollow": _hollow,
+    "apart": _apart,
     "frame": _frame,
     "l-prism": _l_prism,
     "prism": _prism,

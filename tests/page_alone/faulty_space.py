@@ -96,6 +96,20 @@ def first_shell(shell: Shell) -> Shell:
     return shell if len(parts) < 2 else (shell[0], [f for f in shell[1] if f[0] in parts[0]])
 
 
+class SecondBodyLost(FaultyInSpace):
+    """Of an operand of several bodies, none in another, the last is lost."""
+
+    def spoilt(self, P: Shell, Q: Shell) -> list[Shell]:
+        return sum_in_space(without_last_body(P), without_last_body(Q))
+
+
+def without_last_body(shell: Shell) -> Shell:
+    parts = parts_of(shell)
+    if len(parts) < 2 or outer_shells(shell) != shell:
+        return shell
+    return shell[0], [face for face in shell[1] if face[0] not in parts[-1]]
+
+
 class HullInSpace(FaultyInSpace):
     """The hull in place of the sum where an operand is not convex."""
 

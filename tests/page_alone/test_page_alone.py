@@ -116,6 +116,8 @@ def test_right_in_javascript() -> None:
         ("EventsWithoutDeaths", "events(holes:1:9)"),
         ("UpdateDrifts", "update(star:1:0)"),
         ("ThirdFactorIgnored", "space-offset:1:0"),
+        ("SecondBodyLost", "space-apart:1:0"),
+        ("CavitiesFilled", "space-hollow:1:0"),
         ("VertexOffInSpace", "space-polycube:1:0"),
     ],
 )

@@ -25,6 +25,19 @@ def random_polycube(dice: random.Random, count: int) -> frozenset[Cell]:
     return frozenset(cells)
 
 
+def bodies_apart(dice: random.Random, count: int, most: int) -> frozenset[Cell]:
+    """Polycubes of up to `most` cells in a row along an axis, one to three cells apart."""
+    axis, end, cells = dice.randrange(3), 0, set[Cell]()
+    for _ in range(count):
+        body = random_polycube(dice, dice.randint(1, most))
+        low, high = (extreme(cell[axis] for cell in body) for extreme in (min, max))
+        step = [0, 0, 0]
+        step[axis] = end - low
+        cells |= {(x + step[0], y + step[1], z + step[2]) for x, y, z in body}
+        end += high - low + 1 + dice.randint(1, 3)
+    return frozenset(cells)
+
+
 def hollow_box(dice: random.Random, most: int) -> frozenset[Cell]:
     """A box with walls of one cell, perhaps with a window of one cell in a wall."""
     sides = [dice.randint(3, max(3, most)) for _ in range(3)]
