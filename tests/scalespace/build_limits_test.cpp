@@ -32,6 +32,13 @@ using Step = std::pair<BuildProgress::Stage, std::uint64_t>;
 
 struct Interrupted {};
 
+/// More than a build of the tests takes: sanitizers keep what was freed.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr std::size_t margin = std::size_t{1} << 29;
+#else
+constexpr std::size_t margin = std::size_t{1} << 26;
+#endif
+
 class Build {
  public:
   Build(unsigned threads, int teeth) : Q_(comb(teeth)) { options_.threads = threads; }
@@ -39,7 +46,6 @@ class Build {
   /// Until `at` is reported, from when on too much memory is taken, or an interrupt waits. How it
   /// ends.
   std::string end(const Step& at, bool by_memory) {
-    constexpr std::size_t margin = 64 << 20;
     bool reached = false;
     std::vector<char> taken;
     options_.memory_limit = by_memory ? resident_bytes() + margin : 0;
@@ -54,7 +60,7 @@ class Build {
     try {
       const ScaleSpaceIndex index(P_, Q_, window_, options_);
     } catch (const LimitExceeded& e) {
-      return e.code();
+      return reached ? e.code() : "too early";
     } catch (const Interrupted&) {
       return "interrupted";
     }
