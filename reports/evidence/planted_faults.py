@@ -123,7 +123,7 @@ def before_judges(fault: str, caught: Caught) -> None:
     """The judges, and our own routes against each other, on the same cases."""
     command = [
         sys.executable, "-m", "minkref", "verify", "minkref", *ROUTES, "--pairs", str(PAIRS),
-        "--no-models", "--json", "--jobs", "1",
+        "--no-models", "--json", "--jobs", "1", "--shrink-calls", "0",
     ]  # fmt: skip
     try:
         done = subprocess.run(
