@@ -8,6 +8,7 @@ import xml.etree.ElementTree as ElementTree
 from typing import Any
 
 import pytest
+from minkref.fuzz.isolation.isolation import Isolation
 from minkref.fuzz.verdicts.verdict import BROKEN, Reason, Verdict
 from minkref.reports.conformance.junit import junit
 from minkref.reports.conformance.lines import json_lines
@@ -54,6 +55,8 @@ JUNIT: dict[str, tuple[set[str], set[str], set[str]]] = {
         {"name", "tests", "failures", "errors"},
         {"testsuite", "properties", "testcase", "system-out", "system-err"},
     ),
+    "properties": (set(), set(), {"property"}),
+    "property": ({"name", "value"}, {"name", "value"}, set()),
     "testcase": (
         {"name", "time", "classname", "group"},
         {"name"},
@@ -65,7 +68,10 @@ JUNIT: dict[str, tuple[set[str], set[str], set[str]]] = {
 
 
 def test_junit_has_nothing_that_its_schema_forbids(made: Any) -> None:
-    root = ElementTree.fromstring(junit(made.run, made.groups))
+    walls = Isolation("none", "bubblewrap is not installed", passed=("LICENCE", "DISPLAY"))
+    root = ElementTree.fromstring(junit(made.run, made.groups, walls))
+    said = {one.get("name"): one.get("value") for one in root.iter("property")}
+    assert (said["isolation.kind"], said["isolation.passed"]) == ("none", "LICENCE, DISPLAY")
     assert root.tag == "testsuites"
     for element in root.iter():
         may, must, inside = JUNIT[element.tag]
