@@ -134,9 +134,9 @@ def indices() -> list[Hostile]:
         Hostile("index, a bit turned", "made.index", shifted, INDEX),
         Hostile("index, sixteen gigabytes of zeros", "made.index", sparse(1 << 34), INDEX),
         Hostile(
-            "index, sixteen gigabytes behind its first letters",
+            "index, gigabytes behind its first letters",
             "made.index",
-            sparse(1 << 34, b"minkrefI" + struct.pack("<IIQII", 1, 0x01020304, 1 << 34, 0, 29)),
+            sparse(1 << 31, b"minkrefI" + struct.pack("<IIQII", 1, 0x01020304, 1 << 31, 0, 29)),
             INDEX,
         ),
     ]
