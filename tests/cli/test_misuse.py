@@ -50,6 +50,8 @@ MISUSES = [
     (["verify", "py:math"], "names no Python function"),
     (["verify", "--pairs", "-1"], "too small"),
     (["verify", "--pairs", "many"], "--pairs"),
+    (["verify", "--seed", "7" * 100_000], "a number of 100,000 digits is too large"),
+    (["verify", "--size-limit", "-1"], "too small"),
     (["verify", "--jobs", "0"], "too small"),
     (["verify", "--call-memory", "99999999999999"], "too large"),
     (["verify", "--case", "random:\u0663:1"], "names no generated case"),

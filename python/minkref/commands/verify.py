@@ -232,7 +232,8 @@ def command(
     watch = Stopwatch()
     if is_outdone(context, "pairs", by="seconds"):
         pairs = None
-    check_numbers(seconds, pairs, jobs, call_seconds, call_memory, call_output, size_limit, memory)
+    sizes = (call_seconds, call_memory, call_output, size_limit, memory)
+    check_numbers(seconds, pairs, jobs, *sizes, seed)
     for file in (junit_file, sarif_file, markdown_file, lines_file):
         if file is not None:
             check_writable(file)

@@ -5,7 +5,14 @@ from __future__ import annotations
 from minkref.errors import Refusal
 
 MOST_JOBS = 1024
+LARGEST_SEED = 2**63 - 1
 MOST_MEMORY = 1 << 24  # MiB
+
+
+def brief(number: float) -> str:
+    """The number; of one of very many digits how many it has."""
+    text = str(number)
+    return text if len(text) <= 60 else f"a number of {len(text):,} digits"
 
 
 def check_numbers(
@@ -17,10 +24,12 @@ def check_numbers(
     call_output: int,
     size_limit: int | None,
     memory: int | None = None,
+    seed: int = 1,
 ) -> None:
     for option, value, least, most in (
         ("--seconds", seconds, 0, None),
         ("--pairs", pairs, 0, None),
+        ("--seed", seed, -LARGEST_SEED, LARGEST_SEED),
         ("--jobs", jobs, 1, MOST_JOBS),
         ("--call-memory", call_memory, 16, MOST_MEMORY),
         ("--call-output", call_output, 1, MOST_MEMORY),
@@ -28,9 +37,9 @@ def check_numbers(
         ("--size-limit", size_limit, 1, None),
     ):
         if value is not None and not value >= least:
-            raise Refusal(f"{value} is too small", option, f"give at least {least}")
+            raise Refusal(f"{brief(value)} is too small", option, f"give at least {least}")
         if value is not None and most is not None and value > most:
-            raise Refusal(f"{value} is too large", option, f"give at most {most}")
+            raise Refusal(f"{brief(value)} is too large", option, f"give at most {most}")
     if not 0 < call_seconds <= 86_400:
         raise Refusal(
             f"{call_seconds} is out of range", "--call-seconds", "give 0 to 86400 seconds"
