@@ -74,7 +74,8 @@ FLOODS = [
     *of((LATE,), "Drips", "HalfALine", "ReadsNothing"),
     *of((LATE, ERRORED), "HalfALineAndCloses", "ClosesAll"),
     Attack("NoText", (ERRORED, PASS, CRASHED), (*CONVEX[:3], "16", "--no-derived")),
-    *of((ERRORED, WRONG, LATE, "undecided"), "ManyRings", "ManyVertices", "LongDenominators"),
+    *of((ERRORED, WRONG, LATE, MEMORY, CRASHED, "undecided"), "ManyRings", "ManyVertices"),
+    *of((ERRORED, WRONG, LATE, MEMORY, CRASHED, "undecided"), "LongDenominators"),
     *of((CRASHED, LATE), "Empty"),
 ]
 SPELLED = 100
@@ -145,6 +146,19 @@ ENDINGS = [
     *of((CRASHED,), "DumpsItsCore"),
     *of((), "HangsInHello"),
 ]
+FUNCTIONS = of(
+    (*ALL_WAYS, "undecided"),
+    *(
+        f"py:functions:{name}"
+        for name in (
+            *("exits", "exits_hard", "interrupts", "runs_out_of_memory", "closes_everything"),
+            *("prints_answers", "traces", "returns_evil", "returns_itself", "returns_objects"),
+            *("returns_without_end", "changes_its_operands", "forks", "deep"),
+            *("spoils_builtins", "spoils_the_reference"),
+        )
+    ),
+)
 ATTACKS = [
     *(*PROCESSES, *FORGERIES, *FLOODS, *NUMBERS, *DECLARED, *REACHING, *EATING, *ENDINGS),
+    *FUNCTIONS,
 ]
