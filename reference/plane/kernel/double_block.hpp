@@ -7,7 +7,10 @@
 #include <cstring>
 #include <limits>
 
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__gnu_linux__)
+// Under the thread sanitizer none: what chooses a clone runs before the sanitizer does, and
+// crashes.
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__gnu_linux__) && \
+    !defined(__SANITIZE_THREAD__)
 #define MINKREF_CLONES __attribute__((target_clones("default", "avx2")))
 #else
 #define MINKREF_CLONES
