@@ -51,7 +51,9 @@ def ends(attack: Attack, seen: Seen) -> list[str]:
     faults = []
     if seen.code not in CODES:
         faults.append("no end in time" if seen.code is None else f"exit code {seen.code}")
-    if "Traceback" in seen.stderr and "the end of its log" not in seen.stderr:
+    # A function has no walls: it may say what it likes on our standard error.
+    ours = "the end of its log" not in seen.stderr and not attack.adapter.startswith("py:")
+    if "Traceback" in seen.stderr and ours:
         faults.append("a traceback")
     if seen.document is None:
         return [*faults, "no document"]
@@ -62,11 +64,11 @@ def ends(attack: Attack, seen: Seen) -> list[str]:
         return faults
     if error:
         return [*faults, f"refused: {str(error.get('what'))[:300]}"]
-    verdicts, ours = seen.verdicts(), seen.verdicts(ours=True)
+    verdicts, beside = seen.verdicts(), seen.verdicts(ours=True)
     if not verdicts or not set(verdicts) <= {*attack.verdicts, "skipped"}:
         faults.append(f"verdicts {verdicts}, not {' or '.join(attack.verdicts)}")
-    if not ours or not set(ours) <= {"pass", "skipped"}:
-        faults.append(f"the target beside it has {ours}")
+    if not beside or not set(beside) <= {"pass", "skipped"}:
+        faults.append(f"the target beside it has {beside}")
     return faults
 
 
