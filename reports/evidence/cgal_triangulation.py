@@ -15,7 +15,7 @@ from minkref.reports.evidence.framework.part import (
 )
 
 SUBJECT = "disc1 + neuron, disc5 + neuron, monkey + bird at one scale each by CGAL's triangulation."
-MINUTES = (3, 0.3)
+MINUTES = (3, 0.2)
 DEPENDS = (*REFERENCE, *READERS, *MODELS, *COMPARISON, *CGAL)
 
 TRIANGULATION = "cgal-triangulation"

@@ -13,7 +13,7 @@ SUBJECT = (
     "The sum from the definition: all ordered pairs of shipped models with at most 100 x 30 pairs "
     "of vertices, and neuron + disc1; one digest with route paper."
 )
-MINUTES = (0.5, 0.3)
+MINUTES = (0.5, 0.2)
 DEPENDS = (*REFERENCE, *READERS, *MODELS)
 
 MOST_PAIRS = 100 * 30

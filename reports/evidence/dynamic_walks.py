@@ -19,7 +19,7 @@ SUBJECT = (
     "parallel and triple events; operands of 8 to 40 vertices, half with holes: after each step "
     "arrangement and sum are the static ones."
 )
-MINUTES = (6, 0.3)
+MINUTES = (6, 0.1)
 DEPENDS = (*REFERENCE, "fuzz/families/integer_rings.py", "fuzz/families/random_pairs.py")
 
 SEED = 2012

@@ -17,7 +17,7 @@ SUBJECT = (
     "triangles: the sum has exactly the faces whose points overlap. In full also the five scales, "
     "and the discs with the neuron."
 )
-MINUTES = (1, 0.2)
+MINUTES = (1, 0.1)
 DEPENDS = (*REFERENCE, *READERS, *MODELS, "fuzz/verdicts/witness.py")
 
 MOST_SPOT_CHECKS = 5  # decisions of each kind checked again in plain Python fractions

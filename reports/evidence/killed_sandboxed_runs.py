@@ -24,10 +24,10 @@ SUBJECT = (
     "its ledger: the findings of an undisturbed run, no result lost, and no process, temporary "
     "file or control group left behind."
 )
-MINUTES = (15, 1)
+MINUTES = (15, None)
 DEPENDS = (*REFERENCE, *READERS, *COMPARISON, "tests/seeded/*.py")
 
-KILLS, QUICK_KILLS = 50, 3
+KILLS = 50
 CASES = 150
 SEED = 24
 MARK = "MINKREF_EVIDENCE_MARK"
@@ -80,14 +80,13 @@ def groups_of(owners: list[int]) -> list[Path]:
     return [path for paths in found for path in paths]
 
 
-def run(quick: bool) -> Findings:
+def run(_: bool) -> Findings:
     findings = Findings()
     why = absence()
     if why is not None:
         findings.target("a sandbox", False, "available", why)
         return findings
     dice = random.Random(SEED)
-    kills = QUICK_KILLS if quick else KILLS
     with tempfile.TemporaryDirectory(prefix="killed-runs-") as folder:
         Path(folder, "temporary").mkdir()
         since = time.monotonic()
@@ -95,7 +94,7 @@ def run(quick: bool) -> Findings:
         seconds = time.monotonic() - since
         findings.figures["cases, findings of the undisturbed run"] = f"{CASES}, {len(expected)}"
         lost = different = killed = processes = groups = 0
-        for number in range(kills):
+        for number in range(KILLS):
             ledger, mark = Path(folder, str(number)), uuid.uuid4().hex
             process = start(ledger, mark)
             try:
@@ -113,7 +112,7 @@ def run(quick: bool) -> Findings:
             processes += left(mark)
             groups += len(groups_of([*owners, resumed.pid]))
         files = list(Path(folder, "temporary").iterdir())
-    findings.figures["runs killed before their end"] = f"{killed} of {kills}"
+    findings.figures["runs killed before their end"] = f"{killed} of {KILLS}"
     findings.law("runs killed before their end", killed > 0, "some", killed)
     findings.law("results that were reported and are lost", lost == 0, 0, lost)
     findings.law("resumed runs with other findings", different == 0, 0, different)
