@@ -53,6 +53,8 @@ def read(hostile: Hostile) -> Read:
             during.start()
         keeper = [sys.executable, str(FOLDER / "keeper.py"), str(kept), str(PATIENCE), "memory"]
         subprocess.run([*keeper, "--", *command], cwd=work, env=environment, check=True)
+        if hostile.during:
+            during.join(10)
         told = json.loads(kept.read_text())
         text = "".join(
             Path(f"{kept}.{stream}").read_text(errors="surrogateescape")
