@@ -16,7 +16,7 @@ SUBJECT = (
     "and without it, and hostile files for every reader: all are refused or judged, the verdicts "
     "of the target beside them stay, nothing is left behind, nothing outside is changed."
 )
-MINUTES = (40, 1.5)
+MINUTES = (40, 0.8)
 DEPENDS = (*REFERENCE, *READERS, *COMPARISON, "python/minkref/**/*.py", "tests/hostile/**/*")
 
 FOLDER = Path(__file__).resolve().parents[2] / "tests" / "hostile"
