@@ -23,6 +23,7 @@ from minkref.fuzz.run.worker import CaseResult
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict, Witness
 
 FORMAT = "ledger-v3"
+LONGEST_HEAD = 64 << 20  # bytes; cases that are named are in it
 
 
 class Ledger:
@@ -90,7 +91,7 @@ class Ledger:
     def _read(self) -> None:
         if not stat.S_ISREG(os.fstat(self._file).st_mode):
             raise Refusal("this is no file", str(self.path), "name a file", "cannot-write")
-        text = self.path.read_bytes()
+        text = self._text()
         *lines, half = text.split(b"\n")
         if lines:
             self._read_head(lines[0])
@@ -110,6 +111,18 @@ class Ledger:
                 what = f"line {number} is no result: {error}"
                 raise Refusal(what, str(self.path), "remove the file", "bad-ledger") from error
             self._known[result.number] = result
+
+    def _text(self) -> bytes:
+        """All of it, where its first line is as long as one may be."""
+        try:
+            with self.path.open("rb") as stream:
+                head = stream.readline(LONGEST_HEAD + 1)
+                if len(head) > LONGEST_HEAD:
+                    raise self._foreign("its first line is none of a ledger")
+                return head + stream.read()
+        except OSError as error:
+            what = f"the ledger cannot be read: {error.strerror}"
+            raise Refusal(what, str(self.path), "name another file", "cannot-read") from error
 
     def _read_head(self, line: bytes) -> None:
         head = self._value(line, 1)

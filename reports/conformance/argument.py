@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
+from minkref.exact import scientific
 from minkref.fuzz.verdicts.plain_plane import Point, Rings, contains, in_box, rings_of, turn
 from minkref.fuzz.verdicts.verdict import Witness
 
@@ -68,7 +69,7 @@ def around(witness: Witness) -> list[str]:
     what = "square" if len(witness.point) == 2 else "cube"
     return [
         f"The same holds for every point that differs from x by at most {witness.tolerance} (about "
-        f"{float(Fraction(witness.tolerance)):.3g}, the declared tolerance) in each coordinate: "
+        f"{scientific(witness.tolerance)}, the declared tolerance) in each coordinate: "
         f"this whole {what} lies {side} the sum, so that rounding does not explain the result."
     ]
 

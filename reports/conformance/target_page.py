@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from fractions import Fraction
 from typing import Any
 
+from minkref.errors import cut
+from minkref.exact import scientific
 from minkref.fuzz.run.runner import Run
 from minkref.reports.conformance.counts import Counts, total
 from minkref.reports.conformance.finding_page import FindingPage, file_names
@@ -74,5 +75,4 @@ def facts_of(row: dict[str, Any] | None) -> list[tuple[str, str]]:
 
 
 def _number(text: str) -> str:
-    value = Fraction(text)
-    return text if len(text) < 6 else f"{text} (about {float(value):.3g})"
+    return text if len(text) < 6 else f"{cut(text)} (about {scientific(text)})"

@@ -12,7 +12,7 @@ SUBJECT = (
     "All targets, those of other libraries installed, for 600 s on two cores: the matrix, and the "
     "findings of each shrunk to a handful of vertices, known faults among them, found by search."
 )
-MINUTES = (25, 0.5)
+MINUTES = (25, 0.3)
 DEPENDS = (*REFERENCE, *READERS, *CGAL, *COMPARISON, "fuzz/adapters/*")
 
 SEED = 6

@@ -21,7 +21,7 @@ SUBJECT = (
     "Verified cases per second on one core for pairs of up to 12 vertices an operand: a Python "
     "function in process, the same behind the adapter protocol; where the time goes."
 )
-MINUTES = (2, 0.3)
+MINUTES = (2, 0.2)
 DEPENDS = (*REFERENCE, *READERS, *COMPARISON, "tests/seeded/*.py")
 
 SEEDED = Path(__file__).resolve().parents[2] / "tests" / "seeded"

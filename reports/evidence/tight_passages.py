@@ -17,7 +17,7 @@ SUBJECT = (
     "Tight passages: more than 20 hand-made cases with their expected result, empty beside the "
     "critical scale where they must be; the share of a sum's time that they take."
 )
-MINUTES = (0.5, 0.3)
+MINUTES = (0.5, 0.2)
 DEPENDS = (*REFERENCE, *READERS, *MODELS, "tests/plane/*tight*")
 
 LEAST = 20

@@ -13,6 +13,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from minkref.errors import Refusal
+from minkref.fuzz.run.ledger import Ledger
 
 KILLS = 20
 FAULTY = "py:faulty_sums:loses_holes"
@@ -140,3 +142,13 @@ def test_second_run_on_a_ledger_is_refused_and_the_first_goes_on(
         assert ledger.stat().st_size > before
         first.terminate()
     assert "another run" in error["what"]
+
+
+def test_a_file_of_any_length_and_memory_itself_are_no_ledgers(tmp_path: Path) -> None:
+    sparse, memory = tmp_path / "sparse.jsonl", tmp_path / "memory.jsonl"
+    with sparse.open("wb") as stream:
+        stream.truncate(1 << 33)
+    memory.symlink_to("/proc/self/mem")
+    for path, word in ((sparse, "first line"), (memory, "cannot be")):
+        with pytest.raises(Refusal, match=word):
+            Ledger(path, {"targets": []})
