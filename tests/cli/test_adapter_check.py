@@ -164,3 +164,39 @@ def test_a_library_beside_is_found_with_and_without_its_folder(tmp_path: Path) -
         code, value = check(tmp_path, f"so:{path}:sum")
         assert (code, value["target"]["version"]) == (3, "7")
         assert {row["verdict"] for row in value["sums"]} == {"errored"}
+
+
+CUBES = """
+def ends(solid):
+    return [[end(v[k] for v in solid["vertices"]) for k in range(3)] for end in (min, max)]
+
+
+def box(P, Q):
+    a, b, c, d = *ends(P), *ends(Q)
+    low, high = ([m + n for m, n in zip(*pair)] for pair in ((a, c), (b, d)))
+    corners = [[x, y, z] for x in (low[0], high[0]) for y in (low[1], high[1])
+               for z in (low[2], high[2])]
+    faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    return {"vertices": corners, "faces": faces}
+
+box.minkref = {"capabilities": ["space", "non-convex"], "numbers": "double"}
+"""
+
+
+def test_a_function_that_declares_space_is_asked_in_space(tmp_path: Path) -> None:
+    (tmp_path / "cubes.py").write_text(CUBES)
+    code, value = check(tmp_path, "py:cubes:box")
+    assert code == 1
+    assert [row["verdict"] for row in value["sums"]] == ["pass", "pass", "wrong", "skipped"]
+
+
+def test_a_library_that_declares_space_is_refused(tmp_path: Path) -> None:
+    source = tmp_path / "space.c"
+    source.write_text(
+        'const char *minkref_hello(void) { return "{\\"capabilities\\": [\\"space\\"]}"; }\n'
+        "int sum(void *p, void *q, void *r) { (void)p; (void)q; (void)r; return 1; }\n"
+    )
+    words = ["cc", "-shared", "-fPIC", str(source), "-o", str(tmp_path / "libspace.so")]
+    subprocess.run(words, check=True)
+    code, value = run(tmp_path, "adapter", "check", "so:./libspace.so:sum")
+    assert code == 2 and "a C function is for the plane" in value["error"]["what"]
