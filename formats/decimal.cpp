@@ -9,6 +9,7 @@
 
 #include "formats/message_text.hpp"
 #include "reference/error.hpp"
+#include "reference/interrupt.hpp"
 
 namespace minkref {
 namespace {
@@ -22,6 +23,7 @@ unsigned long remove_factor(Integer& value, unsigned long prime) {
 }  // namespace
 
 std::optional<std::string> exact_decimal(const Rational& value) {
+  look_for_interrupt();
   Integer rest = denominator(value);
   const unsigned long twos = remove_factor(rest, 2);
   const unsigned long fives = remove_factor(rest, 5);

@@ -1,8 +1,11 @@
 #include "formats/picture_frame.hpp"
 
+#include "reference/interrupt.hpp"
+
 namespace minkref {
 
 void PictureFrame::include(const Point& p) {
+  look_for_interrupt();
   if (!any_ || p.x < left_) left_ = p.x;
   if (!any_ || p.x > right_) right_ = p.x;
   if (!any_ || p.y < bottom_) bottom_ = p.y;

@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "formats/picture_frame.hpp"
+#include "reference/interrupt.hpp"
 
 namespace minkref {
 namespace {
@@ -55,6 +56,7 @@ class Picture {
 
  private:
   std::string position(const Point& p) const {
+    look_for_interrupt();
     return short_number(frame_.x(p)) + "," + short_number(frame_.y(p));
   }
 

@@ -1,6 +1,7 @@
 #include "formats/wkt_tokens.hpp"
 
 #include "formats/message_text.hpp"
+#include "reference/interrupt.hpp"
 
 namespace minkref {
 namespace {
@@ -68,6 +69,7 @@ bool WktTokens::at_number() const {
 }
 
 std::string_view WktTokens::number() {
+  look_for_interrupt();
   if (!at_number()) refuse("a number");
   std::size_t end = at_;
   while (end < text_.size() && !is_space(text_[end]) && text_[end] != '(' && text_[end] != ')' &&

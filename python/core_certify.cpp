@@ -4,12 +4,12 @@
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
-#include <nanobind/stl/vector.h>
 
 #include <optional>
 
 #include "certify/step_text.hpp"
 #include "python/core.hpp"
+#include "python/vector_caster.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;

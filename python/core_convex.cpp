@@ -5,7 +5,6 @@
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
-#include <nanobind/stl/vector.h>
 
 #include <memory>
 #include <utility>
@@ -13,6 +12,7 @@
 
 #include "python/core.hpp"
 #include "python/core_space.hpp"
+#include "python/vector_caster.hpp"
 #include "reference/convex/convex_sum.hpp"
 #include "reference/convex/incompatibility.hpp"
 #include "reference/convex/segment_sum.hpp"

@@ -1,11 +1,11 @@
 // The convolutions in Python.
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
-#include <nanobind/stl/vector.h>
 
 #include <tuple>
 
 #include "python/core.hpp"
+#include "python/vector_caster.hpp"
 #include "reference/plane/convolution/convolution.hpp"
 
 namespace nb = nanobind;

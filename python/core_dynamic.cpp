@@ -5,7 +5,6 @@
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
-#include <nanobind/stl/vector.h>
 
 #include <algorithm>
 #include <optional>
@@ -15,6 +14,7 @@
 #include "python/core_timed_sum.hpp"
 #include "python/core_timeline.hpp"
 #include "python/stopwatch.hpp"
+#include "python/vector_caster.hpp"
 #include "reference/error.hpp"
 #include "reference/plane/critical/event_places.hpp"
 #include "reference/plane/dynamic/dynamic_sum.hpp"

@@ -1,9 +1,9 @@
 // The library's exceptions in Python, with the place of the fault as attributes.
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
-#include <nanobind/stl/vector.h>
 
 #include "python/core.hpp"
+#include "python/vector_caster.hpp"
 #include "reference/error.hpp"
 
 namespace nb = nanobind;

@@ -4,7 +4,6 @@
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
-#include <nanobind/stl/vector.h>
 
 #include <array>
 #include <optional>
@@ -13,6 +12,7 @@
 #include "formats/write_events.hpp"
 #include "python/core.hpp"
 #include "python/stopwatch.hpp"
+#include "python/vector_caster.hpp"
 #include "reference/error.hpp"
 #include "reference/plane/critical/event_places.hpp"
 #include "reference/plane/critical/line_intersection.hpp"

@@ -2,11 +2,11 @@
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
-#include <nanobind/stl/vector.h>
 
 #include <tuple>
 
 #include "python/core.hpp"
+#include "python/vector_caster.hpp"
 #include "reference/plane/filter_trial.hpp"
 #include "reference/plane/routes/face_points.hpp"
 #include "reference/plane/witness.hpp"

@@ -1,10 +1,10 @@
 // Reading and writing files in Python.
 #include <nanobind/stl/string.h>
-#include <nanobind/stl/vector.h>
 
 #include "formats/read.hpp"
 #include "formats/write.hpp"
 #include "python/core.hpp"
+#include "python/vector_caster.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;

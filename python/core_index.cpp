@@ -7,7 +7,6 @@
 #include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
-#include <nanobind/stl/vector.h>
 
 #include <algorithm>
 #include <chrono>
@@ -17,6 +16,7 @@
 #include "python/core_timed_sum.hpp"
 #include "python/core_timeline.hpp"
 #include "python/stopwatch.hpp"
+#include "python/vector_caster.hpp"
 #include "reference/error.hpp"
 #include "reference/plane/dynamic/dynamic_sum.hpp"
 #include "reference/scalespace/in_parallel.hpp"

@@ -1,12 +1,12 @@
 // Reading and writing files of polyhedra in Python.
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
-#include <nanobind/stl/vector.h>
 
 #include "formats/read_mesh.hpp"
 #include "formats/write_mesh.hpp"
 #include "python/core.hpp"
 #include "python/core_space.hpp"
+#include "python/vector_caster.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;

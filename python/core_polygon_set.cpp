@@ -2,7 +2,6 @@
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
-#include <nanobind/stl/vector.h>
 
 #include <algorithm>
 #include <limits>
@@ -13,6 +12,7 @@
 #include "formats/refusal_place.hpp"
 #include "formats/write.hpp"
 #include "python/core.hpp"
+#include "python/vector_caster.hpp"
 #include "reference/plane/boundary/canonical.hpp"
 
 namespace nb = nanobind;

@@ -5,9 +5,9 @@
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
-#include <nanobind/stl/vector.h>
 
 #include "python/core.hpp"
+#include "python/vector_caster.hpp"
 #include "reference/space/canonical_polyhedron.hpp"
 
 namespace nb = nanobind;

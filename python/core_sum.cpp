@@ -3,7 +3,6 @@
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
-#include <nanobind/stl/vector.h>
 
 #include <optional>
 #include <utility>
@@ -12,6 +11,7 @@
 #include "python/core.hpp"
 #include "python/core_timed_sum.hpp"
 #include "python/stopwatch.hpp"
+#include "python/vector_caster.hpp"
 #include "reference/error.hpp"
 #include "reference/plane/sum.hpp"
 

@@ -1,13 +1,13 @@
 // One walk of a convex sum through scalings, timed beside the static routes.
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
-#include <nanobind/stl/vector.h>
 
 #include <vector>
 
 #include "python/core.hpp"
 #include "python/core_convex.hpp"
 #include "python/core_space.hpp"
+#include "python/vector_caster.hpp"
 #include "reference/convex/convex_sum.hpp"
 #include "reference/convex/static_convex_sum.hpp"
 #include "reference/convex/sum_coordinates.hpp"

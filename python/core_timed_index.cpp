@@ -2,13 +2,13 @@
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
-#include <nanobind/stl/vector.h>
 
 #include <algorithm>
 #include <numeric>
 
 #include "python/core.hpp"
 #include "python/stopwatch.hpp"
+#include "python/vector_caster.hpp"
 #include "reference/scalespace/scale_space_index.hpp"
 #include "reference/scalespace/track_numbers.hpp"
 

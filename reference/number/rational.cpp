@@ -207,6 +207,7 @@ Rational parse_rational(std::string_view text, const NumberLimits& limits) {
 }
 
 std::string to_string(const Rational& value) {
+  look_for_interrupt();
   mpq_srcptr q = value.backend().data();
   // Room for both parts, two signs, the bar and the end of the text (GMP manual, mpq_get_str).
   std::string text(mpz_sizeinbase(mpq_numref(q), 10) + mpz_sizeinbase(mpq_denref(q), 10) + 3, '\0');

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "reference/interrupt.hpp"
+
 namespace minkref {
 
 std::size_t PolygonSet::vertices() const {
@@ -25,6 +27,7 @@ namespace {
 Rational pairwise_sum(std::vector<Rational>& terms, std::size_t begin, std::size_t end) {
   if (begin == end) return 0;
   if (end - begin == 1) return std::move(terms[begin]);
+  look_for_interrupt();
   const std::size_t middle = begin + (end - begin) / 2;
   return pairwise_sum(terms, begin, middle) + pairwise_sum(terms, middle, end);
 }
@@ -32,6 +35,7 @@ Rational pairwise_sum(std::vector<Rational>& terms, std::size_t begin, std::size
 void add_cross_products(const Ring& ring, std::vector<Rational>& terms) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
+    look_for_interrupt();
     terms.push_back(a.x * b.y - a.y * b.x);
   }
 }
@@ -39,11 +43,15 @@ void add_cross_products(const Ring& ring, std::vector<Rational>& terms) {
 template <class Change>
 PolygonSet mapped(const PolygonSet& set, Change&& change) {
   PolygonSet result = set;
-  for (Polygon& polygon : result.polygons) {
-    for (Point& p : polygon.outer) change(p);
-    for (Ring& hole : polygon.holes) {
-      for (Point& p : hole) change(p);
+  const auto change_ring = [&](Ring& ring) {
+    for (Point& p : ring) {
+      look_for_interrupt();
+      change(p);
     }
+  };
+  for (Polygon& polygon : result.polygons) {
+    change_ring(polygon.outer);
+    for (Ring& hole : polygon.holes) change_ring(hole);
   }
   return result;
 }

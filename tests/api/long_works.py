@@ -53,6 +53,17 @@ def drum(sides: int) -> _core.ConvexPolyhedron:
     return _core.ConvexPolyhedron(_core.Polyhedron(points, walls + caps))
 
 
+@cache
+def many() -> _core.PolygonSet:
+    """Vertices whose coordinates no decimal ends."""
+    return disc(800_000).scaled("1000/3001")
+
+
+@cache
+def written() -> str:
+    return _core.write(many(), "wkt")
+
+
 def _proof(P: _core.PolygonSet, Q: _core.PolygonSet) -> object:
     prover = _core.Prover(P, Q)
     return prover.prove("1", prover.box("1"), (0, 1))
@@ -74,5 +85,8 @@ def works() -> dict[str, Callable[[], object]]:
         "proof of a sum": lambda: _proof(star(40), comb(30)),
         "decision": lambda: _core.decide(disc(20_000), disc(20_001), "1", "0", "0"),
         "validation": lambda: disc(600_000).validate(),
+        "reading": lambda: _core.read_text(written(), "wkt"),
+        "writing": lambda: _core.write(many(), "wkt"),
+        "long lists": lambda: _core.reduced_convolution(star(2000), comb(2000)),
         "convex sum": lambda: _core.convex_sum(drum(1500), drum(1501), SCALING, "brute-force"),
     }
