@@ -7,7 +7,6 @@ from typing import Annotated
 
 import typer
 
-from minkref.fuzz.isolation.isolation import KINDS
 from minkref.schemas import schema_text
 
 
@@ -30,29 +29,5 @@ Schema = Annotated[
         callback=_print_schema,
         is_eager=True,
         help="Print the JSON schema of what --json prints.",
-    ),
-]
-CallSeconds = Annotated[
-    float, typer.Option("--call-seconds", help="Time limit of one call of one target.")
-]
-CallMemory = Annotated[
-    int, typer.Option("--call-memory", help="Memory limit of one call, in MiB.", metavar="MIB")
-]
-IsolationKind = Annotated[
-    str,
-    typer.Option(
-        "--isolation",
-        help="Walls around the programs of others: sandbox (bubblewrap), none, or auto, which is "
-        "the sandbox where it works.",
-        metavar="|".join(KINDS),
-        autocompletion=lambda: list(KINDS),
-    ),
-]
-PassedVariables = Annotated[
-    list[str] | None,
-    typer.Option(
-        "--pass-env",
-        help="Hand this variable on to them; of the environment they get a short list only.",
-        metavar="NAME",
     ),
 ]

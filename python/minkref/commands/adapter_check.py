@@ -23,15 +23,9 @@ from minkref.fuzz.targets.catalogue import select_one
 from minkref.fuzz.targets.declaration import CAPABILITIES, Declaration
 from minkref.fuzz.targets.declared import declarations_of
 from minkref.fuzz.verdicts.verdict import BROKEN, Outcome, Verdict
-from minkref.options import (
-    CallMemory,
-    CallSeconds,
-    IsolationKind,
-    Json,
-    PassedVariables,
-    Schema,
-)
+from minkref.options import Json, Schema
 from minkref.signals import ending_in_order
+from minkref.target_options import CallMemory, CallSeconds, IsolationKind, PassedVariables
 from minkref.terminal import console, shown
 
 EXAMPLES = """Examples:

@@ -29,14 +29,7 @@ from minkref.fuzz.targets.answer import JUDGING_BYTES, Limits, load_limit
 from minkref.fuzz.targets.catalogue import is_adapter, is_function, select
 from minkref.fuzz.targets.declared import declarations_of, declares_itself
 from minkref.fuzz.verdicts.baseline import Baseline, read_baseline, unused
-from minkref.options import (
-    CallMemory,
-    CallSeconds,
-    IsolationKind,
-    Json,
-    PassedVariables,
-    Schema,
-)
+from minkref.options import Json, Schema
 from minkref.output_folder import held_folder
 from minkref.reports.conformance.again import command_line
 from minkref.reports.conformance.junit import junit
@@ -46,6 +39,7 @@ from minkref.reports.conformance.page import write_report
 from minkref.reports.conformance.sarif import sarif
 from minkref.settings import begin_settings, is_outdone, naming_settings
 from minkref.signals import ending_in_order
+from minkref.target_options import CallMemory, CallSeconds, IsolationKind, PassedVariables
 
 EXAMPLES = """Examples:
 

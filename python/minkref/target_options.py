@@ -1,0 +1,34 @@
+"""Options of the commands that run targets: the limits of a call, and the walls around it."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from minkref.fuzz.isolation.isolation import KINDS
+
+CallSeconds = Annotated[
+    float, typer.Option("--call-seconds", help="Time limit of one call of one target.")
+]
+CallMemory = Annotated[
+    int, typer.Option("--call-memory", help="Memory limit of one call, in MiB.", metavar="MIB")
+]
+IsolationKind = Annotated[
+    str,
+    typer.Option(
+        "--isolation",
+        help="Walls around the programs of others: sandbox (bubblewrap), none, or auto, which is "
+        "the sandbox where it works.",
+        metavar="|".join(KINDS),
+        autocompletion=lambda: list(KINDS),
+    ),
+]
+PassedVariables = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--pass-env",
+        help="Hand this variable on to them; of the environment they get a short list only.",
+        metavar="NAME",
+    ),
+]
