@@ -23,14 +23,6 @@ GROWING = (
 )
 
 
-@pytest.fixture(autouse=True)
-def heeded() -> Iterator[None]:
-    """A process that a shell starts in the background ignores interrupts."""
-    before = signal.signal(signal.SIGINT, signal.default_int_handler)
-    yield
-    signal.signal(signal.SIGINT, before)
-
-
 @pytest.mark.parametrize("name", works())
 def test_an_interrupt_ends_work_within_a_fifth_of_a_second(name: str) -> None:
     work = works()[name]
