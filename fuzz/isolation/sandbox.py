@@ -62,7 +62,9 @@ def readable(command: tuple[str, ...], named: tuple[str, ...], here: str) -> tup
             for each in (path.absolute(), path.resolve()):
                 found.append(_home_of(each))
     paths = [path for text in named for path in text.split(os.pathsep) if os.path.isabs(path)]
-    found += [_home_of(Path(path, "x")) for path in paths]
+    found += [
+        _home_of(Path(each, "x")) for path in paths for each in (path, os.path.realpath(path))
+    ]
     return tuple(dict.fromkeys(found))
 
 
@@ -84,8 +86,8 @@ def _home_of(path: Path) -> Path:
 
 
 def _shown(wanted: Iterable[Path]) -> list[str]:
-    """What of `wanted` lies in a folder that is emptied, outer ones first. Of such a folder itself
-    its files."""
+    """What of `wanted` lies in a folder that is emptied, and in nothing that is shown whole. Of
+    such a folder itself its files."""
     found: set[str] = set()
     for folder in wanted:
         place = str(folder)
@@ -94,7 +96,11 @@ def _shown(wanted: Iterable[Path]) -> list[str]:
             found.update(sorted(files)[:MOST_FILES])
         elif place.startswith(tuple(f"{one}/" for one in EMPTIED)) and os.path.exists(place):
             found.add(place)
-    return sorted(found)
+    shown: list[str] = []
+    for place in sorted(found):  # an outer one comes before those in it
+        if not any(place.startswith(f"{outer}/") for outer in shown):
+            shown.append(place)
+    return shown
 
 
 def _secrets() -> list[str]:

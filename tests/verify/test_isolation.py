@@ -211,6 +211,30 @@ DIFFER = {
 }
 
 
+@needs_sandbox
+def test_a_program_is_found_behind_a_link_in_a_folder_that_is_shown_whole(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As the package is, in a checkout that lies in the folder for temporary files."""
+    real = tmp_path / "room" / "programs"
+    real.mkdir(parents=True)
+    for source in (PROGRAM, PROGRAM.parent / "bad_adapters" / "adapter.py"):
+        (real / source.name).write_text(source.read_text(encoding="utf-8"), encoding="utf-8")
+    package = tmp_path / "package"
+    package.mkdir()
+    (package / "linked").symlink_to(tmp_path / "room")
+    monkeypatch.chdir(tmp_path)
+    program = package / "linked" / "programs" / PROGRAM.name
+    walls = choose("sandbox")
+    process = AdapterProcess(
+        "it", [sys.executable, str(program), "own-folders"], Limits(60, isolation=walls)
+    )
+    try:
+        assert process.start().version == sandbox.FOLDER
+    finally:
+        process.close()
+
+
 @pytest.mark.parametrize("way", DIFFER)
 def test_what_walls_change_of_a_verdict_is_as_documented(
     walls: Isolation, tmp_path: Path, way: str
