@@ -12,7 +12,6 @@
 #include "reference/plane/kernel/exact_frame.hpp"
 
 namespace minkref {
-namespace {
 
 std::string_view name(Change change) {
   switch (change) {
@@ -27,6 +26,8 @@ std::string_view name(Change change) {
   }
   return "";
 }
+
+namespace {
 
 class EventText {
  public:

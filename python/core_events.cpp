@@ -62,20 +62,6 @@ Events find(const Set& P, const Set& Q, const std::optional<std::string>& from,
   return {std::move(events), P.value, Q.value, taken};
 }
 
-const char* name(Change change) {
-  switch (change) {
-    case Change::birth:
-      return "birth";
-    case Change::death:
-      return "death";
-    case Change::touch:
-      return "touch";
-    case Change::overlap:
-      return "overlap";
-  }
-  return "";
-}
-
 /// scale, rank, change, parallel, a, b, at, to.
 using Row = std::tuple<std::string, std::uint32_t, std::string, bool, std::uint32_t, std::uint32_t,
                        ExactPoint, std::optional<ExactPoint>>;
@@ -87,8 +73,8 @@ std::vector<Row> rows(const Events& events, std::size_t first, std::size_t last)
   for (std::size_t i = 0; i < places.size(); ++i) {
     const PairEvent& event = events.value.events[first + i];
     const EventPlace& place = places[i];
-    result.emplace_back(to_string(place.scale), event.rank, name(event.change), event.parallel,
-                        event.a, event.b, to_strings(place.at),
+    result.emplace_back(to_string(place.scale), event.rank, std::string(name(event.change)),
+                        event.parallel, event.a, event.b, to_strings(place.at),
                         place.to ? std::optional(to_strings(*place.to)) : std::nullopt);
   }
   return result;
