@@ -43,6 +43,21 @@ function(minkref_precompiled target)
   endif()
 endfunction()
 
+# minkref_unity(TARGET...): sources are compiled some at a time, since headers take longest. Each is still
+# a file of its own: MINKREF_UNITY=OFF (and every build by clang for the fuzzers) compiles one by one.
+function(minkref_unity)
+  if(NOT MINKREF_UNITY)
+    return()
+  endif()
+  foreach(target IN LISTS ARGN)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
+    if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+      # Types of an unnamed namespace, inside a class of the same source.
+      target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
+    endif()
+  endforeach()
+endfunction()
+
 # minkref_warnings(TARGET...): warnings are errors in our own code. Headers of others come in through
 # imported targets, which are system headers and do not warn.
 function(minkref_warnings)

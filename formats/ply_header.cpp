@@ -10,7 +10,7 @@
 namespace minkref {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, PlyType>, 16> types{{
+constexpr std::array<std::pair<std::string_view, PlyType>, 16> ply_types{{
     {"char", PlyType::int8},
     {"uchar", PlyType::uint8},
     {"short", PlyType::int16},
@@ -113,7 +113,7 @@ class HeaderReader {
   }
 
   PlyType type(std::string_view name, std::size_t line) const {
-    for (const auto& [text, value] : types) {
+    for (const auto& [text, value] : ply_types) {
       if (text == name) return value;
     }
     input_.refuse("syntax", in_quotes(name) + " is not a type of PLY",

@@ -10,7 +10,7 @@
 namespace minkref {
 namespace {
 
-constexpr std::array<std::string_view, 9> types{
+constexpr std::array<std::string_view, 9> geojson_types{
     "Polygon",         "MultiPolygon",       "Point",   "LineString",       "MultiPoint",
     "MultiLineString", "GeometryCollection", "Feature", "FeatureCollection"};
 
@@ -127,7 +127,8 @@ bool looks_like_geojson(Json root) {
   if (!root.is(JsonKind::object)) return false;
   root.for_each_member([&](const std::string& name, Json value) {
     if (name == "type" && value.is(JsonKind::string)) {
-      found = found || std::find(types.begin(), types.end(), value.string()) != types.end();
+      found = found || std::find(geojson_types.begin(), geojson_types.end(), value.string()) !=
+                           geojson_types.end();
     }
   });
   return found;

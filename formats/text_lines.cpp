@@ -5,13 +5,15 @@
 namespace minkref {
 namespace {
 
-bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+bool is_space_in_line(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+}
 
 /// The line without its comment, which begins with a `#` at the start of a word: inside a word it
 /// begins none (`-1.#IND` is no number).
 std::string_view without_comment(std::string_view line) {
   for (std::size_t i = 0; i < line.size(); ++i) {
-    if (line[i] == '#' && (i == 0 || is_space(line[i - 1]))) return line.substr(0, i);
+    if (line[i] == '#' && (i == 0 || is_space_in_line(line[i - 1]))) return line.substr(0, i);
   }
   return line;
 }
@@ -28,7 +30,7 @@ bool drop_continuation(std::string_view& line) {
 void append_tokens(std::string_view content, std::vector<std::string_view>& tokens) {
   for (std::size_t i = 0; i < content.size();) {
     std::size_t stop = i;
-    while (stop < content.size() && !is_space(content[stop])) ++stop;
+    while (stop < content.size() && !is_space_in_line(content[stop])) ++stop;
     if (stop > i) tokens.push_back(content.substr(i, stop - i));
     i = stop + 1;
   }

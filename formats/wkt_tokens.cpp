@@ -8,12 +8,12 @@ namespace {
 
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 char capital(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
-bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+bool is_wkt_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
 }  // namespace
 
 void WktTokens::skip_space() {
-  for (; at_ < text_.size() && is_space(text_[at_]); ++at_) {
+  for (; at_ < text_.size() && is_wkt_space(text_[at_]); ++at_) {
     if (text_[at_] == '\n') ++line_;
   }
 }
@@ -72,8 +72,8 @@ std::string_view WktTokens::number() {
   look_for_interrupt();
   if (!at_number()) refuse("a number");
   std::size_t end = at_;
-  while (end < text_.size() && !is_space(text_[end]) && text_[end] != '(' && text_[end] != ')' &&
-         text_[end] != ',') {
+  while (end < text_.size() && !is_wkt_space(text_[end]) && text_[end] != '(' &&
+         text_[end] != ')' && text_[end] != ',') {
     ++end;
   }
   const std::string_view token = text_.substr(at_, end - at_);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "formats/reading.hpp"
+#include "reference/form.hpp"
 #include "reference/interrupt.hpp"
 #include "reference/plane/convolution/convolution.hpp"
 #include "reference/plane/polygon_set.hpp"
@@ -48,6 +49,9 @@ std::uint64_t memory_limit();
 /// triangles that `definition` looks at, take more than there may be; before any of them is made.
 void refuse_large_convolution(const PolygonSet& P, const PolygonSet& Q, bool full = false);
 void refuse_large_definition(const PolygonSet& P, const PolygonSet& Q);
+
+/// "printed" or "corrected"; throws BadInput otherwise.
+Form form_named(const std::string& name);
 
 /// While it lives, C++ computes without the interpreter lock; what the handler of a signal raises,
 /// as KeyboardInterrupt, ends the work, and so does the memory limit (LimitExceeded).

@@ -80,13 +80,6 @@ bool same_state(const MovingConvexSum& dynamic, const std::string& route) {
   return by_route(contacts, route) == dynamic.sum.compatibility();
 }
 
-Form form_named(const std::string& name) {
-  if (name == "printed") return Form::printed;
-  if (name == "corrected") return Form::corrected;
-  throw BadInput("unknown-form", "there is no form \"" + name + "\"",
-                 "choose printed or corrected");
-}
-
 void check_indices(const ConvexBody& P, std::uint32_t facet, const ConvexBody& Q,
                    std::uint32_t vertex) {
   if (facet >= P.value->facets()) throw nb::index_error("P has no such facet");

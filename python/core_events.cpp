@@ -25,6 +25,14 @@ namespace nb = nanobind;
 using namespace nb::literals;
 
 namespace minkref::python {
+
+Form form_named(const std::string& name) {
+  if (name == "corrected") return Form::corrected;
+  if (name == "printed") return Form::printed;
+  throw BadInput("unknown-form", "there is no form called \"" + name + "\"",
+                 "use corrected or printed");
+}
+
 namespace {
 
 /// Pair events and the operands that they belong to.
@@ -33,13 +41,6 @@ struct Events {
   PolygonSet P, Q;
   double seconds = 0;
 };
-
-Form form_named(const std::string& name) {
-  if (name == "corrected") return Form::corrected;
-  if (name == "printed") return Form::printed;
-  throw BadInput("unknown-form", "there is no form called \"" + name + "\"",
-                 "use corrected or printed");
-}
 
 EventKind kind_named(const std::string& name) {
   if (name == "pair") return EventKind::pair;

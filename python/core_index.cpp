@@ -57,17 +57,18 @@ const Form& in_form(const Rings& rings, const char* what) {
   return *found;
 }
 
-constexpr std::array<const char*, 4> forms{"double", "homogeneous", "rational", "track"};
+constexpr std::array<const char*, 4> forms_of_boundary{"double", "homogeneous", "rational",
+                                                       "track"};
 
 Rings empty_rings(const std::string& form) {
   Rings result{{}, form, RoundedRings{}};
-  if (form == forms[1]) {
+  if (form == forms_of_boundary[1]) {
     result.rings = HomogeneousRings{};
-  } else if (form == forms[2]) {
+  } else if (form == forms_of_boundary[2]) {
     result.rings = RationalRings{};
-  } else if (form == forms[3]) {
+  } else if (form == forms_of_boundary[3]) {
     result.rings = TrackRings{};
-  } else if (form != forms[0]) {
+  } else if (form != forms_of_boundary[0]) {
     throw BadInput("no-form", "there is no form \"" + form + "\"",
                    "choose one of double, homogeneous, rational, track");
   }
@@ -375,10 +376,10 @@ void bind_index(nb::module_& module) {
           "P"_a, "Q"_a, "Whether it was built of these operands.")
       .def("counts", &Index::counts)
       .def("edges", &Index::edges, Released(), "Rows as reduced_convolution's.")
-      .def("rings", &Index::rings, "scale"_a, "form"_a = forms[0], Released(),
+      .def("rings", &Index::rings, "scale"_a, "form"_a = forms_of_boundary[0], Released(),
            "The boundary: double (certified), homogeneous, rational or track.")
-      .def("batch", &Index::batch, "scales"_a, "form"_a = forms[0], "threads"_a = 1, Released(),
-           "The boundaries at many scales, in their order.")
+      .def("batch", &Index::batch, "scales"_a, "form"_a = forms_of_boundary[0], "threads"_a = 1,
+           Released(), "The boundaries at many scales, in their order.")
       .def("sum", &Index::sum, "scale"_a, "passages"_a = false, Released(),
            "The sum in canonical form, exact; tight passages where asked for, by the static route.")
       .def("area", &Index::area, "scale"_a, "(value, error): the area is within the error.")

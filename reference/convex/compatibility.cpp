@@ -14,14 +14,14 @@ struct Fan {
 };
 
 /// Where doubles do not settle all signs.
-Fan look_at_fan_exactly(const Contact& contact, const Contact::Weighted& normal,
+Fan look_at_fan_exactly(const FacetContact& contact, const FacetContact::Weighted& normal,
                         std::uint32_t vertex) {
   const ConvexPolyhedron& body = contact.edges();
   Fan fan;
-  Contact::Slack slack(contact);
+  FacetContact::Slack slack(contact);
   double most = -std::numeric_limits<double>::infinity();
   for (std::uint32_t h = body.first(vertex); h < body.first(vertex + 1); ++h) {
-    const Contact::Product product = contact.approximate(normal, h);
+    const FacetContact::Product product = contact.approximate(normal, h);
     slack.include(product);
     if (contact.rises(normal, h, product) && product.value > most) {
       most = product.value;
@@ -33,15 +33,16 @@ Fan look_at_fan_exactly(const Contact& contact, const Contact::Weighted& normal,
 }
 
 /// Without branches on signs, which nothing predicts.
-Fan look_at_fan(const Contact& contact, const Contact::Weighted& normal, std::uint32_t vertex) {
+Fan look_at_fan(const FacetContact& contact, const FacetContact::Weighted& normal,
+                std::uint32_t vertex) {
   const ConvexPolyhedron& body = contact.edges();
   const std::uint32_t first = body.first(vertex), end = body.first(vertex + 1);
   double most = -std::numeric_limits<double>::infinity();
   std::uint32_t witness = first;
   bool certain = true;
-  Contact::Slack slack(contact);
+  FacetContact::Slack slack(contact);
   for (std::uint32_t h = first; h < end; ++h) {
-    const Contact::Product product = contact.approximate(normal, h);
+    const FacetContact::Product product = contact.approximate(normal, h);
     certain &= product.certain();
     witness = product.value > most ? h : witness;
     most = std::max(most, product.value);
@@ -52,7 +53,7 @@ Fan look_at_fan(const Contact& contact, const Contact::Weighted& normal, std::ui
   return {UINT32_MAX, slack.drift()};
 }
 
-double estimated_height(const Contact& contact, const Contact::Weighted& normal,
+double estimated_height(const FacetContact& contact, const FacetContact::Weighted& normal,
                         std::uint32_t vertex) {
   const DoubleVector& p = contact.edges().rounded_point(vertex);
   return normal.normal[0] * p[0] + normal.normal[1] * p[1] + normal.normal[2] * p[2];
@@ -60,8 +61,8 @@ double estimated_height(const Contact& contact, const Contact::Weighted& normal,
 
 }  // namespace
 
-Climb climb(const Contact& contact, std::uint32_t facet, std::uint32_t vertex) {
-  const Contact::Weighted normal = contact.weighted(facet);
+Climb climb(const FacetContact& contact, std::uint32_t facet, std::uint32_t vertex) {
+  const FacetContact::Weighted normal = contact.weighted(facet);
   Fan fan = look_at_fan(contact, normal, vertex);
   std::uint32_t steps = 0;
   for (; fan.witness != UINT32_MAX; ++steps) {
@@ -71,10 +72,10 @@ Climb climb(const Contact& contact, std::uint32_t facet, std::uint32_t vertex) {
   return {vertex, steps, fan.slack};
 }
 
-Climb climb(const Contact& contact, std::uint32_t facet, std::uint32_t vertex, std::uint32_t other,
-            std::vector<std::uint32_t>& walked) {
+Climb climb(const FacetContact& contact, std::uint32_t facet, std::uint32_t vertex,
+            std::uint32_t other, std::vector<std::uint32_t>& walked) {
   walked.clear();
-  const Contact::Weighted normal = contact.weighted(facet);
+  const FacetContact::Weighted normal = contact.weighted(facet);
   Fan fan = look_at_fan(contact, normal, vertex);
   if (fan.witness != UINT32_MAX && other != vertex &&
       estimated_height(contact, normal, other) > estimated_height(contact, normal, vertex)) {
@@ -89,20 +90,20 @@ Climb climb(const Contact& contact, std::uint32_t facet, std::uint32_t vertex, s
   return {vertex, static_cast<std::uint32_t>(walked.size()), fan.slack};
 }
 
-void walk_chain(const Contact& across_Q, std::uint32_t edge, std::uint32_t from, std::uint32_t to,
-                std::vector<std::uint32_t>& chain, std::vector<double>& slacks) {
+void walk_chain(const FacetContact& across_Q, std::uint32_t edge, std::uint32_t from,
+                std::uint32_t to, std::vector<std::uint32_t>& chain, std::vector<double>& slacks) {
   chain.clear();
   slacks.clear();
   if (from == to) return;
   const ConvexPolyhedron& Q = across_Q.normals();
   const std::uint32_t e = across_Q.edges().half_edge(edge);
   struct Side {
-    Contact::Product product;
+    FacetContact::Product product;
     bool rises;
   };
   const auto look_left_of = [&](std::uint32_t half_edge) {
-    const Contact::Weighted normal = across_Q.weighted(Q.left(half_edge));
-    const Contact::Product product = across_Q.approximate(normal, e);
+    const FacetContact::Weighted normal = across_Q.weighted(Q.left(half_edge));
+    const FacetContact::Product product = across_Q.approximate(normal, e);
     return Side{product, across_Q.rises(normal, e, product)};
   };
   const auto fail = [] {
@@ -131,7 +132,7 @@ void walk_chain(const Contact& across_Q, std::uint32_t edge, std::uint32_t from,
   }
   for (;;) {
     chain.push_back(h);
-    Contact::Slack slack(across_Q);
+    FacetContact::Slack slack(across_Q);
     slack.include(left.product);
     slack.include(right.product);
     slacks.push_back(slack.drift());
@@ -145,15 +146,15 @@ void walk_chain(const Contact& across_Q, std::uint32_t edge, std::uint32_t from,
   }
 }
 
-LinkState examine_link(const Contact& across_Q, std::uint32_t edge, std::uint32_t half_edge) {
+LinkState examine_link(const FacetContact& across_Q, std::uint32_t edge, std::uint32_t half_edge) {
   const ConvexPolyhedron& Q = across_Q.normals();
   const std::uint32_t e = across_Q.edges().half_edge(edge);
-  const Contact::Weighted left = across_Q.weighted(Q.left(half_edge)),
-                          right = across_Q.weighted(Q.right(half_edge));
-  const Contact::Product rising = across_Q.approximate(left, e),
-                         falling = across_Q.approximate(right, e);
+  const FacetContact::Weighted left = across_Q.weighted(Q.left(half_edge)),
+                               right = across_Q.weighted(Q.right(half_edge));
+  const FacetContact::Product rising = across_Q.approximate(left, e),
+                              falling = across_Q.approximate(right, e);
   if (!across_Q.rises(left, e, rising) || across_Q.rises(right, e, falling)) return {false, 0};
-  Contact::Slack slack(across_Q);
+  FacetContact::Slack slack(across_Q);
   slack.include(rising);
   slack.include(falling);
   return {true, slack.drift()};

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "reference/convex/contact.hpp"
+#include "reference/convex/facet_contact.hpp"
 
 namespace minkref {
 
@@ -25,11 +25,11 @@ struct Compatibility {
 
 /// The predicates of one pair at one scaling.
 struct Contacts {
-  Contact across_P, across_Q;  ///< normals of P and edges of Q; normals of Q and edges of P
+  FacetContact across_P, across_Q;  ///< normals of P and edges of Q; normals of Q and edges of P
 
   Contacts(const ConvexPolyhedron& P, const ConvexPolyhedron& Q)
-      : across_P(P, Q, Contact::Operand::normals_of_P),
-        across_Q(Q, P, Contact::Operand::normals_of_Q) {}
+      : across_P(P, Q, FacetContact::Operand::normals_of_P),
+        across_Q(Q, P, FacetContact::Operand::normals_of_Q) {}
   void rescale(const RoundedScaling& scaling) {
     across_P.rescale(scaling);
     across_Q.rescale(scaling);
@@ -55,20 +55,20 @@ struct Climb {
 /// convex polyhedron span its cone, so a vertex without a rising edge is farthest, and the height
 /// grows with every step. Which edge rises most is decided by doubles: it changes the way, never
 /// the end.
-Climb climb(const Contact& contact, std::uint32_t facet, std::uint32_t vertex);
+Climb climb(const FacetContact& contact, std::uint32_t facet, std::uint32_t vertex);
 
 /// The same; where an edge rises at `vertex` and `other` is estimated to be higher, from there.
 /// `walked` is given the half-edges of the way.
-Climb climb(const Contact& contact, std::uint32_t facet, std::uint32_t vertex, std::uint32_t other,
-            std::vector<std::uint32_t>& walked);
+Climb climb(const FacetContact& contact, std::uint32_t facet, std::uint32_t vertex,
+            std::uint32_t other, std::vector<std::uint32_t>& walked);
 
 /// The chain of an edge of P between the vertices of the facets on its two sides: from the region
 /// of the first, each time through the arc by which the great circle of the edge leaves the region.
 /// The great circle meets each region, which is convex, in one piece, so the walk is the arc's way.
 /// `slacks`: of each of its edges, as `examine_link` has it. std::logic_error where it finds that
 /// the ends are not those of the edge.
-void walk_chain(const Contact& across_Q, std::uint32_t edge, std::uint32_t from, std::uint32_t to,
-                std::vector<std::uint32_t>& chain, std::vector<double>& slacks);
+void walk_chain(const FacetContact& across_Q, std::uint32_t edge, std::uint32_t from,
+                std::uint32_t to, std::vector<std::uint32_t>& chain, std::vector<double>& slacks);
 
 /// Whether the great circle of the edge runs through the arc of a half-edge of Q, and how far the
 /// scaling may drift with that certainly so. A chain of such, whose ends are the vertices of the
@@ -77,7 +77,7 @@ struct LinkState {
   bool right;
   double slack;
 };
-LinkState examine_link(const Contact& across_Q, std::uint32_t edge, std::uint32_t half_edge);
+LinkState examine_link(const FacetContact& across_Q, std::uint32_t edge, std::uint32_t half_edge);
 
 /// The vertices of a facet in the order of its ring.
 template <class Visit>

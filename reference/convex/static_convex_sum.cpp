@@ -9,7 +9,7 @@ namespace minkref {
 namespace {
 
 /// For each facet its vertex of the other body, from neighbour to neighbour.
-std::vector<std::uint32_t> vertices_by_traversal(const Contact& contact) {
+std::vector<std::uint32_t> vertices_by_traversal(const FacetContact& contact) {
   std::vector<std::uint32_t> vertex(contact.normals().facets());
   for (const auto& [facet, before] : contact.normals().traversal()) {
     look_for_interrupt();
@@ -18,7 +18,7 @@ std::vector<std::uint32_t> vertices_by_traversal(const Contact& contact) {
   return vertex;
 }
 
-std::vector<std::uint32_t> vertices_by_brute_force(const Contact& contact) {
+std::vector<std::uint32_t> vertices_by_brute_force(const FacetContact& contact) {
   const ConvexPolyhedron& body = contact.edges();
   std::vector<std::uint32_t> result;
   for (std::uint32_t f = 0; f < contact.normals().facets(); ++f) {

@@ -4,10 +4,10 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "reference/none.hpp"
+
 namespace minkref {
 namespace {
-
-constexpr std::uint32_t none = 0xffffffffU;
 
 /// What happens at one event.
 class Event {

@@ -5,10 +5,10 @@
 namespace minkref {
 namespace {
 
-class Corners {
+class RingCorners {
  public:
-  Corners(const RingEntry* begin, const RingEntry* end, const MovingBoundary& boundary,
-          const EdgeDirections& directions)
+  RingCorners(const RingEntry* begin, const RingEntry* end, const MovingBoundary& boundary,
+              const EdgeDirections& directions)
       : entries_(begin), count_(static_cast<std::size_t>(end - begin)) {
     for (std::size_t k = 0; k < count_; ++k) {
       direction_.push_back(directions.number(boundary.links[begin[k].link].edge));
@@ -97,7 +97,7 @@ class Corners {
 
 void append_corners(const RingEntry* begin, const RingEntry* end, const MovingBoundary& boundary,
                     const EdgeDirections& directions, std::vector<RingEntry>& corners) {
-  Corners(begin, end, boundary, directions).append(corners);
+  RingCorners(begin, end, boundary, directions).append(corners);
 }
 
 }  // namespace minkref

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "reference/none.hpp"
+
 namespace minkref {
 namespace {
-
-constexpr std::uint32_t none = 0xffffffffU;
 
 /// What the rings of a bucket bound from an interval on; component `none` for those not there.
 struct Known {

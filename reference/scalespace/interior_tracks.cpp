@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t most_discs = 800;
 constexpr int most_tries = 16;  // discs of one operand, for a stretch of scales
-constexpr int most_halvings = 1;
+constexpr int most_halvings_of_a_track = 1;
 
 PolygonSet region_or_nothing(const PolygonSet& set) { return set.is_region() ? set : PolygonSet{}; }
 
@@ -61,13 +61,13 @@ bool InteriorTracks::certainly_inside(const RoundedTrack& track, double from, do
     double from, to;
     int halvings;
   };
-  std::array<Part, most_halvings + 2> left;
+  std::array<Part, most_halvings_of_a_track + 2> left;
   std::size_t count = 0;
   left[count++] = {from, to, 0};
   while (count > 0) {
     const Part part = left[--count];
     if (clearance(track, part.from, part.to, hints) > 0) continue;
-    if (part.halvings == most_halvings) return false;
+    if (part.halvings == most_halvings_of_a_track) return false;
     const double middle = std::sqrt(part.from) * std::sqrt(part.to);
     left[count++] = {middle, part.to, part.halvings + 1};
     left[count++] = {part.from, middle, part.halvings + 1};

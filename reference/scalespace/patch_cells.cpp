@@ -11,7 +11,7 @@ namespace {
 
 constexpr double band_ratio = 4;    // of the scales of a band, which is then halved
 constexpr double many_times = 256;  // a scale at which one operand is that much smaller is extreme
-constexpr int most_halvings = 4, most_halvings_by_solids = 6;
+constexpr int most_halvings_by_tracks = 4, most_halvings_by_solids = 6;
 constexpr int looks_ahead = 3;
 
 constexpr int bits_of_a_cut = 12;
@@ -58,11 +58,11 @@ std::vector<PatchCell> bands(double from, double to, double middle) {
   return result;
 }
 
-class Search {
+class CellSearch {
  public:
-  Search(const InteriorTracks& tracks, const InteriorSolids& solids,
-         const std::vector<RoundedEdge>& edges, const std::vector<PatchCell>& bands,
-         std::vector<std::vector<PatchCell>>& result)
+  CellSearch(const InteriorTracks& tracks, const InteriorSolids& solids,
+             const std::vector<RoundedEdge>& edges, const std::vector<PatchCell>& bands,
+             std::vector<std::vector<PatchCell>>& result)
       : tracks_(tracks), solids_(solids), edges_(edges), bands_(bands), result_(result) {}
 
   void operator()(std::size_t edge) {
@@ -83,7 +83,7 @@ class Search {
       if (clearance > 0 || solids_.chosen_holds(swept_quad(*edge_, cell), solid_)) return;
       // What halving may win is at most what the cell reaches to, twice.
       const double moved = (cell.high - cell.low) * std::hypot(track.x1, track.y1);
-      if ((halvings < most_halvings && clearance + reach + moved > 0) ||
+      if ((halvings < most_halvings_by_tracks && clearance + reach + moved > 0) ||
           (halvings < most_halvings_by_solids && some_point_is_inside(cell))) {
         PatchCell first = cell, second = cell;
         if (moved > reach) {
@@ -159,7 +159,7 @@ std::vector<SweptQuad> small_parts(const InteriorTracks& tracks,
 
 /// Small cells that are left of the patches of some edges.
 std::vector<SweptQuad> cells_left(const std::vector<RoundedEdge>& edges,
-                                  std::vector<std::vector<PatchCell>>& found, Search search) {
+                                  std::vector<std::vector<PatchCell>>& found, CellSearch search) {
   constexpr std::size_t some = 256;
   std::vector<SweptQuad> result;
   for (std::size_t k = 0; k < std::min(edges.size(), some); ++k) {
@@ -223,11 +223,11 @@ PatchCells patch_cells(const InteriorTracks& tracks, InteriorSolids& solids,
     std::vector<SweptQuad> samples = small_parts(tracks, edges, all_bands);
     for (int k = 0; solids.choose(samples) * 8 > samples.size() && k < looks_ahead; ++k) {
       control.look_now();
-      samples = cells_left(edges, found, Search(tracks, solids, edges, all_bands, found));
+      samples = cells_left(edges, found, CellSearch(tracks, solids, edges, all_bands, found));
     }
   }
   in_parallel(edges.size(), control, BuildProgress::Stage::cells,
-              [&](unsigned) { return Search(tracks, solids, edges, all_bands, found); });
+              [&](unsigned) { return CellSearch(tracks, solids, edges, all_bands, found); });
   PatchCells result;
   for (const auto& cells : found) {
     result.first.push_back(static_cast<std::uint32_t>(result.cells.size()));

@@ -58,10 +58,10 @@ struct Found {
   std::uint64_t meeting = 0, inside = 0;
 };
 
-class Search {
+class NeighbourSearch {
  public:
-  Search(const Subject& subject, const PairFilter& filter, const BuildControl& control,
-         Found& found)
+  NeighbourSearch(const Subject& subject, const PairFilter& filter, const BuildControl& control,
+                  Found& found)
       : subject_(subject),
         filter_(filter),
         control_(control),
@@ -197,8 +197,9 @@ PatchNeighbours patch_neighbours(const InteriorTracks& tracks, InteriorSolids& s
   Subject subject(tracks, solids, edges, window, control);
   const PairFilter filter = subject.filter();
   std::vector<Found> found(control.threads());
-  in_parallel(subject.live.size(), control, BuildProgress::Stage::pairs,
-              [&](unsigned thread) { return Search(subject, filter, control, found[thread]); });
+  in_parallel(subject.live.size(), control, BuildProgress::Stage::pairs, [&](unsigned thread) {
+    return NeighbourSearch(subject, filter, control, found[thread]);
+  });
   PatchNeighbours result = listed(found, edges.size());
   result.cells = std::move(subject.cells);
   return result;

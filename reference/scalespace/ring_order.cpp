@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "reference/none.hpp"
 #include "reference/plane/dynamic/boundary_cycles.hpp"
 
 namespace minkref {
 namespace {
-
-constexpr std::uint32_t none = 0xffffffffU;
 
 /// The links that are there, and which comes next.
 class Successors {

@@ -41,17 +41,17 @@ std::optional<Vector2<Rational>> segment_past_touching_rings(const PolygonSet& P
 }
 
 template <class K>
-class Search {
+class BoundarySearch {
  public:
   using Edge = MovingEdge<typename K::Vector>;
   using Sweep = PatchSweep<K>;
   using Piece = typename Sweep::Piece;
 
-  Search(K kernel, const std::vector<Edge>& edges, const std::vector<RationalEdge>& moving,
-         const PatchNeighbours& neighbours, const InteriorTracks& tracks,
-         const InteriorSolids& solids, const InteriorTest& test,
-         const std::optional<Vector2<Rational>>& segment, const ScaleWindow& window,
-         const BuildControl& control, SweptBoundary& result)
+  BoundarySearch(K kernel, const std::vector<Edge>& edges, const std::vector<RationalEdge>& moving,
+                 const PatchNeighbours& neighbours, const InteriorTracks& tracks,
+                 const InteriorSolids& solids, const InteriorTest& test,
+                 const std::optional<Vector2<Rational>>& segment, const ScaleWindow& window,
+                 const BuildControl& control, SweptBoundary& result)
       : moving_(moving),
         neighbours_(neighbours),
         test_(test),
@@ -207,8 +207,8 @@ SweptBoundary swept_boundary(const PolygonSet& P, const PolygonSet& Q, const Sca
     const auto edges = moving_edges(result.edges, frame.P, frame.Q);
     std::vector<SweptBoundary> parts(control.threads());
     in_parallel(edges.size(), control, BuildProgress::Stage::patches, [&](unsigned thread) {
-      return Search<K>(frame.kernel, edges, result.moving, neighbours, tracks, solids, test,
-                       segment, window, control, parts[thread]);
+      return BoundarySearch<K>(frame.kernel, edges, result.moving, neighbours, tracks, solids, test,
+                               segment, window, control, parts[thread]);
     });
     gather(parts, result);
   });

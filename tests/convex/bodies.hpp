@@ -9,6 +9,11 @@
 
 namespace minkref::bodies {
 
+/// In canonical form.
+inline Polyhedron canonical(const Polyhedron& surface) {
+  return ConvexPolyhedron(surface).surface();
+}
+
 inline SpacePoint at(int x, int y, int z) { return {x, y, z}; }
 
 inline Polyhedron box(int x, int y, int z) {

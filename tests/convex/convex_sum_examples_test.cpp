@@ -11,9 +11,8 @@ namespace {
 
 using bodies::at;
 using bodies::box;
+using bodies::canonical;
 using bodies::sum;
-
-Polyhedron canonical(const Polyhedron& surface) { return ConvexPolyhedron(surface).surface(); }
 
 /// Every facet of one box is parallel to one of the other, for all scalings.
 TEST(ConvexSumExample, BoxAndBoxIsABox) {

@@ -8,13 +8,12 @@
 namespace minkref {
 namespace {
 
+using bodies::canonical;
 using bodies::random_body;
 using bodies::random_scaling;
 using bodies::sum;
 
 constexpr unsigned seeds = 60;
-
-Polyhedron canonical(const Polyhedron& surface) { return ConvexPolyhedron(surface).surface(); }
 
 TEST(ConvexSum, IsCommutative) {
   for (unsigned seed = 1; seed <= seeds; ++seed) {

@@ -6,13 +6,12 @@
 
 #include "reference/fault.hpp"
 #include "reference/interrupt.hpp"
+#include "reference/none.hpp"
 #include "reference/plane/boundary/boundary_graph.hpp"
 #include "reference/plane/point_predicates.hpp"
 
 namespace minkref {
 namespace {
-
-constexpr std::uint32_t none = 0xffffffffU;
 
 class WalkFinder {
  public:

@@ -12,10 +12,8 @@
 namespace minkref {
 namespace {
 
-constexpr std::uint32_t always = EdgeNode::always;
-
 struct Lifetime {
-  std::uint32_t from = always, to = always;
+  std::uint32_t from = EdgeNode::always, to = EdgeNode::always;
   bool outside = false;  ///< of the window
 };
 
@@ -46,7 +44,7 @@ ArrangementEvents::ArrangementEvents(const PolygonSet& P, const PolygonSet& Q,
 void ArrangementEvents::collect_nodes() {
   // Moments of the pair and parallel events; those at the ends of the window lie outside.
   const auto& events = pairs_.events;
-  std::vector<std::uint32_t> moment_of_rank(pairs_.distinct, always);
+  std::vector<std::uint32_t> moment_of_rank(pairs_.distinct, EdgeNode::always);
   for (std::size_t i = 0; i < events.size(); ++i) {
     if (i > 0 && events[i].rank == events[i - 1].rank) continue;
     const bool first = events[i].rank == 0, last = events[i].rank + 1 == pairs_.distinct;
@@ -73,22 +71,22 @@ void ArrangementEvents::collect_nodes() {
     look_for_interrupt();
     Lifetime& lifetime = lifetimes[static_cast<std::size_t>(pair - meeting.begin())];
     const std::uint32_t moment = moment_of_rank[event.rank];
-    const bool at_start = moment == always && window_.from && event.rank == 0 &&
+    const bool at_start = moment == EdgeNode::always && window_.from && event.rank == 0 &&
                           event_scale(PlainKernel<Rational>{}, moving_[event.a], moving_[event.b],
                                       event) == *window_.from;
     switch (event.change) {
       case Change::birth:
         lifetime.from = moment;
-        if (moment == always && !at_start) lifetime.outside = true;
+        if (moment == EdgeNode::always && !at_start) lifetime.outside = true;
         break;
       case Change::death:
         lifetime.to = moment;
-        if (moment == always && at_start) lifetime.outside = true;
+        if (moment == EdgeNode::always && at_start) lifetime.outside = true;
         break;
       case Change::touch:
       case Change::overlap:
         lifetime.from = lifetime.to = moment;
-        if (moment == always) lifetime.outside = true;
+        if (moment == EdgeNode::always) lifetime.outside = true;
         break;
     }
   }
@@ -116,7 +114,7 @@ void ArrangementEvents::collect_nodes() {
         } else {
           const auto interval = scales_on_edge(moving_[edge], position);
           if (interval.empty) continue;
-          node.from = node.to = always;
+          node.from = node.to = EdgeNode::always;
           if (interval.lower) {
             const Rational& lower = interval.lower->scale;
             if (window_.to && lower >= *window_.to) continue;
@@ -216,7 +214,7 @@ void ArrangementEvents::order() {
     first = last;
   }
   const auto to_group = [&](std::uint32_t& moment) {
-    if (moment != always) moment = group_of_moment[moment];
+    if (moment != EdgeNode::always) moment = group_of_moment[moment];
   };
   for (EdgeNode& node : table_.nodes) {
     to_group(node.from);

@@ -4,12 +4,11 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "reference/none.hpp"
 #include "reference/plane/kernel/grid_kernel.hpp"
 
 namespace minkref {
-namespace {
-constexpr std::uint32_t none = 0xffffffffU;
-}
+namespace {}
 
 CycleFinder::CycleFinder(const std::vector<RationalEdge>& edges) : edges_(edges) {
   for (const RationalEdge& e : edges) {

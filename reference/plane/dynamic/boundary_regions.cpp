@@ -5,10 +5,10 @@
 #include <stdexcept>
 #include <unordered_map>
 
+#include "reference/none.hpp"
+
 namespace minkref {
 namespace {
-
-constexpr std::uint32_t none = 0xffffffffU;
 
 /// Cycles as polygons at one scale.
 class CyclesAtScale {

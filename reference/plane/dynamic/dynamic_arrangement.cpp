@@ -4,11 +4,10 @@
 
 #include "reference/error.hpp"
 #include "reference/fault.hpp"
+#include "reference/none.hpp"
 
 namespace minkref {
-namespace {
-constexpr std::uint32_t none = 0xffffffffU;
-}
+namespace {}
 
 DynamicArrangement::DynamicArrangement(std::shared_ptr<const BoundaryStates> states)
     : states_(std::move(states)),

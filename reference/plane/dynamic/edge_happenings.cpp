@@ -5,8 +5,6 @@
 namespace minkref {
 namespace {
 
-constexpr std::uint32_t always = EdgeNode::always;
-
 template <class Add>
 void report_swaps(const ArrangementEvents& events, Add&& add) {
   for (std::size_t t = 0; t < events.triples().size(); ++t) {
@@ -27,7 +25,7 @@ void report_overlaps(const ArrangementEvents& events, Add&& add) {
     const PairEvent& event = events.pairs().events[i];
     if (!event.parallel || event.change != Change::overlap) continue;
     const std::uint32_t group = events.group_of_pair_event(i);
-    if (group == always) continue;
+    if (group == EdgeNode::always) continue;
     add(event.a, {Happening::Kind::overlap, group, event.b, 0});
     add(event.b, {Happening::Kind::overlap, group, event.a, 0});
   }
@@ -48,8 +46,10 @@ void EdgeHappenings::of(std::uint32_t edge, std::vector<Happening>& happenings) 
   for (std::uint32_t n = table.begin(edge); n < table.end(edge); ++n) {
     const EdgeNode& node = table.nodes[n];
     const std::uint32_t local = n - table.begin(edge);
-    if (node.from != always) happenings.push_back({Happening::Kind::arrival, node.from, local, 0});
-    if (node.to != always) happenings.push_back({Happening::Kind::departure, node.to, local, 0});
+    if (node.from != EdgeNode::always)
+      happenings.push_back({Happening::Kind::arrival, node.from, local, 0});
+    if (node.to != EdgeNode::always)
+      happenings.push_back({Happening::Kind::departure, node.to, local, 0});
   }
   std::sort(happenings.begin(), happenings.end(), [](const Happening& x, const Happening& y) {
     return std::tie(x.group, x.kind, x.first, x.second) <

@@ -12,8 +12,6 @@
 namespace minkref {
 namespace {
 
-constexpr std::uint32_t always = EdgeNode::always;
-
 bool in(const std::vector<std::uint32_t>& set, std::uint32_t x) {
   return std::find(set.begin(), set.end(), x) != set.end();
 }
@@ -45,7 +43,7 @@ struct EdgeSweep::Impl {
   }
 
   std::uint32_t open(std::uint32_t x, std::uint32_t y, std::uint32_t interval) {
-    out->sub_edges.push_back({edge.edge(), edge.name(x), edge.name(y), interval, always});
+    out->sub_edges.push_back({edge.edge(), edge.name(x), edge.name(y), interval, EdgeNode::always});
     return static_cast<std::uint32_t>(out->sub_edges.size() - 1);
   }
 
@@ -57,19 +55,20 @@ struct EdgeSweep::Impl {
     auto& names = history.initial.emplace_back();
     for (std::size_t i = 1; i + 1 < list.size(); ++i) names.push_back(edge.name(list[i]));
 
-    const std::uint32_t first_group = happenings.empty() ? always : happenings.front().group;
+    const std::uint32_t first_group =
+        happenings.empty() ? EdgeNode::always : happenings.front().group;
     status.assign(list.size() - 1, Status::interior);
     sub_edge.assign(list.size() - 1, no_sub_edge);
     for (std::size_t i = 0; i + 1 < list.size(); ++i) {
       if (edge.same_track(list[i], list[i + 1])) continue;
-      status[i] = decide.between(list[i], list[i + 1], always, first_group);
+      status[i] = decide.between(list[i], list[i + 1], EdgeNode::always, first_group);
       if (status[i] == Status::boundary) sub_edge[i] = open(list[i], list[i + 1], 0);
     }
     for (std::size_t i = 0; i < happenings.size();) {
       std::size_t j = i;
       look_for_interrupt();
       while (j < happenings.size() && happenings[j].group == happenings[i].group) ++j;
-      const std::uint32_t next = j < happenings.size() ? happenings[j].group : always;
+      const std::uint32_t next = j < happenings.size() ? happenings[j].group : EdgeNode::always;
       pass(std::span(happenings).subspan(i, j - i), next);
       i = j;
     }
@@ -85,7 +84,7 @@ struct EdgeSweep::Impl {
   void first_order() {
     list.clear();
     for (std::uint32_t n = 0; n < edge.count(); ++n) {
-      if (edge.node(n).from == always) list.push_back(n);
+      if (edge.node(n).from == EdgeNode::always) list.push_back(n);
     }
     const Rational from = events.window().from.value_or(0);
     const double near_from = to_double(from);

@@ -7,7 +7,6 @@
 namespace minkref {
 
 std::vector<ListedEvent> listed_events(const ArrangementEvents& events, const ScaleWindow& closed) {
-  constexpr std::uint32_t always = EdgeNode::always;
   // Groups within the window.
   std::uint32_t first = 0, last = static_cast<std::uint32_t>(events.groups());
   if (closed.from) first = events.locate(*closed.from).before;
@@ -18,7 +17,7 @@ std::vector<ListedEvent> listed_events(const ArrangementEvents& events, const Sc
   std::vector<ListedEvent> list;
   const auto add = [&](ListedEvent::Kind kind, std::uint32_t group, std::size_t index,
                        std::uint32_t edge = 0) {
-    if (group == always || group < first || group >= last) return;
+    if (group == EdgeNode::always || group < first || group >= last) return;
     list.push_back({kind, group, static_cast<std::uint32_t>(index), edge});
   };
   const auto& pairs = events.pairs().events;
@@ -41,7 +40,7 @@ std::vector<ListedEvent> listed_events(const ArrangementEvents& events, const Sc
       const EdgeNode& node = table.nodes[n];
       if (node.kind == EdgeNode::Kind::crossing) continue;
       for (const std::uint32_t group : {node.from, node.to}) {
-        if (group == always) continue;
+        if (group == EdgeNode::always) continue;
         if (!known.emplace(group, std::min(e, node.other), std::max(e, node.other)).second) {
           continue;
         }

@@ -10,8 +10,6 @@
 
 namespace minkref {
 namespace {
-
-constexpr std::uint32_t always = EdgeNode::always;
 using V = Vector2<Rational>;
 
 }  // namespace
@@ -37,12 +35,12 @@ SubEdgeStatus::SubEdgeStatus(const PolygonSet& P, const PolygonSet& Q,
 
 SampleScale SubEdgeStatus::scale_between(std::uint32_t low, std::uint32_t high) const {
   const ScaleWindow& window = events_.window();
-  const double from = low != always ? events_.approximate(low)
-                      : window.from ? to_double(*window.from)
-                                    : 0.0;
-  const double to = high != always ? events_.approximate(high)
-                    : window.to    ? to_double(*window.to)
-                                   : 2 * from + 1;
+  const double from = low != EdgeNode::always ? events_.approximate(low)
+                      : window.from           ? to_double(*window.from)
+                                              : 0.0;
+  const double to = high != EdgeNode::always ? events_.approximate(high)
+                    : window.to              ? to_double(*window.to)
+                                             : 2 * from + 1;
   const double room = to - from, error = (from + to) * 4 * filter_bound;
   if (room > 64 * error && std::isfinite(to) && room > 1e-290) {
     // As few bits as the room allows.
@@ -53,7 +51,7 @@ SampleScale SubEdgeStatus::scale_between(std::uint32_t low, std::uint32_t high) 
   }
   const auto exact_end = [&](std::uint32_t group, const std::optional<Rational>& bound,
                              const Rational& otherwise) {
-    return group != always ? events_.exact(group) : bound ? *bound : otherwise;
+    return group != EdgeNode::always ? events_.exact(group) : bound ? *bound : otherwise;
   };
   const Rational lower = exact_end(low, window.from, 0);
   const Rational upper = exact_end(high, window.to, 2 * lower + 1);

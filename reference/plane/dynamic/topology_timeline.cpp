@@ -10,12 +10,11 @@
 
 #include "reference/fault.hpp"
 #include "reference/interrupt.hpp"
+#include "reference/none.hpp"
 #include "reference/plane/dynamic/boundary_changes.hpp"
 
 namespace minkref {
 namespace {
-
-constexpr std::uint32_t none = 0xffffffffU;
 
 /// The regions of one kind that a state has, and which of them each of its links bounds.
 struct Side {

@@ -12,12 +12,12 @@ namespace {
 template <class Grid>
 Point inner_point(const GridFrame<Grid>& frame, const Arrangement<GridKernel<Grid>>& arrangement,
                   std::uint32_t face) {
-  const Rational unit(Integer(1), frame.denominator);
+  const Rational unit_of_grid(Integer(1), frame.denominator);
   if (const auto x = interior_point_in_doubles(frame.kernel, arrangement, face)) {
-    return {from_double(x->x) * unit, from_double(x->y) * unit};
+    return {from_double(x->x) * unit_of_grid, from_double(x->y) * unit_of_grid};
   }
   const Point x = exact_interior_point(frame.kernel, arrangement, face);
-  return {x.x * unit, x.y * unit};
+  return {x.x * unit_of_grid, x.y * unit_of_grid};
 }
 Point inner_point(const ScalarFrame<Rational>& frame,
                   const Arrangement<PlainKernel<Rational>>& arrangement, std::uint32_t face) {

@@ -1,4 +1,4 @@
-#include "reference/convex/contact.hpp"
+#include "reference/convex/facet_contact.hpp"
 
 #include <algorithm>
 
@@ -35,7 +35,7 @@ RoundedScaling::RoundedScaling(const Scaling& scaling) : exact(scaling) {
 }
 
 /// Only ratios matter: with the largest weight at 1 nothing overflows.
-void Contact::rescale(const RoundedScaling& scaling) {
+void FacetContact::rescale(const RoundedScaling& scaling) {
   scaling_ = scaling.exact;
   exact_weights_known_ = false;
   const std::optional<DoubleVector>& factors = scaling.factors;
@@ -56,7 +56,7 @@ void Contact::rescale(const RoundedScaling& scaling) {
   }
 }
 
-const IntegerVector& Contact::exact_weights() const {
+const IntegerVector& FacetContact::exact_weights() const {
   if (!exact_weights_known_) {
     Scaling weights = scaling_;
     if (whose_ == Operand::normals_of_P) {
@@ -68,7 +68,7 @@ const IntegerVector& Contact::exact_weights() const {
   return exact_weights_;
 }
 
-int Contact::exact_sign(std::uint32_t facet, std::uint32_t half_edge) const {
+int FacetContact::exact_sign(std::uint32_t facet, std::uint32_t half_edge) const {
   const IntegerVector& n = normals_->normal(facet);
   const IntegerVector& a = edges_->point(edges_->origin(half_edge));
   const IntegerVector& b = edges_->point(edges_->target(half_edge));
@@ -84,7 +84,7 @@ int Contact::exact_sign(std::uint32_t facet, std::uint32_t half_edge) const {
   return sum.sign();
 }
 
-bool Contact::exact_rises(std::uint32_t facet, std::uint32_t half_edge) const {
+bool FacetContact::exact_rises(std::uint32_t facet, std::uint32_t half_edge) const {
   const int exact = exact_sign(facet, half_edge);
   if (exact != 0) return exact > 0;
   return tie_rises(normals_->normal(facet), edges_->vector(half_edge));

@@ -29,11 +29,11 @@ struct RoundedScaling {
 /// linear map I + E, E a matrix of nine infinitesimals each far smaller than the one before and all
 /// of one order: S P is then generic, for every S, and all signs are those of one and the same P.
 /// To first order n' · d changes by ± the sum of n_i E_ij d_j.
-class Contact {
+class FacetContact {
  public:
   enum class Operand : std::uint8_t { normals_of_P, normals_of_Q };
 
-  Contact(const ConvexPolyhedron& normals, const ConvexPolyhedron& edges, Operand whose)
+  FacetContact(const ConvexPolyhedron& normals, const ConvexPolyhedron& edges, Operand whose)
       : normals_(&normals), edges_(&edges), whose_(whose) {}
 
   void rescale(const RoundedScaling& scaling);
@@ -68,7 +68,7 @@ class Contact {
   /// with all their signs kept.
   class Slack {
    public:
-    explicit Slack(const Contact& contact) : zeros_stay_(contact.no_underflow_) {}
+    explicit Slack(const FacetContact& contact) : zeros_stay_(contact.no_underflow_) {}
     void include(const Product& product) {
       // Every term is zero where the sum of their magnitudes is, for all weights.
       const bool stays = product.magnitude == 0 && zeros_stay_;
