@@ -25,7 +25,7 @@ SUBJECT = (
 )
 MINUTES = (35, None)
 DEPENDS = (
-    *REFERENCE, *COMPARISON, *CGAL, "tests/*/*.?pp", "tests/plane/*.py",
+    *REFERENCE, *COMPARISON, *CGAL, "tests/*/*.?pp", "tests/plane/*.py", "tests/dynamic/*.py",
     "oracle/slow/*.py", "oracle/symbolic/*.py",
 )  # fmt: skip
 
@@ -33,6 +33,7 @@ ROOT = SCRIPTS.parents[1]
 BUILD = ROOT / "build" / "faults"
 TABLE = SCRIPTS / "planted_faults.md"
 SUITES = ("plane", "critical", "dynamic", "scalespace")
+PYTEST_FOLDERS = ("tests/plane", "tests/dynamic")
 ROUTES = ("minkref:paper", "minkref:winding", "minkref:definition")
 PAIRS = 60
 SUITE_SECONDS, VERIFY_SECONDS, PYTEST_SECONDS = 300, 150, 150
@@ -105,18 +106,18 @@ def laws(fault: str) -> list[str]:
     return failed
 
 
-def table_of_exact_fits(fault: str) -> list[str]:
-    """The first test of tight passages made by hand that fails."""
+def python_tests(fault: str) -> list[str]:
+    """The first that fails of tight passages made by hand, and of parents by their definition."""
     try:
         done = subprocess.run(
-            [sys.executable, "-m", "pytest", "-qx", "-p", "no:cacheprovider", "tests/plane"],
+            [sys.executable, "-m", "pytest", "-qx", "-p", "no:cacheprovider", *PYTEST_FOLDERS],
             cwd=ROOT, env=environment(fault), capture_output=True, text=True, check=False,
             timeout=PYTEST_SECONDS,
         )  # fmt: skip
     except subprocess.TimeoutExpired:
-        return ["tests/plane: no end"]
+        return [f"{' '.join(PYTEST_FOLDERS)}: no end"]
     found = re.findall(r"^(?:FAILED|ERROR) \S+::(\S+)", done.stdout, re.MULTILINE)
-    return found or ([f"tests/plane: exit code {done.returncode}"] if done.returncode else [])
+    return found or ([f"pytest: exit code {done.returncode}"] if done.returncode else [])
 
 
 def before_judges(fault: str, caught: Caught) -> None:
@@ -142,7 +143,7 @@ def before_judges(fault: str, caught: Caught) -> None:
 
 
 def put_in(fault: str) -> Caught:
-    caught = Caught(tests=laws(fault) + table_of_exact_fits(fault))
+    caught = Caught(tests=laws(fault) + python_tests(fault))
     before_judges(fault, caught)
     print(f"{fault or 'none'}: {'caught' if caught else 'not caught'}", flush=True)
     return caught

@@ -1,0 +1,133 @@
+"""The parents of a boundary event, from their definition (docs/definitions.md): all convolution
+edges that run along the boundary just below the scale, or just above it, and come to the place."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from fractions import Fraction
+from itertools import pairwise
+from typing import Any
+
+import pytest
+from minkref import _core
+from minkref.event_lists import ArrangementEventList, BoundaryEventList
+from minkref.fuzz.families.lattice_pairs import lattice_pair
+
+Point = tuple[Fraction, Fraction]
+Segment = tuple[Point, Point]
+Edge = tuple[str, int, int, int, int]
+
+SEED = 41
+PAIRS = 24
+
+
+def rings_of(operand: _core.PolygonSet) -> list[list[Point]]:
+    """All rings in the order in which they are numbered."""
+    return [
+        [(Fraction(x), Fraction(y)) for x, y in ring]
+        for polygon in json.loads(operand.to_json())["polygons"]
+        for ring in (polygon["outer"], *polygon["holes"])
+    ]
+
+
+def at_scale(edge: Edge, P: list[list[Point]], Q: list[list[Point]], s: Fraction) -> Segment:
+    kind, ring, index, other_ring, vertex = edge
+    scaled = [[(s * x, s * y) for x, y in points] for points in P]
+    ours, others = (scaled, Q) if kind == "S" else (Q, scaled)
+    a, b = ours[ring][index], ours[ring][(index + 1) % len(ours[ring])]
+    v = others[other_ring][vertex]
+    return (a[0] + v[0], a[1] + v[1]), (b[0] + v[0], b[1] + v[1])
+
+
+def along(edge: Segment, point: Point) -> Fraction | None:
+    """The point's parameter from 0 to 1 on the edge's line; None beside the line."""
+    (x0, y0), (x1, y1) = edge
+    dx, dy = x1 - x0, y1 - y0
+    x, y = point[0] - x0, point[1] - y0
+    if dx * y != dy * x:
+        return None
+    return (dx * x + dy * y) / (dx * dx + dy * dy)
+
+
+def on_boundary(edge: Segment, boundary: list[Segment]) -> list[tuple[Point, Point]]:
+    """The pieces of positive length that the edge shares with boundary edges, sorted along it."""
+    pieces = []
+    for a, b in boundary:
+        t, u = along(edge, a), along(edge, b)
+        if t is None or u is None:
+            continue
+        low, high = max(min(t, u), Fraction(0)), min(max(t, u), Fraction(1))
+        if low < high:
+            pieces.append((low, high))
+    (x0, y0), (x1, y1) = edge
+
+    def point(t: Fraction) -> Point:
+        return x0 + t * (x1 - x0), y0 + t * (y1 - y0)
+
+    return [(point(low), point(high)) for low, high in sorted(pieces)]
+
+
+def limits(
+    edge: Edge, P: _core.PolygonSet, Q: _core.PolygonSet, s: Fraction, step: Fraction
+) -> Iterator[tuple[Point, Point]]:
+    """What the edge's pieces on the boundary come to at s, from the side of `step`: between events
+    they move linearly, so that those at s + step and s + 2 step tell it."""
+    ps, qs = rings_of(P), rings_of(Q)
+    found = []
+    for t in (s + step, s + 2 * step):
+        sides = [
+            side
+            for ring in rings_of(_core.minkowski_sum(P, Q, str(t)).region)
+            for side in pairwise([*ring, ring[0]])
+        ]
+        found.append(on_boundary(at_scale(edge, ps, qs, t), sides))
+    assert len(found[0]) == len(found[1]), "an event within two steps"
+    for near, far in zip(*found, strict=True):
+        a, b = ((2 * n[0] - f[0], 2 * n[1] - f[1]) for n, f in zip(near, far, strict=True))
+        yield a, b
+
+
+def comes_to(piece: tuple[Point, Point], place: Point) -> bool:
+    if piece[0] == piece[1]:
+        return piece[0] == place
+    t = along(piece, place)
+    return t is not None and 0 <= t <= 1
+
+
+def named(parent: dict[str, Any]) -> Edge:
+    return (parent["kind"], *parent["edge"], *parent["vertex"])
+
+
+@pytest.mark.parametrize("index", range(PAIRS))
+def test_parents_are_the_edges_that_come_to_the_place(index: int) -> None:
+    pair = lattice_pair(SEED, index)
+    P, Q = (_core.PolygonSet.from_json(text) for text in (pair.P, pair.Q))
+    scales = sorted(
+        {
+            Fraction(event["s"])
+            for found in [ArrangementEventList(_core.ArrangementEvents(P, Q), "arrangement")]
+            for event in found.events(0, len(found))
+        }
+    )
+    moving = _core.DynamicSum(P, Q)
+    edges = [(row[0], *row[2:]) for row in moving.edges()]
+    events = BoundaryEventList(moving, "boundary")
+    for event in events.events(0, len(events)):
+        s = Fraction(event["s"])
+        place = tuple(Fraction(number) for number in event["at"])
+        parents = {named(parent) for parent in event["parents"]}
+        at = scales.index(s)
+        below = scales[at - 1] if at else Fraction(0)
+        above = scales[at + 1] if at + 1 < len(scales) else s + 1
+        for edge in edges:
+            pieces = [
+                piece
+                for step in ((below - s) / 3, (above - s) / 3)
+                for piece in limits(edge, P, Q, s, step)
+            ]
+            told = f"lattice:{SEED}:{index} at {s}, {edge}"
+            if edge in parents:
+                assert pieces, f"{told} is a parent and never runs along the boundary"
+            elif any(comes_to(piece, place) for piece in pieces):
+                pytest.fail(f"{told} comes to {event['at']} and is no parent")
