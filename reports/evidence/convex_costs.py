@@ -20,6 +20,7 @@ SUBJECT = (
     "two) and against size from 100 to 20,000 facets: two plots."
 )
 MINUTES = (4, None)
+ALONE = True
 DEPENDS = (
     *part.REFERENCE, "models/rod.off", "reports/bench/*.py", "reports/convex_cost_plot.py",
     "python/minkref/space/*.py",

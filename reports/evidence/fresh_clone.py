@@ -17,6 +17,7 @@ SUBJECT = (
     "make evidence QUICK=1 succeed; times of the first and of the second call."
 )
 MINUTES = (45, None)
+ALONE = True
 DEPENDS = (
     "Makefile",
     "CMakeLists.txt",

@@ -17,6 +17,7 @@ SUBJECT = (
     "of the target beside them stay, nothing is left behind, nothing outside is changed."
 )
 MINUTES = (40, 0.8)
+ALONE = True
 DEPENDS = (*REFERENCE, *READERS, *COMPARISON, "python/minkref/**/*.py", "tests/hostile/**/*")
 
 FOLDER = Path(__file__).resolve().parents[2] / "tests" / "hostile"

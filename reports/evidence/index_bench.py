@@ -14,6 +14,7 @@ SUBJECT = (
     "evaluating the vertices alone, and from how many queries on building has paid off."
 )
 MINUTES = (6, None)
+ALONE = True
 DEPENDS = (
     *part.REFERENCE, *part.READERS, *part.MODELS, *part.COMPARISON, *part.CGAL,
     "reports/bench/*.py",

@@ -24,6 +24,7 @@ SUBJECT = (
     "seconds to build, bytes, seconds of a query; a plot."
 )
 MINUTES = (15, None)
+ALONE = True
 DEPENDS = (*REFERENCE, "reports/index_growth_plot.py")
 
 WINDOW = ("1/2", "2")

@@ -20,6 +20,7 @@ SUBJECT = (
     "pass; speed-ups as ratios of one run, with their spread; every figure drawn in a browser."
 )
 MINUTES = (14, None)
+ALONE = True
 DEPENDS = (
     *REFERENCE, *READERS, *COMPARISON, *MODELS, "reports/audit/**/*", "reports/paper/**/*",
     "reports/bench/*.py", "reports/*.py", "reports/templates/*", "oracle/symbolic/*.py",

@@ -12,7 +12,10 @@ import argparse
 import os
 import re
 import sys
+import threading
 import time
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 if sys.path and Path(sys.path[0]) == Path(__file__).resolve().parent:
@@ -24,6 +27,7 @@ from rich.console import Console
 from rich.status import Status as Spinner
 
 EARLIER = ", of an earlier run"
+interrupted = threading.Event()
 
 
 def arguments() -> argparse.Namespace:
@@ -31,24 +35,54 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("only", nargs="*", metavar="NAME", help="parts to run (default: all)")
     parser.add_argument("--quick", action="store_true", help="smaller counts, marked as such")
     parser.add_argument("--again", action="store_true", help="run also what is kept")
+    parser.add_argument(
+        "--jobs",
+        type=int,
+        metavar="N",
+        help="parts at a time (default: as many as there are cores if quick, else 1, since most "
+        "full parts use all cores); those that measure time run alone",
+    )
     parser.add_argument("--list", action="store_true", help="name the parts and stop")
     parser.add_argument("--child", metavar="NAME", help=argparse.SUPPRESS)
     options = parser.parse_args()
     options.quick = options.quick or os.environ.get("QUICK", "") not in ("", "0")
+    options.jobs = options.jobs or (os.cpu_count() or 1 if options.quick else 1)
     return options
 
 
-def run_part(console: Console, part: Part, quick: bool) -> table.Document:
+def run_part(console: Console, part: Part, quick: bool, jobs: int) -> table.Document:
     minutes = part.quick_minutes if quick and part.quick_minutes is not None else part.minutes
     line = f"{part.name}, some {minutes:g} minutes"
     began = time.monotonic()
-    if not console.is_terminal:
+    if jobs > 1 or not console.is_terminal:
         console.print(line)
-        return child.run_in_child(part, quick, lambda: None)
+        return child.run_in_child(part, quick, end_if_interrupted)
     with Spinner(line, console=console) as spinner:
         return child.run_in_child(
             part, quick, lambda: spinner.update(f"{line}: {(time.monotonic() - began) / 60:.1f}")
         )
+
+
+def at_once(
+    parts: list[Part], document_of: Callable[[Part], table.Document], jobs: int
+) -> dict[str, table.Document]:
+    """Documents by name, of `jobs` parts at a time."""
+    if jobs == 1:
+        return {part.name: document_of(part) for part in parts}
+    with ThreadPoolExecutor(jobs) as pool:
+        try:
+            found = pool.map(document_of, parts)
+            return {part.name: document for part, document in zip(parts, found, strict=True)}
+        except KeyboardInterrupt:
+            interrupted.set()
+            pool.shutdown(cancel_futures=True)
+            raise
+
+
+def end_if_interrupted() -> None:
+    """In the thread of a part: its child is ended too."""
+    if interrupted.is_set():
+        raise KeyboardInterrupt
 
 
 def write_summary(parts: list[Part], quick: bool) -> None:
@@ -101,20 +135,22 @@ def main() -> int:
         for part in every:
             console.print(f"{part.name}: {part.subject}", highlight=False)
         return 0
-    documents, absent = [], []
-    for part in every:
-        if options.only and part.name not in options.only:
-            continue
-        if options.quick and part.quick_minutes is None:
-            absent.append(part.name)
-            continue
+    chosen = [part for part in every if not options.only or part.name in options.only]
+    absent = [part.name for part in chosen if options.quick and part.quick_minutes is None]
+    chosen = [part for part in chosen if part.name not in absent]
+
+    def document_of(part: Part) -> table.Document:
         document = None if options.again else store.kept(part, options.quick)
         if document is not None:
             console.print(f"{part.name}: kept, {document['status']}, {document['date']}")
-        else:
-            document = run_part(console, part, options.quick)
-            console.print(f"{part.name}: {document['status']}, {document['seconds']:.1f} s")
-        documents.append(document)
+            return document
+        document = run_part(console, part, options.quick, options.jobs)
+        console.print(f"{part.name}: {document['status']}, {document['seconds']:.1f} s")
+        return document
+
+    of_part = at_once([part for part in chosen if not part.alone], document_of, options.jobs)
+    of_part |= at_once([part for part in chosen if part.alone], document_of, 1)
+    documents = [of_part[part.name] for part in chosen]
     table.show(console, documents, absent)
     write_summary(every, options.quick)
     return 1 if any(document["status"] == "failed" for document in documents) else 0

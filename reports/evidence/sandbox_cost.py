@@ -24,6 +24,7 @@ SUBJECT = (
     "and at most 2 % of the cases per second of one that is kept, against no sandbox."
 )
 MINUTES = (3, None)
+ALONE = True
 DEPENDS = (*REFERENCE, *READERS, *COMPARISON, "tests/seeded/*.py")
 
 SEEDED = Path(__file__).resolve().parents[2] / "tests" / "seeded"

@@ -26,6 +26,7 @@ SUBJECT = (
     "computation alone, both from parsed operands, both in a fresh child process."
 )
 MINUTES = (0.3, 0.2)
+ALONE = True
 DEPENDS = (*REFERENCE, *READERS, *MODELS, *COMPARISON, *CGAL)
 
 REPETITIONS, QUICK_REPETITIONS = 7, 3

@@ -16,6 +16,7 @@ SUBJECT = (
     "exact search), and the whole sum (by route paper and by CGAL)."
 )
 MINUTES = (5, 0.4)
+ALONE = True
 DEPENDS = (
     *part.REFERENCE,
     *part.READERS,

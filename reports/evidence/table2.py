@@ -15,6 +15,7 @@ SUBJECT = (
     "evaluation of the coordinates."
 )
 MINUTES = (6, None)
+ALONE = True
 DEPENDS = (
     *part.REFERENCE, *part.COMPARISON, *part.CGAL, "models/*.off", "reports/bench/*.py",
     "python/minkref/space/*.py",

@@ -22,6 +22,7 @@ SUBJECT = (
     "function in process, the same behind the adapter protocol; where the time goes."
 )
 MINUTES = (2, 0.2)
+ALONE = True
 DEPENDS = (*REFERENCE, *READERS, *COMPARISON, "tests/seeded/*.py")
 
 SEEDED = Path(__file__).resolve().parents[2] / "tests" / "seeded"

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import shutil
 import sys
+import threading
+import time
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -130,3 +133,53 @@ def test_in_a_fresh_clone_the_summary_keeps_what_others_have_reached(
 def test_unknown_part_is_wrong_usage(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
     assert call(monkeypatch, "third") == 2
     assert stage.ran == []
+
+
+def test_parts_that_run_alone_have_nothing_beside_them(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Two others are under way at once: each waits for the other."""
+    meeting = threading.Barrier(2, timeout=60)
+    under_way: set[str] = set()
+    beside: dict[str, set[str]] = {}
+
+    def run_in_child(part: Part, quick: bool, tick: object) -> dict[str, object]:
+        under_way.add(part.name)
+        if not part.alone:
+            meeting.wait()
+        beside[part.name] = under_way - {part.name}
+        if not part.alone:
+            meeting.wait()
+        under_way.remove(part.name)
+        return Stage.run_in_child(stage, part, quick, tick)
+
+    stage.parts |= {
+        name: Part(name, "A subject.", 1.0, 0.1, (), findings, alone=name == "timed")
+        for name in ("timed", "third")
+    }
+    monkeypatch.setattr(child, "run_in_child", run_in_child)
+    assert call(monkeypatch, "--quick", "--jobs", "2") == 0
+    assert beside == {"first": {"third"}, "third": {"first"}, "timed": set()}
+
+
+def test_an_interrupt_ends_all_parts(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
+    ended = []
+    began = threading.Event()
+
+    def run_in_child(part: Part, quick: bool, tick: Callable[[], None]) -> dict[str, object]:
+        if part.name == "first":
+            began.wait(60)
+            raise KeyboardInterrupt
+        try:
+            began.set()
+            while True:
+                tick()
+                time.sleep(0.01)
+        finally:
+            ended.append(part.name)
+
+    monkeypatch.setattr(child, "run_in_child", run_in_child)
+    monkeypatch.setattr(run, "interrupted", threading.Event())
+    with pytest.raises(KeyboardInterrupt):
+        call(monkeypatch, "--jobs", "2")
+    assert ended == ["second"]

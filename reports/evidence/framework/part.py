@@ -71,13 +71,16 @@ class Part:
     quick_minutes: float | None
     depends: tuple[str, ...]
     run: Callable[[bool], Findings]
+    alone: bool = False  # nothing runs beside it: it measures time, or looks at all processes
 
 
 def load(name: str) -> Part:
-    """The part that the script `name`.py declares by SUBJECT, MINUTES, DEPENDS and run(quick)."""
+    """The part that the script `name`.py declares by SUBJECT, MINUTES, DEPENDS, run(quick) and,
+    where nothing may run beside it, ALONE."""
     module = importlib.import_module(f"minkref.reports.evidence.{name}")
     full, quick = module.MINUTES
-    return Part(name, module.SUBJECT, full, quick, tuple(module.DEPENDS), module.run)
+    alone = getattr(module, "ALONE", False)
+    return Part(name, module.SUBJECT, full, quick, tuple(module.DEPENDS), module.run, alone)
 
 
 def names() -> list[str]:
