@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import json
 import os
-import sys
 from collections.abc import Callable
-from typing import Any
+from typing import Any, BinaryIO, TextIO
 
 Set = dict[str, Any]  # {"polygons": ...} or {"vertices": ..., "faces": ...}
 Sum = Callable[[Set, Set], dict[str, Any]]
+LONGEST_REASON = 4000  # characters
 
 
 class Skipped(Exception):
@@ -22,6 +22,10 @@ class Skipped(Exception):
 
 class Rejected(Exception):
     """The implementation says that the input is invalid; the text is the reason."""
+
+
+class Errored(Exception):
+    """There is no result; the text is the reason."""
 
 
 class Adapter:
@@ -50,17 +54,39 @@ class Adapter:
             return {"status": "skipped", "reason": str(reason)}
         except Rejected as reason:
             return {"status": "rejected", "reason": str(reason)}
-        except Exception as error:  # noqa: BLE001 whatever the implementation raises
-            return {"status": "errored", "reason": f"{type(error).__name__}: {error}"[:2000]}
+        except Errored as reason:
+            return {"status": "errored", "reason": str(reason)}
+        except BaseException as error:  # noqa: BLE001 whatever the implementation raises
+            return {"status": "errored", "reason": told(error)}
 
 
-def serve(hello: dict[str, Any], sum_of: Sum) -> None:
-    """Answers until `stop` or the end of the input. What the implementation prints goes to the
-    log: it must not reach the answers."""
+def told(error: BaseException) -> str:
+    """Type and text of an exception, whatever that does."""
+    name = type(error).__name__
+    try:
+        return f"{name}: {error}"[:LONGEST_REASON]
+    except BaseException:  # noqa: BLE001 its own __str__ raises
+        return f"{name} (its text cannot be had)"
+
+
+def streams() -> tuple[BinaryIO, TextIO]:
+    """Where the requests come from and the answers go. From now on the implementation has nothing
+    to read, and what it prints goes to the log."""
+    requests = os.fdopen(os.dup(0), "rb")
     answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
+    nothing = os.open(os.devnull, os.O_RDONLY)
+    os.dup2(nothing, 0)
+    os.close(nothing)
     os.dup2(2, 1)
+    return requests, answers
+
+
+def serve(hello: dict[str, Any], sum_of: Sum, given: tuple[BinaryIO, TextIO] | None = None) -> None:
+    """Answers until `stop` or the end of the input. `given`: the streams, where they are taken
+    already."""
+    requests, answers = given or streams()
     adapter = Adapter(hello, sum_of)
-    for line in sys.stdin.buffer:
+    for line in requests:
         if not line.strip():
             continue
         seq, stop = None, False
@@ -69,8 +95,9 @@ def serve(hello: dict[str, Any], sum_of: Sum) -> None:
             seq, stop = request.get("seq"), request.get("verb") == "stop"
             value = {"status": "result"} if stop else adapter.answer(request)
             text = json.dumps({"seq": seq, **value}, allow_nan=False)
-        except (ValueError, AttributeError, RecursionError) as error:  # no request; not a number
-            text = json.dumps({"seq": seq, "status": "errored", "reason": str(error)[:2000]})
+        except BaseException as error:  # noqa: BLE001 no request, or no answer that can be written
+            reason = f"the answer cannot be written: {told(error)}"
+            text = json.dumps({"seq": seq, "status": "errored", "reason": reason})
         answers.write(text + "\n")
         answers.flush()
         if stop:

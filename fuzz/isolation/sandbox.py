@@ -61,7 +61,7 @@ def readable(command: tuple[str, ...], named: tuple[str, ...], here: str) -> tup
         if os.path.lexists(path):
             for each in (path.absolute(), path.resolve()):
                 found.append(_home_of(each))
-    paths = [path for text in named for path in text.split(os.pathsep) if os.path.isabs(path)]
+    paths = [os.path.join(here, path) for text in named for path in text.split(os.pathsep) if path]
     found += [
         _home_of(Path(each, "x")) for path in paths for each in (path, os.path.realpath(path))
     ]

@@ -1,4 +1,4 @@
-"""What every process that runs somebody else's code does first, and how it is ended."""
+"""What a worker process does first, and how it is ended."""
 
 from __future__ import annotations
 

@@ -18,8 +18,7 @@ from minkref.fuzz.judges.checks import PREFIX, Check
 from minkref.fuzz.run import child
 from minkref.fuzz.run.asking import JUDGING, Asking
 from minkref.fuzz.targets.answer import Limits, Target, load_limit
-from minkref.fuzz.targets.catalogue import is_adapter, make_target
-from minkref.fuzz.targets.declared import declares_itself
+from minkref.fuzz.targets.catalogue import declares_itself, make_target
 from minkref.fuzz.verdicts.verdict import GOOD, Outcome, Verdict
 
 CASE = "minkref:case"  # the step before any target: the case is made
@@ -141,7 +140,6 @@ class _Work:
 
     def _target(self, name: str) -> Target:
         if name not in self.made:
-            self.pipe.send(("begin", name, load_limit(self.limits)))
             self.made[name] = make_target(name, self.limits)
         target = self.made[name]
         assert not isinstance(target, Check)
@@ -199,13 +197,13 @@ def is_check(name: str) -> bool:
 
 def wall_clock_limit(name: str, limits: Limits) -> float:
     """Seconds after which the parent ends a worker that is still at `name`. The children of the
-    CGAL oracle and adapters have their own, tighter clock."""
+    CGAL oracle, adapters and functions have their own, tighter clock."""
     if name == CASE:
         return CASE_SECONDS
     if name.startswith(JUDGING):
         return JUDGING_SECONDS
     if is_check(name):
         return JUDGE_SECONDS
-    if is_adapter(name):
+    if declares_itself(name):
         return 2 * load_limit(limits) + 6 * limits.seconds
     return limits.seconds + (2 * cgal_server.GRACE_SECONDS if name.startswith("cgal-") else 0)

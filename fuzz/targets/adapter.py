@@ -33,8 +33,8 @@ MOST_FAILED_STARTS = 3
 
 
 @dataclass
-class AdapterTarget:
-    """Asks `load` once for two operands, then `at` or `update`."""
+class ProgramTarget:
+    """Asks `load` once for two operands, then `at`."""
 
     name: str
     command: list[str]
@@ -50,51 +50,6 @@ class AdapterTarget:
     def sum(self, case: AnyCase) -> Answer:
         """The fresh sum."""
         return self._guarded(case, lambda d: self._at(case, d, "at"))
-
-    def updated_sum(self, before: Case | SpaceCase, case: Case | SpaceCase) -> Answer:
-        """The sum by `update` from that of `before`, the same operands at another scale. In every
-        other case, by name, that is itself reached by `update`, from the sum of `case`."""
-
-        def ask(declaration: Declaration) -> Answer:
-            lack = lacking(declaration, before)
-            if lack:
-                return skipped(lack, declaration)
-            steps: list[tuple[Case | SpaceCase, str]] = [(before, "at"), (case, "update")]
-            if zlib.crc32(case.name.text.encode()) % 2:
-                steps = [(case, "at"), (before, "update"), (case, "update")]
-            for at, verb in steps:
-                answer = self._at(at, declaration, verb)
-                if answer.verdict is not None:
-                    break
-            return answer
-
-        return self._guarded(case, ask, "update")
-
-    def events(
-        self, case: Case, start: str, end: str
-    ) -> tuple[list[Fraction], Declaration] | Answer:
-        """Scales of topology events in [start, end] as the target has them, and what it declares;
-        else why not."""
-        found: list[Fraction] = []
-
-        def ask(declaration: Declaration) -> Answer:
-            try:
-                self._load(case, declaration)
-            except Refused as refused:
-                return self._without_result(refused.value, declaration)
-            value = self._process.ask("events", self.limits.seconds, **{"from": start, "to": end})
-            if value["status"] != "result":
-                return self._without_result(value, declaration)
-            scales = value.get("scales")
-            if not isinstance(scales, list):
-                raise Unreadable("scales is not a list")
-            found.extend(Fraction(_scale(scale, declaration)) for scale in scales)
-            if any(a > b for a, b in pairwise(found)):
-                raise Unreadable("scales do not ascend")
-            return Answer(declaration=declaration)
-
-        answer = self._guarded(case, ask, "events")
-        return (found, answer.declaration) if answer.verdict is None else answer
 
     def declared(self) -> Declaration | Answer:
         """What it says of itself; an answer that says why it does not."""
@@ -162,7 +117,7 @@ class AdapterTarget:
         try:
             self._load(case, declaration)
         except Refused as refused:
-            return self._without_result(refused.value, declaration)
+            return self._without_result(case, refused.value, declaration)
         send = sent_solid if isinstance(case, SpaceCase) else sent_set
         value = self._process.ask(
             verb,
@@ -172,11 +127,18 @@ class AdapterTarget:
         )
         seconds = time.perf_counter() - since
         if value["status"] != "result":
-            return self._without_result(value, declaration)
+            return self._without_result(case, value, declaration)
+        return self._read(case, value, declaration, seconds)
+
+    def _read(
+        self, case: AnyCase, value: dict[str, Any], declaration: Declaration, seconds: float
+    ) -> Answer:
         read = solid_answer if isinstance(case, SpaceCase) else plane_answer
         return read(value, declaration, seconds)
 
-    def _without_result(self, value: dict[str, Any], declaration: Declaration) -> Answer:
+    def _without_result(
+        self, case: AnyCase, value: dict[str, Any], declaration: Declaration
+    ) -> Answer:
         reason = cut(str(value.get("reason", "")))
         if value["status"] == "rejected":
             return Answer(verdict=Verdict.WRONG, message=reason, declaration=declaration)
@@ -188,6 +150,55 @@ class AdapterTarget:
         if any(word in reason.lower() for word in ("bad_alloc", "memoryerror")):
             verdict = Verdict.OUT_OF_MEMORY
         return Answer(verdict=verdict, message=message, declaration=declaration)
+
+
+class AdapterTarget(ProgramTarget):
+    """Asks for updates and events, too."""
+
+    def updated_sum(self, before: Case | SpaceCase, case: Case | SpaceCase) -> Answer:
+        """The sum by `update` from that of `before`, the same operands at another scale. In every
+        other case, by name, that is itself reached by `update`, from the sum of `case`."""
+
+        def ask(declaration: Declaration) -> Answer:
+            lack = lacking(declaration, before)
+            if lack:
+                return skipped(lack, declaration)
+            steps: list[tuple[Case | SpaceCase, str]] = [(before, "at"), (case, "update")]
+            if zlib.crc32(case.name.text.encode()) % 2:
+                steps = [(case, "at"), (before, "update"), (case, "update")]
+            for at, verb in steps:
+                answer = self._at(at, declaration, verb)
+                if answer.verdict is not None:
+                    break
+            return answer
+
+        return self._guarded(case, ask, "update")
+
+    def events(
+        self, case: Case, start: str, end: str
+    ) -> tuple[list[Fraction], Declaration] | Answer:
+        """Scales of topology events in [start, end] as the target has them, and what it declares;
+        else why not."""
+        found: list[Fraction] = []
+
+        def ask(declaration: Declaration) -> Answer:
+            try:
+                self._load(case, declaration)
+            except Refused as refused:
+                return self._without_result(case, refused.value, declaration)
+            value = self._process.ask("events", self.limits.seconds, **{"from": start, "to": end})
+            if value["status"] != "result":
+                return self._without_result(case, value, declaration)
+            scales = value.get("scales")
+            if not isinstance(scales, list):
+                raise Unreadable("scales is not a list")
+            found.extend(Fraction(_scale(scale, declaration)) for scale in scales)
+            if any(a > b for a, b in pairwise(found)):
+                raise Unreadable("scales do not ascend")
+            return Answer(declaration=declaration)
+
+        answer = self._guarded(case, ask, "events")
+        return (found, answer.declaration) if answer.verdict is None else answer
 
 
 class Refused(Exception):

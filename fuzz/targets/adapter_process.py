@@ -78,7 +78,8 @@ class AdapterProcess:
             "hello", load_limit(self.limits), protocols=list(PROTOCOLS), minkref=version()
         )
         if answer["status"] != "result":
-            raise self._fault(f"hello is answered by {answer['status']}", Verdict.ERRORED)
+            why = answer.get("reason") or f"hello is answered by {answer['status']}"
+            raise self._fault(why, Verdict.ERRORED)
         if answer.get("protocol") not in PROTOCOLS:
             what = f"its protocol is {_short(answer.get('protocol'))}"
             raise self._fault(f"{what}, not one of {', '.join(PROTOCOLS)}", Verdict.ERRORED)

@@ -19,13 +19,11 @@ from minkref.fuzz.cgal.executables import (
 from minkref.fuzz.judges import checks
 from minkref.fuzz.targets.adapter import AdapterTarget
 from minkref.fuzz.targets.adapter_process import named_command
-from minkref.fuzz.targets.answer import LOAD_SECONDS, Limits, Target, load_limit
+from minkref.fuzz.targets.answer import Limits, Target
 from minkref.fuzz.targets.cgal_method import SLOW_LIMIT, CgalMethod, is_fast
 from minkref.fuzz.targets.convex_reference import CONVEX_ROUTES, ConvexReferenceTarget
-from minkref.fuzz.targets.declaration import Declaration
-from minkref.fuzz.targets.python_callable import callable_target
+from minkref.fuzz.targets.function import FunctionTarget, host_command
 from minkref.fuzz.targets.reference import ROUTES, ReferenceTarget
-from minkref.fuzz.targets.shared_library import library_target
 from minkref.version import version
 
 REFERENCE = "minkref:"
@@ -41,7 +39,6 @@ class TargetEntry:
     about: str
     available: bool
     reason: str | None = None
-    declaration: Declaration | None = None  # of a function that was loaded
 
 
 def list_targets() -> list[TargetEntry]:
@@ -76,15 +73,10 @@ def _adapter_entry(name: str) -> TargetEntry:
     return TargetEntry(name, None, entry.title, reason is None, reason)
 
 
-def select(
-    names: list[str], load_seconds: float = LOAD_SECONDS
-) -> tuple[list[TargetEntry], list[TargetEntry]]:
+def select(names: list[str]) -> tuple[list[TargetEntry], list[TargetEntry]]:
     """The targets to run, and those that are absent. Without names: our routes and all of CGAL but
     the raw ones; `minkref` stands for every judge, `all` for whatever is found here. A name
-    that is unknown or absent is refused, as is a `py:` target that is not loaded in
-    `load_seconds`."""
-    from minkref.fuzz.targets.callable_check import declaration_of_function
-
+    that is unknown or absent is refused."""
     entries = {entry.name: entry for entry in list_targets()}
     plain = [
         entry
@@ -105,9 +97,9 @@ def select(
             chosen += [e for e in groups[name] if e.available]
             absent += [e for e in groups[name] if not e.available]
         elif is_function(name):
-            declared = declaration_of_function(name, load_seconds)
+            host_command(name)
             about = "a C function" if name.startswith("so:") else "a Python function"
-            chosen.append(TargetEntry(name, declared.version, about, True, declaration=declared))
+            chosen.append(TargetEntry(name, None, about, True))
         elif is_program(name):
             chosen.append(_named_adapter(name))
         elif name not in entries:
@@ -121,9 +113,9 @@ def select(
     return list({entry.name: entry for entry in chosen}.values()), absent
 
 
-def select_one(name: str, limits: Limits) -> TargetEntry:
+def select_one(name: str) -> TargetEntry:
     """The target of this name. Refuses a name that stands for several."""
-    chosen, _ = select([name], load_limit(limits))
+    chosen, _ = select([name])
     if len(chosen) != 1:
         what = f"this stands for {len(chosen)} targets"
         raise Refusal(what, name, "name one of `minkref targets`")
@@ -161,16 +153,19 @@ def is_adapter(name: str) -> bool:
     return is_program(name) or name in adapters.ADAPTERS
 
 
+def declares_itself(name: str) -> bool:
+    """A program or function of somebody else, which says what it takes."""
+    return is_adapter(name) or is_function(name)
+
+
 def make_target(name: str, limits: Limits) -> Target:
     if name.startswith(REFERENCE):
         route = name.removeprefix(REFERENCE)
         if route in CONVEX_ROUTES:
             return ConvexReferenceTarget(name, route)
         return ReferenceTarget(name, route)
-    if name.startswith("py:"):
-        return callable_target(name)
-    if name.startswith("so:"):
-        return library_target(name)
+    if is_function(name):
+        return FunctionTarget(name, host_command(name), limits)
     if is_program(name):
         return AdapterTarget(name, named_command(name), limits)
     if name in adapters.ADAPTERS:

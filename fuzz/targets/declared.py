@@ -7,11 +7,12 @@ from dataclasses import replace
 
 from minkref.errors import Refusal, cut
 from minkref.fuzz.isolation.isolation import SANDBOX, usual
-from minkref.fuzz.targets.adapter import AdapterTarget
+from minkref.fuzz.targets.adapter import ProgramTarget
 from minkref.fuzz.targets.answer import REGIONS, Limits
-from minkref.fuzz.targets.catalogue import TargetEntry, is_adapter, is_function, make_target
+from minkref.fuzz.targets.catalogue import TargetEntry, declares_itself, is_function, make_target
 from minkref.fuzz.targets.convex_reference import CONVEX_DECLARATIONS
 from minkref.fuzz.targets.declaration import Declaration
+from minkref.fuzz.targets.function import mend_of
 from minkref.fuzz.targets.reference import UPDATING
 
 _OURS = {one.name: one for one in (*UPDATING.values(), *CONVEX_DECLARATIONS.values())}
@@ -20,36 +21,34 @@ _OURS = {one.name: one for one in (*UPDATING.values(), *CONVEX_DECLARATIONS.valu
 def declarations_of(
     entries: list[TargetEntry], limits: Limits
 ) -> tuple[list[TargetEntry], dict[str, Declaration]]:
-    """The entries with the versions that adapters give, and all declarations. Refuses an adapter
-    that does not start, or whose `hello` fails."""
+    """The entries with the versions that adapters and functions give, and all declarations. Refuses
+    one that does not start, or whose `hello` fails."""
     found: dict[str, Declaration] = {}
     named = []
     for entry in entries:
-        found[entry.name] = entry.declaration or _OURS.get(entry.name, REGIONS)
-        if is_adapter(entry.name):
-            declared = _of_adapter(entry.name, limits)
+        found[entry.name] = _OURS.get(entry.name, REGIONS)
+        if declares_itself(entry.name):
+            declared = _of_program(entry.name, limits)
             found[entry.name] = declared
             entry = replace(entry, version=declared.version or entry.version)
         named.append(entry)
     return named, found
 
 
-def _of_adapter(name: str, limits: Limits) -> Declaration:
+def _of_program(name: str, limits: Limits) -> Declaration:
     target = make_target(name, limits)
-    assert isinstance(target, AdapterTarget)
+    assert isinstance(target, ProgramTarget)
     declared = target.declared()
     target.close()
     if isinstance(declared, Declaration):
         return declared
-    what = f"the adapter does not begin: {declared.message}"
+    what, code = "the adapter does not begin", "no-adapter"
+    mend = f"run it by hand: {shlex.join(target.command)}"
+    if is_function(name):
+        what, code, mend = "the function cannot be loaded", "usage", mend_of(name)
+    what += f": {declared.message}"
     if declared.log:
         what += f"; the end of its log: {cut(declared.log.strip())}"
-    mend = f"run it by hand: {shlex.join(target.command)}"
     if (limits.isolation or usual()).kind == SANDBOX:
         mend += "; in the sandbox it has no network and writes to TMPDIR only (--isolation none)"
-    raise Refusal(what, name, mend, "no-adapter")
-
-
-def declares_itself(name: str) -> bool:
-    """A program or function of somebody else, which says what it takes."""
-    return is_adapter(name) or is_function(name)
+    raise Refusal(what, name, mend, code)

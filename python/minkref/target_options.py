@@ -18,8 +18,8 @@ IsolationKind = Annotated[
     str,
     typer.Option(
         "--isolation",
-        help="Walls around the programs of others: sandbox (bubblewrap), none, or auto, which is "
-        "the sandbox where it works.",
+        help="Walls around programs and functions of others: sandbox (bubblewrap), none, or auto, "
+        "which is the sandbox where it works.",
         metavar="|".join(KINDS),
         autocompletion=lambda: list(KINDS),
     ),

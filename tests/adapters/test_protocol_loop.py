@@ -55,7 +55,7 @@ def test_a_conversation(toy: Any) -> None:
         ("skip", "skipped", "not this"),
         ("reject", "rejected", "crosses itself"),
         ("fail", "errored", "MemoryError: too much"),
-        ("nan", "errored", "Out of range float values are not JSON compliant"),
+        ("nan", "errored", "the answer cannot be written: ValueError: Out of range"),
     ],
 )
 def test_what_an_implementation_does(toy: Any, operand: str, status: str, reason: str) -> None:

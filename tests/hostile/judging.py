@@ -51,8 +51,7 @@ def ends(attack: Attack, seen: Seen) -> list[str]:
     faults = []
     if seen.code not in CODES:
         faults.append("no end in time" if seen.code is None else f"exit code {seen.code}")
-    # A function has no walls: it may say what it likes on our standard error.
-    ours = "the end of its log" not in seen.stderr and not attack.adapter.startswith("py:")
+    ours = "the end of its log" not in seen.stderr
     if "Traceback" in seen.stderr and ours:
         faults.append("a traceback")
     if seen.document is None:

@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 from minkref.fuzz.cases.case_list import CaseList
+from minkref.fuzz.isolation.isolation import Isolation
 from minkref.fuzz.run.runner import Run, run
 from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.verdicts.baseline import Baseline
@@ -18,8 +19,10 @@ NO_BASELINE = Baseline()
 
 @pytest.fixture
 def faulty_sums(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Makes `py:faulty_sums:NAME` importable, here and in the workers."""
-    monkeypatch.syspath_prepend(str(Path(__file__).parent))
+    """Makes `py:faulty_sums:NAME` importable, here and by the program that holds a function."""
+    here = str(Path(__file__).parent)
+    monkeypatch.syspath_prepend(here)
+    monkeypatch.setenv("PYTHONPATH", here)
 
 
 @pytest.fixture
@@ -32,6 +35,7 @@ def verify(faulty_sums: None) -> Callable[..., Run]:
         named: tuple[str, ...] = (),
         call_seconds: float = 30.0,
         versions: dict[str, Any] | None = None,
+        walls: Isolation | None = None,
     ) -> Run:
         print(f"seed {SEED}")
         return run(
@@ -39,7 +43,7 @@ def verify(faulty_sums: None) -> Callable[..., Run]:
             list(targets),
             versions or {},
             baseline,
-            Limits(seconds=call_seconds),
+            Limits(seconds=call_seconds, isolation=walls),
             jobs,
         )
 

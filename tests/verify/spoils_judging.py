@@ -1,4 +1,5 @@
-"""Right sums that take down whatever judges them, as targets `py:spoils_judging:NAME`."""
+"""Workers whose judge takes them down at an answer of `py:faulty_sums:right`; each stands in for
+`pool.work`."""
 
 from __future__ import annotations
 
@@ -8,46 +9,50 @@ import time
 from collections.abc import Callable
 from typing import Any
 
-from faulty_sums import Set, right
 from minkref.fuzz.cases import naming
 from minkref.fuzz.run import asking, worker
 from minkref.fuzz.verdicts import judgement
 
-worker.JUDGING_SECONDS = 1.0
+SPOILT = "py:faulty_sums:right"
 
 
-def dies(P: Set, Q: Set) -> Set:
+def dies(*given: Any) -> None:
     _judge_by(lambda: os.kill(os.getpid(), signal.SIGSEGV))
-    return right(P, Q)
+    worker.work(*given)
 
 
-def takes_for_ever(P: Set, Q: Set) -> Set:
+def takes_for_ever(*given: Any) -> None:
+    worker.JUDGING_SECONDS = 1.0
     _judge_by(lambda: time.sleep(60))
-    return right(P, Q)
+    worker.work(*given)
 
 
-def exhausts_memory(P: Set, Q: Set) -> Set:
+def exhausts_memory(*given: Any) -> None:
     _judge_by(_no_memory)
-    return right(P, Q)
+    worker.work(*given)
 
 
-def exhausts_memory_beside_the_judge(P: Set, Q: Set) -> Set:
+def exhausts_memory_beside_the_judge(*given: Any) -> None:
     """As the one above, where the judge has nothing to catch it."""
 
     def spoilt(case: Any, answers: Any, names: list[str], judging: Callable[[str], None]) -> Any:
-        spoiling = [name for name in answers if name.startswith("py:spoils_judging")]
-        if any(answers[name].region for name in spoiling):
-            judging(spoiling[0])
+        if SPOILT in answers and answers[SPOILT].region:
+            judging(SPOILT)
             _no_memory()
         return _judge(case, answers, names, judging)
 
     asking.judge = spoilt  # type: ignore[attr-defined]
-    return right(P, Q)
+    worker.work(*given)
 
 
-def leaves_no_memory_for_the_next_case(P: Set, Q: Set) -> Set:
-    naming.load = lambda name: _no_memory()
-    return right(P, Q)
+def has_no_memory_for_the_second_case(*given: Any) -> None:
+    load = naming.load
+
+    def spoilt(name: Any) -> Any:
+        return load(name) if name.text.endswith(":0") else _no_memory()
+
+    naming.load = spoilt
+    worker.work(*given)
 
 
 def _no_memory() -> Any:
@@ -60,7 +65,7 @@ _judge = judgement.judge
 
 def _judge_by(spoil: Callable[[], object]) -> None:
     def spoilt(case: Any, name: str, answer: Any, expected: Any) -> Any:
-        if name.startswith("py:spoils_judging") and answer.region is not None:
+        if name == SPOILT and answer.region is not None:
             spoil()
         return _one(case, name, answer, expected)
 

@@ -113,7 +113,7 @@ def command(
     check_numbers(0, None, None, call_seconds, call_memory, 1, None)
     walls = choose(isolation, tuple(pass_env or ()))
     limits = Limits(call_seconds, call_memory << 20, isolation=walls)
-    (entry,), declarations = declarations_of([select_one(target, limits)], limits)
+    (entry,), declarations = declarations_of([select_one(target)], limits)
     declared = declarations[entry.name]
     able = declared.capabilities
     trials = [*(IN_PLANE if "plane" in able else ()), *(IN_SPACE if "space" in able else ())]

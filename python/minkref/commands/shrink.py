@@ -74,7 +74,7 @@ def command(
     walls = choose(isolation, tuple(pass_env or ()))
     limits = Limits(call_seconds, call_memory << 20, isolation=walls)
     refuse_unless_case(case)
-    (entry,), _ = declarations_of([select_one(target, limits)], limits)
+    (entry,), _ = declarations_of([select_one(target)], limits)
     with ending_in_order():
         with Trial(entry.name, limits) as trial:
             result, outcome = trial.ask(CaseName(case, "shrinking").text)

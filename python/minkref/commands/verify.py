@@ -25,9 +25,9 @@ from minkref.fuzz.run.runner import Run, run
 from minkref.fuzz.run.unasked import not_asked, resting_notes
 from minkref.fuzz.shrink.groups import shrunk_groups
 from minkref.fuzz.shrink.shrinker import MOST_CALLS
-from minkref.fuzz.targets.answer import JUDGING_BYTES, Limits, load_limit
-from minkref.fuzz.targets.catalogue import is_adapter, is_function, select
-from minkref.fuzz.targets.declared import declarations_of, declares_itself
+from minkref.fuzz.targets.answer import JUDGING_BYTES, Limits
+from minkref.fuzz.targets.catalogue import declares_itself, select
+from minkref.fuzz.targets.declared import declarations_of
 from minkref.fuzz.verdicts.baseline import Baseline, read_baseline, unused
 from minkref.options import Json, Schema
 from minkref.output_folder import held_folder
@@ -58,10 +58,6 @@ minkref verify clipper2 --baseline known.json --ledger run.jsonl --json
 minkref verify minkref --pairs 300 --no-models"""
 
 
-UNWALLED = (
-    "isolation: py: and so: functions run in our worker processes, without walls; a program that "
-    "speaks the adapter protocol is kept apart"
-)
 NOTHING_RUN: dict[str, object] = {
     "where": "minkref verify",
     "what": "nothing was run: every target skipped every case, or there was no case",
@@ -242,17 +238,15 @@ def command(
         judging_bytes=memory << 20,
         isolation=walls,
     )
-    chosen, absent = select(targets or [], load_limit(limits))
+    chosen, absent = select(targets or [])
     chosen, declared = declarations_of(chosen, limits)
     cases = case_list(
         seed, pairs, seconds, case, models, family, derived, suite, corpus, declared.values()
     )
     if settings is not None:
         cases.notes.append(f"settings: {settings}")
-    if any(is_adapter(entry.name) for entry in chosen):
+    if any(declares_itself(entry.name) for entry in chosen):
         cases.notes.append(walls.sentence())
-    if any(is_function(entry.name) for entry in chosen):
-        cases.notes.append(UNWALLED)
     if report is not None:
         context.with_resource(held_folder(report))
     workers = jobs or os.cpu_count() or 1

@@ -1,5 +1,4 @@
-"""Hostile functions, for `py:functions:NAME`. They run in a process of ours: what they spoil is
-theirs alone."""
+"""Hostile functions, for `py:functions:NAME`: what they spoil is the program that holds them."""
 
 from __future__ import annotations
 

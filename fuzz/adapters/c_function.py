@@ -1,0 +1,123 @@
+"""A C function of a shared library (minkref_adapter.h), called with sets in the plane."""
+
+from __future__ import annotations
+
+import ctypes
+import json
+import os
+from collections.abc import Callable
+from ctypes import POINTER, Structure, c_char_p, c_double, c_int, c_ubyte, c_void_p
+from typing import Any
+
+from adapter_protocol import (  # type: ignore[import-not-found,unused-ignore]
+    Errored,
+    Rejected,
+    Set,
+    Sum,
+)
+
+RESULT, SKIPPED, REJECTED = 0, 1, 2
+MOST_VERTICES = 50_000_000
+ADD_ON = {
+    "arithmetic": "float64",
+    "tolerance": {"absolute": "0", "relative": "1e-9"},
+    "capabilities": ["plane", "non-convex", "holes", "components"],
+}
+
+
+class _Set(Structure):
+    _fields_ = (
+        ("rings", c_int),
+        ("sizes", POINTER(c_int)),
+        ("is_hole", POINTER(c_ubyte)),
+        ("xy", POINTER(c_double)),
+    )
+
+
+def c_function(path: str, name: str) -> tuple[dict[str, Any], Sum]:
+    """The declaration that `minkref_hello` gives, with what is added to it, and what answers by the
+    function. Raises OSError, AttributeError, ValueError or Errored."""
+    library = ctypes.CDLL(os.path.abspath(path) if os.path.exists(path) else path)
+    found = getattr(library, name)
+    found.restype = c_int
+    found.argtypes = [POINTER(_Set), POINTER(_Set), POINTER(_Set)]
+    hello: dict[str, Any] = {}
+    if hasattr(library, "minkref_hello"):
+        library.minkref_hello.restype = c_char_p
+        text = library.minkref_hello()
+        hello = json.loads(text.decode()) if text else {}
+        if not isinstance(hello, dict):
+            raise Errored("its declaration: minkref_hello gives no JSON object")
+    declared = {**ADD_ON, **hello, "numbers": "double"}
+    able = declared["capabilities"]
+    if isinstance(able, list) and "space" in able:
+        raise Errored("its declaration: capabilities has space, and a C function is for the plane")
+    return declared, _answering(found)
+
+
+def _answering(function: Callable[..., int]) -> Sum:
+    free = ctypes.CDLL(None).free
+    free.argtypes = [c_void_p]
+
+    def sum_of(sP: Set, Q: Set) -> dict[str, Any]:
+        P_set, Q_set, result = _packed(sP), _packed(Q), _Set()
+        status = function(ctypes.byref(P_set), ctypes.byref(Q_set), ctypes.byref(result))
+        if status == RESULT:
+            try:
+                return _unpacked(result)
+            finally:
+                for pointer in (result.sizes, result.is_hole, result.xy):
+                    free(ctypes.cast(pointer, c_void_p))
+        if status == REJECTED:
+            raise Rejected("rejected")
+        what = "skipped what it declares to take" if status == SKIPPED else f"returned {status}"
+        raise Errored(what)
+
+    return sum_of
+
+
+def _no_set(what: str) -> Exception:
+    error: Exception = Errored(f"the answer is not a set: {what}")
+    return error
+
+
+def _packed(value: Set) -> _Set:
+    rings, holes = [], []
+    for polygon in value["polygons"]:
+        rings += [polygon["outer"], *polygon["holes"]]
+        holes += [0] + [1] * len(polygon["holes"])
+    numbers = [number for ring in rings for point in ring for number in point]
+    return _Set(
+        len(rings),
+        (c_int * len(rings))(*(len(ring) for ring in rings)),
+        (c_ubyte * len(rings))(*holes),
+        (c_double * len(numbers))(*numbers),
+    )
+
+
+def _unpacked(result: _Set) -> dict[str, Any]:
+    if result.rings < 0:
+        raise _no_set("a negative number of rings")
+    if result.rings == 0:
+        return {"polygons": []}
+    if not result.sizes or not result.xy:
+        raise _no_set("rings, and no sizes or no coordinates")
+    sizes = [result.sizes[k] for k in range(result.rings)]
+    if min(sizes) < 1 or sum(sizes) > MOST_VERTICES:
+        raise _no_set("a ring of no vertices, or far too many")
+    rings, start = [], 0
+    for size in sizes:
+        numbers = result.xy[2 * start : 2 * (start + size)]
+        rings.append([[numbers[2 * k], numbers[2 * k + 1]] for k in range(size)])
+        start += size
+    if not result.is_hole:
+        return {"rings": rings}
+    polygons: list[dict[str, Any]] = []
+    for k, ring in enumerate(rings):
+        if result.is_hole[k] and polygons:
+            polygons[-1]["holes"].append(ring)
+        elif result.is_hole[k]:
+            raise _no_set("a hole before any outer ring")
+        else:
+            polygons.append({"outer": ring, "holes": []})
+    return {"polygons": polygons}

@@ -1,0 +1,105 @@
+"""A function as a program that speaks the adapter protocol: `function_host.py py MODULE FUNCTION`
+or `function_host.py so LIBRARY FUNCTION`.
+
+It runs in minkref's own interpreter and imports nothing of minkref. Its own modules go out of the
+way once they are read: those of the function may have the same names.
+"""
+
+from __future__ import annotations
+
+import importlib
+import json
+import os
+import sys
+from collections.abc import Callable
+from typing import Any
+
+HERE = os.path.dirname(os.path.realpath(__file__))
+sys.path.insert(0, HERE)
+
+from adapter_protocol import (  # type: ignore[import-not-found,unused-ignore] # noqa: E402
+    Errored,
+    Rejected,
+    Set,
+    Skipped,
+    Sum,
+    serve,
+    streams,
+    told,
+)
+
+MEMBERS = ("polygons", "rings", "vertices", "faces")  # of a sum
+
+
+def python_function(module: str, name: str) -> tuple[dict[str, Any], Sum]:
+    """The declaration of the function, its attribute `minkref`, and what answers by it. Modules of
+    the current folder are found. Raises what the import of the module raises, and Errored."""
+    here = os.getcwd()
+    sys.path.insert(0, here)
+    try:
+        function = getattr(importlib.import_module(module), name)
+    finally:
+        sys.path.remove(here)
+        if here not in sys.path:
+            sys.path.append(here)  # for what the module imports later; it shadows nothing
+    if not callable(function):
+        raise TypeError(f"{name} is no function")
+    declared = getattr(function, "minkref", {})
+    if not isinstance(declared, dict):
+        raise Errored("its declaration: the attribute minkref is no dictionary")
+    try:
+        json.dumps(declared)
+    except (TypeError, ValueError) as error:
+        raise Errored(f"its declaration: {told(error)}") from error
+    return declared, answering(function)
+
+
+def answering(function: Callable[[Set, Set], Any]) -> Sum:
+    """What answers by a Python function. At each call the operands are new ones, which it may
+    change."""
+    kept: list[Any] = [None, "null"]  # the last Q, and its text
+
+    def sum_of(sP: Set, Q: Set) -> dict[str, Any]:
+        if kept[0] is not Q:
+            kept[:] = Q, json.dumps(Q)
+        try:
+            found = function(sP, json.loads(kept[1]))
+        except ValueError as error:
+            raise Rejected(told(error)) from error
+        if found is None:
+            raise Skipped("outside the capabilities of the target")
+        if not isinstance(found, dict):
+            raise TypeError(f"it returned {type(found).__name__}, no dictionary")
+        return {word: found[word] for word in MEMBERS if word in found}
+
+    return sum_of
+
+
+def loaded(kind: str, place: str, name: str) -> tuple[dict[str, Any], Sum]:
+    """The answer to `hello`, which says why there is no function, and what answers by it."""
+    try:
+        if kind == "so":
+            from c_function import c_function  # type: ignore[import-not-found,unused-ignore]
+
+            declared, sum_of = c_function(place, name)
+            return declared, sum_of
+        sys.path.remove(HERE)
+        del sys.modules["adapter_protocol"]
+        return python_function(place, name)
+    except BaseException as error:  # noqa: BLE001 a module may do anything on import
+        why = str(error) if isinstance(error, Errored) else told(error)
+
+    def nothing(sP: Set, Q: Set) -> dict[str, Any]:
+        raise Errored(why)
+
+    return {"status": "errored", "reason": why}, nothing
+
+
+def main(kind: str, place: str, name: str) -> None:
+    sys.set_int_max_str_digits(0)
+    wires = streams()
+    serve(*loaded(kind, place, name), wires)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:4])

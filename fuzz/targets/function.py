@@ -1,0 +1,96 @@
+"""A function as a target: `py:module:function` and `so:./library.so:function`.
+
+A program of ours holds it (fuzz/adapters/function_host.py) and speaks the adapter protocol, so that
+a function has the walls and limits of an adapter.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from typing import Any
+
+from minkref.errors import Refusal, message_of
+from minkref.fuzz.adapters.catalogue import HERE
+from minkref.fuzz.cases.invalid_case import InvalidCase
+from minkref.fuzz.cases.space_case import SpaceCase
+from minkref.fuzz.isolation.sandbox import EMPTIED
+from minkref.fuzz.targets.adapter import AnyCase, ProgramTarget
+from minkref.fuzz.targets.answer import Answer, answered, skipped
+from minkref.fuzz.targets.declaration import Declaration
+from minkref.fuzz.targets.numbers import plane_answer, solid_answer
+from minkref.fuzz.verdicts.verdict import Verdict
+
+HOST = HERE / "function_host.py"
+PYTHON, C = "py", "so"
+MENDS = {
+    PYTHON: "write py:module:function, the module importable from here",
+    C: "write so:./library.so:function; `minkref adapter header` prints where its header is",
+}
+
+
+class FunctionTarget(ProgramTarget):
+    """A Python function takes sP and Q as dictionaries in the form of the canonical JSON (not
+    necessarily canonical), in space with `vertices` and `faces`, and returns their sum in the same
+    form, its numbers as texts `n` or `n/d` or as int, its rings running either way. None says that
+    the case is outside its capabilities, and ValueError that an operand is invalid. A dictionary
+    `minkref` among the function's attributes is its declaration, as the answer to `hello` of the
+    adapter protocol: with `"numbers": "double"` it takes and returns floats. C functions are in
+    fuzz/adapters/minkref_adapter.h."""
+
+    def _read(
+        self, case: AnyCase, value: dict[str, Any], declaration: Declaration, seconds: float
+    ) -> Answer:
+        in_space = isinstance(case, SpaceCase)
+        if declaration.numbers == "text" and not in_space:
+            answer = answered(value, seconds, turned=True)
+            answer.declaration = declaration
+            return answer
+        read, what = plane_answer, "not a polygon set"
+        if in_space:
+            read, what = solid_answer, "no polyhedron"
+        try:
+            return read(value, declaration, seconds)
+        except ValueError as error:
+            message = f"the answer is {what}: {message_of(error)}"
+            return Answer(verdict=Verdict.ERRORED, message=message, declaration=declaration)
+
+    def _without_result(
+        self, case: AnyCase, value: dict[str, Any], declaration: Declaration
+    ) -> Answer:
+        if value["status"] == "skipped":  # None: no broken promise
+            return skipped(value["reason"], declaration)
+        is_fault = value["status"] == "rejected" and self.name.startswith(f"{PYTHON}:")
+        if is_fault and not isinstance(case, InvalidCase):
+            value = {**value, "status": "errored"}  # any ValueError
+        return super()._without_result(case, value, declaration)
+
+
+def host_command(name: str) -> list[str]:
+    """The command line of the program that holds the function of this name. Refuses a name that
+    names none."""
+    kind, *parts = name.split(":")
+    if len(parts) != 2 or not all(parts):
+        what = "C" if kind == C else "Python"
+        raise Refusal(f"this names no {what} function", name, MENDS[kind])
+    return [
+        sys.executable,
+        str(HOST),
+        kind,
+        *parts,
+        *(_packages(parts[0]) if kind == PYTHON else ()),
+    ]
+
+
+def _packages(module: str) -> list[str]:
+    """Folders of the module's name in those that are searched, where the sandbox shows single files
+    only; as words of the command line they are shown."""
+    searched = [os.getcwd(), *os.environ.get("PYTHONPATH", "").split(os.pathsep)]
+    found = [os.path.abspath(place) for place in searched if os.path.abspath(place) in EMPTIED]
+    folders = [os.path.join(place, module.partition(".")[0]) for place in found]
+    return [folder for folder in folders if os.path.isdir(folder)]
+
+
+def mend_of(name: str) -> str:
+    """What to do where the function of this name cannot be loaded."""
+    return MENDS[name.partition(":")[0]]
