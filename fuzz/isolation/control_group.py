@@ -1,8 +1,9 @@
-"""A control group of Linux that holds the memory of a program and of all that it starts to a limit.
+"""A control group of Linux that holds a program, with all that it starts, to a limit of memory and
+to one of processes.
 
-Both versions, where we may make a group: of version 1 below our own, of version 2 below the next
-that hands the controller on. A group that a process of ours left behind when it was killed is
-removed by the next.
+Both versions, where we may make a group: of version 1 below our own, in each controller's own
+place; of version 2 below the next that hands the controllers on. A group that a process of ours
+left behind when it was killed is removed by the next.
 """
 
 from __future__ import annotations
@@ -11,12 +12,16 @@ import functools
 import itertools
 import os
 import time
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-_LIMITS = {1: "memory.limit_in_bytes", 2: "memory.max"}
+MEMORY, PIDS = "memory", "pids"  # controllers
+_LIMITS = {(MEMORY, 1): "memory.limit_in_bytes", (MEMORY, 2): "memory.max"}
+_LIMITS |= {(PIDS, 1): "pids.max", (PIDS, 2): "pids.max"}
 _SWAP = {1: ("memory.memsw.limit_in_bytes", None), 2: ("memory.swap.max", 0)}
-_EVENTS = {1: "memory.oom_control", 2: "memory.events"}
+_EVENTS = {(MEMORY, 1): "memory.oom_control", (MEMORY, 2): "memory.events"}
+_EVENTS |= {(PIDS, 1): "pids.events", (PIDS, 2): "pids.events"}
+_COUNTED = {MEMORY: b"oom_kill", PIDS: b"max"}
 _NAME = "minkref"
 REMOVE_SECONDS = 2.0
 _numbers = itertools.count()
@@ -24,41 +29,54 @@ _numbers = itertools.count()
 
 @dataclass(frozen=True)
 class Room:
-    """Where groups can be made."""
+    """Where groups can be made, and what they hold to a limit."""
 
     version: int
     folder: Path
+    controllers: tuple[str, ...]
 
 
 @dataclass
 class ControlGroup:
-    """For one program. Its limit counts files in memory (tmpfs) too."""
+    """For one program. `memory`: bytes, files in memory (tmpfs) among them. `processes`: with their
+    threads."""
 
     room: Room
-    limit: int
+    memory: int
+    processes: int
+    _events: dict[str, int] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         name = f"{_NAME}-{os.getpid()}-{next(_numbers)}"
         self.path = self.room.folder / name
         self.path.mkdir()
-        swap, most = _SWAP[self.room.version]
-        (self.path / _LIMITS[self.room.version]).write_text(str(self.limit))
-        if (self.path / swap).exists():
-            (self.path / swap).write_text(str(self.limit if most is None else most))
-        self._events = os.open(self.path / _EVENTS[self.room.version], os.O_RDONLY | os.O_CLOEXEC)
+        version = self.room.version
+        swap, most = _SWAP[version]
+        for controller in self.room.controllers:
+            limit = self.memory if controller == MEMORY else self.processes
+            (self.path / _LIMITS[controller, version]).write_text(str(limit))
+            if controller == MEMORY and (self.path / swap).exists():
+                (self.path / swap).write_text(str(limit if most is None else most))
+            events = self.path / _EVENTS[controller, version]
+            if events.exists():
+                self._events[controller] = os.open(events, os.O_RDONLY | os.O_CLOEXEC)
 
     def join(self) -> None:
         """Puts the process that calls this into the group, with all that it starts from now on."""
         (self.path / "cgroup.procs").write_text(str(os.getpid()))
 
-    def kills(self) -> int:
-        """How many processes were ended because the limit was reached."""
-        words = os.pread(self._events, 4096, 0).split()
-        return int(words[words.index(b"oom_kill") + 1]) if b"oom_kill" in words else 0
+    def reached(self, controller: str) -> int:
+        """How often its limit stood in the way: processes ended for memory, or not begun."""
+        if controller not in self._events:
+            return 0
+        words = os.pread(self._events[controller], 4096, 0).split()
+        counted = _COUNTED[controller]
+        return int(words[words.index(counted) + 1]) if counted in words else 0
 
     def remove(self) -> None:
         """After all its processes have ended."""
-        os.close(self._events)
+        while self._events:
+            os.close(self._events.popitem()[1])
         deadline = time.monotonic() + REMOVE_SECONDS
         while True:
             try:
@@ -73,20 +91,28 @@ class ControlGroup:
 
 
 @functools.cache
-def find_room() -> Room | None:
-    """Where a group can be made and joined; tried out."""
+def find_rooms() -> tuple[Room, ...]:
+    """Where groups can be made and joined, tried out; at most one for each controller."""
+    found: list[Room] = []
     for room in _rooms():
-        try:
-            remove_stale(room)
-            group = ControlGroup(room, 1 << 30)
-        except OSError:
-            continue
-        try:
-            if _can_join(group):
-                return room
-        finally:
-            group.remove()
-    return None
+        held = {controller for one in found for controller in one.controllers}
+        left = tuple(controller for controller in room.controllers if controller not in held)
+        second = room.version == 2 and any(one.version == 2 for one in found)
+        if left and not second and _is_usable(replace(room, controllers=left)):
+            found.append(replace(room, controllers=left))
+    return tuple(found)
+
+
+def _is_usable(room: Room) -> bool:
+    try:
+        remove_stale(room)
+        group = ControlGroup(room, 1 << 30, 1 << 10)
+    except OSError:
+        return False
+    try:
+        return _can_join(group)
+    finally:
+        group.remove()
 
 
 def _can_join(group: ControlGroup) -> bool:
@@ -101,37 +127,39 @@ def _can_join(group: ControlGroup) -> bool:
 
 
 def _rooms() -> list[Room]:
-    """Where groups may be made, the likeliest first."""
-    found = []
+    """Where groups may be made, the likeliest first. A process is in one of version 2 only."""
+    first, second = [], []
     try:
         lines = Path("/proc/self/cgroup").read_text(encoding="utf-8").splitlines()
     except OSError:
         return []
     for line in lines:
-        _, controllers, path = line.split(":", 2)
-        version = 1 if "memory" in controllers.split(",") else 2 if not controllers else None
-        folder = _folder(version, path) if version else None
-        if version == 1 and folder is not None:
-            found.append(Room(1, folder))
-        elif version == 2 and folder is not None:
-            found += [Room(2, one) for one in (folder, folder.parent) if _hands_on(one)]
-    return found
+        _, listed, path = line.split(":", 2)
+        held = tuple(each for each in (MEMORY, PIDS) if each in listed.split(","))
+        folder = _folder(held, path) if held or not listed else None
+        if folder is not None and held:
+            first.append(Room(1, folder, held))
+        elif folder is not None:
+            second += [Room(2, one, _handed_on(one)) for one in (folder, folder.parent)]
+    return [*first, *sorted(second, key=lambda room: -len(room.controllers))]
 
 
-def _hands_on(folder: Path) -> bool:
+def _handed_on(folder: Path) -> tuple[str, ...]:
     try:
-        return "memory" in (folder / "cgroup.subtree_control").read_text().split()
+        words = (folder / "cgroup.subtree_control").read_text().split()
     except OSError:
-        return False
+        return ()
+    return tuple(each for each in (MEMORY, PIDS) if each in words)
 
 
-def _folder(version: int, path: str) -> Path | None:
-    """Of the group `path`, below the place where its file system is mounted."""
+def _folder(held: tuple[str, ...], path: str) -> Path | None:
+    """Of the group `path`, below the place where its file system is mounted: of version 1 that of
+    the controllers `held`."""
     for line in Path("/proc/self/mountinfo").read_text(encoding="utf-8").splitlines():
         before, _, after = line.partition(" - ")
         kind, _, options = after.split(" ", 2)
         root, place = before.split(" ")[3:5]
-        right = kind == "cgroup2" if version == 2 else kind == "cgroup" and "memory" in options
+        right = kind == "cgroup" and held[0] in options.split(",") if held else kind == "cgroup2"
         if right and (path == root or path.startswith(root.rstrip("/") + "/")):
             return Path(place, os.path.relpath(path, root))
     return None

@@ -16,34 +16,49 @@ from minkref.fuzz.run.ledger_chain import state_folder
 
 AUTO, SANDBOX, NONE = "auto", "sandbox", "none"
 KINDS = (AUTO, SANDBOX, NONE)
+OF_A_USER, OF_A_SPACE = "limit of its user", "limit of its user space"
 
 
 @dataclass(frozen=True)
 class Isolation:
     """`kind` is `sandbox` or `none`; `why` there is none. `passed`: variables that are handed on
-    beside those of the list. `hidden`: files and folders of the run. `room`: where a control group
-    is made, without which memory is measured. `own_user`: without a sandbox, as root. `mark`: of
+    beside those of the list. `hidden`: files and folders of the run. `rooms`: where control groups
+    are made, without which memory is measured. `own_user`: without a sandbox, as root. `mark`: of
     what this run starts."""
 
     kind: str
     why: str = ""
     passed: tuple[str, ...] = ()
     hidden: tuple[str, ...] = ()
-    room: control_group.Room | None = None
+    rooms: tuple[control_group.Room, ...] = ()
     own_user: bool = False
     mark: str = field(default_factory=lambda: secrets.token_hex(8), compare=False)
 
     @property
     def memory(self) -> str:
         """How the memory of a whole tree of processes is held to its limit."""
-        return f"control group of version {self.room.version}" if self.room else "measured"
+        return self._group_of(control_group.MEMORY) or "measured"
+
+    @property
+    def processes(self) -> str:
+        """How their number is."""
+        group = self._group_of(control_group.PIDS)
+        if group is None and self.own_user:
+            return OF_A_USER
+        if group is None and self.kind == SANDBOX and sandbox.has_own_user_space():
+            return OF_A_SPACE
+        return group or "not held"
+
+    def _group_of(self, controller: str) -> str | None:
+        found = (room for room in self.rooms if controller in room.controllers)
+        return next((f"control group of version {room.version}" for room in found), None)
 
     def clear(self) -> None:
         """Ends and removes what is left of programs whose worker was killed."""
         if self.kind == NONE and sys.platform == "linux":
             leftovers.end_marked(self.mark)
-        if self.room is not None:
-            control_group.remove_stale(self.room)
+        for room in self.rooms:
+            control_group.remove_stale(room)
 
     def document(self) -> dict[str, Any]:
         return {
@@ -51,6 +66,7 @@ class Isolation:
             "tool": sandbox.sandbox_version() if self.kind == SANDBOX else None,
             "why_none": self.why or None,
             "memory": self.memory,
+            "processes": self.processes,
             "own_user": self.own_user,
             "passed": list(self.passed),
         }
@@ -63,7 +79,8 @@ class Isolation:
         else:
             user = "as a user of its own" if self.own_user else "with all rights of ours"
             how = f"NONE: {self.why}. Each program runs {user}, with network"
-        return f"isolation: {how}; memory of all its processes: {self.memory}{passed}"
+        held = f"memory of all its processes: {self.memory}; their number: {self.processes}"
+        return f"isolation: {how}; {held}{passed}"
 
 
 def choose(
@@ -82,7 +99,7 @@ def choose(
     kind = SANDBOX if why is None else NONE
     places = tuple(os.path.abspath(path) for path in (state_folder(), *hidden))
     own_user = kind == NONE and _can_change_user()
-    return Isolation(kind, why or "", passed, places, control_group.find_room(), own_user)
+    return Isolation(kind, why or "", passed, places, control_group.find_rooms(), own_user)
 
 
 @functools.cache

@@ -15,15 +15,16 @@ from collections.abc import Callable
 from contextlib import suppress
 
 from minkref.fuzz.isolation import keeper, sandbox
-from minkref.fuzz.isolation.control_group import ControlGroup
+from minkref.fuzz.isolation.control_group import MEMORY, PIDS, ControlGroup
 from minkref.fuzz.isolation.environment import environment_of
-from minkref.fuzz.isolation.isolation import SANDBOX, Isolation
+from minkref.fuzz.isolation.isolation import OF_A_SPACE, OF_A_USER, SANDBOX, Isolation
 from minkref.fuzz.isolation.leftovers import end_marked
 from minkref.fuzz.isolation.other_user import a_user, become, forbid_new_privileges
 from minkref.fuzz.isolation.process_tree import children_of, resident_bytes, tree_bytes
 
 END_SECONDS = 5.0
 WATCH_SECONDS = 0.2  # between two looks at the memory, where that is measured
+SANDBOX_PROCESSES = 2  # bubblewrap's own
 SHELL_SIGNAL = 128  # the exit code of bubblewrap, and a signal, where the program died by that
 
 
@@ -32,14 +33,22 @@ class KeptProgram:
     SubprocessError where it cannot be started."""
 
     def __init__(
-        self, command: list[str], memory: int, isolation: Isolation, more: dict[str, str]
+        self,
+        command: list[str],
+        memory: int,
+        processes: int,
+        isolation: Isolation,
+        more: dict[str, str],
     ) -> None:
-        self._isolation, self._memory = isolation, memory
+        self._isolation, self._memory, self._processes = isolation, memory, processes
         self._mark = f"{isolation.mark}-{secrets.token_hex(4)}"
         self._folder = ""
-        self._group = ControlGroup(isolation.room, memory) if isolation.room else None
+        self._groups: list[ControlGroup] = []
         self._looked = time.monotonic()
         try:
+            within = processes + SANDBOX_PROCESSES * (isolation.kind == SANDBOX)
+            for room in isolation.rooms:
+                self._groups.append(ControlGroup(room, memory, within))
             self.process = self._started(command, more)
         except BaseException:
             self._clear()
@@ -59,13 +68,20 @@ class KeptProgram:
     def exceeded(self) -> bool:
         """Whether the program, with all that it started, took more memory than it may. Where that
         is measured, it is so a few times a second."""
-        if self._group is not None:
-            return self._group.kills() > 0
+        if any(MEMORY in group.room.controllers for group in self._groups):
+            return self._reached(MEMORY)
         if time.monotonic() - self._looked < WATCH_SECONDS:
             return False
         self._looked = time.monotonic()
         root = self.process.pid
         return resident_bytes(root) > self._memory and tree_bytes(root) > self._memory
+
+    def crowded(self) -> bool:
+        """Whether it wanted more processes than it may have, where that is counted."""
+        return self._reached(PIDS)
+
+    def _reached(self, controller: str) -> bool:
+        return any(group.reached(controller) > 0 for group in self._groups)
 
     def end(self) -> None:
         """Ends it with all that it started, and removes what it wrote in its own folder."""
@@ -82,6 +98,8 @@ class KeptProgram:
         if self._isolation.kind == SANDBOX:
             folder, home = sandbox.FOLDER, sandbox.HOME
             environment = environment_of(passed, more, folder, home, self._mark)
+            if self._isolation.processes == OF_A_SPACE:
+                command = sandbox.with_fewer_processes(command, self._processes)
             command = sandbox.sandboxed(command, environment, hidden, self._memory)
             setting: Callable[[], None] = self._set
         else:
@@ -104,11 +122,11 @@ class KeptProgram:
     def _set(self) -> None:
         """In the new process."""
         signal.signal(signal.SIGINT, signal.SIG_IGN)
-        if self._group is not None:
-            self._group.join()
-        _, hard = resource.getrlimit(resource.RLIMIT_AS)
-        if hard == resource.RLIM_INFINITY or self._memory < hard:
-            resource.setrlimit(resource.RLIMIT_AS, (self._memory, self._memory))
+        for group in self._groups:
+            group.join()
+        _lower(resource.RLIMIT_AS, self._memory)
+        if self._isolation.processes == OF_A_USER:
+            _lower(resource.RLIMIT_NPROC, self._processes)
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
     def _end_sandbox(self) -> None:
@@ -125,11 +143,17 @@ class KeptProgram:
         self.process.wait()
 
     def _clear(self) -> None:
-        if self._group is not None:
-            self._group.remove()
-            self._group = None
+        while self._groups:
+            self._groups.pop().remove()
         if self._folder:
             shutil.rmtree(self._folder, ignore_errors=True)
+
+
+def _lower(what: int, most: int) -> None:
+    """A limit of this process."""
+    _, hard = resource.getrlimit(what)
+    if hard == resource.RLIM_INFINITY or most < hard:
+        resource.setrlimit(what, (most, most))
 
 
 def _kept_setting(

@@ -10,13 +10,17 @@ from __future__ import annotations
 
 import functools
 import os
+import resource
 import shutil
+import stat
 import subprocess
 import sys
 from collections.abc import Iterable
 from pathlib import Path
 
 PROGRAM = "bwrap"
+LIMITER = "prlimit"  # of util-linux
+COUNTING_LINUX = (5, 14)  # the first that counts processes in each user space
 FOLDER, HOME = "/tmp", "/tmp/home"  # within
 EMPTIED = ("/tmp", "/run")  # these are the program's own, empty at its start
 DEVICES = ("null", "zero", "random", "urandom")  # fewer than bubblewrap's --dev: each costs a mount
@@ -80,7 +84,7 @@ def _ours() -> list[Path]:
 
 def _home_of(path: Path) -> Path:
     """The folder of a program; of one in bin/, as of a virtual environment, what bin/ is in."""
-    if path.is_dir():
+    if os.path.isdir(path):  # false, too, where we may not look
         return path
     return path.parent.parent if path.parent.name == "bin" else path.parent
 
@@ -118,6 +122,24 @@ def _covered(paths: Iterable[str], keep: Iterable[Path]) -> list[str]:
         elif os.path.isdir(path) and not any(f"{one}/".startswith(f"{path}/") for one in kept):
             words += ["--size", "65536", "--tmpfs", path]
     return words
+
+
+@functools.cache
+def has_own_user_space() -> bool:
+    """Whether a program in the sandbox is counted by itself where its user's processes are: in a
+    user space of its own, which bubblewrap makes unless it has rights of root."""
+    path, limiter = shutil.which(PROGRAM), shutil.which(LIMITER)
+    if path is None or limiter is None or os.geteuid() == 0 or os.stat(path).st_mode & stat.S_ISUID:
+        return False
+    numbers = os.uname().release.split(".")[:2]
+    return tuple(int(number) for number in numbers) >= COUNTING_LINUX
+
+
+def with_fewer_processes(command: list[str], most: int) -> list[str]:
+    """The command, which may have so many processes in the sandbox beside the first there."""
+    _, hard = resource.getrlimit(resource.RLIMIT_NPROC)
+    most = most + 1 if hard == resource.RLIM_INFINITY else min(most + 1, hard)
+    return [LIMITER, f"--nproc={most}", "--", *command]
 
 
 @functools.cache

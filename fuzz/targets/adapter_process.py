@@ -67,7 +67,8 @@ class AdapterProcess:
         self._rest, self._log = b"", b""
         try:
             isolation = self.limits.isolation or usual()
-            program = KeptProgram(self.command, self.limits.bytes, isolation, self.environment)
+            limits, more = self.limits, self.environment
+            program = KeptProgram(self.command, limits.bytes, limits.processes, isolation, more)
         except (OSError, subprocess.SubprocessError) as error:
             raise Failure(Verdict.ERRORED, f"cannot be started: {error}") from error
         self._program = program
@@ -111,6 +112,8 @@ class AdapterProcess:
             raise self._fault(f"{what}{self._sequence}", Verdict.ERRORED)
         if answer["status"] != "result" and not isinstance(answer.get("reason", ""), str):
             raise self._fault(f"{verb}: the reason is no text", Verdict.ERRORED)
+        if answer["status"] == "errored":
+            answer["reason"] = cut(answer.get("reason", "")) + self._crowded()
         return answer
 
     @property
@@ -228,9 +231,16 @@ class AdapterProcess:
 
     def _fault(self, message: str, verdict: Verdict, signal_name: str | None = None) -> Failure:
         """Ends the program."""
+        message = cut(message) + self._crowded()
         self._end()
         self.declaration = None
-        return Failure(verdict, cut(message), signal_name, self.log)
+        return Failure(verdict, message, signal_name, self.log)
+
+    def _crowded(self) -> str:
+        """What may be behind a fault."""
+        if self._program is None or not self._program.crowded():
+            return ""
+        return f"; it wanted more than {self.limits.processes:,} processes (--call-processes)"
 
     def _end(self) -> None:
         program, self._program = self._program, None

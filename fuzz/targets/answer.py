@@ -17,13 +17,15 @@ from minkref.fuzz.verdicts.region import Region, plain_polygons, region_of_polyg
 from minkref.fuzz.verdicts.verdict import Verdict
 
 JUDGING_BYTES = 2 << 30
+PROCESSES = 512  # of one program
 LOAD_SECONDS = 60.0  # at least, for the import of a module or the start of a program
 REGIONS = Declaration("minkref")
 
 
 @dataclass(frozen=True)
 class Limits:
-    """For one call of one target. `output`: bytes of an answer, and of its log. `tries`: how often
+    """For one call of one target. `output`: bytes of an answer, and of its log. `processes`: of a
+    program of others, with their threads. `tries`: how often
     one that does not answer is asked before it is said of it. `judging_bytes`: what a worker may
     have beside, to make and judge a case."""
 
@@ -31,6 +33,7 @@ class Limits:
     bytes: int = 4 << 30
     size: int | None = None
     output: int = 64 << 20
+    processes: int = PROCESSES
     tries: int = 2
     judging_bytes: int = JUDGING_BYTES
     isolation: Isolation | None = None  # of programs of others; without, the best there is

@@ -14,6 +14,14 @@ CallSeconds = Annotated[
 CallMemory = Annotated[
     int, typer.Option("--call-memory", help="Memory limit of one call, in MiB.", metavar="MIB")
 ]
+CallProcesses = Annotated[
+    int,
+    typer.Option(
+        "--call-processes",
+        help="Limit of the processes of one program or function, with their threads.",
+        metavar="N",
+    ),
+]
 IsolationKind = Annotated[
     str,
     typer.Option(

@@ -12,7 +12,7 @@ import time
 import uuid
 from pathlib import Path
 
-from minkref.fuzz.isolation.control_group import find_room
+from minkref.fuzz.isolation.control_group import find_rooms
 from minkref.fuzz.isolation.process_tree import descendants
 from minkref.fuzz.isolation.sandbox import absence
 from minkref.reports.evidence.framework.part import COMPARISON, READERS, REFERENCE, Findings
@@ -75,8 +75,8 @@ def left(mark: str) -> int:
 
 def groups_of(owners: list[int]) -> list[Path]:
     """Control groups that these processes made."""
-    room = find_room()
-    found = (room.folder.glob(f"minkref-{owner}-*") for owner in owners) if room else ()
+    rooms = find_rooms()
+    found = (room.folder.glob(f"minkref-{owner}-*") for owner in owners for room in rooms)
     return [path for paths in found for path in paths]
 
 

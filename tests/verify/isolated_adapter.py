@@ -94,10 +94,28 @@ def privileges(_: str) -> str:
     return f"{found['CapEff']} {found['NoNewPrivs']} {mounts.returncode}"
 
 
+def bomb(most: str) -> str:
+    """At most so many children, none of which forks; how many began, and whether one could not."""
+    for count in range(int(most)):
+        try:
+            child = os.fork()
+        except BlockingIOError:
+            return f"{count} True"
+        if child == 0:
+            time.sleep(FOREVER)
+            os._exit(0)
+    return f"{most} False"
+
+
+def bomb_and_fail(most: str) -> str:
+    sys.exit(bomb(most))
+
+
 TRIES = {
     one.__name__.replace("_", "-"): one
     for one in (environment, variable, network, unix_socket, write, read, own_folders, forty)
 }
+TRIES |= {"bomb": bomb, "bomb-and-fail": bomb_and_fail}
 TRIES |= {"see-processes": see_processes, "tree": tree, "privileges": privileges}
 
 

@@ -4,6 +4,7 @@ nothing of them is left, in the sandbox and without it, as docs/security.md says
 from __future__ import annotations
 
 import os
+import shutil
 import socket
 import subprocess
 import sys
@@ -16,6 +17,7 @@ from minkref.errors import Refusal
 from minkref.fuzz.cases import naming
 from minkref.fuzz.cases.case import CaseName
 from minkref.fuzz.isolation import sandbox
+from minkref.fuzz.isolation.control_group import PIDS
 from minkref.fuzz.isolation.environment import NAMES, PREFIXES
 from minkref.fuzz.isolation.isolation import Isolation, choose
 from minkref.fuzz.isolation.leftovers import marked
@@ -35,9 +37,11 @@ def walls(request: pytest.FixtureRequest) -> Isolation:
     return choose(request.param)
 
 
-def said(walls: Isolation, what: str, argument: object = "", megabytes: int = 512) -> str:
+def said(
+    walls: Isolation, what: str, argument: object = "", megabytes: int = 512, processes: int = 99
+) -> str:
     """What the adapter says of its try; nothing of it runs afterwards."""
-    limits = Limits(60, megabytes * MIB, isolation=walls)
+    limits = Limits(60, megabytes * MIB, processes=processes, isolation=walls)
     process = AdapterProcess("it", [sys.executable, str(PROGRAM), what, str(argument)], limits)
     try:
         return str(process.start().version)
@@ -143,11 +147,56 @@ def test_in_the_sandbox_it_has_no_rights_of_root() -> None:
 def test_memory_is_counted_of_the_whole_tree(walls: Isolation, measured: bool) -> None:
     """Four children, each below the limit."""
     if measured:
-        walls = replace(walls, room=None)
+        walls = replace(walls, rooms=())
     with pytest.raises(Failure) as caught:
         said(walls, "tree", 400, megabytes=256)
     assert caught.value.verdict is Verdict.OUT_OF_MEMORY
     assert "--call-memory" in caught.value.message
+
+
+@pytest.mark.parametrize("grouped", [True, False])
+def test_a_fork_bomb_stops_at_the_limit_of_processes(walls: Isolation, grouped: bool) -> None:
+    """Of 60 it begins as many as the limit leaves beside itself, where one holds."""
+    if not grouped:
+        walls = replace(walls, rooms=tuple(r for r in walls.rooms if PIDS not in r.controllers))
+    begun, refused = said(walls, "bomb", 60, processes=20).split()
+    if walls.processes == "not held":
+        assert begun == "60"
+    else:
+        assert (begun, refused) == ("19", "True"), walls.processes
+
+
+def test_who_wanted_more_processes_is_told_so_when_it_fails(walls: Isolation) -> None:
+    if not any(PIDS in room.controllers for room in walls.rooms):
+        pytest.skip("not counted here")
+    with pytest.raises(Failure, match=r"it wanted more than 20 processes \(--call-processes\)"):
+        said(walls, "bomb-and-fail", 60, processes=20)
+
+
+@needs_sandbox
+@pytest.mark.skipif(
+    os.geteuid() != 0 or not shutil.which("setpriv") or not Path("/usr/bin/python3").exists(),
+    reason="changes its user",
+)
+def test_a_fork_bomb_of_another_user_stops_in_its_user_space(tmp_path: Path) -> None:
+    """Without a control group: the limit holds in the sandbox alone, whatever that user runs."""
+    script = (
+        "from minkref.fuzz.isolation.isolation import choose\n"
+        "from minkref.fuzz.targets.adapter_process import AdapterProcess\n"
+        "from minkref.fuzz.targets.answer import Limits\n"
+        "walls = choose('sandbox')\n"
+        f"words = ['/usr/bin/python3', {str(PROGRAM)!r}, 'bomb', '60']\n"  # all may run it
+        "process = AdapterProcess('it', words, Limits(processes=20, isolation=walls))\n"
+        "print(walls.processes, process.start().version, sep=', ')\n"
+        "process.close()\n"
+    )
+    words = ["setpriv", "--reuid", "61183", "--regid", "61183", "--clear-groups"]
+    words += ["--inh-caps", "-all", sys.executable, "-c", script]
+    environment = {**os.environ, "HOME": str(tmp_path), "XDG_STATE_HOME": str(tmp_path)}
+    done = subprocess.run(words, env=environment, capture_output=True, text=True, check=False)
+    if "there is no sandbox" in done.stderr or "Permission denied" in done.stderr:
+        pytest.skip(f"not for another user: {done.stderr[-200:]}")
+    assert done.stdout == "limit of its user space, 19 True\n", done.stderr
 
 
 def test_nothing_is_left_where_the_one_that_started_it_is_killed(walls: Isolation) -> None:
@@ -173,8 +222,8 @@ def test_nothing_is_left_where_the_one_that_started_it_is_killed(walls: Isolatio
         time.sleep(0.02)
     assert marked(walls.mark) == []
     walls.clear()
-    if walls.room is not None:
-        assert not list(walls.room.folder.glob(f"minkref-{process.pid}-*"))
+    for room in walls.rooms:
+        assert not list(room.folder.glob(f"minkref-{process.pid}-*"))
 
 
 @needs_sandbox

@@ -18,14 +18,20 @@ from minkref.exits import ExitCode
 from minkref.fuzz.isolation.isolation import AUTO, Isolation, choose
 from minkref.fuzz.shrink.trial import Trial
 from minkref.fuzz.space.cells import Cell, surface_of
-from minkref.fuzz.targets.answer import Limits
+from minkref.fuzz.targets.answer import PROCESSES, Limits
 from minkref.fuzz.targets.catalogue import select_one
 from minkref.fuzz.targets.declaration import CAPABILITIES, Declaration
 from minkref.fuzz.targets.declared import declarations_of
 from minkref.fuzz.verdicts.verdict import BROKEN, Outcome, Verdict
 from minkref.options import Json, Schema
 from minkref.signals import ending_in_order
-from minkref.target_options import CallMemory, CallSeconds, IsolationKind, PassedVariables
+from minkref.target_options import (
+    CallMemory,
+    CallProcesses,
+    CallSeconds,
+    IsolationKind,
+    PassedVariables,
+)
 from minkref.terminal import console, shown
 
 EXAMPLES = """Examples:
@@ -101,6 +107,7 @@ def command(
     ],
     call_seconds: CallSeconds = 30.0,
     call_memory: CallMemory = 4096,
+    call_processes: CallProcesses = PROCESSES,
     isolation: IsolationKind = AUTO,
     pass_env: PassedVariables = None,
     json: Json = False,
@@ -110,9 +117,10 @@ def command(
     two of convex operands, one of an operand that is not convex, and one with a hole. Exits with 1
     where a sum is proven wrong, 3 where the adapter breaks, and 2 where it does not start."""
     watch = Stopwatch()
-    check_numbers(0, None, None, call_seconds, call_memory, 1, None)
+    sizes = (call_seconds, call_memory, 1, None)
+    check_numbers(0, None, None, *sizes, call_processes=call_processes)
     walls = choose(isolation, tuple(pass_env or ()))
-    limits = Limits(call_seconds, call_memory << 20, isolation=walls)
+    limits = Limits(call_seconds, call_memory << 20, processes=call_processes, isolation=walls)
     (entry,), declarations = declarations_of([select_one(target)], limits)
     declared = declarations[entry.name]
     able = declared.capabilities

@@ -22,13 +22,19 @@ from minkref.fuzz.shrink.finding import SmallFinding, shrink_finding
 from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.shrink.shrinker import MOST_CALLS
 from minkref.fuzz.shrink.trial import Trial
-from minkref.fuzz.targets.answer import Limits
+from minkref.fuzz.targets.answer import PROCESSES, Limits
 from minkref.fuzz.targets.catalogue import select_one
 from minkref.fuzz.targets.declared import declarations_of
 from minkref.fuzz.verdicts.verdict import GOOD, Verdict
 from minkref.options import Json, Schema
 from minkref.signals import ending_in_order
-from minkref.target_options import CallMemory, CallSeconds, IsolationKind, PassedVariables
+from minkref.target_options import (
+    CallMemory,
+    CallProcesses,
+    CallSeconds,
+    IsolationKind,
+    PassedVariables,
+)
 from minkref.terminal import console, shown
 
 EXAMPLES = """Examples:
@@ -58,6 +64,7 @@ def command(
     ] = MOST_CALLS,
     call_seconds: CallSeconds = 30.0,
     call_memory: CallMemory = 4096,
+    call_processes: CallProcesses = PROCESSES,
     isolation: IsolationKind = AUTO,
     pass_env: PassedVariables = None,
     json: Json = False,
@@ -68,11 +75,12 @@ def command(
     scale 1. Exits with 1 where the target is proven wrong, 3 where it breaks, and 2 where it does
     neither on this case."""
     watch = Stopwatch()
-    check_numbers(0, None, None, call_seconds, call_memory, 1, None)
+    sizes = (call_seconds, call_memory, 1, None)
+    check_numbers(0, None, None, *sizes, call_processes=call_processes)
     if output is not None:
         check_writable(output)
     walls = choose(isolation, tuple(pass_env or ()))
-    limits = Limits(call_seconds, call_memory << 20, isolation=walls)
+    limits = Limits(call_seconds, call_memory << 20, processes=call_processes, isolation=walls)
     refuse_unless_case(case)
     (entry,), _ = declarations_of([select_one(target)], limits)
     with ending_in_order():

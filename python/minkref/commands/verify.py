@@ -25,7 +25,7 @@ from minkref.fuzz.run.runner import Run, run
 from minkref.fuzz.run.unasked import not_asked, resting_notes
 from minkref.fuzz.shrink.groups import shrunk_groups
 from minkref.fuzz.shrink.shrinker import MOST_CALLS
-from minkref.fuzz.targets.answer import JUDGING_BYTES, Limits
+from minkref.fuzz.targets.answer import JUDGING_BYTES, PROCESSES, Limits
 from minkref.fuzz.targets.catalogue import declares_itself, select
 from minkref.fuzz.targets.declared import declarations_of
 from minkref.fuzz.verdicts.baseline import Baseline, read_baseline, unused
@@ -39,7 +39,13 @@ from minkref.reports.conformance.page import write_report
 from minkref.reports.conformance.sarif import sarif
 from minkref.settings import begin_settings, is_outdone, naming_settings
 from minkref.signals import ending_in_order
-from minkref.target_options import CallMemory, CallSeconds, IsolationKind, PassedVariables
+from minkref.target_options import (
+    CallMemory,
+    CallProcesses,
+    CallSeconds,
+    IsolationKind,
+    PassedVariables,
+)
 
 EXAMPLES = """Examples:
 
@@ -191,6 +197,7 @@ def command(
             metavar="MIB",
         ),
     ] = 64,
+    call_processes: CallProcesses = PROCESSES,
     memory: Annotated[
         int,
         typer.Option(
@@ -223,7 +230,7 @@ def command(
     if is_outdone(context, "pairs", by="seconds"):
         pairs = None
     sizes = (call_seconds, call_memory, call_output, size_limit, memory)
-    check_numbers(seconds, pairs, jobs, *sizes, seed)
+    check_numbers(seconds, pairs, jobs, *sizes, seed, call_processes)
     for file in (junit_file, sarif_file, markdown_file, lines_file):
         if file is not None:
             check_writable(file)
@@ -235,6 +242,7 @@ def command(
         call_memory << 20,
         size_limit,
         call_output << 20,
+        call_processes,
         judging_bytes=memory << 20,
         isolation=walls,
     )

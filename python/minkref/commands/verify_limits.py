@@ -7,6 +7,7 @@ from minkref.errors import Refusal
 MOST_JOBS = 1024
 LARGEST_SEED = 2**63 - 1
 MOST_MEMORY = 1 << 24  # MiB
+MOST_PROCESSES = 1 << 20
 
 
 def brief(number: float) -> str:
@@ -25,6 +26,7 @@ def check_numbers(
     size_limit: int | None,
     memory: int | None = None,
     seed: int = 1,
+    call_processes: int | None = None,
 ) -> None:
     for option, value, least, most in (
         ("--seconds", seconds, 0, None),
@@ -33,6 +35,7 @@ def check_numbers(
         ("--jobs", jobs, 1, MOST_JOBS),
         ("--call-memory", call_memory, 16, MOST_MEMORY),
         ("--call-output", call_output, 1, MOST_MEMORY),
+        ("--call-processes", call_processes, 1, MOST_PROCESSES),
         ("--memory", memory, 256, MOST_MEMORY),
         ("--size-limit", size_limit, 1, None),
     ):
