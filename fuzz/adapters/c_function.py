@@ -34,7 +34,7 @@ class _Set(Structure):
     )
 
 
-def c_function(path: str, name: str) -> tuple[dict[str, Any], Sum]:
+def load(path: str, name: str) -> tuple[dict[str, Any], Sum]:
     """The declaration that `minkref_hello` gives, with what is added to it, and what answers by the
     function. Raises OSError, AttributeError, ValueError or Errored."""
     library = ctypes.CDLL(os.path.abspath(path) if os.path.exists(path) else path)

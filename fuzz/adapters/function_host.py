@@ -1,8 +1,8 @@
 """A function as a program that speaks the adapter protocol: `function_host.py py MODULE FUNCTION`
 or `function_host.py so LIBRARY FUNCTION`.
 
-It runs in minkref's own interpreter and imports nothing of minkref. Its own modules go out of the
-way once they are read: those of the function may have the same names.
+It runs in minkref's own interpreter and imports nothing of minkref. Its own modules are out of the
+way once they are read, also in processes that the function starts: its modules may have any names.
 """
 
 from __future__ import annotations
@@ -15,6 +15,8 @@ from collections.abc import Callable
 from typing import Any
 
 HERE = os.path.dirname(os.path.realpath(__file__))
+if __name__ == "__main__" and not sys.flags.safe_path:
+    del sys.path[0]  # the folder of this program
 sys.path.insert(0, HERE)
 
 from adapter_protocol import (  # type: ignore[import-not-found,unused-ignore] # noqa: E402
@@ -28,6 +30,8 @@ from adapter_protocol import (  # type: ignore[import-not-found,unused-ignore] #
     told,
 )
 
+sys.path.remove(HERE)
+PROTOCOL = sys.modules.pop("adapter_protocol")
 MEMBERS = ("polygons", "rings", "vertices", "faces")  # of a sum
 
 
@@ -67,7 +71,7 @@ def answering(function: Callable[[Set, Set], Any]) -> Sum:
         except ValueError as error:
             raise Rejected(told(error)) from error
         if found is None:
-            raise Skipped("outside the capabilities of the target")
+            raise Skipped("the function returned None")
         if not isinstance(found, dict):
             raise TypeError(f"it returned {type(found).__name__}, no dictionary")
         return {word: found[word] for word in MEMBERS if word in found}
@@ -75,16 +79,21 @@ def answering(function: Callable[[Set, Set], Any]) -> Sum:
     return sum_of
 
 
+def c_function(library: str, name: str) -> tuple[dict[str, Any], Sum]:
+    """The declaration of a C function, and what answers by it."""
+    sys.path.insert(0, HERE)
+    sys.modules["adapter_protocol"] = PROTOCOL
+    from c_function import load  # type: ignore[import-not-found,unused-ignore]
+
+    declared, sum_of = load(library, name)
+    return declared, sum_of
+
+
 def loaded(kind: str, place: str, name: str) -> tuple[dict[str, Any], Sum]:
     """The answer to `hello`, which says why there is no function, and what answers by it."""
     try:
         if kind == "so":
-            from c_function import c_function  # type: ignore[import-not-found,unused-ignore]
-
-            declared, sum_of = c_function(place, name)
-            return declared, sum_of
-        sys.path.remove(HERE)
-        del sys.modules["adapter_protocol"]
+            return c_function(place, name)
         return python_function(place, name)
     except BaseException as error:  # noqa: BLE001 a module may do anything on import
         why = str(error) if isinstance(error, Errored) else told(error)

@@ -17,7 +17,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from minkref.errors import cut
+from minkref.errors import LONGEST_MESSAGE, cut
 from minkref.fuzz.isolation.isolation import usual
 from minkref.fuzz.isolation.kept_program import WATCH_SECONDS, KeptProgram
 from minkref.fuzz.targets.answer import Limits, load_limit
@@ -113,7 +113,7 @@ class AdapterProcess:
         if answer["status"] != "result" and not isinstance(answer.get("reason", ""), str):
             raise self._fault(f"{verb}: the reason is no text", Verdict.ERRORED)
         if answer["status"] == "errored":
-            answer["reason"] = cut(answer.get("reason", "")) + self._crowded()
+            answer["reason"] = self._explained(answer.get("reason", ""))
         return answer
 
     @property
@@ -231,16 +231,17 @@ class AdapterProcess:
 
     def _fault(self, message: str, verdict: Verdict, signal_name: str | None = None) -> Failure:
         """Ends the program."""
-        message = cut(message) + self._crowded()
+        message = self._explained(message)
         self._end()
         self.declaration = None
         return Failure(verdict, message, signal_name, self.log)
 
-    def _crowded(self) -> str:
-        """What may be behind a fault."""
-        if self._program is None or not self._program.crowded():
-            return ""
-        return f"; it wanted more than {self.limits.processes:,} processes (--call-processes)"
+    def _explained(self, message: str) -> str:
+        """What is said of a fault, with what may be behind it."""
+        why = f"; it wanted more than {self.limits.processes:,} processes (--call-processes)"
+        if self._program is None or not self._program.crowded() or message.endswith(why):
+            return cut(message)
+        return cut(message)[: LONGEST_MESSAGE - len(why)] + why
 
     def _end(self) -> None:
         program, self._program = self._program, None

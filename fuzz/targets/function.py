@@ -59,7 +59,7 @@ class FunctionTarget(ProgramTarget):
         self, case: AnyCase, value: dict[str, Any], declaration: Declaration
     ) -> Answer:
         if value["status"] == "skipped":  # None: no broken promise
-            return skipped(value["reason"], declaration)
+            return skipped("outside the capabilities of the target", declaration)
         is_fault = value["status"] == "rejected" and self.name.startswith(f"{PYTHON}:")
         if is_fault and not isinstance(case, InvalidCase):
             value = {**value, "status": "errored"}  # any ValueError
@@ -73,13 +73,8 @@ def host_command(name: str) -> list[str]:
     if len(parts) != 2 or not all(parts):
         what = "C" if kind == C else "Python"
         raise Refusal(f"this names no {what} function", name, MENDS[kind])
-    return [
-        sys.executable,
-        str(HOST),
-        kind,
-        *parts,
-        *(_packages(parts[0]) if kind == PYTHON else ()),
-    ]
+    shown = _packages(parts[0]) if kind == PYTHON else []
+    return [sys.executable, str(HOST), kind, *parts, *shown]
 
 
 def _packages(module: str) -> list[str]:

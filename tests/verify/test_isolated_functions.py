@@ -205,10 +205,16 @@ def test_a_value_error_rejects_invalid_operands_and_is_a_fault_on_others(walls: 
     assert (said.verdict, said.region) == (Verdict.WRONG, None)
 
 
-@pytest.mark.parametrize("name", ["adapter_protocol", "function_host", "c_function", "package.sub"])
+@pytest.mark.parametrize("name", ["adapter_protocol", "surfaces", "c_function", "package.sub"])
 @pytest.mark.parametrize("place", [".", "mine", "../beside"])
+@pytest.mark.parametrize("safe", ["", "1"])
 def test_modules_of_the_current_folder_and_of_the_path_are_found_whatever_their_names(
-    walls: Isolation, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, name: str, place: str
+    walls: Isolation,
+    monkeypatch: pytest.MonkeyPatch,
+    tmp_path: Path,
+    name: str,
+    place: str,
+    safe: str,
 ) -> None:
     here = tmp_path / "here"
     file = here / place / (name.replace(".", "/") + ".py")
@@ -217,8 +223,23 @@ def test_modules_of_the_current_folder_and_of_the_path_are_found_whatever_their_
     file.write_text("def f(P, Q):\n    raise LookupError(__name__)\n")
     monkeypatch.chdir(here)
     monkeypatch.setenv("PYTHONPATH", "" if place == "." else place)
-    monkeypatch.setenv("PYTHONSAFEPATH", "1")
+    monkeypatch.setenv("PYTHONSAFEPATH", safe)
     assert told(walls, f"py:{name}:f") == f"LookupError: {name}"
+
+
+def test_processes_that_a_function_starts_find_its_modules(
+    walls: Isolation, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """`surfaces` is a name of ours as well."""
+    (tmp_path / "surfaces.py").write_text(
+        "import multiprocessing\n"
+        "def g(n): return n + 1\n"
+        "def f(P, Q):\n"
+        "    with multiprocessing.get_context('spawn').Pool(1) as pool:\n"
+        "        raise LookupError(pool.map(g, [1, 2]))\n"
+    )
+    monkeypatch.chdir(tmp_path)
+    assert told(walls, "py:surfaces:f") == "LookupError: [2, 3]"
 
 
 @needs_sandbox
