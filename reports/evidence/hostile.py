@@ -1,4 +1,4 @@
-"""Adapters and files that mean harm: refused or judged, and nothing is left behind."""
+"""Adapters, functions and files that mean harm: refused or judged, and nothing is left behind."""
 
 from __future__ import annotations
 
@@ -12,11 +12,12 @@ from minkref.reports.evidence.framework.part import COMPARISON, READERS, REFEREN
 
 SUBJECT = (
     "Hostile adapters, written from the documentation alone by somebody who had not read the "
-    "judge (escapes, forks, forgeries, floods, lies, numbers, memory, endings), with the sandbox "
-    "and without it, and hostile files for every reader: all are refused or judged, the verdicts "
-    "of the target beside them stay, nothing is left behind, nothing outside is changed."
+    "judge (escapes, forks, forgeries, floods, lies, numbers, memory, endings), and functions that "
+    "do the same, with the sandbox and without it, and hostile files for every reader: all are "
+    "refused or judged, the verdicts of the target beside them stay, nothing is left behind, "
+    "nothing outside is changed."
 )
-MINUTES = (40, 0.8)
+MINUTES = (60, 1.2)
 ALONE = True
 DEPENDS = (*REFERENCE, *READERS, *COMPARISON, "python/minkref/**/*.py", "tests/hostile/**/*")
 
@@ -37,7 +38,7 @@ def room(module: str) -> Any:
 
 
 def attacked(attack: Any, way: str) -> dict[str, Any]:
-    """One run of verify on a hostile adapter."""
+    """One run of verify on a hostile adapter or function."""
     words = (*attack.words, *WORDS, "--isolation", way)
     seen = room("attack").attack(attack.adapter, *words, told=attack.told, tty=attack.tty)
     row = {
@@ -76,12 +77,12 @@ def run(quick: bool) -> Findings:
 def tell_attacks(findings: Findings, way: str, rows: list[dict[str, Any]]) -> None:
     name = "with the sandbox" if way == "sandbox" else "without it"
     bad = [row for row in rows if row["faults"]]
-    findings.law(f"attacks by adapters, {name}: not as documented", not bad, 0, len(bad))
+    findings.law(f"attacks {name}: not as documented", not bad, 0, len(bad))
     left = sum(row["processes"] for row in rows)
     findings.law(f"processes left behind, {name}", left == 0, 0, left)
     findings.figures[f"attacks, {name}"] = rows
     reached = sorted({word for row in rows for word in row["reached"]})
-    findings.note(f"{name}, adapters got at: {', '.join(reached) or 'nothing'}")
+    findings.note(f"{name}, adapters and functions got at: {', '.join(reached) or 'nothing'}")
     tell(findings, bad)
 
 

@@ -18,6 +18,7 @@ import outside
 
 FOLDER = Path(__file__).resolve().parent
 ADAPTERS = FOLDER / "adapters"
+HEADERS = FOLDER.parents[1] / "fuzz" / "adapters"
 OURS = "minkref:winding"  # right, and asked beside: its verdicts must not change
 PATIENCE = 300.0  # seconds that a run may take
 OUTPUTS = ("--ledger", "run.ledger", "--report", "report", "--junit", "junit.xml")
@@ -95,6 +96,14 @@ class Server:
             stream.close()
 
 
+def compiled(folder: Path) -> Path:
+    """The hostile C functions as a library."""
+    library = folder / "functions.so"
+    words = ["cc", "-shared", "-fPIC", "-w", f"-I{HEADERS}", str(ADAPTERS / "functions.c")]
+    subprocess.run([*words, "-o", str(library)], check=True)
+    return library
+
+
 def free_port() -> int:
     with socket.socket() as stream:
         stream.bind(("127.0.0.1", 0))
@@ -104,7 +113,7 @@ def free_port() -> int:
 def attack(
     target: str, *words: str, told: str = "", beside: bool = True, tty: bool = False
 ) -> Seen:
-    """`target`: the name of a hostile adapter, or a target with a colon. `told`: further words for
+    """`target`: the name of a hostile adapter, or a function with colons. `told`: further words for
     the adapter. `words`: options of verify."""
     run = uuid.uuid4().hex[:12]
     server, free = Server(run), free_port()
@@ -120,6 +129,8 @@ def attack(
         if ":" not in target:
             adapter = f"{sys.executable} {ADAPTERS / 'adapter.py'} {target}"
             target = f"cmd:{adapter} {' '.join(f'{k}={v}' for k, v in tells.items())} {told}"
+        if target.startswith("so:"):
+            target = f"so:{compiled(base)}:{target.rpartition(':')[2]}"
         command = [sys.executable, "-m", "minkref", "verify", target.strip()]
         command += [OURS] * beside
         command += [*OUTPUTS, *words, "--json"]
@@ -131,6 +142,7 @@ def attack(
             "HOSTILE_RUN": run,
             "PYTHONPATH": str(ADAPTERS),
             "PYTHONDONTWRITEBYTECODE": "1",
+            "MINKREF_HOSTILE": json.dumps({k: str(v) for k, v in tells.items()}),  # to functions
         }
         kept = base / "kept"
         keeper = [sys.executable, str(FOLDER / "keeper.py"), str(kept), str(PATIENCE)]

@@ -1,8 +1,8 @@
-"""All attacks by adapters, with what docs/adapter-protocol.md says of each: its verdicts."""
+"""All attacks by adapters and functions, with the verdicts that the documents give them."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 PASS, WRONG, ERRORED = "pass", "wrong", "errored"
 CRASHED, LATE, MEMORY = "crashed", "timed-out", "out-of-memory"
@@ -45,6 +45,7 @@ def several(adapter: str, verdicts: tuple[str, ...], numbers: list[int]) -> list
 PROCESSES = [
     *of((PASS,), "ForksFifty", "DaemonWithoutEnvironment", "Relay", "ForksWhenTerminated"),
     *of((PASS,), "OwnSubreaper", "OwnNamespace", "ManyThreads"),
+    Attack("ForksFifty", (PASS, NONE), (*CONVEX, "--call-processes", "20")),
     Attack("Daemon", quick=True),
     Attack("KillsItsKeeper", (PASS, CRASHED), kills=True, quick=True),
     Attack("KillsItsGroup", (CRASHED,), kills=True),
@@ -146,19 +147,41 @@ ENDINGS = [
     *of((CRASHED,), "DumpsItsCore"),
     *of((), "HangsInHello"),
 ]
-FUNCTIONS = of(
-    (*ALL_WAYS, "undecided"),
-    *(
-        f"py:functions:{name}"
-        for name in (
-            *("exits", "exits_hard", "interrupts", "runs_out_of_memory", "closes_everything"),
-            *("prints_answers", "traces", "returns_evil", "returns_itself", "returns_objects"),
-            *("returns_without_end", "changes_its_operands", "forks", "deep"),
-            *("spoils_builtins", "spoils_the_reference"),
-        )
-    ),
-)
+
+
+def functions(verdicts: tuple[str, ...], *names: str, kind: str = "py") -> list[Attack]:
+    return of(verdicts, *(f"{kind}:functions:{name}" for name in names))
+
+
+FUNCTIONS = [
+    *functions((ERRORED,), "exits", "interrupts", "deep", "spoils_builtins", "returns_itself"),
+    *functions((ERRORED,), "returns_objects", "returns_without_end"),
+    *functions((CRASHED,), "exits_hard", "closes_everything", "returns_evil"),
+    *functions((MEMORY,), "runs_out_of_memory"),
+    *functions((WRONG,), "prints_answers", "traces", "changes_its_operands"),
+    *functions((WRONG,), "spoils_the_reference"),
+    *functions((WRONG, ERRORED, CRASHED), "forks"),
+    *functions((ERRORED,), "rings_below_zero", "no_arrays", "not_finite", kind="so"),
+    *functions((ERRORED,), "another_status", "size_below_zero", "size_beyond_memory", kind="so"),
+    *functions((CRASHED,), "exits", "overflows_the_stack", "not_from_malloc", kind="so"),
+    *functions((CRASHED, ERRORED), "writes_into_its_operands", kind="so"),
+    *functions((CRASHED, ERRORED, MEMORY, LATE), "rings_beyond_memory", kind="so"),
+]
+# What lies in the words of the protocol itself a function cannot do.
+SPEAK = ("PrintsADocument", "NastyReason", "ObeyTheTerminal", "ObeyTheTerminalInTheLog", "OtherSeq")
+SPEAK += ("AnswersAhead", "AnswersTwice", "AnswersBeforeItIsAsked", "DiesWhileItsChildrenAnswer")
+OUTLIVED = {"EatsSharedMemory": (ERRORED,)}  # an exception ends an adapter, and no function
+MISCHIEF = [
+    replace(
+        attack,
+        adapter=f"py:mischief:{attack.adapter}",
+        verdicts=OUTLIVED.get(attack.adapter, attack.verdicts),
+    )
+    for attack in (*PROCESSES, *FORGERIES, *REACHING, *EATING)
+    if attack.adapter not in SPEAK
+]
 ATTACKS = [
     *(*PROCESSES, *FORGERIES, *FLOODS, *NUMBERS, *DECLARED, *REACHING, *EATING, *ENDINGS),
     *FUNCTIONS,
+    *MISCHIEF,
 ]

@@ -59,7 +59,8 @@ def ends(attack: Attack, seen: Seen) -> list[str]:
     if not attack.verdicts:
         return faults + ([] if seen.code == 2 else [f"it began: {seen.verdicts()}"])
     error = seen.document.get("error", {})
-    if error.get("code") == NONE and NONE in attack.verdicts:
+    unloaded = str(error.get("what", "")).startswith("the function cannot be loaded: ")
+    if (unloaded or error.get("code") == NONE) and NONE in attack.verdicts:
         return faults
     if error:
         return [*faults, f"refused: {str(error.get('what'))[:300]}"]

@@ -1,4 +1,5 @@
-"""A few of the hostile adapters and files; the part `hostile` of the evidence runs them all."""
+"""A few of the hostile adapters, functions and files; the part `hostile` of the evidence runs
+all."""
 
 from __future__ import annotations
 
@@ -25,14 +26,15 @@ def room(monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.syspath_prepend(str(folder))
 
 
+@pytest.mark.parametrize("kind", ["", "py:mischief:"])
 @pytest.mark.parametrize("name", ["Daemon", "ForgesTheLedger"])
-def test_an_attack_is_judged_and_leaves_nothing(name: str, room: None) -> None:
+def test_an_attack_is_judged_and_leaves_nothing(kind: str, name: str, room: None) -> None:
     from attack import attack
     from attacks import ATTACKS
     from judging import faults_of
 
-    (chosen,) = [one for one in ATTACKS if one.title == name]
-    seen = attack(name, *chosen.words, *WORDS)
+    (chosen,) = [one for one in ATTACKS if one.title == kind + name]
+    seen = attack(kind + name, *chosen.words, *WORDS)
     sandboxed = (seen.document or {}).get("isolation", {}).get("kind") == "sandbox"
     assert faults_of(chosen, seen, sandboxed) == []
 
