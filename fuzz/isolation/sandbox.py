@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import functools
 import os
+import re
 import resource
 import shutil
 import stat
@@ -131,8 +132,8 @@ def has_own_user_space() -> bool:
     path, limiter = shutil.which(PROGRAM), shutil.which(LIMITER)
     if path is None or limiter is None or os.geteuid() == 0 or os.stat(path).st_mode & stat.S_ISUID:
         return False
-    numbers = os.uname().release.split(".")[:2]
-    return tuple(int(number) for number in numbers) >= COUNTING_LINUX
+    release = re.match(r"(\d+)\.(\d+)", os.uname().release)
+    return release is not None and tuple(map(int, release.groups())) >= COUNTING_LINUX
 
 
 def with_fewer_processes(command: list[str], most: int) -> list[str]:
