@@ -20,7 +20,7 @@ environment:
 
 run:
 	@scripts/set_up.sh run
-	.venv/bin/minkref verify --baseline fuzz/baseline.json --report build/report $(ARGS)
+	.venv/bin/minkref verify --baseline fuzz/baseline.json --seconds 30 --report build/report $(ARGS)
 
 test: setup
 	ctest --preset release -j $$(nproc)
