@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 import re
@@ -13,12 +14,14 @@ import time
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 
 from minkref.errors import Refusal
 from minkref.signals import ending_in_order
+from minkref.streams import OutputLost
 from minkref.version import version
 
+_DESCRIPTOR = re.compile(r"/dev/(stdout|stderr)|(?:/dev|/proc/self)/fd/([0-9]{1,9})", re.ASCII)
 TEMPORARY = ".minkref-"  # what names of files begin with that are being written
 _SURROGATE = re.compile("[\ud800-\udfff]")
 
@@ -77,13 +80,13 @@ def replacing(path: Path) -> Iterator[Path]:
     """A new empty file beside `path` to write to; it takes the place of `path` once all is written,
     or is removed, also where a signal ends the process. Where `path` is a symbolic link, the file
     that it points to is replaced. A pipe or device is written to itself."""
-    path = _followed(path)
-    if _is_stream(path):
+    if is_stream(path):
         try:
             yield path
         except OSError as error:
             raise _cannot_write(path, error) from error
         return
+    path = _followed(path)
     # Named before it is made: a signal at any moment finds it to be removed.
     temporary = path.parent / f"{TEMPORARY}{secrets.token_hex(8)}"
     with ending_in_order():
@@ -105,17 +108,38 @@ def replacing(path: Path) -> Iterator[Path]:
             temporary.unlink(missing_ok=True)
 
 
+@contextmanager
+def writing(path: Path) -> Iterator[BinaryIO]:
+    """A stream to write to, as `replacing`; an open descriptor (/dev/stdout, /dev/fd/N) goes on
+    where it stands, in a file too."""
+    number = descriptor_of(path)
+    if number is None:
+        with replacing(path) as temporary, temporary.open("wb") as stream:
+            yield stream
+        return
+    sys.stdout.flush()
+    try:
+        with open(number, "wb", closefd=False) as stream:
+            yield stream
+    except OSError as error:
+        raise _cannot_write(path, error) from error
+
+
 def write_atomically(path: Path, text: str | Iterable[str]) -> None:
     """Writes all of `text`, given whole or piece by piece, or nothing."""
-    with (
-        replacing(path) as temporary,
-        temporary.open("w", encoding="utf-8", errors="backslashreplace") as stream,
-    ):
-        stream.writelines([text] if isinstance(text, str) else text)
+    with writing(path) as stream:
+        for piece in [text] if isinstance(text, str) else text:
+            stream.write(piece.encode(errors="backslashreplace"))
 
 
 def check_writable(path: Path) -> None:
     """Refuses an output path that cannot be written, before any work is done."""
+    number = descriptor_of(path)
+    if number is not None and not _is_open(number):
+        what = f"descriptor {number} is not open"
+        raise Refusal(what, str(path), f"open it: minkref ... {number}>FILE", "cannot-write")
+    if is_stream(path):
+        return
     path = _followed(path)
     if path.is_dir():
         raise Refusal("this is a folder", str(path), "name a file", "cannot-write")
@@ -123,8 +147,6 @@ def check_writable(path: Path) -> None:
         raise Refusal(
             "this symbolic link leads back to itself", str(path), "name a file", "cannot-write"
         )
-    if _is_stream(path):
-        return
     if not path.parent.is_dir():
         raise Refusal(
             "the folder of the output file does not exist",
@@ -161,8 +183,18 @@ def _followed(path: Path) -> Path:
     return Path(os.path.realpath(path))
 
 
-def _is_stream(path: Path) -> bool:
-    """A pipe or a device, such as /dev/stdout."""
+def descriptor_of(path: Path) -> int | None:
+    """The number of /dev/stdout, /dev/stderr, /dev/fd/N and /proc/self/fd/N."""
+    found = _DESCRIPTOR.fullmatch(str(path))
+    if found is None:
+        return None
+    return int(found[2]) if found[2] else {"stdout": 1, "stderr": 2}[found[1]]
+
+
+def is_stream(path: Path) -> bool:
+    """An open descriptor, a pipe or a device, which are written to themselves."""
+    if descriptor_of(path) is not None:
+        return True
     try:
         mode = path.stat().st_mode
     except OSError:
@@ -170,7 +202,17 @@ def _is_stream(path: Path) -> bool:
     return stat.S_ISFIFO(mode) or stat.S_ISCHR(mode)
 
 
-def _cannot_write(path: Path, error: OSError) -> Refusal:
+def _is_open(number: int) -> bool:
+    try:
+        os.fstat(number)
+    except OSError:
+        return False
+    return True
+
+
+def _cannot_write(path: Path, error: OSError) -> Exception:
+    if error.errno == errno.EPIPE:
+        return OutputLost(error)
     return Refusal(
         f"the file cannot be written: {error.strerror}",
         str(path),

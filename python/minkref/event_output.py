@@ -6,10 +6,10 @@ import sys
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from minkref.documents import as_text, replacing
+from minkref.documents import as_text
 from minkref.event_lists import EventList, PairEventList, json_pieces
 from minkref.event_table import write_parquet
-from minkref.output_target import STANDARD_OUTPUT, Target
+from minkref.output_target import Target
 
 FORMATS = ("json", "jsonl", "parquet")
 _EMPTY = "[]\n}\n"
@@ -18,17 +18,14 @@ _EMPTY = "[]\n}\n"
 def write_events(target: Target, head: dict[str, Any], found: EventList, count: int) -> None:
     """The first `count` events: `json`, a document with the fields of `head` and the list `events`,
     an event a line; `jsonl`, an event a line and nothing else; `parquet`, a table. A file is
-    written whole or not at all. Memory is bounded, but for Parquet."""
+    written whole or not at all. One pass, in bounded memory."""
     if target.form == "parquet":
         assert isinstance(found, PairEventList)  # others are refused before they are found
         write_parquet(found.found, target.path, count)
         return
     lines = target.form == "jsonl"
     pieces = json_pieces(found, count, "\n") if lines else document_pieces(head, found, count)
-    if target.path == STANDARD_OUTPUT:
-        print_pieces(pieces)
-        return
-    with replacing(target.path) as temporary, temporary.open("wb") as stream:
+    with target.stream() as stream:
         stream.writelines(pieces)
 
 

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from minkref.documents import check_writable
 from minkref.errors import Refusal
+from minkref.output_target import refuse_stream
 
 
 def folder_to_write(name: str, inside: Iterable[str] = ()) -> Path:
@@ -18,6 +19,7 @@ def folder_to_write(name: str, inside: Iterable[str] = ()) -> Path:
     if not name:
         raise Refusal("the name of the folder is empty", "-o ''", "name one; . is where you are")
     folder = Path(name)
+    refuse_stream(folder, "many files are written, to a folder", "name a folder")
     for path in (folder, *(folder / each for each in inside)):
         try:
             _check_folder(path)

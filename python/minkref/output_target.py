@@ -1,13 +1,15 @@
-"""Where a command writes a set, and in which format."""
+"""Where a command writes what it makes, and in which format."""
 
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+from typing import BinaryIO
 
-from minkref.documents import check_writable, write_atomically
+from minkref.documents import check_writable, descriptor_of, is_stream, writing
 from minkref.errors import Refusal, choice
 
 STANDARD_OUTPUT = Path("-")
@@ -20,25 +22,56 @@ class Target:
 
     @property
     def name(self) -> str:
-        return "standard output" if self.path == STANDARD_OUTPUT else str(self.path)
+        return "standard output" if self.is_standard_output else str(self.path)
 
-    def write(self, text: str, exact: bool) -> bool:
+    @property
+    def is_standard_output(self) -> bool:
+        """Then nothing else is written there."""
+        return self.path == STANDARD_OUTPUT
+
+    @contextmanager
+    def stream(self) -> Iterator[BinaryIO]:
+        """To write to: a file is replaced once all is written, or not at all."""
+        if not self.is_standard_output:
+            with writing(self.path) as stream:
+                yield stream
+            return
+        sys.stdout.flush()
+        yield sys.stdout.buffer
+        sys.stdout.buffer.flush()
+
+    def write_pieces(self, pieces: Iterable[str]) -> int:
+        """The text that these make; how many bytes it has."""
+        count = 0
+        with self.stream() as stream:
+            for piece in pieces:
+                data = piece.encode(errors="backslashreplace")
+                stream.write(data)
+                count += len(data)
+        return count
+
+    def write(self, text: str, exact: bool = True) -> bool:
         """True where it was standard output, to which nothing else is written then; where the text
         is rounded, and no picture, a warning says so."""
-        if self.path != STANDARD_OUTPUT:
-            write_atomically(self.path, text)
-            return False
-        sys.stdout.write(text if text.endswith("\n") else text + "\n")
-        if not exact and self.form != "svg":
+        ended = text.endswith("\n") or not self.is_standard_output
+        self.write_pieces([text] if ended else [text, "\n"])
+        if self.is_standard_output and not exact and self.form != "svg":
             sys.stderr.write("warning: standard output is rounded; json is exact\n")
-        return True
+        return self.is_standard_output
+
+
+def refuse_stream(output: Path, what: str, mend: str) -> None:
+    """Refuses standard output, pipes and devices where something else is made than one text."""
+    if output == STANDARD_OUTPUT or is_stream(output):
+        raise Refusal(what, f"-o {output}", mend, "cannot-write")
 
 
 def target_of(
     output: Path | None, form: str | None, forms: Sequence[str], default: str, json: bool
 ) -> Target | None:
-    """None where nothing is to be written. Refuses a format that is none of `forms`, a place that
-    cannot be written, and standard output for two things."""
+    """None where nothing is to be written. A pipe, a device or standard output has the format
+    `default` where neither `form` nor an ending names one. Refuses a format that is none of
+    `forms`, a place that cannot be written, and standard output for two things."""
     if output is None:
         if form is not None:
             raise Refusal("there is nothing to write", f"--format {form}", "add -o FILE, or -o -")
@@ -46,17 +79,25 @@ def target_of(
     if form is not None and form not in forms:
         mend = choice(form, forms)
         raise Refusal("there is no such format", f"--format {form[:40]}", mend)
-    if output == STANDARD_OUTPUT:
+    if output == STANDARD_OUTPUT or descriptor_of(output) == 1:
         if json:
             what = "standard output takes the result or the document, not both"
-            raise Refusal(what, "-o - --json", "leave out one of the two")
-        return Target(output, form or default)
+            raise Refusal(what, f"-o {output} --json", "leave out one of the two")
+        return Target(STANDARD_OUTPUT, form or default)
     ending = output.suffix.lower().removeprefix(".")
     if form is None and ending not in forms:
-        raise Refusal(
-            f"the ending {output.suffix or '(none)'} names no format that can be written",
-            str(output),
-            f"choose one of {', '.join(f'.{one}' for one in forms)}, or add --format",
-        )
+        if not is_stream(output):
+            raise Refusal(
+                f"the ending {output.suffix or '(none)'} names no format that can be written",
+                str(output),
+                _other_ending(forms),
+            )
+        ending = default
     check_writable(output)
     return Target(output, form or ending)
+
+
+def _other_ending(forms: Sequence[str]) -> str:
+    if len(forms) == 1:
+        return f"name a file that ends in .{forms[0]}"
+    return f"choose one of {', '.join(f'.{one}' for one in forms)}, or add --format"

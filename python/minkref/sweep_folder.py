@@ -14,9 +14,11 @@ from pathlib import Path
 
 from minkref.documents import TEMPORARY, check_writable, write_atomically
 from minkref.errors import Refusal
+from minkref.output_target import refuse_stream
 from minkref.terminal import shown
 
 INDEX = "index.json"
+SHOWN = 1000  # scales that people see
 UNFINISHED = f"{TEMPORARY}sweep"
 FORMATS = ("json", "wkt", "geojson", "poly", "svg")
 SPACE_FORMATS = ("json", "off", "obj", "stl", "ply")
@@ -36,6 +38,8 @@ class SweepFolder:
         self.path = path
         self._form = form
         self._begun = False
+        mend = "name a folder, or leave out -o: --json prints what is found at each scale"
+        refuse_stream(path, "a sweep is a folder of files", mend)
         if path.exists() and not path.is_dir():
             raise Refusal("this is not a folder", str(path), "name a folder", "cannot-write")
         if not path.exists():
@@ -77,7 +81,7 @@ class SweepFolder:
         """Of the file of a scale; they are numbered from 1."""
         return f"sum-{number:04}.{self._form}"
 
-    def write(self, name: str, text: str) -> None:
+    def write(self, name: str, text: str | Iterable[str]) -> None:
         self._begin()
         write_atomically(self.path / name, text)
         if name == INDEX:

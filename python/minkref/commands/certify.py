@@ -30,6 +30,7 @@ from minkref.exact import read_point, read_scale
 from minkref.memory import SIMPLER, Memory, memory_wall
 from minkref.operand import read_operand
 from minkref.options import Json, Schema
+from minkref.output_target import refuse_stream
 from minkref.space.operand import in_space, read_space_operand
 from minkref.space.scaling import Scaling, read_scaling
 from minkref.space.sums import bodies
@@ -195,6 +196,7 @@ def _check_case(path: Path, text: str) -> None:
 
 
 def _stem(output: Path) -> str:
+    refuse_stream(output, "a certificate and its case are two files", "name it FILE.cert.json")
     for ending in (".cert.json.gz", ".cert.json"):
         if output.name.endswith(ending) and output.name != ending:
             return output.name.removesuffix(ending)

@@ -17,6 +17,7 @@ from minkref.exact import read_window
 from minkref.memory import SMALLER, Memory, memory_wall
 from minkref.operand import read_operand
 from minkref.options import Json, Schema
+from minkref.output_target import refuse_stream
 from minkref.progress import progress
 from minkref.scale_space import build_index, cores
 from minkref.terminal import counted, lines, shown
@@ -67,6 +68,7 @@ def command(
     watch = Stopwatch()
     window = read_window(from_scale, to_scale)
     _check_numbers(threads, check)
+    refuse_stream(output, "an index is read by its places, and is no stream", "name a file")
     check_writable(output)
     first, second = read_operand(P), read_operand(Q)
     check_spares(output, [first.file, second.file])

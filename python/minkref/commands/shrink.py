@@ -11,7 +11,7 @@ import typer
 from minkref.commands.verify_cases import refuse_unless_case
 from minkref.commands.verify_limits import check_numbers
 from minkref.commands.verify_output import shrunk_document, witness_text
-from minkref.documents import Stopwatch, as_text, check_writable, document, write_atomically
+from minkref.documents import Stopwatch, as_text, document
 from minkref.errors import Refusal
 from minkref.exits import ExitCode
 from minkref.fuzz.cases.case import CaseName
@@ -27,6 +27,7 @@ from minkref.fuzz.targets.catalogue import select_one
 from minkref.fuzz.targets.declared import declarations_of
 from minkref.fuzz.verdicts.verdict import GOOD, Verdict
 from minkref.options import Json, Schema
+from minkref.output_target import target_of
 from minkref.signals import ending_in_order
 from minkref.target_options import (
     CallMemory,
@@ -57,7 +58,9 @@ def command(
     target: Annotated[str, typer.Option("--target", help="Whose fault it is: a TARGET of verify.")],
     output: Annotated[
         Path | None,
-        typer.Option("-o", "--output", help="Write a case file.", metavar="FILE"),
+        typer.Option(
+            "-o", "--output", help="Write a case file; - is standard output.", metavar="FILE"
+        ),
     ] = None,
     calls: Annotated[
         int, typer.Option("--calls", help="At most so many calls of the target.", metavar="N")
@@ -77,8 +80,7 @@ def command(
     watch = Stopwatch()
     sizes = (call_seconds, call_memory, 1, None)
     check_numbers(0, None, None, *sizes, call_processes=call_processes)
-    if output is not None:
-        check_writable(output)
+    written = None if output is None else target_of(output, "json", ("json",), "json", json)
     walls = choose(isolation, tuple(pass_env or ()))
     limits = Limits(call_seconds, call_memory << 20, processes=call_processes, isolation=walls)
     refuse_unless_case(case)
@@ -101,14 +103,15 @@ def command(
             f"{entry.name} on {case[:80]}",
             "run it again: a target that answers now so, now so cannot be shrunk",
         )
-    if output is not None:
-        if not has_case_file(small):
-            raise Refusal(
-                "case files in space are of convex polyhedra, and an operand is not convex",
-                str(output),
-                "leave out -o: the case is in what is printed, as JSON",
-            )
-        write_atomically(output, case_text(small, entry.name))
+    if output is not None and not has_case_file(small):
+        raise Refusal(
+            "case files in space are of convex polyhedra, and an operand is not convex",
+            str(output),
+            "leave out -o: the case is in what is printed, as JSON",
+        )
+    code = int(ExitCode.WRONG if outcome.verdict is Verdict.WRONG else ExitCode.BROKEN)
+    if written is not None and written.write(case_text(small, entry.name)):
+        raise typer.Exit(code)
     value = document(
         "shrink",
         watch,
@@ -121,7 +124,7 @@ def command(
         sys.stdout.write(as_text(value))
     else:
         _print(small, found, value)
-    raise typer.Exit(int(ExitCode.WRONG if outcome.verdict is Verdict.WRONG else ExitCode.BROKEN))
+    raise typer.Exit(code)
 
 
 def _print(small: SmallFinding, found: Finding, value: dict[str, Any]) -> None:

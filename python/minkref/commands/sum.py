@@ -24,7 +24,7 @@ from minkref.memory import SIMPLER, Memory, memory_wall
 from minkref.operand import Operand, read_operand
 from minkref.operand_text import STANDARD_INPUT
 from minkref.options import Json, Schema
-from minkref.output_target import STANDARD_OUTPUT, Target, target_of
+from minkref.output_target import Target, target_of
 from minkref.parents import PassageRows, passages_of
 from minkref.scale_space import IndexFile, check_spares_index, index_of, route_with
 from minkref.space.operand import in_space
@@ -179,7 +179,7 @@ def _check_pictures(plot: bool, only_sum: bool, target: Target | None, json: boo
         raise Refusal("no picture is written", "--only-sum", "add -o FILE.svg")
     if not plot:
         return
-    if json or (target is not None and target.path == STANDARD_OUTPUT):
+    if json or (target is not None and target.is_standard_output):
         other = "--json" if json else "-o -"
         what = "standard output takes one thing alone"
         raise Refusal(what, f"--plot {other}", "leave out one of the two")

@@ -13,12 +13,13 @@ import typer
 from rich.console import Console
 
 from minkref import _core
-from minkref.documents import Stopwatch, as_text, check_writable, document, write_atomically
+from minkref.documents import Stopwatch, as_text, document
 from minkref.errors import Refusal, choice, refusing
 from minkref.exact import approximate, read_scale
 from minkref.memory import SMALLER, Memory, memory_wall
 from minkref.operand import read_operand
 from minkref.options import Json, Schema
+from minkref.output_target import Target, target_of
 from minkref.scale_space import IndexFile, check_spares_index, index_of, route_with
 from minkref.space.operand import in_space
 from minkref.space.view_command import view_in_space
@@ -38,7 +39,7 @@ minkref view gs3 rod --scales scales.txt -o gs3-rod.html"""
 
 ROUTES = ("index", "dynamic")
 FROM, TO = "1/10", "10"
-ENDINGS = (".html", ".htm")
+ENDINGS = ("html", "htm")
 
 
 def command(
@@ -76,7 +77,8 @@ def command(
     ] = None,
     index: IndexFile = None,
     output: Annotated[
-        Path, typer.Option("-o", help="The page to write: .html.", metavar="FILE")
+        Path,
+        typer.Option("-o", help="The page to write: .html; - is standard output.", metavar="FILE"),
     ] = Path("view.html"),
     memory: Memory = None,
     json: Json = False,
@@ -86,11 +88,10 @@ def command(
     convolution, and the holes from birth to death. In space P and Q are convex polyhedra: the sum
     at each scale, to be turned and asked for the parents of its facets and vertices."""
     if in_space(P, Q):
-        _check_output(output)
         given = _given(
             ("--from", from_scale), ("--to", to_scale), ("--route", route), ("--index", index)
         )
-        view_in_space(P, Q, scale, scales, given, output, json, memory)
+        view_in_space(P, Q, scale, scales, given, _page_target(output, json), json, memory)
         return
     watch = Stopwatch()
     if index is not None:
@@ -101,7 +102,7 @@ def command(
     route = route_with(index, route, ROUTES[0])
     if route not in ROUTES:
         raise Refusal(f"there is no route {route!r}", "--route", choice(route, ROUTES))
-    _check_output(output)
+    target = _page_target(output, json)
     check_spares_index(output, index)
     first, second = read_operand(P), read_operand(Q)
 
@@ -117,7 +118,9 @@ def command(
             lambda: picture(first.set, second.set, window, sums, progress),
         )
         text = page(first.name, second.name, data)
-    write_atomically(output, text)
+    count = target.write_pieces([text])
+    if target.is_standard_output:
+        return
     value = document(
         "view",
         watch,
@@ -127,7 +130,7 @@ def command(
         route=route,
         warnings=first.warnings + second.warnings,
         output=str(output),
-        bytes=output.stat().st_size,
+        bytes=count,
         **_counts(data),
     )
     if json:
@@ -140,14 +143,10 @@ def _given(*options: tuple[str, object | None]) -> list[str]:
     return [name for name, value in options if value is not None]
 
 
-def _check_output(output: Path) -> None:
-    if output.suffix.lower() not in ENDINGS:
-        raise Refusal(
-            f"the ending {output.suffix or '(none)'} is not that of a page",
-            str(output),
-            "name a file that ends in .html",
-        )
-    check_writable(output)
+def _page_target(output: Path, json: bool) -> Target:
+    target = target_of(output, None, ENDINGS, ENDINGS[0], json)
+    assert target is not None
+    return target
 
 
 def _window(from_scale: str | None, to_scale: str | None, given: list[str]) -> Window:

@@ -7,10 +7,11 @@ from pathlib import Path
 from typing import Any
 
 from minkref import _core
-from minkref.documents import Stopwatch, as_text, document, write_atomically
+from minkref.documents import Stopwatch, as_text, document
 from minkref.errors import Refusal, refusing
 from minkref.exact import approximate
 from minkref.memory import SIMPLER, memory_wall
+from minkref.output_target import Target
 from minkref.progress import progress
 from minkref.signals import ending_in_order
 from minkref.space.operand import read_space_operand
@@ -31,7 +32,7 @@ from minkref.terminal import counted, lines, shown
 
 
 def view_in_space(
-    P: str, Q: str, scale: str | None, scales: Path | None, given: list[str], output: Path,
+    P: str, Q: str, scale: str | None, scales: Path | None, given: list[str], target: Target,
     json: bool, memory: int | None = None,
 ) -> None:  # fmt: skip
     """The command, its options read but not yet checked. `given` are options of the plane."""
@@ -51,7 +52,9 @@ def view_in_space(
             line.now(f"scale {shown(text_of(scaling))[:30]}")
             rows.append(_frame(moving, scaling, where, shapes, frames))
             line.done()
-        write_atomically(output, page(*shapes, frames, library))
+        count = target.write_pieces(page(*shapes, frames, library))
+    if target.is_standard_output:
+        return
     value = document(
         "view",
         watch,
@@ -59,8 +62,8 @@ def view_in_space(
         P=first.name,
         Q=second.name,
         warnings=first.warnings + second.warnings,
-        output=str(output),
-        bytes=output.stat().st_size,
+        output=str(target.path),
+        bytes=count,
         viewer=viewer_name(),
         frames=rows,
     )
