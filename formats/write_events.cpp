@@ -5,6 +5,7 @@
 #include <optional>
 #include <type_traits>
 
+#include "formats/event_row.hpp"
 #include "formats/machine_fraction.hpp"
 #include "reference/interrupt.hpp"
 #include "reference/plane/critical/event_places.hpp"
@@ -29,6 +30,21 @@ std::string_view name(Change change) {
 
 namespace {
 
+/// Calls use(frame) where its numbers fit machine words, else otherwise().
+template <class Use, class Otherwise>
+void in_machine_words_or(const PolygonSet& P, const PolygonSet& Q, const Use& use,
+                         const Otherwise& otherwise) {
+  on_exact_frame(P, Q, [&](const auto& frame) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(frame)>, GridFrame<Grid64>>) {
+      if (frame.denominator <= std::numeric_limits<std::uint64_t>::max()) {
+        use(frame);
+        return;
+      }
+    }
+    otherwise(frame);
+  });
+}
+
 class EventText {
  public:
   EventText(const PairEvents& events, const PolygonSet& P, const PolygonSet& Q,
@@ -37,15 +53,9 @@ class EventText {
 
   std::string of(std::size_t first, std::size_t last) {
     std::string text;
-    on_exact_frame(P_, Q_, [&](const auto& frame) {
-      if constexpr (std::is_same_v<std::decay_t<decltype(frame)>, GridFrame<Grid64>>) {
-        if (frame.denominator <= std::numeric_limits<std::uint64_t>::max()) {
-          in_machine_words(text, frame, first, last);
-          return;
-        }
-      }
-      in_rationals(text, first, last);
-    });
+    in_machine_words_or(
+        P_, Q_, [&](const auto& frame) { in_machine_words(text, frame, first, last); },
+        [&](const auto&) { in_rationals(text, first, last); });
     return text;
   }
 
@@ -72,7 +82,7 @@ class EventText {
         scale = reduced(root.num, root.den);
         rank = event.rank;
       }
-      begin(text, event, [&] { append(text, scale); });
+      begin(text, event, scale);
       // One end lies on the other edge: that is where they meet.
       const auto end = end_of_event(a, b, static_cast<PairEnd>(event.half_line));
       append_position(text, scale, end.p.x(), end.q.x(), unit);
@@ -105,36 +115,26 @@ class EventText {
     }
     const auto places = event_places(events_, first, last, rational_);
     for (std::size_t i = first; i < last; ++i) {
+      const PairEvent& event = events_.events[i];
       const EventPlace& place = places[i - first];
-      begin(text, events_.events[i], [&] { text += to_string(place.scale); });
-      append_point(text, place.at);
-      text += "\"], \"to\": ";
-      if (place.to) {
-        text += "[\"";
-        append_point(text, *place.to);
-        text += "\"]";
-      } else {
-        text += "null";
-      }
-      text += '}';
-      text += end_;
+      append_json(text,
+                  {place.scale,
+                   event.rank,
+                   event.parallel ? "parallel" : "pair",
+                   name(event.change),
+                   {event.a, event.b},
+                   place.at,
+                   place.to},
+                  edges_, end_);
     }
   }
 
-  static void append_point(std::string& text, const Point& point) {
-    text += to_string(point.x);
-    text += "\", \"";
-    text += to_string(point.y);
-  }
-
-  template <class Scale>
-  void begin(std::string& text, const PairEvent& event, const Scale& append_scale) const {
+  void begin(std::string& text, const PairEvent& event, const MachineFraction& scale) const {
     text += "{\"s\": \"";
-    append_scale();
+    append(text, scale);
     text += "\", \"rank\": ";
     text += std::to_string(event.rank);
-    text += event.parallel ? ", \"kind\": \"parallel" : ", \"kind\": \"pair";
-    text += "\", \"change\": \"";
+    text += ", \"kind\": \"pair\", \"change\": \"";
     text += name(event.change);
     text += "\", \"parents\": [";
     text += edges_[event.a];
@@ -158,6 +158,36 @@ std::string events_as_json(const PairEvents& events, const PolygonSet& P, const 
   last = std::min(last, events.events.size());
   if (first >= last) return {};
   return EventText(events, P, Q, edges, end).of(first, last);
+}
+
+ScaleTexts scale_texts(const PairEvents& events, const PolygonSet& P, const PolygonSet& Q,
+                       std::size_t first, std::size_t last) {
+  last = std::min(last, events.events.size());
+  ScaleTexts result;
+  const auto each = [&](const auto& frame, const auto& append_scale) {
+    const auto edges = moving_edges(events.edges, frame.P, frame.Q);
+    for (std::size_t i = first; i < last; ++i) {
+      look_for_interrupt();
+      const PairEvent& event = events.events[i];
+      if (i == first || event.rank != events.events[i - 1].rank) {
+        append_scale(event_scale(frame.kernel, edges[event.a], edges[event.b], event));
+        result.begins.push_back(static_cast<std::int64_t>(result.text.size()));
+      }
+      result.which.push_back(static_cast<std::int32_t>(result.begins.size() - 2));
+    }
+  };
+  if (first >= last) return result;
+  in_machine_words_or(
+      P, Q,
+      [&](const auto& frame) {
+        each(frame, [&](const auto& root) { append(result.text, reduced(root.num, root.den)); });
+      },
+      [&](const auto& frame) {
+        each(frame, [&](const auto& root) {
+          result.text += to_string(exact_parameter(frame.kernel, root));
+        });
+      });
+  return result;
 }
 
 }  // namespace minkref

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,5 +23,16 @@ std::string_view name(Change change);
 std::string events_as_json(const PairEvents& events, const PolygonSet& P, const PolygonSet& Q,
                            const std::vector<std::string>& edges, std::size_t first,
                            std::size_t last, std::string_view end);
+
+/// The exact scales of the events first to last - 1 as texts, each scale once, in lowest terms.
+struct ScaleTexts {
+  std::vector<std::int64_t> begins{0};  ///< of each text in `text`, and the end of all
+  std::string text;
+  std::vector<std::int32_t> which;  ///< of each event, which text
+};
+
+/// Some 0.5 us a scale where coordinates fit grid64, 2 us otherwise.
+ScaleTexts scale_texts(const PairEvents& events, const PolygonSet& P, const PolygonSet& Q,
+                       std::size_t first, std::size_t last);
 
 }  // namespace minkref

@@ -106,7 +106,9 @@ NB_MODULE(_core, module) {
   minkref::python::bind_files(module);
   minkref::python::bind_sum(module);
   minkref::python::bind_convolution(module);
+  minkref::python::bind_conditions(module);
   minkref::python::bind_events(module);
+  minkref::python::bind_arrangement(module);
   minkref::python::bind_dynamic(module);
   minkref::python::bind_index(module);
   minkref::python::bind_timed_index(module);

@@ -71,6 +71,8 @@ void bind_files(nanobind::module_& module);
 void bind_sum(nanobind::module_& module);
 void bind_convolution(nanobind::module_& module);
 void bind_events(nanobind::module_& module);
+void bind_conditions(nanobind::module_& module);
+void bind_arrangement(nanobind::module_& module);
 void bind_dynamic(nanobind::module_& module);
 void bind_index(nanobind::module_& module);
 void bind_timed_index(nanobind::module_& module);

@@ -5,8 +5,10 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <tuple>
 
 #include "formats/write_events.hpp"
@@ -16,6 +18,7 @@
 #include "reference/error.hpp"
 #include "reference/plane/critical/event_places.hpp"
 #include "reference/plane/critical/line_intersection.hpp"
+#include "reference/plane/critical/pair_event_search.hpp"
 #include "reference/plane/critical/pair_interval.hpp"
 #include "reference/plane/critical/parallel_pair.hpp"
 #include "reference/plane/critical/precision_trial.hpp"
@@ -97,41 +100,48 @@ nb::bytes json(const Events& events, std::size_t first, std::size_t last,
 using Columns = nb::typed<nb::dict, nb::str, nb::bytes>;
 
 template <class T, class Get>
-nb::bytes column(const PairEvents& events, Get&& get) {
+nb::bytes column(std::span<const PairEvent> events, Get&& get) {
   std::vector<T> values;
-  values.reserve(events.events.size());
-  for (const PairEvent& event : events.events) values.push_back(get(event));
+  values.reserve(events.size());
+  for (const PairEvent& event : events) values.push_back(get(event));
   return nb::bytes(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
 }
 
-Columns columns(const Events& events) {
-  const PairEvents& value = events.value;
+Columns columns(const Events& events, std::size_t first, std::optional<std::size_t> end) {
+  const auto& all = events.value.events;
+  const std::size_t last = std::min(end.value_or(all.size()), all.size());
+  const auto part = std::span(all).subspan(std::min(first, last), last - std::min(first, last));
   Columns result;
-  result["scale"] = column<double>(value, [](const PairEvent& e) { return e.approximate; });
-  result["rank"] = column<std::uint32_t>(value, [](const PairEvent& e) { return e.rank; });
-  result["a"] = column<std::uint32_t>(value, [](const PairEvent& e) { return e.a; });
-  result["b"] = column<std::uint32_t>(value, [](const PairEvent& e) { return e.b; });
+  result["scale"] = column<double>(part, [](const PairEvent& e) { return e.approximate; });
+  result["rank"] = column<std::uint32_t>(part, [](const PairEvent& e) { return e.rank; });
+  result["a"] = column<std::uint32_t>(part, [](const PairEvent& e) { return e.a; });
+  result["b"] = column<std::uint32_t>(part, [](const PairEvent& e) { return e.b; });
   result["change"] = column<std::uint8_t>(
-      value, [](const PairEvent& e) { return static_cast<std::uint8_t>(e.change); });
+      part, [](const PairEvent& e) { return static_cast<std::uint8_t>(e.change); });
   result["parallel"] =
-      column<std::uint8_t>(value, [](const PairEvent& e) { return std::uint8_t{e.parallel}; });
+      column<std::uint8_t>(part, [](const PairEvent& e) { return std::uint8_t{e.parallel}; });
   return result;
 }
 
-/// The texts of the exact scales by rank: where each begins (one more than there are), and all.
-std::pair<nb::bytes, nb::bytes> scale_texts(const Events& events) {
-  std::vector<std::int64_t> begins{0};
-  std::string texts;
+/// The texts of the exact scales: where each begins (one more than there are), all, and of each
+/// event which.
+std::tuple<nb::bytes, nb::bytes, nb::bytes> texts_of_scales(const Events& events, std::size_t first,
+                                                            std::optional<std::size_t> last) {
+  ScaleTexts found;
   {
     const Computing released;
-    for (const Rational& scale : critical_scales(events.value, events.P, events.Q)) {
-      texts += to_string(scale);
-      begins.push_back(static_cast<std::int64_t>(texts.size()));
-    }
+    found = scale_texts(events.value, events.P, events.Q, first,
+                        last.value_or(events.value.events.size()));
   }
-  return {
-      nb::bytes(reinterpret_cast<const char*>(begins.data()), begins.size() * sizeof(std::int64_t)),
-      nb::bytes(texts.data(), texts.size())};
+  const auto bytes = [](const auto& values) {
+    return nb::bytes(reinterpret_cast<const char*>(values.data()),
+                     values.size() * sizeof(values.front()));
+  };
+  return {bytes(found.begins), bytes(found.text), bytes(found.which)};
+}
+
+void keep(Events& events, const EventCondition& condition) {
+  keep_events(events.value, events.P, events.Q, condition);
 }
 
 Fields counts(const Events& events) {
@@ -314,11 +324,18 @@ void bind_events(nb::module_& module) {
           "json", json, "first"_a, "last"_a, "edges"_a, "end"_a,
           "Events first to last - 1 as JSON objects in UTF-8, each followed by `end`; `edges`: the "
           "text of each edge.")
-      .def("columns", columns,
-           "All events as little-endian columns: scale (doubles), rank, a, b "
+      .def("columns", columns, "first"_a = 0, "last"_a = nb::none(),
+           "Events first to last - 1 as little-endian columns: scale (doubles), rank, a, b "
            "(32 bits), change (0 birth, 1 death, 2 touch, 3 overlap), parallel.")
-      .def("scale_texts", scale_texts,
-           "The exact scale of every rank: where each text begins (64 bits), all texts.");
+      .def("scale_texts", texts_of_scales, "first"_a = 0, "last"_a = nb::none(),
+           "The exact scales of events first to last - 1, each once: where each text begins (64 "
+           "bits), all texts, and of each event which (32 bits).")
+      .def("keep", keep, "condition"_a, Released(),
+           "Takes out all events that do not meet the condition; ranks and counts() stay those of "
+           "all.")
+      .def(
+          "distinct", [](const Events& events) { return distinct_scales(events.value); },
+          Released(), "How many different scales the events have that are there.");
   module.def("pair_events", find, "P"_a, "Q"_a, "from_scale"_a = nb::none(),
              "to_scale"_a = nb::none(), "kind"_a = "both", "form"_a = "corrected", Released(),
              "All scales at which two edges of the reduced convolution start or stop meeting.");

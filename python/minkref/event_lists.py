@@ -7,6 +7,7 @@ from collections import deque
 from collections.abc import Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from fractions import Fraction
+from itertools import compress
 from typing import Any, Protocol
 
 from minkref import _core
@@ -27,6 +28,10 @@ class EventList(Protocol):
     @property
     def distinct(self) -> int:
         """Different scales."""
+        ...
+
+    def keep(self, condition: _core.EventCondition) -> None:
+        """Takes out all events that do not meet it; ranks stay those among all."""
         ...
 
     def events(self, first: int, last: int) -> list[dict[str, Any]]:
@@ -59,7 +64,10 @@ class PairEventList:
 
     @property
     def distinct(self) -> int:
-        return int(self.found.counts()["distinct"])
+        return self.found.distinct()
+
+    def keep(self, condition: _core.EventCondition) -> None:
+        self.found.keep(condition)
 
     def events(self, first: int, last: int) -> list[dict[str, Any]]:
         edges = self._edges
@@ -87,22 +95,23 @@ class ArrangementEventList:
     """Triple events, or all arrangement events."""
 
     def __init__(self, found: _core.ArrangementEvents, kind: str) -> None:
-        self.found = found
         self.seconds = found.seconds
-        self.which = found.of_kind(kind)
+        self._list = _core.ArrangementList(found, kind)
         self._edges = [parents(row) for row in found.edges()]
-        self._ranks = found.ranks(self.which)
+        self._edge_texts = [json.dumps(edge) for edge in self._edges]
 
     def __len__(self) -> int:
-        return len(self.which)
+        return len(self._list)
 
     @property
     def distinct(self) -> int:
-        return self._ranks[-1] + 1 if self._ranks else 0
+        return self._list.distinct()
+
+    def keep(self, condition: _core.EventCondition) -> None:
+        self._list.keep(condition)
 
     def events(self, first: int, last: int) -> list[dict[str, Any]]:
         edges = self._edges
-        rows = self.found.rows(self.which[first:last])
         return [
             {
                 "s": scale,
@@ -113,13 +122,11 @@ class ArrangementEventList:
                 "at": list(at),
                 "to": list(to) if to else None,
             }
-            for rank, (scale, kind, change, which, at, to) in zip(
-                self._ranks[first:last], rows, strict=True
-            )
+            for scale, rank, kind, change, which, at, to in self._list.rows(first, last)
         ]
 
     def json(self, first: int, last: int, end: str) -> bytes:
-        return _as_json(self.events(first, last), end)
+        return self._list.json(first, last, self._edge_texts, end)
 
     def features(self) -> dict[str, Any]:
         return NO_FEATURES
@@ -185,23 +192,25 @@ class BoundaryEventList:
         )
 
     def _rank(self) -> None:
-        self._distinct = 0
-        for i, event in enumerate(self._events):
-            self._distinct += i == 0 or event["s"] != self._events[i - 1]["s"]
-            event["rank"] = self._distinct - 1
+        for i, event in enumerate(self._events[1:]):
+            event["rank"] = self._events[i]["rank"] + (event["s"] != self._events[i]["s"])
+
+    def keep(self, condition: _core.EventCondition) -> None:
+        kept = _core.matching_rows([_row(event) for event in self._events], condition)
+        self._events = list(compress(self._events, kept))
 
     def __len__(self) -> int:
         return len(self._events)
 
     @property
     def distinct(self) -> int:
-        return self._distinct
+        return len({event["rank"] for event in self._events})
 
     def events(self, first: int, last: int) -> list[dict[str, Any]]:
         return self._events[first:last]
 
     def json(self, first: int, last: int, end: str) -> bytes:
-        return _as_json(self.events(first, last), end)
+        return "".join(json.dumps(event) + end for event in self.events(first, last)).encode()
 
     def features(self) -> dict[str, Any]:
         if self._kind != "topology":
@@ -224,8 +233,13 @@ def find_events(
     return BoundaryEventList(_core.DynamicSum(P, Q, window[0], window[1]), kind)
 
 
-def _as_json(events: list[dict[str, Any]], end: str) -> bytes:
-    return "".join(json.dumps(event) + end for event in events).encode()
+def _row(event: dict[str, Any]) -> Any:
+    """As the extension module asks for it."""
+    edges = [(edge["kind"], 1, *edge["edge"], *edge["vertex"]) for edge in event["parents"]]
+    x, y = event["at"]
+    common = (event["s"], event["rank"], event["kind"], event["change"], edges, (x, y))
+    features = [event.get(name, []) for name in ("before", "after")]
+    return (*common, event.get("feature", ""), *features, event.get("parts", 0))
 
 
 def json_pieces(found: EventList, count: int, end: str) -> Iterator[bytes]:

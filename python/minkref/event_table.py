@@ -8,17 +8,22 @@ from typing import Any
 from minkref import _core
 from minkref.documents import replacing
 from minkref.errors import Refusal
+from minkref.progress import progress
 
+MANY_VALUES = ("s_double", "rank")  # hardly any of which is there twice
 CHANGES = ("birth", "death", "touch", "overlap")
+
+
+ROWS = 1 << 18  # that are in memory, and in one group of the file
 
 
 def write_parquet(found: _core.PairEvents, path: Path, count: int) -> None:
     """The first `count` events, a row each, in order: `s` (the exact scale, a text that is stored
     once for all events of equal scale), `s_double` (the nearest double or one beside it), `rank`,
-    `kind`, `change`, and the two edges, `a_kind`, `a_edge_ring`, ... Written whole or not at all.
-    Refuses without pyarrow."""
+    `kind`, `change`, and the two edges, `a_kind`, `a_edge_ring`, ... Written whole or not at all,
+    group by group. Refuses without pyarrow."""
     try:
-        import pyarrow.parquet
+        import pyarrow.parquet as parquet
     except ImportError as error:
         raise Refusal(
             "Parquet is written by pyarrow, which is not installed",
@@ -26,40 +31,55 @@ def write_parquet(found: _core.PairEvents, path: Path, count: int) -> None:
             "pip install 'minkref[parquet]', or name a .json file",
             "no-pyarrow",
         ) from error
-    with replacing(path) as temporary:
-        pyarrow.parquet.write_table(_table(found).slice(0, count), temporary)
+    count = min(count, len(found))
+    edges = _edge_columns(found)
+    with replacing(path) as temporary, progress(count) as line:
+        first = _table(found, edges, 0, min(ROWS, count))
+        repeated = [name for name in first.column_names if name not in MANY_VALUES]
+        with parquet.ParquetWriter(temporary, first.schema, use_dictionary=repeated) as writer:
+            line.now("writing events")
+            writer.write_table(first)
+            for begin in range(ROWS, count, ROWS):
+                line.done(ROWS)
+                writer.write_table(_table(found, edges, begin, min(begin + ROWS, count)))
 
 
-def _table(found: _core.PairEvents) -> Any:
+def _edge_columns(found: _core.PairEvents) -> dict[str, Any]:
+    """Of all edges; events take from them."""
     import pyarrow as pa
 
-    count = len(found)
-    raw = found.columns()
+    kinds, _, *indices = list(zip(*found.edges(), strict=True)) or [()] * 6
+    columns = {"kind": pa.array(kinds, pa.string())}
+    names = ("edge_ring", "edge", "vertex_ring", "vertex")
+    for name, values in zip(names, indices, strict=True):
+        columns[name] = pa.array(values, pa.uint32())
+    return columns
+
+
+def _table(found: _core.PairEvents, edges: dict[str, Any], first: int, last: int) -> Any:
+    import pyarrow as pa
+
+    raw = found.columns(first, last)
 
     def column(name: str, kind: Any) -> Any:
-        return pa.Array.from_buffers(kind, count, [None, pa.py_buffer(raw[name])])
+        return pa.Array.from_buffers(kind, last - first, [None, pa.py_buffer(raw[name])])
 
-    begins, texts = found.scale_texts()
-    distinct = len(begins) // 8 - 1
-    scales = pa.Array.from_buffers(
-        pa.large_string(), distinct, [None, pa.py_buffer(begins), pa.py_buffer(texts)]
-    )
-    rank = column("rank", pa.uint32())
+    begins, texts, which = found.scale_texts(first, last)
+    buffers = [None, pa.py_buffer(begins), pa.py_buffer(texts)]
+    scales = pa.Array.from_buffers(pa.large_string(), len(begins) // 8 - 1, buffers)
+    places = pa.Array.from_buffers(pa.int32(), last - first, [None, pa.py_buffer(which)])
     columns = {
-        "s": pa.DictionaryArray.from_arrays(rank.cast(pa.int32()), scales),
+        "s": pa.DictionaryArray.from_arrays(places, scales),
         "s_double": column("scale", pa.float64()),
-        "rank": rank,
+        "rank": column("rank", pa.uint32()),
         "kind": _named(column("parallel", pa.uint8()), ("pair", "parallel")),
         "change": _named(column("change", pa.uint8()), CHANGES),
     }
-    edges = list(zip(*found.edges(), strict=True)) or [()] * 6
-    kinds, _, *indices = edges
     for side in ("a", "b"):
-        which = column(side, pa.uint32())
-        columns[f"{side}_kind"] = pa.array(kinds, pa.string()).take(which).dictionary_encode()
-        names = ("edge_ring", "edge", "vertex_ring", "vertex")
-        for name, values in zip(names, indices, strict=True):
-            columns[f"{side}_{name}"] = pa.array(values, pa.uint32()).take(which)
+        edge = column(side, pa.uint32())
+        for name, values in edges.items():
+            taken = values.take(edge)
+            columns[f"{side}_{name}"] = taken.dictionary_encode() if name == "kind" else taken
     return pa.table(columns)
 
 

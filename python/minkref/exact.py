@@ -39,7 +39,7 @@ def read_scale(text: str, option: str = "--scale") -> str:
             "give one positive number",
             "scale-not-uniform",
         )
-    value = _read(text, "scale", where, mend)
+    value = read_number(text, "scale", where, mend)
     if value == 0:
         raise Refusal("the scale is zero", where, mend, "scale-zero")
     if value < 0:
@@ -64,11 +64,12 @@ def read_point(text: str, option: str = "--point") -> tuple[str, str]:
         raise Refusal("the point has too many characters", where, mend, "limit")
     if len(parts) != 2:
         raise Refusal("this is no point", where, mend, "point-not-two-numbers")
-    x, y = (str(_read(part.strip(), "point", where, mend)) for part in parts)
+    x, y = (str(read_number(part.strip(), "point", where, mend)) for part in parts)
     return x, y
 
 
-def _read(text: str, what: str, where: str, mend: str) -> Fraction:
+def read_number(text: str, what: str, where: str, mend: str) -> Fraction:
+    """The exact number of a decimal or a fraction; `what` it is to be, for the refusal."""
     fraction = _FRACTION.fullmatch(text)
     if fraction:
         if int(fraction[2]) == 0:

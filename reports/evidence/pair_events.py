@@ -112,7 +112,7 @@ def _meeting_by_events(found: _core.PairEvents, s: Fraction) -> int:
     columns = {name: memoryview(raw) for name, raw in found.columns().items()}
     a, b = columns["a"].cast("I"), columns["b"].cast("I")
     change, parallel = columns["change"], columns["parallel"]
-    begins, texts = found.scale_texts()
+    begins, texts, _ = found.scale_texts()
     begin = memoryview(begins).cast("q")
     rank = columns["rank"].cast("I")
     scales = [Fraction(texts[begin[i] : begin[i + 1]].decode()) for i in range(len(begin) - 1)]

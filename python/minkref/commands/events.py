@@ -28,7 +28,7 @@ from minkref.exact import approximate, read_window
 from minkref.memory import SMALLER, Memory, memory_wall
 from minkref.operand import Operand, read_operand
 from minkref.options import Json, Schema
-from minkref.output_target import STANDARD_OUTPUT, Target, target_of
+from minkref.output_target import Target, target_of
 from minkref.progress import progress
 from minkref.scale_space import IndexFile, check_spares_index, index_of, route_with
 from minkref.terminal import console, counted, lines, shown
@@ -44,6 +44,12 @@ minkref events glyph1204 glyph275 -o events.parquet
 minkref events g1 g2 --kind arrangement --from 1 --to 3/2 -o events.json
 
 minkref events disc1 cells1815 --kind topology --from 1/10 --to 10 --route index
+
+minkref events g1 g2 --kind arrangement --where 'kind = triple and s > 7/5 and change = swap'
+
+minkref events g1 g2 --where 'x in [0, 5] and y > 1/3 and parents has S 0.4' -o - --format jsonl
+
+minkref events g1 g2 --kind topology --where 'feature = hole and not change in (birth, death)'
 
 minkref events g1 g2 --form printed --arithmetic mpfr:53"""
 
@@ -121,6 +127,17 @@ def command(
         ),
     ] = None,
     index: IndexFile = None,
+    where: Annotated[
+        str | None,
+        typer.Option(
+            "--where",
+            help="List the events only that meet a condition: 's > 7/5 and change = birth', "
+            "'1 < s <= 2', 'x in [0, 5] and y in (-1, 1)', 'parents has S 0.4 at 0.7', 'rank < 9'; "
+            "of topology events also 'feature = hole', 'before has 3', 'parts > 1'. With `and`, "
+            "`or`, `not`. Exact.",
+            metavar="CONDITION",
+        ),
+    ] = None,
     limit: Annotated[
         int | None,
         typer.Option(
@@ -147,6 +164,7 @@ def command(
     """All scales at which edges of the reduced convolution start or stop meeting: exact, sorted."""
     watch = Stopwatch()
     _check(kind, form, arithmetic, least, limit)
+    condition = _condition(where, kind)
     target = target_of(output, file_format, FORMATS, "json", json)
     _check_parquet(target, kind)
     route = _route(kind, route, index)
@@ -155,8 +173,8 @@ def command(
     if output is not None:
         check_spares(output, [first.file, second.file])
         check_spares_index(output, index)
-    where = f"{first.name} and {second.name}"
-    with memory_wall(memory, f"{kind} events", where, SMALLER):
+    operands = f"{first.name} and {second.name}"
+    with memory_wall(memory, f"{kind} events", operands, SMALLER):
         found: EventList
         if route == "index":
             swept = index_of(index, first, second, window[0], window[1])
@@ -166,17 +184,20 @@ def command(
             with progress(1) as line:
                 line.now(f"finding all {kind} events")
                 found = refusing(
-                    where, lambda: find_events(first.set, second.set, window, kind, form)
+                    operands, lambda: find_events(first.set, second.set, window, kind, form)
                 )
         counts = _counts(found, first, second, window)
         trial: dict[str, Any] | None = None
         if arithmetic != "rational":
             trial = dict(
                 refusing(
-                    where, lambda: _core.precision_trial(first.set, second.set, arithmetic, form)
+                    operands, lambda: _core.precision_trial(first.set, second.set, arithmetic, form)
                 )
             )
         counts.update(count=len(found), distinct=found.distinct)
+        if condition is not None:
+            found.keep(condition)
+        counts.update(matching=len(found), matching_distinct=found.distinct)
         fields: dict[str, Any] = {
             "P": first.name,
             "Q": second.name,
@@ -186,6 +207,7 @@ def command(
             "form": form,
             "arithmetic": arithmetic,
             "route": route,
+            "where": where,
             "warnings": first.warnings + second.warnings,
             "output": str(output) if output else None,
             "compute_seconds": found.seconds,
@@ -205,9 +227,17 @@ def command(
             print_pieces(document_pieces(head, found, count))
         elif json:
             sys.stdout.write(as_text(document("events", watch, **fields, events=None)))
-        elif target is None or target.path != STANDARD_OUTPUT:
+        elif target is None or not target.is_standard_output:
             shown_events = SHOWN if limit is None else limit
             _print(document("events", watch, **fields), found, shown_events)
+
+
+def _condition(where: str | None, kind: str) -> _core.EventCondition | None:
+    if where is None:
+        return None
+    from minkref.event_filter import read_filter
+
+    return read_filter(where, kind)
 
 
 def _route(kind: str, route: str | None, index: Path | None) -> str | None:
@@ -280,7 +310,7 @@ def _check_parquet(target: Target | None, kind: str) -> None:
         return
     if kind not in PAIR_KINDS:
         raise Refusal(f"{kind} events are not written as Parquet", target.name, "name a .json file")
-    if target.path == STANDARD_OUTPUT:
+    if target.is_standard_output:
         raise Refusal("Parquet is written to a file", "-o -", "name one, or choose --format jsonl")
 
 
@@ -313,6 +343,9 @@ def _print(value: dict[str, Any], found: EventList, count: int) -> None:
         rows += [("on one line", f"{value['parallel_pairs']:,}")]
     scales = counted(value["distinct"], "scale")
     rows += [("events", f"{value['count']:,} at {scales}")]
+    if value["where"] is not None:
+        scales = counted(value["matching_distinct"], "scale")
+        rows += [("matching", f"{value['matching']:,} at {scales}: {value['where']}")]
     if total:
         rows += [("signs", f"{total:,}: {signs['by_float'] / total:.2%} by float")]
     if value["least_precision"] is not None:

@@ -3,8 +3,16 @@
 
 #include "reference/plane/critical/pair_events.hpp"
 #include "reference/plane/critical/parallel_pair.hpp"
+#include "reference/plane/kernel/exact_frame.hpp"
 
 namespace minkref {
+
+/// A scale of a kernel as a number.
+inline Rational exact_parameter(const PlainKernel<Rational>&, const Rational& t) { return t; }
+template <class Grid>
+Rational exact_parameter(const GridKernel<Grid>&, const typename GridKernel<Grid>::Parameter& t) {
+  return GridKernel<Grid>::exact(t);
+}
 
 /// Exact as the kernel is.
 template <class K>

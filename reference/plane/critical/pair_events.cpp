@@ -21,12 +21,6 @@ double column(const Int& value) {
   return grid_double(value);
 }
 
-Rational exact_parameter(const PlainKernel<Rational>&, const Rational& t) { return t; }
-template <class Grid>
-Rational exact_parameter(const GridKernel<Grid>&, const typename GridKernel<Grid>::Parameter& t) {
-  return GridKernel<Grid>::exact(t);
-}
-
 /// Where a scale lies beside a closed window.
 template <class K>
 class Window {

@@ -1,0 +1,43 @@
+// Lists of arrangement events: a search in them, and their JSON text.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formats/event_row.hpp"
+#include "reference/plane/critical/event_condition.hpp"
+#include "reference/plane/dynamic/event_list.hpp"
+
+namespace minkref {
+
+/// An event of a list, and how many different scales lie below its own there.
+struct RankedEvent {
+  ListedEvent event;
+  std::uint32_t rank = 0;
+};
+
+/// "pair", "parallel" or "triple".
+std::string_view kind_name(const ArrangementEvents& events, const ListedEvent& event);
+/// "birth", "death", "touch", "overlap" or "swap".
+std::string_view change_name(const ArrangementEvents& events, const ListedEvent& event);
+std::vector<std::uint32_t> edges_of(const ArrangementEvents& events, const ListedEvent& event);
+
+/// The event in full but for its rank. Exact. Some 10 us.
+EventRow listed_row(const ArrangementEvents& events, const ListedEvent& event);
+
+/// Takes out all events that do not meet the condition; ranks stay. Fields as of pair events
+/// (pair_event_search.hpp). Exact: scales are found by bisection, of places doubles discard most.
+void keep_events(std::vector<RankedEvent>& list, const ArrangementEvents& events,
+                 const EventCondition& condition);
+
+/// Different scales among them.
+std::size_t distinct_scales(const std::vector<RankedEvent>& list);
+
+/// The events first to last - 1 as JSON objects, each followed by `end` (write_events.hpp). Exact.
+/// Some 10 us an event.
+std::string events_as_json(const std::vector<RankedEvent>& list, const ArrangementEvents& events,
+                           const std::vector<std::string>& edges, std::size_t first,
+                           std::size_t last, std::string_view end);
+
+}  // namespace minkref

@@ -1,0 +1,36 @@
+// Doubles between which a convolution edge lies at a scale.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "reference/number/rational.hpp"
+#include "reference/plane/critical/moving_edge.hpp"
+
+namespace minkref {
+
+/// A filter for questions about where events happen: what it says holds, and where doubles cannot
+/// tell it says all numbers.
+class EdgeBounds {
+ public:
+  explicit EdgeBounds(const std::vector<RationalEdge>& edges);
+
+  /// Of coordinate 0 or 1 of all points of an edge, or of its start or end alone. `scale` is off by
+  /// at most 2^-48 of it.
+  Enclosure of_edge(std::uint32_t edge, int coordinate, double scale) const;
+  Enclosure of_end(std::uint32_t edge, bool second, int coordinate, double scale) const;
+
+ private:
+  /// s p + q
+  struct Number {
+    double p = 0, q = 0;
+    bool usable = false;  ///< each is zero or neither tiny nor huge
+  };
+  std::vector<std::array<std::array<Number, 2>, 2>> ends_;  ///< edge, end, coordinate
+};
+
+/// What both say.
+Enclosure intersection(const Enclosure& x, const Enclosure& y);
+
+}  // namespace minkref

@@ -1,0 +1,80 @@
+// Conditions on single events, by which long lists are searched.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reference/number/rational.hpp"
+#include "reference/plane/convolution/convolution.hpp"
+
+namespace minkref {
+
+/// The numbers between two bounds; without one it is endless.
+struct NumberRange {
+  std::optional<Rational> low, high;
+  bool with_low = true, with_high = true;  ///< the bounds belong to it
+
+  bool holds(const Rational& value) const;
+};
+
+/// A range for numbers that doubles enclose.
+class EnclosedNumbers {
+ public:
+  explicit EnclosedNumbers(const NumberRange& range);
+
+  /// Whether every number in [least, greatest] is in the range, or none of them; neither where some
+  /// are, where a bound is too near for doubles to tell, and of NaN.
+  std::optional<bool> in_range(double least, double greatest) const;
+
+ private:
+  Enclosure low_, high_;
+};
+
+/// Edges of the convolution by what is given of their parents.
+struct EdgePattern {
+  std::optional<ConvolutionEdge::Kind> kind;
+  std::optional<VertexId> edge, vertex;
+
+  bool matches(const ConvolutionEdge& e) const;
+};
+
+/// A condition: all, any or none of some conditions, or one on a field of the event.
+struct EventCondition {
+  enum class Test : std::uint8_t {
+    all,
+    any,
+    none,
+    in_range,     ///< the number of a field is in `range`: "s", "rank", "x", "y", "parts"
+    one_of,       ///< the word of a field is one of `words`: "kind", "change", "feature"
+    has_edge,     ///< one of the parents matches `edge`
+    has_feature,  ///< the list "before" or "after" has `feature`
+  } test = Test::all;
+  std::vector<EventCondition> conditions = {};
+  std::string field = {};
+  NumberRange range = {};
+  std::vector<std::string> words = {};
+  EdgePattern edge = {};
+  std::uint32_t feature = 0;
+
+  bool has_word(std::string_view word) const;
+  /// Whether it asks where an event is, which takes longest to say.
+  bool asks_place() const;
+};
+
+/// A test of the event at a place of some list.
+using EventTest = std::function<bool(std::size_t)>;
+
+/// That of a condition; `of_field` gives those of conditions on a field. What asks for places comes
+/// last.
+EventTest event_test(const EventCondition& condition,
+                     const std::function<EventTest(const EventCondition&)>& of_field);
+
+/// Of each edge, whether it matches.
+std::vector<bool> matching_edges(const std::vector<ConvolutionEdge>& edges,
+                                 const EdgePattern& pattern);
+
+}  // namespace minkref
