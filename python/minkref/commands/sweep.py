@@ -11,20 +11,21 @@ import typer
 from rich.table import Table
 
 from minkref import _core
-from minkref.documents import Stopwatch, as_text, document
+from minkref.documents import Stopwatch, document, listing
 from minkref.errors import Refusal, choice, refusing
 from minkref.exact import approximate, read_scale
 from minkref.memory import SMALLER, Memory, memory_wall
 from minkref.operand import Operand, read_operand
 from minkref.options import Json, Schema
 from minkref.progress import progress
+from minkref.row_spool import Row, RowSpool
 from minkref.scale_space import IndexFile, index_of, route_with
 from minkref.scales import MOST_SCALES, evenly_spaced, read_scales
 from minkref.signals import ending_in_order
 from minkref.space.operand import in_space
 from minkref.space.sweep_command import sweep_in_space
 from minkref.sum_fields import sum_fields
-from minkref.sweep_folder import FORMATS, INDEX, SweepFolder
+from minkref.sweep_folder import FORMATS, INDEX, SHOWN, SweepFolder
 from minkref.terminal import console, counted, lines, shown
 
 EXAMPLES = """Examples:
@@ -41,7 +42,6 @@ minkref sweep gs3 rod --scales scalings.txt -o sums --format off"""
 
 ROUTES = ("index", "dynamic")
 
-Row = dict[str, Any]
 Sums = _core.ScaleSpaceIndex | _core.DynamicSum
 
 
@@ -119,7 +119,7 @@ def command(
     with wall, ending_in_order(), progress(len(scales)) as line:
         line.now("finding all events")
         sums = _sums(first, second, scales, route, index)
-        rows: list[Row] = []
+        rows = RowSpool()
         for number, scale in enumerate(scales, start=1):
             line.now(f"scale {shown(scale)[:20]}")
             row, region = step(sums, scale)
@@ -128,7 +128,7 @@ def command(
                 row["file"] = folder.name(number)
                 row["file_exact"] = _core.writes_exactly(region, form)
                 folder.write(row["file"], _text(region, form, row["file"]))
-            rows.append(row)
+            rows.add(row)
             line.done()
         value = document(
             "sweep",
@@ -141,14 +141,13 @@ def command(
             route=route,
             preprocessing_seconds=sums.seconds,
             statistics=dict(sums.counts()),
-            rows=rows,
         )
         if folder is not None:
-            folder.write(INDEX, as_text(value))
+            folder.write(INDEX, listing(value, "rows", rows))
     if json:
-        sys.stdout.write(as_text(value))
+        sys.stdout.writelines(listing(value, "rows", rows))
     else:
-        _print(value)
+        _print(value, rows)
 
 
 def _sums(P: Operand, Q: Operand, scales: list[str], route: str, index: Path | None) -> Sums:
@@ -225,12 +224,12 @@ def _folder(output: Path | None, form: str) -> SweepFolder | None:
     return SweepFolder(output, form) if output is not None else None
 
 
-def _print(value: dict[str, Any]) -> None:
+def _print(value: dict[str, Any], rows: RowSpool) -> None:
     table = Table(box=None, pad_edge=False)
     steps = ("insertions", "deletions", "swaps", "updated") if value["route"] == "dynamic" else ()
     for heading in ("scale", "area", "components", "holes", "vertices", *steps, "ms"):
         table.add_column(heading, justify="right", no_wrap=True)
-    for row in value["rows"]:
+    for row in rows.first(SHOWN):
         counts = (row[name] for name in ("components", "holes", "vertices"))
         did = (row[name] for name in steps)
         seconds = (row["update_seconds"] or 0) + row["sum_seconds"]
@@ -242,8 +241,10 @@ def _print(value: dict[str, Any]) -> None:
         )
     out = console()
     out.print(table)
+    if len(rows) > SHOWN:
+        sys.stdout.write(f"{len(rows) - SHOWN:,} more: --json or -o DIR gives all\n")
     summary = [
-        ("sweep", f"{value['P']} + {value['Q']}, {counted(len(value['rows']), 'scale')}"),
+        ("sweep", f"{value['P']} + {value['Q']}, {counted(len(rows), 'scale')}"),
         ("route", value["route"]),
         ("all events", f"{value['preprocessing_seconds']:.3f} s"),
         ("seconds", f"{value['seconds']:.3f}"),

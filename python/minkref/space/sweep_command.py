@@ -11,21 +11,21 @@ from typing import Any
 from rich.table import Table
 
 from minkref import _core
-from minkref.documents import Stopwatch, as_text, document
+from minkref.documents import Stopwatch, document, listing
 from minkref.errors import Refusal, choice, refusing
 from minkref.exact import approximate
 from minkref.memory import SIMPLER, memory_wall
 from minkref.progress import progress
+from minkref.row_spool import Row, RowSpool
 from minkref.signals import ending_in_order
 from minkref.space.operand import SpaceOperand, read_space_operand
 from minkref.space.scaling import Scaling, read_scalings, text_of
 from minkref.space.space_sum import SpaceSum
 from minkref.space.sums import compute, sum_fields, timed
-from minkref.sweep_folder import INDEX, SPACE_FORMATS, SweepFolder
+from minkref.sweep_folder import INDEX, SHOWN, SPACE_FORMATS, SweepFolder
 from minkref.terminal import console, counted, lines, shown
 
 COUNTS = ("fv_errors", "vf_errors", "ee_errors", "descent_steps", "chains_walked")
-Row = dict[str, Any]
 
 
 def sweep_in_space(
@@ -52,7 +52,7 @@ def sweep_in_space(
         start = time.perf_counter()
         step = _steps(first, second, scalings[0])
         first_seconds = time.perf_counter() - start
-        rows: list[Row] = []
+        rows = RowSpool()
         for number, scaling in enumerate(scalings, start=1):
             line.now(f"scale {shown(text_of(scaling))[:30]}")
             row, surface = step(scaling)
@@ -61,7 +61,7 @@ def sweep_in_space(
                 row["file"] = folder.name(number)
                 row["file_exact"] = _core.writes_mesh_exactly(surface, form)
                 folder.write(row["file"], _core.write_mesh(surface, form))
-            rows.append(row)
+            rows.add(row)
             line.done()
         value = document(
             "sweep",
@@ -73,14 +73,13 @@ def sweep_in_space(
             output=str(output) if output else None,
             format=form if output else None,
             preprocessing_seconds=first_seconds,
-            rows=rows,
         )
         if folder is not None:
-            folder.write(INDEX, as_text(value))
+            folder.write(INDEX, listing(value, "rows", rows))
     if json:
-        sys.stdout.write(as_text(value))
+        sys.stdout.writelines(listing(value, "rows", rows))
     else:
-        _print(value)
+        _print(value, rows)
 
 
 def _steps(
@@ -122,12 +121,12 @@ def _scalings(scales: Path | None, given: list[str]) -> list[Scaling]:
     return read_scalings(scales)
 
 
-def _print(value: dict[str, Any]) -> None:
+def _print(value: dict[str, Any], rows: RowSpool) -> None:
     table = Table(box=None, pad_edge=False)
     for heading in ("scale", "volume", "vertices", "facets", "fv", "vf", "ee", "steps", "chains",
                     "update µs", "sum ms"):  # fmt: skip
         table.add_column(heading, justify="right", no_wrap=True)
-    for row in value["rows"]:
+    for row in rows.first(SHOWN):
         table.add_row(
             text_of((row["scale"][0], row["scale"][1], row["scale"][2])),
             f"{approximate(row['volume']):.8g}",
@@ -138,8 +137,10 @@ def _print(value: dict[str, Any]) -> None:
             f"{row['sum_seconds'] * 1000:,.2f}",
         )
     console().print(table)
+    if len(rows) > SHOWN:
+        sys.stdout.write(f"{len(rows) - SHOWN:,} more: --json or -o DIR gives all\n")
     summary = [
-        ("sweep", f"{value['P']} + {value['Q']}, {counted(len(value['rows']), 'scaling')}"),
+        ("sweep", f"{value['P']} + {value['Q']}, {counted(len(rows), 'scaling')}"),
         (
             "fv, vf, ee",
             "facets of P and Q whose vertex changed, pairs of edges that are no more",
