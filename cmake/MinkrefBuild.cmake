@@ -11,7 +11,9 @@ if(PROJECT_IS_TOP_LEVEL)
   if(CCACHE_PROGRAM AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
     # What the cache may overlook lets it work with a precompiled header.
     set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env
-        "CCACHE_SLOPPINESS=pch_defines,time_macros" "${CCACHE_PROGRAM}")
+        "CCACHE_SLOPPINESS=pch_defines,time_macros"
+        # Clones in different folders share what they compile.
+        "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}" "CCACHE_NOHASHDIR=1" "${CCACHE_PROGRAM}")
   endif()
 endif()
 
@@ -51,8 +53,9 @@ function(minkref_unity)
   endif()
   foreach(target IN LISTS ARGN)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
+    # A name of one source may hide that of another, and types of an unnamed namespace stand in a class.
+    target_compile_options(${target} PRIVATE -Wno-shadow)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-      # Types of an unnamed namespace, inside a class of the same source.
       target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
     endif()
   endforeach()

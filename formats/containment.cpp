@@ -6,12 +6,12 @@
 namespace minkref {
 namespace {
 
-struct Box {
+struct RationalBox {
   Rational left, right, bottom, top;
 };
 
-Box box_of(const Ring& ring) {
-  Box box{ring[0].x, ring[0].x, ring[0].y, ring[0].y};
+RationalBox rational_box_of(const Ring& ring) {
+  RationalBox box{ring[0].x, ring[0].x, ring[0].y, ring[0].y};
   for (const Point& p : ring) {
     if (p.x < box.left) box.left = p.x;
     if (p.x > box.right) box.right = p.x;
@@ -21,7 +21,7 @@ Box box_of(const Ring& ring) {
   return box;
 }
 
-bool within(const Box& inner, const Box& outer) {
+bool within(const RationalBox& inner, const RationalBox& outer) {
   return inner.left >= outer.left && inner.right <= outer.right && inner.bottom >= outer.bottom &&
          inner.top <= outer.top;
 }
@@ -80,11 +80,11 @@ std::vector<std::size_t> containing_outers(const std::vector<const Ring*>& outer
                                            const std::vector<const Ring*>& holes,
                                            const std::vector<Place>& places, const Input& input) {
   if (outers.size() == 1) return std::vector<std::size_t>(holes.size(), 0);
-  std::vector<Box> boxes;
-  for (const Ring* outer : outers) boxes.push_back(box_of(*outer));
+  std::vector<RationalBox> boxes;
+  for (const Ring* outer : outers) boxes.push_back(rational_box_of(*outer));
   std::vector<std::size_t> found;
   std::size_t steps = 0;
-  const auto inside = [&](const Ring& inner, const Box& box, std::size_t outer,
+  const auto inside = [&](const Ring& inner, const RationalBox& box, std::size_t outer,
                           const Place& place) {
     steps += 1;
     const std::size_t work = 2 * (inner.size() + 1) * outers[outer]->size();
@@ -99,7 +99,7 @@ std::vector<std::size_t> containing_outers(const std::vector<const Ring*>& outer
     return lies_inside(inner, *outers[outer], steps);
   };
   for (std::size_t h = 0; h < holes.size(); ++h) {
-    const Box box = box_of(*holes[h]);
+    const RationalBox box = rational_box_of(*holes[h]);
     std::optional<std::size_t> smallest;
     for (std::size_t o = 0; o < outers.size(); ++o) {
       if (!inside(*holes[h], box, o, places[h])) continue;

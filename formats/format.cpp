@@ -11,7 +11,7 @@
 namespace minkref {
 namespace {
 
-constexpr std::array<std::pair<Format, std::string_view>, 6> names{{
+constexpr std::array<std::pair<Format, std::string_view>, 6> set_formats{{
     {Format::wkt, "wkt"},
     {Format::geojson, "geojson"},
     {Format::poly, "poly"},
@@ -23,14 +23,14 @@ constexpr std::array<std::pair<Format, std::string_view>, 6> names{{
 }  // namespace
 
 std::string name(Format format) {
-  for (const auto& [value, text] : names) {
+  for (const auto& [value, text] : set_formats) {
     if (value == format) return std::string(text);
   }
   return "unknown";
 }
 
 Format format_named(std::string_view wanted) {
-  for (const auto& [value, text] : names) {
+  for (const auto& [value, text] : set_formats) {
     if (text == wanted) return value;
   }
   throw BadInput("unknown-format", in_quotes(wanted) + " is not a format of the plane",

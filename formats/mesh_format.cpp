@@ -10,7 +10,7 @@
 namespace minkref {
 namespace {
 
-constexpr std::array<std::pair<MeshFormat, std::string_view>, 5> names{{
+constexpr std::array<std::pair<MeshFormat, std::string_view>, 5> mesh_formats{{
     {MeshFormat::off, "off"},
     {MeshFormat::obj, "obj"},
     {MeshFormat::stl, "stl"},
@@ -21,14 +21,14 @@ constexpr std::array<std::pair<MeshFormat, std::string_view>, 5> names{{
 }  // namespace
 
 std::string name(MeshFormat format) {
-  for (const auto& [value, text] : names) {
+  for (const auto& [value, text] : mesh_formats) {
     if (value == format) return std::string(text);
   }
   return "unknown";
 }
 
 MeshFormat mesh_format_named(std::string_view wanted) {
-  for (const auto& [value, text] : names) {
+  for (const auto& [value, text] : mesh_formats) {
     if (text == wanted) return value;
   }
   throw BadInput("unknown-format", in_quotes(wanted) + " is not a format of polyhedra",
@@ -37,7 +37,7 @@ MeshFormat mesh_format_named(std::string_view wanted) {
 
 MeshFormat mesh_format_of_file(const std::string& path) {
   const std::string extension = extension_of(path);
-  for (const auto& [value, text] : names) {
+  for (const auto& [value, text] : mesh_formats) {
     if (extension == "." + std::string(text)) return value;
   }
   Place place;

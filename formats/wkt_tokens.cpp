@@ -6,7 +6,7 @@
 namespace minkref {
 namespace {
 
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+bool is_wkt_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 char capital(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 bool is_wkt_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
 
@@ -36,7 +36,7 @@ void WktTokens::refuse(const std::string& expected) const {
 
 std::size_t WktTokens::word_end() const {
   std::size_t end = at_;
-  while (end < text_.size() && is_letter(text_[end])) ++end;
+  while (end < text_.size() && is_wkt_letter(text_[end])) ++end;
   return end;
 }
 

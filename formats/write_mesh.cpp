@@ -26,7 +26,7 @@ void append_body(std::string& text, const Polyhedron& polyhedron) {
   }
 }
 
-bool is_decimal(const SpacePoint& p) {
+bool has_decimals(const SpacePoint& p) {
   return has_exact_decimal(p.x) && has_exact_decimal(p.y) && has_exact_decimal(p.z);
 }
 
@@ -60,7 +60,7 @@ std::string write_mesh(const Polyhedron& polyhedron, MeshFormat format) {
 bool writes_exactly(const Polyhedron& polyhedron, MeshFormat format) {
   if (format == MeshFormat::json) return true;
   if (format == MeshFormat::stl && !is_soup_of_triangles(polyhedron)) return false;
-  return std::all_of(polyhedron.vertices.begin(), polyhedron.vertices.end(), is_decimal);
+  return std::all_of(polyhedron.vertices.begin(), polyhedron.vertices.end(), has_decimals);
 }
 
 std::string write_off(const Polyhedron& polyhedron) {

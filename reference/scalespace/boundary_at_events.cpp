@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "reference/none.hpp"
+#include "reference/no_entry.hpp"
 
 namespace minkref {
 namespace {
@@ -63,7 +63,7 @@ class Event {
   };
   /// Between two points in a row on a line; links by [below, above][backward, forward].
   struct Slot {
-    std::uint32_t links[2][2] = {{none, none}, {none, none}};
+    std::uint32_t links[2][2] = {{no_entry, no_entry}, {no_entry, no_entry}};
   };
 
   void add_point(std::uint32_t track) { places_.push_back({{}, track}); }
@@ -139,12 +139,14 @@ class Event {
 
   void piece(const Slot& slot, std::uint32_t low, std::uint32_t high) {
     const auto& [below, above] = slot.links;
-    const auto is_folded = [](const auto& links) { return links[0] != none && links[1] != none; };
+    const auto is_folded = [](const auto& links) {
+      return links[0] != no_entry && links[1] != no_entry;
+    };
     if (is_folded(below) || is_folded(above)) result_.folded.emplace_back(low, high);
     const auto direction = [&](const auto& links) {
-      return is_folded(links) || (links[0] == none && links[1] == none) ? 0
-             : links[1] != none                                         ? 1
-                                                                        : -1;
+      return is_folded(links) || (links[0] == no_entry && links[1] == no_entry) ? 0
+             : links[1] != no_entry                                             ? 1
+                                                                                : -1;
     };
     if (direction(below) != direction(above)) {
       throw std::logic_error("the boundary of the swept sum jumps at the scale " +

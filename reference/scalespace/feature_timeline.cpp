@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "reference/none.hpp"
+#include "reference/no_entry.hpp"
 
 namespace minkref {
 namespace {
 
-/// What the rings of a bucket bound from an interval on; component `none` for those not there.
+/// What the rings of a bucket bound from an interval on; component `no_entry` for those not there.
 struct Known {
   std::uint32_t interval;
   std::size_t bucket;
@@ -23,11 +23,11 @@ class Naming {
 
   /// `known`: of this bucket, in the order of the intervals.
   void add(RingBucket&& bucket, const std::vector<const Known*>& known) {
-    std::vector<RingFeatures> features(bucket.ring_ends.size(), RingFeatures{false, 0, none});
+    std::vector<RingFeatures> features(bucket.ring_ends.size(), RingFeatures{false, 0, no_entry});
     for (const Known* now : known) {
       const auto differs = [&](std::size_t ring) {
         const RingFeatures &a = features[ring], &b = now->rings[ring];
-        return a.component != none && b.component != none &&
+        return a.component != no_entry && b.component != no_entry &&
                (a.component != b.component || a.hole != b.hole);
       };
       bool cut = false;
@@ -35,10 +35,10 @@ class Naming {
       if (cut) {
         finish(part(bucket, bucket.first, now->interval - 1, features));
         bucket.first = now->interval;
-        features.assign(features.size(), RingFeatures{false, 0, none});
+        features.assign(features.size(), RingFeatures{false, 0, no_entry});
       }
       for (std::size_t ring = 0; ring < features.size(); ++ring) {
-        if (now->rings[ring].component != none) features[ring] = now->rings[ring];
+        if (now->rings[ring].component != no_entry) features[ring] = now->rings[ring];
       }
     }
     finish(part(bucket, bucket.first, bucket.last, features));
@@ -72,7 +72,7 @@ class Naming {
   void finish(RingBucket bucket) {
     std::uint32_t begin = 0;
     for (std::size_t ring = 0; ring < bucket.ring_ends.size(); ++ring) {
-      if (bucket.features[ring].component == none) {
+      if (bucket.features[ring].component == no_entry) {
         throw std::logic_error("a ring of the swept sum bounds nothing");
       }
       bucket.features[ring].is_hole = turns_right(bucket, begin, bucket.ring_ends[ring]);
@@ -82,16 +82,16 @@ class Naming {
   }
 
   bool turns_right(const RingBucket& bucket, std::uint32_t begin, std::uint32_t end) const {
-    std::uint32_t interval = none;
+    std::uint32_t interval = no_entry;
     for (std::uint32_t k = begin; k < end; ++k) {
       interval = std::min(interval, bucket.entries[k].first);
     }
-    std::uint32_t first = none, edge = none;
+    std::uint32_t first = no_entry, edge = no_entry;
     int turns = 0;
     for (std::uint32_t k = begin; k < end; ++k) {
       if (bucket.entries[k].first > interval || bucket.entries[k].last < interval) continue;
       const std::uint32_t own = boundary_.links[bucket.entries[k].link].edge;
-      if (first == none) {
+      if (first == no_entry) {
         first = own;
       } else {
         turns += turns_.half_turns(edge, own);
@@ -117,7 +117,7 @@ TopologyTimeline feature_timeline(const SweptBoundary& swept, const MovingBounda
   const auto note = [&](const FeaturesFrom& state) {
     control.look_now();
     Known known{state.interval, history.bucket_of(state.interval), {}};
-    known.rings.assign(order.buckets[known.bucket].ring_ends.size(), {false, 0, none});
+    known.rings.assign(order.buckets[known.bucket].ring_ends.size(), {false, 0, no_entry});
     for (std::size_t k = 0; k < state.sub_edges.size(); ++k) {
       const std::uint32_t ring = history.ring_of(state.sub_edges[k], state.interval);
       known.rings[ring] = {false, state.holes[k], state.components[k]};

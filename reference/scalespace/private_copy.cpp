@@ -17,7 +17,7 @@
 namespace minkref {
 namespace {
 
-constexpr std::size_t block = std::size_t{1} << 22;
+constexpr std::size_t copied_at_once = std::size_t{1} << 22;
 
 class File {
  public:
@@ -35,7 +35,7 @@ class File {
     std::size_t done = 0;
     while (done < count) {
       look_for_interrupt_now();
-      const auto got = ::pread(number_, to + done, std::min(count - done, block),
+      const auto got = ::pread(number_, to + done, std::min(count - done, copied_at_once),
                                static_cast<off_t>(from + done));
       if (got < 0 && errno == EINTR) continue;
       if (got < 0) return fail();
@@ -81,14 +81,14 @@ File nameless(const std::string& path) {
 PrivateCopy in_file(const File& file, std::uint64_t size, const std::string& path) {
   const File copy = nameless(path);
   if (!copy) return in_memory(file, size);
-  std::vector<std::byte> buffer(block);
+  std::vector<std::byte> buffer(copied_at_once);
   std::uint64_t length = 0;
   while (length < size) {
     const std::size_t got =
-        file.read(buffer.data(), std::min<std::uint64_t>(block, size - length), length);
+        file.read(buffer.data(), std::min<std::uint64_t>(copied_at_once, size - length), length);
     copy.write(buffer.data(), got, length);
     length += got;
-    if (got < block) break;
+    if (got < copied_at_once) break;
   }
   if (length == 0) return {};
   void* const first = ::mmap(nullptr, length, PROT_READ, MAP_PRIVATE, copy.number(), 0);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "reference/none.hpp"
+#include "reference/no_entry.hpp"
 #include "reference/plane/dynamic/boundary_cycles.hpp"
 
 namespace minkref {
@@ -50,7 +50,7 @@ class Successors {
 /// Links in circles, each link in one at most.
 class Circles {
  public:
-  explicit Circles(std::size_t links) : next_(links, none), before_(links, none) {}
+  explicit Circles(std::size_t links) : next_(links, no_entry), before_(links, no_entry) {}
 
   std::uint32_t next(std::uint32_t link) const { return next_[link]; }
   std::uint32_t before(std::uint32_t link) const { return before_[link]; }
@@ -88,7 +88,7 @@ class Builder {
         directions_(directions),
         control_(control),
         successors_(swept, boundary),
-        place_(boundary.tracks.size(), none),
+        place_(boundary.tracks.size(), no_entry),
         changes_(boundary.events.size()),
         begin_(boundary.events.size() + 1),
         end_(boundary.events.size() + 1),
@@ -156,10 +156,10 @@ class Builder {
       is_traced_[link] = 1;
       const std::uint32_t again = place_[boundary_.links[link].to];
       link = successors_.next(link);
-      if (again == none) continue;
+      if (again == no_entry) continue;
       const std::vector<std::uint32_t> ring(path.begin() + again, path.end());
       path.resize(again);
-      for (const std::uint32_t other : ring) place_[boundary_.links[other].from] = none;
+      for (const std::uint32_t other : ring) place_[boundary_.links[other].from] = no_entry;
       add_ring(ring);
     } while (link != start);
     if (!path.empty()) throw std::logic_error("a ring of the swept sum is not closed");

@@ -11,8 +11,8 @@ namespace minkref {
 namespace {
 
 constexpr std::size_t samples_along = 384;  // of the longer side
-constexpr std::size_t block = 16;           // samples along a side of those measured together
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t block_side = 16;      // samples along a side of those measured together
+constexpr double infinite_distance = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -42,8 +42,8 @@ std::vector<SignedDistance::Edge> SignedDistance::edges_of(const PolygonSet& reg
 }
 
 void SignedDistance::lay_grid(const std::vector<Edge>& edges) {
-  double right = -infinity, top = -infinity, largest = 0;
-  left_ = bottom_ = infinity;
+  double right = -infinite_distance, top = -infinite_distance, largest = 0;
+  left_ = bottom_ = infinite_distance;
   for (const Edge& e : edges) {
     left_ = std::min(left_, e.x0);
     right = std::max(right, e.x0);
@@ -60,7 +60,7 @@ void SignedDistance::lay_grid(const std::vector<Edge>& edges) {
   error_ = 0x1p-40 * (largest + width + height);
   if (!(spacing_ > 0 && largest > 1e-120 && largest < 1e120)) {  // squares would not be doubles
     columns_ = rows_ = 1;
-    samples_ = {-infinity};
+    samples_ = {-infinite_distance};
     spacing_ = 1;
     return;
   }
@@ -70,8 +70,8 @@ void SignedDistance::lay_grid(const std::vector<Edge>& edges) {
   samples_.resize(columns_ * rows_);
 }
 
-/// Block by block: only edges about as near as the nearest to its middle can be the nearest to a
-/// sample in it.
+/// Block by block_side: only edges about as near as the nearest to its middle can be the nearest to
+/// a sample in it.
 void SignedDistance::measure(const std::vector<Edge>& edges) {
   if (columns_ * rows_ == 1) return;
   std::vector<double> dx, dy, over, distance(edges.size());
@@ -88,14 +88,14 @@ void SignedDistance::measure(const std::vector<Edge>& edges) {
     const double vx = ux - t * dx[k], vy = uy - t * dy[k];
     return vx * vx + vy * vy;
   };
-  const double reach = spacing_ * block * 1.5;  // more than the diagonal of a block
+  const double reach = spacing_ * block_side * 1.5;  // more than the diagonal of a block_side
   std::vector<std::size_t> near;
-  for (std::size_t first_row = 0; first_row < rows_; first_row += block) {
-    for (std::size_t first = 0; first < columns_; first += block) {
+  for (std::size_t first_row = 0; first_row < rows_; first_row += block_side) {
+    for (std::size_t first = 0; first < columns_; first += block_side) {
       look_for_interrupt_now();
-      const double x = left_ + (static_cast<double>(first) + block / 2.0) * spacing_,
-                   y = bottom_ + (static_cast<double>(first_row) + block / 2.0) * spacing_;
-      double least = infinity;
+      const double x = left_ + (static_cast<double>(first) + block_side / 2.0) * spacing_,
+                   y = bottom_ + (static_cast<double>(first_row) + block_side / 2.0) * spacing_;
+      double least = infinite_distance;
       for (std::size_t k = 0; k < edges.size(); ++k) {
         distance[k] = squared(k, x, y);
         least = std::min(least, distance[k]);
@@ -105,9 +105,9 @@ void SignedDistance::measure(const std::vector<Edge>& edges) {
       for (std::size_t k = 0; k < edges.size(); ++k) {
         if (distance[k] <= most * most) near.push_back(k);
       }
-      for (std::size_t r = first_row; r < std::min(first_row + block, rows_); ++r) {
-        for (std::size_t c = first; c < std::min(first + block, columns_); ++c) {
-          double nearest = infinity;
+      for (std::size_t r = first_row; r < std::min(first_row + block_side, rows_); ++r) {
+        for (std::size_t c = first; c < std::min(first + block_side, columns_); ++c) {
+          double nearest = infinite_distance;
           for (const std::size_t k : near) {
             nearest = std::min(nearest, squared(k, left_ + static_cast<double>(c) * spacing_,
                                                 bottom_ + static_cast<double>(r) * spacing_));

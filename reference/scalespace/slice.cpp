@@ -10,7 +10,7 @@
 namespace minkref {
 namespace {
 
-struct Before {
+struct BeforeAt {
   bool operator()(const Point& a, const Point& b) const {
     return a.x != b.x ? a.x < b.x : a.y < b.y;
   }
@@ -57,7 +57,7 @@ class Segments {
     return place->second;
   }
 
-  std::map<Point, std::uint32_t, Before> numbers_;
+  std::map<Point, std::uint32_t, BeforeAt> numbers_;
   std::vector<Point> points_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> segments_;
 };

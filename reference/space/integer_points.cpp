@@ -5,7 +5,7 @@
 namespace minkref {
 namespace {
 
-constexpr std::size_t most_bits = 100'000'000;  // of the denominator, over all vertices
+constexpr std::size_t most_denominator_bits = 100'000'000;  // of the denominator, over all vertices
 
 }  // namespace
 
@@ -23,7 +23,7 @@ IntegerPoints integer_points(const std::vector<SpacePoint>& vertices) {
     for (const Rational* coordinate : {&v.x, &v.y, &v.z}) {
       const Integer own = denominator(*coordinate);
       if (result.denominator % own != 0) result.denominator = lcm(result.denominator, own);
-      if (msb(result.denominator) > most_bits / vertices.size()) {
+      if (msb(result.denominator) > most_denominator_bits / vertices.size()) {
         throw LimitExceeded("common-denominator-too-long",
                             "the coordinates have no common denominator of moderate length",
                             "round the coordinates to decimals of the same length");

@@ -15,9 +15,9 @@
 namespace minkref {
 namespace {
 
-class Validator {
+class PolyhedronValidator {
  public:
-  explicit Validator(const Polyhedron& polyhedron) : polyhedron_(polyhedron) {}
+  explicit PolyhedronValidator(const Polyhedron& polyhedron) : polyhedron_(polyhedron) {}
 
   void run() {
     validate_faces(polyhedron_);
@@ -219,6 +219,6 @@ void validate_faces(const Polyhedron& polyhedron) {
   }
 }
 
-void validate(const Polyhedron& polyhedron) { Validator(polyhedron).run(); }
+void validate(const Polyhedron& polyhedron) { PolyhedronValidator(polyhedron).run(); }
 
 }  // namespace minkref

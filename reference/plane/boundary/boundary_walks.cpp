@@ -6,7 +6,7 @@
 
 #include "reference/fault.hpp"
 #include "reference/interrupt.hpp"
-#include "reference/none.hpp"
+#include "reference/no_entry.hpp"
 #include "reference/plane/boundary/boundary_graph.hpp"
 #include "reference/plane/point_predicates.hpp"
 
@@ -91,7 +91,7 @@ class WalkFinder {
   /// clockwise) or of the exterior (the next ray counter-clockwise).
   Cycles cycles(bool interior) const {
     Cycles result;
-    result.next.assign(graph_.edges.size(), none);
+    result.next.assign(graph_.edges.size(), no_entry);
     for (std::uint32_t p = 0; p < points_.size(); ++p) {
       const std::uint32_t begin = first_ray_[p], count = first_ray_[p + 1] - begin;
       for (std::uint32_t i = 0; i < count; ++i) {
@@ -159,7 +159,7 @@ class WalkFinder {
         continue;
       }
       const std::uint32_t edge = nearest_to_the_left(interior.least[w]);
-      walk.component = edge == none || planted(Fault::hole_in_first_polygon)
+      walk.component = edge == no_entry || planted(Fault::hole_in_first_polygon)
                            ? 0
                            : result.walks[walk_of[edge]].component;
     }
@@ -168,7 +168,7 @@ class WalkFinder {
   /// The edge that a ray to the left, just above the point, meets first; edges at the point itself
   /// do not count.
   std::uint32_t nearest_to_the_left(std::uint32_t p) const {
-    std::uint32_t nearest = none;
+    std::uint32_t nearest = no_entry;
     for (std::uint32_t e = 0; e < graph_.edges.size(); ++e) {
       look_for_interrupt();
       const auto [from, to] = graph_.edges[e];
@@ -177,7 +177,7 @@ class WalkFinder {
       if (compare_y(points_[to], points_[p]) > 0 || compare_y(points_[p], points_[from]) >= 0)
         continue;
       if (orientation(points_[to], points_[from], points_[p]) >= 0) continue;
-      if (nearest == none || is_right_of(e, nearest)) nearest = e;
+      if (nearest == no_entry || is_right_of(e, nearest)) nearest = e;
     }
     return nearest;
   }

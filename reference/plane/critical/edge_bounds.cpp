@@ -8,9 +8,11 @@ namespace minkref {
 namespace {
 
 // Between these no product and no sum overflows or is so small that its error is not relative.
-constexpr double tiny = 1e-100, huge = 1e100;
+constexpr double least_factor = 1e-100, greatest_factor = 1e100;
 
-bool is_plain(double value) { return std::abs(value) >= tiny && std::abs(value) <= huge; }
+bool is_plain(double value) {
+  return std::abs(value) >= least_factor && std::abs(value) <= greatest_factor;
+}
 
 }  // namespace
 

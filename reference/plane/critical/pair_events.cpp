@@ -51,11 +51,11 @@ class Window {
 };
 
 template <class K>
-class Search {
+class PairSearch {
  public:
-  Search(const K& kernel, std::vector<MovingEdge<typename K::Vector>> edges,
-         const ScaleWindow& window, EventKind kind, Form form, bool keep_meeting,
-         PairEvents& result)
+  PairSearch(const K& kernel, std::vector<MovingEdge<typename K::Vector>> edges,
+             const ScaleWindow& window, EventKind kind, Form form, bool keep_meeting,
+             PairEvents& result)
       : kernel_(kernel),
         edges_(std::move(edges)),
         window_(window),
@@ -253,8 +253,8 @@ PairEvents pair_events(const PolygonSet& P, const PolygonSet& Q, const ScaleWind
   on_exact_frame(P, Q, [&](const auto& frame) {
     using K = typename std::decay_t<decltype(frame)>::K;
     result.edges = convolution_edges(frame.kernel, frame.P, frame.Q, false);
-    Search<K>(frame.kernel, moving_edges(result.edges, frame.P, frame.Q), window, kind, form,
-              keep_meeting, result)
+    PairSearch<K>(frame.kernel, moving_edges(result.edges, frame.P, frame.Q), window, kind, form,
+                  keep_meeting, result)
         .run();
     result.statistics.kernel = frame.name();
     add_counts(result.statistics, frame.kernel.counts);

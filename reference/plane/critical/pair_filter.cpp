@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t width = block_width;
 using Mask = BlockMask;
 
-struct Row {
+struct EdgeRow {
   double px, py, qx, qy, dx, dy;
 };
 
@@ -33,7 +33,7 @@ MINKREF_INLINE void restrict_to(Range& range, Block slope, Block value, double e
 }
 
 template <bool AIsS, bool BIsS>
-MINKREF_INLINE std::size_t survivors(const Row& a, const EdgeColumns& b, std::uint32_t first,
+MINKREF_INLINE std::size_t survivors(const EdgeRow& a, const EdgeColumns& b, std::uint32_t first,
                                      double error, std::uint32_t* out) {
   std::size_t count = 0;
   // Rounding of the quotients is below 2^-50 of them.
@@ -71,15 +71,15 @@ MINKREF_INLINE std::size_t survivors(const Row& a, const EdgeColumns& b, std::ui
   return count;
 }
 
-MINKREF_CLONES std::size_t survivors_ss(const Row& a, const EdgeColumns& b, std::uint32_t first,
+MINKREF_CLONES std::size_t survivors_ss(const EdgeRow& a, const EdgeColumns& b, std::uint32_t first,
                                         double error, std::uint32_t* out) {
   return survivors<true, true>(a, b, first, error, out);
 }
-MINKREF_CLONES std::size_t survivors_st(const Row& a, const EdgeColumns& b, std::uint32_t first,
+MINKREF_CLONES std::size_t survivors_st(const EdgeRow& a, const EdgeColumns& b, std::uint32_t first,
                                         double error, std::uint32_t* out) {
   return survivors<true, false>(a, b, first, error, out);
 }
-MINKREF_CLONES std::size_t survivors_tt(const Row& a, const EdgeColumns& b, std::uint32_t first,
+MINKREF_CLONES std::size_t survivors_tt(const EdgeRow& a, const EdgeColumns& b, std::uint32_t first,
                                         double error, std::uint32_t* out) {
   return survivors<false, false>(a, b, first, error, out);
 }
@@ -124,7 +124,7 @@ PairFilter::PairFilter(EdgeColumns s_edges, EdgeColumns t_edges)
 std::size_t PairFilter::candidates(bool a_is_s, std::uint32_t a, bool b_is_s, std::uint32_t first,
                                    std::uint32_t* out) const {
   const EdgeColumns& own = a_is_s ? s_ : t_;
-  const Row row{own.px[a], own.py[a], own.qx[a], own.qy[a], own.dx[a], own.dy[a]};
+  const EdgeRow row{own.px[a], own.py[a], own.qx[a], own.qy[a], own.dx[a], own.dy[a]};
   if (!a_is_s) return survivors_tt(row, t_, first, error_, out);
   return b_is_s ? survivors_ss(row, s_, first, error_, out)
                 : survivors_st(row, t_, first, error_, out);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "reference/number/exact_value.hpp"
 #include "reference/plane/convolution/convolution_rule.hpp"
 #include "reference/plane/critical/pair_interval.hpp"
 #include "reference/plane/kernel/arithmetic_name.hpp"
@@ -31,9 +32,6 @@ template <class T>
 long precision(const Arithmetic<T>&) {
   return 53;
 }
-
-Rational exact_value(double value) { return from_double(value); }
-Rational exact_value(const Mpfr& value) { return exact(value); }
 
 bool misplaced(const Rational& truth, const Rational& got, long) { return truth != got; }
 bool misplaced(const Rational& truth, const Interval& got, long) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "reference/none.hpp"
+#include "reference/no_entry.hpp"
 #include "reference/plane/kernel/grid_kernel.hpp"
 
 namespace minkref {
@@ -41,27 +41,27 @@ int CycleFinder::half_turns(std::uint32_t a, std::uint32_t b) const {
 }
 
 void CycleFinder::prepare(std::size_t points) {
-  for (const std::uint32_t p : touched_) first_[p] = none;
+  for (const std::uint32_t p : touched_) first_[p] = no_entry;
   touched_.clear();
-  if (first_.size() < points) first_.resize(points, none);
+  if (first_.size() < points) first_.resize(points, no_entry);
 }
 
 std::vector<std::uint32_t> CycleFinder::remove_duplicates(std::vector<BoundaryLink>& links) {
   std::size_t points = 0;
   for (const BoundaryLink& link : links) points = std::max<std::size_t>(points, link.from + 1);
   prepare(points);
-  follow_.assign(links.size(), none);
+  follow_.assign(links.size(), no_entry);
   std::vector<std::uint32_t> place(links.size());
   std::uint32_t kept = 0;
   for (std::size_t i = 0; i < links.size(); ++i) {
     const BoundaryLink link = links[i];
     std::uint32_t k = first_[link.from];
-    while (k != none && !(links[k].to == link.to && same_direction(links[k].edge, link.edge))) {
+    while (k != no_entry && !(links[k].to == link.to && same_direction(links[k].edge, link.edge))) {
       k = follow_[k];
     }
-    place[i] = k != none ? k : kept;
-    if (k != none) continue;
-    if (first_[link.from] == none) touched_.push_back(link.from);
+    place[i] = k != no_entry ? k : kept;
+    if (k != no_entry) continue;
+    if (first_[link.from] == no_entry) touched_.push_back(link.from);
     follow_[kept] = first_[link.from];
     first_[link.from] = kept;
     links[kept++] = link;
@@ -77,12 +77,12 @@ BoundaryCycles CycleFinder::find(const std::vector<BoundaryLink>& links, bool in
   }
   prepare(points);
   pinches_.clear();
-  follow_.assign(links.size(), none);
+  follow_.assign(links.size(), no_entry);
   for (std::uint32_t i = 0; i < links.size(); ++i) {
     std::uint32_t& first = first_[links[i].from];
-    if (first == none) {
+    if (first == no_entry) {
       touched_.push_back(links[i].from);
-    } else if (follow_[first] == none) {
+    } else if (follow_[first] == no_entry) {
       pinches_.push_back(links[i].from);
     }
     follow_[i] = first;
@@ -90,12 +90,12 @@ BoundaryCycles CycleFinder::find(const std::vector<BoundaryLink>& links, bool in
   }
 
   BoundaryCycles result;
-  result.next.assign(links.size(), none);
+  result.next.assign(links.size(), no_entry);
   std::vector<std::uint32_t> taken(links.size(), 0);
   for (std::uint32_t i = 0; i < links.size(); ++i) {
     const std::uint32_t out = first_[links[i].to];
-    if (out == none) throw std::logic_error("boundary_cycles: a boundary that does not close");
-    if (follow_[out] == none) {
+    if (out == no_entry) throw std::logic_error("boundary_cycles: a boundary that does not close");
+    if (follow_[out] == no_entry) {
       result.next[i] = out;
       ++taken[out];
       continue;
@@ -111,26 +111,26 @@ BoundaryCycles CycleFinder::find(const std::vector<BoundaryLink>& links, bool in
       if (upper(a) != upper(b)) return upper(b);
       return turn(a, b) > 0;
     };
-    std::uint32_t best = none, extreme = none;
-    for (std::uint32_t k = out; k != none; k = follow_[k]) {
+    std::uint32_t best = no_entry, extreme = no_entry;
+    for (std::uint32_t k = out; k != no_entry; k = follow_[k]) {
       const bool above = angle_less(links[i].edge, true, links[k].edge);  // reversed(i) < k
       const auto better = [&](std::uint32_t other) {
-        return other == none || (interior ? less(links[other].edge, links[k].edge)
-                                          : less(links[k].edge, links[other].edge));
+        return other == no_entry || (interior ? less(links[other].edge, links[k].edge)
+                                              : less(links[k].edge, links[other].edge));
       };
       if (above != interior && better(best)) best = k;
       if (better(extreme)) extreme = k;
     }
-    result.next[i] = best != none ? best : extreme;
+    result.next[i] = best != no_entry ? best : extreme;
     ++taken[result.next[i]];
   }
   if (std::any_of(taken.begin(), taken.end(), [](std::uint32_t n) { return n != 1; })) {
     throw std::logic_error("boundary_cycles: edges that do not alternate around a point");
   }
 
-  result.cycle.assign(links.size(), none);
+  result.cycle.assign(links.size(), no_entry);
   for (std::uint32_t i = 0; i < links.size(); ++i) {
-    if (result.cycle[i] != none) continue;
+    if (result.cycle[i] != no_entry) continue;
     const auto name = static_cast<std::uint32_t>(result.cycles.size());
     int turns = 0;
     std::uint32_t k = i;

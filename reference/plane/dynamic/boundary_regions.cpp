@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <unordered_map>
 
-#include "reference/none.hpp"
+#include "reference/no_entry.hpp"
 
 namespace minkref {
 namespace {
@@ -54,16 +54,16 @@ class CyclesAtScale {
   std::vector<Point> from_, to_;
 };
 
-/// The smallest of some cycles around a point; `none` where there is none.
+/// The smallest of some cycles around a point; `no_entry` where there is none.
 std::uint32_t smallest_around(const BoundaryCycles& cycles,
                               const std::vector<std::uint32_t>& enclosing, const Point& point,
                               const CyclesAtScale& at_scale) {
-  std::uint32_t best = none;
+  std::uint32_t best = no_entry;
   Rational size;
   for (const std::uint32_t e : enclosing) {
     if (!at_scale.around(cycles, e, point)) continue;
     const Rational own = at_scale.magnitude(cycles, e);
-    if (best == none || own < size) {
+    if (best == no_entry || own < size) {
       best = e;
       size = own;
     }
@@ -93,7 +93,7 @@ Regions regions_of(const BoundaryCycles& cycles, bool left, std::uint32_t first_
     if (only_one) continue;
     const std::uint32_t best =
         smallest_around(cycles, enclosing, at_scale->middle(cycles.cycles[c].first), *at_scale);
-    if (best != none) regions.of_cycle[c] = regions.of_cycle[best];
+    if (best != no_entry) regions.of_cycle[c] = regions.of_cycle[best];
   }
   return regions;
 }
@@ -147,7 +147,7 @@ std::uint32_t component_around(const std::vector<Track>& tracks, const BoundaryR
   }
   const CyclesAtScale at_scale(tracks, regions.links, scale);
   const std::uint32_t best = smallest_around(regions.walks, enclosing, point, at_scale);
-  if (best == none) throw std::logic_error("a point of the interior is in no component");
+  if (best == no_entry) throw std::logic_error("a point of the interior is in no component");
   return regions.component[cycles[best].first];
 }
 

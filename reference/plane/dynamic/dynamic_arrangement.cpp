@@ -4,7 +4,7 @@
 
 #include "reference/error.hpp"
 #include "reference/fault.hpp"
-#include "reference/none.hpp"
+#include "reference/no_entry.hpp"
 
 namespace minkref {
 namespace {}
@@ -14,7 +14,7 @@ DynamicArrangement::DynamicArrangement(std::shared_ptr<const BoundaryStates> sta
       timeline_(states_->timeline()),
       cycles_(timeline_.events->moving()),
       lists_(timeline_),
-      where_(timeline_.sub_edges.size(), none) {
+      where_(timeline_.sub_edges.size(), no_entry) {
   for (const std::uint32_t s : states_->begin_with(0)) {
     where_[s] = static_cast<std::uint32_t>(sub_edges_.size());
     sub_edges_.push_back(s);
@@ -49,16 +49,16 @@ StepReport DynamicArrangement::move_to(const Rational& scale) {
 
 void DynamicArrangement::move_boundary(std::uint32_t interval) {
   const auto add = [&](std::uint32_t s) {
-    if (where_[s] != none) return;
+    if (where_[s] != no_entry) return;
     where_[s] = static_cast<std::uint32_t>(sub_edges_.size());
     sub_edges_.push_back(s);
   };
   const auto remove = [&](std::uint32_t s) {
-    if (where_[s] == none) return;
+    if (where_[s] == no_entry) return;
     where_[sub_edges_.back()] = where_[s];
     sub_edges_[where_[s]] = sub_edges_.back();
     sub_edges_.pop_back();
-    where_[s] = none;
+    where_[s] = no_entry;
   };
   // Only groups that touch the boundary matter; group g lies between intervals g and g + 1.
   const auto& groups = states_->groups();
@@ -66,7 +66,7 @@ void DynamicArrangement::move_boundary(std::uint32_t interval) {
   const auto crossed = std::lower_bound(groups.begin(), groups.end(), high) -
                        std::lower_bound(groups.begin(), groups.end(), low);
   if (static_cast<std::size_t>(crossed) > where_.size() / 16) {  // a glance at all is faster
-    for (const std::uint32_t s : sub_edges_) where_[s] = none;
+    for (const std::uint32_t s : sub_edges_) where_[s] = no_entry;
     sub_edges_.clear();
     for (const std::uint32_t s : states_->sub_edges_in(interval)) add(s);
   } else if (interval_ < interval) {

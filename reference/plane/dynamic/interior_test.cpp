@@ -13,19 +13,19 @@
 namespace minkref {
 namespace {
 
-using Doubles = std::array<std::array<double, 2>, 3>;
+using TriangleInDoubles = std::array<std::array<double, 2>, 3>;
 
-struct Pieces {
+struct ConvexPieces {
   std::vector<Triangle> exact;
-  std::vector<Doubles> doubles;
+  std::vector<TriangleInDoubles> doubles;
   BoxTree tree;
   double magnitude = 0;
 
-  explicit Pieces(const PolygonSet& set) {
+  explicit ConvexPieces(const PolygonSet& set) {
     if (set.is_region()) exact = triangulate(set);
     std::vector<Box> boxes;
     for (const Triangle& t : exact) {
-      Doubles d;
+      TriangleInDoubles d;
       Box box;
       for (std::size_t i = 0; i < 3; ++i) {
         const double x = to_double(t[i].x), y = to_double(t[i].y);
@@ -44,7 +44,7 @@ struct Pieces {
 /// `b` on its right, each has some of `b` on its left, or neither is certain.
 enum class Told : std::uint8_t { separates, none_separates, nothing };
 
-Told by_edges(const Doubles& a, const Doubles& b, double error) {
+Told by_edges(const TriangleInDoubles& a, const TriangleInDoubles& b, double error) {
   bool each_open = true;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto &p = a[i], &q = a[(i + 1) % 3];
@@ -66,7 +66,7 @@ Told by_edges(const Doubles& a, const Doubles& b, double error) {
 }
 
 /// Whether the interiors of two triangles meet, as far as doubles tell.
-std::optional<bool> told(const Doubles& a, const Doubles& b, double error) {
+std::optional<bool> told(const TriangleInDoubles& a, const TriangleInDoubles& b, double error) {
   const Told first = by_edges(a, b, error);
   if (first == Told::separates) return false;
   const Told second = by_edges(b, a, error);
@@ -94,7 +94,7 @@ bool interiors_meet(const std::array<FilteredPoint, 3>& a, const std::array<Filt
 
 struct InteriorTest::Impl {
   PolygonSet P, Q;
-  Pieces p, q;
+  ConvexPieces p, q;
   bool regions;
 
   Impl(const PolygonSet& P_, const PolygonSet& Q_)
@@ -105,9 +105,9 @@ struct InteriorTest::Impl {
     return own + 0x1p-48 * (p.magnitude * scale + q.magnitude + std::abs(x) + std::abs(y)) + 1e-300;
   }
   /// s a and x - b.
-  std::pair<Doubles, Doubles> placed(std::uint32_t i, std::uint32_t j, double x, double y,
-                                     double scale) const {
-    Doubles a = p.doubles[i], b = q.doubles[j];
+  std::pair<TriangleInDoubles, TriangleInDoubles> placed(std::uint32_t i, std::uint32_t j, double x,
+                                                         double y, double scale) const {
+    TriangleInDoubles a = p.doubles[i], b = q.doubles[j];
     for (auto& v : a) v = {v[0] * scale, v[1] * scale};
     for (auto& v : b) v = {x - v[0], y - v[1]};
     return {a, b};

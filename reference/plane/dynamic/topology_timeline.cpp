@@ -10,7 +10,7 @@
 
 #include "reference/fault.hpp"
 #include "reference/interrupt.hpp"
-#include "reference/none.hpp"
+#include "reference/no_entry.hpp"
 #include "reference/plane/dynamic/boundary_changes.hpp"
 
 namespace minkref {
@@ -278,7 +278,7 @@ class TimelineBuilder {
               const BoundaryRegions& above) {
     auto& names = names_[index(kind)];
     const auto old = names;
-    names.assign(relation.at_of_after.size(), none);
+    names.assign(relation.at_of_after.size(), no_entry);
     // Clusters of regions that hang together.
     std::vector<std::uint32_t> cluster(at_count);
     std::iota(cluster.begin(), cluster.end(), 0U);

@@ -10,8 +10,8 @@ namespace minkref {
 namespace {
 
 template <class Grid>
-Point inner_point(const GridFrame<Grid>& frame, const Arrangement<GridKernel<Grid>>& arrangement,
-                  std::uint32_t face) {
+Point inner_point_of_face(const GridFrame<Grid>& frame,
+                          const Arrangement<GridKernel<Grid>>& arrangement, std::uint32_t face) {
   const Rational unit_of_grid(Integer(1), frame.denominator);
   if (const auto x = interior_point_in_doubles(frame.kernel, arrangement, face)) {
     return {from_double(x->x) * unit_of_grid, from_double(x->y) * unit_of_grid};
@@ -19,8 +19,9 @@ Point inner_point(const GridFrame<Grid>& frame, const Arrangement<GridKernel<Gri
   const Point x = exact_interior_point(frame.kernel, arrangement, face);
   return {x.x * unit_of_grid, x.y * unit_of_grid};
 }
-Point inner_point(const ScalarFrame<Rational>& frame,
-                  const Arrangement<PlainKernel<Rational>>& arrangement, std::uint32_t face) {
+Point inner_point_of_face(const ScalarFrame<Rational>& frame,
+                          const Arrangement<PlainKernel<Rational>>& arrangement,
+                          std::uint32_t face) {
   const auto x = interior_point(frame.kernel, arrangement, face);
   return {x.x(), x.y()};
 }
@@ -38,7 +39,7 @@ std::vector<FacePoint> face_points(const PolygonSet& P, const PolygonSet& Q,
                                      face_collision(frame), statistics.orientable_faces);
     std::vector<FacePoint> points;
     for (std::uint32_t face = 1; face < built.arrangement.face_count(); ++face) {
-      points.push_back({inner_point(frame, built.arrangement, face), inside[face]});
+      points.push_back({inner_point_of_face(frame, built.arrangement, face), inside[face]});
     }
     return points;
   });

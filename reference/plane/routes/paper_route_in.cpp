@@ -1,4 +1,5 @@
 // The paper's route in arithmetics other than rational: what they answer.
+#include "reference/number/exact_value.hpp"
 #include "reference/plane/arrangement/exact_arrangement.hpp"
 #include "reference/plane/boundary/face_boundary.hpp"
 #include "reference/plane/kernel/arithmetic_name.hpp"
@@ -8,9 +9,6 @@
 
 namespace minkref {
 namespace {
-
-Rational exact_value(double value) { return from_double(value); }
-Rational exact_value(const Mpfr& value) { return exact(value); }
 
 /// The boundary as closed walks, followed in the arrangement itself: they close whatever the
 /// coordinates say.

@@ -5,6 +5,6 @@
 namespace minkref {
 
 // In the place of an index: there is no such entry.
-inline constexpr std::uint32_t none = 0xffffffffU;
+inline constexpr std::uint32_t no_entry = 0xffffffffU;
 
 }  // namespace minkref

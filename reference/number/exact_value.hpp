@@ -1,0 +1,12 @@
+#pragma once
+
+#include "reference/number/mpfr.hpp"
+#include "reference/number/rational.hpp"
+
+namespace minkref {
+
+/// What a rounded number stands for.
+inline Rational exact_value(double value) { return from_double(value); }
+inline Rational exact_value(const Mpfr& value) { return exact(value); }
+
+}  // namespace minkref
