@@ -37,7 +37,7 @@ bool starts_with(std::string_view text, std::string_view mark) {
 
 std::string read_whole_file(const std::string& path, const ReadLimits& limits) {
   std::error_code error;
-  if (path.find('\0') != std::string::npos) cannot_read("", "its name holds a NUL byte");
+  if (path.find('\0') != std::string::npos) cannot_read("", "its name contains a NUL byte");
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) cannot_read(path, "there is no such file");
   if (std::filesystem::is_directory(status)) cannot_read(path, "it is a directory");

@@ -24,7 +24,8 @@ JsonObject::JsonObject(Json value, const Input& input, std::string what,
       for (const std::string_view one : known)
         names += (names.empty() ? "" : ", ") + std::string(one);
       input_.refuse("unknown-member", what_ + " has no member " + in_quotes(name),
-                    "leave it out, or correct its name; known are " + names, member.line());
+                    "leave it out, or correct its name; the known members are " + names,
+                    member.line());
     }
     if (find(name)) {
       input_.refuse("duplicate-member", what_ + " has the member " + in_quotes(name) + " twice",

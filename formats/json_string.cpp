@@ -49,7 +49,7 @@ JsonStringFault fault_in_json_string(std::string_view raw) {
       i += 2;
     } else {
       const std::int32_t unit = code_unit(raw, i);
-      if (unit < 0) return {"syntax", "a string holds an escape that JSON does not know"};
+      if (unit < 0) return {"syntax", "a string holds an escape that is not JSON"};
       i += 6;
       if (is_high(unit)) {
         if (!is_low(code_unit(raw, i)))

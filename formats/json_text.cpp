@@ -73,12 +73,12 @@ class Parser {
 
   [[noreturn]] void syntax(const std::string& expected) const {
     if (at_ >= text_.size()) {
-      input_.refuse("truncated", "the JSON text ends where " + expected + " is due",
+      input_.refuse("truncated", "the JSON text ends where " + expected + " is expected",
                     "complete the file", line_);
     }
     input_.refuse(
         "syntax",
-        "this is not JSON: " + expected + " is due before " + in_quotes(text_.substr(at_, 12)),
+        "this is not JSON: " + expected + " is expected before " + in_quotes(text_.substr(at_, 12)),
         "correct the text", line_);
   }
 

@@ -49,7 +49,7 @@ class HeaderReader {
   PlyHeader run() {
     const TextLine& first = lines_.due("the word ply", input_);
     if (first.tokens[0] != "ply" || first.tokens.size() > 1) {
-      input_.refuse("syntax", in_quotes(first.tokens[0]) + " stands where the word ply is due",
+      input_.refuse("syntax", in_quotes(first.tokens[0]) + " stands where the word ply is expected",
                     "begin the file with a line that says ply", first.number);
     }
     lines_.advance();
@@ -58,7 +58,7 @@ class HeaderReader {
       lines_.advance();
     }
     if (!has_format_) {
-      input_.refuse("syntax", "the header has no line `format`",
+      input_.refuse("syntax", "the header has no `format` line",
                     "write `format ascii 1.0` after ply", lines_.last_number());
     }
     require_properties();
@@ -123,8 +123,8 @@ class HeaderReader {
   void property(const TextLine& line) {
     const std::vector<std::string_view>& tokens = line.tokens;
     if (header_.elements.empty()) {
-      input_.refuse("syntax", "a property stands before the first element",
-                    "write the line of its element before it", line.number);
+      input_.refuse("syntax", "a property comes before the first element",
+                    "put the line of its element before it", line.number);
     }
     PlyProperty property;
     if (tokens.size() == 5 && tokens[1] == "list") {

@@ -14,7 +14,8 @@ void PlyText::begin(const PlyElement& element, std::size_t row) {
   if (!lines_.line()) {
     input_.refuse("truncated",
                   "the text ends where " + printable(element.name.substr(0, 40)) + " " +
-                      std::to_string(row + 1) + " of " + std::to_string(element.count) + " is due",
+                      std::to_string(row + 1) + " of " + std::to_string(element.count) +
+                      " is expected",
                   "complete the file, or correct the counts in its header", lines_.last_number());
   }
   next_ = 0;
@@ -36,7 +37,7 @@ std::int64_t PlyText::integer(PlyType) {
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || end != text.data() + text.size()) {
-    input_.refuse("syntax", in_quotes(text) + " stands where an integer is due",
+    input_.refuse("syntax", in_quotes(text) + " stands where an integer is expected",
                   "write a whole number", position());
   }
   return value;

@@ -38,7 +38,7 @@ Reading operand_of_case(std::string_view text, const std::string& source,
   if (name.operand == '\0') {
     const std::string at = name.file.empty() ? "" : name.file + ": ";
     chosen.warnings.push_back(at +
-                              "a case holds two operands, P is taken; add #P or #Q to its name");
+                              "a case holds two operands and P is used; add #P or #Q to its name");
   }
   return chosen;
 }
@@ -91,7 +91,7 @@ Reading read_text(std::string_view text, Format format, const std::string& sourc
     const JsonText document(text, input);
     read_geojson(document.root(), set);
   } else {
-    input.refuse("unknown-format", "a picture (" + name(format) + ") is written, not read",
+    input.refuse("unknown-format", "a picture (" + name(format) + ") can be written, not read",
                  "give a file in wkt, geojson, json or poly");
   }
   return set.finish();

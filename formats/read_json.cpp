@@ -31,7 +31,7 @@ TextRing read_ring(Json value, SetBuilder& set, JsonNumbers numbers) {
 std::string number_text(Json value, JsonNumbers numbers, const Input& input, const Place& place) {
   if (value.is(JsonKind::string)) return value.string();
   if (!value.is(JsonKind::number)) {
-    input.refuse("not-a-number", "a number is due, not " + describe(value.kind()),
+    input.refuse("not-a-number", "expected a number, not " + describe(value.kind()),
                  "write a string such as \"3/7\" or \"-30.7428\", or a JSON number", place);
   }
   const std::string_view text = value.text();

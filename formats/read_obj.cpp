@@ -87,7 +87,7 @@ class ObjReader {
   void vertex(const TextLine& line) {
     const std::size_t given = line.tokens.size() - 1;
     if (given != 3 && given != 4 && given != 6) {
-      mesh_.refuse_vertex("syntax", "a line of a vertex must hold three numbers",
+      mesh_.refuse_vertex("syntax", "a vertex line must hold three numbers",
                           "write v, x, y and z, then nothing, or 1, or a colour of three numbers",
                           line.number);
     }

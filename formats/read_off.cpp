@@ -46,7 +46,7 @@ class OffReader {
           "give vertices of three coordinates, under the word OFF", line.number);
     }
     if (rest != "OFF") {
-      input_.refuse("syntax", in_quotes(line.tokens[0]) + " stands where the word OFF is due",
+      input_.refuse("syntax", in_quotes(line.tokens[0]) + " stands where the word OFF is expected",
                     "begin the file with a line that says OFF", line.number);
     }
     after_header_ = 1;
@@ -81,7 +81,7 @@ class OffReader {
         lines_.due("vertex " + std::to_string(mesh_.vertices() + 1) + of, input_);
     const std::size_t given = line.tokens.size();
     if (given < 3 || (given > 3 && !more_numbers_)) {
-      mesh_.refuse_vertex("syntax", "a line of a vertex must hold three numbers",
+      mesh_.refuse_vertex("syntax", "a vertex line must hold three numbers",
                           "write x, y and z, and check the number of vertices; colours are "
                           "announced by COFF, normals by NOFF",
                           line.number);

@@ -61,7 +61,7 @@ class PolyReader {
     lines_.advance();
     for (std::size_t i = 0; i < size; ++i) vertex(fresh, size);
     if (size < 3) {
-      input_.refuse("too-few-vertices", "a ring has three vertices or more",
+      input_.refuse("too-few-vertices", "a ring needs three or more vertices",
                     "complete the ring or leave it out; give a point or a segment as WKT",
                     fresh.place());
     }
@@ -76,7 +76,7 @@ class PolyReader {
       Place where = ring.place_of(ring.points.size());
       where.line = line.number;
       input_.refuse(line.tokens.size() == 3 ? "three-dimensional" : "syntax",
-                    "a line of a vertex must hold two numbers",
+                    "a vertex line must hold two numbers",
                     "write x and y, and check the number of vertices of the ring", where);
     }
     set_.vertex(ring, line.tokens[0], line.tokens[1], line.number);
@@ -102,7 +102,7 @@ class PolyReader {
       input_.refuse(lines_.line() ? "syntax" : "truncated",
                     "the ring has " + std::to_string(size) + " vertices and " +
                         std::to_string(order.size()) + " indices",
-                    "complete them, or leave the line of indices out", where);
+                    "complete them, or leave out the line of indices", where);
     }
     Ring points(size);
     std::vector<std::uint32_t> lines(size);

@@ -52,7 +52,7 @@ class AsciiReader {
     const bool second_is =
         second.empty() || (line.tokens.size() > 1 && is_word(line.tokens[1], second));
     if (first_is && second_is) return line;
-    input_.refuse("syntax", expected + " is due, not " + in_quotes(line.tokens[0]),
+    input_.refuse("syntax", expected + " is expected, not " + in_quotes(line.tokens[0]),
                   "write, for each triangle, `facet normal`, `outer loop`, three lines of "
                   "`vertex`, `endloop` and `endfacet`",
                   line.number);
@@ -76,7 +76,7 @@ class AsciiReader {
   void vertex() {
     const TextLine& line = due("vertex", "");
     if (line.tokens.size() != 4) {
-      mesh_.refuse_vertex("syntax", "a line of a vertex must hold three numbers",
+      mesh_.refuse_vertex("syntax", "a vertex line must hold three numbers",
                           "write `vertex`, x, y and z", line.number);
     }
     mesh_.vertex({line.tokens[1], line.tokens[2], line.tokens[3]}, line.number);
@@ -115,8 +115,8 @@ MeshReading read_binary(std::string_view file, Input& input) {
   }
   const std::uint64_t stated = stated_length(file, input);
   input.refuse(file.size() < stated ? "truncated" : "trailing-text",
-               "by its bytes 80 to 83 the file has " + std::to_string(stated) +
-                   " bytes, and it has " + length,
+               "according to its bytes 80 to 83 the file has " + std::to_string(stated) +
+                   " bytes, but it has " + length,
                "complete the file, or correct its number of triangles");
 }
 

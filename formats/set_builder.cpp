@@ -101,7 +101,9 @@ Reading SetBuilder::finish_as_read() {
       if (size >= 3 || (alone && size > 0)) continue;
       if (size == 0 || &ring != &rings[0] || rings.size() > 1) too_few(input_, ring);
       input_.refuse("mixed-operand",
-                    std::string(size == 1 ? "a point" : "a segment") + " stands beside other parts",
+                    std::string(size == 1 ? "a point" : "a segment") +
+                        " occurs together with "
+                        "other parts",
                     "give the point or the segment alone, in its own file", ring.place_of(0));
     }
   }

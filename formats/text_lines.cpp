@@ -45,8 +45,8 @@ TextLines::TextLines(std::string_view text, LineRules rules, std::size_t lines_b
 
 const TextLine& TextLines::due(const std::string& expected, const Input& input) const {
   if (!line_) {
-    input.refuse("truncated", "the text ends where " + expected + " is due", "complete the file",
-                 number_);
+    input.refuse("truncated", "the text ends where " + expected + " is expected",
+                 "complete the file", number_);
   }
   return *line_;
 }

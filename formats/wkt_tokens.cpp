@@ -25,11 +25,11 @@ void WktTokens::advance(std::size_t end) {
 
 void WktTokens::refuse(const std::string& expected) const {
   if (at_end()) {
-    input_.refuse("truncated", "the text ends where " + expected + " is due", "complete the file",
-                  line_);
+    input_.refuse("truncated", "the text ends where " + expected + " is expected",
+                  "complete the file", line_);
   }
   input_.refuse("syntax",
-                "this is not well-known text: " + expected + " is due before " +
+                "this is not well-known text: " + expected + " is expected before " +
                     in_quotes(text_.substr(at_, 12)),
                 "correct the text", line_);
 }

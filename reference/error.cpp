@@ -33,7 +33,7 @@ std::string message(const std::string& code, const std::string& problem, const s
   }
   for (const auto& coordinate : place.coordinates) text += coordinate + " ";
   text += problem + " [" + code + "]";
-  if (!mend.empty()) text += ". To mend it: " + mend;
+  if (!mend.empty()) text += ". To fix it: " + mend;
   return text;
 }
 

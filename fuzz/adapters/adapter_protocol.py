@@ -66,7 +66,7 @@ def told(error: BaseException) -> str:
     try:
         return f"{name}: {error}"[:LONGEST_REASON]
     except BaseException:  # noqa: BLE001 its own __str__ raises
-        return f"{name} (its text cannot be had)"
+        return f"{name} (its text cannot be read)"
 
 
 def streams() -> tuple[BinaryIO, TextIO]:

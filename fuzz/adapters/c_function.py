@@ -47,7 +47,7 @@ def load(path: str, name: str) -> tuple[dict[str, Any], Sum]:
         text = library.minkref_hello()
         hello = json.loads(text.decode()) if text else {}
         if not isinstance(hello, dict):
-            raise Errored("its declaration: minkref_hello gives no JSON object")
+            raise Errored("its declaration: minkref_hello does not give a JSON object")
     declared = {**ADD_ON, **hello, "numbers": "double"}
     able = declared["capabilities"]
     if isinstance(able, list) and "space" in able:

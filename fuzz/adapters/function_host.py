@@ -47,10 +47,10 @@ def python_function(module: str, name: str) -> tuple[dict[str, Any], Sum]:
         if here not in sys.path:
             sys.path.append(here)  # for what the module imports later; it shadows nothing
     if not callable(function):
-        raise TypeError(f"{name} is no function")
+        raise TypeError(f"{name} is not a function")
     declared = getattr(function, "minkref", {})
     if not isinstance(declared, dict):
-        raise Errored("its declaration: the attribute minkref is no dictionary")
+        raise Errored("its declaration: the attribute minkref is not a dictionary")
     try:
         json.dumps(declared)
     except (TypeError, ValueError) as error:
@@ -73,7 +73,7 @@ def answering(function: Callable[[Set, Set], Any]) -> Sum:
         if found is None:
             raise Skipped("the function returned None")
         if not isinstance(found, dict):
-            raise TypeError(f"it returned {type(found).__name__}, no dictionary")
+            raise TypeError(f"it returned {type(found).__name__}, not a dictionary")
         return {word: found[word] for word in MEMBERS if word in found}
 
     return sum_of

@@ -14,7 +14,7 @@ from minkref.fuzz.cases.needs import is_double, needs_of_plane
 
 @dataclass(frozen=True)
 class CaseName:
-    """A text from which a case can be had again (`naming.py`), cheap to send to a worker, and the
+    """A text that reproduces a case (`naming.py`), cheap to send to a worker, and the
     column of the matrix that it belongs to."""
 
     text: str

@@ -87,7 +87,7 @@ def _json_of(path: Path) -> Any:
     try:
         return json.loads(text)
     except (ValueError, RecursionError) as error:
-        raise Refusal(f"this is no JSON: {cut(str(error))}", str(path), mend, "syntax") from error
+        raise Refusal(f"this is not JSON: {cut(str(error))}", str(path), mend, "syntax") from error
 
 
 def case_document(path: Path) -> dict[str, Any] | None:

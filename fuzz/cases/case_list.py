@@ -219,7 +219,8 @@ class CaseList:
         for name, _, alike, _ in PAPER_MODELS:
             if name not in known:
                 self.notes.append(
-                    f"{name} is absent (MINKREF_MODELS does not give it): {alike} in its place"
+                    f"{name} is missing (MINKREF_MODELS does not provide it): {alike} is used "
+                    f"instead"
                 )
         missing = [name for name in SMALL_MODELS if name not in known]
         if missing:

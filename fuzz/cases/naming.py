@@ -84,7 +84,7 @@ def _generate(name: CaseName, family: str, seed: int, index: int) -> Case:
 
 def _no_family(text: str) -> Refusal:
     return Refusal(
-        "this names no generated case",
+        "no generated case has this name",
         f"--case {cut(text)}",
         "write FAMILY:SEED:INDEX, for example random:1:42; `minkref families` lists the families",
     )
@@ -93,7 +93,7 @@ def _no_family(text: str) -> Refusal:
 def _derive(name: CaseName, operation: str, number: str | None, inner: str) -> Case | SpaceCase:
     if name.text.count("(") > DEEPEST:
         raise Refusal(
-            f"a case is got from another in more than {DEEPEST} steps",
+            f"a case is derived from another in more than {DEEPEST} steps",
             f"--case {cut(name.text)}",
             "write the case itself",
         )
@@ -141,7 +141,7 @@ def _derive(name: CaseName, operation: str, number: str | None, inner: str) -> C
     ways = ["probe:K", "mutant:K", "grid:B", "scaled-up:B", "scaled-down:B", "cut:N"]
     known = ", ".join([*ways, UPDATE, EVENTS, *LAWS])
     raise Refusal(
-        f"no case is got from another by {operation[:40]!r}",
+        f"no case is derived from another by {operation[:40]!r}",
         f"--case {cut(name.text)}",
         f"write one of {known}",
     )
@@ -225,7 +225,7 @@ def _literal(name: CaseName) -> Case | SpaceCase:
         operands = [value["P"], value["Q"]]
         scale = value.get("scale", "1")
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
-        raise Refusal(f"this is no case: {cut(str(error))}", where, mend) from error
+        raise Refusal(f"this is not a case: {cut(str(error))}", where, mend) from error
     if all(isinstance(each, dict) and "faces" in each for each in operands):
         return SpaceCase.of(name, operands, scale, where)
     P, Q = (_valid(json.dumps(each), where) for each in operands)
@@ -261,7 +261,7 @@ def _named(name: CaseName) -> Case | SpaceCase:
             P, Q = read_operand(first), read_operand(second)
             return Case(name, P.set, Q.set, read_scale(scale if at else "1"), P.name, Q.name)
     raise Refusal(
-        "this names no pair of files or models",
+        "this is not the name of a pair of files or models",
         f"--case {cut(name.text)}",
         "write P+Q@SCALE, for example g1+g2@7/5, random:SEED:INDEX, or a case file",
     )

@@ -85,10 +85,10 @@ class SpaceCase:
             try:
                 solid = Polyhedron.from_document(value)
             except ValueError as error:
-                raise Refusal(f"this is no polyhedron: {error}", where, mend) from error
+                raise Refusal(f"this is not a polyhedron: {error}", where, mend) from error
             fault = solid.fault()
             if fault is not None:
-                raise Refusal(fault, where, "mend the mesh", "not-closed")
+                raise Refusal(fault, where, "repair the mesh", "not-closed")
             solids.append(solid if solid.is_thin else solid.without_unused_vertices())
         if all(solid.is_thin for solid in solids):
             mend = "give one by its faces"

@@ -92,7 +92,9 @@ def choose(
         raise Refusal(what, "--isolation", choice(wanted, KINDS))
     for name in passed:
         if not name or "=" in name or "\0" in name:
-            raise Refusal("this names no variable", f"--pass-env {name[:40]!r}", "give its name")
+            raise Refusal(
+                "this is not the name of a variable", f"--pass-env {name[:40]!r}", "give its name"
+            )
     why = sandbox.absence() if wanted != NONE else "asked for by --isolation none"
     if why is not None and wanted == SANDBOX:
         raise Refusal(f"there is no sandbox: {why}", "--isolation sandbox", "give auto or none")

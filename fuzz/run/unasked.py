@@ -28,14 +28,18 @@ def not_asked(done: Run, declared: Mapping[str, Declaration]) -> list[str]:
             if where in able and not done.asked[name, verb, dimension]
         ]
         if missing:
-            notes.append(f"{name} declares what this run did not ask for: {', '.join(missing)}")
+            notes.append(
+                f"{name} declares verbs that this run did not ask for: {', '.join(missing)}"
+            )
         absent = [
             f"in {'the plane' if dimension == 2 else 'space'} {', '.join(kinds)}"
             for where, dimension in (("plane", 2), ("space", 3))
             if where in able and (kinds := _not_met(done, name, able, dimension))
         ]
         if absent and set(done.groups) != {NAMED}:
-            notes.append(f"{name} declares what no case of this run had: {'; '.join(absent)}")
+            notes.append(
+                f"{name} declares kinds of input that no case of this run had: {'; '.join(absent)}"
+            )
     return notes
 
 
@@ -59,13 +63,13 @@ def resting_notes(done: Run, targets: Iterable[str], count: int | None) -> list[
         unasked = sum(
             cell.skips[RESTS] for (target, _), cell in done.matrix.items() if target == name
         )
-        left = f"{unasked:,} cases are left unasked"
+        left = f"{unasked:,} cases were not asked"
         if done.resting.keys() >= set(targets):
             left = "the run ended there"
             if count is not None:
                 left += f", {count - ran + unasked:,} cases before its end"
         notes.append(
             f"{name} had no answer to {MOST_TIME_OUTS} cases in a row, the last of them {case}: it "
-            f"was not asked any more; {left}"
+            f"was not asked again; {left}"
         )
     return notes

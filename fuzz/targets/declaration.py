@@ -150,7 +150,7 @@ def _grid(value: Mapping[str, Any]) -> dict[str, Any]:
 def _bits(value: Mapping[str, Any]) -> int | None:
     bits = _grid(value).get("bits")
     if bits is not None and (isinstance(bits, bool) or not isinstance(bits, int) or bits < 1):
-        raise DeclarationError("grid: bits is no positive integer")
+        raise DeclarationError("grid: bits is not a positive integer")
     return bits
 
 

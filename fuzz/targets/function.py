@@ -48,7 +48,7 @@ class FunctionTarget(ProgramTarget):
             return answer
         read, what = plane_answer, "not a polygon set"
         if in_space:
-            read, what = solid_answer, "no polyhedron"
+            read, what = solid_answer, "not a polyhedron"
         try:
             return read(value, declaration, seconds)
         except ValueError as error:
@@ -72,7 +72,7 @@ def host_command(name: str) -> list[str]:
     kind, *parts = name.split(":")
     if len(parts) != 2 or not all(parts):
         what = "C" if kind == C else "Python"
-        raise Refusal(f"this names no {what} function", name, MENDS[kind])
+        raise Refusal(f"this is not the name of a {what} function", name, MENDS[kind])
     shown = _packages(parts[0]) if kind == PYTHON else []
     return [sys.executable, str(HOST), kind, *parts, *shown]
 

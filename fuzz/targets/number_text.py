@@ -21,5 +21,5 @@ def is_number(text: str) -> bool:
 def number_of(text: str) -> Fraction:
     """Exact. ValueError for a text that is none."""
     if not is_number(text):
-        raise ValueError(f"{text[:40]!r} is no number: {GRAMMAR}")
+        raise ValueError(f"{text[:40]!r} is not a number: {GRAMMAR}")
     return Fraction(text)

@@ -70,7 +70,7 @@ def received(number: Any, declaration: Declaration) -> str:
     if len(number) > LONGEST_NUMBER:
         raise Unreadable(f"a number has more than {LONGEST_NUMBER:,} characters")
     if not is_number(number):
-        raise Unreadable(f"{number[:40]!r} is no number: {GRAMMAR}")
+        raise Unreadable(f"{number[:40]!r} is not a number: {GRAMMAR}")
     return number
 
 

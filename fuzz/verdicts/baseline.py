@@ -65,7 +65,7 @@ def read_baseline(path: Path) -> Baseline:
     except (ValueError, RecursionError) as error:
         raise Refusal(f"the baseline is not JSON: {cut(str(error))}", str(path), mend) from error
     if not isinstance(value, dict) or value.get("baseline") != "baseline-v1":
-        raise Refusal("this is no baseline of version 1", str(path), mend)
+        raise Refusal("this is not a baseline of version 1", str(path), mend)
     _refuse_unknown(value, ("baseline", "entries"), "the baseline", str(path))
     entries = value.get("entries")
     if not isinstance(entries, list):
@@ -78,7 +78,7 @@ def read_baseline(path: Path) -> Baseline:
         _refuse_unknown(entry, _FIELDS, f"entry {number}", str(path))
         if entry["kind"] not in KINDS:
             raise Refusal(
-                f"entry {number} has the kind {entry['kind'][:40]!r}, which nothing has",
+                f"entry {number} has the kind {entry['kind'][:40]!r}, which does not exist",
                 str(path),
                 choice(entry["kind"], KINDS),
             )

@@ -91,7 +91,7 @@ def _plain_number(number: Any) -> str:
     if isinstance(number, str):
         text = "".join(number)  # no text of a class of its own
         if not is_number(text):
-            raise ValueError(f"{text[:40]!r} is no number: {GRAMMAR}")
+            raise ValueError(f"{text[:40]!r} is not a number: {GRAMMAR}")
         return text
     if isinstance(number, int) and not isinstance(number, bool):
         return int.__repr__(number)

@@ -31,10 +31,10 @@ class Reason(StrEnum):
     EXTRA = "extra"  # a point of the result is not in the sum
     HOLE_LOST = "hole-lost"  # a hole of the sum is filled
     HOLE_INVENTED = "hole-invented"  # the result has a hole inside the sum
-    COMPONENT = "component"  # a component of the sum is absent, or one is invented
+    COMPONENT = "component"  # a component of the sum is missing, or one is invented
     NOT_CLOSED = "not-closed"  # a ring whose vertices lie on one line
     SELF_INTERSECTING = "self-intersecting"  # rings overlap or cross; of CGAL: run the wrong way
-    NOT_CANONICAL = "not-canonical"  # the right set, other rings than the canonical ones
+    NOT_CANONICAL = "not-canonical"  # the right set, but not with the canonical rings
     EVENT_MISSED = "event-missed"
     EVENT_INVENTED = "event-invented"
     EVENT_MISPLACED = "event-misplaced"  # another change, another place, other features

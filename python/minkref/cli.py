@@ -30,7 +30,7 @@ app = typer.Typer(
     epilog="Examples:\n\nminkref sum disc1 cells1815 --scale 7/5 -o sum.svg\n\n"
     "minkref verify cgal-reduced --pairs 1000 --report build/report\n\n"
     "minkref models\n\n"
-    "Exit codes: 0 all well; 1 something is proven wrong; 2 wrong usage or bad input; "
+    "Exit codes: 0 success; 1 something is proven wrong; 2 wrong usage or bad input; "
     "3 an implementation crashed or hung; 4 undecided (verify --strict, check); "
     "70 an internal error; 141 the reader of standard output has gone.",
 )

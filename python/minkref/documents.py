@@ -145,7 +145,7 @@ def check_writable(path: Path) -> None:
         raise Refusal("this is a folder", str(path), "name a file", "cannot-write")
     if path.is_symlink():
         raise Refusal(
-            "this symbolic link leads back to itself", str(path), "name a file", "cannot-write"
+            "this symbolic link points back to itself", str(path), "name a file", "cannot-write"
         )
     if not path.parent.is_dir():
         raise Refusal(

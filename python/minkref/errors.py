@@ -1,4 +1,4 @@
-"""What the command line refuses: what is wrong, where, and how to mend it."""
+"""What the command line refuses: what is wrong, where, and how to fix it."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def message_of(error: BaseException) -> str:
     try:
         return cut(f"{name}: {error}")
     except BaseException:  # noqa: BLE001 its own __str__ raises
-        return f"{name} (its text cannot be had)"
+        return f"{name} (its text cannot be read)"
 
 
 def cut(text: str) -> str:

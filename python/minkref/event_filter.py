@@ -69,7 +69,7 @@ def read_filter(text: str, kind: str) -> _core.EventCondition:
     Numbers are read exactly."""
     if len(text) > LONGEST:
         what = f"the condition has more than {LONGEST} characters"
-        raise Refusal(what, "--where", "take several runs, or a file and jq", "limit")
+        raise Refusal(what, "--where", "use several runs, or a file and jq", "limit")
     try:
         parser = Lark(GRAMMAR, parser="lalr", transformer=_Conditions(text, kind))
         condition = parser.parse(text)
@@ -91,13 +91,17 @@ def _refuse_syntax(text: str, error: UnexpectedInput) -> NoReturn:
         if error.token.type != "$END":
             position = error.token.start_pos or 0
     words = sorted({_SAID.get(name, f"'{name.lower()}'") for name in expected})
-    mend = f"go on with {', '.join(words)}" if words else _EXAMPLE
+    mend = f"continue with {', '.join(words)}" if words else _EXAMPLE
     letter = text[position : position + 1]
     if letter in _INSTEAD:
         mend = f"write {_INSTEAD[letter]}"
     elif not text.strip():
         mend = _EXAMPLE
-    what = "the condition ends too early" if position >= len(text.rstrip()) else "this is not read"
+    what = (
+        "the condition ends too early"
+        if position >= len(text.rstrip())
+        else "this is not understood"
+    )
     raise Refusal(what, _place(text, position), mend, "bad-condition")
 
 
@@ -148,7 +152,7 @@ class _Conditions(Transformer[Token, Any]):
         if second is None or last is None:
             return condition
         if {sign[0], second[0]} not in ({"<"}, {">"}):
-            self._refuse(second, "this is no interval", "write A < s < B, or <=")
+            self._refuse(second, "this is not an interval", "write A < s < B, or <=")
         return self.all(condition, self._compared(name, second, last))
 
     def close(self, bracket: Token) -> Token:
@@ -173,7 +177,7 @@ class _Conditions(Transformer[Token, Any]):
     def feature(self, name: Token, number: Token) -> _core.EventCondition:
         self._check(name, ("before", "after"), number)
         if not number.isdigit() or len(number) > 9:
-            self._refuse(number, "features have numbers from 0", f"write {name} has 0: the outside")
+            self._refuse(number, "features are numbered from 0", f"write {name} has 0: the outside")
         return _core.EventCondition.feature(name, int(number))
 
     def parent(
@@ -186,7 +190,7 @@ class _Conditions(Transformer[Token, Any]):
         if place is None:
             return None
         if len(place) > 18:
-            self._refuse(place, "no ring and index are so large", "name an edge as 0.12")
+            self._refuse(place, "no ring and index are that large", "name an edge as 0.12")
         ring, index = (int(number) for number in place.split("."))
         return ring, index
 
@@ -217,7 +221,7 @@ class _Conditions(Transformer[Token, Any]):
         return ("kind", "change", "feature") if self._kind == "topology" else ("kind", "change")
 
     def _check(self, name: Token, fitting: tuple[str, ...], value: Token) -> None:
-        """Refuses a field that these events have not, or that is not asked so."""
+        """Refuses a field that these events do not have, or that is not asked like this."""
         topology = self._kind == "topology"
         if name in fitting and (topology or name not in _OF_TOPOLOGY):
             return
@@ -237,7 +241,7 @@ class _Conditions(Transformer[Token, Any]):
             how = f"{name} = {self._of(name)[0]}"
         else:
             how = f"{name} > 7/5, or {name} in [1, 2]"
-        self._refuse(name, f"{name} is not asked so", f"write {how}")
+        self._refuse(name, f"this is not a condition on {name}", f"write {how}")
 
     def _of(self, name: str) -> tuple[str, ...]:
         """The words that a field may be."""

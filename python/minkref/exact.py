@@ -63,7 +63,7 @@ def read_point(text: str, option: str = "--point") -> tuple[str, str]:
     if len(text) > 2 * LONGEST_SCALE:
         raise Refusal("the point has too many characters", where, mend, "limit")
     if len(parts) != 2:
-        raise Refusal("this is no point", where, mend, "point-not-two-numbers")
+        raise Refusal("this is not a point", where, mend, "point-not-two-numbers")
     x, y = (str(read_number(part.strip(), "point", where, mend)) for part in parts)
     return x, y
 

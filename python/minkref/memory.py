@@ -23,8 +23,7 @@ Memory = Annotated[
     int | None,
     typer.Option(
         "--memory",
-        help="The most memory that the work may have, in MiB. Default: nine tenths of what is "
-        "free.",
+        help="The most memory that the work may use, in MiB. Default: nine tenths of what is free.",
         metavar="MIB",
     ),
 ]
@@ -62,5 +61,5 @@ def memory_wall(limit: int | None, work: str, where: str, instead: str) -> Itera
 
 def _refusal(what: str, work: str, where: str, instead: str) -> Refusal:
     return Refusal(
-        f"{work}: {what}", where, f"give it more by --memory, or {instead}", "memory-limit"
+        f"{work}: {what}", where, f"give it more memory with --memory, or {instead}", "memory-limit"
     )

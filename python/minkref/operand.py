@@ -50,9 +50,9 @@ def read_operand(name: str) -> Operand:
     if name in {paper for paper, *_ in PAPER_MODELS}:
         alike = next(look for paper, _, look, _ in PAPER_MODELS if paper == name)
         raise Refusal(
-            "this model of the paper does not ship with minkref",
+            "this model of the paper is not included in minkref",
             name,
-            f"set {VARIABLE} to the folder that holds it, or take our look-alike {alike}",
+            f"set {VARIABLE} to the folder that holds it, or use our look-alike {alike}",
             "no-such-model",
         )
     if name in {polyhedron.name for polyhedron in shipped_polyhedra()}:

@@ -33,14 +33,14 @@ def text_and_form(name: str) -> tuple[str, str]:
         text = decoded(sys.stdin.buffer.read(LONGEST + 1), source_of(name))
         if not text.strip():
             mend = "pipe a set into it; it is one operand: name a file for the other"
-            raise Refusal("nothing is left to be read", source_of(name), mend, "unknown-format")
+            raise Refusal("there is nothing left to read", source_of(name), mend, "unknown-format")
     if _WKT.match(text):
         return text, "wkt"
     if text.lstrip().startswith("{"):
         return text, "geojson" if _is_geojson(text) else "json"
     if re.match(r"\s*\d+\s", text):
         return text, "poly"
-    raise Refusal("this is no format that is known", source_of(name), MEND, "unknown-format")
+    raise Refusal("this text is in no known format", source_of(name), MEND, "unknown-format")
 
 
 def source_of(name: str) -> str:

@@ -17,9 +17,11 @@ def folder_to_write(name: str, inside: Iterable[str] = ()) -> Path:
     """The folder that -o names. Refuses one in which no file can be made, or not in the folders
     `inside` it, before any work is done; makes none."""
     if not name:
-        raise Refusal("the name of the folder is empty", "-o ''", "name one; . is where you are")
+        raise Refusal(
+            "the name of the folder is empty", "-o ''", "name one; . is the current folder"
+        )
     folder = Path(name)
-    refuse_stream(folder, "many files are written, to a folder", "name a folder")
+    refuse_stream(folder, "this command writes many files, to a folder", "name a folder")
     for path in (folder, *(folder / each for each in inside)):
         try:
             _check_folder(path)

@@ -29,7 +29,7 @@ class RowSpool:
             self._file.write(json.dumps(row).encode() + b"\n")
         except OSError as error:
             raise Refusal(
-                f"the rows of a long table find no place: {error.strerror}",
+                f"there is no room for the rows of a long table: {error.strerror}",
                 "the folder of temporary files",
                 "free some space, or set TMPDIR to another folder",
                 "cannot-write",

@@ -52,7 +52,7 @@ def route_with(index: Path | None, route: str | None, default: str) -> str:
         return default if route is None else route
     if route not in (None, "index"):
         raise Refusal(
-            f"an index is given, and the route {route}, which does not use it",
+            f"an index is given, but the route {route} does not use it",
             f"--index {index} --route {route}",
             "leave out one of the two options",
         )
@@ -80,9 +80,9 @@ def open_index(path: Path, P: Operand, Q: Operand) -> _core.ScaleSpaceIndex:
     index = refusing(str(path), lambda: _core.ScaleSpaceIndex.open(str(path)))
     if not index.is_of(P.set, Q.set):
         raise Refusal(
-            f"the index is not that of {P.name} and {Q.name}",
+            f"the index does not belong to {P.name} and {Q.name}",
             str(path),
-            "give the operands that it was built of, in their order, or build another",
+            "give the operands that it was built from, in the same order, or build another",
             "other-operands",
         )
     return index
@@ -100,7 +100,7 @@ def index_of(
         raise Refusal(
             f"the window [{first}, {last}] is empty",
             "--from, --to",
-            "give a beginning that is not greater than the end",
+            "give a --from that is not greater than --to",
             "bad-window",
         )
     begin, end = index.window
@@ -112,7 +112,7 @@ def index_of(
         raise Refusal(
             f"the index holds the scales from {begin or '0'} to {end or 'infinity'}, not {asked}",
             str(path),
-            "ask for scales of its window, or build an index of a larger one",
+            "ask for scales in its window, or build an index of a larger window",
             "outside-window",
         )
     return index

@@ -129,7 +129,7 @@ def _table(path: Path) -> dict[str, Any] | None:
     tool = document.get("tool", {})
     table = tool.get("minkref") if isinstance(tool, dict) else None
     if table is not None and not isinstance(table, dict):
-        raise Refusal("this is no table", f"{path}, tool.minkref", "write [tool.minkref]")
+        raise Refusal("this is not a table", f"{path}, tool.minkref", "write [tool.minkref]")
     return table
 
 

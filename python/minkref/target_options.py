@@ -26,8 +26,8 @@ IsolationKind = Annotated[
     str,
     typer.Option(
         "--isolation",
-        help="Walls around programs and functions of others: sandbox (bubblewrap), none, or auto, "
-        "which is the sandbox where it works.",
+        help="How programs and functions under test are isolated: sandbox (bubblewrap), none, or "
+        "auto (the sandbox where it works).",
         metavar="|".join(KINDS),
         autocompletion=lambda: list(KINDS),
     ),
@@ -36,7 +36,7 @@ PassedVariables = Annotated[
     list[str] | None,
     typer.Option(
         "--pass-env",
-        help="Hand this variable on to them; of the environment they get a short list only.",
+        help="Pass this environment variable on to them; by default they get only a short list.",
         metavar="NAME",
     ),
 ]

@@ -23,7 +23,7 @@ def check_drawable() -> None:
         "\u2800".encode(encoding)
     except (UnicodeEncodeError, LookupError) as error:
         mend = "set PYTHONIOENCODING=utf-8, or write a picture with -o sum.svg"
-        raise Refusal(f"{encoding} has no letters to draw with", "--plot", mend) from error
+        raise Refusal(f"{encoding} has no characters to draw with", "--plot", mend) from error
 
 
 def terminal_picture(region: _core.PolygonSet, columns: int = COLUMNS) -> str:

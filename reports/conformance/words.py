@@ -8,13 +8,13 @@ VERDICTS = {
     Verdict.PASS: "the sum, exactly",
     Verdict.PASS_WITHIN: "within the tolerance that the target declares",
     Verdict.WRONG: "not the sum, proven by a point that can be checked by hand",
-    Verdict.KNOWN: "a fault that the baseline lists, whatever its verdict was",
-    Verdict.ERRORED: "said that it could not, or said what is no answer",
+    Verdict.KNOWN: "a fault listed in the baseline, whatever its verdict was",
+    Verdict.ERRORED: "reported an error, or gave something that is not an answer",
     Verdict.CRASHED: "the process of the target died",
     Verdict.TIMED_OUT: "no answer in time",
     Verdict.OUT_OF_MEMORY: "needed more memory than allowed",
     Verdict.UNDECIDED: "no point settles whether it is right",
-    Verdict.SKIPPED: "not asked, or declined by what it declares; counts in no fraction",
+    Verdict.SKIPPED: "not asked, or outside what it declares; not counted in any fraction",
 }
 
 REASONS = {
@@ -22,14 +22,14 @@ REASONS = {
     Reason.EXTRA: "the result has points that are not in the sum",
     Reason.HOLE_LOST: "a hole of the sum is filled",
     Reason.HOLE_INVENTED: "the result has a hole where the sum has none",
-    Reason.COMPONENT: "a component of the sum is absent, or one is invented",
+    Reason.COMPONENT: "a component of the sum is missing, or one is invented",
     Reason.NOT_CLOSED: "a ring or surface that does not enclose anything",
     Reason.SELF_INTERSECTING: "rings of the result overlap, cross or run the wrong way",
-    Reason.NOT_CANONICAL: "the right set, other rings than the canonical ones",
+    Reason.NOT_CANONICAL: "the right set, but not with the canonical rings",
     Reason.EVENT_MISSED: "an event is not reported",
     Reason.EVENT_INVENTED: "an event is reported where there is none",
     Reason.EVENT_MISPLACED: "an event is reported as another change or in another place",
-    Reason.STATE_DRIFT: "a state reached by update is not the state that is there",
+    Reason.STATE_DRIFT: "a state reached by update differs from the true state",
     Reason.NONDETERMINISTIC: "two answers to the same question differ",
     Reason.ACCEPTED_INVALID: "a result for operands that are invalid",
     Reason.REJECTED_VALID: "valid operands are called invalid",
@@ -61,7 +61,7 @@ def meaning(kind: str) -> str:
 def ending(code: int) -> str:
     """What an exit code says of the run."""
     return {
-        0: "Nothing is wrong that the baseline does not list.",
+        0: "Nothing is wrong, except what the baseline lists.",
         1: "Something is proven wrong.",
         2: "Nothing was run: there was no case, or every target skipped all of them.",
         3: "Something crashed, hung or gave no answer; nothing is proven wrong.",

@@ -9,7 +9,7 @@ from minkref.reports.evidence.framework.part import COMPARISON, READERS, REFEREN
 
 SUBJECT = (
     "Bad meshes: every kind of refusal exits 2, names file, face, vertices and coordinates where "
-    "there are such, says how to mend it, and leaves the output file unwritten."
+    "there are such, says how to fix it, and leaves the output file unwritten."
 )
 MINUTES = (0.3, None)
 DEPENDS = (*REFERENCE, *READERS, *COMPARISON, "python/minkref/**/*.py")

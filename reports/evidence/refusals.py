@@ -7,7 +7,7 @@ from minkref.reports.evidence.framework.part import COMPARISON, READERS, REFEREN
 
 SUBJECT = (
     "Bad input in the plane: every kind of refusal exits 2, names file, ring, vertices and "
-    "coordinates where there are such, says how to mend it, and leaves the output file unwritten."
+    "coordinates where there are such, says how to fix it, and leaves the output file unwritten."
 )
 MINUTES = (0.3, 0.1)
 DEPENDS = (*REFERENCE, *READERS, *COMPARISON, "python/minkref/**/*.py")

@@ -1,4 +1,4 @@
-"""Every misuse: exit code 2, what is wrong, where, and how to mend it; nothing written."""
+"""Every misuse: exit code 2, what is wrong, where, and how to fix it; nothing written."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ MISUSES = [
     (["verify", "./" + "x" * 300], "no file has a name"),
     (["verify", "cgal-magic"], "no such target"),
     (["verify", "py:no_such_module:f"], "cannot be loaded"),
-    (["verify", "py:math"], "names no Python function"),
+    (["verify", "py:math"], "not the name of a Python function"),
     (["verify", "--pairs", "-1"], "too small"),
     (["verify", "--pairs", "many"], "--pairs"),
     (["verify", "--seed", "7" * 4_000], "a number of 4,000 digits is too large"),
@@ -55,13 +55,13 @@ MISUSES = [
     (["verify", "--size-limit", "-1"], "too small"),
     (["verify", "--jobs", "0"], "too small"),
     (["verify", "--call-memory", "99999999999999"], "too large"),
-    (["verify", "--case", "random:\u0663:1"], "names no generated case"),
+    (["verify", "--case", "random:\u0663:1"], "no generated case has this name"),
     (["verify", "--report", "/dev/null"], "not a folder"),
     (["sum", "g1", "g2", "-o", "/proc/sum.wkt"], "no file can be made"),
     (["verify", "--seconds", "nan"], "too small"),
     (["verify", "--call-seconds", "0"], "out of range"),
-    (["verify", "--case", "random:1"], "names no generated case"),
-    (["verify", "--case", "g1+g11"], "names no pair"),
+    (["verify", "--case", "random:1"], "no generated case has this name"),
+    (["verify", "--case", "g1+g11"], "not the name of a pair"),
     (["verify", "--case", "g1+g2@0"], "scale is zero"),
     (["verify", "--baseline", "absent.json"], "cannot be read"),
     (["verify", "--junit", "no/such/folder/junit.xml"], "does not exist"),

@@ -112,8 +112,8 @@ def test_in_a_pipe_the_picture_has_no_colours() -> None:
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (("g1", "g2", "--plot", "--json"), "one thing alone"),
-        (("g1", "g2", "--plot", "-o", "-"), "one thing alone"),
+        (("g1", "g2", "--plot", "--json"), "only one of them"),
+        (("g1", "g2", "--plot", "-o", "-"), "only one of them"),
         (("g1", "g2", "--only-sum"), "add -o FILE.svg"),
         (("g1", "g2", "--only-sum", "-o", "sum.wkt"), "add -o FILE.svg"),
         (("gs3", "rod", "--plot"), "no picture is drawn in space"),

@@ -105,7 +105,7 @@ TEST(Off, AFaultyFaceIsRefusedWithItsNumberAndItsLine) {
   EXPECT_EQ(
       std::string(faulty("3 0 3 4").what()),
       "input: line 9: face 2: the face names vertex 4, and the vertices are numbered from 0 to "
-      "3 [index-out-of-range]. To mend it: correct the number, or add the vertex");
+      "3 [index-out-of-range]. To fix it: correct the number, or add the vertex");
 }
 
 TEST(Off, AFaultyVertexIsRefusedWithItsNumberAndItsLine) {

@@ -57,7 +57,7 @@ TEST(PlainJson, GeoJsonAndCasesAreToldApartByTheirMembers) {
   EXPECT_TRUE(reading.set.is_point());
   ASSERT_EQ(reading.warnings.size(), 1U);
   EXPECT_EQ(reading.warnings[0],
-            "a.json: a case holds two operands, P is taken; add #P or #Q to its name");
+            "a.json: a case holds two operands and P is used; add #P or #Q to its name");
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ BadInput refusal_of(Act act) {
   try {
     act();
   } catch (const BadInput& e) {
-    // Every refusal says what is wrong and how to mend it, shortly.
+    // Every refusal says what is wrong and how to fix it, shortly.
     EXPECT_FALSE(e.problem().empty());
     EXPECT_FALSE(e.mend().empty());
     EXPECT_LT(std::string_view(e.what()).size(), 1000U);

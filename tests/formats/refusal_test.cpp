@@ -57,7 +57,7 @@ TEST(Refusal, VerticesAreThoseOfTheFileThoughTheRingWasTurned) {
 TEST(Refusal, TheMessageNamesFileLineRingVertexAndMend) {
   const BadInput refused = refusal_of_text("POLYGON ((0 0,\n 1 0,\n 0 x, 0 0))", Format::wkt);
   EXPECT_EQ(std::string(refused.what()),
-            "input: line 3: ring 0: vertex 2: \"x\" is not a number [not-a-number]. To mend it: "
+            "input: line 3: ring 0: vertex 2: \"x\" is not a number [not-a-number]. To fix it: "
             "write an integer, a decimal or a fraction, such as 3, -30.7428, 1e-3 or 3/7");
 }
 

@@ -115,7 +115,7 @@ void ask(Question&& question) {
   try {
     question();
   } catch (const BadInput& refused) {
-    if (refused.mend().empty()) broken("a refusal says how to mend it", refused.what());
+    if (refused.mend().empty()) broken("a refusal says how to fix it", refused.what());
   }
 }
 

@@ -35,7 +35,7 @@ void check_written(const Polyhedron& polyhedron, MeshFormat format) {
     text = write_mesh(polyhedron, format);
   } catch (const BadInput& refused) {
     if (exactly) broken("what a format holds exactly is written", refused.what());
-    if (refused.mend().empty()) broken("a refusal says how to mend it", refused.what());
+    if (refused.mend().empty()) broken("a refusal says how to fix it", refused.what());
     return;
   }
   const Polyhedron again = read_mesh_text(text, format, "", output_limits()).polyhedron;

@@ -10,7 +10,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     value = parse_rational(text, fuzzing::input_limits().number);
   } catch (const BadInput& refused) {
     if (refused.mend().empty() || std::string_view(refused.what()).size() > 2000) {
-      fuzzing::broken("a refusal says how to mend it, shortly", refused.what());
+      fuzzing::broken("a refusal says how to fix it, shortly", refused.what());
     }
     return 0;
   }

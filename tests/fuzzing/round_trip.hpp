@@ -38,7 +38,7 @@ inline ReadLimits output_limits() {
 inline void check_refusal(const BadInput& refused) {
   if (refused.mend().empty() || refused.place().source.empty() ||
       std::string_view(refused.what()).size() > 2000) {
-    broken("a refusal names its source and how to mend it, shortly", refused.what());
+    broken("a refusal names its source and how to fix it, shortly", refused.what());
   }
 }
 

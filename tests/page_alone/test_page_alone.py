@@ -68,7 +68,7 @@ def test_what_is_declared_and_no_case_had_is_noted() -> None:
     name = adapter("PlaneAndSpace")
     words = ("--family", "convex", "--family", "space-polycube", "--pairs", "12")
     (note,) = [note for note in verify(name, *words)[1]["notes"] if "no case of this run" in note]
-    before, _, rest = note.partition(" declares what no case of this run had: ")
+    before, _, rest = note.partition(" declares kinds of input that no case of this run had: ")
     in_plane, in_space = rest.split("; ")
     assert name in before
     assert {"holes", "components", "segment"} < kinds_in(in_plane, "in the plane ")

@@ -133,7 +133,7 @@ def test_nothing_run_is_one_document(minkref: Any) -> None:
     ("target", "message"),
     [
         ("py:exits_on_import:f", "SystemExit"),
-        ("py:faulty_sums:not_callable", "no function"),
+        ("py:faulty_sums:not_callable", "is not a function"),
         ("py:faulty_sums:absent", "AttributeError"),
     ],
 )
@@ -202,4 +202,4 @@ def test_real_pairs_run_at_five_scales_or_name_the_look_alike(
             "9",
         ]
     assert len(cases.notes) == 3
-    assert all("in its place" in note for note in cases.notes)
+    assert all("is used instead" in note for note in cases.notes)

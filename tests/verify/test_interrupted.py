@@ -103,7 +103,7 @@ def test_a_run_that_is_interrupted_writes_all_that_it_has_judged(tmp_path: Path)
         jsonschema.validate(value, schema("verify"))
         assert (code, value["exit_code"]) == (128 + number,) * 2, (SEED, k)
         assert value["ended_by"] == signal.Signals(number).name
-        assert any("goes on from run.jsonl" in note for note in value["notes"])
+        assert any("continues from run.jsonl" in note for note in value["notes"])
         same_as_the_ledger(folder, value)
 
 

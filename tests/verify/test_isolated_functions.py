@@ -264,7 +264,7 @@ def test_a_package_right_in_the_folder_for_temporary_files_is_found(
         ("import os, signal\nos.kill(os.getpid(), signal.SIGSEGV)", "SIGSEGV"),
         ("import time\ntime.sleep(3600)", "no answer in 1 s"),
         ("raise KeyboardInterrupt", "KeyboardInterrupt"),
-        ("def f(P, Q): pass\nf.minkref = 3", "the attribute minkref is no dictionary"),
+        ("def f(P, Q): pass\nf.minkref = 3", "the attribute minkref is not a dictionary"),
         ("def f(P, Q): pass\nf.minkref = {'capabilities': {1}}", "its declaration: TypeError"),
         ("print('{}')\nimport sys\nsys.exit('said at the end')", "SystemExit: said at the end"),
     ],

@@ -79,7 +79,7 @@ def test_a_run_in_which_nobody_answers_ends(verify: Verify) -> None:
     assert sum(done.cases.values()) == len(done.findings) == MOST_TIME_OUTS
     assert done.exit_code() == 3
     (note,) = resting_notes(done, [HANGS], 1000)
-    assert note.endswith("it was not asked any more; the run ended there, 997 cases before its end")
+    assert note.endswith("it was not asked again; the run ended there, 997 cases before its end")
 
 
 def test_named_cases_are_asked_all(verify: Verify) -> None:

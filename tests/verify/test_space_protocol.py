@@ -87,7 +87,7 @@ def test_answers_that_differ_are_told(capsys: pytest.CaptureFixture[str]) -> Non
 
 def test_what_is_declared_and_not_asked_for_is_noted(capsys: pytest.CaptureFixture[str]) -> None:
     name = target_named("right")
-    note = f"{name} declares what this run did not ask for: update (space)"
+    note = f"{name} declares verbs that this run did not ask for: update (space)"
     assert note in verified(capsys, "right", literal("1"))[1]["notes"]
     assert note not in verified(capsys, "right", literal("1"), *UPDATES)[1]["notes"]
 

@@ -30,23 +30,25 @@ app = typer.Typer(
     no_args_is_help=True,
     add_completion=False,
     rich_markup_mode="rich",
-    help="Programs that let an implementation be tested.",
+    help="Write, check and install adapters: programs that connect an implementation to the tests.",
 )
 
 
 @app.command("new", epilog=NEW_EXAMPLES)
 def new(
-    name: Annotated[str, typer.Argument(help="Of the implementation: letters, digits, - and _.")],
+    name: Annotated[
+        str, typer.Argument(help="Name of the implementation: letters, digits, - and _.")
+    ],
     language: Annotated[str, typer.Option("--language", help=f"One of {', '.join(LANGUAGES)}.")],
     output: Annotated[
         Path, typer.Option("-o", "--output", help="Folder to write to.", metavar="DIR")
     ] = Path(),
 ) -> None:
-    """Write an adapter that works as it is: the sum of two convex polygons. Put the call of your
-    own implementation in its place."""
+    """Write a working adapter, for the sum of two convex polygons. Replace its sum by a call to
+    your own implementation."""
     path, text, run = template(name, language, output)
     if path.exists():
-        raise Refusal("there is such a file already", str(path), "choose another name")
+        raise Refusal("this file already exists", str(path), "choose another name")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         with path.open("x", encoding="utf-8") as file:
@@ -74,11 +76,11 @@ def header() -> None:
 def install(
     names: Annotated[
         list[str],
-        typer.Argument(help="Adapters of `minkref targets`, or all.", metavar="NAME..."),
+        typer.Argument(help="Names of adapters in `minkref targets`, or all.", metavar="NAME..."),
     ],
 ) -> None:
-    """Get the libraries that these adapters need, each into a folder of its own (MINKREF_ADAPTERS,
-    build/adapters, or ~/.cache/minkref/adapters)."""
+    """Install the libraries that these adapters need, each into a folder of its own (in
+    MINKREF_ADAPTERS, build/adapters, or ~/.cache/minkref/adapters)."""
     wanted = list(catalogue.ADAPTERS) if names == ["all"] else names
     for name in wanted:
         catalogue.adapter_named(name)

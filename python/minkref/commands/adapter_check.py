@@ -100,7 +100,7 @@ def command(
     target: Annotated[
         str,
         typer.Argument(
-            help="As for `minkref verify`: ./PATH, cmd:COMMAND, py:module:function, "
+            help="What to check, as for `minkref verify`: ./PATH, cmd:COMMAND, py:module:function, "
             "so:./library.so:function, or a name of `minkref targets`.",
             metavar="TARGET",
         ),
@@ -113,9 +113,9 @@ def command(
     json: Json = False,
     schema: Schema = False,
 ) -> None:
-    """Start an adapter, show what it declares and what that leaves out, and ask for four sums:
-    two of convex operands, one of an operand that is not convex, and one with a hole. Exits with 1
-    where a sum is proven wrong, 3 where the adapter breaks, and 2 where it does not start."""
+    """Start an adapter, show what it declares and what that leaves out, and ask for four sums: two
+    of convex operands, one of an operand that is not convex, and one with a hole. Exits with 1 if a
+    sum is proven wrong, 3 if the adapter breaks, and 2 if it does not start."""
     watch = Stopwatch()
     sizes = (call_seconds, call_memory, 1, None)
     check_numbers(0, None, None, *sizes, call_processes=call_processes)

@@ -39,14 +39,14 @@ def command(
         list[str] | None,
         typer.Option("--only", help=f"Parts to run: {', '.join(PARTS)}.", metavar="NAME"),
     ] = None,
-    seed: Annotated[int, typer.Option("--seed", help="Of the re-scalings.", metavar="K")] = 1,
+    seed: Annotated[int, typer.Option("--seed", help="Seed of the re-scalings.", metavar="K")] = 1,
     json: Json = False,
     schema: Schema = False,
 ) -> None:
-    """Times the dynamic update against finding the same afresh: intersections and sums of polygons
-    (Table 1 of Behar & Lien 2012), sums of convex polyhedra under non-uniform scaling (Table 2);
-    and the index of all scales against CGAL's sums. Some minutes each; together about one with
-    --quick."""
+    """Time the dynamic update against computing from scratch: intersections and sums of polygons
+    (Table 1 of Behar & Lien 2012), and sums of convex polyhedra under non-uniform scaling (Table
+    2); and the index of all scales against CGAL's sums. Takes some minutes each; with --quick about
+    one minute in all."""
     watch = Stopwatch()
     for name in only or []:
         if name not in PARTS:

@@ -62,18 +62,20 @@ Make = Callable[[], Certificate | ConvexCertificate]
 
 
 def command(
-    P: Annotated[str, typer.Argument(help="First operand, the scaled one: a file or a model.")],
+    P: Annotated[str, typer.Argument(help="First operand, which is scaled: a file or a model.")],
     Q: Annotated[str, typer.Argument(help="Second operand: a file or a model.")],
     output: Annotated[
         Path,
-        typer.Option("-o", help="FILE.cert.json or FILE.cert.json.gz; the case goes beside it."),
+        typer.Option(
+            "-o", help="FILE.cert.json or FILE.cert.json.gz; the case is written next to it."
+        ),
     ],
     scale: Annotated[
         str | None,
         typer.Option(
             "--scale",
             metavar="S",
-            help="The sum and its tight passages there; 1 by default. In space also SX,SY,SZ.",
+            help="Prove the sum and its tight passages at S. Default: 1. In space also SX,SY,SZ.",
         ),
     ] = None,
     event: Annotated[
@@ -81,13 +83,16 @@ def command(
         typer.Option(
             "--event",
             metavar="S",
-            help="The event of the topology, or else of the boundary, there: what is below, at and "
-            "above, and that there is none after --from (by default the event before, or half of "
-            "S).",
+            help="Prove the topology event at S, or else the boundary event: the sum below, at "
+            "and above S, and that there is no event between --from (default: the event before, "
+            "or half of S) and S.",
         ),
     ] = None,
     from_scale: Annotated[
-        str | None, typer.Option("--from", metavar="A", help="No event between A and --to.")
+        str | None,
+        typer.Option(
+            "--from", metavar="A", help="Prove that there is no event between A and --to."
+        ),
     ] = None,
     to_scale: Annotated[str | None, typer.Option("--to", metavar="B", help="See --from.")] = None,
     degeneracy: Annotated[
@@ -95,30 +100,32 @@ def command(
         typer.Option(
             "--degeneracy",
             metavar="S",
-            help="What makes the scale critical: which edges of the convolution meet there, as "
-            "predicates that are zero at it, and their signs below and above.",
+            help="Prove what makes S critical: which edges of the convolution meet there, as "
+            "predicates that are zero at S, and their signs below and above.",
         ),
     ] = None,
     point: Annotated[
         str | None,
-        typer.Option("--point", metavar="X,Y", help="Only that this point is in the sum at S."),
+        typer.Option(
+            "--point", metavar="X,Y", help="Prove only that this point is in the sum at --scale."
+        ),
     ] = None,
     check: Annotated[
         bool,
         typer.Option(
             "--check/--no-check",
-            help="Follow it before it is written, as `minkref check` does. Takes about as long as "
-            "making it.",
+            help="Check the certificate before it is written, as `minkref check` does. Takes "
+            "about as long as making it.",
         ),
     ] = True,
     memory: Memory = None,
     json: Json = False,
     schema: Schema = False,
 ) -> None:
-    """Write a certificate: a proof in steps that `minkref check`, or a checker of yours, follows
-    without trusting minkref (docs/certificates.md; of convex polyhedra
-    docs/certificates-convex.md). It is checked before it is written; one that is no proof would be
-    a fault of minkref, and is not written."""
+    """Write a certificate: a proof in steps that `minkref check`, or your own checker, verifies
+    without trusting minkref (docs/certificates.md; for convex polyhedra
+    docs/certificates-convex.md). It is checked before it is written; a certificate that is not a
+    proof would be a fault of minkref, and is not written."""
     watch = Stopwatch()
     stem = _stem(output)
     case = output.with_name(f"{stem}.case.json")
@@ -201,7 +208,7 @@ def _stem(output: Path) -> str:
         if output.name.endswith(ending) and output.name != ending:
             return output.name.removesuffix(ending)
     mend = "name it FILE.cert.json, or FILE.cert.json.gz"
-    raise Refusal("this is no name for a certificate", str(output), mend)
+    raise Refusal("this is not a name for a certificate", str(output), mend)
 
 
 @dataclass(frozen=True)

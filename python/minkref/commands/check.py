@@ -36,25 +36,36 @@ WORDS = {
 def command(
     files: Annotated[
         list[Path],
-        typer.Argument(help="Certificates, and folders of *.cert.json.", metavar="FILE|DIR..."),
+        typer.Argument(help="Certificates, or folders of *.cert.json.", metavar="FILE|DIR..."),
     ],
     case: Annotated[
-        Path | None, typer.Option("--case", help="The case, instead of the path that is named.")
+        Path | None,
+        typer.Option(
+            "--case",
+            help="Read the case from this file instead of the one that the certificate names.",
+        ),
     ] = None,
-    seconds: Annotated[float, typer.Option(help="For one certificate.", min=0, max=MOST)] = 600.0,
-    tests: Annotated[float, typer.Option(help="Elementary tests for one.", min=0, max=MOST)] = 1e10,
+    seconds: Annotated[
+        float, typer.Option(help="Time limit for one certificate.", min=0, max=MOST)
+    ] = 600.0,
+    tests: Annotated[
+        float, typer.Option(help="Most elementary tests for one certificate.", min=0, max=MOST)
+    ] = 1e10,
     bytes_: Annotated[
         float,
-        typer.Option("--bytes", help="Of a certificate, or a case, unpacked.", min=0, max=MOST),
+        typer.Option(
+            "--bytes", help="Largest size of a certificate or a case, unpacked.", min=0, max=MOST
+        ),
     ] = 2**28,
     json: Json = False,
     schema: Schema = False,
 ) -> None:
-    """Follow certificates (docs/certificates.md) step by step, in exact arithmetic; nothing of what
-    made them is used. The checkers are single files that also run alone: oracle/checker/check.py,
-    and check_convex.py beside it for sums of convex polyhedra (docs/certificates-convex.md). Exits
-    with 0 if all are verified, 1 if one is refuted, 2 if one is malformed or its case is missing, 4
-    if one is out of budget: the worst of these counts, in this order."""
+    """Verify certificates (docs/certificates.md) step by step, in exact arithmetic, with none of
+    the code that made them. The checkers are single files that also run alone:
+    oracle/checker/check.py, and check_convex.py next to it for sums of convex polyhedra
+    (docs/certificates-convex.md). Exits with 0 if all are verified, 1 if one is refuted, 2 if one
+    is malformed or its case is missing, 4 if one is out of budget; 1 takes precedence over 2, and 2
+    over 4."""
     watch = Stopwatch()
     rows = []
     for path in _found(files):

@@ -74,7 +74,7 @@ LIVES = 24  # holes and components whose lives people see
 
 
 def command(
-    P: Annotated[str, typer.Argument(help="First operand, the scaled one: a file or a model.")],
+    P: Annotated[str, typer.Argument(help="First operand, which is scaled: a file or a model.")],
     Q: Annotated[str, typer.Argument(help="Second operand: a file or a model.")],
     from_scale: Annotated[
         str | None,
@@ -91,7 +91,7 @@ def command(
         typer.Option(
             "--kind",
             help="pair: two edges of the convolution start or stop meeting. "
-            "parallel: two parallel edges come to lie on one line. "
+            "parallel: two parallel edges lie on one line at that scale. "
             "triple: three edges pass through one point. "
             "arrangement: all three. "
             "boundary: the vertices of the sum's boundary or their order change. "
@@ -107,7 +107,7 @@ def command(
         typer.Option(
             "--arithmetic",
             help="rational (exact), interval, double or mpfr:BITS. All but the first report how "
-            "the paper's method fares in them, beside what is true.",
+            "the paper's method fares in them, next to the truth.",
         ),
     ] = "rational",
     least: Annotated[
@@ -122,8 +122,9 @@ def command(
         str | None,
         typer.Option(
             "--route",
-            help="Of boundary and topology events: dynamic, from all events of the arrangement "
-            "(the default), or index, from the boundary of the swept sum: quicker on large ones.",
+            help="How boundary and topology events are found: dynamic (the default), from all "
+            "events of the arrangement, or index, from the boundary of the swept sum, which is "
+            "faster for large operands.",
         ),
     ] = None,
     index: IndexFile = None,
@@ -131,7 +132,7 @@ def command(
         str | None,
         typer.Option(
             "--where",
-            help="List the events only that meet a condition: 's > 7/5 and change = birth', "
+            help="List only the events that meet a condition: 's > 7/5 and change = birth', "
             "'1 < s <= 2', 'x in [0, 5] and y in (-1, 1)', 'parents has S 0.4 at 0.7', 'rank < 9'; "
             "of topology events also 'feature = hole', 'before has 3', 'parts > 1'. With `and`, "
             "`or`, `not`. Exact.",
@@ -140,22 +141,22 @@ def command(
     ] = None,
     limit: Annotated[
         int | None,
-        typer.Option(
-            "--limit", help="List the first N events only; they are all counted.", metavar="N"
-        ),
+        typer.Option("--limit", help="List only the first N events; all are counted.", metavar="N"),
     ] = None,
     output: Annotated[
         Path | None,
         typer.Option(
             "-o",
-            help="Write the events there: .json, .jsonl (an event a line) or .parquet; - is "
-            "standard output.",
+            help="Write the events to this file: .json, .jsonl (one event per line) or .parquet; "
+            "- is standard output.",
             metavar="FILE",
         ),
     ] = None,
     file_format: Annotated[
         str | None,
-        typer.Option("--format", help=f"Of the file: {', '.join(FORMATS)}; its ending without."),
+        typer.Option(
+            "--format", help=f"Format of the file: {', '.join(FORMATS)}. Default: by its ending."
+        ),
     ] = None,
     memory: Memory = None,
     json: Json = False,
@@ -249,7 +250,7 @@ def _route(kind: str, route: str | None, index: Path | None) -> str | None:
         return chosen
     if route is not None or index is not None:
         raise Refusal(
-            f"{kind} events are those of the arrangement: there is one way to them",
+            f"{kind} events come from the arrangement: there is only one route to them",
             "--route" if index is None else f"--index {index}",
             "leave it out, or choose --kind boundary or --kind topology",
         )
@@ -291,7 +292,7 @@ def _check(kind: str, form: str, arithmetic: str, least: bool, limit: int | None
         )
     if least and kind != "pair":
         raise Refusal(
-            "the least precision is that of pair events",
+            "the least precision is found for pair events only",
             f"--kind {kind} --least-precision",
             "leave out one of the two options",
         )
@@ -302,7 +303,7 @@ def _check(kind: str, form: str, arithmetic: str, least: bool, limit: int | None
             "leave out one of the two options",
         )
     if limit is not None and limit < 0:
-        raise Refusal("there are no fewer than none", f"--limit {limit}", "give 0 or more")
+        raise Refusal("the limit is negative", f"--limit {limit}", "give 0 or more")
 
 
 def _check_parquet(target: Target | None, kind: str) -> None:

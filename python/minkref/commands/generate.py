@@ -63,8 +63,9 @@ def command(
     families: Annotated[
         list[str],
         typer.Argument(
-            help="Families (`minkref families`); all: those of the plane with certificates; space: "
-            "those in space; invalid, invalid-mesh: those that must be refused.",
+            help="Families (`minkref families`). all: the families in the plane with "
+            "certificates; space: those in space; invalid, invalid-mesh: input that must be "
+            "refused.",
             metavar="FAMILY|all|space|invalid|invalid-mesh",
         ),
     ],
@@ -81,16 +82,18 @@ def command(
     index: Annotated[
         int | None,
         typer.Option(
-            "--index", help="Instead of --count: only the case of this number, from 0 on.", min=0
+            "--index",
+            help="Make only the case with this number, from 0, instead of --count.",
+            min=0,
         ),
     ] = None,
-    seed: Annotated[int, typer.Option("--seed", help="Another seed, other cases.")] = 1,
+    seed: Annotated[int, typer.Option("--seed", help="Another seed gives other cases.")] = 1,
     size: Annotated[
         int | None,
         typer.Option(
             "--size",
-            help="Vertices of both operands, about, of families that can be large (combs and "
-            "spirals up to 96: their sums grow with the fourth power).",
+            help="About how many vertices both operands have together, for families that can be "
+            "large (combs and spirals up to 96: their sums grow with the fourth power).",
             min=LEAST_SIZE,
             max=MOST_SIZE,
             show_default="drawn for each case, 8 to 24",
@@ -104,14 +107,14 @@ def command(
     ] = DEFAULT_FOLDER,
     jobs: Annotated[
         int,
-        typer.Option("--jobs", help="Processes; 0: as many as cores.", min=0, max=MOST_JOBS),
+        typer.Option("--jobs", help="Processes; 0: one per core.", min=0, max=MOST_JOBS),
     ] = 0,
     json: Json = False,
     schema: Schema = False,
 ) -> None:
-    """Make degenerate cases by the hundred (docs/degeneracies.md): files with operands, scales,
-    what is expected at each, and why good code gets it wrong; beside each a certificate of all
-    that. The same family, seed, number and size give the same bytes on every machine."""
+    """Make hundreds of degenerate cases (docs/degeneracies.md): files with operands, scales, the
+    expected result at each, and why good code gets it wrong, each with a certificate. The same
+    family, seed, number and size give the same bytes on every machine."""
     watch = Stopwatch()
     names = _chosen(families)
     numbers = _numbers(count, index)
@@ -201,9 +204,9 @@ def _numbers(count: int | None, index: int | None) -> range:
         return range(DEFAULT_COUNT if count is None else count)
     if count is not None:
         raise Refusal(
-            "it is said twice which cases are made",
+            "the cases are chosen twice",
             f"--count {count} and --index {index}",
-            "leave out --index to make the first ones, or --count to make one",
+            "leave out --index to make the first cases, or --count to make one",
         )
     return range(index, index + 1)
 

@@ -35,7 +35,7 @@ MOST_CHECKS = 10_000
 
 
 def command(
-    P: Annotated[str, typer.Argument(help="First operand, the scaled one: a file or a model.")],
+    P: Annotated[str, typer.Argument(help="First operand, which is scaled: a file or a model.")],
     Q: Annotated[str, typer.Argument(help="Second operand: a file or a model.")],
     output: Annotated[Path, typer.Option("-o", help="The file to write.", metavar="FILE")],
     from_scale: Annotated[
@@ -50,7 +50,7 @@ def command(
     ] = None,
     threads: Annotated[
         int | None,
-        typer.Option("--threads", help="Of the build: as many as there are cores.", metavar="N"),
+        typer.Option("--threads", help="Threads of the build. Default: one per core.", metavar="N"),
     ] = None,
     memory: Memory = None,
     check: Annotated[
@@ -62,13 +62,15 @@ def command(
     json: Json = False,
     schema: Schema = False,
 ) -> None:
-    """The boundary of the sum as a function of the scale: all its vertices with the scales at which
-    they are there, in ring order. Any sum of the window is then read off, exact, by
-    `sum`, `sweep`, `events` and `view` with --index FILE."""
+    """Find the boundary of the sum as a function of the scale: all its vertices, with the scales at
+    which they exist, in ring order. `sum`, `sweep`, `events` and `view` then read any sum of the
+    window off it, exactly, with --index FILE."""
     watch = Stopwatch()
     window = read_window(from_scale, to_scale)
     _check_numbers(threads, check)
-    refuse_stream(output, "an index is read by its places, and is no stream", "name a file")
+    refuse_stream(
+        output, "an index is read at random places, so it cannot be a stream", "name a file"
+    )
     check_writable(output)
     first, second = read_operand(P), read_operand(Q)
     check_spares(output, [first.file, second.file])
@@ -107,7 +109,9 @@ def _check_numbers(threads: int | None, check: int) -> None:
     for option, value, least, most in limits:
         if not least <= value <= most:
             raise Refusal(
-                f"it has to be {least} to {most:,}", f"{option} {value}", "choose another number"
+                f"this must be between {least} and {most:,}",
+                f"{option} {value}",
+                "choose another number",
             )
 
 

@@ -30,7 +30,7 @@ MINKREF_MODELS=folder minkref models --json"""
 
 
 def command(json: Json = False, schema: Schema = False) -> None:
-    """The models that can be named instead of a file, and polyhedra, with their sizes."""
+    """The models, polygons and polyhedra, that can be named instead of a file, with their sizes."""
     watch = Stopwatch()
     models = all_models()
     rows: list[dict[str, Any]] = []

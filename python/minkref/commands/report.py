@@ -37,17 +37,19 @@ PACKAGES = "the packages matplotlib, sympy, markdown-it-py, mdit-py-plugins and 
 def command(
     subjects: Annotated[
         list[str],
-        typer.Argument(help=f"Of the pages: {', '.join(SUBJECTS)}.", metavar="SUBJECT..."),
+        typer.Argument(help=f"Which pages: {', '.join(SUBJECTS)}.", metavar="SUBJECT..."),
     ],
     output: Annotated[
         str, typer.Option("-o", help="Folder for the pages.", metavar="DIR")
     ] = "report",
     quick: Annotated[
         bool,
-        typer.Option("--quick", help="audit, paper: without what takes long; two minutes or less."),
+        typer.Option(
+            "--quick", help="audit, paper: leave out what takes long; two minutes or less."
+        ),
     ] = False,
     seed: Annotated[
-        int, typer.Option("--seed", help="paper: of the re-scalings of Table 1.", metavar="K")
+        int, typer.Option("--seed", help="paper: seed of the re-scalings of Table 1.", metavar="K")
     ] = 1,
     corpus: Annotated[
         str | None,
@@ -61,10 +63,10 @@ def command(
     json: Json = False,
     schema: Schema = False,
 ) -> ExitCode:
-    """Write pages to be looked at. audit: which formulas of the paper hold, a check behind each
-    (exit code 1 if one fails). paper: its tables, figures and times beside ours. degeneracies: for
-    each family what makes good code get it wrong, drawings of cases, and a table of all; what flags
-    mean; invalid input."""
+    """Write HTML pages. audit: which formulas of the paper hold, with a check for each (exit code 1
+    if one fails). paper: its tables, figures and times beside ours. degeneracies: for each family
+    why good code gets it wrong, drawings of cases, and a table of all cases; what the flags mean;
+    invalid input."""
     watch = Stopwatch()
     for subject in subjects:
         if subject not in SUBJECTS:

@@ -51,11 +51,14 @@ def command(
     case: Annotated[
         str,
         typer.Argument(
-            help="As for --case of verify: FAMILY:SEED:INDEX, P+Q@SCALE, a case file, its JSON.",
+            help="As for verify --case: FAMILY:SEED:INDEX, P+Q@SCALE, a case file, or the JSON "
+            "of one.",
             metavar="CASE",
         ),
     ],
-    target: Annotated[str, typer.Option("--target", help="Whose fault it is: a TARGET of verify.")],
+    target: Annotated[
+        str, typer.Option("--target", help="The target that shows the fault, as for verify.")
+    ],
     output: Annotated[
         Path | None,
         typer.Option(
@@ -63,7 +66,7 @@ def command(
         ),
     ] = None,
     calls: Annotated[
-        int, typer.Option("--calls", help="At most so many calls of the target.", metavar="N")
+        int, typer.Option("--calls", help="At most N calls of the target.", metavar="N")
     ] = MOST_CALLS,
     call_seconds: CallSeconds = 30.0,
     call_memory: CallMemory = 4096,
@@ -75,8 +78,8 @@ def command(
 ) -> None:
     """Make a case smaller as long as the target shows the same fault on it: the verdict, its
     reasons and the signal. Exact and deterministic: fewer rings and vertices, smaller numbers,
-    scale 1. Exits with 1 where the target is proven wrong, 3 where it breaks, and 2 where it does
-    neither on this case."""
+    scale 1. Exits with 1 if the target is proven wrong on this case, 3 if it breaks, and 2 if
+    neither."""
     watch = Stopwatch()
     sizes = (call_seconds, call_memory, 1, None)
     check_numbers(0, None, None, *sizes, call_processes=call_processes)
@@ -99,15 +102,15 @@ def command(
         small = shrink_finding(found, limits, calls)
     if small is None:
         raise Refusal(
-            "the fault did not show again, or the case is not in the plane",
+            "the fault did not occur again, or the case is not in the plane",
             f"{entry.name} on {case[:80]}",
-            "run it again: a target that answers now so, now so cannot be shrunk",
+            "run it again: a target whose answers vary cannot be shrunk",
         )
     if output is not None and not has_case_file(small):
         raise Refusal(
             "case files in space are of convex polyhedra, and an operand is not convex",
             str(output),
-            "leave out -o: the case is in what is printed, as JSON",
+            "leave out -o: the case is printed as JSON",
         )
     code = int(ExitCode.WRONG if outcome.verdict is Verdict.WRONG else ExitCode.BROKEN)
     if written is not None and written.write(case_text(small, entry.name)):

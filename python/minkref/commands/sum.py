@@ -68,11 +68,11 @@ def command(
     P: Annotated[
         str,
         typer.Argument(
-            help="First operand, the scaled one: a file, a model, WKT or JSON itself, or `-` for "
-            "standard input."
+            help="First operand, which is scaled: a file, a model, the WKT or JSON text itself, "
+            "or `-` for standard input."
         ),
     ],
-    Q: Annotated[str, typer.Argument(help="Second operand, of the same kinds.")],
+    Q: Annotated[str, typer.Argument(help="Second operand: given in the same ways.")],
     scale: Annotated[
         str,
         typer.Option(
@@ -83,9 +83,8 @@ def command(
         str | None,
         typer.Option(
             "--route",
-            help=f"How it is computed: {', '.join(ROUTES)}; {DEFAULT} by default, or index with "
-            f"--index. In space {', '.join(SPACE_ROUTES)}, of which {SPACE_ROUTES[0]} is the "
-            "default.",
+            help=f"How it is computed: {', '.join(ROUTES)}. Default: {DEFAULT}, or index with "
+            f"--index. In space: {', '.join(SPACE_ROUTES)}. Default: {SPACE_ROUTES[0]}.",
         ),
     ] = None,
     index: IndexFile = None,
@@ -94,15 +93,15 @@ def command(
         typer.Option(
             "--arithmetic",
             help="rational (exact), interval, double or mpfr:BITS. All but the first report "
-            "what they got, beside what is true.",
+            "their own result next to the true one.",
         ),
     ] = "rational",
     output: Annotated[
         Path | None,
         typer.Option(
             "-o",
-            help="Write the sum there: .wkt, .geojson, .poly, .json or .svg; in space .off, .obj, "
-            ".stl, .ply or .json. `-`: to standard output, and nothing else.",
+            help="Write the sum to this file: .wkt, .geojson, .poly, .json or .svg; in space "
+            ".off, .obj, .stl, .ply or .json. `-`: print the sum alone on standard output.",
             metavar="FILE",
         ),
     ] = None,
@@ -110,16 +109,16 @@ def command(
         str | None,
         typer.Option(
             "--format",
-            help="Of what is written, whatever its name ends in; of `-` WKT by default, in space "
-            "OFF.",
+            help="Format to write, whatever the name of the file ends in. Default for `-`: WKT, "
+            "in space OFF.",
         ),
     ] = None,
     only_sum: Annotated[
         bool,
-        typer.Option("--only-sum", help="In an SVG, the sum without P and Q beside it."),
+        typer.Option("--only-sum", help="In an SVG, draw the sum alone, without P and Q."),
     ] = False,
     plot: Annotated[
-        bool, typer.Option("--plot", help="Below the table, a small picture of the sum.")
+        bool, typer.Option("--plot", help="Draw a small picture of the sum below the table.")
     ] = False,
     memory: Memory = None,
     json: Json = False,
@@ -181,7 +180,7 @@ def _check_pictures(plot: bool, only_sum: bool, target: Target | None, json: boo
         return
     if json or (target is not None and target.is_standard_output):
         other = "--json" if json else "-o -"
-        what = "standard output takes one thing alone"
+        what = "standard output takes only one of them"
         raise Refusal(what, f"--plot {other}", "leave out one of the two")
     from minkref.terminal_picture import check_drawable
 

@@ -46,20 +46,20 @@ Sums = _core.ScaleSpaceIndex | _core.DynamicSum
 
 
 def command(
-    P: Annotated[str, typer.Argument(help="First operand, the scaled one: a file or a model.")],
+    P: Annotated[str, typer.Argument(help="First operand, which is scaled: a file or a model.")],
     Q: Annotated[str, typer.Argument(help="Second operand: a file or a model.")],
     from_scale: Annotated[
         str | None, typer.Option("--from", help="The first scale.", metavar="A")
     ] = None,
     to_scale: Annotated[
         str | None,
-        typer.Option("--to", help="The last scale; it may be the smaller one.", metavar="B"),
+        typer.Option("--to", help="The last scale; it may be smaller than the first.", metavar="B"),
     ] = None,
     steps: Annotated[
         int | None,
         typer.Option(
             "--steps",
-            help="How many scales, evenly spaced, the first and the last included.",
+            help="How many scales, evenly spaced, including the first and the last.",
             metavar="N",
         ),
     ] = None,
@@ -67,7 +67,7 @@ def command(
         Path | None,
         typer.Option(
             "--scales",
-            help="Take the scales from a file instead: one a line, in any order; in space "
+            help="Read the scales from a file instead: one per line, in any order; in space "
             "SX,SY,SZ.",
             metavar="FILE",
         ),
@@ -76,8 +76,8 @@ def command(
         str | None,
         typer.Option(
             "--route",
-            help="How the sums are got: read off an index of all scales (index, the default), or "
-            "each from the one before by the paper's dynamic update (dynamic).",
+            help="How the sums are computed: read off an index of all scales (index, the "
+            "default), or each from the one before by the paper's dynamic update (dynamic).",
         ),
     ] = None,
     index: IndexFile = None,
@@ -87,14 +87,17 @@ def command(
     ] = None,
     form: Annotated[
         str | None,
-        typer.Option("--format", help=f"Of these files: {', '.join(FORMATS)}; json by default."),
+        typer.Option(
+            "--format", help=f"Format of these files: {', '.join(FORMATS)}. Default: json."
+        ),
     ] = None,
     memory: Memory = None,
     json: Json = False,
     schema: Schema = False,
 ) -> None:
-    """The sums at many scales: all between the least and the greatest are found once, then each is
-    read off, or got from the one before by dynamic update. Exact, in canonical form."""
+    """The sums at many scales: everything between the smallest and the largest scale is found once;
+    then each sum is read off, or computed from the one before by dynamic update. Exact, in
+    canonical form."""
     if in_space(P, Q):
         given = _given(from_scale, to_scale, steps)
         for option, named in (("--route", route), ("--index", index)):
@@ -205,7 +208,7 @@ def _scales(first: str | None, last: str | None, steps: int | None, file: Path |
         needed = (("--from", first), ("--to", last), ("--steps", steps))
         missing = ", ".join(option for option, value in needed if value is None)
         raise Refusal(
-            f"it is not said which scales: {missing} missing",
+            f"the scales are not given: {missing} missing",
             f"minkref sweep {' '.join(given)}".rstrip(),
             "give --from A --to B --steps N, or --scales FILE",
         )

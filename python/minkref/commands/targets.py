@@ -21,7 +21,7 @@ minkref targets --json"""
 
 def command(json: Json = False, schema: Schema = False) -> None:
     """The implementations that `minkref verify` can test here, and how to get those that are
-    absent."""
+    missing."""
     watch = Stopwatch()
     value = document("targets", watch, targets=[_row(target) for target in list_targets()])
     if json:

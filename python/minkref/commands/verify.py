@@ -79,14 +79,17 @@ def command(
         typer.Argument(
             help="What to test: names of `minkref targets`, a program ./PATH or cmd:COMMAND that "
             "speaks the adapter protocol, py:module:function, so:./library.so:function. "
-            "`minkref`: the reference before its judges; `all`: all that is found here. Without: "
-            "our routes and every CGAL method found.",
+            "`minkref`: the reference, tested by its judges; `all`: everything found here. "
+            "Default: our routes and every CGAL method found.",
             metavar="TARGET...",
             autocompletion=completion.targets,
         ),
     ] = None,
     baseline: Annotated[
-        Path | None, typer.Option("--baseline", help="Known faults: shown, without effect.")
+        Path | None,
+        typer.Option(
+            "--baseline", help="Known faults: shown, but without effect on the exit code."
+        ),
     ] = None,
     suite: Annotated[
         str, typer.Option("--suite", help="fuzz (generated cases), corpus (case files) or all.")
@@ -102,7 +105,7 @@ def command(
         int | None,
         typer.Option(
             "--pairs",
-            help="Number of generated cases that a target takes, instead of a time.",
+            help="Stop after N generated cases that a target takes, not after a time.",
             metavar="N",
         ),
     ] = None,
@@ -117,12 +120,10 @@ def command(
     ] = None,
     derived: Annotated[
         bool,
-        typer.Option(
-            "--derived/--no-derived", help="Among them probes at events, laws and mutants."
-        ),
+        typer.Option("--derived/--no-derived", help="Include probes at events, laws and mutants."),
     ] = True,
     jobs: Annotated[
-        int | None, typer.Option("--jobs", help="Worker processes; one for each core by default.")
+        int | None, typer.Option("--jobs", help="Worker processes. Default: one per core.")
     ] = None,
     case: Annotated[
         list[str] | None,
@@ -135,13 +136,13 @@ def command(
     ] = None,
     no_settings: Annotated[
         bool,
-        typer.Option("--no-settings", is_eager=True, help="Look for no settings of this folder."),
+        typer.Option("--no-settings", is_eager=True, help="Read no settings file."),
     ] = False,
     settings: Annotated[
         Path | None,
         typer.Option(
             "--settings",
-            help="Read the options that are not given from this file. Without: from the next "
+            help="Read options that are not given here from this file. Default: the nearest "
             "minkref.toml, or table tool.minkref of pyproject.toml, in this folder or one above.",
             metavar="FILE",
             is_eager=True,
@@ -149,18 +150,20 @@ def command(
         ),
     ] = None,
     models: Annotated[
-        bool, typer.Option("--models/--no-models", help="After the generated cases, the models.")
+        bool, typer.Option("--models/--no-models", help="Run the models after the generated cases.")
     ] = True,
     ledger: Annotated[
         Path | None,
         typer.Option(
-            "--ledger", help="JSON lines, one a result; a run goes on from it.", metavar="FILE"
+            "--ledger",
+            help="Keep each result here as a JSON line; a later run continues from it.",
+            metavar="FILE",
         ),
     ] = None,
     shrink_calls: Annotated[
         int,
         typer.Option(
-            "--shrink-calls", help="Calls to make a finding smaller; 0: leave it.", metavar="N"
+            "--shrink-calls", help="Most calls to shrink a finding; 0: do not shrink.", metavar="N"
         ),
     ] = MOST_CALLS,
     report: Annotated[
@@ -182,10 +185,10 @@ def command(
         typer.Option("--lines", help="Write the findings as JSON lines.", metavar="FILE"),
     ] = None,
     first: Annotated[
-        bool, typer.Option("--first", help="End with the first case that is wrong or broken.")
+        bool, typer.Option("--first", help="Stop at the first case that is wrong or broken.")
     ] = False,
     strict: Annotated[
-        bool, typer.Option("--strict", help="Exit with 4 where something stays undecided.")
+        bool, typer.Option("--strict", help="Exit with 4 if something stays undecided.")
     ] = False,
     call_seconds: CallSeconds = 30.0,
     call_memory: CallMemory = 4096,
@@ -193,7 +196,7 @@ def command(
         int,
         typer.Option(
             "--call-output",
-            help="Size limit of one answer with what is logged meanwhile, in MiB.",
+            help="Size limit of one answer, including what is logged meanwhile, in MiB.",
             metavar="MIB",
         ),
     ] = 64,
@@ -202,7 +205,7 @@ def command(
         int,
         typer.Option(
             "--memory",
-            help="What a worker may have beside --call-memory, to make and judge a case, in MiB.",
+            help="Memory of a worker to make and judge a case, on top of --call-memory, in MiB.",
             metavar="MIB",
         ),
     ] = JUDGING_BYTES >> 20,
@@ -218,14 +221,14 @@ def command(
     pass_env: PassedVariables = None,
     quiet: Annotated[
         bool,
-        typer.Option("--quiet", help="Print nothing: the exit code and the files tell all."),
+        typer.Option("--quiet", help="Print nothing; see the exit code and the files."),
     ] = False,
     json: Json = False,
     schema: Schema = False,
 ) -> None:
     """Test implementations against the exact reference. Cases: seeded families of generated pairs,
     small ones first, with probes at their events, laws, and mutants of those that show something
-    new; then the shipped models, and the paper's kind of input at five scales."""
+    new; then the included models, and the paper's kind of input at five scales."""
     watch = Stopwatch()
     if is_outdone(context, "pairs", by="seconds"):
         pairs = None
@@ -280,7 +283,7 @@ def command(
     )
     cases.notes += resting_notes(done, names, cases.count)
     cases.notes += [
-        f"{group.example.case.name.text}: making it smaller failed, a fault of ours: "
+        f"{group.example.case.name.text}: shrinking it failed, which is a fault of ours: "
         f"{group.unshrunk}"
         for group in groups
         if group.unshrunk
@@ -290,7 +293,7 @@ def command(
     if done.ended is not None:
         cases.notes.append(_ended(done, ledger))
     if done.failed is not None:
-        cases.notes.append("ended by a fault of ours: what was judged until then is here")
+        cases.notes.append("ended by a fault of ours: everything judged so far is here")
     value = document_of(done, groups, chosen, absent, declared, cases, watch, code, walls)
     if report is not None:
         said = {**locals(), "settings": None, "no_settings": settings is not None}
@@ -320,7 +323,7 @@ def command(
 def _ended(done: Run, ledger: Path | None) -> str:
     """What a run that a signal ended has done, and how to go on."""
     name = signal.Signals(done.ended or 0).name
-    how = "a run with --ledger FILE goes on where it was ended"
+    how = "a run with --ledger FILE continues where it ended"
     if ledger is not None:
-        how = f"the same command goes on from {ledger}"
+        how = f"the same command continues from {ledger}"
     return f"ended by {name} after {sum(done.cases.values()):,} cases: {how}"

@@ -308,7 +308,7 @@ def describe(group: Group) -> list[str]:
         lines.append(f"  its log ends: {outcome.log.strip()[-LOG_SHOWN:]}")
     if group.unshrunk:
         lines.append(
-            f"  left as it is: making it smaller failed, a fault of ours: {group.unshrunk}"
+            f"  left as it is: shrinking it failed, which is a fault of ours: {group.unshrunk}"
         )
     if not group.small:
         lines += [f"  the smallest: case {finding.case.name.text}", *_lines(finding)]

@@ -43,21 +43,19 @@ ENDINGS = ("html", "htm")
 
 
 def command(
-    P: Annotated[str, typer.Argument(help="First operand, the scaled one: a file or a model.")],
+    P: Annotated[str, typer.Argument(help="First operand, which is scaled: a file or a model.")],
     Q: Annotated[str, typer.Argument(help="Second operand: a file or a model.")],
     from_scale: Annotated[
         str | None,
-        typer.Option(
-            "--from", help=f"Begin of the window of scales, in it: {FROM} by default.", metavar="A"
-        ),
+        typer.Option("--from", help=f"Smallest scale, included. Default: {FROM}.", metavar="A"),
     ] = None,
     to_scale: Annotated[
         str | None,
-        typer.Option("--to", help=f"End of the window, in it: {TO} by default.", metavar="B"),
+        typer.Option("--to", help=f"Largest scale, included. Default: {TO}.", metavar="B"),
     ] = None,
     scale: Annotated[
         str | None,
-        typer.Option("--scale", help="In space: the one scale, 1 by default.", metavar="SX,SY,SZ"),
+        typer.Option("--scale", help="In space: the only scale. Default: 1.", metavar="SX,SY,SZ"),
     ] = None,
     scales: Annotated[
         Path | None,
@@ -71,22 +69,22 @@ def command(
         str | None,
         typer.Option(
             "--route",
-            help="How the sums are got: read off an index of all scales (index, the default), or "
-            "by the paper's dynamic update (dynamic).",
+            help="How the sums are computed: read off an index of all scales (index, the "
+            "default), or by the paper's dynamic update (dynamic).",
         ),
     ] = None,
     index: IndexFile = None,
     output: Annotated[
         Path,
-        typer.Option("-o", help="The page to write: .html; - is standard output.", metavar="FILE"),
+        typer.Option("-o", help="The .html page to write; - is standard output.", metavar="FILE"),
     ] = Path("view.html"),
     memory: Memory = None,
     json: Json = False,
     schema: Schema = False,
 ) -> None:
-    """One HTML page, which needs nothing else, with a slider over the scale: the sum, its
-    convolution, and the holes from birth to death. In space P and Q are convex polyhedra: the sum
-    at each scale, to be turned and asked for the parents of its facets and vertices."""
+    """Write one self-contained HTML page with a slider over the scale: the sum, its convolution,
+    and the holes from birth to death. In space P and Q are convex polyhedra: the page shows the sum
+    at each scale, lets you turn it, and names the parents of its facets and vertices."""
     if in_space(P, Q):
         given = _given(
             ("--from", from_scale), ("--to", to_scale), ("--route", route), ("--index", index)
@@ -160,9 +158,9 @@ def _window(from_scale: str | None, to_scale: str | None, given: list[str]) -> W
     )
     if Fraction(window.first) >= Fraction(window.last):
         raise Refusal(
-            f"the window from {window.first} to {window.last} has no length",
+            f"the window from {window.first} to {window.last} is empty or a single scale",
             "--from, --to",
-            "give a beginning that is smaller than the end",
+            "give a --from that is smaller than --to",
             "empty-window",
         )
     return window

@@ -37,7 +37,7 @@ def _only_one(P: SpaceOperand, Q: SpaceOperand) -> None:
         raise Refusal(
             "neither operand has volume",
             f"{P.name} and {Q.name}",
-            "beside a point or a segment give a polyhedron",
+            "with a point or a segment, give a polyhedron",
             "not-solid",
         )
 

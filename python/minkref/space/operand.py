@@ -35,7 +35,7 @@ def in_space(P: str, Q: str) -> bool:
     if kinds[0] != kinds[1]:
         flat, solid = (P, Q) if kinds[1] else (Q, P)
         raise Refusal(
-            f"this operand lies in the plane, and {solid} in space",
+            f"this operand lies in the plane, but {solid} lies in space",
             flat,
             "give two polygon sets, or two polyhedra",
             "mixed-dimensions",

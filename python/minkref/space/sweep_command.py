@@ -117,7 +117,7 @@ def _scalings(scales: Path | None, given: list[str]) -> list[Scaling]:
     if given:
         raise Refusal("these options are for scales in the plane", ", ".join(given), mend)
     if scales is None:
-        raise Refusal("it is not said which scales", "minkref sweep", mend)
+        raise Refusal("the scales are not given", "minkref sweep", mend)
     return read_scalings(scales)
 
 

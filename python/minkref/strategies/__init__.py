@@ -13,8 +13,8 @@ except ModuleNotFoundError as error:
     if error.name != "hypothesis":
         raise
     raise ImportError(
-        "minkref.strategies needs Hypothesis, which is not installed. "
-        "To mend it: pip install 'minkref[strategies]', or pip install hypothesis"
+        "minkref.strategies needs Hypothesis, which is not installed. To fix it: pip install "
+        "'minkref[strategies]', or pip install hypothesis"
     ) from error
 
 from minkref.strategies.degenerate import DEGENERATE_FAMILIES, degenerate_pairs

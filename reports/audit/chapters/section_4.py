@@ -120,8 +120,8 @@ def _(shown: Shown) -> None:
 )
 def _(shown: Shown) -> None:
     """By computer algebra the point $a_0 + r v$ of the right form lies on $l_b$, for all $a_0$,
-    $b_0$, $v$ and $w$; each step of the mending is an identity. At one pair of lines both forms of
-    the code are evaluated."""
+    $b_0$, $v$ and $w$; each step of the correction is an identity. At one pair of lines both forms
+    of the code are evaluated."""
     a = sp.Matrix(sp.symbols("a_x a_y"))
     b = sp.Matrix(sp.symbols("b_x b_y"))
     v = sp.Matrix(sp.symbols("v_x v_y"))
@@ -413,7 +413,7 @@ def _(shown: Shown) -> None:
 
 @CHAPTER.entry(
     "interval-sorted",
-    "Sorting the scales of each edge does not mend the interval",
+    "Sorting the scales of each edge does not correct the interval",
     place="Section 4.2.3",
     status=Status.FALSE,
     printed=r"""Not printed so; but one might read $[\max\{B_{a_0}, B_{b_0}\}, \min\{B_{a_1},

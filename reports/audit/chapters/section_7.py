@@ -37,7 +37,7 @@ PHASES = 400
     right=r"""In rational numbers they can be exact: in the plane, for rational operands, all scales
     of events are roots of linear equations. MPFR has a fixed number of bits, to which quotients and
     decimals are rounded. Then scales are not the exact ones, and there are events that are none:
-    more bits do not mend that.""",
+    more bits do not fix that.""",
     code=("reference/plane/critical/precision_trial.hpp",),
 )
 def _(shown: Shown) -> None:

@@ -104,7 +104,7 @@ def _(shown: Shown) -> None:
 )
 def _(shown: Shown) -> None:
     """By computer algebra the right form has the distance s r from both centres. One pair of
-    circles with rational crossings, with the radical mended in the printed form."""
+    circles with rational crossings, with the radical corrected in the printed form."""
     c, d, n = vector("c"), sp.Symbol("d", positive=True), unit("t")
     other = c + d * normal(n)
     h = r * sp.sqrt(s**2 - (d / (2 * r)) ** 2)
