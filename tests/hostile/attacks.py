@@ -76,8 +76,13 @@ FLOODS = [
     *of((LATE, ERRORED), "HalfALineAndCloses", "ClosesAll"),
     Attack("NoText", (ERRORED, PASS, CRASHED), (*CONVEX[:3], "16", "--no-derived")),
     *of((ERRORED, WRONG, LATE, MEMORY, CRASHED, "undecided"), "ManyRings", "ManyVertices"),
-    *of((ERRORED, WRONG, LATE, MEMORY, CRASHED, "undecided"), "LongDenominators"),
-    *of((CRASHED, LATE), "Empty"),
+    # Each answer may take the judge its two minutes.
+    Attack(
+        "LongDenominators",
+        (ERRORED, WRONG, LATE, MEMORY, CRASHED, "undecided"),
+        (*CONVEX[:3], "1", "--no-derived"),
+    ),
+    *of((CRASHED, LATE, ERRORED), "Empty"),
 ]
 SPELLED = 100
 PLANE = ("--family", "convex", "--pairs", str(SPELLED), "--no-derived")
