@@ -1,0 +1,78 @@
+"""Files that other tools read: each is what its tool expects, and all agree about the version."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+from typing import Any
+
+import pytest
+import yaml
+
+ROOT = Path(__file__).resolve().parents[2]
+TOOLS = Path(sys.executable).parent
+
+
+def text(name: str) -> str:
+    return (ROOT / name).read_text(encoding="utf-8")
+
+
+def document(name: str) -> Any:
+    return yaml.safe_load(text(name))
+
+
+def version() -> str:
+    return str(tomllib.loads(text("pyproject.toml"))["project"]["version"])
+
+
+@pytest.mark.parametrize(
+    ("schema", "name"), [("citation-file-format", "CITATION.cff"), ("github-actions", "action.yml")]
+)
+def test_files_are_what_their_schema_says(schema: str, name: str) -> None:
+    command = [TOOLS / "check-jsonschema", "--builtin-schema", f"vendor.{schema}", ROOT / name]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_citation_names_the_version() -> None:
+    assert document("CITATION.cff")["version"] == version()
+
+
+def test_the_changelog_speaks_of_the_version() -> None:
+    assert version() in text("CHANGELOG.md")
+
+
+def test_hooks_start_tools_of_the_checkout() -> None:
+    (repository,) = document(".pre-commit-config.yaml")["repos"]
+    assert repository["repo"] == "local", "nothing that is fetched at the time of a commit"
+    lock = text("requirements.txt")
+    for hook in repository["hooks"]:
+        program = Path(hook["entry"].split()[0])
+        assert program.parts[:2] == (".venv", "bin"), hook
+        assert program.name == "python" or re.search(rf"^{program.name}==", lock, re.MULTILINE)
+
+
+def test_hooks_check_what_the_linters_check() -> None:
+    makefile = text("Makefile")
+    entries = {
+        hook["id"]: hook for hook in document(".pre-commit-config.yaml")["repos"][0]["hooks"]
+    }
+    rooms = re.search(r"^CXX_SOURCES = \$\(shell find ([a-z ]+) -name", makefile, re.MULTILINE)
+    assert rooms is not None
+    assert entries["clang-format"]["files"].startswith(f"^({'|'.join(rooms[1].split())})/")
+    assert "scripts/check_includes.py" in makefile and entries["check-includes"]
+
+
+def test_paths_and_commands_that_contributors_are_told_exist() -> None:
+    page = text("CONTRIBUTING.md")
+    for name in re.findall(r"`([\w./-]+/[\w.-]*)`", page):
+        if "NAME" not in name and not name.startswith(".venv"):
+            assert (ROOT / name).exists(), name
+    for link in re.findall(r"\]\(([^)#:]+)\)", page):
+        assert (ROOT / link).exists(), link
+    targets = set(re.findall(r"^([a-z]+(?: [a-z]+)*):", text("Makefile"), re.MULTILINE))
+    known = {target for line in targets for target in line.split()}
+    assert set(re.findall(r"\bmake ([a-z]+)", page)) - {"it"} <= known
