@@ -3,14 +3,15 @@
 #   make test                    GoogleTest and pytest
 #   make evidence [ONLY="NAME ..."] [QUICK=1]
 #   make lint | format
+#   make docs                    the documentation as a site, build/site/index.html
 #   make sbom                    the software bill of materials, build/sbom.cdx.json
-#   make lock [UPGRADE=1]        requirements.txt and those of the adapters, with digests
+#   make lock [UPGRADE=1]        requirements.txt and those of the site and the adapters, with digests
 SHELL := /bin/bash
 .DEFAULT_GOAL := run
-.PHONY: run test evidence lint format sbom lock setup environment clean
+.PHONY: run test evidence lint format docs sbom lock setup environment clean
 
 CXX_SOURCES = $(shell find reference formats certify oracle python fuzz tests -name '*.cpp' -o -name '*.hpp')
-PYTHON_SOURCES = python certify degeneracies fuzz oracle reports models tests scripts
+PYTHON_SOURCES = python certify degeneracies docs/site fuzz oracle reports models tests scripts
 
 setup:
 	@scripts/set_up.sh
@@ -35,12 +36,16 @@ lint: setup
 	.venv/bin/ruff format --check $(PYTHON_SOURCES)
 	.venv/bin/mypy
 	MYPYPATH=models .venv/bin/mypy models/*.py scripts/*.py
+	MYPYPATH=docs/site .venv/bin/mypy docs/site/*.py
 	.venv/bin/python scripts/check_includes.py
 
 format: environment
 	.venv/bin/clang-format -i $(CXX_SOURCES)
 	.venv/bin/ruff check --fix-only --quiet $(PYTHON_SOURCES)
 	.venv/bin/ruff format $(PYTHON_SOURCES)
+
+docs: setup
+	@scripts/docs.sh
 
 sbom: setup
 	.venv/bin/python scripts/sbom.py

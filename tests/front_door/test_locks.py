@@ -15,7 +15,8 @@ from packaging.utils import canonicalize_name
 
 ROOT = Path(__file__).resolve().parents[2]
 ADAPTERS = sorted(ROOT.glob("fuzz/adapters/*.requirements.txt"))
-LOCKS = [ROOT / "requirements.txt", *ADAPTERS, ROOT / "packaging" / "tools.requirements.txt"]
+OTHERS = [ROOT / "docs/site/requirements.txt", ROOT / "packaging/tools.requirements.txt"]
+LOCKS = [ROOT / "requirements.txt", *OTHERS, *ADAPTERS]
 
 
 def locked(file: Path) -> dict[str, tuple[Requirement, list[str]]]:
