@@ -1,0 +1,1 @@
+"""The documentation on trial: its links, and the code that it shows."""
