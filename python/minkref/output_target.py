@@ -81,7 +81,7 @@ def target_of(
         raise Refusal("there is no such format", f"--format {form[:40]}", mend)
     if output == STANDARD_OUTPUT or descriptor_of(output) == 1:
         if json:
-            what = "standard output takes either the result or the document"
+            what = "standard output takes the result or the document, not both"
             raise Refusal(what, f"-o {output} --json", "leave out one of the two")
         return Target(STANDARD_OUTPUT, form or default)
     ending = output.suffix.lower().removeprefix(".")

@@ -67,8 +67,8 @@ def test_names_of_files_are_texts(minkref: Minkref, tmp_path: Path) -> None:
     ("options", "word"),
     [
         (["--from", "0"], "zero"),
-        (["--from", "2", "--to", "1"], "no length"),
-        (["--from", "1", "--to", "1"], "no length"),
+        (["--from", "2", "--to", "1"], "empty or a single scale"),
+        (["--from", "1", "--to", "1"], "empty or a single scale"),
         (["--to", "x"], "not a number"),
         (["--to", "1e999"], "beyond the range of doubles"),
         (["--from", "1e-999"], "too small"),
