@@ -4,14 +4,15 @@
 #   make evidence [ONLY="NAME ..."] [QUICK=1]
 #   make lint | format
 #   make docs                    the documentation as a site, build/site/index.html
+#   make wheel | sdist           into dist/ [PYTHON=python3.12] [PROJECT=packaging/minkref-cgal] (docs/packages.md)
 #   make sbom                    the software bill of materials, build/sbom.cdx.json
 #   make lock [UPGRADE=1]        requirements.txt and those of the site and the adapters, with digests
 SHELL := /bin/bash
 .DEFAULT_GOAL := run
-.PHONY: run test evidence lint format docs sbom lock setup environment clean
+.PHONY: run test evidence lint format docs wheel sdist sbom lock setup environment clean
 
 CXX_SOURCES = $(shell find reference formats certify oracle python fuzz tests -name '*.cpp' -o -name '*.hpp')
-PYTHON_SOURCES = python certify degeneracies docs/site fuzz oracle reports models tests scripts
+PYTHON_SOURCES = python certify degeneracies docs/site fuzz oracle reports models tests scripts packaging
 
 setup:
 	@scripts/set_up.sh
@@ -35,7 +36,7 @@ lint: setup
 	.venv/bin/ruff check $(PYTHON_SOURCES)
 	.venv/bin/ruff format --check $(PYTHON_SOURCES)
 	.venv/bin/mypy
-	MYPYPATH=models .venv/bin/mypy models/*.py scripts/*.py
+	MYPYPATH=models .venv/bin/mypy models/*.py scripts/*.py packaging/*.py
 	MYPYPATH=docs/site .venv/bin/mypy docs/site/*.py
 	.venv/bin/python scripts/check_includes.py
 
@@ -46,6 +47,10 @@ format: environment
 
 docs: setup
 	@scripts/docs.sh
+
+wheel sdist: environment
+	.venv/bin/python packaging/wheel.py $(if $(PYTHON),--python $(PYTHON)) $(if $(PROJECT),--project $(PROJECT)) \
+	  $(if $(filter sdist,$@),--sdist)
 
 sbom: setup
 	.venv/bin/python scripts/sbom.py

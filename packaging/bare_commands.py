@@ -1,0 +1,92 @@
+"""Every command of minkref, once: what is typed on a bare machine, and what comes of it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+#: Functions to be verified, as somebody writes them who has nothing but the wheel.
+FUNCTIONS = """
+import json
+
+import minkref
+
+
+def right(P, Q):
+    first, second = (minkref.read_text(json.dumps(operand), "json") for operand in (P, Q))
+    return json.loads(minkref.write(minkref.minkowski_sum(first, second).region, "json"))
+
+
+def nothing(P, Q):
+    return {"polygons": []}
+
+
+for function in (right, nothing):
+    function.minkref = {
+        "name": function.__name__, "version": "1", "arithmetic": "rational", "numbers": "text",
+        "capabilities": ["plane", "non-convex", "holes", "components"],
+    }
+"""
+FEW = ("--pairs", "5", "--no-models", "--family", "random")
+
+
+@dataclass(frozen=True)
+class Step:
+    """What is typed after `minkref`; the exit code; words that it says; files that it leaves.
+    A slow one is left out by --quick. `extra`: of the package, without which it is refused, or
+    does less where that is `optional`."""
+
+    words: tuple[str, ...]
+    says: str = ""
+    code: int = 0
+    files: tuple[str, ...] = ()
+    slow: bool = False
+    extra: str = ""
+    optional: bool = False
+
+
+def step(line: str, says: str = "", **more: object) -> Step:
+    return Step(tuple(line.split()), says, **more)  # type: ignore[arg-type]
+
+
+STEPS = (
+    step("--version", "minkref "),
+    step("models", "disc1"),
+    step("families", "random"),
+    step("targets", "minkref:paper"),
+    step("sum g1 g2 --json", '"digest"'),
+    step("sum g1 g2 --scale 7/5 --plot -o sum.svg", "\u286a", files=("sum.svg",)),
+    step("sum g1 g2 --arithmetic mpfr:64", "mpfr"),
+    step("sum gs3 gs4 --scale 2,1/3,5 -o sum.off", files=("sum.off",)),
+    step("index g1 g2 --from 1/2 --to 2 -o pair.index", files=("pair.index",)),
+    step("sum g1 g2 --index pair.index --scale 7/5"),
+    step("sweep g1 g2 --from 1/2 --to 2 --steps 5 -o sums", files=("sums/index.json",)),
+    step("events g1 g2 --kind topology"),
+    step("events g1 g2 -o events.parquet", "parquet", extra="parquet", files=("events.parquet",)),
+    step("view g1 g2", "view.html", files=("view.html",)),
+    step("view gs3 gs4 -o space.html", extra="view", files=("space.html",)),
+    step("certify g1 g2 -o sum.cert.json", files=("sum.cert.json",)),
+    step("check sum.cert.json"),
+    step("generate fits-hole --count 2 -o cases"),
+    step("check cases"),
+    step("adapter header", "minkref_adapter.h"),
+    step("adapter new mylib --language python", files=("mylib_adapter.py",)),
+    step("adapter check ./mylib_adapter.py", "pass"),
+    step("verify ./mylib_adapter.py --report report --quiet", files=("report/index.html",)),
+    step("verify py:functions:right", "pass"),
+    step("verify py:functions:nothing", "wrong", code=1),
+    step(
+        "shrink random:1:0 --target py:functions:nothing -o found.json",
+        code=1,
+        files=("found.json",),
+    ),
+    step("verify minkref --pairs 2 --no-models", extra="judges", optional=True, slow=True),
+    step("report degeneracies -o pages", slow=True),
+    step("report audit --quick -o audit", extra="reports", slow=True),
+    step("bench --quick --only table2 --json", '"table2"', slow=True),
+)
+
+
+def words_of(one: Step) -> tuple[str, ...]:
+    """Runs of verify are cut short to a few cases of one family."""
+    short = one.words[0] == "verify" and "--pairs" not in one.words
+    return (*one.words, *FEW) if short else one.words

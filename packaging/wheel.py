@@ -1,0 +1,110 @@
+"""Makes the distributions of minkref: `make wheel` and `make sdist`.
+
+wheel.py [--python PYTHON] [--project FOLDER] [--out FOLDER] [--sdist]: builds a wheel for PYTHON
+(that of .venv), puts the shared libraries that it needs inside (auditwheel), and leaves it in
+dist/; with --sdist the source distribution instead. Prints the path of the file. What is compiled
+stays in build/wheel-*, so that a second call compiles what has changed only. docs/packages.md says
+why GMP and MPFR are shared libraries in the wheel.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import shutil
+import subprocess
+import sys
+import sysconfig
+import tempfile
+import tomllib
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+BUILD = ROOT / "build"
+TOOLS = Path(sysconfig.get_path("scripts"))
+BUILDERS = ("nanobind", "scikit-build-core")
+
+
+def call(*command: str | Path) -> str:
+    """Runs a command and returns what it prints. Where it fails that is shown, and all ends."""
+    environment = os.environ | {"PATH": f"{TOOLS}{os.pathsep}{os.environ['PATH']}"}
+    environment.setdefault("SOURCE_DATE_EPOCH", last_change())
+    environment.setdefault("CXX", "c++")  # by the name that CMake finds, which the cache knows
+    done = subprocess.run(command, env=environment, stdout=subprocess.PIPE, text=True)
+    if done.returncode:
+        print(done.stdout, file=sys.stderr)
+        sys.exit(f"minkref: {command[0]} ended with {done.returncode}")
+    return done.stdout
+
+
+def last_change() -> str:
+    """The time of the last commit, so that the same sources give the same archives; else that of
+    pyproject.toml, as in a source distribution."""
+    command = ["git", "-C", str(ROOT), "log", "-1", "--format=%ct"]
+    said = subprocess.run(command, capture_output=True, text=True).stdout.strip()
+    return said or str(int((ROOT / "pyproject.toml").stat().st_mtime))
+
+
+def environment_for(python: str | None) -> Path:
+    """An interpreter that has what builds, at the versions of requirements.txt: that of .venv, or
+    one of an environment of its own."""
+    if python is None:
+        return Path(sys.executable)
+    asked = "import sys; print(sys.implementation.cache_tag)"
+    folder = BUILD / f"environment-{call(python, '-c', asked).strip()}"
+    uv = TOOLS / "uv"
+    if not (folder / "bin" / "python").exists():
+        call(uv, "venv", "--quiet", "--python", python, folder)
+    pinned = ("--constraint", ROOT / "requirements.txt")
+    call(uv, "pip", "install", "--quiet", "--python", folder, *pinned, *BUILDERS)
+    return folder / "bin" / "python"
+
+
+def name_of(project: Path) -> str:
+    text = (project / "pyproject.toml").read_text(encoding="utf-8")
+    return str(tomllib.loads(text)["project"]["name"])
+
+
+def build(project: Path, python: Path, out: Path, *kind: str) -> Path:
+    """The wheel or the source distribution as its own back end makes it."""
+    with tempfile.TemporaryDirectory() as folder:
+        # With the warnings of the checkout's own build the compiler cache can answer.
+        settings: tuple[str, ...] = (
+            ("-C", "cmake.define.MINKREF_WERROR=ON") if kind[0] == "--wheel" else ()
+        )
+        # So it does in a folder beside build/release, for it takes paths relative to them.
+        settings += ("-C", f"build-dir={BUILD}/wheel-{name_of(project)}-{{wheel_tag}}")
+        options = ("--no-build-isolation", "--python", python, "--out-dir", folder)
+        call(TOOLS / "uv", "build", "--quiet", *kind, *options, *settings, project)
+        (made,) = (path for path in Path(folder).iterdir() if path.suffix in (".whl", ".gz"))
+        return Path(shutil.copy2(made, out))
+
+
+def repaired(wheel: Path, out: Path) -> Path:
+    """The wheel with the shared libraries inside that no system can be relied on to have."""
+    with tempfile.TemporaryDirectory() as folder:
+        call(sys.executable, "-m", "auditwheel", "repair", "--wheel-dir", folder, wheel)
+        (made,) = Path(folder).iterdir()
+        return Path(shutil.copy2(made, out))
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--python", help="the interpreter that the wheel is for")
+    parser.add_argument("--project", type=Path, default=ROOT, help="the folder of pyproject.toml")
+    parser.add_argument("--out", type=Path, default=ROOT / "dist")
+    parser.add_argument("--sdist", action="store_true")
+    options = parser.parse_args()
+    options.out.mkdir(parents=True, exist_ok=True)
+    BUILD.mkdir(exist_ok=True)
+    python = environment_for(options.python)
+    project = options.project.resolve()
+    if options.sdist:
+        print(build(project, python, options.out, "--sdist"))
+    else:
+        with tempfile.TemporaryDirectory() as folder:
+            print(repaired(build(project, python, Path(folder), "--wheel"), options.out))
+
+
+if __name__ == "__main__":
+    main()
