@@ -16,7 +16,8 @@ def page(package: Path) -> str:
     minkref = griffe.load("minkref", search_paths=[package], allow_inspection=False)
     text = (
         "# The Python package\n\n`import minkref` offers these names. Numbers are texts `n` or "
-        "`n/d`, or `int` and `Fraction` of Python. Strategies for Hypothesis have "
+        "`n/d`, or `int` and `Fraction` of Python. [The tutorial](../docs/tutorials/python.md) "
+        "shows them at work; strategies for Hypothesis have "
         "[a page of their own](../docs/strategies.md).\n"
     )
     for name in minkref.exports or []:

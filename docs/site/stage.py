@@ -22,6 +22,7 @@ import tool_pages
 from repository_pages import write
 
 ROOT = Path(__file__).resolve().parents[2]
+TUTORIALS = ("README", "first-sum", "python", "cpp", "adapter", "reading-a-finding")
 GUIDE = (
     "README",
     "definitions",
@@ -90,6 +91,7 @@ def _navigation(pages: Path, headers: list[cpp_api.Header], schemas: list[Path])
         )
     listed = [
         {"Home": "README.md"},
+        {"Tutorials": [f"docs/tutorials/{name}.md" for name in TUTORIALS]},
         {"Guide": [f"docs/{name}.md" for name in GUIDE]},
         {
             "Reference": [

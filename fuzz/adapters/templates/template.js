@@ -16,9 +16,15 @@ const declaration = {
   capabilities: ["plane"],
 };
 
-// PUT YOUR OWN CALL HERE. P, Q and the sum are arrays of [x, y], counter-clockwise. This one takes
-// the edges of both in the order of their directions, from the leftmost vertices.
+// PUT YOUR OWN CALL HERE. P and Q are arrays of polygons { outer, holes }; a ring is an array of
+// [x, y], outer ones counter-clockwise, holes clockwise. The sum is an array of rings: the points
+// that they wind around. To be asked for more, declare "non-convex", "holes" and "components".
 function minkowskiSum(P, Q) {
+  return [convexSum(P[0].outer, Q[0].outer)];
+}
+
+// The edges of both rings in the order of their directions, from the leftmost vertices.
+function convexSum(P, Q) {
   const [p, q, ring] = [fromLeft(P), fromLeft(Q), []];
   for (let i = 0, j = 0; i < P.length || j < Q.length; ) {
     ring.push([p[i][0] + q[j][0], p[i][1] + q[j][1]]);
@@ -42,10 +48,10 @@ function fromLeft(ring) {
 let loaded = null;
 function answer(request) {
   if (request.verb === "hello") return { status: "result", ...declaration };
-  if (request.verb === "load") loaded = request.Q.polygons[0].outer;
+  if (request.verb === "load") loaded = request.Q.polygons;
   if (["load", "stop"].includes(request.verb)) return { status: "result" };
   if (request.verb !== "at") return { status: "skipped", reason: "no such verb here" };
-  return { status: "result", rings: [minkowskiSum(request.sP.polygons[0].outer, loaded)] };
+  return { status: "result", rings: minkowskiSum(request.sP.polygons, loaded) };
 }
 
 require("readline").createInterface({ input: process.stdin }).on("line", (line) => {

@@ -23,8 +23,15 @@ HELLO: dict[str, Any] = {
 
 
 def minkowski_sum(P: list[Any], Q: list[Any]) -> list[Any]:
-    """PUT YOUR OWN CALL HERE. P, Q and the sum are lists of [x, y], counter-clockwise. This one
-    takes the edges of both in the order of their directions, from the leftmost vertices."""
+    """PUT YOUR OWN CALL HERE. P and Q are lists of polygons, each with the ring "outer", a list of
+    [x, y] counter-clockwise, and "holes", rings clockwise. The sum is a list of rings: the points
+    that they wind around. To be asked for more than convex polygons, declare "non-convex", "holes"
+    and "components"."""
+    return [convex_sum(P[0]["outer"], Q[0]["outer"])]
+
+
+def convex_sum(P: list[Any], Q: list[Any]) -> list[Any]:
+    """The edges of both rings in the order of their directions, from the leftmost vertices."""
     P, Q = (ring[(k := ring.index(min(ring))) :] + ring[: k + 1] for ring in (P, Q))
     ring, i, j = [], 0, 0
     while i < len(P) - 1 or j < len(Q) - 1:
@@ -47,9 +54,9 @@ for line in sys.stdin:
         if verb == "hello":
             answer.update(HELLO)
         elif verb == "load":
-            loaded = request["Q"]["polygons"][0]["outer"]
+            loaded = request["Q"]["polygons"]
         elif verb == "at":
-            answer["rings"] = [minkowski_sum(request["sP"]["polygons"][0]["outer"], loaded)]
+            answer["rings"] = minkowski_sum(request["sP"]["polygons"], loaded)
         elif verb != "stop":
             answer = {"status": "skipped", "reason": "no such verb here"}
     except Exception as error:  # noqa: BLE001 the answer says what went wrong

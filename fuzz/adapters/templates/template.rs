@@ -4,14 +4,26 @@
 use std::io::{self, BufRead};
 
 type Point = (f64, f64);
+type Ring = Vec<Point>;
+
+#[allow(dead_code)] // the convex sum asks for no holes
+struct Polygon {
+    outer: Ring,
+    holes: Vec<Ring>, // clockwise
+}
 
 const DECLARATION: &str = r#""result","protocol":"adapter-v1","name":"NAME","version":"1",
 "language":"Rust","arithmetic":"float64","numbers":"double",
 "tolerance":{"absolute":"0","relative":"1e-9"},"sum":"region","capabilities":["plane"]"#;
 
-/// PUT YOUR OWN CALL HERE. P, Q and the sum run counter-clockwise. This one takes the edges of both
-/// in the order of their directions, from the leftmost vertices.
-fn minkowski_sum(p: &[Point], q: &[Point]) -> Vec<Point> {
+/// PUT YOUR OWN CALL HERE. Outer rings run counter-clockwise. The sum is a list of rings: the points
+/// that they wind around. To be asked for more, declare "non-convex", "holes" and "components".
+fn minkowski_sum(p: &[Polygon], q: &[Polygon]) -> Vec<Ring> {
+    vec![convex_sum(&p[0].outer, &q[0].outer)]
+}
+
+/// The edges of both rings in the order of their directions, from the leftmost vertices.
+fn convex_sum(p: &[Point], q: &[Point]) -> Ring {
     let (p, q) = (from_left(p), from_left(q));
     let (n, m, mut i, mut j, mut sum) = (p.len() - 1, q.len() - 1, 0, 0, Vec::new());
     while i < n || j < m {
@@ -27,29 +39,45 @@ fn minkowski_sum(p: &[Point], q: &[Point]) -> Vec<Point> {
     sum
 }
 
-fn from_left(ring: &[Point]) -> Vec<Point> {
+fn from_left(ring: &[Point]) -> Ring {
     let first = (0..ring.len()).min_by(|&a, &b| ring[a].partial_cmp(&ring[b]).unwrap()).unwrap();
     (0..=ring.len()).map(|k| ring[(first + k) % ring.len()]).collect()
 }
 
-/// The first ring under the key: no JSON reader, but enough for the lines that minkref sends.
-fn ring_of(line: &str, key: &str) -> Option<Vec<Point>> {
-    let text = line.split_once(key)?.1.split_once("[[")?.1.split_once("]]")?.0;
-    let words = text.split(|c: char| " ,[]".contains(c)).filter(|word| !word.is_empty());
-    let numbers: Vec<f64> = words.map(|word| word.parse().ok()).collect::<Option<_>>()?;
-    Some(numbers.chunks_exact(2).map(|pair| (pair[0], pair[1])).collect())
+/// The set under the key, the last of its line: no JSON reader, but enough for what minkref sends.
+fn set_of(line: &str, key: &str) -> Option<Vec<Polygon>> {
+    let polygons = line.split_once(key)?.1.split("\"outer\"").skip(1);
+    let read = |text: &str| {
+        let (outer, holes) = text.split_once("\"holes\"")?;
+        Some(Polygon { outer: rings_of(outer)?.pop()?, holes: rings_of(holes)? })
+    };
+    polygons.map(read).collect()
 }
 
-fn answer(line: &str, loaded: &mut Option<Vec<Point>>) -> String {
+fn rings_of(text: &str) -> Option<Vec<Ring>> {
+    let ring = |text: &str| {
+        let words = text.split_once("]]")?.0.split(|c: char| " ,[]".contains(c));
+        let numbers = words.filter(|word| !word.is_empty()).map(|word| word.parse().ok());
+        let numbers: Vec<f64> = numbers.collect::<Option<_>>()?;
+        Some(numbers.chunks_exact(2).map(|pair| (pair[0], pair[1])).collect())
+    };
+    text.split("[[").skip(1).map(ring).collect()
+}
+
+fn answer(line: &str, loaded: &mut Option<Vec<Polygon>>) -> String {
     if line.contains("\"hello\"") { return DECLARATION.replace('\n', ""); }
-    if line.contains("\"load\"") { *loaded = ring_of(line, "\"Q\""); }
+    if line.contains("\"load\"") { *loaded = set_of(line, "\"Q\""); }
     if line.contains("\"load\"") || line.contains("\"stop\"") { return "\"result\"".into(); }
-    let (Some(sp), Some(q)) = (ring_of(line, "\"sP\""), loaded) else {
+    let (Some(sp), Some(q)) = (set_of(line, "\"sP\""), loaded) else {
         return r#""errored","reason":"not understood""#.into();
     };
-    let sum = minkowski_sum(&sp, q);
-    let points: Vec<String> = sum.iter().map(|v| format!("[{:?},{:?}]", v.0, v.1)).collect();
-    format!(r#""result","rings":[[{}]]"#, points.join(","))
+    let rings = minkowski_sum(&sp, q).iter().map(|ring| written(ring)).collect::<Vec<_>>();
+    format!(r#""result","rings":[{}]"#, rings.join(","))
+}
+
+fn written(ring: &[Point]) -> String {
+    let points: Vec<String> = ring.iter().map(|v| format!("[{:?},{:?}]", v.0, v.1)).collect();
+    format!("[{}]", points.join(","))
 }
 
 fn main() {
