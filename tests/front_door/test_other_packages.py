@@ -1,0 +1,98 @@
+"""The packages besides the wheel: their files are whole, and agree with the project."""
+
+from __future__ import annotations
+
+import ast
+import json
+import re
+import shutil
+import subprocess
+import sys
+import tarfile
+import tomllib
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+PACKAGING = ROOT / "packaging"
+
+
+def project(folder: Path) -> dict[str, Any]:
+    return tomllib.loads((folder / "pyproject.toml").read_text(encoding="utf-8"))
+
+
+VERSION = project(ROOT)["project"]["version"]
+# Options of CMakeLists.txt that are on where it is the top: a package does without them.
+OPTIONS = re.findall(
+    r"^option\(MINKREF_(\w+) .* \$\{PROJECT_IS_TOP_LEVEL\}\)$",
+    (ROOT / "CMakeLists.txt").read_text(encoding="utf-8"),
+    re.MULTILINE,
+)
+
+
+def test_vcpkg_port_builds_the_library_alone() -> None:
+    port = json.loads((PACKAGING / "vcpkg/minkref/vcpkg.json").read_text(encoding="utf-8"))
+    manifest = json.loads((ROOT / "vcpkg.json").read_text(encoding="utf-8"))
+    assert port["version"] == VERSION
+    names = [entry for entry in port["dependencies"] if isinstance(entry, str)]
+    assert names == manifest["dependencies"]
+    recipe = (PACKAGING / "vcpkg/minkref/portfile.cmake").read_text(encoding="utf-8")
+    off = re.findall(r"-DMINKREF_(\w+)=OFF", recipe)
+    assert sorted(off) == sorted(set(OPTIONS) - {"UNITY"})
+
+
+def test_conan_recipe_builds_the_library_alone() -> None:
+    source = (PACKAGING / "conan/conanfile.py").read_text(encoding="utf-8")
+    assigned = {
+        node.targets[0].id: node.value
+        for node in ast.parse(source).body
+        if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name)
+    }
+    off = ast.literal_eval(assigned["PARTS"])
+    assert sorted(off) == sorted(set(OPTIONS) - {"UNITY"})
+    for pattern in ast.literal_eval(assigned["SOURCES"]):
+        assert list(ROOT.glob(pattern)), pattern
+    ast.parse((PACKAGING / "conan/test_package/conanfile.py").read_text(encoding="utf-8"))
+
+
+def test_container_installs_what_it_has_built() -> None:
+    text = (ROOT / "Containerfile").read_text(encoding="utf-8")
+    stages = text.split("FROM ")[1:]
+    assert [stage.split()[0] for stage in stages] == ["debian:12", "debian:12-slim"]
+    assert not re.search(r"g\+\+|-dev\b|cmake", stages[1]), "no compiler in the second stage"
+    assert "USER minkref" in stages[1]
+    extras = set(re.search(r"\[([a-z,]+)\]", stages[1])[1].split(","))  # type: ignore[index]
+    assert extras <= set(project(ROOT)["project"]["optional-dependencies"])
+
+
+def test_devcontainer_calls_what_there_is() -> None:
+    text = (ROOT / ".devcontainer" / "devcontainer.json").read_text(encoding="utf-8")
+    settings = json.loads(text)
+    assert settings["onCreateCommand"].split()[1:] == ["scripts/set_up.sh", "packages"]
+    assert settings["postCreateCommand"] == "make setup"
+
+
+def test_programs_of_cgal_are_a_package_under_the_gpl() -> None:
+    ours = project(PACKAGING / "minkref-cgal")["project"]
+    assert (ours["version"], ours["license"]) == (VERSION, "GPL-3.0-or-later")
+    wheel = project(ROOT)["tool"]["scikit-build"]
+    assert "cgal" not in json.dumps(wheel["wheel"]["packages"])
+    assert wheel["install"]["components"] == ["python"]
+
+
+@pytest.mark.skipif(not shutil.which("cmake"), reason="no CMake")
+def test_programs_of_cgal_configure_from_their_source_distribution(tmp_path: Path) -> None:
+    command = [sys.executable, PACKAGING / "wheel.py", "--sdist", "--out", tmp_path]
+    subprocess.run([*command, "--project", PACKAGING / "minkref-cgal"], check=True)
+    (archive,) = tmp_path.glob("minkref_cgal-*.tar.gz")
+    with tarfile.open(archive) as file:
+        file.extractall(tmp_path, filter="data")
+    (sources,) = (path for path in tmp_path.iterdir() if path.is_dir())
+    assert (sources / "LICENSES" / "GPL-3.0-or-later.txt").is_file()
+    words = ["cmake", "-S", sources, "-B", tmp_path / "build", "-G", "Ninja"]
+    done = subprocess.run(words, capture_output=True, text=True)
+    if "CGAL was not found" in done.stderr:
+        pytest.skip("no CGAL")
+    assert done.returncode == 0, done.stderr
