@@ -6,6 +6,7 @@ A comment `<!-- KEY: VALUE -->` right before a block:
 - `first: command` runs a command before the block, which makes what the block takes for granted;
 - `file: NAME` writes the block to a file;
 - `replaces: FUNCTION in FILE` puts the block in the place of a function of an earlier file;
+- `finds: why` lets its commands end with 1, which says that something is wrong;
 - `prints: ` says that the block is what the one before it prints.
 
 Two comments may follow one another.
@@ -22,7 +23,7 @@ from pathlib import Path
 from markdown_it import MarkdownIt
 from markdown_it.token import Token
 
-KEYS = ("not run", "first", "file", "replaces", "prints")
+KEYS = ("not run", "first", "file", "replaces", "finds", "prints")
 COMMENT = re.compile(rf"<!-- ({'|'.join(KEYS)}):(.*?)-->", re.DOTALL)
 SHELL = re.compile(r"^(minkref|\.venv/bin/\S+|make|cmake|python3?|pip) ", re.MULTILINE)
 

@@ -2,19 +2,37 @@
 
 from __future__ import annotations
 
+import shutil
+from collections import Counter
 from pathlib import Path
 
 import pytest
+from minkref.reports.documentation.blocks import blocks
 from minkref.reports.documentation.running import run_page
 
 ROOT = Path(__file__).resolve().parents[2]
-TUTORIALS = sorted(page.relative_to(ROOT) for page in (ROOT / "docs/tutorials").glob("*.md"))
+PAGES = sorted(
+    page.relative_to(ROOT) for page in [ROOT / "README.md", *(ROOT / "docs").glob("**/*.md")]
+)
+SHOWN = [page for page in PAGES if blocks(ROOT, page)]
+MARKED = 14  # blocks that are not run
+NEEDED = {"docs/tutorials/adapter.md": ("node", "rustc")}  # beside what builds minkref
 
 
-@pytest.mark.parametrize("page", TUTORIALS, ids=lambda page: page.stem)
-def test_tutorials(page: Path, tmp_path: Path) -> None:
+@pytest.mark.parametrize("page", SHOWN, ids=str)
+def test_blocks_do_what_the_page_says(page: Path, tmp_path: Path) -> None:
+    for tool in NEEDED.get(str(page), ()):
+        if not shutil.which(tool):
+            pytest.skip(f"{tool} is not installed")
     failures = run_page(page, tmp_path)
     assert not failures, "\n".join(map(str, failures))
+
+
+def test_few_blocks_are_not_run_and_each_says_why() -> None:
+    reasons = [block.told("not run") for page in SHOWN for block in blocks(ROOT, page)]
+    marked = Counter(reason for reason in reasons if reason is not None)
+    assert "" not in marked
+    assert marked.total() == MARKED, marked
 
 
 def written(folder: Path, text: str) -> Path:
