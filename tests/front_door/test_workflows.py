@@ -68,4 +68,4 @@ def test_the_wheel_that_the_release_tries_is_one_that_it_builds() -> None:
     release = (ROOT / ".github" / "workflows" / "release.yml").read_text(encoding="utf-8")
     project = (ROOT / "pyproject.toml").read_text(encoding="utf-8")
     (tag,) = re.findall(r"bare\.py dist/minkref-\*-(cp\d+)-abi3-", release)
-    assert f'wheel.py-api = "{tag}"' in project and f"{tag}-manylinux_x86_64" in project
+    assert f'"wheel.py-api" = "{tag}"' in project and f"{tag}-manylinux_x86_64" in project
