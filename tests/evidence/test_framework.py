@@ -139,9 +139,10 @@ def test_every_script_declares_what_the_framework_needs() -> None:
         assert unmatched == [], f"{name}: globs that name nothing"
 
 
-def test_quick_run_fits_ten_minutes() -> None:
-    quick = [part.quick_minutes for part in map(load, names()) if part.quick_minutes is not None]
-    assert sum(quick) <= 10
+def test_quick_run_fits_ten_minutes_on_two_cores() -> None:
+    quick = [part for part in map(load, names()) if part.quick_minutes is not None]
+    alone = sum(part.quick_minutes or 0 for part in quick if part.alone)
+    assert alone + sum(part.quick_minutes or 0 for part in quick if not part.alone) / 2 <= 10
 
 
 def test_recount_of_the_convolution_on_two_triangles_by_hand() -> None:
