@@ -30,7 +30,7 @@ EXHIBITS = (
         "letters",
         "g1 g2",
         "--from 1/4 --to 4",
-        "7/5",
+        "1/2",
         "Two letters. Holes are born, merge with the outside and die.",
     ),
     Exhibit(
