@@ -63,6 +63,12 @@ class Browser:
     def resize(self, width: int, height: int) -> None:
         self._post("/window/rect", {"width": width, "height": height})
 
+    def viewport(self, width: int, height: int) -> None:
+        """Also narrower than a window may be."""
+        metrics = {"width": width, "height": height, "deviceScaleFactor": 1, "mobile": False}
+        parameters = {"cmd": "Emulation.setDeviceMetricsOverride", "params": metrics}
+        self._post("/goog/cdp/execute", parameters)
+
     def screenshot(self, path: Path) -> None:
         path.write_bytes(base64.b64decode(_call("GET", f"{self._session}/screenshot")))
 
