@@ -3,6 +3,7 @@ edges that run along the boundary just below the scale, or just above it, and co
 
 from __future__ import annotations
 
+import functools
 import json
 from collections.abc import Iterator
 from fractions import Fraction
@@ -18,8 +19,12 @@ Point = tuple[Fraction, Fraction]
 Segment = tuple[Point, Point]
 Edge = tuple[str, int, int, int, int]
 
+Route = type[_core.DynamicSum] | type[_core.ScaleSpaceIndex]
+
 SEED = 41
-PAIRS = 24
+PAIRS = 12
+# Later pairs in which a side of the boundary lies on several convolution edges at an event.
+ON_ONE_LINE = (43, 48, 54, 68, 118)
 
 
 def rings_of(operand: _core.PolygonSet) -> list[list[Point]]:
@@ -68,20 +73,25 @@ def on_boundary(edge: Segment, boundary: list[Segment]) -> list[tuple[Point, Poi
     return [(point(low), point(high)) for low, high in sorted(pieces)]
 
 
+@functools.lru_cache(maxsize=8)
+def sides_of_sum(P: _core.PolygonSet, Q: _core.PolygonSet, s: Fraction) -> list[Segment]:
+    return [
+        side
+        for ring in rings_of(_core.minkowski_sum(P, Q, str(s)).region)
+        for side in pairwise([*ring, ring[0]])
+    ]
+
+
 def limits(
     edge: Edge, P: _core.PolygonSet, Q: _core.PolygonSet, s: Fraction, step: Fraction
 ) -> Iterator[tuple[Point, Point]]:
     """What the edge's pieces on the boundary come to at s, from the side of `step`: between events
     they move linearly, so that those at s + step and s + 2 step tell it."""
     ps, qs = rings_of(P), rings_of(Q)
-    found = []
-    for t in (s + step, s + 2 * step):
-        sides = [
-            side
-            for ring in rings_of(_core.minkowski_sum(P, Q, str(t)).region)
-            for side in pairwise([*ring, ring[0]])
-        ]
-        found.append(on_boundary(at_scale(edge, ps, qs, t), sides))
+    found = [
+        on_boundary(at_scale(edge, ps, qs, t), sides_of_sum(P, Q, t))
+        for t in (s + step, s + 2 * step)
+    ]
     assert len(found[0]) == len(found[1]), "an event within two steps"
     for near, far in zip(*found, strict=True):
         a, b = ((2 * n[0] - f[0], 2 * n[1] - f[1]) for n, f in zip(near, far, strict=True))
@@ -99,23 +109,19 @@ def named(parent: dict[str, Any]) -> Edge:
     return (parent["kind"], *parent["edge"], *parent["vertex"])
 
 
-@pytest.mark.parametrize("index", range(PAIRS))
-def test_parents_are_the_edges_that_come_to_the_place(index: int) -> None:
+@pytest.mark.parametrize("route", [_core.DynamicSum, _core.ScaleSpaceIndex])
+@pytest.mark.parametrize("index", [*range(PAIRS), *ON_ONE_LINE])
+def test_parents_are_the_edges_that_come_to_the_place(index: int, route: Route) -> None:
     pair = lattice_pair(SEED, index)
     P, Q = (_core.PolygonSet.from_json(text) for text in (pair.P, pair.Q))
-    scales = sorted(
-        {
-            Fraction(event["s"])
-            for found in [ArrangementEventList(_core.ArrangementEvents(P, Q), "arrangement")]
-            for event in found.events(0, len(found))
-        }
-    )
-    moving = _core.DynamicSum(P, Q)
+    arrangement = ArrangementEventList(_core.ArrangementEvents(P, Q), "arrangement")
+    scales = sorted({Fraction(event["s"]) for event in arrangement.events(0, len(arrangement))})
+    moving = route(P, Q)
     edges = [(row[0], *row[2:]) for row in moving.edges()]
-    events = BoundaryEventList(moving, "boundary")
-    for event in events.events(0, len(events)):
+    found = BoundaryEventList(moving, "boundary")
+    for event in found.events(0, len(found)):
         s = Fraction(event["s"])
-        place = tuple(Fraction(number) for number in event["at"])
+        place = Fraction(event["at"][0]), Fraction(event["at"][1])
         parents = {named(parent) for parent in event["parents"]}
         at = scales.index(s)
         below = scales[at - 1] if at else Fraction(0)
