@@ -44,7 +44,7 @@ class Search {
       const auto [first, last] = places_in_range(list.size(), c.range, [&](std::size_t i) {
         return scales ? events.exact(list[i].event.group) : Rational(list[i].rank);
       });
-      return [first, last](std::size_t i) { return i >= first && i < last; };
+      return [first = first, last = last](std::size_t i) { return i >= first && i < last; };
     }
     if (c.test == Test::in_range && (c.field == "x" || c.field == "y")) {
       if (!bounds_) bounds_.emplace(events_.moving());

@@ -46,7 +46,7 @@ class Search {
         const PairEvent& e = all[i];
         return scales ? event_scale(kernel, edges_[e.a], edges_[e.b], e) : Rational(e.rank);
       });
-      return [first, last](std::size_t i) { return i >= first && i < last; };
+      return [first = first, last = last](std::size_t i) { return i >= first && i < last; };
     }
     if (c.test == Test::in_range && (c.field == "x" || c.field == "y")) {
       if (!bounds_) bounds_.emplace(edges_);
