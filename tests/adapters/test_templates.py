@@ -102,6 +102,15 @@ def test_lines_that_are_no_requests(
     assert adapter.hello()["status"] == "result"
 
 
+def test_a_set_without_polygons_is_told_and_ends_nothing(
+    command: list[str], converse: Callable[[list[str]], Any]
+) -> None:
+    adapter = converse(command)
+    answer = adapter.sum({"polygons": []}, region(SQUARE))
+    assert answer["status"] == "errored"
+    assert rings(adapter.sum(region(SQUARE), region(SQUARE)))
+
+
 def test_sets_of_several_polygons_with_holes_in_the_template_in_cpp(
     tmp_path: Path, converse: Callable[[list[str]], Any]
 ) -> None:

@@ -51,7 +51,7 @@ fn set_of(line: &str, key: &str) -> Option<Vec<Polygon>> {
         let (outer, holes) = text.split_once("\"holes\"")?;
         Some(Polygon { outer: rings_of(outer)?.pop()?, holes: rings_of(holes)? })
     };
-    polygons.map(read).collect()
+    polygons.map(read).collect::<Option<Vec<_>>>().filter(|set| !set.is_empty())
 }
 
 fn rings_of(text: &str) -> Option<Vec<Ring>> {
