@@ -31,7 +31,7 @@ EXHIBITS = (
         "g1 g2",
         "--from 1/4 --to 4",
         "1/2",
-        "Two letters. Holes are born, merge with the outside and die.",
+        "Two letters. Holes split off from the outside, one of them splits again, and all die.",
     ),
     Exhibit(
         "figure",
@@ -45,14 +45,14 @@ EXHIBITS = (
         "g3 g1",
         "--from 1/4 --to 4",
         "1",
-        "Many edges are parallel, so that many events fall together.",
+        "A post and bars with right angles only, and the letter S.",
     ),
     Exhibit(
         "bird",
         "disc1 glyph275",
         "--from 1/2 --to 8",
         "2",
-        "A bird on two feet; the gap between them closes.",
+        "A bird on two feet. Two holes split off from the outside and die.",
     ),
     Exhibit(
         "dog",
