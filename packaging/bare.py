@@ -41,7 +41,12 @@ class BareMachine:
         self.rows: list[dict[str, object]] = []
 
     def uv(self, *words: str) -> None:
-        command = [str(Path(sysconfig.get_path("scripts"), "uv")), *words, "--quiet"]
+        command = [
+            str(Path(sysconfig.get_path("scripts"), "uv")),
+            *words,
+            "--quiet",
+            "--system-certs",
+        ]
         subprocess.run(command, check=True)
 
     def install(self, *extras: str) -> None:

@@ -103,4 +103,4 @@ def test_a_descriptor_that_is_not_open_is_refused(tmp_path: Path) -> None:
     ran = shell(f"{MINKREF} sum g1 g2 -o /dev/fd/77", tmp_path)
     assert (ran.returncode, b"descriptor 77 is not open" in ran.stderr) == (2, True)
     ran = shell(f"{MINKREF} sum g1 g2 -o /dev/fd/1 --json", tmp_path)
-    assert (ran.returncode, b"takes either" in ran.stdout) == (2, True)
+    assert (ran.returncode, b"not both" in ran.stdout) == (2, True)

@@ -113,7 +113,7 @@ def test_in_space(tmp_path: Path) -> None:
         (("-", "g1"), "[" * 100_000, "in no known format"),
         (("POLYGON ((0 0, 1", "g1"), "", "the text ends"),
         (('{"type": "Polyg', "g1"), "", ""),
-        (("g1", "g2", "-o", "-", "--json"), "", "takes either"),
+        (("g1", "g2", "-o", "-", "--json"), "", "not both"),
         (("g1", "g2", "-o", "-", "--format", "wtk"), "", "did you mean wkt?"),
         (("gs3", "rod", "-o", "-", "--format", "wkt"), "", "no such format"),
         (("g1", "g2", "--format", "wkt"), "", "nothing to write"),
