@@ -17,6 +17,7 @@ std::vector<EdgeRow> convolution_rows(const std::vector<ConvolutionEdge>& edges)
   std::vector<EdgeRow> rows;
   rows.reserve(edges.size());
   for (const auto& edge : edges) {
+    look_for_interrupt();
     rows.emplace_back(edge.kind == ConvolutionEdge::Kind::S ? "S" : "T", edge.sign, edge.edge.ring,
                       edge.edge.index, edge.vertex.ring, edge.vertex.index);
   }
@@ -35,6 +36,7 @@ std::vector<SegmentTuple> segments(const Set& P, const Set& Q, const std::string
   std::vector<SegmentTuple> rows;
   rows.reserve(edges.size());
   for (const auto& edge : edges) {
+    look_for_interrupt();
     const Segment segment = at_scale(edge, P.value, Q.value, s);
     rows.emplace_back(to_double(segment.start.x), to_double(segment.start.y),
                       to_double(segment.end.x), to_double(segment.end.y));
