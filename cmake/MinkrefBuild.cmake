@@ -12,7 +12,8 @@ if(PROJECT_IS_TOP_LEVEL)
     # What the cache may overlook lets it work with a precompiled header.
     set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env
         "CCACHE_SLOPPINESS=pch_defines,time_macros"
-        # Clones in different folders share what they compile.
+        # Paths in the checkout count as relative ones. (Grouped sources hold absolute paths: another clone
+        # compiles these anew.)
         "CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}" "CCACHE_NOHASHDIR=1" "${CCACHE_PROGRAM}")
   endif()
 endif()
