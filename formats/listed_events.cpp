@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "formats/write_events.hpp"
-#include "reference/error.hpp"
 #include "reference/interrupt.hpp"
 #include "reference/plane/critical/event_places.hpp"
+#include "reference/plane/critical/event_search.hpp"
 #include "reference/plane/critical/pair_event_search.hpp"
 #include "reference/plane/dynamic/node_track.hpp"
 
@@ -16,62 +16,20 @@ const PairEvent& pair_of(const ArrangementEvents& events, const ListedEvent& eve
   return events.pairs().events[event.index];
 }
 
-class Search {
+/// What a search asks of arrangement events (event_search.hpp).
+class SearchedArrangement {
  public:
-  Search(std::vector<RankedEvent>& list, const ArrangementEvents& events)
+  SearchedArrangement(const std::vector<RankedEvent>& list, const ArrangementEvents& events)
       : list_(list), events_(events) {}
 
-  void keep(const EventCondition& condition) {
-    const EventTest test =
-        event_test(condition, [this](const EventCondition& field) { return of_field(field); });
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < list_.size(); ++i) {
-      look_for_interrupt();
-      if (test(i)) list_[kept++] = list_[i];  // an event is looked at before it is overwritten
-    }
-    list_.resize(kept);
-    list_.shrink_to_fit();
-  }
-
- private:
-  using Test = EventCondition::Test;
-
-  EventTest of_field(const EventCondition& c) {
-    const auto& list = list_;
-    const ArrangementEvents& events = events_;
-    if (c.test == Test::in_range && (c.field == "s" || c.field == "rank")) {
-      const bool scales = c.field == "s";
-      const auto [first, last] = places_in_range(list.size(), c.range, [&](std::size_t i) {
-        return scales ? events.exact(list[i].event.group) : Rational(list[i].rank);
-      });
-      return [first = first, last = last](std::size_t i) { return i >= first && i < last; };
-    }
-    if (c.test == Test::in_range && (c.field == "x" || c.field == "y")) {
-      if (!bounds_) bounds_.emplace(events_.moving());
-      return [this, range = c.range, quick = EnclosedNumbers(c.range),
-              coordinate = c.field == "y" ? 1 : 0](std::size_t i) {
-        const Enclosure about = bounds_of(list_[i].event, coordinate);
-        if (const auto known = quick.in_range(about.lower, about.upper)) return *known;
-        const Point at = listed_row(events_, list_[i].event).at;
-        return range.holds(coordinate == 0 ? at.x : at.y);
-      };
-    }
-    if (c.test == Test::one_of && (c.field == "kind" || c.field == "change")) {
-      const auto name = c.field == "kind" ? kind_name : change_name;
-      return [&, name, c](std::size_t i) { return c.has_word(name(events, list[i].event)); };
-    }
-    if (c.test == Test::has_edge) {
-      return [&, wanted = matching_edges(events.edges(), c.edge)](std::size_t i) {
-        const auto edges = edges_of(events, list[i].event);
-        return std::any_of(edges.begin(), edges.end(), [&](auto e) { return wanted[e]; });
-      };
-    }
-    throw BadInput("unknown-field", "arrangement events have no \"" + c.field + "\"",
-                   "ask for another");
-  }
-
+  std::string_view what() const { return "arrangement events"; }
+  const std::vector<ConvolutionEdge>& edges() const { return events_.edges(); }
+  Rational scale(std::size_t i) const { return events_.exact(list_[i].event.group); }
+  std::uint32_t rank(std::size_t i) const { return list_[i].rank; }
   /// The place of an event is on each of its edges.
-  Enclosure bounds_of(const ListedEvent& event, int coordinate) const {
+  Enclosure about(std::size_t i, int coordinate) const {
+    if (!bounds_) bounds_.emplace(events_.moving());
+    const ListedEvent& event = list_[i].event;
     if (event.kind == ListedEvent::Kind::pair) {
       return place_bounds(pair_of(events_, event), *bounds_, coordinate);
     }
@@ -83,10 +41,18 @@ class Search {
     }
     return result;
   }
+  Point at(std::size_t i) const { return listed_row(events_, list_[i].event).at; }
+  std::string_view kind(std::size_t i) const { return kind_name(events_, list_[i].event); }
+  std::string_view change(std::size_t i) const { return change_name(events_, list_[i].event); }
+  bool has_edge(std::size_t i, const std::vector<bool>& wanted) const {
+    const auto edges = edges_of(events_, list_[i].event);
+    return std::any_of(edges.begin(), edges.end(), [&](auto e) { return wanted[e]; });
+  }
 
-  std::vector<RankedEvent>& list_;
+ private:
+  const std::vector<RankedEvent>& list_;
   const ArrangementEvents& events_;
-  std::optional<EdgeBounds> bounds_;
+  mutable std::optional<EdgeBounds> bounds_;
 };
 
 }  // namespace
@@ -137,15 +103,7 @@ EventRow listed_row(const ArrangementEvents& events, const ListedEvent& event) {
 
 void keep_events(std::vector<RankedEvent>& list, const ArrangementEvents& events,
                  const EventCondition& condition) {
-  Search(list, events).keep(condition);
-}
-
-std::size_t distinct_scales(const std::vector<RankedEvent>& list) {
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    count += i == 0 || list[i].rank != list[i - 1].rank;
-  }
-  return count;
+  keep_those(list, SearchedArrangement(list, events), condition);
 }
 
 std::string events_as_json(const std::vector<RankedEvent>& list, const ArrangementEvents& events,

@@ -31,9 +31,6 @@ EventRow listed_row(const ArrangementEvents& events, const ListedEvent& event);
 void keep_events(std::vector<RankedEvent>& list, const ArrangementEvents& events,
                  const EventCondition& condition);
 
-/// Different scales among them.
-std::size_t distinct_scales(const std::vector<RankedEvent>& list);
-
 /// The events first to last - 1 as JSON objects, each followed by `end` (write_events.hpp). Exact.
 /// Some 10 us an event.
 std::string events_as_json(const std::vector<RankedEvent>& list, const ArrangementEvents& events,

@@ -14,20 +14,6 @@
 
 namespace minkref {
 
-std::string_view name(Change change) {
-  switch (change) {
-    case Change::birth:
-      return "birth";
-    case Change::death:
-      return "death";
-    case Change::touch:
-      return "touch";
-    case Change::overlap:
-      return "overlap";
-  }
-  return "";
-}
-
 namespace {
 
 /// Calls use(frame) where its numbers fit machine words, else otherwise().

@@ -11,9 +11,6 @@
 
 namespace minkref {
 
-/// "birth", "death", "touch" or "overlap".
-std::string_view name(Change change);
-
 /// The events first to last - 1 as JSON objects, each followed by `end` (",\n", say):
 /// {"s": "n/d", "rank": 0, "kind": "pair", "change": "birth", "parents": [A, B],
 ///  "at": ["n/d", "n/d"], "to": null}

@@ -16,6 +16,7 @@
 #include "python/stopwatch.hpp"
 #include "python/vector_caster.hpp"
 #include "reference/error.hpp"
+#include "reference/plane/critical/event_search.hpp"
 #include "reference/plane/dynamic/dynamic_sum.hpp"
 #include "reference/plane/dynamic/event_list.hpp"
 

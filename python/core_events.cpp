@@ -17,6 +17,7 @@
 #include "python/vector_caster.hpp"
 #include "reference/error.hpp"
 #include "reference/plane/critical/event_places.hpp"
+#include "reference/plane/critical/event_search.hpp"
 #include "reference/plane/critical/line_intersection.hpp"
 #include "reference/plane/critical/pair_event_search.hpp"
 #include "reference/plane/critical/pair_interval.hpp"
@@ -334,7 +335,7 @@ void bind_events(nb::module_& module) {
            "Takes out all events that do not meet the condition; ranks and counts() stay those of "
            "all.")
       .def(
-          "distinct", [](const Events& events) { return distinct_scales(events.value); },
+          "distinct", [](const Events& events) { return distinct_scales(events.value.events); },
           Released(), "How many different scales the events have that are there.");
   module.def("pair_events", find, "P"_a, "Q"_a, "from_scale"_a = nb::none(),
              "to_scale"_a = nb::none(), "kind"_a = "both", "form"_a = "corrected", Released(),

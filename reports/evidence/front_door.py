@@ -119,8 +119,13 @@ def run(_: bool) -> Findings:
     ).stdout.strip()
     try:
         old, new = Clone(folder, BEFORE), Clone(folder, now)
+        # This commit first: what it gets wrong is seen soonest.
+        taken = {
+            (clone.name, command): clone.call("make", command)
+            for clone in (new, old) for command in ("run", "test")
+        }  # fmt: skip
         for command, most in (("run", RUN_RATIO), ("test", TEST_RATIO)):
-            before, after = old.call("make", command), new.call("make", command)
+            before, after = taken[old.name, command], taken[new.name, command]
             findings.law(f"make {command}: exit code", after.code == 0, 0, after.code)
             if before.code:
                 findings.note(f"make {command} at {BEFORE} ended with exit code {before.code}.")

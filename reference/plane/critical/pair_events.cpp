@@ -13,6 +13,20 @@
 #include "reference/plane/routes/convolution_arrangement.hpp"
 
 namespace minkref {
+
+std::string_view name(Change change) {
+  switch (change) {
+    case Change::birth:
+      return "birth";
+    case Change::death:
+      return "death";
+    case Change::touch:
+      return "touch";
+    case Change::overlap:
+      return "overlap";
+  }
+  return "";
+}
 namespace {
 
 double column(const Rational& value) { return to_double(value); }

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "reference/form.hpp"
@@ -19,6 +20,9 @@ enum class Change : std::uint8_t {
   touch,    ///< they meet in one point, at this scale only
   overlap,  ///< parallel edges share a segment, at this scale only
 };
+
+/// "birth", "death", "touch" or "overlap".
+std::string_view name(Change change);
 
 /// One critical scale of the pair of edges a < b: `critical_scales(...)[rank]`.
 struct PairEvent {
