@@ -4,6 +4,7 @@
 #include <nanobind/stl/tuple.h>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <tuple>
 
@@ -12,6 +13,7 @@
 #include "formats/refusal_place.hpp"
 #include "formats/write.hpp"
 #include "python/core.hpp"
+#include "python/core_shapes.hpp"
 #include "python/vector_caster.hpp"
 #include "reference/plane/boundary/canonical.hpp"
 
@@ -89,7 +91,39 @@ Set from_state(const std::pair<std::string, bool>& state) {
 }  // namespace
 
 void bind_polygon_set(nb::module_& module) {
-  nb::class_<Set>(module, "PolygonSet", "A closed regular set bounded by polygons; exact.")
+  nb::class_<Set>(module, "PolygonSet",
+                  "A closed regular set bounded by polygons; exact. A value: never changed, equal "
+                  "to each set of the same points.")
+      .def(
+          "__init__",
+          [](Set* self, const nb::object& shape, bool validate) {
+            new (self) Set(set_of_shape(shape, validate));
+          },
+          "shape"_a = nb::none(), nb::kw_only(), "validate"_a = true,
+          nb::sig("def __init__(self, shape: object = None, *, validate: bool = True) -> None"),
+          "From one point (x, y), a ring of points, a polygon (its outer ring, then its holes), "
+          "a list of polygons, GeoJSON, an object with __geo_interface__ (Shapely), WKT, or a "
+          "set; without one, the empty set. Numbers count by their exact value: int, Fraction, "
+          "Decimal, float (0.1 is the double next to a tenth), scalars and arrays of NumPy, texts "
+          "('0.1', '7/5'). Rings are turned as they should run. Raises BadInput for what is no "
+          "regular closed set. With `validate` false nothing is looked at and no ring is turned. "
+          "O(n log n) on usual input.")
+      .def(
+          "__eq__",
+          [](const Set& a, const Set& b) {
+            return a.value == b.value || canonical_text(a) == canonical_text(b);
+          },
+          nb::is_operator(), nb::sig("def __eq__(self, other: object, /) -> bool"))
+      .def("__hash__",
+           [](const Set& set) { return std::hash<std::string>()(canonical_text(set)) >> 1; })
+      .def("__repr__", [](const Set& set) { return shown(set); })
+      .def("_repr_svg_", [](const Set& set) { return write(set.value, Format::svg); })
+      .def_prop_ro(
+          "__geo_interface__",
+          [](const Set& set) {
+            return nb::module_::import_("json").attr("loads")(write(set.value, Format::geojson));
+          },
+          "GeoJSON's geometry in doubles, as Shapely and others take it.")
       .def_static("from_json", from_json, "text"_a, Released(),
                   "From {\"polygons\":[{\"outer\":ring,\"holes\":[...]}]}; nothing is validated.")
       .def("to_json", to_json, Released(), "The rings as they are stored.")
@@ -108,7 +142,13 @@ void bind_polygon_set(nb::module_& module) {
             validate_as_read(set.value, set.origins, source);
           },
           "source"_a = "", Released(), "Raises BadInput unless the set is regular closed.")
-      .def("rings", drawn_rings, "For drawing: per polygon its outer ring, then its holes.")
+      .def("rings", exact_rings,
+           nb::sig("def rings(self) -> list[list[list[tuple[fractions.Fraction, "
+                   "fractions.Fraction]]]]"),
+           "Exact: per polygon its outer ring, then its holes, points as pairs of Fractions.")
+      .def("arrays", arrays_of_doubles, nb::sig("def arrays(self) -> list[list[typing.Any]]"),
+           "As rings(), each an array of NumPy of shape (n, 2), of the nearest doubles.")
+      .def("approximate_rings", drawn_rings, "As rings(), points as pairs of the nearest doubles.")
       .def("bounding_box", bounding_box, "For drawing: xmin, ymin, xmax, ymax.")
       .def(
           "area", [](const Set& set) { return to_string(area(set.value)); }, Released(),

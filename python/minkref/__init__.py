@@ -1,9 +1,9 @@
 """minkref: the exact reference for Minkowski sums under scaling (Behar & Lien 2012).
 
 import minkref
-P = minkref.read_file("P.wkt")
+P = minkref.PolygonSet([(0, 0), (4, 0), (0, 3)])
 result = minkref.minkowski_sum(P, minkref.read_file("Q.wkt"), "7/5")
-print(result.region.area(), minkref.write(result.region, "wkt"))
+print(result.region.area(), result.region.rings())
 """
 
 from __future__ import annotations

@@ -3,7 +3,7 @@
 Numbers are texts, `n` or `n/d`, or exact numbers of Python, int and Fraction. An argument of
 another type raises TypeError, which says what is expected. What is refused raises BadInput, with
 the attributes code, problem, mend, source, line, ring, vertices and coordinates. Sets are values:
-they are copied and pickled. Source: docs/definitions.md.
+made of coordinates, compared by their points, copied and pickled. Source: docs/definitions.md.
 """
 
 from __future__ import annotations

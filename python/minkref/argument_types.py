@@ -11,7 +11,7 @@ from typing import Any
 
 from minkref import _core
 
-SET = "a PolygonSet, as minkref.read_file and minkref.read_text give"
+SET = "a PolygonSet; minkref.PolygonSet(...) makes one"
 TEXT = "a str"
 NUMBER = "an exact number: a str as '7/5' or '0.1', an int or a Fraction"
 

@@ -25,11 +25,11 @@ def is_inline(name: str) -> bool:
     return _WKT.match(name) is not None or name.lstrip().startswith("{")
 
 
-def text_and_form(name: str) -> tuple[str, str]:
-    """The text, and the format that it is in, by how it begins. Refuses others, and what is
-    longer than a file may be."""
+def text_and_form(name: str, inline: bool = False) -> tuple[str, str]:
+    """The text, and the format that it is in, by how it begins; `inline`: `-` is no name of
+    standard input. Refuses others, and what is longer than a file may be."""
     text = name
-    if name == STANDARD_INPUT:
+    if name == STANDARD_INPUT and not inline:
         text = decoded(sys.stdin.buffer.read(LONGEST + 1), source_of(name))
         if not text.strip():
             mend = "pipe a set into it; it is one operand: name a file for the other"
@@ -40,7 +40,8 @@ def text_and_form(name: str) -> tuple[str, str]:
         return text, "geojson" if _is_geojson(text) else "json"
     if re.match(r"\s*\d+\s", text):
         return text, "poly"
-    raise Refusal("this text is in no known format", source_of(name), MEND, "unknown-format")
+    where = repr(name) if inline else source_of(name)
+    raise Refusal("this text is in no known format", where[:60], MEND, "unknown-format")
 
 
 def source_of(name: str) -> str:

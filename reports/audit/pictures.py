@@ -41,7 +41,7 @@ def sum_and_convolution(
 ) -> str:
     """The sum, the edges of the reduced convolution, and perhaps a marked point."""
     layers = [
-        Layer("sum", _core.minkowski_sum(P, Q, scale).region.rings()),
+        Layer("sum", _core.minkowski_sum(P, Q, scale).region.approximate_rings()),
         Layer("convolution", segments=_core.convolution_segments(P, Q, scale, True)),
     ]
     if point is not None:

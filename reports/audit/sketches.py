@@ -27,7 +27,7 @@ def robot_on_path(
     ]
     steps = [(float(a[0]), float(a[1]), float(b[0]), float(b[1])) for a, b in pairwise(path)]
     layers = [
-        Layer("second", obstacle.rings()),
+        Layer("second", obstacle.approximate_rings()),
         Layer("first clear", polygons),
         Layer("first-edge", segments=steps),
         Layer("witness", point=(float(path[0][0]), float(path[0][1]))),

@@ -38,10 +38,10 @@ def show(P: str, Q: str) -> Showcase:
         f"{'' if answer.holes == 1 else 's'}; {answer.seconds:.3f} s by the paper's route."
     )
     captions = [
-        (P, [Layer("first", case.P.rings())]),
-        (Q, [Layer("second", case.Q.rings())]),
+        (P, [Layer("first", case.P.approximate_rings())]),
+        (Q, [Layer("second", case.Q.approximate_rings())]),
         ("reduced convolution", [Layer("convolution", segments=segments)]),
-        (f"{P} + {Q}", [Layer("sum", answer.region.rings())]),
+        (f"{P} + {Q}", [Layer("sum", answer.region.approximate_rings())]),
     ]
     pictures = [(caption, picture(layers, caption)) for caption, layers in captions]
     return Showcase(f"{P} + {Q}", text, pictures)

@@ -29,12 +29,12 @@ def figure_1(pair: Pair) -> list[Picture]:
 
 def figure_2() -> list[Picture]:
     P, Q = (_core.PolygonSet.from_json(text) for text in FIGURE_2)
-    shapes = [Layer("first", P.rings()), Layer("second", Q.translated("6", "0").rings())]
+    shapes = [Layer("first", P.approximate_rings()), Layer("second", Q.translated("6", "0").rings())]
     found = [Picture("P and Q", picture(shapes, "P and Q", 300))]
     for reduced, what in ((False, "convolution"), (True, "reduced convolution")):
         segments = _core.convolution_segments(P, Q, "1", reduced)
         layers = [
-            Layer("sum", _core.minkowski_sum(P, Q, "1").region.rings()),
+            Layer("sum", _core.minkowski_sum(P, Q, "1").region.approximate_rings()),
             Layer("first-edge", segments=segments),
         ]
         found.append(Picture(f"{what}: {len(segments)} edges", picture(layers, what, 300)))
@@ -46,7 +46,7 @@ def figure_6() -> list[Picture]:
     found = []
     for name in ("g1", "g2", "g3", "g4", "dog145"):
         operand = read_operand(name).set
-        svg = picture([Layer("first", operand.rings())], name, 180)
+        svg = picture([Layer("first", operand.approximate_rings())], name, 180)
         found.append(Picture(f"{name} ({operand.vertices})", svg))
     return found
 
@@ -54,18 +54,18 @@ def figure_6() -> list[Picture]:
 def figure_7_inputs(pair: Pair) -> list[Picture]:
     return [
         Picture(f"{one.name} ({one.set.vertices})",
-                picture([Layer("first", one.set.rings())], one.name, 300))
+                picture([Layer("first", one.set.approximate_rings())], one.name, 300))
         for one in (pair.P, pair.Q)
     ]  # fmt: skip
 
 
 def _operands(pair: Pair) -> str:
-    layers = [Layer("second", pair.Q.set.rings()), Layer("first", pair.P.set.rings())]
+    layers = [Layer("second", pair.Q.set.approximate_rings()), Layer("first", pair.P.set.rings())]
     return picture(layers, "the operands", 300)
 
 
 def _sum(region: _core.PolygonSet) -> str:
-    return picture([Layer("sum", region.rings())], "the sum", 300)
+    return picture([Layer("sum", region.approximate_rings())], "the sum", 300)
 
 
 def _edges(pair: Pair, scale: str, reduced: bool) -> str:

@@ -90,7 +90,6 @@ def test_a_number_is_what_it_says() -> None:
         (lambda: SQUARE.scaled(), "missing a required argument: 'factor'"),
         (lambda: SQUARE.scaled("1", "2"), "too many positional arguments"),  # type: ignore[call-arg]
         (lambda: SQUARE.scaled(by="1"), "missing a required argument: 'factor'"),  # type: ignore[call-arg]
-        (lambda: minkref.PolygonSet(), "PolygonSet"),
     ],
 )
 def test_wrong_arguments_are_refused_in_plain_words(call: Callable[[], Any], why: str) -> None:

@@ -65,7 +65,7 @@ def command(json: Json = False, schema: Schema = False) -> None:
 
 def _row(model: Model) -> dict[str, Any]:
     read, _ = read_set(model.path)
-    polygons = len(read.rings())
+    polygons = len(read.approximate_rings())
     return {
         "name": model.name,
         "vertices": read.vertices,

@@ -104,7 +104,7 @@ def _rings(operand: _core.PolygonSet) -> list[list[list[float]]]:
     """Of each polygon its rings, x, y, x, y, ..."""
     rings = [
         [[axis for point in ring for axis in point] for ring in polygon]
-        for polygon in operand.rings()
+        for polygon in operand.approximate_rings()
     ]
     if not all(math.isfinite(axis) for polygon in rings for ring in polygon for axis in ring):
         raise out_of_range("a coordinate")
@@ -114,7 +114,7 @@ def _rings(operand: _core.PolygonSet) -> list[list[list[float]]]:
 def _offsets(operand: _core.PolygonSet) -> list[int]:
     """How many vertices stand before each ring, rings numbered outer, holes, outer, ..."""
     offsets, total = [], 0
-    for polygon in operand.rings():
+    for polygon in operand.approximate_rings():
         for ring in polygon:
             offsets.append(total)
             total += len(ring)

@@ -1,0 +1,29 @@
+// Exact coordinates between Python and C++, as numbers of Python.
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+#include <string>
+#include <vector>
+
+#include "python/core.hpp"
+
+namespace minkref::python {
+
+/// The rings of a polygon: the outer one, then its holes.
+using TextPolygon = std::vector<std::vector<ExactPoint>>;
+
+/// A set of what Python hands in (minkref/shapes.py). Where it is to be validated its rings are
+/// turned as they should run; else they stay as given. Throws BadInput, and what shapes.py raises.
+Set set_of_shape(const nanobind::object& shape, bool validated);
+
+/// The rings as stored, of pairs of fractions.Fraction.
+nanobind::list exact_rings(const Set& set);
+
+/// The rings as stored, an array of doubles (n, 2) each, of the doubles next to the coordinates.
+nanobind::list arrays_of_doubles(const Set& set);
+
+/// The text by which Python shows a set: one that makes it again where it is short.
+std::string shown(const Set& set);
+
+}  // namespace minkref::python

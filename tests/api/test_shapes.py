@@ -1,0 +1,151 @@
+"""Sets from what programs hold, and back: numbers count by their exact value, and sets by their
+points."""
+
+from __future__ import annotations
+
+import json
+from decimal import Decimal
+from fractions import Fraction
+from random import Random
+from typing import Any
+
+import minkref
+import numpy as np
+import pytest
+import shapely
+from minkref import PolygonSet
+
+TRIANGLE = PolygonSet([(0, 0), (1, 0), (0, 1)])
+FRAME = PolygonSet([[(0, 0), (4, 0), (4, 4), (0, 4)], [(1, 1), (2, 1), (2, 2), (1, 2)]])
+CASES = [PolygonSet(), PolygonSet((1, "1/3")), PolygonSet([(0, 0), (1, 2)]), TRIANGLE, FRAME]
+RING = [(0, 0), (4, 0), (4, 4), (0, 4)]
+HOLE = [(1, 1), (2, 1), (2, 2), (1, 2)]
+
+
+class Holder:
+    def __init__(self, value: Any) -> None:
+        self.__geo_interface__ = value
+
+
+GEOJSON = {"type": "Polygon", "coordinates": [[*RING, RING[0]], [*HOLE, HOLE[0]]]}
+SPELLINGS = {
+    "turned, and begun elsewhere": [RING[::-1], [*HOLE[2:], *HOLE[:2]]],
+    "closed rings": [[*RING, RING[0]], [*HOLE, HOLE[0]]],
+    "polygons": [[RING, HOLE]],
+    "arrays": [np.array(RING), np.array(HOLE, dtype=np.float32)],
+    "one array of two rings": np.array([RING, HOLE]),
+    "texts": [[(f"{x}.0", f"{2 * y}/2") for x, y in RING], HOLE],
+    "decimals": [[(Decimal(x), Decimal(y)) for x, y in RING], HOLE],
+    "scalars of NumPy": [[(np.int64(x), np.float64(y)) for x, y in RING], HOLE],
+    "a straight vertex": [[(0, 0), (2, 0), *RING[1:]], HOLE],
+    "the project's JSON": {"polygons": [{"outer": RING, "holes": [HOLE]}]},
+    "GeoJSON": GEOJSON,
+    "a feature": {"type": "Feature", "geometry": GEOJSON},
+    "a collection": {"type": "GeometryCollection", "geometries": [GEOJSON]},
+    "features": {
+        "type": "FeatureCollection",
+        "features": [{"type": "Feature", "geometry": GEOJSON}],
+    },
+    "a multipolygon": {"type": "MultiPolygon", "coordinates": [GEOJSON["coordinates"]]},
+    "an object of another library": Holder(GEOJSON),
+    "Shapely": shapely.Polygon(RING, [HOLE]),
+    "WKT": "POLYGON((0 0,4 0,4 4,0 4,0 0),(1 1,2 1,2 2,1 2,1 1))",
+    "GeoJSON as text": json.dumps(GEOJSON),
+    "a set": FRAME,
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("spelling", SPELLINGS)
+def test_one_set_in_many_spellings(spelling: str) -> None:
+    made = PolygonSet(SPELLINGS[spelling])
+    assert made == FRAME and hash(made) == hash(FRAME)
+    assert made.area() == "15"
+
+
+@pytest.mark.parametrize("case", CASES, ids=repr)
+def test_what_python_shows_makes_the_set_again(case: PolygonSet) -> None:
+    assert eval(repr(case), {"PolygonSet": PolygonSet}) == case
+    assert PolygonSet(case.rings()) == case
+    assert len({case, PolygonSet(case.rings())}) == 1
+    assert case.is_empty or case._repr_svg_().startswith("<svg")  # type: ignore[attr-defined]
+
+
+@pytest.mark.parametrize("case", [TRIANGLE, FRAME], ids=["triangle", "frame"])
+def test_shapely_and_arrays_hold_the_same_set(case: PolygonSet) -> None:
+    assert PolygonSet(shapely.geometry.shape(case)) == case
+    assert PolygonSet([[ring.tolist() for ring in polygon] for polygon in case.arrays()]) == case
+    assert [ring.shape for ring in case.arrays()[0]] == [(len(r), 2) for r in case.rings()[0]]
+
+
+def test_numbers_count_by_their_exact_value() -> None:
+    tenth = PolygonSet([(0, 0), (Fraction(1, 10), 0), (0, 1)])
+    assert PolygonSet([(0, 0), ("0.1", 0), (0, 1)]) == tenth
+    assert PolygonSet([(0, 0), (Decimal("0.1"), 0), (0, 1)]) == tenth
+    double = PolygonSet([(0, 0), (0.1, 0), (0, 1)])
+    assert double != tenth and double.rings()[0][0][1][0] == Fraction(0.1)
+    assert double.arrays()[0][0][1][0] == tenth.arrays()[0][0][1][0] == 0.1
+
+
+@pytest.mark.parametrize("digits", [4_000, 20_000])
+def test_numbers_of_any_length(digits: int) -> None:
+    long = 10**digits
+    made = PolygonSet([(long, 0), (long + 1, Fraction(1, long + 1)), (long, 1)])
+    assert made.rings()[0][0][1] == (long + 1, Fraction(1, long + 1))
+
+
+def test_random_sets_survive_fractions_and_are_told_apart() -> None:
+    for seed in range(100):
+        dice = Random(seed)
+        x, y, w, h = (Fraction(dice.randint(-9, 9), dice.randint(1, 9)) for _ in range(4))
+        right, top = x + abs(w) + 1, y + abs(h) + 1
+        corners = [(x, y), (right, y), (right, top), (x, top)]
+        box, turned = PolygonSet(corners), dice.randrange(4)
+        assert PolygonSet(corners[turned:] + corners[:turned]) == box, f"seed {seed}"
+        assert PolygonSet(PolygonSet(box.rings()).rings()) == box, f"seed {seed}"
+        assert box.translated("0", "1/97") != box, f"seed {seed}"
+
+
+REFUSED = {
+    "a number": (3, "PolygonSet: an object of type int"),
+    "an empty ring": ([[]], "point 0: a point of the plane has two coordinates, not 0"),
+    "three coordinates": ([(0, 0, 1)], "two coordinates, not 3"),
+    "no number": (
+        [(0, 0), (float("nan"), 0), (1, 1)],
+        "the ring, point 1, x: the coordinate is nan",
+    ),
+    "a word": ([(0, 0), ("a", 0), (1, 1)], "the ring, point 1, x: the coordinate is not a number"),
+    "a truth value": ([(True, 0), (1, 0), (0, 1)], "of type bool"),
+    "a set of points": ({(0, 0), (1, 0), (0, 1)}, "an object of type set"),
+    "an iterator": (iter([(0, 0)]), "is no set of polygons"),
+    "mixed depths": ([[(0, 0), (1, 0), (0, 1)], 5], "hole 1: there is an object of type int"),
+    "no coordinates": ({"type": "Polygon"}, "the coordinates of the Polygon"),
+    "no outer ring": ({"polygons": [{"holes": []}]}, "this is no mapping with 'outer'"),
+    "another geometry": ({"type": "Circle"}, "of the type 'Circle'"),
+    "an array without dimensions": (np.array(3), "of type ndarray"),
+    "text in no format": ("circle", "'circle': this text is in no known format"),
+    "standard input": ("-", "'-': this text is in no known format"),
+}
+
+
+@pytest.mark.parametrize("kind", REFUSED)
+def test_what_is_no_shape_is_refused_where_it_stands(kind: str) -> None:
+    shape, told = REFUSED[kind]
+    with pytest.raises(minkref.Refusal, match=told.replace("(", r"\(")):
+        PolygonSet(shape)
+
+
+def test_a_shape_that_is_no_regular_set_is_refused_unless_told_not_to_look() -> None:
+    bow = [(0, 0), (1, 1), (1, 0), (0, 1)]
+    with pytest.raises(minkref.BadInput, match="two edges of a ring cross") as refused:
+        PolygonSet(bow)
+    assert (refused.value.code, refused.value.ring) == ("self-intersection", 0)
+    assert PolygonSet(bow, validate=False).vertices == 4
+    clockwise = PolygonSet([(0, 0), (0, 1), (1, 0)], validate=False)
+    assert clockwise.rings()[0][0] == [
+        (Fraction(x), Fraction(y)) for x, y in ((0, 0), (0, 1), (1, 0))
+    ]
+
+
+def test_a_set_is_equal_to_sets_only() -> None:
+    for other in (None, 0, "POLYGON EMPTY", [[(0, 0), (1, 0), (0, 1)]]):
+        assert TRIANGLE != other and not TRIANGLE == other
