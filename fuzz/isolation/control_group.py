@@ -77,17 +77,7 @@ class ControlGroup:
         """After all its processes have ended."""
         while self._events:
             os.close(self._events.popitem()[1])
-        deadline = time.monotonic() + REMOVE_SECONDS
-        while True:
-            try:
-                self.path.rmdir()
-                return
-            except FileNotFoundError:
-                return
-            except OSError:  # the last process is not quite gone
-                if time.monotonic() > deadline:
-                    return
-                time.sleep(0.001)
+        _remove(self.path, time.monotonic() + REMOVE_SECONDS)
 
 
 @functools.cache
@@ -166,11 +156,32 @@ def _folder(held: tuple[str, ...], path: str) -> Path | None:
 
 
 def remove_stale(room: Room) -> None:
-    """Removes the empty groups of processes that are no more."""
+    """Removes the groups of processes that are no more, once their own have ended too."""
+    deadline = time.monotonic() + REMOVE_SECONDS
     for folder in room.folder.glob(f"{_NAME}-*-*"):
         owner = folder.name.split("-")[1]
-        if owner.isdecimal() and not Path("/proc", owner).exists():
-            try:
-                folder.rmdir()
-            except OSError:
-                continue
+        if owner.isdecimal() and not _runs(owner):
+            _remove(folder, deadline)
+
+
+def _runs(process: str) -> bool:
+    """Whether it has not ended; one that has may be listed until its parent asks for it."""
+    try:
+        status = Path("/proc", process, "stat").read_text(encoding="utf-8", errors="replace")
+    except OSError:
+        return False
+    return status.rpartition(")")[2].split()[0] not in "ZX"
+
+
+def _remove(group: Path, deadline: float) -> None:
+    """Unless it has processes still when the time is over."""
+    while True:
+        try:
+            group.rmdir()
+            return
+        except FileNotFoundError:
+            return
+        except OSError:  # the last process is not quite gone
+            if time.monotonic() > deadline:
+                return
+            time.sleep(0.001)

@@ -13,6 +13,7 @@ import re
 import subprocess
 import sys
 import tempfile
+from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -116,7 +117,7 @@ def python_tests(fault: str) -> list[str]:
         )  # fmt: skip
     except subprocess.TimeoutExpired:
         return [f"{' '.join(PYTEST_FOLDERS)}: no end"]
-    found = re.findall(r"^(?:FAILED|ERROR) \S+::(\S+)", done.stdout, re.MULTILINE)
+    found = re.findall(r"^(?:FAILED|ERROR) \S+?::(.+?)(?: - |$)", done.stdout, re.MULTILINE)
     return found or ([f"pytest: exit code {done.returncode}"] if done.returncode else [])
 
 
@@ -135,11 +136,15 @@ def before_judges(fault: str, caught: Caught) -> None:
     except (subprocess.TimeoutExpired, ValueError, KeyError):
         caught.judges.append("verify: no end")
         return
+    bad: Counter[str] = Counter()  # a row is a target on a family
     for row in matrix:
-        bad = sum(n for verdict, n in row["verdicts"].items() if verdict not in ("pass", "skipped"))
-        if bad:
-            where = caught.routes if row["target"] in ROUTES else caught.judges
-            where.append(f"{row['target'].removeprefix('minkref@')} ({bad})")
+        bad[row["target"]] += sum(
+            n for verdict, n in row["verdicts"].items() if verdict not in ("pass", "skipped")
+        )
+    for target, count in bad.items():
+        if count:
+            where = caught.routes if target in ROUTES else caught.judges
+            where.append(f"{target.removeprefix('minkref@')} ({count})")
 
 
 def put_in(fault: str) -> Caught:
@@ -181,8 +186,9 @@ def table(faults: dict[str, str], all_caught: dict[str, Caught]) -> str:
         "",
         "Made by `make evidence ONLY=planted_faults`: each fault of `reference/fault.hpp`, put in "
         "alone, and what caught it. *Judges*: of `minkref verify minkref`, with the number of "
-        f"the {PAIRS} random pairs on which they saw it. *Routes*: routes of the reference refuted "
-        "on the same pairs. *Laws and tests*: the first of each suite that fails.",
+        f"the {PAIRS} random pairs, and of cases made from them, on which they saw it; a run ends "
+        "where the reference itself gives up. *Routes*: routes of the reference refuted on the "
+        "same pairs. *Laws and tests*: the first of each suite that fails.",
         "",
         "| fault | what is wrong | judges | routes | laws and tests |",
         "|---|---|---|---|---|",

@@ -17,7 +17,7 @@ from minkref.errors import Refusal
 from minkref.fuzz.cases import naming
 from minkref.fuzz.cases.case import CaseName
 from minkref.fuzz.isolation import sandbox
-from minkref.fuzz.isolation.control_group import PIDS
+from minkref.fuzz.isolation.control_group import PIDS, find_rooms, remove_stale
 from minkref.fuzz.isolation.environment import NAMES, PREFIXES
 from minkref.fuzz.isolation.isolation import Isolation, choose
 from minkref.fuzz.isolation.leftovers import marked
@@ -310,3 +310,18 @@ def test_what_names_no_isolation_or_no_variable_is_refused(
 ) -> None:
     with pytest.raises(Refusal):
         choose(wanted, passed)
+
+
+@pytest.mark.skipif(not find_rooms(), reason="no control groups")
+def test_the_groups_of_an_owner_that_has_ended_are_removed_though_its_parent_has_not_asked() -> (
+    None
+):
+    (room, *_) = find_rooms()
+    make = f"import os; os.mkdir(f'{room.folder}/minkref-{{os.getpid()}}-7')"
+    owner = subprocess.Popen([sys.executable, "-c", make])
+    group = room.folder / f"minkref-{owner.pid}-7"
+    os.waitid(os.P_PID, owner.pid, os.WEXITED | os.WNOWAIT)
+    assert group.is_dir() and Path("/proc", str(owner.pid)).exists()
+    remove_stale(room)
+    assert not group.exists()
+    assert owner.wait() == 0
