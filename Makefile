@@ -12,7 +12,7 @@ SHELL := /bin/bash
 .PHONY: run test evidence lint format docs wheel sdist sbom lock setup environment clean
 
 CXX_SOURCES = $(shell find reference formats certify oracle python fuzz tests -name '*.cpp' -o -name '*.hpp')
-PYTHON_SOURCES = python certify degeneracies docs/site fuzz oracle reports models tests scripts packaging
+PYTHON_SOURCES = python commands strategies certify degeneracies docs/site fuzz oracle reports models tests scripts packaging
 
 setup:
 	@scripts/set_up.sh

@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
-
 from minkref.commands import adapter_check
 from minkref.errors import Refusal
 from minkref.fuzz.adapters import catalogue

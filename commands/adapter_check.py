@@ -9,10 +9,15 @@ from fractions import Fraction
 from typing import Annotated, Any
 
 import typer
-from rich.table import Table
-
+from minkref.commands.line.options import Json, Schema
+from minkref.commands.line.target_options import (
+    CallMemory,
+    CallProcesses,
+    CallSeconds,
+    IsolationKind,
+    PassedVariables,
+)
 from minkref.commands.verify_limits import check_numbers
-from minkref.commands.verify_output import witness_text
 from minkref.documents import Stopwatch, as_text, document
 from minkref.exits import ExitCode
 from minkref.fuzz.isolation.isolation import AUTO, Isolation, choose
@@ -23,16 +28,10 @@ from minkref.fuzz.targets.catalogue import select_one
 from minkref.fuzz.targets.declaration import CAPABILITIES, Declaration
 from minkref.fuzz.targets.declared import declarations_of
 from minkref.fuzz.verdicts.verdict import BROKEN, Outcome, Verdict
-from minkref.options import Json, Schema
+from minkref.reports.conformance.run_words import witness_text
 from minkref.signals import ending_in_order
-from minkref.target_options import (
-    CallMemory,
-    CallProcesses,
-    CallSeconds,
-    IsolationKind,
-    PassedVariables,
-)
 from minkref.terminal import console, shown
+from rich.table import Table
 
 EXAMPLES = """Examples:
 

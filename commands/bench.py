@@ -6,12 +6,11 @@ import sys
 from typing import Annotated, Any
 
 import typer
-
+from minkref.commands.line.options import Json, Schema
+from minkref.commands.line.progress import progress
 from minkref.documents import Stopwatch, as_text, document
 from minkref.errors import Refusal, choice
 from minkref.exits import ExitCode
-from minkref.options import Json, Schema
-from minkref.progress import progress
 from minkref.reports.bench import index, table1, table2
 from minkref.reports.bench.tables import print_index, print_polygons, print_polyhedra
 from minkref.signals import ending_in_order

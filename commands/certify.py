@@ -11,11 +11,12 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
-
 from minkref import _core
 from minkref.certify.certificate import Certificate, NoProof
 from minkref.certify.convex_certificate import ConvexCertificate
 from minkref.commands.certify_check import is_verified
+from minkref.commands.line.memory import SIMPLER, Memory, memory_wall
+from minkref.commands.line.options import Json, Schema
 from minkref.documents import (
     Stopwatch,
     as_text,
@@ -27,9 +28,7 @@ from minkref.documents import (
 )
 from minkref.errors import Refusal, refusing
 from minkref.exact import read_point, read_scale
-from minkref.memory import SIMPLER, Memory, memory_wall
 from minkref.operand import read_operand
-from minkref.options import Json, Schema
 from minkref.output_target import refuse_stream
 from minkref.space.operand import in_space, read_space_operand
 from minkref.space.scaling import Scaling, read_scaling

@@ -7,10 +7,9 @@ from pathlib import Path
 from typing import Annotated, Any
 
 import typer
-
+from minkref.commands.line.options import Json, Schema
 from minkref.documents import Stopwatch, as_text, document
 from minkref.errors import Refusal
-from minkref.options import Json, Schema
 from minkref.oracle.checker import check as checker
 from minkref.oracle.checker import check_convex
 from minkref.terminal import shown

@@ -7,9 +7,19 @@ from pathlib import Path
 from typing import Annotated, Any
 
 import typer
-
 from minkref import _core
-from minkref.arithmetic import check_arithmetic
+from minkref.commands.line.arithmetic import check_arithmetic
+from minkref.commands.line.memory import SMALLER, Memory, memory_wall
+from minkref.commands.line.options import Json, Schema
+from minkref.commands.line.progress import progress
+from minkref.commands.lists.event_lists import (
+    BoundaryEventList,
+    EventList,
+    PairEventList,
+    find_events,
+)
+from minkref.commands.lists.event_output import FORMATS, document_pieces, print_pieces, write_events
+from minkref.commands.lists.scale_space import IndexFile, check_spares_index, index_of, route_with
 from minkref.documents import (
     Stopwatch,
     as_text,
@@ -17,20 +27,9 @@ from minkref.documents import (
     document,
 )
 from minkref.errors import Refusal, choice, refusing
-from minkref.event_lists import (
-    BoundaryEventList,
-    EventList,
-    PairEventList,
-    find_events,
-)
-from minkref.event_output import FORMATS, document_pieces, print_pieces, write_events
 from minkref.exact import approximate, read_window
-from minkref.memory import SMALLER, Memory, memory_wall
 from minkref.operand import Operand, read_operand
-from minkref.options import Json, Schema
 from minkref.output_target import Target, target_of
-from minkref.progress import progress
-from minkref.scale_space import IndexFile, check_spares_index, index_of, route_with
 from minkref.terminal import console, counted, lines, shown
 
 EXAMPLES = """Examples:
@@ -236,7 +235,7 @@ def command(
 def _condition(where: str | None, kind: str) -> _core.EventCondition | None:
     if where is None:
         return None
-    from minkref.event_filter import read_filter
+    from minkref.commands.lists.event_filter import read_filter
 
     return read_filter(where, kind)
 

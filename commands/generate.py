@@ -17,9 +17,9 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
-from rich.table import Table
-
 from minkref import _core
+from minkref.commands.line.options import Json, Schema
+from minkref.commands.line.progress import progress
 from minkref.commands.verify_limits import MOST_JOBS
 from minkref.degeneracies.catalogue import FAMILIES, SPACE_FAMILIES
 from minkref.degeneracies.files import FileRow, Made, made_invalid, made_member
@@ -27,11 +27,10 @@ from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, INVALID_MES
 from minkref.documents import Stopwatch, document, listing
 from minkref.errors import Refusal, nearest, refusal_of
 from minkref.fuzz.run import child
-from minkref.options import Json, Schema
 from minkref.output_folder import folder_to_write
-from minkref.progress import progress
 from minkref.signals import ending_in_order
 from minkref.terminal import console, counted, shown
+from rich.table import Table
 
 EXAMPLES = """Examples:
 

@@ -9,17 +9,16 @@ from pathlib import Path
 from typing import Annotated, Any
 
 import typer
-
 from minkref import _core
+from minkref.commands.line.memory import SMALLER, Memory, memory_wall
+from minkref.commands.line.options import Json, Schema
+from minkref.commands.line.progress import progress
+from minkref.commands.lists.scale_space import build_index, cores
 from minkref.documents import Stopwatch, as_text, check_spares, check_writable, document, replacing
 from minkref.errors import Refusal, refusing
 from minkref.exact import read_window
-from minkref.memory import SMALLER, Memory, memory_wall
 from minkref.operand import read_operand
-from minkref.options import Json, Schema
 from minkref.output_target import refuse_stream
-from minkref.progress import progress
-from minkref.scale_space import build_index, cores
 from minkref.terminal import counted, lines, shown
 
 EXAMPLES = """Examples:

@@ -6,8 +6,7 @@ import os
 import sys
 from typing import Any
 
-from rich.table import Table
-
+from minkref.commands.line.options import Json, Schema
 from minkref.documents import Stopwatch, as_text, document
 from minkref.errors import Refusal
 from minkref.model_catalogue import (
@@ -19,8 +18,8 @@ from minkref.model_catalogue import (
     shipped_polyhedra,
 )
 from minkref.operand import read_set
-from minkref.options import Json, Schema
 from minkref.terminal import console, shown
+from rich.table import Table
 
 EXAMPLES = """Examples:
 

@@ -8,14 +8,13 @@ from pathlib import Path
 from typing import Annotated, Any
 
 import typer
-
+from minkref.commands.line.options import Json, Schema
+from minkref.commands.line.progress import progress
 from minkref.degeneracies import lint
 from minkref.documents import Stopwatch, as_text, document
 from minkref.errors import Refusal, nearest
 from minkref.exits import ExitCode
-from minkref.options import Json, Schema
 from minkref.output_folder import folder_to_write
-from minkref.progress import progress
 from minkref.reports.degeneracies.page import write_report
 from minkref.signals import ending_in_order
 from minkref.terminal import shown

@@ -7,10 +7,17 @@ from pathlib import Path
 from typing import Annotated, Any
 
 import typer
-
+from minkref.commands.line.options import Json, Schema
+from minkref.commands.line.target_options import (
+    CallMemory,
+    CallProcesses,
+    CallSeconds,
+    IsolationKind,
+    PassedVariables,
+)
 from minkref.commands.verify_cases import refuse_unless_case
 from minkref.commands.verify_limits import check_numbers
-from minkref.commands.verify_output import shrunk_document, witness_text
+from minkref.commands.verify_output import shrunk_document
 from minkref.documents import Stopwatch, as_text, document
 from minkref.errors import Refusal
 from minkref.exits import ExitCode
@@ -26,16 +33,9 @@ from minkref.fuzz.targets.answer import PROCESSES, Limits
 from minkref.fuzz.targets.catalogue import select_one
 from minkref.fuzz.targets.declared import declarations_of
 from minkref.fuzz.verdicts.verdict import GOOD, Verdict
-from minkref.options import Json, Schema
 from minkref.output_target import target_of
+from minkref.reports.conformance.run_words import witness_text
 from minkref.signals import ending_in_order
-from minkref.target_options import (
-    CallMemory,
-    CallProcesses,
-    CallSeconds,
-    IsolationKind,
-    PassedVariables,
-)
 from minkref.terminal import console, shown
 
 EXAMPLES = """Examples:

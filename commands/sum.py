@@ -8,9 +8,12 @@ from pathlib import Path
 from typing import Annotated, Any
 
 import typer
-
 from minkref import _core
-from minkref.arithmetic import check_arithmetic
+from minkref.commands.line.arithmetic import check_arithmetic
+from minkref.commands.line.memory import SIMPLER, Memory, memory_wall
+from minkref.commands.line.options import Json, Schema
+from minkref.commands.lists.scale_space import IndexFile, check_spares_index, index_of, route_with
+from minkref.commands.lists.sum_fields import SUM_FIELDS, sum_fields
 from minkref.commands.sum_table import print_table
 from minkref.documents import (
     Stopwatch,
@@ -20,17 +23,12 @@ from minkref.documents import (
 )
 from minkref.errors import Refusal, choice, refusing
 from minkref.exact import read_scale
-from minkref.memory import SIMPLER, Memory, memory_wall
 from minkref.operand import Operand, read_operand
 from minkref.operand_text import STANDARD_INPUT
-from minkref.options import Json, Schema
 from minkref.output_target import Target, target_of
 from minkref.parents import PassageRows, passages_of
-from minkref.scale_space import IndexFile, check_spares_index, index_of, route_with
 from minkref.space.operand import in_space
-from minkref.space.sum_command import sum_in_space
 from minkref.space.sums import ROUTES as SPACE_ROUTES
-from minkref.sum_fields import SUM_FIELDS, sum_fields
 from minkref.terminal import console
 
 EXAMPLES = """Examples:
@@ -132,6 +130,8 @@ def command(
         if plot or only_sum:
             option = "--plot" if plot else "--only-sum"
             raise Refusal("no picture is drawn in space", option, "see `minkref view P Q`")
+        from minkref.commands.space.sum import sum_in_space
+
         sum_in_space(P, Q, scale, route or DEFAULT, arithmetic, output, json, form, memory)
         return
     if P == Q == STANDARD_INPUT:
@@ -182,13 +182,13 @@ def _check_pictures(plot: bool, only_sum: bool, target: Target | None, json: boo
         other = "--json" if json else "-o -"
         what = "standard output takes only one of them"
         raise Refusal(what, f"--plot {other}", "leave out one of the two")
-    from minkref.terminal_picture import check_drawable
+    from minkref.commands.line.terminal_picture import check_drawable
 
     check_drawable()
 
 
 def _plot(region: _core.PolygonSet | None) -> None:
-    from minkref.terminal_picture import terminal_picture
+    from minkref.commands.line.terminal_picture import terminal_picture
 
     if region is not None:
         sys.stdout.write("\n" + terminal_picture(region, console().width))

@@ -8,25 +8,23 @@ from pathlib import Path
 from typing import Annotated, Any
 
 import typer
-from rich.table import Table
-
 from minkref import _core
+from minkref.commands.line.memory import SMALLER, Memory, memory_wall
+from minkref.commands.line.options import Json, Schema
+from minkref.commands.line.progress import progress
+from minkref.commands.lists.row_spool import Row, RowSpool
+from minkref.commands.lists.scale_space import IndexFile, index_of, route_with
+from minkref.commands.lists.sum_fields import sum_fields
+from minkref.commands.lists.sweep_folder import FORMATS, INDEX, SHOWN, SweepFolder
 from minkref.documents import Stopwatch, document, listing
 from minkref.errors import Refusal, choice, refusing
 from minkref.exact import approximate, read_scale
-from minkref.memory import SMALLER, Memory, memory_wall
 from minkref.operand import Operand, read_operand
-from minkref.options import Json, Schema
-from minkref.progress import progress
-from minkref.row_spool import Row, RowSpool
-from minkref.scale_space import IndexFile, index_of, route_with
 from minkref.scales import MOST_SCALES, evenly_spaced, read_scales
 from minkref.signals import ending_in_order
 from minkref.space.operand import in_space
-from minkref.space.sweep_command import sweep_in_space
-from minkref.sum_fields import sum_fields
-from minkref.sweep_folder import FORMATS, INDEX, SHOWN, SweepFolder
 from minkref.terminal import console, counted, lines, shown
+from rich.table import Table
 
 EXAMPLES = """Examples:
 
@@ -102,6 +100,8 @@ def command(
         given = _given(from_scale, to_scale, steps)
         for option, named in (("--route", route), ("--index", index)):
             given += [] if named is None else [option]
+        from minkref.commands.space.sweep import sweep_in_space
+
         sweep_in_space(P, Q, scales_file, given, output, form, json, memory)
         return
     watch = Stopwatch()

@@ -5,12 +5,11 @@ from __future__ import annotations
 import sys
 from typing import Any
 
-from rich.table import Table
-
+from minkref.commands.line.options import Json, Schema
 from minkref.documents import Stopwatch, as_text, document
 from minkref.fuzz.targets.catalogue import TargetEntry, list_targets
-from minkref.options import Json, Schema
 from minkref.terminal import console, shown
+from rich.table import Table
 
 EXAMPLES = """Examples:
 

@@ -10,8 +10,17 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
-
-from minkref import completion
+from minkref.commands.line import completion
+from minkref.commands.line.command_line import command_line
+from minkref.commands.line.options import Json, Schema
+from minkref.commands.line.settings import begin_settings, is_outdone, naming_settings
+from minkref.commands.line.target_options import (
+    CallMemory,
+    CallProcesses,
+    CallSeconds,
+    IsolationKind,
+    PassedVariables,
+)
 from minkref.commands.verify_cases import case_list
 from minkref.commands.verify_limits import check_numbers
 from minkref.commands.verify_output import ProgressLine, document_of, print_tables
@@ -29,23 +38,13 @@ from minkref.fuzz.targets.answer import JUDGING_BYTES, PROCESSES, Limits
 from minkref.fuzz.targets.catalogue import declares_itself, select
 from minkref.fuzz.targets.declared import declarations_of
 from minkref.fuzz.verdicts.baseline import Baseline, read_baseline, unused
-from minkref.options import Json, Schema
 from minkref.output_folder import held_folder
-from minkref.reports.conformance.again import command_line
 from minkref.reports.conformance.junit import junit
 from minkref.reports.conformance.lines import json_lines
 from minkref.reports.conformance.markdown import markdown
 from minkref.reports.conformance.page import write_report
 from minkref.reports.conformance.sarif import sarif
-from minkref.settings import begin_settings, is_outdone, naming_settings
 from minkref.signals import ending_in_order
-from minkref.target_options import (
-    CallMemory,
-    CallProcesses,
-    CallSeconds,
-    IsolationKind,
-    PassedVariables,
-)
 
 EXAMPLES = """Examples:
 

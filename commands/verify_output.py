@@ -3,31 +3,34 @@
 from __future__ import annotations
 
 import json
-import re
 import signal
 import sys
 from collections import Counter
 from types import TracebackType
 from typing import Any
 
-from rich.console import Console
-from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
-from rich.table import Table
-
 from minkref.documents import Stopwatch, document
 from minkref.fuzz.cases.case_list import CaseList
 from minkref.fuzz.isolation.isolation import Isolation
-from minkref.fuzz.run.runner import Cell, Finding, Run
+from minkref.fuzz.run.runner import Finding, Run
 from minkref.fuzz.shrink.finding import SmallFinding
 from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.targets.catalogue import TargetEntry
 from minkref.fuzz.targets.declaration import Declaration
-from minkref.fuzz.verdicts.verdict import GOOD, Verdict, Witness
-from minkref.terminal import console, counted, shown
+from minkref.fuzz.verdicts.verdict import GOOD, Verdict
+from minkref.reports.conformance.run_words import (
+    conclusion,
+    counted_cases,
+    describe,
+    left_out,
+    reasons_of,
+    untaken,
+)
+from minkref.terminal import console, shown
+from rich.console import Console
+from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+from rich.table import Table
 
-LACKING = "does not declare "
-LOG_SHOWN = 400  # characters
-_NOTHING_AMISS = (*GOOD, Verdict.SKIPPED)
 SMALL = 400  # vertices up to which a finding carries its operands in full
 
 
@@ -94,7 +97,7 @@ def document_of(
         targets=[_target_document(entry, declared[entry.name]) for entry in chosen],
         absent=[{"name": entry.name, "reason": entry.reason} for entry in absent],
         notes=cases.notes,
-        left_out=dict(_untaken(run)),
+        left_out=dict(untaken(run)),
         groups=[{"name": name, "cases": run.cases[name]} for name in run.groups],
         matrix=[
             {
@@ -229,15 +232,6 @@ def _matrix(run: Run) -> Table:
     return table
 
 
-def cell_text(cell: Cell | None) -> str:
-    """`9,812 pass, 13 known`, in the order of severity of the verdicts."""
-    if cell is None:
-        return "-"
-    return "\n".join(
-        f"{cell.verdicts[verdict]:,} {verdict}" for verdict in Verdict if cell.verdicts[verdict]
-    )
-
-
 def _skips(run: Run) -> list[str]:
     """A line for each missing capability, and each other reason, with the number of cases; by whom,
     where others took them. A case that needs several counts for each."""
@@ -245,129 +239,14 @@ def _skips(run: Run) -> list[str]:
     targets: dict[str, list[str]] = {}
     for (target, _), cell in run.matrix.items():
         for message, count in cell.skips.items():
-            for reason in _reasons(message):
+            for reason in reasons_of(message):
                 counts[reason] += count
                 if target not in targets.setdefault(reason, []):
                     targets[reason].append(target)
     return [
-        f"skipped, {_cases(count)}: {reason} ({', '.join(targets[reason])})"
+        f"skipped, {counted_cases(count)}: {reason} ({', '.join(targets[reason])})"
         for reason, count in counts.most_common()
     ] + [
-        f"left out, {_cases(count)}: {reason} (no target takes them)"
+        f"left out, {counted_cases(count)}: {reason} (no target takes them)"
         for reason, count in left_out(run).most_common()
     ]
-
-
-def left_out(run: Run) -> Counter[str]:
-    """How many cases no target takes for want of each capability."""
-    counts: Counter[str] = Counter()
-    for message, count in run.untaken.items():
-        counts.update(dict.fromkeys(_reasons(message), count))
-    return counts
-
-
-def _cases(count: int) -> str:
-    return "1 case" if count == 1 else f"{count:,} cases"
-
-
-def _reasons(message: str) -> list[str]:
-    """One for each capability that a skip names."""
-    text = general_reason(message)
-    words = text.removeprefix(LACKING)
-    return [f"{LACKING}{word}" for word in words.split(", ")] if words != text else [text]
-
-
-def _untaken(run: Run) -> Counter[str]:
-    counts: Counter[str] = Counter()
-    for message, count in run.untaken.items():
-        counts[general_reason(message)] += count
-    return counts
-
-
-def general_reason(message: str) -> str:
-    """A reason for a skip without what is particular to its case."""
-    text = re.sub(r"^[PQ]: ", "", message)
-    text = re.sub(r"^\d[\d,]* (pairs of vertices), more than \d[\d,]*", r"too many \1", text)
-    return re.sub(r"\brings \d+ and \d+ meet", "rings meet", text)
-
-
-def describe(group: Group) -> list[str]:
-    """The lines about one kind of finding, without control characters."""
-    finding = group.example
-    outcome = finding.outcome
-    times = "once" if group.count == 1 else f"{group.count:,} times"
-    was = f" (was {outcome.was})" if outcome.was else ""
-    kinds = f": {', '.join(str(reason) for reason in outcome.reasons)}" if outcome.reasons else ""
-    also = f" (also {'; '.join(group.also)})" if group.also else ""
-    lines = [f"{outcome.target} {outcome.verdict}{was}{kinds}{also}, {times}"]
-    if outcome.message:
-        lines.append(f"  {outcome.message}")
-    if outcome.signal and outcome.signal not in outcome.message:
-        lines.append(f"  signal {outcome.signal}")
-    if outcome.log:
-        lines.append(f"  its log ends: {outcome.log.strip()[-LOG_SHOWN:]}")
-    if group.unshrunk:
-        lines.append(
-            f"  left as it is: shrinking it failed, which is a fault of ours: {group.unshrunk}"
-        )
-    if not group.small:
-        lines += [f"  the smallest: case {finding.case.name.text}", *_lines(finding)]
-    else:
-        found = finding.case
-        lines.append(f"  found on {found.name.text}, scale {found.scale}, {found.size[0]} vertices")
-    for small in group.small:
-        shown_as = "" if small.stable else ", not every time"
-        lines.append(
-            f"  shrunk to {small.result.size[0]} vertices in {small.calls} calls"
-            f"{_brief(small)}{shown_as}:"
-        )
-        lines += _lines(Finding(small.outcome, small.result))
-    return [shown(line) for line in lines]
-
-
-def _brief(small: SmallFinding) -> str:
-    return "" if small.seconds is None else f" of {small.seconds:g} s at most"
-
-
-def _lines(finding: Finding) -> list[str]:
-    outcome, case = finding.outcome, finding.case
-    lines = [f"    scale {case.scale}, {case.size[0]} vertices"]
-    if outcome.witness is not None:
-        lines.append(f"    {witness_text(outcome.witness, case.scale)}")
-    lines.append(f"    {finding.reproduce}")
-    return lines
-
-
-def witness_text(witness: Witness, scale: str) -> str:
-    """One sentence that can be checked by hand."""
-    point = f"({', '.join(witness.point)})"
-    at = witness.scale or scale
-    what = "the sum of the boundaries" if witness.boundary else "the sum"
-    where = "" if witness.boundary is False else ", p and q on the boundaries"
-    around = (
-        f" with all points that differ by at most {witness.tolerance} in each coordinate"
-        if witness.tolerance != "0"
-        else ""
-    )
-    if witness.in_truth and witness.p and witness.q:
-        return (
-            f"witness {point} is in {what}{around}: {at} * ({', '.join(witness.p)}) "
-            f"+ ({', '.join(witness.q)}){where}"
-        )
-    return (
-        f"witness {point} is outside {what} at {at}{around}: the scaled P does not meet the "
-        "point less Q"
-    )
-
-
-def conclusion(run: Run) -> str:
-    """One sentence: what was run and how it ended."""
-    verdicts: dict[str, int] = {}
-    for cell in run.matrix.values():
-        for verdict, count in cell.verdicts.items():
-            verdicts[verdict] = verdicts.get(verdict, 0) + count
-    counts = ", ".join(f"{verdicts[v]:,} {v}" for v in Verdict if verdicts.get(v))
-    return (
-        f"{_cases(sum(run.cases.values()))}, {counted(len(run.targets), 'target')}: "
-        f"{counts or 'nothing run'}"
-    )

@@ -10,22 +10,20 @@ from pathlib import Path
 from typing import Annotated, Any
 
 import typer
-from rich.console import Console
-
 from minkref import _core
+from minkref.commands.line.memory import SMALLER, Memory, memory_wall
+from minkref.commands.line.options import Json, Schema
+from minkref.commands.lists.scale_space import IndexFile, check_spares_index, index_of, route_with
+from minkref.commands.pages.plane.picture import Progress, Sums, Window, picture
+from minkref.commands.pages.plane.write_page import page
 from minkref.documents import Stopwatch, as_text, document
 from minkref.errors import Refusal, choice, refusing
 from minkref.exact import approximate, read_scale
-from minkref.memory import SMALLER, Memory, memory_wall
 from minkref.operand import read_operand
-from minkref.options import Json, Schema
 from minkref.output_target import Target, target_of
-from minkref.scale_space import IndexFile, check_spares_index, index_of, route_with
 from minkref.space.operand import in_space
-from minkref.space.view_command import view_in_space
 from minkref.terminal import lines, shown
-from minkref.view.picture import Progress, Sums, Window, picture
-from minkref.view.write_page import page
+from rich.console import Console
 
 EXAMPLES = """Examples:
 
@@ -89,6 +87,8 @@ def command(
         given = _given(
             ("--from", from_scale), ("--to", to_scale), ("--route", route), ("--index", index)
         )
+        from minkref.commands.space.view import view_in_space
+
         view_in_space(P, Q, scale, scales, given, _page_target(output, json), json, memory)
         return
     watch = Stopwatch()

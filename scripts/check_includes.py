@@ -16,7 +16,10 @@ INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.MULTIL
 # A module that is imported by its name, other than one beside it.
 BY_NAME = re.compile(r"(import_module|__import__)\(\s*f?[\"'](?!\.[^.])[^\"']*")
 FOREIGN = ("CGAL/", "nlohmann/")
-ROOMS = ("reference", "formats", "certify", "oracle", "degeneracies", "fuzz", "reports", "python")
+ROOMS = (
+    "reference", "formats", "certify", "oracle", "degeneracies", "fuzz", "reports", "python",
+    "commands", "strategies",
+)  # fmt: skip
 
 # Room: the rooms of ours that it may include, and the foreign libraries of FOREIGN that it may use.
 MAY_INCLUDE: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
@@ -29,8 +32,15 @@ MAY_INCLUDE: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
 }
 # Folder: what its Python may not import. "standard library" lets nothing else through but itself.
 NO_IMPORT = {"oracle": ("minkref", "fuzz", "reports")}
-CHECK_COMMAND = Path("python/minkref/commands/check.py")  # runs the checker, and adds nothing
+CHECK_COMMAND = Path("commands/check.py")  # runs the checker, and adds nothing
 STANDARD_LIBRARY_ONLY = ("oracle/slow", "oracle/checker")
+# The floors of the package, from the ground up: what stands on one imports nothing that stands on a
+# floor above it, also not by a module's name. `python` is the package's own folder.
+FLOORS = (
+    ("python",), ("certify",), ("fuzz",), ("degeneracies",), ("strategies", "reports"),
+    ("commands",), ("reports/documentation", "reports/evidence"),
+)  # fmt: skip
+DOOR = Path("python/minkref/__main__.py")  # `python -m minkref` is the command
 # Words that do not occur in a build file of the room, comments aside.
 NO_LINK = {"reference": ("CGAL", "nlohmann", "minkref::formats")}
 
@@ -82,6 +92,55 @@ def imports(tree: ast.AST) -> Iterator[tuple[int, str, int]]:
             yield node.lineno, node.module or "", node.level
 
 
+def floor_of(place: str) -> int:
+    """Of a path from the root, or a module of the package as one; -1 of what has no floor."""
+    found = -1
+    for floor, rooms in enumerate(FLOORS):
+        if any(place == room or place.startswith(f"{room}/") for room in rooms):
+            found = floor
+    return found
+
+
+def place_of(module: str) -> str:
+    """`reports/audit/page` for minkref.reports.audit.page; python/ for what is in no other room."""
+    inside = "/".join(module.split(".")[1:])
+    room = inside.split("/")[0]
+    return inside if room in (*ROOMS, "oracle", "models") else f"python/minkref/{inside}"
+
+
+def modules(tree: ast.AST) -> Iterator[tuple[int, str]]:
+    """Line and name of each module of the package that is imported, by statement or by its name as
+    far as that is written out."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            yield from ((node.lineno, alias.name) for alias in node.names)
+        elif isinstance(node, ast.ImportFrom) and node.level == 0:
+            names = [node.module or ""]
+            if node.module == "minkref":
+                names = [f"minkref.{alias.name}" for alias in node.names]
+            yield from ((node.lineno, name) for name in names)
+        elif isinstance(node, ast.Call) and node.args:
+            function = node.func
+            name = function.attr if isinstance(function, ast.Attribute) else ""
+            name = function.id if isinstance(function, ast.Name) else name
+            first: ast.AST = node.args[0]
+            if isinstance(first, ast.JoinedStr):
+                first = first.values[0]
+            if name in ("import_module", "__import__") and isinstance(first, ast.Constant):
+                yield node.lineno, str(first.value).rstrip(".")
+
+
+def check_floors(root: Path) -> Iterator[str]:
+    for path in sorted(root.rglob("*.py")):
+        relative = path.relative_to(root)
+        floor = floor_of(relative.as_posix())
+        if floor < 0 or relative == DOOR:
+            continue
+        for line, module in modules(ast.parse(path.read_text(encoding="utf-8"))):
+            if module.startswith("minkref.") and floor_of(place_of(module)) > floor:
+                yield f"{relative}:{line}: {module} stands on a floor above"
+
+
 def check_python(root: Path) -> Iterator[str]:
     for path in sorted(root.rglob("*.py")):
         relative = path.relative_to(root)
@@ -121,7 +180,9 @@ def check_build_files(root: Path) -> Iterator[str]:
 
 
 def faults(root: Path) -> list[str]:
-    return [*check_cpp(root), *check_python(root), *check_build_files(root)]
+    return [
+        *check_cpp(root), *check_python(root), *check_floors(root), *check_build_files(root),
+    ]  # fmt: skip
 
 
 def main() -> int:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from hypothesis import strategies as st
-
 from minkref.degeneracies.catalogue import FAMILIES
 from minkref.degeneracies.draft import Draft, Facts, Family, NothingDrawn
 from minkref.degeneracies.generate import FEWEST, MOST

@@ -7,7 +7,6 @@ from random import Random
 from typing import Any, TypeVar
 
 from hypothesis import strategies as st
-
 from minkref.degeneracies.draft import NothingDrawn
 
 T = TypeVar("T")

@@ -6,7 +6,6 @@ from fractions import Fraction
 from typing import Any, Literal
 
 from hypothesis import strategies as st
-
 from minkref import _core
 from minkref.strategies.regions import pairs
 from minkref.strategies.values import ScaledPair, SetData, to_set

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from typing import Any
 
 from hypothesis import strategies as st
-
 from minkref.strategies.growth import Corner, Part, grown
 from minkref.strategies.values import SetData, data_of
 

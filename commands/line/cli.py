@@ -10,13 +10,12 @@ from functools import cache
 from typing import Annotated, Any, NoReturn
 
 import typer
-from typer.exceptions import TyperException
-
 from minkref import streams
-from minkref.command_group import CommandGroup
+from minkref.commands.line.command_group import CommandGroup
 from minkref.exits import ExitCode
 from minkref.signals import Ended
 from minkref.version import version
+from typer.exceptions import TyperException
 
 REPORT = "run again with --debug and report the traceback"
 

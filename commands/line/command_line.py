@@ -6,7 +6,7 @@ import shlex
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from minkref.command_options import options_of
+from minkref.commands.line.command_options import options_of
 
 
 def command_line(name: str, command: Callable[..., Any], values: Mapping[str, Any]) -> str:

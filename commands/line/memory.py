@@ -8,7 +8,6 @@ from contextlib import contextmanager
 from typing import Annotated
 
 import typer
-
 from minkref import _core
 from minkref.errors import Refusal
 

@@ -6,8 +6,7 @@ import sys
 from typing import Annotated
 
 import typer
-
-from minkref.schemas import schema_text
+from minkref.commands.schemas import schema_text
 
 
 def _print_schema(context: typer.Context, wanted: bool) -> None:

@@ -13,8 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import typer
-
-from minkref.command_options import CommandOption, options_of
+from minkref.commands.line.command_options import CommandOption, options_of
 from minkref.errors import Refusal, cut, nearest
 from minkref.file_text import text_of_file
 
@@ -27,7 +26,7 @@ KINDS: dict[type, tuple[str, tuple[type, ...]]] = {  # what TOML has for each
     str: ("a text", (str,)),
     Path: ("a text", (str,)),
 }
-_META = "minkref.settings"
+_META = "minkref.commands.line.settings"
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 import plotille
-
 from minkref import _core
 from minkref.errors import Refusal
 from minkref.exact_frame import Polygons, Ring, box_of, box_text, exact_polygons, fitted

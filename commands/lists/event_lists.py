@@ -11,9 +11,9 @@ from itertools import compress
 from typing import Any, Protocol
 
 from minkref import _core
+from minkref.commands.line.progress import progress
+from minkref.commands.lists.scale_space import cores
 from minkref.parents import parents
-from minkref.progress import progress
-from minkref.scale_space import cores
 
 CHUNK = 32768  # events at a time
 

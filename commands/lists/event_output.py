@@ -6,9 +6,9 @@ import sys
 from collections.abc import Iterable, Iterator
 from typing import Any
 
+from minkref.commands.lists.event_lists import EventList, PairEventList, json_pieces
+from minkref.commands.lists.event_table import write_parquet
 from minkref.documents import as_text
-from minkref.event_lists import EventList, PairEventList, json_pieces
-from minkref.event_table import write_parquet
 from minkref.output_target import Target
 
 FORMATS = ("json", "jsonl", "parquet")

@@ -6,9 +6,9 @@ from pathlib import Path
 from typing import Any
 
 from minkref import _core
+from minkref.commands.line.progress import progress
 from minkref.documents import replacing
 from minkref.errors import Refusal
-from minkref.progress import progress
 
 MANY_VALUES = ("s_double", "rank")  # hardly any of which is there twice
 CHANGES = ("birth", "death", "touch", "overlap")

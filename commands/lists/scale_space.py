@@ -9,12 +9,11 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
-
 from minkref import _core
+from minkref.commands.line.progress import Steps, progress
 from minkref.documents import check_spares
 from minkref.errors import Refusal, refusing
 from minkref.operand import Operand
-from minkref.progress import Steps, progress
 
 IndexFile = Annotated[
     Path | None,

@@ -8,6 +8,8 @@ from pathlib import Path
 from typing import Any
 
 from minkref import _core
+from minkref.commands.line.memory import SIMPLER, memory_wall
+from minkref.commands.lists.sweep_folder import SPACE_FORMATS
 from minkref.documents import (
     Stopwatch,
     as_text,
@@ -16,12 +18,10 @@ from minkref.documents import (
 )
 from minkref.errors import Refusal, choice, refusing
 from minkref.exact import scientific
-from minkref.memory import SIMPLER, memory_wall
 from minkref.output_target import target_of
 from minkref.space.operand import SpaceOperand, read_space_operand
 from minkref.space.scaling import read_scaling, text_of
 from minkref.space.sums import ROUTES, compute, sum_fields
-from minkref.sweep_folder import SPACE_FORMATS
 from minkref.terminal import lines, shown
 
 

@@ -8,22 +8,21 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from rich.table import Table
-
 from minkref import _core
+from minkref.commands.line.memory import SIMPLER, memory_wall
+from minkref.commands.line.progress import progress
+from minkref.commands.lists.row_spool import Row, RowSpool
+from minkref.commands.lists.sweep_folder import INDEX, SHOWN, SPACE_FORMATS, SweepFolder
 from minkref.documents import Stopwatch, document, listing
 from minkref.errors import Refusal, choice, refusing
 from minkref.exact import approximate
-from minkref.memory import SIMPLER, memory_wall
-from minkref.progress import progress
-from minkref.row_spool import Row, RowSpool
 from minkref.signals import ending_in_order
 from minkref.space.operand import SpaceOperand, read_space_operand
 from minkref.space.scaling import Scaling, read_scalings, text_of
 from minkref.space.space_sum import SpaceSum
 from minkref.space.sums import compute, sum_fields, timed
-from minkref.sweep_folder import INDEX, SHOWN, SPACE_FORMATS, SweepFolder
 from minkref.terminal import console, counted, lines, shown
+from rich.table import Table
 
 COUNTS = ("fv_errors", "vf_errors", "ee_errors", "descent_steps", "chains_walked")
 

@@ -7,17 +7,9 @@ from pathlib import Path
 from typing import Any
 
 from minkref import _core
-from minkref.documents import Stopwatch, as_text, document
-from minkref.errors import Refusal, refusing
-from minkref.exact import approximate
-from minkref.memory import SIMPLER, memory_wall
-from minkref.output_target import Target
-from minkref.progress import progress
-from minkref.signals import ending_in_order
-from minkref.space.operand import read_space_operand
-from minkref.space.scaling import Scaling, read_scaling, read_scalings, text_of
-from minkref.space.sums import bodies, timed
-from minkref.space.view_page import (
+from minkref.commands.line.memory import SIMPLER, memory_wall
+from minkref.commands.line.progress import progress
+from minkref.commands.pages.space.view_page import (
     KINDS,
     STEPS,
     Body,
@@ -28,6 +20,14 @@ from minkref.space.view_page import (
     viewer,
     viewer_name,
 )
+from minkref.documents import Stopwatch, as_text, document
+from minkref.errors import Refusal, refusing
+from minkref.exact import approximate
+from minkref.output_target import Target
+from minkref.signals import ending_in_order
+from minkref.space.operand import read_space_operand
+from minkref.space.scaling import Scaling, read_scaling, read_scalings, text_of
+from minkref.space.sums import bodies, timed
 from minkref.terminal import counted, lines, shown
 
 

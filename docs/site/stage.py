@@ -63,8 +63,8 @@ def main(folder: Path) -> None:
     schemas = list(tool_pages.schema_pages(ROOT))
     for page, text in schemas:
         write(pages / page, text)
-        sources.add(Path("python/minkref/schemas", f"{page.stem.removesuffix('-json')}.json"))
-    sources.discard(Path("python/minkref/schemas/README.json"))
+        sources.add(Path("commands/schemas", f"{page.stem.removesuffix('-json')}.json"))
+    sources.discard(Path("commands/schemas/README.json"))
     write(pages / gallery.PLACE / "README.md", gallery.make(ROOT, pages))
     shown = list(repository_pages.place_sources(ROOT, pages, sources))
 

@@ -28,9 +28,9 @@ COMMAND = re.compile(r"^(\.venv/bin/)?(\w+=\S+ )*(minkref|cat|echo|printf|python
 
 def command_line(root: Path) -> str:
     """All commands with their arguments, options and examples."""
-    words = ["--app", "app", "minkref.cli", "utils", "docs", "--name", "minkref", "--title"]
+    words = ["--app", "app", "minkref.commands.line.cli", "utils", "docs", "--name", "minkref"]
     done = subprocess.run(
-        [root / ".venv/bin/typer", *words, "The command line"],
+        [root / ".venv/bin/typer", *words, "--title", "The command line"],
         check=True,
         stdout=subprocess.PIPE,
         text=True,
@@ -60,7 +60,7 @@ def schema_pages(root: Path) -> Iterator[tuple[Path, str]]:
     """A page for each schema, the index last."""
     logger.disable("jsonschema_markdown")  # it tells of forms that it shows as they are
     listed = []
-    for path in sorted((root / "python/minkref/schemas").glob("*.json")):
+    for path in sorted((root / "commands/schemas").glob("*.json")):
         schema = json.loads(path.read_text(encoding="utf-8"))
         title = schema.get("title", path.stem)
         text = jsonschema_markdown.generate(
@@ -74,7 +74,7 @@ def schema_pages(root: Path) -> Iterator[tuple[Path, str]]:
         text = PATTERN.sub(r"\1", text)
         page = SCHEMAS / f"{path.stem}-json.md"
         listed.append(f"- [{title}]({page.name})")
-        source = f"../../python/minkref/schemas/{path.name}.md"
+        source = f"../../commands/schemas/{path.name}.md"
         yield page, f"{text.strip()}\n\n[The schema itself]({source})\n"
     yield (
         SCHEMAS / "README.md",

@@ -1,6 +1,6 @@
 """`python -m minkref` is the command `minkref`."""
 
-from minkref.cli import main
+from minkref.commands.line.cli import main
 
 if __name__ == "__main__":
     main()

@@ -6,9 +6,9 @@ from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
-from minkref.commands.verify_output import general_reason
 from minkref.fuzz.run.runner import Cell
 from minkref.fuzz.verdicts.verdict import GOOD, Verdict
+from minkref.reports.conformance.run_words import general_reason
 from minkref.reports.conformance.words import SIGNS
 from minkref.terminal import shown
 

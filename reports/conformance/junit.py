@@ -5,12 +5,12 @@ from __future__ import annotations
 import xml.etree.ElementTree as ElementTree
 from collections import Counter
 
-from minkref.commands.verify_output import cell_text, describe
 from minkref.errors import cut
 from minkref.fuzz.isolation.isolation import Isolation
 from minkref.fuzz.run.runner import Cell, Run
 from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.verdicts.verdict import BROKEN, Verdict
+from minkref.reports.conformance.run_words import cell_text, describe
 from minkref.terminal import shown
 
 Kind = tuple[str, str, tuple[str, ...]]

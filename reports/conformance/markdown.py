@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from minkref.commands.verify_output import conclusion, describe
 from minkref.fuzz.run.runner import Run
 from minkref.fuzz.shrink.groups import Group
 from minkref.reports.conformance.counts import Counts, total
 from minkref.reports.conformance.markdown_text import plain
+from minkref.reports.conformance.run_words import conclusion, describe
 from minkref.reports.conformance.words import ending
 
 

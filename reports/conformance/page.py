@@ -6,13 +6,13 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from minkref.commands.verify_output import conclusion, left_out
 from minkref.documents import write_atomically
 from minkref.fuzz.run.runner import Run
 from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.verdicts.verdict import Verdict
 from minkref.reports.conformance.finding_page import FindingPage, finding_pages
+from minkref.reports.conformance.run_words import conclusion, left_out
 from minkref.reports.conformance.showcase import showcases
 from minkref.reports.conformance.target_page import TargetPage, target_pages
 from minkref.reports.conformance.words import SIGNS, VERDICTS, ending

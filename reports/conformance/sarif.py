@@ -7,10 +7,10 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import quote
 
-from minkref.commands.verify_output import describe
 from minkref.fuzz.run.runner import Finding
 from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.verdicts.verdict import Verdict
+from minkref.reports.conformance.run_words import describe
 from minkref.reports.conformance.words import meaning
 from minkref.terminal import shown
 from minkref.version import version

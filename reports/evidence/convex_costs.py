@@ -23,7 +23,7 @@ MINUTES = (4, None)
 ALONE = True
 DEPENDS = (
     *part.REFERENCE, "models/rod.off", "reports/bench/*.py", "reports/convex_cost_plot.py",
-    "python/minkref/space/*.py",
+    "python/minkref/space/*.py", "commands/space/*.py",
 )  # fmt: skip
 SIZES = (100, 200, 500, 1000, 2000, 5000, 10_000, 20_000)
 STEPS = (1e-5, 1e-4, 1e-3, 3e-3, 1e-2, 3e-2, 0.1, 0.3, 1.0)

@@ -18,7 +18,7 @@ SUBJECT = (
 MINUTES = (2, None)
 DEPENDS = (
     *part.REFERENCE, *part.COMPARISON, *part.CGAL, "models/*.off", "reports/bench/*.py",
-    "python/minkref/space/*.py",
+    "python/minkref/space/*.py", "commands/space/*.py",
 )  # fmt: skip
 FACTORS, WITH_CGAL = 100, 5
 

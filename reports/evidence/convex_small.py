@@ -30,6 +30,7 @@ MINUTES = (7, None)
 DEPENDS = (
     *part.REFERENCE, *part.COMPARISON, *part.CGAL, "certify/*.py", "oracle/checker/*",
     "oracle/symbolic/convex.py", "reports/bench/*.py", "python/minkref/space/*.py",
+    "commands/space/*.py",
 )  # fmt: skip
 PAIRS, SCALINGS = 2000, 20
 WITH_NEF, WITH_ALGEBRA = 100, 10  # pairs, at their last scaling

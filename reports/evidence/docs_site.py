@@ -21,7 +21,8 @@ DEPENDS = (
     "README.md",
     "reference/**/*.hpp",
     "python/minkref/**/*.py",
-    "python/minkref/schemas/*.json",
+    "commands/**/*.py",
+    "commands/schemas/*.json",
 )
 
 ROOT = Path(__file__).resolve().parents[2]

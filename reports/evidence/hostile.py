@@ -19,7 +19,10 @@ SUBJECT = (
 )
 MINUTES = (60, 1.2)
 ALONE = True
-DEPENDS = (*REFERENCE, *READERS, *COMPARISON, "python/minkref/**/*.py", "tests/hostile/**/*")
+DEPENDS = (
+    *REFERENCE, *READERS, *COMPARISON, "python/minkref/**/*.py", "commands/**/*.py",
+    "tests/hostile/**/*",
+)  # fmt: skip
 
 FOLDER = Path(__file__).resolve().parents[2] / "tests" / "hostile"
 WORDS: tuple[str, ...] = ("--no-models", "--shrink-calls", "0", "--jobs", "1", "--no-settings")

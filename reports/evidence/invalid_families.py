@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from minkref.cli import run as run_command
+from minkref.commands.line.cli import run as run_command
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, invalid_member
 from minkref.degeneracies.invalid.commands import COMMANDS, left_out, words
 from minkref.degeneracies.invalid.member import Invalid
@@ -30,7 +30,7 @@ SUBJECT = (
 )
 MINUTES = (20, None)
 DEPENDS = (
-    *REFERENCE, *READERS, *COMPARISON, "python/minkref/commands/*.py", "degeneracies/*.py",
+    *REFERENCE, *READERS, *COMPARISON, "commands/*.py", "degeneracies/*.py",
     "degeneracies/invalid/*.py", "oracle/slow/*.py",
 )  # fmt: skip
 

@@ -19,7 +19,7 @@ SUBJECT = (
     "events and of long sweeps."
 )
 MINUTES = (3, None)
-DEPENDS = (*REFERENCE, *READERS, *MODELS, "formats/*event*", "python/*.cpp", "python/minkref/*.py")
+DEPENDS = (*REFERENCE, *READERS, *MODELS, "formats/*event*", "python/*.cpp", "commands/lists/*.py")
 
 PAIR = ("monkey", "bird")
 MOST_SECONDS = {"json": 4.0, "jsonl": 4.0, "parquet": 3.0}  # beyond finding them

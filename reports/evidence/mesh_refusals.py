@@ -12,7 +12,7 @@ SUBJECT = (
     "there are such, says how to fix it, and leaves the output file unwritten."
 )
 MINUTES = (0.3, None)
-DEPENDS = (*REFERENCE, *READERS, *COMPARISON, "python/minkref/**/*.py")
+DEPENDS = (*REFERENCE, *READERS, *COMPARISON, "python/minkref/**/*.py", "commands/**/*.py")
 
 CORNERS = ["0 0 0", "1 0 0", "1 1 0", "0 1 0", "0 0 1", "1 0 1", "1 1 1", "0 1 1"]
 CUBE = ["0 3 2 1", "4 5 6 7", "0 1 5 4", "1 2 6 5", "2 3 7 6", "3 0 4 7"]

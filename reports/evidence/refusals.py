@@ -10,7 +10,7 @@ SUBJECT = (
     "coordinates where there are such, says how to fix it, and leaves the output file unwritten."
 )
 MINUTES = (0.3, 0.1)
-DEPENDS = (*REFERENCE, *READERS, *COMPARISON, "python/minkref/**/*.py")
+DEPENDS = (*REFERENCE, *READERS, *COMPARISON, "python/minkref/**/*.py", "commands/**/*.py")
 
 
 GEOMETRY = ("ring", "(")  # the ring, and coordinates

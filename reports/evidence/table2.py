@@ -18,7 +18,7 @@ MINUTES = (6, None)
 ALONE = True
 DEPENDS = (
     *part.REFERENCE, *part.COMPARISON, *part.CGAL, "models/*.off", "reports/bench/*.py",
-    "python/minkref/space/*.py",
+    "python/minkref/space/*.py", "commands/space/*.py",
 )  # fmt: skip
 SEED = 1
 LEAST = {RANDOM: 15, STEPS: 100}

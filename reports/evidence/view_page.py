@@ -12,12 +12,12 @@ from pathlib import Path
 from typing import Any
 
 from minkref import _core
+from minkref.commands.pages.plane.picture import Window, picture
+from minkref.commands.pages.plane.write_page import page
 from minkref.documents import write_atomically
 from minkref.reports.evidence.framework.browser import PACKAGES, absent, browser
 from minkref.reports.evidence.framework.operands import operand, tell_absent
 from minkref.reports.evidence.framework.part import MODELS, READERS, REFERENCE, Findings
-from minkref.view.picture import Window, picture
-from minkref.view.write_page import page
 
 SUBJECT = (
     "The page of disc1 + neuron over [1/10, 10]: at most 10 MB; in headless Chromium its rings at "
@@ -28,9 +28,9 @@ DEPENDS = (
     *REFERENCE,
     *READERS,
     *MODELS,
-    "python/minkref/view/*.py",
-    "python/minkref/view/page/*",
-    "python/minkref/commands/view.py",
+    "commands/pages/plane/*.py",
+    "commands/pages/plane/page/*",
+    "commands/view.py",
 )
 
 SEED = 2012

@@ -29,7 +29,10 @@ def figure_1(pair: Pair) -> list[Picture]:
 
 def figure_2() -> list[Picture]:
     P, Q = (_core.PolygonSet.from_json(text) for text in FIGURE_2)
-    shapes = [Layer("first", P.approximate_rings()), Layer("second", Q.translated("6", "0").rings())]
+    shapes = [
+        Layer("first", P.approximate_rings()),
+        Layer("second", Q.translated("6", "0").approximate_rings()),
+    ]
     found = [Picture("P and Q", picture(shapes, "P and Q", 300))]
     for reduced, what in ((False, "convolution"), (True, "reduced convolution")):
         segments = _core.convolution_segments(P, Q, "1", reduced)
@@ -60,7 +63,10 @@ def figure_7_inputs(pair: Pair) -> list[Picture]:
 
 
 def _operands(pair: Pair) -> str:
-    layers = [Layer("second", pair.Q.set.approximate_rings()), Layer("first", pair.P.set.rings())]
+    layers = [
+        Layer("second", pair.Q.set.approximate_rings()),
+        Layer("first", pair.P.set.approximate_rings()),
+    ]
     return picture(layers, "the operands", 300)
 
 

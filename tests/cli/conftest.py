@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from minkref.cli import run
+from minkref.commands.line.cli import run
 
 pytest.register_assert_rewrite("index_runs")
 

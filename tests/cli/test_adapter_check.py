@@ -10,7 +10,7 @@ from typing import Any
 
 import jsonschema
 import pytest
-from minkref.schemas import schema
+from minkref.commands.schemas import schema
 
 HULL = '''
 def hull(P, Q):

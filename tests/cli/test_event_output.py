@@ -9,8 +9,9 @@ from typing import Any
 
 import pyarrow.parquet
 import pytest
-from minkref import _core, event_lists
-from minkref.event_lists import PairEventList
+from minkref import _core
+from minkref.commands.lists import event_lists
+from minkref.commands.lists.event_lists import PairEventList
 from minkref.operand import read_operand
 
 Minkref = Callable[..., Any]

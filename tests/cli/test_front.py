@@ -12,8 +12,8 @@ from typing import Any
 import jsonschema
 import minkref as package
 import pytest
-from minkref.command_group import load
-from minkref.schemas import result_schema, schema
+from minkref.commands.line.command_group import load
+from minkref.commands.schemas import result_schema, schema
 from rich.text import Text
 
 Minkref = Callable[..., Any]
@@ -52,7 +52,7 @@ OPTIONAL = ("gmpy2", "hypothesis", "matplotlib", "numpy", "plotly", "pyarrow", "
 WITHOUT_OPTIONAL = f"""
 import sys
 sys.modules.update(dict.fromkeys({OPTIONAL!r}))  # to import one of them raises
-from minkref.cli import main
+from minkref.commands.line.cli import main
 sys.exit(main())
 """
 

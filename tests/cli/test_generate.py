@@ -21,11 +21,11 @@ from typing import Any, NoReturn
 import jsonschema
 import pytest
 from minkref.commands import generate
+from minkref.commands.schemas import schema
 from minkref.degeneracies import lint
 from minkref.degeneracies.case_document import Degenerate
 from minkref.degeneracies.draft import NothingDrawn
 from minkref.errors import Refusal
-from minkref.schemas import schema
 
 SECONDS = 60.0  # more than enough for what ends at once
 

@@ -10,7 +10,7 @@ import pytest
 
 TOLD = """
 import sys
-from minkref.cli import main
+from minkref.commands.line.cli import main
 try:
     main()
 finally:
@@ -30,7 +30,13 @@ def modules(*arguments: str) -> set[str]:
 
 
 def commands(names: set[str]) -> set[str]:
-    return {name for name in names if name.startswith("minkref.commands.")}
+    """Modules of single commands, in the plane and in space, and their pages."""
+    shared = ("minkref.commands.line", "minkref.commands.lists", "minkref.commands.schemas")
+    return {
+        name
+        for name in names
+        if name.startswith("minkref.commands.") and not name.startswith(shared)
+    }
 
 
 def heavy(names: set[str]) -> set[str]:

@@ -28,7 +28,7 @@ from index_runs import (
     written,
 )
 from minkref import _core
-from minkref.schemas import schema
+from minkref.commands.schemas import schema
 
 # The document, the file.
 
@@ -135,7 +135,7 @@ SLOW = """
 import os, signal, sys
 from minkref import documents
 from minkref.commands import index
-from minkref.cli import run
+from minkref.commands.line.cli import run
 build = index.build_index
 def telling(*arguments):
     print("building", flush=True)

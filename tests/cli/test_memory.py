@@ -7,9 +7,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from minkref import _core, cli
+from minkref import _core
+from minkref.commands.line import cli
+from minkref.commands.line.memory import SIMPLER, memory_wall
 from minkref.errors import Refusal
-from minkref.memory import SIMPLER, memory_wall
 
 Minkref = Callable[..., Any]
 LARGE = ("glyph1204", "cells1815")

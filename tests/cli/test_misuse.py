@@ -8,7 +8,7 @@ from typing import Any
 
 import jsonschema
 import pytest
-from minkref.schemas import error_schema
+from minkref.commands.schemas import error_schema
 
 Minkref = Callable[..., Any]
 

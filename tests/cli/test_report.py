@@ -11,11 +11,11 @@ from typing import Any
 
 import jsonschema
 import pytest
+from minkref.commands.schemas import schema
 from minkref.degeneracies import lint
 from minkref.degeneracies.catalogue import FAMILIES, SPACE_FAMILIES
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES
 from minkref.reports.audit.catalogue import ENTRIES
-from minkref.schemas import schema
 
 
 def test_a_page_for_each_family(minkref: Any, tmp_path: Path) -> None:

@@ -15,10 +15,10 @@ from typing import Any
 import jsonschema
 import pytest
 from minkref import _core
+from minkref.commands.schemas import schema
 from minkref.exact import digest
 from minkref.fuzz.families.random_pairs import random_pair
 from minkref.operand import read_operand
-from minkref.schemas import schema
 
 Minkref = Callable[..., Any]
 

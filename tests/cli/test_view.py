@@ -9,7 +9,7 @@ from typing import Any
 
 import jsonschema
 import pytest
-from minkref.schemas import result_schema
+from minkref.commands.schemas import result_schema
 from page_decoder import Decoder, data_of, difference, true_polygons
 
 Minkref = Callable[..., Any]

@@ -6,7 +6,7 @@ import shlex
 from pathlib import Path
 
 from minkref.commands import verify
-from minkref.reports.conformance.again import command_line
+from minkref.commands.line.command_line import command_line
 
 
 def test_what_was_given_is_said_and_nothing_else() -> None:

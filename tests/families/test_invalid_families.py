@@ -16,7 +16,7 @@ from pathlib import Path
 from random import Random
 
 import pytest
-from minkref.cli import run
+from minkref.commands.line.cli import run
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, invalid_member
 from minkref.degeneracies.invalid.commands import COMMANDS, left_out, words, written
 from minkref.degeneracies.invalid.member import Invalid

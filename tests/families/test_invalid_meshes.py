@@ -18,7 +18,7 @@ from random import Random
 
 import pytest
 from minkref import _core
-from minkref.cli import run
+from minkref.commands.line.cli import run
 from minkref.degeneracies.invalid.catalogue import INVALID_MESH_FAMILIES, invalid_member
 from minkref.degeneracies.invalid.commands import left_out
 from minkref.degeneracies.invalid.member import Invalid

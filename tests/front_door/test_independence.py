@@ -48,6 +48,13 @@ def test_the_repository_keeps_the_rule() -> None:
         ("python/minkref/api.py", "from minkref.oracle import slow"),
         ("reports/evidence/run.py", "import minkref.oracle.slow"),
         ("reference/CMakeLists.txt", "find_package(CGAL)"),
+        ("python/minkref/api.py", "from minkref.commands.line import cli"),
+        ("python/minkref/api.py", "def f():\n    from minkref import fuzz"),
+        ("certify/certificate.py", "import minkref.degeneracies.draft"),
+        ("fuzz/run/runner.py", "from minkref.reports import pages"),
+        ("reports/conformance/page.py", 'import_module("minkref.commands.verify")'),
+        ("reports/conformance/page.py", 'importlib.import_module(f"minkref.commands.{name}")'),
+        ("reports/pages.py", "from minkref.reports.evidence import run"),
     ],
 )
 def test_a_broken_rule_is_named_with_its_file_and_line(
@@ -74,6 +81,9 @@ def test_a_broken_rule_is_named_with_its_file_and_line(
         ("fuzz/judges/sums.py", "from minkref.oracle import slow"),
         ("oracle/symbolic/pairs.py", 'import_module(f".{name}", __package__)'),
         ("reference/CMakeLists.txt", "# never CGAL"),
+        ("python/minkref/__main__.py", "from minkref.commands.line.cli import main"),
+        ("commands/report.py", 'import_module(f"minkref.reports.{name}")'),
+        ("reports/evidence/view_page.py", "from minkref.commands.pages.plane import picture"),
     ],
 )
 def test_what_the_rule_allows_passes(tmp_path: Path, file: str, line: str) -> None:

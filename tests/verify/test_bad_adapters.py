@@ -13,11 +13,11 @@ from typing import Any
 
 import jsonschema
 import pytest
+from minkref.commands.schemas import schema
 from minkref.errors import Refusal
 from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.targets.catalogue import select
 from minkref.fuzz.targets.declared import declarations_of
-from minkref.schemas import schema
 
 FOLDER = Path(__file__).parent / "bad_adapters"
 PLANE = ("--family", "random", "--family", "degenerate")

@@ -10,9 +10,9 @@ from typing import Any
 
 import jsonschema
 import pytest
-from minkref.cli import run
+from minkref.commands.line.cli import run
+from minkref.commands.schemas import schema
 from minkref.fuzz.adapters import catalogue
-from minkref.schemas import schema
 
 pytestmark = pytest.mark.skipif(not shutil.which("gcc"), reason="gcc is not installed")
 

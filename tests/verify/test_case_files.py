@@ -12,9 +12,9 @@ from typing import Any
 
 import jsonschema
 import pytest
-from minkref.cli import run
+from minkref.commands.line.cli import run
+from minkref.commands.schemas import schema
 from minkref.degeneracies import lint
-from minkref.schemas import schema
 
 CUBE = (
     f"cmd:{sys.executable} {Path(__file__).parent / 'bad_adapters' / 'bad_adapter.py'} space-cube"

@@ -10,8 +10,8 @@ from typing import Any
 
 import jsonschema
 import pytest
-from minkref.cli import run
-from minkref.schemas import schema
+from minkref.commands.line.cli import run
+from minkref.commands.schemas import schema
 
 WRONG = "py:faulty_sums:loses_holes"
 PLAIN = ("--family", "random", "--no-derived", "--no-models")

@@ -16,10 +16,10 @@ from typing import Any
 
 import jsonschema
 import pytest
+from minkref.commands.schemas import schema
 from minkref.fuzz.run import runner
 from minkref.fuzz.run.pool import InternalError
 from minkref.fuzz.shrink import groups as shrinking
-from minkref.schemas import schema
 
 FOLDER = Path(__file__).parent
 MOMENTS = 4
@@ -130,7 +130,7 @@ def test_the_ledger_of_an_interrupted_run_goes_on(tmp_path: Path) -> None:
 
 
 def verify_here(*words: str, capsys: pytest.CaptureFixture[str]) -> tuple[int, Any, str]:
-    from minkref.cli import run
+    from minkref.commands.line.cli import run
 
     more = ("--pairs", "40", "--jobs", "1", "--no-models", "--family", "holes", "--json")
     code = run(["verify", "py:faulty_sums:loses_holes", *more, *words])

@@ -10,7 +10,8 @@ from typing import Any
 import jsonschema
 import pytest
 from minkref import _core
-from minkref.cli import run
+from minkref.commands.line.cli import run
+from minkref.commands.schemas import schema
 from minkref.fuzz.cases.case import Case, CaseName
 from minkref.fuzz.cgal.executables import OracleNotFoundError
 from minkref.fuzz.cgal.swept_solid import SweptSolid
@@ -28,7 +29,6 @@ from minkref.fuzz.judges import (
 from minkref.fuzz.judges.ruling import Ruling
 from minkref.fuzz.verdicts.verdict import Reason, Verdict
 from minkref.fuzz.verdicts.witness import holds
-from minkref.schemas import schema
 
 
 def case_of(P: str, Q: str, scale: str = "1") -> Case:

@@ -7,10 +7,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from minkref.cli import run
-from minkref.command_options import options_of
+from minkref.commands.line.cli import run
+from minkref.commands.line.command_options import options_of
+from minkref.commands.line.settings import KINDS
 from minkref.commands.verify import command
-from minkref.settings import KINDS
 
 BASE = 'targets = ["minkref:paper"]\npairs = 2\nmodels = false\njobs = 1\n'
 

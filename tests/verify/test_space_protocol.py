@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from minkref import cli
+from minkref.commands.line import cli
 from minkref.fuzz.cases import naming
 from minkref.fuzz.cases.case import CaseName
 from minkref.fuzz.cases.space_case import SpaceCase

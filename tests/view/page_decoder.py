@@ -113,7 +113,7 @@ def scales(count: int, seed: int, first: float = 0.1, last: float = 10.0) -> lis
 
 def page_of(folder: Path, P: str, Q: str, *options: str) -> Path:
     """The page that the command writes."""
-    from minkref.cli import run
+    from minkref.commands.line.cli import run
 
     path = folder / "view.html"
     assert run(["view", P, Q, "-o", str(path), *options]) == 0

@@ -9,10 +9,10 @@ from typing import Any
 
 import pytest
 from minkref import _core
+from minkref.commands.pages.plane.linear import linear
+from minkref.commands.pages.plane.picture import Sums, Window, picture
 from minkref.fuzz.families.random_pairs import random_pair
 from minkref.operand import read_operand
-from minkref.view.linear import linear
-from minkref.view.picture import Sums, Window, picture
 from page_decoder import Decoder, data_of, difference, page_of, scales, true_polygons
 
 CLOSE = 1e-9  # diagonals

@@ -5,8 +5,15 @@ from __future__ import annotations
 import random
 
 import pytest
-from minkref.view.replay import Replay
-from minkref.view.ring_changes import Change, RingChanges, Row, SlotChange, splices_between, turned
+from minkref.commands.pages.plane.replay import Replay
+from minkref.commands.pages.plane.ring_changes import (
+    Change,
+    RingChanges,
+    Row,
+    SlotChange,
+    splices_between,
+    turned,
+)
 
 
 def carried_out(old: list[int], splices: list[list[int]]) -> list[int]:

@@ -15,11 +15,11 @@ from typing import Any
 import jsonschema
 import pytest
 from minkref import _core
-from minkref.cli import run
+from minkref.commands.line.cli import run
+from minkref.commands.pages.space import view_page
+from minkref.commands.schemas import result_schema, schema
 from minkref.exact import digest
 from minkref.reports.evidence.framework import browser as framework
-from minkref.schemas import result_schema, schema
-from minkref.space import view_page
 from minkref.space.operand import read_space_operand
 
 View = Callable[..., tuple[Path, dict[str, Any]]]

@@ -9,10 +9,10 @@ from fractions import Fraction
 from typing import Any
 
 from minkref import _core
+from minkref.commands.pages.plane.linear import double, linear, out_of_range
+from minkref.commands.pages.plane.ring_changes import Row
+from minkref.commands.pages.plane.states import States
 from minkref.errors import Refusal
-from minkref.view.linear import double, linear, out_of_range
-from minkref.view.ring_changes import Row
-from minkref.view.states import States
 
 Sums = _core.ScaleSpaceIndex | _core.DynamicSum
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable
 
-from minkref.view.ring_changes import Bounds, Change, Row, turned
+from minkref.commands.pages.plane.ring_changes import Bounds, Change, Row, turned
 
 
 class Replay:

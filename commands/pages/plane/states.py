@@ -6,8 +6,8 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from minkref.view.replay import Replay
-from minkref.view.ring_changes import RingChanges, Row, SlotChange
+from minkref.commands.pages.plane.replay import Replay
+from minkref.commands.pages.plane.ring_changes import RingChanges, Row, SlotChange
 
 
 class States:

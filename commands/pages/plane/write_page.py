@@ -7,7 +7,6 @@ from importlib import resources
 from typing import Any
 
 from jinja2 import Environment, StrictUndefined
-
 from minkref.terminal import shown
 from minkref.version import version
 
@@ -19,7 +18,7 @@ SCRIPTS = (
 
 def page(P: str, Q: str, data: dict[str, Any]) -> str:
     """The text of the file. `data` is what `picture` gives; P and Q are the operands' names."""
-    folder = resources.files("minkref.view") / "page"
+    folder = resources.files("minkref.commands.pages.plane") / "page"
 
     def text(name: str) -> str:
         return (folder / name).read_text(encoding="utf-8")

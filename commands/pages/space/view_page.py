@@ -11,7 +11,6 @@ from importlib import resources
 from typing import Any
 
 from jinja2 import Environment, StrictUndefined
-
 from minkref import _core
 from minkref.errors import Refusal
 from minkref.exact import in_double_range
@@ -141,7 +140,7 @@ def viewer_name() -> str:
 
 def page(P: Body, Q: Body, frames: Frames, library: str) -> Iterator[str]:
     """The pieces of the file."""
-    folder = resources.files("minkref.space") / "page"
+    folder = resources.files("minkref.commands.pages.space") / "page"
 
     def text(name: str) -> str:
         return (folder / name).read_text(encoding="utf-8")

@@ -1,0 +1,141 @@
+"""What a run has shown, in words and lines: as its report, its tables and its files of results have
+it."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+
+from minkref.fuzz.run.runner import Cell, Finding, Run
+from minkref.fuzz.shrink.finding import SmallFinding
+from minkref.fuzz.shrink.groups import Group
+from minkref.fuzz.verdicts.verdict import GOOD, Verdict, Witness
+from minkref.terminal import counted, shown
+
+LACKING = "does not declare "
+LOG_SHOWN = 400  # characters
+_NOTHING_AMISS = (*GOOD, Verdict.SKIPPED)
+
+
+def cell_text(cell: Cell | None) -> str:
+    """`9,812 pass, 13 known`, in the order of severity of the verdicts."""
+    if cell is None:
+        return "-"
+    return "\n".join(
+        f"{cell.verdicts[verdict]:,} {verdict}" for verdict in Verdict if cell.verdicts[verdict]
+    )
+
+
+def left_out(run: Run) -> Counter[str]:
+    """How many cases no target takes for want of each capability."""
+    counts: Counter[str] = Counter()
+    for message, count in run.untaken.items():
+        counts.update(dict.fromkeys(reasons_of(message), count))
+    return counts
+
+
+def counted_cases(count: int) -> str:
+    return "1 case" if count == 1 else f"{count:,} cases"
+
+
+def reasons_of(message: str) -> list[str]:
+    """One for each capability that a skip names."""
+    text = general_reason(message)
+    words = text.removeprefix(LACKING)
+    return [f"{LACKING}{word}" for word in words.split(", ")] if words != text else [text]
+
+
+def untaken(run: Run) -> Counter[str]:
+    counts: Counter[str] = Counter()
+    for message, count in run.untaken.items():
+        counts[general_reason(message)] += count
+    return counts
+
+
+def general_reason(message: str) -> str:
+    """A reason for a skip without what is particular to its case."""
+    text = re.sub(r"^[PQ]: ", "", message)
+    text = re.sub(r"^\d[\d,]* (pairs of vertices), more than \d[\d,]*", r"too many \1", text)
+    return re.sub(r"\brings \d+ and \d+ meet", "rings meet", text)
+
+
+def describe(group: Group) -> list[str]:
+    """The lines about one kind of finding, without control characters."""
+    finding = group.example
+    outcome = finding.outcome
+    times = "once" if group.count == 1 else f"{group.count:,} times"
+    was = f" (was {outcome.was})" if outcome.was else ""
+    kinds = f": {', '.join(str(reason) for reason in outcome.reasons)}" if outcome.reasons else ""
+    also = f" (also {'; '.join(group.also)})" if group.also else ""
+    lines = [f"{outcome.target} {outcome.verdict}{was}{kinds}{also}, {times}"]
+    if outcome.message:
+        lines.append(f"  {outcome.message}")
+    if outcome.signal and outcome.signal not in outcome.message:
+        lines.append(f"  signal {outcome.signal}")
+    if outcome.log:
+        lines.append(f"  its log ends: {outcome.log.strip()[-LOG_SHOWN:]}")
+    if group.unshrunk:
+        lines.append(
+            f"  left as it is: shrinking it failed, which is a fault of ours: {group.unshrunk}"
+        )
+    if not group.small:
+        lines += [f"  the smallest: case {finding.case.name.text}", *_lines(finding)]
+    else:
+        found = finding.case
+        lines.append(f"  found on {found.name.text}, scale {found.scale}, {found.size[0]} vertices")
+    for small in group.small:
+        shown_as = "" if small.stable else ", not every time"
+        lines.append(
+            f"  shrunk to {small.result.size[0]} vertices in {small.calls} calls"
+            f"{_brief(small)}{shown_as}:"
+        )
+        lines += _lines(Finding(small.outcome, small.result))
+    return [shown(line) for line in lines]
+
+
+def _brief(small: SmallFinding) -> str:
+    return "" if small.seconds is None else f" of {small.seconds:g} s at most"
+
+
+def _lines(finding: Finding) -> list[str]:
+    outcome, case = finding.outcome, finding.case
+    lines = [f"    scale {case.scale}, {case.size[0]} vertices"]
+    if outcome.witness is not None:
+        lines.append(f"    {witness_text(outcome.witness, case.scale)}")
+    lines.append(f"    {finding.reproduce}")
+    return lines
+
+
+def witness_text(witness: Witness, scale: str) -> str:
+    """One sentence that can be checked by hand."""
+    point = f"({', '.join(witness.point)})"
+    at = witness.scale or scale
+    what = "the sum of the boundaries" if witness.boundary else "the sum"
+    where = "" if witness.boundary is False else ", p and q on the boundaries"
+    around = (
+        f" with all points that differ by at most {witness.tolerance} in each coordinate"
+        if witness.tolerance != "0"
+        else ""
+    )
+    if witness.in_truth and witness.p and witness.q:
+        return (
+            f"witness {point} is in {what}{around}: {at} * ({', '.join(witness.p)}) "
+            f"+ ({', '.join(witness.q)}){where}"
+        )
+    return (
+        f"witness {point} is outside {what} at {at}{around}: the scaled P does not meet the "
+        "point less Q"
+    )
+
+
+def conclusion(run: Run) -> str:
+    """One sentence: what was run and how it ended."""
+    verdicts: dict[str, int] = {}
+    for cell in run.matrix.values():
+        for verdict, count in cell.verdicts.items():
+            verdicts[verdict] = verdicts.get(verdict, 0) + count
+    counts = ", ".join(f"{verdicts[v]:,} {v}" for v in Verdict if verdicts.get(v))
+    return (
+        f"{counted_cases(sum(run.cases.values()))}, {counted(len(run.targets), 'target')}: "
+        f"{counts or 'nothing run'}"
+    )
