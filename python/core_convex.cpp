@@ -6,7 +6,9 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 
+#include <functional>
 #include <memory>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -18,6 +20,7 @@
 #include "reference/convex/segment_sum.hpp"
 #include "reference/convex/static_convex_sum.hpp"
 #include "reference/error.hpp"
+#include "reference/space/canonical_polyhedron.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -136,6 +139,22 @@ void bind_convex(nb::module_& module) {
           },
           "surface"_a, "source"_a = "",
           "Refuses (BadInput) what is not valid, not convex or has no volume. Exact.")
+      .def(
+          "__eq__",
+          [](const ConvexBody& a, const ConvexBody& b) {
+            return canonical_json(a.value->surface()) == canonical_json(b.value->surface());
+          },
+          nb::is_operator(), nb::sig("def __eq__(self, other: object, /) -> bool"))
+      .def("__hash__",
+           [](const ConvexBody& self) {
+             return std::hash<std::string>()(canonical_json(self.value->surface())) >> 1;
+           })
+      .def("__repr__",
+           [](const ConvexBody& self) {
+             return "<ConvexPolyhedron: " + std::to_string(self.value->vertices()) + " vertices, " +
+                    std::to_string(self.value->edges()) + " edges, " +
+                    std::to_string(self.value->facets()) + " facets>";
+           })
       .def("__copy__", [](const nb::object& self) { return self; })
       .def(
           "__deepcopy__", [](const nb::object& self, nb::handle) { return self; }, "memo"_a)

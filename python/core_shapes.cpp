@@ -91,6 +91,12 @@ Set set_of_shape(const nb::object& shape, bool validated) {
   return result;
 }
 
+std::string number_text(nb::handle value, const std::string& where) {
+  if (nb::isinstance<nb::str>(value)) return nb::cast<std::string>(value);
+  const nb::object read = nb::module_::import_("minkref.shapes").attr("number_text");
+  return nb::cast<std::string>(read(value, where));
+}
+
 nb::list exact_rings(const Set& set) {
   const nb::object fraction = nb::module_::import_("fractions").attr("Fraction");
   const auto number = [&](const Rational& value) {

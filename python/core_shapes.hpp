@@ -17,6 +17,10 @@ using TextPolygon = std::vector<std::vector<ExactPoint>>;
 /// turned as they should run; else they stay as given. Throws BadInput, and what shapes.py raises.
 Set set_of_shape(const nanobind::object& shape, bool validated);
 
+/// The exact text of a number of Python (minkref/shapes.py); a text as it is. `where` it stands,
+/// for the refusal.
+std::string number_text(nanobind::handle value, const std::string& where);
+
 /// The rings as stored, of pairs of fractions.Fraction.
 nanobind::list exact_rings(const Set& set);
 

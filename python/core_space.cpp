@@ -6,8 +6,14 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 
+#include <array>
+#include <string>
+#include <vector>
+
 #include "python/core.hpp"
+#include "python/core_shapes.hpp"
 #include "python/vector_caster.hpp"
+#include "reference/error.hpp"
 #include "reference/space/canonical_polyhedron.hpp"
 
 namespace nb = nanobind;
@@ -22,6 +28,26 @@ Polyhedron polyhedron_of(const std::vector<ExactSpacePoint>& vertices,
   for (const ExactSpacePoint& vertex : vertices) result.vertices.push_back(to_point(vertex));
   result.faces = faces;
   validate_faces(result);
+  return result;
+}
+
+/// Rows of three numbers of Python, or an array.
+std::vector<ExactSpacePoint> points_of(const nb::object& vertices) {
+  std::vector<ExactSpacePoint> result;
+  for (const nb::handle row : vertices) {
+    const std::string where = "vertex " + std::to_string(result.size());
+    std::array<std::string, 3> texts;
+    std::size_t count = 0;
+    for (const nb::handle number : row) {
+      if (count < texts.size()) texts[count] = number_text(number, where);
+      ++count;
+    }
+    if (count != texts.size()) {
+      throw BadInput("not-a-point", where + " has " + std::to_string(count) + " coordinates",
+                     "give x, y and z");
+    }
+    result.emplace_back(texts[0], texts[1], texts[2]);
+  }
   return result;
 }
 
@@ -49,12 +75,13 @@ void bind_space(nb::module_& module) {
                       "from outside. Without faces: the empty set, a point, a segment.")
       .def(
           "__init__",
-          [](Surface* self, const std::vector<ExactSpacePoint>& vertices,
-             const std::vector<Face>& faces) {
-            new (self) Surface(polyhedron_of(vertices, faces));
+          [](Surface* self, const nb::object& vertices, const std::vector<Face>& faces) {
+            new (self) Surface(polyhedron_of(points_of(vertices), faces));
           },
           "vertices"_a, "faces"_a,
-          "Refuses (BadInput) a face that names no vertex, or has fewer than three.")
+          "From points (x, y, z), whose numbers count by their exact value as those of PolygonSet, "
+          "and for each face the numbers of its vertices. Refuses (BadInput) a face that names no "
+          "vertex, or has fewer than three.")
       .def("__copy__", [](const nb::object& self) { return self; })
       .def(
           "__deepcopy__", [](const nb::object& self, nb::handle) { return self; }, "memo"_a)
@@ -64,6 +91,11 @@ void bind_space(nb::module_& module) {
            [](Surface& self,
               const std::pair<std::vector<ExactSpacePoint>, std::vector<Face>>& state) {
              new (&self) Surface(polyhedron_of(state.first, state.second));
+           })
+      .def("__repr__",
+           [](const Surface& self) {
+             return "<Polyhedron: " + std::to_string(self.value().vertices.size()) + " vertices, " +
+                    std::to_string(self.value().faces.size()) + " faces>";
            })
       .def(
           "points", [](const Surface& self) { return points(self.value()); },

@@ -95,6 +95,12 @@ void bind_sum(nb::module_& module) {
           },
           nb::sig("def __reduce_ex__(self, protocol: typing.SupportsIndex, /) "
                   "-> str | tuple[typing.Any, ...]"))
+      .def("__repr__",
+           [](const TimedSum& sum) {
+             return "<Sum: " + std::to_string(sum.components) + " components, " +
+                    std::to_string(sum.holes) + " holes, " +
+                    std::to_string(sum.region.value.vertices()) + " vertices>";
+           })
       .def_ro("region", &TimedSum::region)
       .def_ro("components", &TimedSum::components)
       .def_ro("holes", &TimedSum::holes)

@@ -15,39 +15,51 @@ from minkref.version import version
 if TYPE_CHECKING:
     from minkref.api import (
         BadInput,
+        ConvexPolyhedron,
+        ConvexSum,
         LimitExceeded,
         PolygonSet,
+        Polyhedron,
         Refusal,
         Sum,
         UndecidedSign,
+        convex_sum,
         decide,
         difference,
         minkowski_sum,
         read_file,
+        read_mesh,
         read_text,
         set_memory_limit,
         tight_passages,
         write,
+        write_mesh,
     )
 
 __version__ = version()
 
 __all__ = [
     "BadInput",
+    "ConvexPolyhedron",
+    "ConvexSum",
     "LimitExceeded",
     "PolygonSet",
+    "Polyhedron",
     "Refusal",
     "Sum",
     "UndecidedSign",
+    "convex_sum",
     "decide",
     "difference",
     "minkowski_sum",
     "read_file",
+    "read_mesh",
     "read_text",
     "set_memory_limit",
     "tight_passages",
     "version",
     "write",
+    "write_mesh",
 ]
 
 

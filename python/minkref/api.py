@@ -9,19 +9,31 @@ made of coordinates, compared by their points, copied and pickled. Source: docs/
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
 from minkref import _core
-from minkref.argument_types import check_methods, expect_sets, number, text_of, whole
+from minkref.argument_types import (
+    check_methods,
+    expect_bodies,
+    expect_sets,
+    expect_surfaces,
+    number,
+    text_of,
+    whole,
+)
 from minkref.errors import Refusal
 from minkref.operand import is_utf8, read_set
 from minkref.parents import passages_of
 
 BadInput = _core.BadInput
+ConvexPolyhedron = _core.ConvexPolyhedron
+ConvexSum = _core.ConvexSum
 LimitExceeded = _core.LimitExceeded
 PolygonSet = _core.PolygonSet
+Polyhedron = _core.Polyhedron
 Sum = _core.Sum
 UndecidedSign = _core.UndecidedSign
 check_methods()
@@ -30,19 +42,25 @@ Number = str | int | Fraction
 
 __all__ = [
     "BadInput",
+    "ConvexPolyhedron",
+    "ConvexSum",
     "LimitExceeded",
     "PolygonSet",
+    "Polyhedron",
     "Refusal",
     "Sum",
     "UndecidedSign",
+    "convex_sum",
     "decide",
     "difference",
     "minkowski_sum",
     "read_file",
+    "read_mesh",
     "read_text",
     "set_memory_limit",
     "tight_passages",
     "write",
+    "write_mesh",
 ]
 
 
@@ -65,6 +83,36 @@ def minkowski_sum(
     _validate(P=P, Q=Q)
     s = number("scale", scale)
     return _core.minkowski_sum(P, Q, s, text_of("route", route), text_of("arithmetic", arithmetic))
+
+
+def convex_sum(
+    P: ConvexPolyhedron,
+    Q: ConvexPolyhedron,
+    scaling: Number | Sequence[Number] = 1,
+    route: str = "traversal",
+) -> ConvexSum:
+    """The Minkowski sum of P, scaled about the origin, and Q, exact and in canonical form: its
+    `surface`, and from which vertices of P and Q each of its vertices and facets comes. `scaling`:
+    one positive factor, or one for each axis. The routes `traversal` and `brute-force` give the
+    same. Raises BadInput. Behar & Lien 2012, Sec. 6; docs/convex-polyhedra.md."""
+    expect_bodies(P=P, Q=Q)
+    axes = scaling if isinstance(scaling, tuple | list) and len(scaling) == 3 else [scaling] * 3
+    x, y, z = (number("scaling", factor) for factor in axes)
+    return _core.convex_sum(P, Q, (x, y, z), text_of("route", route))
+
+
+def read_mesh(path: str | os.PathLike[str]) -> Polyhedron:
+    """The polyhedron in a file, exactly as its text says; the format by the ending (`.off`,
+    `.obj`, `.stl`, `.ply`, `.json`). Not validated: ConvexPolyhedron(...) does that and certifies
+    that it is convex. Linear. Raises BadInput. docs/formats.md."""
+    return _core.read_mesh_file(os.fsdecode(path))[0]
+
+
+def write_mesh(surface: Polyhedron, format: str) -> str:
+    """The text of a polyhedron in `off`, `obj`, `stl`, `ply` or `json`. `json` is exact; the others
+    round to doubles what is no decimal. Linear. Raises BadInput. docs/formats.md."""
+    expect_surfaces(surface=surface)
+    return _core.write_mesh(surface, text_of("format", format))
 
 
 def set_memory_limit(bytes: int | None) -> None:

@@ -16,10 +16,26 @@ TEXT = "a str"
 NUMBER = "an exact number: a str as '7/5' or '0.1', an int or a Fraction"
 
 
+BODY = "a ConvexPolyhedron; minkref.ConvexPolyhedron(minkref.read_mesh(...)) makes one"
+SURFACE = "a Polyhedron, as minkref.read_mesh gives"
+
+
 def expect_sets(**given: Any) -> None:
+    _expect(_core.PolygonSet, SET, given)
+
+
+def expect_bodies(**given: Any) -> None:
+    _expect(_core.ConvexPolyhedron, BODY, given)
+
+
+def expect_surfaces(**given: Any) -> None:
+    _expect(_core.Polyhedron, SURFACE, given)
+
+
+def _expect(kind: type, expected: str, given: dict[str, Any]) -> None:
     for name, value in given.items():
-        if not isinstance(value, _core.PolygonSet):
-            raise _wrong(name, SET, value)
+        if not isinstance(value, kind):
+            raise _wrong(name, expected, value)
 
 
 def text_of(name: str, value: Any) -> str:

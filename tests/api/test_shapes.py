@@ -6,6 +6,7 @@ from __future__ import annotations
 import json
 from decimal import Decimal
 from fractions import Fraction
+from pathlib import Path
 from random import Random
 from typing import Any
 
@@ -13,7 +14,7 @@ import minkref
 import numpy as np
 import pytest
 import shapely
-from minkref import PolygonSet
+from minkref import PolygonSet, Polyhedron
 
 TRIANGLE = PolygonSet([(0, 0), (1, 0), (0, 1)])
 FRAME = PolygonSet([[(0, 0), (4, 0), (4, 4), (0, 4)], [(1, 1), (2, 1), (2, 2), (1, 2)]])
@@ -149,3 +150,42 @@ def test_a_shape_that_is_no_regular_set_is_refused_unless_told_not_to_look() -> 
 def test_a_set_is_equal_to_sets_only() -> None:
     for other in (None, 0, "POLYGON EMPTY", [[(0, 0), (1, 0), (0, 1)]]):
         assert TRIANGLE != other and not TRIANGLE == other
+
+
+@pytest.mark.parametrize("kind", ["texts", "ints", "fractions", "arrays"])
+def test_vertices_of_a_polyhedron_count_by_their_exact_value(kind: str) -> None:
+    corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+    made: Any = {
+        "texts": [tuple(map(str, corner)) for corner in corners],
+        "ints": corners,
+        "fractions": [tuple(map(Fraction, corner)) for corner in corners],
+        "arrays": np.array(corners, dtype=float),
+    }[kind]
+    solid = Polyhedron(made, [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
+    assert solid.points() == [tuple(map(str, corner)) for corner in corners]
+    assert repr(solid) == "<Polyhedron: 4 vertices, 4 faces>"
+
+
+def test_a_vertex_that_is_no_point_is_refused() -> None:
+    with pytest.raises(minkref.BadInput, match="vertex 1 has 2 coordinates"):
+        Polyhedron([(0, 0, 0), (1, 0)], [])
+    with pytest.raises(minkref.Refusal, match="vertex 0: the coordinate is nan"):
+        Polyhedron([(float("nan"), 0, 0)], [])
+
+
+@pytest.mark.parametrize("scaling", ["2", 2, Fraction(2), (2, "2", Fraction(2))], ids=repr)
+def test_a_sum_of_boxes_by_the_public_functions(scaling: Any, tmp_path: Path) -> None:
+    corners = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+    faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    box = Polyhedron(corners, faces)
+    file = tmp_path / "box.off"
+    file.write_text(minkref.write_mesh(box, "off"), encoding="utf-8")
+    body = minkref.ConvexPolyhedron(minkref.read_mesh(file))
+    found = minkref.convex_sum(body, body, scaling)
+    assert sorted(found.surface.points()) == sorted(tuple(str(3 * c) for c in p) for p in corners)
+    tripled, same = (minkref.ConvexPolyhedron(box.scaled((by,) * 3)) for by in "31")
+    assert minkref.ConvexPolyhedron(found.surface) == tripled != body
+    assert len({body, same}) == 1
+    assert repr(body) == "<ConvexPolyhedron: 8 vertices, 12 edges, 6 facets>"
+    with pytest.raises(TypeError, match="scaling has to be an exact number"):
+        minkref.convex_sum(body, body, (1, 2))

@@ -15,6 +15,10 @@ SQUARE = minkref.read_text("POLYGON((0 0,1 0,1 1,0 1,0 0))", "wkt")
 WRONG: list[Any] = [None, 3.5, float("nan"), b"1", [], {}, object(), True, "text", 7, SQUARE]
 NUMBERS = (str, int, Fraction)
 
+SIMPLEX = minkref.Polyhedron(
+    [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]
+)
+BODY = minkref.ConvexPolyhedron(SIMPLEX)
 sum_, decide, at = minkref.minkowski_sum, minkref.decide, SQUARE.translated
 CALLS: dict[str, tuple[Callable[[Any], Any], tuple[type, ...]]] = {
     "minkowski_sum P": (lambda x: sum_(x, SQUARE), (minkref.PolygonSet,)),
@@ -30,6 +34,13 @@ CALLS: dict[str, tuple[Callable[[Any], Any], tuple[type, ...]]] = {
     "decide y": (lambda x: decide(SQUARE, SQUARE, 1, "0", x), NUMBERS),
     "difference first": (lambda x: minkref.difference(x, SQUARE), (minkref.PolygonSet,)),
     "difference second": (lambda x: minkref.difference(SQUARE, x), (minkref.PolygonSet,)),
+    "convex_sum P": (lambda x: minkref.convex_sum(x, BODY), (minkref.ConvexPolyhedron,)),
+    "convex_sum Q": (lambda x: minkref.convex_sum(BODY, x), (minkref.ConvexPolyhedron,)),
+    "convex_sum scaling": (lambda x: minkref.convex_sum(BODY, BODY, x), NUMBERS),
+    "convex_sum route": (lambda x: minkref.convex_sum(BODY, BODY, 1, x), (str,)),
+    "read_mesh path": (minkref.read_mesh, (str, bytes, Path)),
+    "write_mesh surface": (lambda x: minkref.write_mesh(x, "off"), (minkref.Polyhedron,)),
+    "write_mesh format": (lambda x: minkref.write_mesh(SIMPLEX, x), (str,)),
     "read_text text": (lambda x: minkref.read_text(x, "wkt"), (str,)),
     "read_text format": (lambda x: minkref.read_text("", x), (str,)),
     "read_text source": (lambda x: minkref.read_text("POLYGON EMPTY", "wkt", x), (str,)),
@@ -66,7 +77,7 @@ def test_a_wrong_type_is_refused_in_plain_words(name: str) -> None:
         said = str(error.value)
         assert "\n" not in said and "_core" not in said and "nanobind" not in said, said
         assert type(value).__name__ in said, said
-        assert name.startswith("read_file") or name.split()[1] in said, said
+        assert name.startswith(("read_file", "read_mesh")) or name.split()[1] in said, said
     minkref.set_memory_limit(None)
 
 
