@@ -123,6 +123,8 @@ def with_earlier(text: str, before: str, absent: list[str]) -> str:
 
 def main() -> int:
     options = arguments()
+    if os.environ.get("MINKREF_MODELS"):  # parts run commands in other folders
+        os.environ["MINKREF_MODELS"] = os.path.abspath(os.environ["MINKREF_MODELS"])
     if options.child:
         return child.run_here(options.child, options.quick)
     console = Console(stderr=False)
