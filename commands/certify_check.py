@@ -5,7 +5,8 @@ from __future__ import annotations
 import tempfile
 from pathlib import Path
 
-from minkref.commands.check import WORDS, verdict_of
+from minkref.commands.check import WORDS
+from minkref.oracle.checker import check as checker
 
 SECONDS, TESTS, BYTES = 600.0, 1e10, 2.0**30
 
@@ -23,7 +24,7 @@ def is_verified(certificate: str, case: str, name: str) -> bool:
         path.write_text(certificate, encoding="utf-8")
         beside = Path(folder, "it.case.json")
         beside.write_text(case, encoding="utf-8")
-        code, why, _ = verdict_of(path, beside, SECONDS, TESTS, BYTES)
+        code, why, _ = checker.verdict(path, beside, SECONDS, TESTS, BYTES)
     if WORDS[code] in ("verified", "out of budget"):
         return WORDS[code] == "verified"
     raise Refuted(

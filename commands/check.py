@@ -11,7 +11,6 @@ from minkref.commands.line.options import Json, Schema
 from minkref.documents import Stopwatch, as_text, document
 from minkref.errors import Refusal
 from minkref.oracle.checker import check as checker
-from minkref.oracle.checker import check_convex
 from minkref.terminal import shown
 
 EXAMPLES = """Examples:
@@ -60,15 +59,14 @@ def command(
     schema: Schema = False,
 ) -> None:
     """Verify certificates (docs/certificates.md) step by step, in exact arithmetic, with none of
-    the code that made them. The checkers are single files that also run alone:
-    oracle/checker/check.py, and check_convex.py next to it for sums of convex polyhedra
-    (docs/certificates-convex.md). Exits with 0 if all are verified, 1 if one is refuted, 2 if one
-    is malformed or its case is missing, 4 if one is out of budget; 1 takes precedence over 2, and 2
-    over 4."""
+    the code that made them, in the plane and of convex polyhedra (docs/certificates-convex.md). The
+    checker is a single file that also runs alone, oracle/checker/check.py. Exits with 0 if all are
+    verified, 1 if one is refuted, 2 if one is malformed or its case is missing, 4 if one is out of
+    budget; 1 takes precedence over 2, and 2 over 4."""
     watch = Stopwatch()
     rows = []
     for path in _found(files):
-        code, message, claims = verdict_of(path, case, seconds, tests, bytes_)
+        code, message, claims = checker.verdict(path, case, seconds, tests, bytes_)
         rows.append(
             {"file": str(path), "verdict": WORDS[code], "message": message, "claims": claims}
         )
@@ -79,16 +77,6 @@ def command(
     verdicts = {row["verdict"] for row in rows}
     worst = (checker.REFUTED, checker.MALFORMED, checker.OUT_OF_BUDGET)
     raise typer.Exit(next((code for code in worst if WORDS[code] in verdicts), checker.VERIFIED))
-
-
-def verdict_of(
-    path: Path, case: Path | None, seconds: float, tests: float, most: float
-) -> checker.Verdict:
-    """By the checker of the form that the certificate says it has."""
-    found = checker.verdict(path, case, seconds, tests, most)
-    if found[:2] == (checker.MALFORMED, checker.OF_CONVEX_BODIES):
-        return check_convex.verdict(path, case, seconds, tests, most)
-    return found
 
 
 def _found(files: list[Path]) -> list[Path]:

@@ -9,7 +9,7 @@ from minkref.degeneracies import lint
 from minkref.degeneracies.catalogue import FAMILIES, SPACE_FAMILIES
 from minkref.degeneracies.found import NAME as FOUND
 from minkref.degeneracies.make_corpus import make
-from minkref.reports.evidence.certificates.checkers import in_cpp, verdicts, verdicts_in_python
+from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, verdicts
 from minkref.reports.evidence.framework.part import READERS, REFERENCE, Findings
 
 SUBJECT = (
@@ -49,14 +49,11 @@ def run(quick: bool) -> Findings:
     findings.target("cases", cases >= LEAST_CASES, f"at least {LEAST_CASES}", cases)
     findings.target("bytes", size < MOST_BYTES, f"under {MOST_BYTES:,}", f"{size:,}")
     files = sorted(lint.CORPUS.rglob(f"*{lint.ENDING}"))
-    for what, follow in (
-        ("Python", verdicts_in_python),
-        ("C++", lambda batch: verdicts(in_cpp(), batch)),
-    ):
+    for what, command in (("Python", in_python()), ("C++", in_cpp())):
         good = sum(
             verdict.code == 0
             for i in range(0, len(files), BATCH)
-            for verdict in follow(files[i : i + BATCH])
+            for verdict in verdicts(command, files[i : i + BATCH])
         )
         findings.law(f"certificates verified by the checker in {what}", good == cases, cases, good)
     return findings

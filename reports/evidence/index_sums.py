@@ -21,7 +21,7 @@ from minkref.fuzz.families.holed_pairs import fit_pair, holes_pair, nested_pair,
 from minkref.fuzz.families.pinched_pairs import pinched_pair
 from minkref.fuzz.families.random_pairs import Pair
 from minkref.reports.evidence.certificates.certified_cases import written
-from minkref.reports.evidence.certificates.checkers import in_cpp, verdicts, verdicts_in_python
+from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, verdicts
 from minkref.reports.evidence.framework.operands import operand, tell_absent
 from minkref.reports.evidence.framework.part import MODELS, READERS, REFERENCE, Findings
 
@@ -233,7 +233,7 @@ def _certificates(findings: Findings, tasks: list[Task]) -> None:
             files.append(written(certificate, Path(folder), str(number)))
         refused = [
             verdict.why
-            for verdict in (*verdicts(in_cpp(), files), *verdicts_in_python(files))
+            for verdict in (*verdicts(in_cpp(), files), *verdicts(in_python(), files))
             if verdict.code
         ]
     findings.law("certificates of another sum than the index has", not other, 0,

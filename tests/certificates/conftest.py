@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from convex_checker import in_python_of_convex
 from minkref.reports.evidence.certificates.checkers import in_cpp, in_python
 
 Verdict = tuple[int, str]
@@ -33,23 +32,6 @@ def both(in_python: list[str], path: Path, *options: str) -> Verdict:
 def check() -> Check:
     """Runs both checkers: they exit alike. What the one in Python says."""
     return lambda path, *options: both(in_python(), path, *options)
-
-
-@pytest.fixture
-def check_convex() -> Check:
-    """The same for certificates of sums of convex polyhedra."""
-    return lambda path, *options: both(in_python_of_convex(), path, *options)
-
-
-@pytest.fixture
-def check_convex_value(check_convex: Check, tmp_path: Path) -> Callable[[Any, Any], Verdict]:
-    def call(certificate: Any, case: Any) -> Verdict:
-        (tmp_path / "case.json").write_text(json.dumps(case), encoding="utf-8")
-        path = tmp_path / "it.cert.json"
-        path.write_text(json.dumps(certificate), encoding="utf-8")
-        return check_convex(path)
-
-    return call
 
 
 @pytest.fixture

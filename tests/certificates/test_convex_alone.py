@@ -1,4 +1,4 @@
-"""check_convex.py needs nothing but itself; limits, files of another form, and the hint to it."""
+"""Certificates of convex bodies before check.py alone; limits, and files of another form."""
 
 from __future__ import annotations
 
@@ -13,13 +13,12 @@ from typing import Any
 import cubes
 import pytest
 import squares
-from convex_checker import CONVEX
 from minkref.reports.evidence.certificates.checkers import CHECKER
 
 
-def alone(checker: Path, folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
-    shutil.copy(checker, folder)
-    command = [sys.executable, "-I", "-S", checker.name, *arguments]
+def alone(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
+    shutil.copy(CHECKER, folder)
+    command = [sys.executable, "-I", "-S", CHECKER.name, *arguments]
     return subprocess.run(command, cwd=folder, env={}, capture_output=True, text=True, check=False)
 
 
@@ -31,19 +30,26 @@ def folder(tmp_path: Path) -> Path:
 
 
 def test_it_runs_in_an_empty_folder(folder: Path) -> None:
-    ran = alone(CONVEX, folder, "it.cert.json")
+    ran = alone(folder, "it.cert.json")
     assert (ran.returncode, ran.stderr) == (0, "")
     assert "verified" in ran.stdout and cubes.CLAIM["digest"] in ran.stdout
 
 
-def test_each_checker_names_the_other_form(folder: Path) -> None:
-    (folder / "old.cert.json").write_text(json.dumps(squares.certificate()), encoding="utf-8")
-    ran = alone(CHECKER, folder, "it.cert.json")
-    assert (ran.returncode, ran.stderr) == (2, "")
-    assert "malformed" in ran.stdout and "check_convex.py follows it" in ran.stdout
-    ran = alone(CONVEX, folder, "old.cert.json")
-    assert (ran.returncode, ran.stderr) == (2, "")
-    assert "no convex-certificate-v1, but 'certificate-v1'" in ran.stdout
+def test_both_forms_are_followed_beside_each_other(folder: Path) -> None:
+    plane = folder / "plane"
+    plane.mkdir()
+    (plane / "case.json").write_text(json.dumps(squares.CASE), encoding="utf-8")
+    (plane / "it.cert.json").write_text(json.dumps(squares.certificate()), encoding="utf-8")
+    ran = alone(folder, "it.cert.json", "plane/it.cert.json")
+    assert (ran.returncode, ran.stderr, ran.stdout.count(": verified")) == (0, "", 2)
+
+
+@pytest.mark.parametrize("form", ["certificate-v2", None, [], {}, 1])
+def test_another_form_is_malformed(check: Any, folder: Path, form: Any) -> None:
+    value = {**cubes.certificate(), "certificate": form}
+    (folder / "it.cert.json").write_text(json.dumps(value), encoding="utf-8")
+    code, said = check(folder / "it.cert.json")
+    assert code == 2 and "this is no certificate-v1 or convex-certificate-v1, but" in said
 
 
 @pytest.mark.parametrize(
@@ -56,46 +62,42 @@ def test_each_checker_names_the_other_form(folder: Path) -> None:
     ],
 )
 def test_limits_and_missing_files(
-    check_convex: Any, folder: Path, options: list[str], code: int, why: str
+    check: Any, folder: Path, options: list[str], code: int, why: str
 ) -> None:
     options = [str(folder / word) if word.endswith(".json") else word for word in options]
-    got, said = check_convex(folder / "it.cert.json", *options)
+    got, said = check(folder / "it.cert.json", *options)
     assert got == code, said
     assert why in said
 
 
-def test_both_count_the_same_tests(check_convex: Any, folder: Path) -> None:
+def test_both_count_the_same_tests(check: Any, folder: Path) -> None:
     """One for each vertex, each vertex compared with a plane, 64 for a claim; and no fewer do."""
     needed = 16 + 2 * 6 * 8 + 24 + 6 * 16 + 64
-    assert check_convex(folder / "it.cert.json", "--tests", str(needed))[0] == 0
+    assert check(folder / "it.cert.json", "--tests", str(needed))[0] == 0
     for tests in (0, 15, 16, 100, 130, 200, needed - 1):
-        assert check_convex(folder / "it.cert.json", "--tests", str(tests))[0] == 4, tests
+        assert check(folder / "it.cert.json", "--tests", str(tests))[0] == 4, tests
 
 
-def test_compressed_files(check_convex: Any, folder: Path) -> None:
+def test_compressed_files(check: Any, folder: Path) -> None:
     packed = gzip.compress((folder / "it.cert.json").read_bytes())
     file = folder / "it.cert.json.gz"
     file.write_bytes(packed)
-    assert check_convex(file)[0] == 0
+    assert check(file)[0] == 0
     file.write_bytes(packed + packed)
-    assert check_convex(file)[0] == 2
+    assert check(file)[0] == 2
 
 
 @pytest.mark.parametrize(
     "text", ["", "[]", "7", "null", '{"certificate": ["convex-certificate-v1"]}', '"\\ud800"']
 )
-def test_what_is_no_certificate_is_malformed(check_convex: Any, folder: Path, text: str) -> None:
+def test_what_is_no_certificate_is_malformed(check: Any, folder: Path, text: str) -> None:
     (folder / "it.cert.json").write_text(text, encoding="utf-8")
-    assert check_convex(folder / "it.cert.json")[0] == 2
+    assert check(folder / "it.cert.json")[0] == 2
 
 
 @pytest.mark.parametrize("member", ["certificate", "sums", "claims", "case", "title"])
-def test_a_member_twice_is_malformed(check_convex: Any, folder: Path, member: str) -> None:
+def test_a_member_twice_is_malformed(check: Any, folder: Path, member: str) -> None:
     value = cubes.certificate() | {"title": "a test"}
     text = json.dumps(value)[:-1] + f', "{member}": {json.dumps(value[member])}}}'
     (folder / "it.cert.json").write_text(text, encoding="utf-8")
-    assert check_convex(folder / "it.cert.json")[0] == 2
-
-
-def test_it_is_short_enough_to_be_read() -> None:
-    assert len(CONVEX.read_text(encoding="utf-8").splitlines()) < 400
+    assert check(folder / "it.cert.json")[0] == 2

@@ -13,11 +13,10 @@ from typing import Any
 
 import cubes
 import pytest
-from convex_checker import in_python_of_convex
 from minkref.fuzz.space.generators.convex import random_hull
 from minkref.fuzz.space.hull import convex_hull, is_convex
 from minkref.fuzz.space.polyhedron import Polyhedron
-from minkref.reports.evidence.certificates.checkers import in_cpp, verdicts
+from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, verdicts
 
 Value = dict[str, Any]
 Change = tuple[Value, Value]  # certificate, case
@@ -141,7 +140,7 @@ def both_verdicts(folder: Path, given: list[Change]) -> list[int]:
         (inside / "case.json").write_text(json.dumps(case), encoding="utf-8")
         files.append(inside / "it.cert.json")
         files[-1].write_text(json.dumps(certificate), encoding="utf-8")
-    python = verdicts(in_python_of_convex(), files)
+    python = verdicts(in_python(), files)
     cpp = verdicts(in_cpp(), files)
     for file, one, other in zip(files, python, cpp, strict=True):
         assert one.code == other.code, (file.read_text(encoding="utf-8"), one.why, other.why)

@@ -99,7 +99,7 @@ def pairs(count: int) -> list[tuple[Polyhedron, Polyhedron]]:
 
 @pytest.mark.parametrize("number", range(10))
 def test_all_are_verified_and_say_what_the_hull_says(
-    check_convex: Any, tmp_path: Path, number: int
+    check: Any, tmp_path: Path, number: int
 ) -> None:
     for P, Q in pairs(60)[number::10]:
         scalings = [cubes.whole_scaling(*s) for s in SCALINGS]
@@ -107,16 +107,14 @@ def test_all_are_verified_and_say_what_the_hull_says(
         value = json.loads(texts.certificate)
         assert value.pop("producer") and value.pop("title") == "a test"
         assert value == cubes.certificate_of(P, Q, scalings)  # there is no other
-        code, said = check_convex(written(texts, tmp_path))
+        code, said = check(written(texts, tmp_path))
         assert code == 0, said
         for scaling in scalings:
             assert cubes.digest_of(sum_of_convex(P, Q, scaling).document()) in said
 
 
 @pytest.mark.parametrize("number", range(5))
-def test_operands_with_flat_vertices_in_any_order(
-    check_convex: Any, tmp_path: Path, number: int
-) -> None:
+def test_operands_with_flat_vertices_in_any_order(check: Any, tmp_path: Path, number: int) -> None:
     """Their faces are in parts; the sum is the same."""
     dice = random.Random(number)
     for P, Q in pairs(30)[number::5]:
@@ -125,13 +123,13 @@ def test_operands_with_flat_vertices_in_any_order(
         P, Q = triangulated(P, dice), triangulated(with_middles(Q), dice, 1)
         texts = certified(P, Q, scaling)
         assert json.loads(texts.certificate)["claims"] == plain
-        code, said = check_convex(written(texts, tmp_path))
+        code, said = check(written(texts, tmp_path))
         assert code == 0, said
-        code, said = check_convex(written(certified(with_middles(P), P, scaling), tmp_path))
+        code, said = check(written(certified(with_middles(P), P, scaling), tmp_path))
         assert code == 0, said
 
 
-def test_a_sum_that_was_kept_up_to_date(check_convex: Any, tmp_path: Path) -> None:
+def test_a_sum_that_was_kept_up_to_date(check: Any, tmp_path: Path) -> None:
     P, Q = pairs(1)[0]
     certificate = ConvexCertificate(given(P), given(Q))
     dynamic = _core.DynamicConvexSum(certificate.P.convex, certificate.Q.convex, ("1", "1", "1"))
@@ -140,18 +138,18 @@ def test_a_sum_that_was_kept_up_to_date(check_convex: Any, tmp_path: Path) -> No
         assert certificate.add(at, dynamic.sum()) == n
         assert certificate.sum(at) == n
     texts = Texts(certificate.text("case.json"), certificate.case())
-    code, said = check_convex(written(texts, tmp_path))
+    code, said = check(written(texts, tmp_path))
     assert code == 0, said
     assert said.count("sum: at") == 3
 
 
-def test_a_scaling_is_claimed_once(check_convex: Any, tmp_path: Path) -> None:
+def test_a_scaling_is_claimed_once(check: Any, tmp_path: Path) -> None:
     cube = given(box(cubes.whole_scaling(0, 0, 0), cubes.whole_scaling(1, 1, 1)))
     scalings = [("1", "2", "3"), ("2/2", "2", "6/2"), ("1", "1", "1")]
     texts = convex_certificate(cube, cube, scalings, "case.json")
     value = json.loads(texts.certificate)
     assert [claim["scaling"] for claim in value["claims"]] == [["1", "2", "3"], ["1", "1", "1"]]
-    assert check_convex(written(texts, tmp_path))[0] == 0
+    assert check(written(texts, tmp_path))[0] == 0
 
 
 @pytest.mark.parametrize("scaling", [("1", "0", "1"), ("1", "1", "-2")])

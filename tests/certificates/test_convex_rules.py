@@ -14,8 +14,8 @@ Spoil = Callable[[dict[str, Any]], object]
 REFUTED, MALFORMED = 1, 2
 
 
-def test_a_true_one_is_verified(check_convex_value: Any) -> None:
-    code, said = check_convex_value(cubes.certificate(), cubes.CASE)
+def test_a_true_one_is_verified(check_value: Any) -> None:
+    code, said = check_value(cubes.certificate(), cubes.CASE)
     assert code == 0, said
     assert "8 vertices, 6 facets, volume 8, " + cubes.CLAIM["digest"] in said
 
@@ -82,7 +82,7 @@ ON_EDGE = also(
     ("spoil", "code", "why"),
     [
         (cert("certificate", "certificate-v1"), MALFORMED, ""),
-        (cert("certificate", "convex-certificate-v2"), MALFORMED, "no convex-certificate-v1"),
+        (cert("certificate", "convex-certificate-v2"), MALFORMED, "or convex-certificate-v1, but"),
         (cert("proof", []), MALFORMED, "more members"),
         (lambda c: c.pop("sums"), MALFORMED, "a member is missing: sums"),
         (cert("title", 7), MALFORMED, "carries no truth"),
@@ -161,10 +161,10 @@ ON_EDGE = also(
         (lambda c: c["sums"].append(TWICE), MALFORMED, "a sum is not used"),
     ],
 )  # fmt: skip
-def test_a_false_one_is_not(check_convex_value: Any, spoil: Spoil, code: int, why: str) -> None:
+def test_a_false_one_is_not(check_value: Any, spoil: Spoil, code: int, why: str) -> None:
     value = cubes.certificate()
     spoil(value)
-    got, said = check_convex_value(value, cubes.CASE)
+    got, said = check_value(value, cubes.CASE)
     assert got == code, said
     assert why in said and len(said) < 2000
 
@@ -210,14 +210,14 @@ def from_least(ring: list[int]) -> list[int]:
     ],
 )
 def test_a_false_sum_is_not_even_if_its_claim_agrees(
-    check_convex_value: Any, spoil: Spoil, code: int, why: str
+    check_value: Any, spoil: Spoil, code: int, why: str
 ) -> None:
     """Volume, digest and numbers are those of what is given."""
     value = cubes.certificate()
     spoil(value)
     sums = value["sums"]
     value["claims"] = [cubes.claim_about(n, one, cubes.CASE) for n, one in enumerate(sums)]
-    got, said = check_convex_value(value, cubes.CASE)
+    got, said = check_value(value, cubes.CASE)
     assert got == code, said
     assert why in said
 
@@ -225,17 +225,17 @@ def test_a_false_sum_is_not_even_if_its_claim_agrees(
 TWICE = cubes.SUM | {"scaling": ["2", "2", "2"]}
 
 
-def test_several_scalings(check_convex_value: Any) -> None:
+def test_several_scalings(check_value: Any) -> None:
     value = cubes.certificate()
     value["sums"].append(TWICE)
     digest = cubes.digest_of(cubes.in_lowest_terms(cubes.cube_of("3")))
     twice = cubes.CLAIM | {"sum": 1, "scaling": ["2", 2, "4/2"], "volume": 27, "digest": digest}
     value["claims"].append(twice)
-    assert check_convex_value(value, cubes.CASE)[0] == 0
+    assert check_value(value, cubes.CASE)[0] == 0
     value["claims"].reverse()
-    assert check_convex_value(value, cubes.CASE)[0] == 0
+    assert check_value(value, cubes.CASE)[0] == 0
     value["claims"][0]["sum"] = 0
-    code, said = check_convex_value(value, cubes.CASE)
+    code, said = check_value(value, cubes.CASE)
     assert (code, "another scaling" in said) == (REFUTED, True)
 
 
@@ -299,11 +299,11 @@ FAR = [["5", "0", "0"], ["7", "0", "0"], ["5", "2", "0"], ["5", "0", "2"]]
         (body([*TETRAHEDRON, *HALVES], [*SIDES, *HEXAGONS]), "P goes around its hull more than"),
     ],
 )  # fmt: skip
-def test_a_false_operand_is_refused(check_convex_value: Any, spoilt: Any, why: str) -> None:
+def test_a_false_operand_is_refused(check_value: Any, spoilt: Any, why: str) -> None:
     for name, other in ("PQ", "QP"):
         case = {"dimension": 3, name: spoilt, other: cubes.CUBE}
         value = otherwise_true(case)
-        code, said = check_convex_value(value, case)
+        code, said = check_value(value, case)
         assert code == MALFORMED, said
         assert why.replace("P", name) in said
 
@@ -318,16 +318,16 @@ def otherwise_true(case: dict[str, Any]) -> dict[str, Any]:
 
 
 @pytest.mark.parametrize("dimension", [None, 2, "3", 3.0, True, [3]])
-def test_a_case_that_is_not_in_space_is_refused(check_convex_value: Any, dimension: Any) -> None:
+def test_a_case_that_is_not_in_space_is_refused(check_value: Any, dimension: Any) -> None:
     case = cubes.CASE | {"dimension": dimension}
-    code, said = check_convex_value(cubes.certificate(), case)
+    code, said = check_value(cubes.certificate(), case)
     assert (code, "no case in space" in said) == (MALFORMED, True)
 
 
-def test_numbers_of_a_case_may_be_written_otherwise(check_convex_value: Any) -> None:
+def test_numbers_of_a_case_may_be_written_otherwise(check_value: Any) -> None:
     case = copy.deepcopy(cubes.CASE) | {"title": "?"}
     case["Q"]["vertices"][7] = [1, 1.0, "10e-1"]
-    assert check_convex_value(cubes.certificate(), case)[0] == 0
+    assert check_value(cubes.certificate(), case)[0] == 0
 
 
 TOP = {
@@ -338,13 +338,13 @@ TOP = {
 
 
 @pytest.mark.parametrize("name", TOP)
-def test_faces_in_one_plane_and_flat_vertices(check_convex_value: Any, name: str) -> None:
+def test_faces_in_one_plane_and_flat_vertices(check_value: Any, name: str) -> None:
     """The top of P is given in parts. All vertices in its plane are parents of the sum's top."""
     more, parts, ((*flat,),) = TOP[name]
     case = cubes.CASE | {"P": body([*CORNERS, *more], [A, B, C, *parts, E, F])}
     value = cubes.certificate()
     value["case"]["sha256"] = cubes.digest_of_case(case)
-    assert check_convex_value(value, case)[0] == (REFUTED if flat else 0)
+    assert check_value(value, case)[0] == (REFUTED if flat else 0)
     value["sums"][0]["facets"][3][1] += flat
-    code, said = check_convex_value(value, case)
+    code, said = check_value(value, case)
     assert code == 0, said

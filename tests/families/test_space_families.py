@@ -34,12 +34,11 @@ from minkref.fuzz.families.catalogue import FAMILIES as FUZZED
 from minkref.fuzz.space.hull import convex_hull, sum_of_convex
 from minkref.fuzz.space.integers import Point
 from minkref.fuzz.space.polyhedron import Polyhedron
-from minkref.reports.evidence.certificates.checkers import CHECKER, in_cpp, verdicts
+from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, verdicts
 
 SEED = 907
 COUNT = 8
 SIBLINGS = 5  # the scaling, and two on each side
-CHECK_CONVEX = CHECKER.with_name("check_convex.py")
 Vector = tuple[Fraction, Fraction, Fraction]
 
 
@@ -129,7 +128,7 @@ def test_a_member_is_certified_as_expected(tmp_path: Path, name: str) -> None:
     rows = [write_member(SPACE_FAMILIES[name], SEED, k, tmp_path) for k in range(3)]
     assert not list(lint.faults(tmp_path))
     files = [Path(str(row["certificate"])) for row in rows]
-    for command in ([sys.executable, "-I", "-S", str(CHECK_CONVEX)], in_cpp()):
+    for command in (in_python(), in_cpp()):
         assert [verdict.code for verdict in verdicts(command, files)] == [0, 0, 0]
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import re
 import resource
 import shutil
@@ -14,7 +13,6 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
 CHECKER = ROOT / "oracle" / "checker" / "check.py"
-CONVEX_CHECKER = CHECKER.with_name("check_convex.py")
 WORDS = {"verified": 0, "refuted": 1, "malformed": 2, "out of budget": 4}
 LINE = re.compile(r"^(\S.*): (verified|refuted|malformed|out of budget)(?:: (.*))?$")
 
@@ -25,9 +23,9 @@ class Verdict:
     why: str
 
 
-def in_python(checker: Path = CHECKER) -> list[str]:
+def in_python() -> list[str]:
     """The file alone: no package, no site."""
-    return [sys.executable, "-I", "-S", str(checker)]
+    return [sys.executable, "-I", "-S", str(CHECKER)]
 
 
 def in_cpp() -> list[str]:
@@ -48,20 +46,6 @@ def verdicts(command: Sequence[str], files: Sequence[Path]) -> list[Verdict]:
     if ran.stderr or [match[1] for match in found] != list(map(str, files)):
         raise RuntimeError(f"{command[-1]} ended with {ran.returncode}: {ran.stderr[-400:]}")
     return [Verdict(WORDS[match[2]], match[3] or "") for match in found]
-
-
-def verdicts_in_python(files: Sequence[Path]) -> list[Verdict]:
-    """One for each file, by the checker that follows its form."""
-    of_file: dict[Path, Verdict] = {}
-    for checker, form in ((CHECKER, "certificate-v1"), (CONVEX_CHECKER, "convex-certificate-v1")):
-        own = [file for file in files if _form(file) == form]
-        if own:
-            of_file |= dict(zip(own, verdicts(in_python(checker), own), strict=True))
-    return [of_file[file] for file in files]
-
-
-def _form(file: Path) -> str:
-    return str(json.loads(file.read_text(encoding="utf-8"))["certificate"])
 
 
 def timed(command: Sequence[str], file: Path) -> tuple[Verdict, float]:
