@@ -1,5 +1,7 @@
 #include "python/core_timeline.hpp"
 
+#include "reference/error.hpp"
+
 namespace minkref::python {
 
 ScaleWindow window_of(const std::optional<std::string>& from,
@@ -13,6 +15,13 @@ ScaleWindow window_of(const std::optional<std::string>& from,
 bool TimelineRows::within(std::uint32_t group) const {
   const Rational scale = scale_(group);
   return !(window_.from && scale < *window_.from) && !(window_.to && scale > *window_.to);
+}
+
+const std::vector<Feature>& TimelineRows::of_kind(const std::string& kind) const {
+  if (kind == "hole") return timeline_.holes;
+  if (kind == "component") return timeline_.components;
+  throw BadInput("unknown-feature", "there is no feature \"" + kind + "\"",
+                 "choose hole or component");
 }
 
 std::vector<TimelineRows::LifeRow> TimelineRows::lives(const std::string& kind) const {

@@ -55,9 +55,8 @@ class TimelineRows {
   using RingState = std::pair<OptionalText, std::vector<RingRow>>;
 
  private:
-  const std::vector<Feature>& of_kind(const std::string& kind) const {
-    return kind == "hole" ? timeline_.holes : timeline_.components;
-  }
+  /// Those of "hole" or "component". Throws BadInput ("unknown-feature") for another word.
+  const std::vector<Feature>& of_kind(const std::string& kind) const;
   bool within(std::uint32_t group) const;
   std::string text(std::uint32_t group) const { return to_string(scale_(group)); }
 

@@ -160,3 +160,13 @@ assert [rings.x.tolist() for rings in index.batch(scales, "double", 64)] == expe
 
 def test_where_no_thread_starts_the_caller_does_all_the_work() -> None:
     subprocess.run([sys.executable, "-c", NO_ROOM_FOR_STACKS], check=True, timeout=60)
+
+
+@pytest.mark.parametrize("kind", ["holes", "", "Hole", "x"])
+def test_a_feature_that_is_none_is_refused_by_both_routes(kind: str) -> None:
+    P, Q = (read_operand(name).set for name in ("g1", "g2"))
+    for routed in (_core.ScaleSpaceIndex(P, Q, "1", "2"), _core.DynamicSum(P, Q, "1", "2")):
+        for ask in (routed.features, routed.lives):
+            with pytest.raises(_core.BadInput) as refused:
+                ask(kind)
+            assert code_of(refused) == "unknown-feature"
