@@ -11,7 +11,7 @@ from minkref.commands import adapter_check
 from minkref.errors import Refusal
 from minkref.fuzz.adapters import catalogue
 from minkref.fuzz.adapters.template import HEADER, LANGUAGES, template
-from minkref.terminal import shown
+from minkref.terminal import escaped
 
 NEW_EXAMPLES = """Examples:
 
@@ -57,7 +57,7 @@ def new(
     except OSError as error:
         what = f"the file cannot be written: {error.strerror}"
         raise Refusal(what, str(path), "choose another place", "cannot-write") from error
-    sys.stdout.write(shown(f"{path}") + "\n" + "".join(f"  {line}\n" for line in run))
+    sys.stdout.write(escaped(f"{path}") + "\n" + "".join(f"  {line}\n" for line in run))
 
 
 app.command("check", epilog=adapter_check.EXAMPLES)(adapter_check.command)
@@ -91,7 +91,7 @@ def install(
             if len(wanted) == 1:
                 raise
             failed.append(refusal)
-            sys.stderr.write(shown(f"{name}: {refusal}") + "\n")
+            sys.stderr.write(escaped(f"{name}: {refusal}") + "\n")
             continue
         sys.stdout.write(f"{name}: ready\n")
     if failed:

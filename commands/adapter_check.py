@@ -30,7 +30,7 @@ from minkref.fuzz.targets.declared import declarations_of
 from minkref.fuzz.verdicts.verdict import BROKEN, Outcome, Verdict
 from minkref.reports.conformance.run_words import witness_text
 from minkref.signals import ending_in_order
-from minkref.terminal import console, shown
+from minkref.terminal import console, escaped
 from rich.table import Table
 
 EXAMPLES = """Examples:
@@ -180,10 +180,10 @@ def _print(
     out = console()
     target = value["target"]
     version = f" {target['version']}" if target["version"] else ""
-    out.print(shown(f"{target['name']}{version} begins, and answers"), soft_wrap=True)
+    out.print(escaped(f"{target['name']}{version} begins, and answers"), soft_wrap=True)
     tolerance = target["tolerance"]
     out.print(
-        shown(
+        escaped(
             f"  arithmetic {target['arithmetic']}, numbers as {target['numbers']}, tolerance "
             f"{tolerance['absolute']} + {tolerance['relative']} of the size, sum of the "
             f"{target['sum']}"
@@ -191,7 +191,7 @@ def _print(
         soft_wrap=True,
     )
     out.print(f"  takes: {', '.join(target['capabilities'])}", soft_wrap=True)
-    out.print(shown(f"  {walls.sentence()}"), soft_wrap=True)
+    out.print(escaped(f"  {walls.sentence()}"), soft_wrap=True)
     table = Table(box=None, pad_edge=False)
     for heading in ("sum", "verdict", "seconds"):
         table.add_column(heading)
@@ -201,9 +201,11 @@ def _print(
     for trying, outcome in rows:
         if outcome is not None and (outcome.message or outcome.witness):
             said = outcome.message or ", ".join(outcome.kinds)
-            out.print(shown(f"{trying.title}: {said}"), soft_wrap=True)
+            out.print(escaped(f"{trying.title}: {said}"), soft_wrap=True)
             if outcome.witness is not None:
-                out.print(shown(f"  {witness_text(outcome.witness, trying.scale)}"), soft_wrap=True)
+                out.print(
+                    escaped(f"  {witness_text(outcome.witness, trying.scale)}"), soft_wrap=True
+                )
     if value["left_out"]:
         out.print("Not declared, so cases that need it are skipped:")
         for word, need in value["left_out"].items():

@@ -20,9 +20,9 @@ from minkref.commands.line.options import Json, Schema
 from minkref.documents import (
     Stopwatch,
     as_text,
-    check_spares,
     check_writable,
     document,
+    refuse_overwriting,
     replacing,
     write_atomically,
 )
@@ -33,7 +33,7 @@ from minkref.output_target import refuse_stream
 from minkref.space.operand import in_space, read_space_operand
 from minkref.space.scaling import Scaling, read_scaling
 from minkref.space.sums import bodies
-from minkref.terminal import shown
+from minkref.terminal import escaped
 
 EXAMPLES = """Examples:
 
@@ -134,8 +134,8 @@ def command(
         files, make = (_in_space if in_space(P, Q) else _in_the_plane)(P, Q, wish)
         for path in (output, case):
             check_writable(path)
-            check_spares(path, files)
-        operands = f"{shown(P)} and {shown(Q)}"
+            refuse_overwriting(path, files)
+        operands = f"{escaped(P)} and {escaped(Q)}"
         certificate = refusing(operands, make)
         _check_case(case, certificate.case())
         text = certificate.text(case.name, operands)
@@ -155,9 +155,9 @@ def command(
         sys.stdout.write(as_text(value))
     else:
         sys.stdout.write(
-            f"{shown(str(output))}: {len(certificate.claims)} claims, {value['bytes']:,} bytes, "
-            f"{value['seconds']:.2f} s\nits case: {shown(str(case))}\n{CHECKED[verified]}"
-            f"check it: minkref check {shown(str(output))}\n"
+            f"{escaped(str(output))}: {len(certificate.claims)} claims, {value['bytes']:,} bytes, "
+            f"{value['seconds']:.2f} s\nits case: {escaped(str(case))}\n{CHECKED[verified]}"
+            f"check it: minkref check {escaped(str(output))}\n"
         )
 
 

@@ -11,7 +11,7 @@ from minkref.commands.line.options import Json, Schema
 from minkref.documents import Stopwatch, as_text, document
 from minkref.errors import Refusal
 from minkref.oracle.checker import check as checker
-from minkref.terminal import shown
+from minkref.terminal import escaped
 
 EXAMPLES = """Examples:
 
@@ -94,7 +94,7 @@ def _found(files: list[Path]) -> list[Path]:
 
 
 def _print(row: dict[str, Any]) -> None:
-    message = f": {shown(row['message'])}" if row["message"] else ""
-    sys.stdout.write(f"{shown(row['file'])}: {row['verdict']}{message}\n")
+    message = f": {escaped(row['message'])}" if row["message"] else ""
+    sys.stdout.write(f"{escaped(row['file'])}: {row['verdict']}{message}\n")
     for claim in row["claims"]:
-        sys.stdout.write(f"  {shown(claim)}\n")
+        sys.stdout.write(f"  {escaped(claim)}\n")

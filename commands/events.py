@@ -19,18 +19,23 @@ from minkref.commands.lists.event_lists import (
     find_events,
 )
 from minkref.commands.lists.event_output import FORMATS, document_pieces, print_pieces, write_events
-from minkref.commands.lists.scale_space import IndexFile, check_spares_index, index_of, route_with
+from minkref.commands.lists.scale_space import (
+    IndexFile,
+    index_of,
+    refuse_overwriting_index,
+    route_with,
+)
 from minkref.documents import (
     Stopwatch,
     as_text,
-    check_spares,
     document,
+    refuse_overwriting,
 )
 from minkref.errors import Refusal, choice, refusing
 from minkref.exact import approximate, read_window
 from minkref.operand import Operand, read_operand
 from minkref.output_target import Target, target_of
-from minkref.terminal import console, counted, lines, shown
+from minkref.terminal import console, counted, escaped, lines
 
 EXAMPLES = """Examples:
 
@@ -171,8 +176,8 @@ def command(
     window = read_window(from_scale, to_scale)
     first, second = read_operand(P), read_operand(Q)
     if output is not None:
-        check_spares(output, [first.file, second.file])
-        check_spares_index(output, index)
+        refuse_overwriting(output, [first.file, second.file])
+        refuse_overwriting_index(output, index)
     operands = f"{first.name} and {second.name}"
     with memory_wall(memory, f"{kind} events", operands, SMALLER):
         found: EventList
@@ -359,7 +364,7 @@ def _print(value: dict[str, Any], found: EventList, count: int) -> None:
     if value["output"] is None and value["trial"] is None:
         _print_first(found, count)
     for warning in value["warnings"]:
-        sys.stderr.write(f"warning: {shown(warning)}\n")
+        sys.stderr.write(f"warning: {escaped(warning)}\n")
 
 
 def _least_text(found: dict[str, int | None]) -> str:

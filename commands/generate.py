@@ -29,7 +29,7 @@ from minkref.errors import Refusal, nearest, refusal_of
 from minkref.fuzz.run import child
 from minkref.output_folder import folder_to_write
 from minkref.signals import ending_in_order
-from minkref.terminal import console, counted, shown
+from minkref.terminal import console, counted, escaped
 from rich.table import Table
 
 EXAMPLES = """Examples:
@@ -194,7 +194,7 @@ def _chosen(families: list[str]) -> list[str]:
             f"{nearest(unknown[0], known)}`minkref families` lists all families: name some that it "
             f"says `generate` makes, {ALL}, {SPACE}, {INVALID} or {INVALID_MESH}"
         )
-        raise Refusal("there is no such family", shown(unknown[0]), mend, "unknown-family")
+        raise Refusal("there is no such family", escaped(unknown[0]), mend, "unknown-family")
     return list(dict.fromkeys(name for word in families for name in known[word]))
 
 
@@ -278,4 +278,4 @@ def _print_table(tallies: dict[str, _Tally]) -> None:
 
 def _quoted(folder: str) -> str:
     """As a word of a shell that is no option."""
-    return shown(shlex.quote(f"./{folder}" if folder.startswith("-") else folder))
+    return escaped(shlex.quote(f"./{folder}" if folder.startswith("-") else folder))

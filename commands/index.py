@@ -14,12 +14,19 @@ from minkref.commands.line.memory import SMALLER, Memory, memory_wall
 from minkref.commands.line.options import Json, Schema
 from minkref.commands.line.progress import progress
 from minkref.commands.lists.scale_space import build_index, cores
-from minkref.documents import Stopwatch, as_text, check_spares, check_writable, document, replacing
+from minkref.documents import (
+    Stopwatch,
+    as_text,
+    check_writable,
+    document,
+    refuse_overwriting,
+    replacing,
+)
 from minkref.errors import Refusal, refusing
 from minkref.exact import read_window
 from minkref.operand import read_operand
 from minkref.output_target import refuse_stream
-from minkref.terminal import counted, lines, shown
+from minkref.terminal import counted, escaped, lines
 
 EXAMPLES = """Examples:
 
@@ -72,7 +79,7 @@ def command(
     )
     check_writable(output)
     first, second = read_operand(P), read_operand(Q)
-    check_spares(output, [first.file, second.file])
+    refuse_overwriting(output, [first.file, second.file])
     with memory_wall(memory, "the index", f"{P} and {Q}", SMALLER):
         index = build_index(first, second, window[0], window[1], threads)
     checked = _checked(index, check)
@@ -166,4 +173,4 @@ def _print(value: dict[str, Any]) -> None:
     ]
     sys.stdout.write(lines(rows))
     for warning in value["warnings"]:
-        sys.stderr.write(f"warning: {shown(warning)}\n")
+        sys.stderr.write(f"warning: {escaped(warning)}\n")

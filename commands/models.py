@@ -18,7 +18,7 @@ from minkref.model_catalogue import (
     shipped_polyhedra,
 )
 from minkref.operand import read_set
-from minkref.terminal import console, shown
+from minkref.terminal import console, escaped
 from rich.table import Table
 
 EXAMPLES = """Examples:
@@ -90,7 +90,7 @@ def _print(value: dict[str, Any]) -> None:
     out = console()
     out.print(_table("model", "holes", value["models"]))
     for row in value["unreadable"]:
-        out.print(f"{shown(row['file'])} cannot be read: {shown(row['why'])}", soft_wrap=True)
+        out.print(f"{escaped(row['file'])} cannot be read: {escaped(row['why'])}", soft_wrap=True)
     for row in value["absent"]:
         out.print(
             f"{row['name']} is absent ({VARIABLE} does not hold it); "
@@ -108,7 +108,7 @@ def _table(kind: str, parts: str, rows: list[dict[str, Any]]) -> Table:
         table.add_column(heading, justify="right" if heading in ("vertices", parts) else "left")
     for row in rows:
         table.add_row(
-            shown(row["name"]),
+            escaped(row["name"]),
             f"{row['vertices']:,}",
             str(row[parts]),
             row["origin"],

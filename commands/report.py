@@ -17,7 +17,7 @@ from minkref.exits import ExitCode
 from minkref.output_folder import folder_to_write
 from minkref.reports.degeneracies.page import write_report
 from minkref.signals import ending_in_order
-from minkref.terminal import shown
+from minkref.terminal import escaped
 
 EXAMPLES = """Examples:
 
@@ -70,7 +70,7 @@ def command(
     for subject in subjects:
         if subject not in SUBJECTS:
             mend = f"{nearest(subject, SUBJECTS)}name some of {', '.join(SUBJECTS)}"
-            raise Refusal("there is no such report", shown(subject), mend)
+            raise Refusal("there is no such report", escaped(subject), mend)
     folder = folder_to_write(output)
     cases = _corpus(corpus)
     fronts: list[Path] = []
@@ -92,9 +92,9 @@ def command(
         )
     else:
         for front in fronts:
-            sys.stdout.write(f"{shown(str(front))}\n")
+            sys.stdout.write(f"{escaped(str(front))}\n")
         for failure in failed:
-            sys.stdout.write(f"check failed: {failure['entry']}: {shown(failure['failure'])}\n")
+            sys.stdout.write(f"check failed: {failure['entry']}: {escaped(failure['failure'])}\n")
     return ExitCode.WRONG if failed else ExitCode.ALL_WELL
 
 
@@ -137,7 +137,7 @@ def _corpus(name: str | None) -> Path:
     folder = lint.CORPUS if name is None else Path(name)
     if name == "" or not folder.is_dir():
         mend = "name a folder that `minkref generate all -o DIR` has made"
-        raise Refusal("there is no such folder", f"--corpus {shown(name or repr(name))}", mend)
+        raise Refusal("there is no such folder", f"--corpus {escaped(name or repr(name))}", mend)
     if not lint.case_paths(folder):
         mend = "make some with `minkref generate all -o DIR`"
         raise Refusal("there is no case in this folder", str(folder), mend, "no-case-files")

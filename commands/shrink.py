@@ -36,7 +36,7 @@ from minkref.fuzz.verdicts.verdict import GOOD, Verdict
 from minkref.output_target import target_of
 from minkref.reports.conformance.run_words import witness_text
 from minkref.signals import ending_in_order
-from minkref.terminal import console, shown
+from minkref.terminal import console, escaped
 
 EXAMPLES = """Examples:
 
@@ -135,14 +135,14 @@ def _print(small: SmallFinding, found: Finding, value: dict[str, Any]) -> None:
     outcome = small.outcome
     kinds = ", ".join(outcome.kinds)
     before, after = found.case.size[0], small.result.size[0]
-    out.print(shown(f"{outcome.target} {outcome.verdict}: {kinds}"))
+    out.print(escaped(f"{outcome.target} {outcome.verdict}: {kinds}"))
     out.print(f"{before} vertices before, {after} now; {small.calls} calls")
     if not small.complete:
         out.print("the calls ran out: --calls allows more")
     if not small.stable:
         out.print("asked again, the target did not show the fault: it does not answer alike")
     if outcome.witness is not None:
-        out.print(shown(witness_text(outcome.witness, small.result.scale)), soft_wrap=True)
-    out.print(shown(Finding(outcome, small.result).reproduce), soft_wrap=True)
+        out.print(escaped(witness_text(outcome.witness, small.result.scale)), soft_wrap=True)
+    out.print(escaped(Finding(outcome, small.result).reproduce), soft_wrap=True)
     if value["output"]:
-        out.print(shown(f"written: {value['output']}"), soft_wrap=True)
+        out.print(escaped(f"written: {value['output']}"), soft_wrap=True)

@@ -12,14 +12,19 @@ from minkref import _core
 from minkref.commands.line.arithmetic import check_arithmetic
 from minkref.commands.line.memory import SIMPLER, Memory, memory_wall
 from minkref.commands.line.options import Json, Schema
-from minkref.commands.lists.scale_space import IndexFile, check_spares_index, index_of, route_with
+from minkref.commands.lists.scale_space import (
+    IndexFile,
+    index_of,
+    refuse_overwriting_index,
+    route_with,
+)
 from minkref.commands.lists.sum_fields import SUM_FIELDS, sum_fields
 from minkref.commands.sum_table import print_table
 from minkref.documents import (
     Stopwatch,
     as_text,
-    check_spares,
     document,
+    refuse_overwriting,
 )
 from minkref.errors import Refusal, choice, refusing
 from minkref.exact import read_scale
@@ -145,8 +150,8 @@ def command(
     with memory_wall(memory, f"route {route}", f"{P} and {Q}", INSTEAD[route]):
         first, second = read_operand(P), read_operand(Q)
         if output is not None:
-            check_spares(output, [first.file, second.file])
-            check_spares_index(output, index)
+            refuse_overwriting(output, [first.file, second.file])
+            refuse_overwriting_index(output, index)
         result = compute(first, second, exact_scale, route, arithmetic, index)
         region = result.pop("region")
     drawn = (first, second, exact_scale, result) if not only_sum else None

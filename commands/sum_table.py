@@ -6,7 +6,7 @@ import sys
 from typing import Any
 
 from minkref.exact import scientific
-from minkref.terminal import lines, shown
+from minkref.terminal import escaped, lines
 
 SHOWN = 5  # tight passages that people see
 
@@ -36,7 +36,7 @@ def print_table(value: dict[str, Any]) -> None:
         rows.append(("written", value["output"] + rounded))
     sys.stdout.write(lines(rows))
     for warning in value["warnings"]:
-        sys.stderr.write(f"warning: {shown(warning)}\n")
+        sys.stderr.write(f"warning: {escaped(warning)}\n")
 
 
 def _passage_rows(passages: list[dict[str, Any]] | None) -> list[tuple[str, str]]:

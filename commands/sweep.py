@@ -23,7 +23,7 @@ from minkref.operand import Operand, read_operand
 from minkref.scales import MOST_SCALES, evenly_spaced, read_scales
 from minkref.signals import ending_in_order
 from minkref.space.operand import in_space
-from minkref.terminal import console, counted, lines, shown
+from minkref.terminal import console, counted, escaped, lines
 from rich.table import Table
 
 EXAMPLES = """Examples:
@@ -117,14 +117,14 @@ def command(
     folder = _folder(output, form)
     first, second = read_operand(P), read_operand(Q)
     if folder is not None:
-        folder.check_spares([first.file, second.file, *([index] if index else [])])
+        folder.refuse_overwriting([first.file, second.file, *([index] if index else [])])
     wall = memory_wall(memory, f"route {route}", f"{P} and {Q}", SMALLER)
     with wall, ending_in_order(), progress(len(scales)) as line:
         line.now("finding all events")
         sums = _sums(first, second, scales, route, index)
         rows = RowSpool()
         for number, scale in enumerate(scales, start=1):
-            line.now(f"scale {shown(scale)[:20]}")
+            line.now(f"scale {escaped(scale)[:20]}")
             row, region = step(sums, scale)
             row["file"] = row["file_exact"] = None
             if folder is not None:
@@ -256,7 +256,7 @@ def _print(value: dict[str, Any], rows: RowSpool) -> None:
         summary.append(("written", value["output"]))
     sys.stdout.write("\n" + lines(summary))
     for warning in value["warnings"]:
-        sys.stderr.write(f"warning: {shown(warning)}\n")
+        sys.stderr.write(f"warning: {escaped(warning)}\n")
 
 
 def _short(number: str) -> str:

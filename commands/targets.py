@@ -8,7 +8,7 @@ from typing import Any
 from minkref.commands.line.options import Json, Schema
 from minkref.documents import Stopwatch, as_text, document
 from minkref.fuzz.targets.catalogue import TargetEntry, list_targets
-from minkref.terminal import console, shown
+from minkref.terminal import console, escaped
 from rich.table import Table
 
 EXAMPLES = """Examples:
@@ -41,7 +41,7 @@ def _print(value: dict[str, Any]) -> None:
     for row in value["targets"]:
         table.add_row(
             row["name"],
-            shown(row["version"] or ""),
+            escaped(row["version"] or ""),
             row["about"],
             "ready" if row["available"] else "absent",
         )
@@ -50,4 +50,4 @@ def _print(value: dict[str, Any]) -> None:
     out = console()
     out.print(table)
     for reason, names in absent.items():
-        out.print(shown(f"{', '.join(names)}: {reason}"), soft_wrap=True)
+        out.print(escaped(f"{', '.join(names)}: {reason}"), soft_wrap=True)

@@ -26,7 +26,7 @@ from minkref.reports.conformance.run_words import (
     reasons_of,
     untaken,
 )
-from minkref.terminal import console, shown
+from minkref.terminal import console, escaped
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 from rich.table import Table
@@ -184,15 +184,15 @@ def print_tables(run: Run, groups: list[Group], value: dict[str, Any]) -> None:
     for row in value["absent"]:
         absent.setdefault(row["reason"], []).append(row["name"])
     for reason, names in absent.items():
-        out.print(shown(f"absent ({', '.join(names)}): {reason}"), soft_wrap=True)
+        out.print(escaped(f"absent ({', '.join(names)}): {reason}"), soft_wrap=True)
     for note in value["notes"]:
-        out.print(shown(note), soft_wrap=True)
+        out.print(escaped(note), soft_wrap=True)
     for line in _skips(run):
-        out.print(shown(line), soft_wrap=True)
+        out.print(escaped(line), soft_wrap=True)
     out.print()
     out.print(conclusion(run), soft_wrap=True)
     if value["report"]:
-        out.print(shown(f"report: {value['report']}"), soft_wrap=True)
+        out.print(escaped(f"report: {value['report']}"), soft_wrap=True)
     out.print(f"{value['seconds']:.1f} s, {value['peak_bytes'] / 2**20:,.0f} MiB at most")
 
 
@@ -224,10 +224,10 @@ def _matrix(run: Run) -> Table:
             and any(v not in (*GOOD, Verdict.SKIPPED) and n for v, n in cell.verdicts.items())
         ]
         table.add_row(
-            shown(target),
+            escaped(target),
             *(f"{count:,}" if count else "" for count in counts),
             f"{sum(cell.seconds for cell in there):.2f}",
-            shown(", ".join(amiss)),
+            escaped(", ".join(amiss)),
         )
     return table
 

@@ -13,7 +13,12 @@ import typer
 from minkref import _core
 from minkref.commands.line.memory import SMALLER, Memory, memory_wall
 from minkref.commands.line.options import Json, Schema
-from minkref.commands.lists.scale_space import IndexFile, check_spares_index, index_of, route_with
+from minkref.commands.lists.scale_space import (
+    IndexFile,
+    index_of,
+    refuse_overwriting_index,
+    route_with,
+)
 from minkref.commands.pages.plane.picture import Progress, Sums, Window, picture
 from minkref.commands.pages.plane.write_page import page
 from minkref.documents import Stopwatch, as_text, document
@@ -22,7 +27,7 @@ from minkref.exact import approximate, read_scale
 from minkref.operand import read_operand
 from minkref.output_target import Target, target_of
 from minkref.space.operand import in_space
-from minkref.terminal import lines, shown
+from minkref.terminal import escaped, lines
 from rich.console import Console
 
 EXAMPLES = """Examples:
@@ -101,7 +106,7 @@ def command(
     if route not in ROUTES:
         raise Refusal(f"there is no route {route!r}", "--route", choice(route, ROUTES))
     target = _page_target(output, json)
-    check_spares_index(output, index)
+    refuse_overwriting_index(output, index)
     first, second = read_operand(P), read_operand(Q)
 
     def sums() -> Sums:
@@ -214,4 +219,4 @@ def _print(value: dict[str, Any]) -> None:
     ]
     sys.stdout.write(lines(rows))
     for warning in value["warnings"]:
-        sys.stderr.write(f"warning: {shown(warning)}\n")
+        sys.stderr.write(f"warning: {escaped(warning)}\n")

@@ -8,7 +8,7 @@ from html import escape
 
 from minkref.exact_frame import Frame
 from minkref.reports.axes import drawn_axes, room_of_numbers
-from minkref.terminal import shown
+from minkref.terminal import escaped
 
 Segment = tuple[float, float, float, float]
 Polygons = Sequence[Sequence[Sequence[tuple[float, float]]]]  # per polygon: outer ring, holes
@@ -103,7 +103,7 @@ def picture(
     parts += [_layer(layer, at) for layer in layers if layer.style == "witness"]
     return (
         f'<svg viewBox="0 0 {width} {height:.0f}" width="{width}" height="{height:.0f}" role="img" '
-        f'aria-label="{escape(shown(caption), quote=True)}">{"".join(parts)}</svg>'
+        f'aria-label="{escape(escaped(caption), quote=True)}">{"".join(parts)}</svg>'
     )
 
 
@@ -136,6 +136,6 @@ def _layer(layer: Layer, at: Callable[[float, float], str]) -> str:
         )
         out.append(
             f'<text class="{style}" x="{across:.2f}" y="{down:.2f}" text-anchor="{label.anchor}">'
-            f"{escape(shown(label.text))}</text>"
+            f"{escape(escaped(label.text))}</text>"
         )
     return "".join(out)

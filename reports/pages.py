@@ -6,7 +6,7 @@ from importlib import resources
 
 from jinja2 import Environment, FunctionLoader, StrictUndefined
 from markupsafe import Markup
-from minkref.terminal import shown
+from minkref.terminal import escaped
 
 ROOM = "minkref.reports"
 
@@ -29,5 +29,5 @@ def environment(room: str) -> Environment:
     )
     found.filters["drawn"] = lambda picture: Markup(picture)
     found.filters["number"] = lambda number: f"{number:,}"
-    found.filters["line"] = lambda text: shown(str(text))
+    found.filters["line"] = lambda text: escaped(str(text))
     return found

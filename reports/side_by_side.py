@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from html import escape
 
-from minkref.terminal import shown
+from minkref.terminal import escaped
 
 LINE = 16  # of a caption
 
@@ -21,7 +21,7 @@ def side_by_side(
         parts.append(f'<g transform="translate({pane * width} {head})">{svg}</g>')
         parts += [
             f'<text x="{pane * width + LINE // 2}" y="{LINE * (line + 1)}">'
-            f"{escape(shown(text))}</text>"
+            f"{escape(escaped(text))}</text>"
             for line, text in enumerate(caption)
         ]
     box = f"0 0 {width * len(panes)} {head + height}"

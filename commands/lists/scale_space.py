@@ -11,7 +11,7 @@ from typing import Annotated
 import typer
 from minkref import _core
 from minkref.commands.line.progress import Steps, progress
-from minkref.documents import check_spares
+from minkref.documents import refuse_overwriting
 from minkref.errors import Refusal, refusing
 from minkref.operand import Operand
 
@@ -39,10 +39,10 @@ def cores() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else 1
 
 
-def check_spares_index(output: Path | None, index: Path | None) -> None:
+def refuse_overwriting_index(output: Path | None, index: Path | None) -> None:
     """Refuses an output that is the index that is read."""
     if output is not None and index is not None:
-        check_spares(output, [index])
+        refuse_overwriting(output, [index])
 
 
 def route_with(index: Path | None, route: str | None, default: str) -> str:

@@ -15,7 +15,7 @@ from pathlib import Path
 from minkref.documents import TEMPORARY, check_writable, write_atomically
 from minkref.errors import Refusal
 from minkref.output_target import refuse_stream
-from minkref.terminal import shown
+from minkref.terminal import escaped
 
 INDEX = "index.json"
 SHOWN = 1000  # scales that people see
@@ -56,13 +56,13 @@ class SweepFolder:
         if foreign:
             count = f" and {len(foreign) - 1:,} more" if len(foreign) > 1 else ""
             raise Refusal(
-                f"the folder holds files of others: {shown(foreign[0])}{count}",
+                f"the folder holds files of others: {escaped(foreign[0])}{count}",
                 str(path),
                 "name an empty folder, a new one, or one that holds nothing but an earlier sweep",
                 "folder-not-empty",
             )
 
-    def check_spares(self, operands: Iterable[Path]) -> None:
+    def refuse_overwriting(self, operands: Iterable[Path]) -> None:
         """Refuses to replace an earlier sweep that holds an operand."""
         for file in operands:
             if (
@@ -71,7 +71,7 @@ class SweepFolder:
                 and file.resolve().parent == self.path.resolve()
             ):
                 raise Refusal(
-                    f"the folder holds the operand {shown(file.name)}, which would be lost",
+                    f"the folder holds the operand {escaped(file.name)}, which would be lost",
                     str(self.path),
                     "name another folder",
                     "folder-not-empty",

@@ -13,8 +13,8 @@ from minkref.commands.lists.sweep_folder import SPACE_FORMATS
 from minkref.documents import (
     Stopwatch,
     as_text,
-    check_spares,
     document,
+    refuse_overwriting,
 )
 from minkref.errors import Refusal, choice, refusing
 from minkref.exact import scientific
@@ -22,7 +22,7 @@ from minkref.output_target import target_of
 from minkref.space.operand import SpaceOperand, read_space_operand
 from minkref.space.scaling import read_scaling, text_of
 from minkref.space.sums import ROUTES, compute, sum_fields
-from minkref.terminal import lines, shown
+from minkref.terminal import escaped, lines
 
 
 def sum_in_space(
@@ -44,7 +44,7 @@ def sum_in_space(
     with memory_wall(memory, f"route {route}", f"{P} and {Q}", SIMPLER):
         first, second = read_space_operand(P), read_space_operand(Q)
         if output is not None:
-            check_spares(output, [first.file, second.file])
+            refuse_overwriting(output, [first.file, second.file])
         answer = compute(first, second, scaling, route)
     exact = None
     if target is not None:
@@ -114,4 +114,4 @@ def _print(value: dict[str, Any], scaling: str) -> None:
         rows.append(("written", value["output"] + rounded))
     sys.stdout.write(lines(rows))
     for warning in value["warnings"]:
-        sys.stderr.write(f"warning: {shown(warning)}\n")
+        sys.stderr.write(f"warning: {escaped(warning)}\n")

@@ -21,7 +21,7 @@ from minkref.space.operand import SpaceOperand, read_space_operand
 from minkref.space.scaling import Scaling, read_scalings, text_of
 from minkref.space.space_sum import SpaceSum
 from minkref.space.sums import compute, sum_fields, timed
-from minkref.terminal import console, counted, lines, shown
+from minkref.terminal import console, counted, escaped, lines
 from rich.table import Table
 
 COUNTS = ("fv_errors", "vf_errors", "ee_errors", "descent_steps", "chains_walked")
@@ -45,7 +45,7 @@ def sweep_in_space(
     folder = SweepFolder(output, form) if output is not None else None
     first, second = read_space_operand(P), read_space_operand(Q)
     if folder is not None:
-        folder.check_spares([first.file, second.file])
+        folder.refuse_overwriting([first.file, second.file])
     wall = memory_wall(memory, "the update", f"{P} and {Q}", SIMPLER)
     with wall, ending_in_order(), progress(len(scalings)) as line:
         start = time.perf_counter()
@@ -53,7 +53,7 @@ def sweep_in_space(
         first_seconds = time.perf_counter() - start
         rows = RowSpool()
         for number, scaling in enumerate(scalings, start=1):
-            line.now(f"scale {shown(text_of(scaling))[:30]}")
+            line.now(f"scale {escaped(text_of(scaling))[:30]}")
             row, surface = step(scaling)
             row["file"] = row["file_exact"] = None
             if folder is not None:
@@ -150,4 +150,4 @@ def _print(value: dict[str, Any], rows: RowSpool) -> None:
         summary.append(("written", value["output"]))
     sys.stdout.write("\n" + lines(summary))
     for warning in value["warnings"]:
-        sys.stderr.write(f"warning: {shown(warning)}\n")
+        sys.stderr.write(f"warning: {escaped(warning)}\n")

@@ -28,7 +28,7 @@ from minkref.signals import ending_in_order
 from minkref.space.operand import read_space_operand
 from minkref.space.scaling import Scaling, read_scaling, read_scalings, text_of
 from minkref.space.sums import bodies, timed
-from minkref.terminal import counted, lines, shown
+from minkref.terminal import counted, escaped, lines
 
 
 def view_in_space(
@@ -49,7 +49,7 @@ def view_in_space(
         where = f"{first.name} and {second.name}"
         moving = refusing(where, lambda: _core.DynamicConvexSum(*operands, scalings[0]))
         for scaling in scalings:
-            line.now(f"scale {shown(text_of(scaling))[:30]}")
+            line.now(f"scale {escaped(text_of(scaling))[:30]}")
             rows.append(_frame(moving, scaling, where, shapes, frames))
             line.done()
         count = target.write_pieces(page(*shapes, frames, library))
@@ -116,7 +116,7 @@ def _print(value: dict[str, Any]) -> None:
         rows = [row for row in rows if row[0] != "updates"]
     sys.stdout.write(lines(rows))
     for warning in value["warnings"]:
-        sys.stderr.write(f"warning: {shown(warning)}\n")
+        sys.stderr.write(f"warning: {escaped(warning)}\n")
 
 
 def _words(name: str) -> str:

@@ -163,7 +163,7 @@ def check_writable(path: Path) -> None:
         )
 
 
-def check_spares(path: Path, operands: Iterable[Path]) -> None:
+def refuse_overwriting(path: Path, operands: Iterable[Path]) -> None:
     """Refuses an output path that is the file of an operand."""
     for file in operands:
         try:

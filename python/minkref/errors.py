@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable
 from typing import TypeVar
 
 from minkref import _core
-from minkref.terminal import shown
+from minkref.terminal import escaped
 
 T = TypeVar("T")
 
@@ -47,8 +47,8 @@ def choice(word: str, known: Iterable[str]) -> str:
 
 def refusal_text(error: dict[str, object]) -> str:
     """The refusal for people; `error` is its document."""
-    text = f"minkref: {shown(str(error['where']))}: {shown(str(error['what']))}\n"
-    return text + (f"  fix: {shown(str(error['mend']))}\n" if error["mend"] else "")
+    text = f"minkref: {escaped(str(error['where']))}: {escaped(str(error['what']))}\n"
+    return text + (f"  fix: {escaped(str(error['mend']))}\n" if error["mend"] else "")
 
 
 def message_of(error: BaseException) -> str:

@@ -11,7 +11,7 @@ from minkref.errors import Refusal, nearest, refusing
 from minkref.file_text import text_of_file
 from minkref.model_catalogue import PAPER_MODELS, VARIABLE, all_models, shipped_polyhedra
 from minkref.operand_text import is_text, source_of, text_and_form
-from minkref.terminal import shown
+from minkref.terminal import escaped
 
 FORMATS = (".wkt", ".geojson", ".poly", ".json")
 LONGEST_NAME = 255  # characters, which no system's names of files exceed
@@ -73,7 +73,7 @@ def read_operand(name: str) -> Operand:
 
 def _of_text(name: str) -> Operand:
     text, form = text_and_form(name)
-    source = shown(source_of(name))
+    source = escaped(source_of(name))
     operand = refusing(source, lambda: _core.read_text(text, form, source))
     warnings = list(_core.warnings())
     refusing(source, lambda: operand.validate(source))
@@ -97,15 +97,15 @@ def read_set(path: Path) -> tuple[_core.PolygonSet, list[str]]:
     if is_utf8(source):
         read = refusing(source, lambda: _core.read_file(source))
     else:
-        text = text_of_file(path, shown(source), "name a file that you may read")
+        text = text_of_file(path, escaped(source), "name a file that you may read")
         form = path.suffix.lower().removeprefix(".")
-        read = refusing(shown(source), lambda: _core.read_text(text, form, shown(source)))
+        read = refusing(escaped(source), lambda: _core.read_text(text, form, escaped(source)))
     return read, list(_core.warnings())
 
 
 def _read(name: str, path: Path) -> Operand:
     operand, warnings = read_set(path)
-    source = shown(str(path))
+    source = escaped(str(path))
     refusing(source, lambda: operand.validate(source))
     return Operand(name, str(path), operand, warnings)
 

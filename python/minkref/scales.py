@@ -10,7 +10,7 @@ from typing import TypeVar
 from minkref.errors import Refusal
 from minkref.exact import read_scale
 from minkref.file_text import text_of_file
-from minkref.terminal import shown
+from minkref.terminal import escaped
 
 S = TypeVar("S")
 
@@ -33,7 +33,7 @@ def read_scales(path: Path) -> list[str]:
 
 def lines_of_scales(path: Path, read: Callable[[str, str], S]) -> list[S]:
     """What `read` makes of each line of such a file."""
-    name = shown(str(path))
+    name = escaped(str(path))
     scales: list[S] = []
     for number, line in enumerate(_text(path, name).splitlines(), start=1):
         scale = line.partition("#")[0].strip()
@@ -45,7 +45,7 @@ def lines_of_scales(path: Path, read: Callable[[str, str], S]) -> list[S]:
         try:
             scales.append(read(scale, "the scale"))
         except Refusal as refusal:
-            where = f"{name}, line {number}, {shown(refusal.where)}"
+            where = f"{name}, line {number}, {escaped(refusal.where)}"
             raise Refusal(refusal.what, where, refusal.mend, refusal.code) from refusal
     if not scales:
         raise Refusal("there is no scale in the file", name, "write one a line", "no-scales")

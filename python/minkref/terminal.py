@@ -23,10 +23,10 @@ def console() -> Console:
 def lines(rows: list[tuple[str, str]]) -> str:
     """Names and values in two columns, never cut off."""
     width = max(len(name) for name, _ in rows)
-    return "".join(f"{name:<{width}}  {shown(value)}".rstrip() + "\n" for name, value in rows)
+    return "".join(f"{name:<{width}}  {escaped(value)}".rstrip() + "\n" for name, value in rows)
 
 
-def shown(text: str) -> str:
+def escaped(text: str) -> str:
     """The text in one line: what a terminal would obey, and bytes that are no text, escaped."""
     return "".join(
         letter if letter.isprintable() else letter.encode("unicode_escape").decode("ascii")

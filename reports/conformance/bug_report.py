@@ -9,7 +9,7 @@ from minkref.reports.conformance.case_view import CaseView, written
 from minkref.reports.conformance.markdown_text import plain
 from minkref.reports.conformance.programs.catalogue import library
 from minkref.reports.conformance.words import meaning
-from minkref.terminal import shown
+from minkref.terminal import escaped
 
 
 def bug_report(view: CaseView, version: str | None, presence: list[str]) -> str:
@@ -77,7 +77,7 @@ def _got(view: CaseView, kinds: str) -> list[str]:
         signal = f" ({outcome.signal})" if outcome.signal else ""
         lines.append(f"{kinds}{signal}")
         if said:
-            lines += ["", *_block(shown(said))]
+            lines += ["", *_block(escaped(said))]
     return lines
 
 

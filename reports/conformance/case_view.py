@@ -30,7 +30,7 @@ from minkref.reports.conformance.space_pictures import (
     space_comparison_pictures,
     space_operand_pictures,
 )
-from minkref.terminal import counted, shown
+from minkref.terminal import counted, escaped
 
 MOST_TEXT = 6000  # characters of an operand that is written out
 MOST_ROWS = 60  # of a table of vertices or faces
@@ -76,12 +76,12 @@ class CaseView:
         """What is wrong with the operands, and where."""
         witness = self.outcome.witness
         at = f", at {point_text(witness.point)}" if witness else ""
-        what = shown(cut(self.outcome.message))
+        what = escaped(cut(self.outcome.message))
         return f"An operand is invalid ({what}){at}: the right answer is a refusal."
 
     @property
     def reproduce(self) -> str:
-        return shown(self.finding.reproduce)
+        return escaped(self.finding.reproduce)
 
     @property
     def operand_texts(self) -> list[tuple[str, str]]:
@@ -126,7 +126,7 @@ def _view(finding: Finding, title: str, name: str, boundary: bool) -> CaseView:
         else:
             _fill_plane(view, case.P, case.Q, boundary)
     except Exception as error:  # noqa: BLE001 operands may be invalid on purpose: still a report
-        view.undrawn = f"Not all of it is drawn: {shown(cut(str(error)))}"
+        view.undrawn = f"Not all of it is drawn: {escaped(cut(str(error)))}"
     view.no_program = "" if view.program else why_none(finding)
     return view
 

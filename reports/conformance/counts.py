@@ -10,7 +10,7 @@ from minkref.fuzz.run.runner import Cell
 from minkref.fuzz.verdicts.verdict import GOOD, Verdict
 from minkref.reports.conformance.run_words import general_reason
 from minkref.reports.conformance.words import SIGNS
-from minkref.terminal import shown
+from minkref.terminal import escaped
 
 MOST_REASONS = 12
 _APART = (*GOOD, Verdict.SKIPPED)
@@ -95,7 +95,7 @@ class Counts:
     @property
     def why_skipped(self) -> list[tuple[str, int]]:
         """The reasons, the most frequent first; rare ones in one line."""
-        found = [(shown(reason), count) for reason, count in self.reasons.most_common()]
+        found = [(escaped(reason), count) for reason, count in self.reasons.most_common()]
         rest = found[MOST_REASONS:]
         if rest:
             others = (f"{len(rest):,} other reasons", sum(count for _, count in rest))

@@ -17,7 +17,7 @@ from minkref.reports.conformance.plane_pictures import Picture
 from minkref.reports.conformance.run_words import describe
 from minkref.reports.conformance.versions import Presence, presence
 from minkref.reports.conformance.words import SIGNS, meaning
-from minkref.terminal import shown
+from minkref.terminal import escaped
 
 LONGEST = 60  # characters of the name of a file
 
@@ -59,17 +59,17 @@ class FindingPage:
     @property
     def baseline(self) -> str:
         """What the baseline says of a known fault."""
-        return shown(self.outcome.message) if self.outcome.verdict is Verdict.KNOWN else ""
+        return escaped(self.outcome.message) if self.outcome.verdict is Verdict.KNOWN else ""
 
     @property
     def message(self) -> str:
         """What was said by or of the target."""
         known = self.outcome.verdict is Verdict.KNOWN
-        return "" if known else shown(cut(self.outcome.message))
+        return "" if known else escaped(cut(self.outcome.message))
 
     @property
     def log(self) -> list[str]:
-        return [shown(line) for line in self.outcome.log.strip()[-2000:].splitlines()]
+        return [escaped(line) for line in self.outcome.log.strip()[-2000:].splitlines()]
 
     @property
     def thumbnail(self) -> Picture | None:

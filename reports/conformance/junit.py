@@ -11,7 +11,7 @@ from minkref.fuzz.run.runner import Cell, Run
 from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.verdicts.verdict import BROKEN, Verdict
 from minkref.reports.conformance.run_words import cell_text, describe
-from minkref.terminal import shown
+from minkref.terminal import escaped
 
 Kind = tuple[str, str, tuple[str, ...]]
 
@@ -76,7 +76,7 @@ def _make_legal(element: ElementTree.Element) -> None:
 
 
 def _legal(text: str) -> str:
-    return "\n".join(shown(line) for line in text.split("\n"))
+    return "\n".join(escaped(line) for line in text.split("\n"))
 
 
 def _test_case(

@@ -17,7 +17,7 @@ from minkref.reports.conformance.showcase import showcases
 from minkref.reports.conformance.target_page import TargetPage, target_pages
 from minkref.reports.conformance.words import SIGNS, VERDICTS, ending
 from minkref.reports.pages import environment
-from minkref.terminal import shown
+from minkref.terminal import escaped
 
 ONE_FILE = "report.html"
 FRONT = "index.html"
@@ -74,12 +74,12 @@ def _shared(
     """What every page may use."""
     absent: dict[str, list[str]] = {}
     for row in value["absent"]:
-        absent.setdefault(shown(row["reason"] or "not found"), []).append(row["name"])
+        absent.setdefault(escaped(row["reason"] or "not found"), []).append(row["name"])
     return {
         "value": value,
-        "conclusion": shown(conclusion(run)),
+        "conclusion": escaped(conclusion(run)),
         "ending": ending(value["exit_code"]),
-        "again": shown(again),
+        "again": escaped(again),
         "cases": sum(run.cases.values()),
         "families": [(group, run.cases[group]) for group in run.groups],
         "targets": targets,
@@ -87,7 +87,7 @@ def _shared(
         "absent": absent,
         "absent_cases": run.absent,
         "left_out": left_out(run).most_common(),
-        "notes": [shown(note) for note in value["notes"]],
+        "notes": [escaped(note) for note in value["notes"]],
         "verdicts": [(str(v), SIGNS[v], VERDICTS[v]) for v in Verdict],
         "showcases": showcases(),
         "target_of": {target.target: target for target in targets},

@@ -10,7 +10,7 @@ from minkref.fuzz.run.runner import Cell, Finding, Run
 from minkref.fuzz.shrink.finding import SmallFinding
 from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.verdicts.verdict import GOOD, Verdict, Witness
-from minkref.terminal import counted, shown
+from minkref.terminal import counted, escaped
 
 LACKING = "does not declare "
 LOG_SHOWN = 400  # characters
@@ -90,7 +90,7 @@ def describe(group: Group) -> list[str]:
             f"{_brief(small)}{shown_as}:"
         )
         lines += _lines(Finding(small.outcome, small.result))
-    return [shown(line) for line in lines]
+    return [escaped(line) for line in lines]
 
 
 def _brief(small: SmallFinding) -> str:

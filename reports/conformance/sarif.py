@@ -12,7 +12,7 @@ from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.verdicts.verdict import Verdict
 from minkref.reports.conformance.run_words import describe
 from minkref.reports.conformance.words import meaning
-from minkref.terminal import shown
+from minkref.terminal import escaped
 from minkref.version import version
 
 SCHEMA = (
@@ -105,11 +105,11 @@ def _results(group: Group, rule: int) -> list[dict[str, Any]]:
                         "artifactLocation": {"uri": _place(outcome.target)},
                         "region": {"startLine": 1},
                     },
-                    "logicalLocations": [{"name": shown(outcome.target), "kind": "module"}],
+                    "logicalLocations": [{"name": escaped(outcome.target), "kind": "module"}],
                 }
             ],
             "partialFingerprints": {
-                "minkrefCase/v1": shown(
+                "minkrefCase/v1": escaped(
                     f"{outcome.target} {_rule_id(outcome.kinds)} {one.case.name.text}"
                 )
             },
@@ -120,7 +120,7 @@ def _results(group: Group, rule: int) -> list[dict[str, Any]]:
             },
         }
         if outcome.verdict is Verdict.KNOWN:
-            reason = shown(outcome.message)
+            reason = escaped(outcome.message)
             result["suppressions"] = [{"kind": "external", "justification": reason}]
         results.append(result)
     return results

@@ -10,7 +10,7 @@ from minkref.exact import scientific
 from minkref.fuzz.run.runner import Run
 from minkref.reports.conformance.counts import Counts, total
 from minkref.reports.conformance.finding_page import FindingPage, file_names
-from minkref.terminal import shown
+from minkref.terminal import escaped
 
 
 @dataclass
@@ -27,7 +27,7 @@ class TargetPage:
 
     @property
     def title(self) -> str:
-        return shown(self.target)
+        return escaped(self.target)
 
     def rows(self, families: list[tuple[str, int]]) -> list[tuple[str, int, Counts]]:
         """Family, its cases, counts; at the end all families."""

@@ -23,7 +23,7 @@ from minkref.reports.degeneracies.pictures import Drawn, case_pictures
 from minkref.reports.degeneracies.space_pictures import space_case_pictures
 from minkref.reports.pages import environment
 from minkref.space.scaling import read_scaling, text_of
-from minkref.terminal import shown
+from minkref.terminal import escaped
 
 INDEX = "index"
 DRAWN = 2  # cases of a family
@@ -181,7 +181,7 @@ def _row(path: Path, value: dict[str, Any]) -> Row:
         str(path),
         value.get("title", ""),
         vertices,
-        shown(value["scales"][0])[:40],
+        escaped(value["scales"][0])[:40],
         counts,
         wrong,
         len(bits),
@@ -199,7 +199,7 @@ def _space_row(path: Path, value: dict[str, Any]) -> SpaceRow:
         str(path),
         value.get("title", ""),
         sum(len(value[name]["vertices"]) for name in "PQ"),
-        shown(text_of(read_scaling(value["scales"][0]))),
+        escaped(text_of(read_scaling(value["scales"][0]))),
         "/".join(str(at[kind]) for kind in kinds),
         at["parallel_edges"],
         f"{floats[0]['wrong_in_doubles']} of {floats[0]['signs']}",
@@ -213,7 +213,7 @@ def _invalid(name: str) -> InvalidPage:
     family = INVALID_FAMILIES[name]
     member = invalid_member(family, 1, 0)
     text = member.content[: 2 * SAMPLE].decode("utf-8", "backslashreplace")
-    sample = shown(text)[:SAMPLE] + ("..." if len(member.content) > SAMPLE else "")
+    sample = escaped(text)[:SAMPLE] + ("..." if len(member.content) > SAMPLE else "")
     page = (lint.ROOM / "pages" / f"{name}.md").read_text(encoding="utf-8")
     why = page.partition("\n")[2].strip()
     return InvalidPage(name, family.title, why, family.code, sample, member.place)

@@ -7,7 +7,7 @@ from importlib import resources
 from typing import Any
 
 from jinja2 import Environment, StrictUndefined
-from minkref.terminal import shown
+from minkref.terminal import escaped
 from minkref.version import version
 
 SCRIPTS = (
@@ -27,8 +27,8 @@ def page(P: str, Q: str, data: dict[str, Any]) -> str:
         autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True
     )
     return environment.from_string(text("page.html.j2")).render(
-        P=shown(P),
-        Q=shown(Q),
+        P=escaped(P),
+        Q=escaped(Q),
         version=version(),
         style=text("style.css"),
         script="\n".join(text(f"{name}.js") for name in SCRIPTS),

@@ -17,7 +17,7 @@ from minkref.exact import in_double_range
 from minkref.space.scaling import Scaling
 from minkref.space.space_sum import SpaceSum
 from minkref.space.sums import sum_fields
-from minkref.terminal import shown
+from minkref.terminal import escaped
 from minkref.version import version
 
 KINDS = ("fv", "vf", "ee", "facet+edge", "edge+facet", "facet+facet")
@@ -43,7 +43,7 @@ class Body:
         self.centre = _triple((b + a) / 2 for a, b in zip(low, high, strict=True))
         self.sides = _triple(b - a for a, b in zip(low, high, strict=True))
         self.data = {
-            "name": shown(name),
+            "name": escaped(name),
             "points": exact,
             "near": [
                 [

@@ -13,7 +13,7 @@ from minkref.errors import Refusal, refusing
 from minkref.file_text import LONGEST, bytes_of_file
 from minkref.model_catalogue import shipped_polyhedra
 from minkref.operand import LONGEST_NAME, is_utf8
-from minkref.terminal import shown
+from minkref.terminal import escaped
 
 FORMATS = (".off", ".obj", ".stl", ".ply")
 
@@ -54,7 +54,7 @@ def read_space_operand(name: str) -> SpaceOperand:
     if not path.is_file():
         mend = f"write it to a file first whose ending names the format: {', '.join(FORMATS)}"
         raise Refusal("this is not a regular file", name, mend, "not-a-file")
-    source = shown(str(path))
+    source = escaped(str(path))
     surface, warnings = _read(path, source)
     if surface.faces == 0:
         refusing(source, lambda: surface.validate(source))
