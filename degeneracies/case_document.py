@@ -15,6 +15,7 @@ from minkref.degeneracies.flags import flags_of
 from minkref.degeneracies.generate import member
 from minkref.degeneracies.verdict_of_floats import precision
 from minkref.exact import digest
+from minkref.fuzz.geometry.plane import written_rings
 
 LICENCE = "Apache-2.0"
 FINE = 60  # bits: a sibling is this near, where neighbouring doubles are 52 or 53 bits apart
@@ -152,8 +153,7 @@ class Degenerate:
         return {} if point is None else {"wound_zero_times": [str(x) for x in point]}
 
     def _varies(self) -> list[str]:
-        coordinates = json.loads(self.sums[0].region.canonical_json())["polygons"]
-        rings = [ring for p in coordinates for ring in (p["outer"], *p["holes"])]
+        rings = written_rings(self.sums[0].region.canonical_json())
         exact = all(_is_double(x) for ring in rings for point in ring for x in point)
         named = ["form"] + ["closed"] * bool(self.facts.passages) + ["rounding"] * (not exact)
         return named

@@ -14,6 +14,7 @@ from minkref import _core
 from minkref.certify.case_text import ring_numbers
 from minkref.certify.predicate import Place
 from minkref.degeneracies.draft import Facts
+from minkref.fuzz.geometry.plane import in_box, turn
 
 CLOSE = 60  # another critical scale is within 2^-60
 FAR = 10**6  # of the extent of the operands
@@ -55,15 +56,9 @@ def _collinear(facts: Facts) -> bool:
     for vertices, operand in ((facts.vertices.P, facts.P), (facts.vertices.Q, facts.Q)):
         for ring in ring_numbers(operand):
             at = [vertices[i] for i in ring]
-            if len(at) > 2 and any(
-                _cross(at[k - 2], at[k - 1], at[k]) == 0 for k in range(len(at))
-            ):
+            if len(at) > 2 and any(turn(at[k - 2], at[k - 1], at[k]) == 0 for k in range(len(at))):
                 return True
     return False
-
-
-def _cross(a: Place, b: Place, c: Place) -> Fraction:
-    return (b[0] - a[0]) * (c[1] - b[1]) - (b[1] - a[1]) * (c[0] - b[0])
 
 
 def three_lines_meet(facts: Facts, row: dict[str, Any]) -> bool:
@@ -134,11 +129,7 @@ def _touching(facts: Facts) -> bool:
 
 
 def _is_on(p: Place, a: Place, b: Place) -> bool:
-    return (
-        min(a[0], b[0]) <= p[0] <= max(a[0], b[0])
-        and min(a[1], b[1]) <= p[1] <= max(a[1], b[1])
-        and _cross(a, b, p) == 0
-    )
+    return in_box(a, b, p) and turn(a, b, p) == 0
 
 
 def _vanishing(facts: Facts) -> bool:

@@ -10,17 +10,17 @@ from fractions import Fraction
 from random import Random
 
 from minkref.degeneracies.draft import Draft
-from minkref.fuzz.families.drawing import (
+from minkref.fuzz.geometry.plane import (
     Point,
     Polygon,
     Ring,
     Shape,
     box,
+    doubled_area,
     extent,
     mapped,
     moved,
     scaled,
-    signed_area,
 )
 
 Matrix = tuple[int, int, int, int]
@@ -33,12 +33,12 @@ FACTORS = tuple(Fraction(n, d) for n, d in ((1, 1), (1, 2), (2, 3), (7, 5), (3, 
 
 def turned(ring: Ring) -> Ring:
     """Clockwise, as a hole runs; the first vertex stays."""
-    return ring if signed_area(ring) < 0 else [ring[0], *ring[:0:-1]]
+    return ring if doubled_area(ring) < 0 else [ring[0], *ring[:0:-1]]
 
 
 def turned_left(ring: Ring) -> Ring:
     """Counter-clockwise, as outer rings run; the first vertex stays."""
-    return ring if signed_area(ring) > 0 else [ring[0], *ring[:0:-1]]
+    return ring if doubled_area(ring) > 0 else [ring[0], *ring[:0:-1]]
 
 
 def framed(holes: Sequence[Ring], margin: int = 2) -> Polygon:
@@ -67,7 +67,7 @@ def corridor(line: Sequence[tuple[int, int]], width: Fraction | int) -> Ring:
         left.append((x + half * (nx + along[0]), y + half * (ny + along[1])))
         right.append((x + half * (along[0] - nx), y + half * (along[1] - ny)))
     ring = [*right, *reversed(left)]
-    return ring if signed_area(ring) > 0 else ring[::-1]
+    return ring if doubled_area(ring) > 0 else ring[::-1]
 
 
 def reflected(ring: Ring) -> Ring:

@@ -9,7 +9,7 @@ from minkref.degeneracies.catalogue import FAMILIES
 from minkref.degeneracies.draft import Draft, Facts, Family, NothingDrawn
 from minkref.degeneracies.generate import FEWEST, MOST
 from minkref.errors import nearest
-from minkref.fuzz.families.drawing import signed_area
+from minkref.fuzz.geometry.plane import doubled_area
 from minkref.strategies.dice import Dice
 from minkref.strategies.reduction import KINDS, places, simpler, without
 from minkref.strategies.values import DegeneratePair, data_of
@@ -54,7 +54,7 @@ def _candidates(draw: st.DrawFn, family: Family) -> Draft | None:
         draft = family.draw(Dice(draw), draw(st.integers(FEWEST, MOST)))
     except NothingDrawn:
         return None
-    turned = any(signed_area(polygon[0]) < 0 for shape in (draft.P, draft.Q) for polygon in shape)
+    turned = any(doubled_area(polygon[0]) < 0 for shape in (draft.P, draft.Q) for polygon in shape)
     return None if turned and draft.zeros else draft
 
 

@@ -10,7 +10,7 @@ from typing import Any, Literal
 
 from minkref.certify.predicate import Predicate
 from minkref.degeneracies.draft import Draft
-from minkref.fuzz.families.drawing import Shape, extent, mapped, moved, scaled
+from minkref.fuzz.geometry.plane import Shape, extent, mapped, moved, scaled
 from minkref.strategies.values import points_of
 
 Operand = Literal["P", "Q"]

@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any, TypedDict, TypeVar
 
 from minkref import _core
-from minkref.fuzz.families.drawing import Point, Ring, Shape, signed_area
+from minkref.fuzz.geometry.plane import Point, Ring, Shape, doubled_area
 
 T = TypeVar("T")
 
@@ -83,7 +83,7 @@ def data_of(shape: Shape, unit: int = 1) -> SetData:
     """A shape divided by `unit`, its rings turned as their role demands."""
 
     def ring(points: Ring, sign: int) -> list[list[str]]:
-        right = points if signed_area(points) * sign >= 0 else [points[0], *points[:0:-1]]
+        right = points if doubled_area(points) * sign >= 0 else [points[0], *points[:0:-1]]
         return [[str(Fraction(c, unit)) for c in point] for point in right]
 
     return {

@@ -18,7 +18,7 @@ from minkref.degeneracies.invalid.sheet import (
 )
 from minkref.degeneracies.invalid.structure import holders
 from minkref.degeneracies.invalid.writing import geojson, geometry_of, refused, text_of
-from minkref.fuzz.families.drawing import mapped
+from minkref.fuzz.geometry.plane import mapped
 
 WORDS = (
     "MULTIPOINT", "MULTILINESTRING", "CIRCULARSTRING", "CURVEPOLYGON", "TRIANGLE", "TIN", "CIRCLE",

@@ -9,9 +9,9 @@ from random import Random
 
 from minkref.degeneracies.invalid.member import PREFIX, Invalid, InvalidFamily
 from minkref.fuzz.families.drawing import convex
+from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.generators.convex import random_hull
 from minkref.fuzz.space.hull import convex_hull
-from minkref.fuzz.space.integers import Point
 from minkref.fuzz.space.polyhedron import Polyhedron
 
 MESH = f"{PREFIX}mesh-"

@@ -18,7 +18,7 @@ from minkref.degeneracies.invalid.mesh_sheet import (
     shuffled,
 )
 from minkref.fuzz.families.drawing import convex
-from minkref.fuzz.space.integers import Point
+from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.polyhedron import Face, Polyhedron
 
 Edge = tuple[int, int]

@@ -10,7 +10,7 @@ from minkref.degeneracies.invalid.operands import Spot, region, spot
 from minkref.degeneracies.invalid.sheet import FORMS, Sheet, place_of, sheet
 from minkref.degeneracies.invalid.writing import refused
 from minkref.degeneracies.shapes import turned
-from minkref.fuzz.families.drawing import Ring, Shape, box, extent
+from minkref.fuzz.geometry.plane import Ring, Shape, box, extent
 
 Places = tuple[tuple[int, int], ...]
 

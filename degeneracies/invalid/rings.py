@@ -8,7 +8,7 @@ from minkref.degeneracies.invalid.member import Invalid, family
 from minkref.degeneracies.invalid.operands import region, spot
 from minkref.degeneracies.invalid.sheet import CLOSED, JSON_FORMS, Tokens, place_of, sheet, token
 from minkref.degeneracies.invalid.writing import refused
-from minkref.fuzz.families.drawing import Shape, box
+from minkref.fuzz.geometry.plane import Shape, box
 
 Damage = tuple[tuple[tuple[int, int], ...], tuple[int, ...]]
 

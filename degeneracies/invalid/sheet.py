@@ -10,7 +10,7 @@ from random import Random
 
 from minkref.degeneracies.invalid.json_text import MARK
 from minkref.degeneracies.invalid.operands import coordinates, region
-from minkref.fuzz.families.drawing import Point, Shape, mapped
+from minkref.fuzz.geometry.plane import Point, Shape, mapped
 
 Corner = list[str]  # the texts of its coordinates
 ENDINGS = {"wkt": ".wkt", "geojson": ".geojson", "poly": ".poly", "json": ".json", "case": ".json"}

@@ -7,8 +7,9 @@ from random import Random
 
 from minkref.degeneracies.draft import Draft, Facts, Family
 from minkref.degeneracies.shapes import changed, framed, number, reflected, turned
-from minkref.fuzz.families.drawing import Ring, box, convex, extent
+from minkref.fuzz.families.drawing import convex
 from minkref.fuzz.families.touching_pairs import touching_shape
+from minkref.fuzz.geometry.plane import Ring, box, extent
 
 
 def _happens(facts: Facts, feature: str, *changes: str) -> bool:

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import json
 from fractions import Fraction
 from random import Random
 
 from minkref.degeneracies.draft import Draft, Facts, Family
 from minkref.degeneracies.shapes import changed, corridor, framed, number, turned_left
-from minkref.fuzz.families.drawing import Point, Ring, Shape, box, convex, extent, moved
+from minkref.fuzz.families.drawing import convex
 from minkref.fuzz.families.hard_numbers import polygon
 from minkref.fuzz.families.random_pairs import random_pair
+from minkref.fuzz.geometry.plane import Point, Ring, Shape, box, extent, moved, read_shape
 
 MOST_TEETH = 12  # of both operands
 
@@ -48,15 +48,8 @@ def _is_collinear(facts: Facts) -> bool:
 def _antenna(dice: Random, size: int) -> Draft:
     """Polygons on small grids, where edges of one direction abound."""
     pair = random_pair(dice.randrange(10**9), dice.randrange(240))
-    P, Q = (_shape(text) for text in (pair.P, pair.Q))
+    P, Q = (read_shape(text) for text in (pair.P, pair.Q))
     return changed(dice, Draft(P, Q, Fraction(1)))
-
-
-def _shape(text: str) -> Shape:
-    return [
-        [[(Fraction(x), Fraction(y)) for x, y in ring] for ring in (p["outer"], *p["holes"])]
-        for p in json.loads(text)["polygons"]
-    ]
 
 
 def _euler(dice: Random, size: int) -> Draft:

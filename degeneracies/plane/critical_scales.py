@@ -9,7 +9,7 @@ from random import Random
 from minkref import _core
 from minkref.degeneracies.draft import Draft, Facts, Family
 from minkref.degeneracies.shapes import changed, framed, number
-from minkref.fuzz.families.drawing import Ring, box
+from minkref.fuzz.geometry.plane import Ring, box
 
 FAR, FARTHEST = Fraction(2) ** 10, Fraction(2) ** 200
 APART = 8  # scales that accumulate: each this many times the one before, at least

@@ -10,7 +10,7 @@ from minkref.certify.coincidence import ends_of
 from minkref.degeneracies.draft import Draft, Facts, Family
 from minkref.degeneracies.plane.mining import mined, upright_pair
 from minkref.degeneracies.shapes import changed, left_of
-from minkref.fuzz.families.drawing import Point, Ring
+from minkref.fuzz.geometry.plane import Point, Ring
 
 
 def _with_edge(dice: Random, a: Point, b: Point) -> Ring:

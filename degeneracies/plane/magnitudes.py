@@ -11,7 +11,7 @@ from random import Random
 from minkref.degeneracies.draft import Draft, Facts, Family
 from minkref.degeneracies.plane.contacts import FAMILIES as CONTACTS
 from minkref.degeneracies.plane.holes import FAMILIES as HOLES
-from minkref.fuzz.families.drawing import Point, Shape, mapped, moved, scaled
+from minkref.fuzz.geometry.plane import Point, Shape, mapped, moved, scaled
 
 BASES = tuple(
     family

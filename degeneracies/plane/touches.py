@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections import Counter
 from collections.abc import Callable
 from fractions import Fraction
@@ -11,7 +10,8 @@ from random import Random
 from minkref import _core
 from minkref.degeneracies.draft import Draft, Facts, Family
 from minkref.degeneracies.shapes import changed, framed, number
-from minkref.fuzz.families.drawing import Polygon, Ring, Shape, box, convex, extent, moved
+from minkref.fuzz.families.drawing import convex
+from minkref.fuzz.geometry.plane import Polygon, Ring, Shape, box, extent, moved, written_rings
 
 FRAME = 100  # half of the opening of a frame around all
 ONE = Fraction(1)
@@ -90,10 +90,8 @@ def _is_passing(facts: Facts) -> bool:
 
 def _met_twice(found: _core.Sum) -> int:
     """How many vertices of the sum are where another one is."""
-    polygons = json.loads(found.region.canonical_json())["polygons"]
-    places = Counter(
-        tuple(p) for polygon in polygons for r in (polygon["outer"], *polygon["holes"]) for p in r
-    )
+    rings = written_rings(found.region.canonical_json())
+    places = Counter(tuple(point) for ring in rings for point in ring)
     return places.total() - len(places)
 
 

@@ -15,7 +15,7 @@ from minkref.degeneracies.space.vectors import (
     direction,
     product,
 )
-from minkref.fuzz.space.integers import Point, Whole
+from minkref.fuzz.geometry.space import Point, Whole
 from minkref.fuzz.space.polyhedron import Polyhedron
 
 Corners = tuple[int, ...]  # of a face, ascending

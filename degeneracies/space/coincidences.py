@@ -9,7 +9,7 @@ from minkref.degeneracies.space.draft import (
     SpaceFacts,
     SumAt,
 )
-from minkref.fuzz.space.integers import Whole
+from minkref.fuzz.geometry.space import Whole
 
 
 def parallel_facets(at: SumAt) -> list[Coincidence]:

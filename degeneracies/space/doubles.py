@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from minkref.degeneracies.space.body import Body
-from minkref.fuzz.space.integers import Point
+from minkref.fuzz.geometry.space import Point
 
 Triple = tuple[float, float, float]
 

@@ -16,7 +16,7 @@ from minkref.degeneracies.draft import Subject
 from minkref.degeneracies.space.body import Body, Corners, Facet
 from minkref.degeneracies.space.doubles import signs_in_doubles
 from minkref.degeneracies.space.vectors import direction, inverse
-from minkref.fuzz.space.integers import Point, Whole, cross, dot
+from minkref.fuzz.geometry.space import Point, Whole, cross, dot
 from minkref.fuzz.space.polyhedron import Polyhedron
 
 LARGEST_GAP = 8000  # 2^-k beside a factor is looked at down to this k

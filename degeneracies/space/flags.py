@@ -11,7 +11,7 @@ from minkref.degeneracies.space.draft import SpaceFacts
 from minkref.degeneracies.space.magnitudes import LEAST_BITS, LONG
 from minkref.degeneracies.space.shapes import MANY
 from minkref.degeneracies.space.vectors import crossed, direction, product, stretched
-from minkref.fuzz.space.integers import Whole
+from minkref.fuzz.geometry.space import Whole
 
 
 def flags_in_space(facts: SpaceFacts) -> list[str]:

@@ -36,7 +36,7 @@ from minkref.degeneracies.space.vectors import (
     stretched,
     vector,
 )
-from minkref.fuzz.space.integers import Point
+from minkref.fuzz.geometry.space import Point
 
 LEAST_BITS, MOST_BITS = 20, 200
 SIGNIFICAND = 53

@@ -15,7 +15,7 @@ from minkref.degeneracies.space.draft import (
     SpaceFacts,
     SpaceFamily,
 )
-from minkref.fuzz.space.integers import Point
+from minkref.fuzz.geometry.space import Point
 
 Corners = tuple[int, ...]
 # Two tetrahedra and a scaling after which each facet of both has another vertex, and all pairs of

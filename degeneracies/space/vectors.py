@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from fractions import Fraction
 from math import lcm
 
-from minkref.fuzz.space.integers import Point, Whole, primitive
+from minkref.fuzz.geometry.space import Point, Whole, primitive
 
 Vector = tuple[Fraction, Fraction, Fraction]
 

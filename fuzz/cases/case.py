@@ -10,6 +10,7 @@ from functools import cached_property
 from minkref import _core
 from minkref.errors import Refusal
 from minkref.fuzz.cases.needs import is_double, needs_of_plane
+from minkref.fuzz.geometry.plane import written_rings
 
 
 @dataclass(frozen=True)
@@ -106,13 +107,7 @@ class Case:
 
 
 def _numbers(text: str) -> list[Fraction]:
-    return [
-        Fraction(number)
-        for polygon in json.loads(text)["polygons"]
-        for ring in (polygon["outer"], *polygon["holes"])
-        for point in ring
-        for number in point
-    ]
+    return [Fraction(number) for ring in written_rings(text) for point in ring for number in point]
 
 
 def _without_empty(text: str) -> str:

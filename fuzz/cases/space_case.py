@@ -15,9 +15,9 @@ from minkref.exact import read_scale
 from minkref.fuzz.cases.case import CaseName
 from minkref.fuzz.cases.needs import is_double
 from minkref.fuzz.cases.no_case import NoCase
+from minkref.fuzz.geometry.space import Scale
 from minkref.fuzz.space.cells import cells_of
 from minkref.fuzz.space.hull import is_convex
-from minkref.fuzz.space.integers import Scale
 from minkref.fuzz.space.laws import transformed_pairs
 from minkref.fuzz.space.pair import SpacePair, Truth
 from minkref.fuzz.space.pairs import space_pair

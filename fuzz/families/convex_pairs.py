@@ -6,8 +6,9 @@ from __future__ import annotations
 import random
 from fractions import Fraction
 
-from minkref.fuzz.families.drawing import Ring, Shape, box, convex, drawn_pair
+from minkref.fuzz.families.drawing import convex, drawn_pair
 from minkref.fuzz.families.random_pairs import Pair
+from minkref.fuzz.geometry.plane import Ring, Shape, box
 
 
 def convex_pair(seed: int, index: int) -> Pair:

@@ -8,9 +8,10 @@ from __future__ import annotations
 
 import random
 
-from minkref.fuzz.families.drawing import Ring, Shape, box, drawn_pair
+from minkref.fuzz.families.drawing import drawn_pair
 from minkref.fuzz.families.integer_rings import untangled
 from minkref.fuzz.families.random_pairs import Pair
+from minkref.fuzz.geometry.plane import Ring, Shape, box
 
 CELL = 12  # across, for each hole
 FEW = 14  # vertices of a pair up to which there is one hole

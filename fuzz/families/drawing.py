@@ -3,19 +3,23 @@ operands become a valid pair."""
 
 from __future__ import annotations
 
-import json
 import random
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from fractions import Fraction
 
 from minkref import _core
 from minkref.exact import set_json
 from minkref.fuzz.families.random_pairs import Pair
+from minkref.fuzz.geometry.plane import (
+    Ring,
+    Shape,
+    box,
+    doubled_area,
+    mapped,
+    read_shape,
+    scaled,
+)
 
-Point = tuple[Fraction | int, Fraction | int]
-Ring = list[Point]
-Polygon = list[Ring]  # the outer ring, then holes; they may run either way
-Shape = list[Polygon]
 Draw = Callable[[random.Random, int], tuple[Shape, Shape]]
 
 FEWEST, MOST = 12, 60  # vertices of a pair, about: at the beginning, and later
@@ -58,20 +62,12 @@ def is_valid(text: str) -> bool:
     return True
 
 
-def signed_area(ring: Sequence[Point]) -> Fraction | int:
-    """Twice the area, positive where the ring runs counter-clockwise."""
-    total: Fraction | int = 0
-    for k, (x, y) in enumerate(ring):
-        total += ring[k - 1][0] * y - ring[k - 1][1] * x
-    return total
-
-
 def shape_text(shape: Shape) -> str:
     """JSON text: outer rings counter-clockwise, holes clockwise."""
     return set_json(
         (
-            polygon[0] if signed_area(polygon[0]) >= 0 else polygon[0][::-1],
-            [hole if signed_area(hole) < 0 else hole[::-1] for hole in polygon[1:]],
+            polygon[0] if doubled_area(polygon[0]) >= 0 else polygon[0][::-1],
+            [hole if doubled_area(hole) < 0 else hole[::-1] for hole in polygon[1:]],
         )
         for polygon in shape
     )
@@ -79,23 +75,8 @@ def shape_text(shape: Shape) -> str:
 
 def reflected(polygons: _core.PolygonSet) -> _core.PolygonSet:
     """-R of a set R: the places at which s R, a robot, meets an obstacle O are O + s (-R)."""
-    shape: Shape = []
-    for part in json.loads(polygons.to_json())["polygons"]:
-        rings = (part["outer"], *part["holes"])
-        shape.append([[(-Fraction(x), -Fraction(y)) for x, y in ring] for ring in rings])
+    shape = scaled(read_shape(polygons.to_json()), -1)
     return _core.PolygonSet.from_json(shape_text(shape))
-
-
-def mapped(shape: Shape, change: Callable[[Point], Point]) -> Shape:
-    return [[[change(p) for p in ring] for ring in polygon] for polygon in shape]
-
-
-def scaled(shape: Shape, factor: Fraction | int) -> Shape:
-    return mapped(shape, lambda p: (p[0] * factor, p[1] * factor))
-
-
-def moved(shape: Shape, dx: Fraction | int, dy: Fraction | int) -> Shape:
-    return mapped(shape, lambda p: (p[0] + dx, p[1] + dy))
 
 
 def placed(shape: Shape, turns: int, mirrored: bool) -> Shape:
@@ -103,18 +84,6 @@ def placed(shape: Shape, turns: int, mirrored: bool) -> Shape:
     for _ in range(turns):
         shape = mapped(shape, lambda p: (-p[1], p[0]))
     return mapped(shape, lambda p: (p[1], p[0])) if mirrored else shape
-
-
-def box(
-    x0: Fraction | int, y0: Fraction | int, width: Fraction | int, height: Fraction | int
-) -> Ring:
-    return [(x0, y0), (x0 + width, y0), (x0 + width, y0 + height), (x0, y0 + height)]
-
-
-def extent(ring: Ring) -> tuple[Fraction | int, Fraction | int, Fraction | int, Fraction | int]:
-    """x, y, width and height of the bounding box."""
-    xs, ys = [p[0] for p in ring], [p[1] for p in ring]
-    return (min(xs), min(ys), max(xs) - min(xs), max(ys) - min(ys))
 
 
 def around(corners: int, radius: int) -> Ring:

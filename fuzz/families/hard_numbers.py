@@ -6,19 +6,11 @@ from __future__ import annotations
 import random
 from fractions import Fraction
 
-from minkref.fuzz.families.drawing import (
-    Polygon,
-    Ring,
-    Shape,
-    box,
-    convex,
-    drawn_pair,
-    mapped,
-    moved,
-)
+from minkref.fuzz.families.drawing import convex, drawn_pair
 from minkref.fuzz.families.integer_rings import untangled
 from minkref.fuzz.families.random_pairs import Pair
 from minkref.fuzz.families.touching_pairs import touching_shape
+from minkref.fuzz.geometry.plane import Polygon, Ring, Shape, box, mapped, moved
 
 LARGE_PRIMES = (10**9 + 7, 998_244_353, 2**61 - 1)
 

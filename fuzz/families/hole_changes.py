@@ -6,8 +6,8 @@ from __future__ import annotations
 import random
 from fractions import Fraction
 
-from minkref.fuzz.families.drawing import Polygon, Ring, Shape, extent, moved
 from minkref.fuzz.families.vertex_changes import Change
+from minkref.fuzz.geometry.plane import Polygon, Ring, Shape, extent, moved
 
 TINY = Fraction(1, 2**20)
 FITS = (Fraction(1), Fraction(1), 1 + TINY, 1 - TINY, Fraction(3, 2), Fraction(1, 2))

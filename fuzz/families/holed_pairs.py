@@ -6,18 +6,10 @@ from __future__ import annotations
 import random
 from fractions import Fraction
 
-from minkref.fuzz.families.drawing import (
-    Polygon,
-    Ring,
-    Shape,
-    around,
-    box,
-    convex,
-    drawn_pair,
-    extent,
-)
+from minkref.fuzz.families.drawing import around, convex, drawn_pair
 from minkref.fuzz.families.outlines import comb
 from minkref.fuzz.families.random_pairs import Pair
+from minkref.fuzz.geometry.plane import Polygon, Ring, Shape, box, extent
 
 TINY = Fraction(1, 2**20)
 

@@ -5,27 +5,14 @@ from __future__ import annotations
 
 import random
 
+from minkref.fuzz.geometry.plane import doubled_area, in_box, turn
+
 Node = tuple[int, int]
 Ring = list[Node]
 
 
-def turn(a: Node, b: Node, c: Node) -> int:
-    """Twice the signed area of the triangle a, b, c."""
-    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
-
-
-def doubled_area(ring: Ring) -> int:
-    """Twice the signed area of a ring."""
-    return sum(p[0] * q[1] - p[1] * q[0] for p, q in zip(ring, ring[1:] + ring[:1], strict=True))
-
-
 def counter_clockwise(ring: Ring) -> Ring:
     return ring if doubled_area(ring) > 0 else ring[::-1]
-
-
-def _within(a: Node, b: Node, p: Node) -> bool:
-    """p, known to be on the line a b, lies on the closed segment."""
-    return min(a[0], b[0]) <= p[0] <= max(a[0], b[0]) and min(a[1], b[1]) <= p[1] <= max(a[1], b[1])
 
 
 def segments_meet(a: Node, b: Node, c: Node, d: Node) -> bool:
@@ -45,10 +32,10 @@ def segments_meet(a: Node, b: Node, c: Node, d: Node) -> bool:
     if t1 and t2 and t3 and t4:
         return True
     return (
-        (t1 == 0 and _within(a, b, c))
-        or (t2 == 0 and _within(a, b, d))
-        or (t3 == 0 and _within(c, d, a))
-        or (t4 == 0 and _within(c, d, b))
+        (t1 == 0 and in_box(a, b, c))
+        or (t2 == 0 and in_box(a, b, d))
+        or (t3 == 0 and in_box(c, d, a))
+        or (t4 == 0 and in_box(c, d, b))
     )
 
 
@@ -73,7 +60,7 @@ def is_simple(ring: Ring) -> bool:
     for i in range(n):
         a, b = ring[i], ring[(i + 1) % n]
         c = ring[(i + 2) % n]
-        if turn(a, b, c) == 0 and (_within(a, b, c) or _within(b, c, a)):
+        if turn(a, b, c) == 0 and (in_box(a, b, c) or in_box(b, c, a)):
             return False
         for j in range(i + 2, n):
             if (j + 1) % n == i:
@@ -181,7 +168,7 @@ def _place(p: Node, ring: Ring) -> int:
     a = ring[-1]
     for b in ring:
         side = (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0])
-        if side == 0 and _within(a, b, p):
+        if side == 0 and in_box(a, b, p):
             return 0
         if (a[1] > y) != (b[1] > y) and (side > 0) == (b[1] > a[1]):
             within = not within

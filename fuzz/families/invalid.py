@@ -5,8 +5,9 @@ from __future__ import annotations
 import json
 import random
 
-from minkref.fuzz.families.drawing import Ring, Shape, box, convex, moved, scaled, shape_text
+from minkref.fuzz.families.drawing import convex, shape_text
 from minkref.fuzz.families.hard_numbers import polygon
+from minkref.fuzz.geometry.plane import Ring, Shape, box, moved, scaled
 
 KINDS = (
     "self-intersecting",

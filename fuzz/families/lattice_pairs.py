@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import random
 
-from minkref.fuzz.families.drawing import SCALES, Shape, is_valid, shape_text
+from minkref.fuzz.families.drawing import SCALES, is_valid, shape_text
 from minkref.fuzz.families.integer_rings import (
     Node,
     Ring,
@@ -15,6 +15,7 @@ from minkref.fuzz.families.integer_rings import (
     untangled,
 )
 from minkref.fuzz.families.random_pairs import Pair, random_holes
+from minkref.fuzz.geometry.plane import Shape
 
 LOW, HIGH = -3, 5
 FEWEST, MOST = 8, 16  # the most vertices of an operand, at the beginning and later

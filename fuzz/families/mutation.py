@@ -3,15 +3,15 @@ events."""
 
 from __future__ import annotations
 
-import json
 import random
 from fractions import Fraction
 
 from minkref import _core
-from minkref.fuzz.families.drawing import Shape, is_valid, shape_text
+from minkref.fuzz.families.drawing import is_valid, shape_text
 from minkref.fuzz.families.hole_changes import HOLE_CHANGES
 from minkref.fuzz.families.probes import scale_probes
 from minkref.fuzz.families.vertex_changes import VERTEX_CHANGES
+from minkref.fuzz.geometry.plane import Shape, read_shape
 
 PATIENCE = 24
 LONGEST = 40  # digits of a coordinate
@@ -67,13 +67,3 @@ def next_to_event(dice: random.Random, P: str, Q: str, scale: str) -> str:
         return scale
     near = [probe for position, probe in scale_probes(P, Q, 64) if position != "far"]
     return dice.choice(near) if near else scale
-
-
-def read_shape(text: str) -> Shape:
-    return [
-        [
-            [(Fraction(x), Fraction(y)) for x, y in ring]
-            for ring in (polygon["outer"], *polygon["holes"])
-        ]
-        for polygon in json.loads(text)["polygons"]
-    ]

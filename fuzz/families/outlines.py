@@ -5,8 +5,9 @@ from __future__ import annotations
 import random
 from fractions import Fraction
 
-from minkref.fuzz.families.drawing import Point, Ring, Shape, around, box, convex, drawn_pair
+from minkref.fuzz.families.drawing import around, convex, drawn_pair
 from minkref.fuzz.families.random_pairs import Pair
+from minkref.fuzz.geometry.plane import Point, Ring, Shape, box
 
 
 def comb_pair(seed: int, index: int) -> Pair:

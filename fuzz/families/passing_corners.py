@@ -6,8 +6,9 @@ from __future__ import annotations
 import random
 from fractions import Fraction
 
-from minkref.fuzz.families.drawing import Polygon, Ring, Shape, box, placed, scaled, shape_text
+from minkref.fuzz.families.drawing import placed, shape_text
 from minkref.fuzz.families.random_pairs import Pair
+from minkref.fuzz.geometry.plane import Polygon, Ring, Shape, box, scaled
 
 FRAME, WALL = 600, 50  # half of the opening of a frame around all, and how thick it is
 FRAMED, SCALED_FROM = 12, 60  # first indices of pairs with a frame, and at other scales than 1

@@ -6,17 +6,9 @@ from __future__ import annotations
 import random
 from fractions import Fraction
 
-from minkref.fuzz.families.drawing import (
-    PATIENCE,
-    Point,
-    Ring,
-    Shape,
-    box,
-    is_valid,
-    shape_text,
-    signed_area,
-)
+from minkref.fuzz.families.drawing import PATIENCE, is_valid, shape_text
 from minkref.fuzz.families.random_pairs import Pair
+from minkref.fuzz.geometry.plane import Point, Ring, Shape, box, doubled_area
 
 LOW, HIGH = -3, 5
 MOST_VERTICES = 16
@@ -64,7 +56,7 @@ def _start(dice: random.Random) -> Shape:
             ring = box(x, y, dice.randint(2, HIGH - x), dice.randint(2, HIGH - y))
         else:
             ring = [_node(dice) for _ in range(dice.randint(3, 6))]
-        if Fraction(signed_area(ring)) ** 2 > 12**2 and is_valid(shape_text([[ring]])):
+        if Fraction(doubled_area(ring)) ** 2 > 12**2 and is_valid(shape_text([[ring]])):
             return [[ring]]
     return [[box(LOW, LOW, HIGH - LOW, HIGH - LOW)]]
 
@@ -75,7 +67,7 @@ def _with_one_more(dice: random.Random, shape: Shape) -> Shape:
     corners = dice.choice((3, 3, 4))
     ring: Ring = (contacts + [_node(dice) for _ in range(corners)])[:corners]
     dice.shuffle(ring)
-    if signed_area(ring) == 0:
+    if doubled_area(ring) == 0:
         return [*shape, [ring]]  # which is refused
     k = dice.randrange(len(shape))
     if dice.random() < 0.7:

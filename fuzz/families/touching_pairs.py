@@ -8,17 +8,9 @@ import random
 from fractions import Fraction
 
 from minkref import _core
-from minkref.fuzz.families.drawing import (
-    Point,
-    Polygon,
-    Ring,
-    Shape,
-    box,
-    convex,
-    drawn_pair,
-    shape_text,
-)
+from minkref.fuzz.families.drawing import convex, drawn_pair, shape_text
 from minkref.fuzz.families.random_pairs import Pair
+from minkref.fuzz.geometry.plane import Point, Polygon, Ring, Shape, box
 
 
 def touching_pair(seed: int, index: int) -> Pair:

@@ -7,7 +7,7 @@ import random
 from collections.abc import Callable
 from fractions import Fraction
 
-from minkref.fuzz.families.drawing import Point, Ring, Shape, mapped
+from minkref.fuzz.geometry.plane import Point, Ring, Shape, mapped
 
 Change = Callable[[random.Random, Shape, Shape, Fraction], Shape]
 STEPS = (

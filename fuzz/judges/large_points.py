@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import json
 import random
 from fractions import Fraction
 
 from minkref import _core
 from minkref.fuzz.cases.case import Case
+from minkref.fuzz.geometry.plane import written_rings
 from minkref.fuzz.judges.slow_operands import slow_operands
 from minkref.oracle import slow
 from minkref.oracle.slow.witness import Pieces
@@ -31,8 +31,8 @@ def decided_otherwise(case: Case, count: int, seed: int) -> list[str]:
 
 def points(case: Case, count: int, seed: int) -> list[tuple[Fraction, Fraction]]:
     dice = random.Random(seed)
-    region = json.loads(_core.minkowski_sum(case.P, case.Q, case.scale).region.canonical_json())
-    rings = [r for polygon in region["polygons"] for r in (polygon["outer"], *polygon["holes"])]
+    region = _core.minkowski_sum(case.P, case.Q, case.scale).region
+    rings = written_rings(region.canonical_json())
     found = []
     for i in range(count):
         ring = dice.choice(rings)

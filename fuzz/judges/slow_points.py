@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import json
 import random
 from fractions import Fraction
 
 from minkref import _core
 from minkref.fuzz.cases.case import Case
+from minkref.fuzz.geometry.plane import written_rings
 from minkref.fuzz.judges.ruling import Ruling, dice_of
 from minkref.fuzz.judges.slow_operands import slow_operands
 from minkref.fuzz.verdicts.verdict import Reason, Witness
@@ -45,8 +45,8 @@ def judge(case: Case) -> Ruling:
 
 def points_of(case: Case) -> list[Point]:
     dice = dice_of(case)
-    region = json.loads(_core.minkowski_sum(case.P, case.Q, case.scale).region.canonical_json())
-    rings = [r for polygon in region["polygons"] for r in (polygon["outer"], *polygon["holes"])]
+    region = _core.minkowski_sum(case.P, case.Q, case.scale).region
+    rings = written_rings(region.canonical_json())
     corners = [(Fraction(x), Fraction(y)) for ring in rings for x, y in ring]
     if not corners:
         return []

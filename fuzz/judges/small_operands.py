@@ -4,18 +4,13 @@ from __future__ import annotations
 
 import json
 import random
-from collections.abc import Sequence
 from math import atan2
 
 from minkref.api import BadInput, PolygonSet
+from minkref.fuzz.geometry.plane import doubled_area
 
 Corner = tuple[int, int]
 Rings = list[list[Corner]]
-
-
-def area2(ring: Sequence[Corner]) -> int:
-    following = [*ring[1:], ring[0]]
-    return sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(ring, following, strict=True))
 
 
 def star(rng: random.Random, size: int, corners: int) -> list[Corner]:
@@ -70,7 +65,7 @@ def random_operand(rng: random.Random, size: int) -> tuple[Rings, PolygonSet]:
         rings = random_rings(rng, size)
         if any(len(ring) < 3 for ring in rings):
             continue
-        if area2(rings[0]) <= 0 or any(area2(hole) >= 0 for hole in rings[1:]):
+        if doubled_area(rings[0]) <= 0 or any(doubled_area(hole) >= 0 for hole in rings[1:]):
             continue
         dx, dy = rng.randint(-size, size), rng.randint(-size, size)
         rings = [[(x + dx, y + dy) for x, y in ring] for ring in rings]

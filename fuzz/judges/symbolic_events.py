@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import json
-
 from minkref.fuzz.cases.case import Case
+from minkref.fuzz.geometry.plane import written_rings
 from minkref.fuzz.judges.event_rows import compared, show
 from minkref.fuzz.judges.ruling import Ruling
 from minkref.fuzz.verdicts.verdict import Reason
@@ -42,8 +41,4 @@ def judge(case: Case) -> Ruling:
 
 
 def _rings(text: str) -> list[list[Point]]:
-    return [
-        [(rational(x), rational(y)) for x, y in ring]
-        for polygon in json.loads(text)["polygons"]
-        for ring in (polygon["outer"], *polygon["holes"])
-    ]
+    return [[(rational(x), rational(y)) for x, y in ring] for ring in written_rings(text)]

@@ -11,9 +11,9 @@ from itertools import product
 from math import gcd, lcm
 
 from minkref.fuzz.cases.space_case import scale_text
+from minkref.fuzz.geometry.space import Point, Scale, factors
 from minkref.fuzz.space.cells import Cell, cells_of, is_manifold, surface_of
 from minkref.fuzz.space.hull import convex_hull, is_convex
-from minkref.fuzz.space.integers import Point, Scale, factors
 from minkref.fuzz.space.laws import ONE
 from minkref.fuzz.space.polyhedron import Polyhedron
 

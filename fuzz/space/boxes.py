@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from minkref.fuzz.space.integers import Whole
+from minkref.fuzz.geometry.space import Whole
 
 Box = tuple[int, int, int, int, int, int]  # lowest and highest x, y, z
 LEAF = 8  # boxes in a leaf

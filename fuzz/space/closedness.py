@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from itertools import pairwise
 
-from minkref.fuzz.space.integers import Point, Whole, cross, dot, minus, primitive
+from minkref.fuzz.geometry.space import Point, Whole, cross, dot, minus, primitive
 from minkref.fuzz.space.polyhedron import Face, Polyhedron
 
 Line = tuple[Whole, Whole]

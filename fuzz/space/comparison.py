@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Literal
 
+from minkref.fuzz.geometry.space import Point, Whole, dot
 from minkref.fuzz.space.cells import grid_cells
 from minkref.fuzz.space.closedness import open_edge
 from minkref.fuzz.space.cross_section import cross_sections, differing_points, sections_agree
 from minkref.fuzz.space.differing_cells import cell_reasons
-from minkref.fuzz.space.integers import Point, Whole, dot
 from minkref.fuzz.space.membership import Surface
 from minkref.fuzz.space.pair import SpacePair, Truth
 from minkref.fuzz.space.polyhedron import Polyhedron

@@ -5,8 +5,8 @@ from __future__ import annotations
 from fractions import Fraction
 
 from minkref import _core
+from minkref.fuzz.geometry.space import Scale, factors
 from minkref.fuzz.space.hull import sum_of_convex
-from minkref.fuzz.space.integers import Scale, factors
 from minkref.fuzz.space.polyhedron import Polyhedron
 
 MOST_BY_HULL = 400  # sums of two vertices, up to which the hull in plain fractions is quick

@@ -8,7 +8,7 @@ from itertools import pairwise
 
 from minkref import _core
 from minkref.exact import set_json
-from minkref.fuzz.space.integers import Point
+from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.membership import Surface
 from minkref.fuzz.space.prism import Prism
 from minkref.fuzz.verdicts.region import Region, inner_point, minus, region_of_polygons

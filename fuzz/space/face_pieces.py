@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from math import gcd
 
-from minkref.fuzz.space.integers import Point, Whole, cross, dot, middle, minus, normal
+from minkref.fuzz.geometry.space import Point, Whole, cross, dot, middle, minus, normal
 
 Triangle = tuple[Whole, Whole, Whole]
 Plane = tuple[Whole, int]  # the points x with n x = d

@@ -4,13 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from minkref.fuzz.space.integers import (
-    Whole,
-    area_vector,
-    flattened,
-    longest_axis,
-    normal,
-)
+from minkref.fuzz.geometry.plane import turn
+from minkref.fuzz.geometry.space import Whole, area_vector, flattened, longest_axis, normal
 
 Corner = tuple[int, int]
 Triple = tuple[int, int, int]
@@ -41,7 +36,7 @@ def ring_triangles(corners: Sequence[Corner]) -> list[Triple]:
     and bound the ring together cover it once, so only their turns matter."""
     count = len(corners)
     fan = _fan(count)
-    if all(_turn(corners[i], corners[j], corners[k]) >= 0 for i, j, k in fan):
+    if all(turn(corners[i], corners[j], corners[k]) >= 0 for i, j, k in fan):
         return fan
     left = list(range(count))
     triples: list[Triple] = []
@@ -63,10 +58,10 @@ def _ear(corners: Sequence[Corner], left: list[int]) -> int | None:
     straight: int | None = None
     for place in range(len(left)):
         a, b, c = (corners[left[(place + step) % len(left)]] for step in (-1, 0, 1))
-        turn = _turn(a, b, c)
-        if turn > 0 and not _blocked(corners, left, place, (a, b, c)):
+        side = turn(a, b, c)
+        if side > 0 and not _blocked(corners, left, place, (a, b, c)):
             return place
-        if turn == 0 and straight is None:
+        if side == 0 and straight is None:
             straight = place
     return straight
 
@@ -83,7 +78,7 @@ def _blocked(
         if other in mine:
             continue
         point = corners[left[other]]
-        if _turn(a, b, point) < 0 or _turn(b, c, point) < 0 or _turn(c, a, point) < 0:
+        if turn(a, b, point) < 0 or turn(b, c, point) < 0 or turn(c, a, point) < 0:
             continue
         if point not in ear:
             return True
@@ -91,10 +86,6 @@ def _blocked(
         before, after = ear[at - 1], ear[(at + 1) % 3]
         for step in (-1, 1):
             far = corners[left[(other + step) % count]]
-            if _turn(point, after, far) > 0 and _turn(point, far, before) > 0:
+            if turn(point, after, far) > 0 and turn(point, far, before) > 0:
                 return True
     return False
-
-
-def _turn(a: Corner, b: Corner, c: Corner) -> int:
-    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])

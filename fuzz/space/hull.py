@@ -5,7 +5,7 @@ from __future__ import annotations
 import random
 from collections.abc import Iterable
 
-from minkref.fuzz.space.integers import (
+from minkref.fuzz.geometry.space import (
     Point,
     Scale,
     Whole,

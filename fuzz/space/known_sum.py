@@ -7,8 +7,8 @@ from itertools import product
 from math import lcm
 from typing import Protocol
 
+from minkref.fuzz.geometry.space import Point, Whole, normal, whole
 from minkref.fuzz.space.cells import CellSum
-from minkref.fuzz.space.integers import Point, Whole, normal, whole
 from minkref.fuzz.space.meeting import Meeting
 from minkref.fuzz.space.pair import SpacePair, Truth
 from minkref.fuzz.space.polyhedron import Polyhedron

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import permutations, product
 
-from minkref.fuzz.space.integers import Point, factors
+from minkref.fuzz.geometry.space import Point, factors
 from minkref.fuzz.space.pair import SpacePair, Truth
 from minkref.fuzz.space.polyhedron import Face, Polyhedron
 

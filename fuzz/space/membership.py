@@ -6,8 +6,7 @@ from fractions import Fraction
 from functools import cached_property
 from math import inf, isfinite, isqrt, lcm
 
-from minkref.fuzz.space.boxes import Box, BoxTree, box_of
-from minkref.fuzz.space.integers import (
+from minkref.fuzz.geometry.space import (
     Point,
     Whole,
     denominator_of,
@@ -16,6 +15,7 @@ from minkref.fuzz.space.integers import (
     normal,
     whole,
 )
+from minkref.fuzz.space.boxes import Box, BoxTree, box_of
 from minkref.fuzz.space.polyhedron import Polyhedron
 
 MOST_COLUMNS = 64  # along one axis

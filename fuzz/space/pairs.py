@@ -6,6 +6,7 @@ import random
 from collections.abc import Callable
 from fractions import Fraction
 
+from minkref.fuzz.geometry.space import Point, Scale
 from minkref.fuzz.space.cells import Cell, surface_of
 from minkref.fuzz.space.generators.convex import box, cube, random_hull, sphere
 from minkref.fuzz.space.generators.over_polygon import random_prism
@@ -18,7 +19,6 @@ from minkref.fuzz.space.generators.polycube import (
 )
 from minkref.fuzz.space.generators.star import star
 from minkref.fuzz.space.generators.torus import torus
-from minkref.fuzz.space.integers import Point, Scale
 from minkref.fuzz.space.pair import SpacePair, Truth
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.prism import Prism

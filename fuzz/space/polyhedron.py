@@ -10,8 +10,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
-from minkref.fuzz.space.face_triangles import face_triangles
-from minkref.fuzz.space.integers import (
+from minkref.fuzz.geometry.space import (
     Point,
     Scale,
     Whole,
@@ -22,6 +21,7 @@ from minkref.fuzz.space.integers import (
     factors,
     whole,
 )
+from minkref.fuzz.space.face_triangles import face_triangles
 
 _NUMBER = re.compile(r"[+-]?\d+(/\d+)?", re.ASCII)
 Face = tuple[int, ...]

@@ -10,8 +10,9 @@ from math import lcm
 
 from minkref import _core
 from minkref.exact import set_json
+from minkref.fuzz.geometry.plane import in_box, turn
+from minkref.fuzz.geometry.space import Point, Scale, factors
 from minkref.fuzz.space.face_triangles import Corner, ring_triangles
-from minkref.fuzz.space.integers import Point, Scale, factors
 from minkref.fuzz.space.polyhedron import Face, Polyhedron
 from minkref.fuzz.verdicts.region import region_of_sum
 
@@ -127,7 +128,7 @@ def _lid(outer: Ring, holes: list[Ring]) -> list[Face]:
         edges.append(bridge)
     found = ring_triangles([corners[k] for k in joined])
     faces = [(joined[i], joined[j], joined[k]) for i, j, k in found]
-    if any(_turn(*(corners[k] for k in face)) <= 0 for face in faces):
+    if any(turn(*(corners[k] for k in face)) <= 0 for face in faces):
         raise ValueError("the region cannot be cut into triangles: do rings touch?")
     return list(faces)
 
@@ -151,30 +152,22 @@ def _opens(corners: list[Corner], joined: list[int], place: int, there: int) -> 
     here = corners[joined[place]]
     after = corners[joined[(place + 1) % len(joined)]]
     far = corners[there]
-    left, right = _turn(here, after, far) > 0, _turn(before, here, far) > 0
-    return (left and right) if _turn(before, here, after) > 0 else (left or right)
+    left, right = turn(here, after, far) > 0, turn(before, here, far) > 0
+    return (left and right) if turn(before, here, after) > 0 else (left or right)
 
 
 def _is_free(corners: list[Corner], edges: list[tuple[int, int]], here: int, there: int) -> bool:
     a, b = corners[here], corners[there]
     for i, j in edges:
         c, d = corners[i], corners[j]
-        turns = _turn(a, b, c), _turn(a, b, d), _turn(c, d, a), _turn(c, d, b)
+        turns = turn(a, b, c), turn(a, b, d), turn(c, d, a), turn(c, d, b)
         if i in (here, there) or j in (here, there):
             other = d if i in (here, there) else c
-            if _turn(a, b, other) == 0 and _between(a, b, other):
+            if turn(a, b, other) == 0 and in_box(a, b, other):
                 return False
         elif ((turns[0] > 0) != (turns[1] > 0) and (turns[2] > 0) != (turns[3] > 0)) or any(
-            turn == 0 and _between(*where)
-            for turn, where in zip(turns, ((a, b, c), (a, b, d), (c, d, a), (c, d, b)), strict=True)
+            side == 0 and in_box(*where)
+            for side, where in zip(turns, ((a, b, c), (a, b, d), (c, d, a), (c, d, b)), strict=True)
         ):
             return False
     return True
-
-
-def _between(a: Corner, b: Corner, p: Corner) -> bool:
-    return min(a[0], b[0]) <= p[0] <= max(a[0], b[0]) and min(a[1], b[1]) <= p[1] <= max(a[1], b[1])
-
-
-def _turn(a: Corner, b: Corner, c: Corner) -> int:
-    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])

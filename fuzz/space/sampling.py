@@ -8,7 +8,7 @@ from fractions import Fraction
 from math import lcm
 from typing import TypeVar
 
-from minkref.fuzz.space.integers import Point, Whole, dot, middle
+from minkref.fuzz.geometry.space import Point, Whole, dot, middle
 from minkref.fuzz.space.meeting import cube_inside
 from minkref.fuzz.space.membership import Surface, in_triangle
 from minkref.fuzz.space.pair import SpacePair, Truth

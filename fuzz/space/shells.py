@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from minkref.fuzz.geometry.space import Whole
 from minkref.fuzz.space.closedness import open_stretch
-from minkref.fuzz.space.integers import Whole
 from minkref.fuzz.space.polyhedron import Face, Polyhedron
 
 Faces = tuple[Face, ...]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import random
 from fractions import Fraction
 
-from minkref.fuzz.space.integers import Point, Whole
+from minkref.fuzz.geometry.space import Point, Whole
 from minkref.fuzz.space.membership import Surface
 
 

@@ -6,9 +6,9 @@ import random
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 
+from minkref.fuzz.geometry.space import Point, Whole
 from minkref.fuzz.space.covered_faces import CoveredFaces
 from minkref.fuzz.space.face_pieces import inside, pieces
-from minkref.fuzz.space.integers import Point, Whole
 from minkref.fuzz.space.membership import Surface
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.sides import both_sides

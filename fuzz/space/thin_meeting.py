@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 from itertools import pairwise
 
-from minkref.fuzz.space.integers import Point, Scale, Whole, denominator_of, dot, whole
+from minkref.fuzz.geometry.space import Point, Scale, Whole, denominator_of, dot, whole
 from minkref.fuzz.space.meeting import Decision, Meeting, cube_inside
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.triangle_contact import farther_than

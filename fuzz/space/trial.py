@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
-from minkref.fuzz.space.integers import Point
+from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.known_sum import known_sum
 from minkref.fuzz.space.membership import Surface
 from minkref.fuzz.space.pair import SpacePair

@@ -5,15 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from minkref.fuzz.space.integers import (
-    Point,
-    Whole,
-    cross,
-    dot,
-    flattened,
-    longest_axis,
-    minus,
-)
+from minkref.fuzz.geometry.space import Point, Whole, cross, dot, flattened, longest_axis, minus
 
 Triangle = tuple[Whole, Whole, Whole]
 Contact = tuple[Whole, int]  # the point `first / second`

@@ -13,7 +13,7 @@ from fractions import Fraction
 from itertools import product
 from math import lcm
 
-from minkref.fuzz.space.integers import Point, Scale, factors
+from minkref.fuzz.geometry.space import Point, Scale, factors
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.verdicts.verdict import Witness
 

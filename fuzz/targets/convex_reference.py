@@ -11,8 +11,8 @@ from minkref.errors import message_of
 from minkref.fuzz.cases.case import Case
 from minkref.fuzz.cases.invalid_case import InvalidCase
 from minkref.fuzz.cases.space_case import SpaceCase
+from minkref.fuzz.geometry.space import Scale
 from minkref.fuzz.space.convex_sum import body_of, polyhedron_of, reference_sum, scaling_of
-from minkref.fuzz.space.integers import Scale
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.targets.answer import Answer, lacking, skipped
 from minkref.fuzz.targets.declaration import Declaration

@@ -8,19 +8,19 @@ from fractions import Fraction
 
 from minkref import _core
 from minkref.fuzz.cases.case import Case
-from minkref.fuzz.verdicts.plain_plane import (
+from minkref.fuzz.geometry.plane import (
     Edge,
     Point,
+    crossing,
     edges,
     in_box,
-    rings_of,
+    read_shape,
     segments_meet,
     turn,
 )
 from minkref.fuzz.verdicts.region import Region, region_of_polygons
 from minkref.fuzz.verdicts.verdict import Witness
 
-ORIGIN = (Fraction(0), Fraction(0))
 MOST_PAIRS = 10_000  # of edges
 
 
@@ -28,8 +28,8 @@ def boundary_sum(case: Case) -> Region:
     """The union of the parallelograms of all pairs of edges, regularised: where edges are parallel
     there is nothing. O(m n) parallelograms."""
     polygons = []
-    second = edges(rings_of(case.Q_json, Fraction(1), ORIGIN))
-    for a, b in edges(rings_of(case.scaled_P_json, Fraction(1), ORIGIN)):
+    second = edges(read_shape(case.Q_json))
+    for a, b in edges(read_shape(case.scaled_P_json)):
         for c, d in second:
             u, v = (b[0] - a[0], b[1] - a[1]), (d[0] - c[0], d[1] - c[1])
             area = u[0] * v[1] - u[1] * v[0]
@@ -45,8 +45,8 @@ def boundary_sum(case: Case) -> Region:
 def decide_boundary(case: Case, point: tuple[str, str]) -> Witness:
     """Whether the point is p + q with p and q on the boundaries. O(mn) exact segment tests."""
     s, x = Fraction(case.scale), (Fraction(point[0]), Fraction(point[1]))
-    reflected = edges(rings_of(case.Q_json, Fraction(-1), x))
-    for a, b in edges(rings_of(case.P_json, s, ORIGIN)):
+    reflected = edges(read_shape(case.Q_json, Fraction(-1), x))
+    for a, b in edges(read_shape(case.P_json, s)):
         for c, d in reflected:
             if segments_meet(a, b, c, d):
                 z = _common((a, b), (c, d))
@@ -63,9 +63,7 @@ def _common(first: Edge, second: Edge) -> Point:
         for end in ends:
             if turn(*edge, end) == 0 and in_box(*edge, end):
                 return end
-    u, v = (b[0] - a[0], b[1] - a[1]), (d[0] - c[0], d[1] - c[1])
-    t = ((c[0] - a[0]) * v[1] - (c[1] - a[1]) * v[0]) / (u[0] * v[1] - u[1] * v[0])
-    return (a[0] + t * u[0], a[1] + t * u[1])
+    return crossing(a, b, c, d)
 
 
 def _plus(a: Point, b: Point) -> Point:

@@ -5,10 +5,9 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
-from minkref.fuzz.verdicts.plain_plane import Point, hull
+from minkref.fuzz.geometry.plane import ORIGIN, Point, hull
 
 Polygons = list[dict[str, Any]]
-ORIGIN = (Fraction(0), Fraction(0))
 
 
 def mapped(

@@ -5,11 +5,11 @@ from __future__ import annotations
 import json
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import pairwise
 from typing import Any
 
 from minkref import _core
 from minkref.exact import digest
+from minkref.fuzz.geometry.plane import doubled_area
 from minkref.fuzz.targets.number_text import GRAMMAR, is_number
 
 Ring = list[list[str]]
@@ -130,8 +130,7 @@ def _turned(outer: Ring, holes: list[Ring]) -> Polygon:
 
 
 def _turns_left(ring: Ring) -> bool:
-    points = [(Fraction(x), Fraction(y)) for x, y in ring]
-    return sum(a[0] * b[1] - a[1] * b[0] for a, b in pairwise([*points, points[0]])) > 0
+    return doubled_area([(Fraction(x), Fraction(y)) for x, y in ring]) > 0
 
 
 def minus(first: str, second: str) -> _core.PolygonSet:

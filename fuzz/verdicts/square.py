@@ -9,11 +9,13 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from minkref.fuzz.verdicts.plain_plane import (
+from minkref.fuzz.geometry.plane import (
+    ORIGIN,
     Edge,
     Point,
-    Rings,
+    Shape,
     contains,
+    crossing,
     edges,
     hull,
     meet,
@@ -25,7 +27,7 @@ MOST_CELLS = 2000
 Cell = list[Point]
 
 
-def clear_of_square(P: Rings, reflected: Rings, half: Fraction, boundary: bool) -> bool:
+def clear_of_square(P: Shape, reflected: Shape, half: Fraction, boundary: bool) -> bool:
     """No point of the square of half side `half` around x lies in the sum, where `reflected` is
     x - Q: the distance of P and x - Q in the maximum norm exceeds `half`. With `boundary` that of
     their boundaries."""
@@ -49,10 +51,10 @@ def _near(first: Edge, second: Edge, half: Fraction) -> bool:
     ):
         return False
     differences = [(a[0] - b[0], a[1] - b[1]) for a in first for b in second]
-    corners = [
+    corners: Cell = [
         (x + dx, y + dy) for x, y in differences for dx in (-half, half) for dy in (-half, half)
     ]
-    return _in_hull((Fraction(0), Fraction(0)), corners)
+    return _in_hull(ORIGIN, corners)
 
 
 def _in_hull(x: Point, points: list[Point]) -> bool:
@@ -60,11 +62,11 @@ def _in_hull(x: Point, points: list[Point]) -> bool:
     return all(turn(around[k - 1], around[k], x) >= 0 for k in range(len(around)))
 
 
-def square_inside(P: Rings, Q: Rings, x: Point, half: Fraction, boundary: bool) -> bool:
+def square_inside(P: Shape, Q: Shape, x: Point, half: Fraction, boundary: bool) -> bool:
     """The closed square of half side `half` around x lies in the sum of P and Q, or with `boundary`
     in that of their boundaries. False too where it is cut into more than MOST_CELLS cells."""
     low, high = (x[0] - half, x[1] - half), (x[0] + half, x[1] + half)
-    cells = [[low, (high[0], low[1]), high, (low[0], high[1])]]
+    cells: list[Cell] = [[low, (high[0], low[1]), high, (low[0], high[1])]]
     for line in _crossing(P, Q, low, high):
         cells = [piece for cell in cells for piece in _cut(cell, line)]
         if len(cells) > MOST_CELLS:
@@ -72,7 +74,7 @@ def square_inside(P: Rings, Q: Rings, x: Point, half: Fraction, boundary: bool) 
     return all(_in_sum(P, Q, _centre(cell), boundary) for cell in cells)
 
 
-def _in_sum(P: Rings, Q: Rings, x: Point, boundary: bool) -> bool:
+def _in_sum(P: Shape, Q: Shape, x: Point, boundary: bool) -> bool:
     reflected = [[[(x[0] - a, x[1] - b) for a, b in ring] for ring in polygon] for polygon in Q]
     if not boundary:
         return meet(P, reflected)
@@ -80,7 +82,7 @@ def _in_sum(P: Rings, Q: Rings, x: Point, boundary: bool) -> bool:
     return any(segments_meet(a, b, c, d) for a, b in edges(P) for c, d in others)
 
 
-def _crossing(P: Rings, Q: Rings, low: Point, high: Point) -> list[Edge]:
+def _crossing(P: Shape, Q: Shape, low: Point, high: Point) -> list[Edge]:
     """The segments vertex + edge and edge + vertex that meet the closed square."""
     found = []
     for one, other in ((P, Q), (Q, P)):
@@ -113,7 +115,7 @@ def _cut(cell: Cell, line: Edge) -> list[Cell]:
     for k, corner in enumerate(cell):
         before, side, last = cell[k - 1], sides[k], sides[k - 1]
         if side * last < 0:
-            meeting = _meeting(before, corner, a, b)
+            meeting = crossing(before, corner, a, b)
             left.append(meeting)
             right.append(meeting)
         if side >= 0:
@@ -121,15 +123,6 @@ def _cut(cell: Cell, line: Edge) -> list[Cell]:
         if side <= 0:
             right.append(corner)
     return [left, right]
-
-
-def _meeting(p: Point, q: Point, a: Point, b: Point) -> Point:
-    across = (b[0] - a[0], b[1] - a[1])
-    along = (q[0] - p[0], q[1] - p[1])
-    t = (across[0] * (a[1] - p[1]) - across[1] * (a[0] - p[0])) / (
-        across[0] * along[1] - across[1] * along[0]
-    )
-    return (p[0] + t * along[0], p[1] + t * along[1])
 
 
 def _centre(cell: Cell) -> Point:

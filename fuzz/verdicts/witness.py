@@ -7,19 +7,17 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from minkref.fuzz.verdicts.plain_plane import (
+from minkref.fuzz.geometry.plane import (
     Point,
-    Rings,
+    Shape,
     contains,
     edges,
     meet,
-    rings_of,
+    read_shape,
     segments_meet,
 )
 from minkref.fuzz.verdicts.square import clear_of_square, square_inside
 from minkref.fuzz.verdicts.verdict import Witness
-
-ORIGIN = (Fraction(0), Fraction(0))
 
 
 def holds(P_json: str, Q_json: str, scale: str, witness: Witness) -> bool:
@@ -27,7 +25,7 @@ def holds(P_json: str, Q_json: str, scale: str, witness: Witness) -> bool:
     `outside`. With a tolerance its square is inside or outside as a whole; False too where the
     square is crossed by so many segments that the check gives up."""
     s = Fraction(scale)
-    P = rings_of(P_json, s, ORIGIN)
+    P = read_shape(P_json, s)
     x = (Fraction(witness.point[0]), Fraction(witness.point[1]))
     half = Fraction(witness.tolerance)
     if witness.in_truth:
@@ -35,23 +33,23 @@ def holds(P_json: str, Q_json: str, scale: str, witness: Witness) -> bool:
             return False
         p = (s * Fraction(witness.p[0]), s * Fraction(witness.p[1]))
         q = (Fraction(witness.q[0]), Fraction(witness.q[1]))
-        Q = rings_of(Q_json, Fraction(1), ORIGIN)
+        Q = read_shape(Q_json)
         if (p[0] + q[0], p[1] + q[1]) != x:
             return False
         within = on_boundary if witness.boundary else contains
         if not (within(P, p) and within(Q, q)):
             return False
         return not half or square_inside(P, Q, x, half, witness.boundary)
-    reflected = rings_of(Q_json, Fraction(-1), x)
+    reflected = read_shape(Q_json, Fraction(-1), x)
     if half:
         return clear_of_square(P, reflected, half, witness.boundary)
     return not (boundaries_meet if witness.boundary else meet)(P, reflected)
 
 
-def on_boundary(polygons: Rings, point: Point) -> bool:
+def on_boundary(polygons: Shape, point: Point) -> bool:
     return boundaries_meet(polygons, [[[point]]])
 
 
-def boundaries_meet(first: Rings, second: Rings) -> bool:
+def boundaries_meet(first: Shape, second: Shape) -> bool:
     others = edges(second)
     return any(segments_meet(a, b, c, d) for a, b in edges(first) for c, d in others)

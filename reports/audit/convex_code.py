@@ -6,7 +6,7 @@ import random
 from collections.abc import Callable
 
 from minkref import _core
-from minkref.fuzz.space.integers import normal, primitive
+from minkref.fuzz.geometry.space import normal, primitive
 from minkref.reports.audit.bodies import Body, Whole
 
 Scaling = tuple[str, str, str]

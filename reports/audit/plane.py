@@ -11,8 +11,9 @@ from fractions import Fraction
 
 from minkref import _core
 from minkref.degeneracies.plane.convolutions import crossing_combs
-from minkref.fuzz.families.drawing import Ring, box, shape_text
+from minkref.fuzz.families.drawing import shape_text
 from minkref.fuzz.families.random_pairs import random_pair
+from minkref.fuzz.geometry.plane import Ring, box
 
 __all__ = [
     "Ring",

@@ -6,14 +6,14 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from minkref.exact import scientific
-from minkref.fuzz.verdicts.plain_plane import Point, Rings, contains, in_box, rings_of, turn
+from minkref.fuzz.geometry.plane import Point, Shape, contains, in_box, read_shape, turn
 from minkref.fuzz.verdicts.verdict import Witness
 
 ORIGIN = (Fraction(0), Fraction(0))
 MOST_PAIRS = 4  # of polygons, each with a sentence of its own
 MOST_VERTICES = 24  # of a set that is written out
 
-Numbers = Sequence[str] | Sequence[Fraction]
+Numbers = Sequence[str] | Sequence[Fraction | int]
 
 
 def point_text(point: Numbers) -> str:
@@ -24,11 +24,11 @@ def argument_in_plane(P: str, Q: str, scale: str, witness: Witness) -> list[str]
     """Sentences about the witness of a case in the plane."""
     at = witness.scale or scale
     if witness.in_truth and witness.p and witness.q:
-        own, other = (rings_of(text, Fraction(1), ORIGIN) for text in (P, Q))
+        own, other = (read_shape(text, Fraction(1), ORIGIN) for text in (P, Q))
         places = (_place("P", own, witness.p), _place("Q", other, witness.q))
         return [*inside(witness, at, places), *around(witness)]
     x = (Fraction(witness.point[0]), Fraction(witness.point[1]))
-    first, second = rings_of(P, Fraction(at), ORIGIN), rings_of(Q, Fraction(-1), x)
+    first, second = read_shape(P, Fraction(at), ORIGIN), read_shape(Q, Fraction(-1), x)
     if witness.boundary:
         apart = ["No edge of sP meets an edge of x - Q, so no p and q on the boundaries give x."]
     else:
@@ -78,7 +78,7 @@ def _signed(number: str) -> str:
     return f"({number})" if number.startswith("-") else number
 
 
-def _place(name: str, polygons: Rings, numbers: tuple[str, ...]) -> str:
+def _place(name: str, polygons: Shape, numbers: tuple[str, ...]) -> str:
     point = (Fraction(numbers[0]), Fraction(numbers[1]))
     rings = [ring for polygon in polygons for ring in polygon]
     if any(point in ring for ring in rings):
@@ -90,7 +90,7 @@ def _place(name: str, polygons: Rings, numbers: tuple[str, ...]) -> str:
     return f"lies inside {name}"
 
 
-def _written(first: Rings, second: Rings) -> list[str]:
+def _written(first: Shape, second: Shape) -> list[str]:
     texts = []
     for name, polygons in (("sP", first), ("x - Q", second)):
         if sum(len(ring) for polygon in polygons for ring in polygon) > MOST_VERTICES:
@@ -99,7 +99,7 @@ def _written(first: Rings, second: Rings) -> list[str]:
     return ["; ".join(texts) + "."]
 
 
-def set_text(polygons: Rings) -> str:
+def set_text(polygons: Shape) -> str:
     """`the polygon (0, 0) (1, 0) (0, 1), less the hole ...`."""
     return " and ".join(
         "the polygon "
@@ -108,7 +108,7 @@ def set_text(polygons: Rings) -> str:
     )
 
 
-def _apart(first: Rings, second: Rings) -> list[str]:
+def _apart(first: Shape, second: Shape) -> list[str]:
     """How each polygon of the one misses each of the other."""
     pairs = [(a, b) for a in first for b in second]
     several = len(pairs) > 1

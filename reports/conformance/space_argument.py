@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from minkref.fuzz.space.integers import Point, Scale
+from minkref.fuzz.geometry.space import Point, Scale
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.verdicts.verdict import Witness
 from minkref.reports.conformance.argument import around, inside, outside, point_text

@@ -9,8 +9,8 @@ from fractions import Fraction
 from typing import Any
 
 from minkref.fuzz.cases.case import Case, CaseName
+from minkref.fuzz.geometry.plane import contains, read_shape
 from minkref.fuzz.targets.catalogue import list_targets
-from minkref.fuzz.verdicts.plain_plane import contains
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict
 from minkref.fuzz.verdicts.witness import holds
 from minkref.reports.evidence.framework.comparing import Bench
@@ -54,15 +54,8 @@ def refutes(outcome: Outcome) -> bool:
         return bool(outcome.reasons)
     if outcome.witness is None or outcome.got is None:
         return False
-    rings = [
-        [
-            [(Fraction(x), Fraction(y)) for x, y in ring]
-            for ring in (polygon["outer"], *polygon["holes"])
-        ]
-        for polygon in json.loads(outcome.got)["polygons"]
-    ]
     x, y = outcome.witness.point
-    return contains(rings, (Fraction(x), Fraction(y))) != outcome.witness.in_truth
+    return contains(read_shape(outcome.got), (Fraction(x), Fraction(y))) != outcome.witness.in_truth
 
 
 def fault(case: Case, outcome: Outcome) -> dict[str, Any]:

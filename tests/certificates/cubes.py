@@ -10,8 +10,8 @@ import json
 from fractions import Fraction
 from typing import Any
 
+from minkref.fuzz.geometry.space import Point, Whole, area_vector, dot
 from minkref.fuzz.space.hull import sum_of_convex
-from minkref.fuzz.space.integers import Point, Whole, area_vector, dot
 from minkref.fuzz.space.polyhedron import Polyhedron
 
 Value = dict[str, Any]

@@ -16,9 +16,9 @@ import cubes
 import pytest
 from minkref import _core
 from minkref.certify.convex_certificate import ConvexCertificate, Texts, convex_certificate
+from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.generators.convex import box, random_hull, sphere
 from minkref.fuzz.space.hull import sum_of_convex
-from minkref.fuzz.space.integers import Point
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.reports.evidence.certificates.checkers import in_cpp
 

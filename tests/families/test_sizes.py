@@ -14,7 +14,7 @@ from minkref.degeneracies.draft import Draft, Facts
 from minkref.degeneracies.generate import member
 from minkref.degeneracies.make_corpus import COUNT, SEED
 from minkref.degeneracies.plane.convolutions import crossing_combs, crossing_spirals
-from minkref.fuzz.families.drawing import Shape
+from minkref.fuzz.geometry.plane import Shape
 
 LARGEST = Fraction(2) ** 1024 - Fraction(2) ** 971
 LEAST_NORMAL, LEAST = Fraction(1, 2**1022), Fraction(1, 2**1074)

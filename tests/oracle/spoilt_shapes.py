@@ -7,8 +7,16 @@ from fractions import Fraction
 from random import Random
 
 from minkref.fuzz.families.catalogue import FAMILIES
-from minkref.fuzz.families.drawing import Ring, Shape, extent, mapped, moved, scaled, signed_area
-from minkref.fuzz.families.mutation import read_shape
+from minkref.fuzz.geometry.plane import (
+    Ring,
+    Shape,
+    doubled_area,
+    extent,
+    mapped,
+    moved,
+    read_shape,
+    scaled,
+)
 
 CHANGES = 11
 
@@ -32,7 +40,7 @@ def shapes(seed: int, first: int, count: int) -> Iterator[tuple[str, Shape]]:
 def turned(shape: Shape) -> Shape:
     return [
         [
-            ring if (signed_area(ring) > 0) == (r == 0) else ring[::-1]
+            ring if (doubled_area(ring) > 0) == (r == 0) else ring[::-1]
             for r, ring in enumerate(rings)
         ]
         for rings in shape

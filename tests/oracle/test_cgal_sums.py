@@ -7,7 +7,7 @@ from fractions import Fraction
 
 import pytest
 from minkref.fuzz.cgal.oracle import METHOD_GROUPS, METHODS_WITH_HOLES, cgal_version
-from minkref.fuzz.verdicts.plain_plane import meet
+from minkref.fuzz.geometry.plane import meet
 
 SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
 KNOWN_FAULTY = ("5.5.1", "6.0.1")

@@ -12,7 +12,7 @@ from collections import Counter
 import pytest
 from minkref import _core
 from minkref.exact import set_json
-from minkref.fuzz.families.drawing import Ring
+from minkref.fuzz.geometry.plane import Ring
 from minkref.oracle.slow import InputError, operand_from_json
 from minkref.oracle.slow.validity import refuse_invalid
 from spoilt_shapes import shapes, toothed

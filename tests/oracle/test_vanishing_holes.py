@@ -10,7 +10,7 @@ from itertools import pairwise
 
 import pytest
 from minkref.fuzz.cgal.oracle import METHODS_WITH_HOLES, cgal_version
-from minkref.fuzz.verdicts.plain_plane import meet
+from minkref.fuzz.geometry.plane import meet
 
 SEED = 20120515
 CORNERS = ((0, 0), (1, 0), (1, 1), (0, 1))

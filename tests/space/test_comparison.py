@@ -8,12 +8,12 @@ from fractions import Fraction
 from itertools import product
 
 import pytest
+from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.cells import surface_of
 from minkref.fuzz.space.comparison import compare
 from minkref.fuzz.space.generators.convex import cube
 from minkref.fuzz.space.generators.torus import torus
 from minkref.fuzz.space.hull import convex_hull, sum_of_convex
-from minkref.fuzz.space.integers import Point
 from minkref.fuzz.space.laws import refined
 from minkref.fuzz.space.pair import SpacePair, Truth
 from minkref.fuzz.space.pairs import pair_of_cells, space_pair

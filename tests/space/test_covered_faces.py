@@ -7,10 +7,10 @@ from fractions import Fraction
 from itertools import product
 
 import pytest
+from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.comparison import compare
 from minkref.fuzz.space.generators.convex import box
 from minkref.fuzz.space.hull import convex_hull
-from minkref.fuzz.space.integers import Point
 from minkref.fuzz.space.pair import SpacePair
 from minkref.fuzz.space.pairs import pair_of_cells, space_pair
 from minkref.fuzz.space.polyhedron import Polyhedron

@@ -8,6 +8,7 @@ from itertools import product
 
 import pytest
 from minkref.exact import set_json
+from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.cells import (
     cavities,
     cells_of,
@@ -21,7 +22,6 @@ from minkref.fuzz.space.generators.convex import cube
 from minkref.fuzz.space.generators.polycube import frame, hollow_box, l_prism, random_polycube
 from minkref.fuzz.space.generators.torus import torus
 from minkref.fuzz.space.hull import sum_of_convex
-from minkref.fuzz.space.integers import Point
 from minkref.fuzz.space.meeting import Meeting, decide
 from minkref.fuzz.space.membership import Surface, winding_number
 from minkref.fuzz.space.pairs import pair_of_cells, pair_of_prisms, space_pair

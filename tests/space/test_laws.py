@@ -6,9 +6,9 @@ import random
 from fractions import Fraction
 
 import pytest
+from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.comparison import compare
 from minkref.fuzz.space.hull import convex_hull, sum_of_convex
-from minkref.fuzz.space.integers import Point
 from minkref.fuzz.space.laws import refined, rotations, transformed_pairs
 from minkref.fuzz.space.meeting import decide
 from minkref.fuzz.space.pair import Truth

@@ -7,7 +7,7 @@ from fractions import Fraction
 from itertools import product
 
 import pytest
-from minkref.fuzz.space.integers import Point
+from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.known_sum import known_sum
 from minkref.fuzz.space.meeting import Meeting
 from minkref.fuzz.space.pair import SpacePair

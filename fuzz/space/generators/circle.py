@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 from math import pi, tan
 
-from minkref.fuzz.space.integers import Point
+from minkref.fuzz.geometry.space import Point
 
 
 def circle(count: int, fineness: int = 12) -> list[tuple[Fraction, Fraction]]:

@@ -5,9 +5,9 @@ from __future__ import annotations
 import random
 from fractions import Fraction
 
+from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.generators.circle import on_sphere
 from minkref.fuzz.space.hull import convex_hull
-from minkref.fuzz.space.integers import Point
 from minkref.fuzz.space.polyhedron import Polyhedron
 
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import json
 import random
 from fractions import Fraction
 from itertools import combinations
 
 from minkref.fuzz.families.integer_rings import Ring, rings_meet
 from minkref.fuzz.families.random_pairs import random_operand
+from minkref.fuzz.geometry.plane import written_rings
 from minkref.fuzz.space.prism import Prism
 
 
@@ -16,11 +16,7 @@ def random_prism(dice: random.Random, grid: int, most_holes: int) -> Prism:
     """Integer corners in the plane; heights with small denominators."""
     while True:
         text = random_operand(dice, grid, most_holes)
-        rings = [
-            ring
-            for polygon in json.loads(text)["polygons"]
-            for ring in (polygon["outer"], *polygon["holes"])
-        ]
+        rings = written_rings(text)
         if not any(rings_meet(_whole(a), _whole(b)) for a, b in combinations(rings, 2)):
             break
     low = Fraction(dice.randint(-4, 4), dice.randint(1, 3))

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.generators.circle import circle
-from minkref.fuzz.space.integers import Point
 from minkref.fuzz.space.polyhedron import Polyhedron
 
 

@@ -8,9 +8,9 @@ from itertools import combinations, pairwise
 from math import comb
 
 import sympy as sp
+from minkref.fuzz.geometry.space import area_vector
 from minkref.fuzz.judges import paper_space
 from minkref.fuzz.space.generators.star import star
-from minkref.fuzz.space.integers import area_vector
 from minkref.fuzz.space.meeting import Meeting
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.reports.audit import cavity

@@ -1,28 +1,74 @@
-"""Closed polygon sets in plain Python fractions: membership, and whether two of them meet."""
+"""The plane in fractions and whole numbers: points, rings, polygon sets and their JSON, membership,
+whether two of them meet, maps, areas and hulls. Exact; nothing of it is imported from elsewhere."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
+from typing import Any
 
-Point = tuple[Fraction, Fraction]
-Rings = list[list[list[Point]]]  # per polygon: outer ring, holes
+Number = Fraction | int
+Point = tuple[Number, Number]
+Ring = list[Point]  # a corner once, either way around
+Polygon = list[Ring]  # the outer ring, then holes
+Shape = list[Polygon]
 Edge = tuple[Point, Point]
+ORIGIN = (Fraction(0), Fraction(0))
 
 
-def rings_of(text: str, factor: Fraction, shift: Point) -> Rings:
-    """A set of the canonical JSON's form, scaled about the origin and then moved."""
+def rings_of(polygon: Mapping[str, Any]) -> list[Any]:
+    """The outer ring of a polygon in the canonical JSON's form, then its holes; as written."""
+    return [polygon["outer"], *polygon["holes"]]
+
+
+def written_rings(text: str) -> list[list[list[str]]]:
+    """All rings of a set in the canonical JSON's form, one after the other; as written."""
+    return [ring for polygon in json.loads(text)["polygons"] for ring in rings_of(polygon)]
+
+
+def read_shape(text: str, factor: Number = 1, shift: Point = ORIGIN) -> Shape:
+    """A set of the canonical JSON's form in fractions, scaled about the origin and then moved."""
     return [
         [
             [(factor * Fraction(x) + shift[0], factor * Fraction(y) + shift[1]) for x, y in ring]
-            for ring in (polygon["outer"], *polygon["holes"])
+            for ring in rings_of(polygon)
         ]
         for polygon in json.loads(text)["polygons"]
     ]
 
 
-def contains(polygons: Rings, point: Point) -> bool:
+def mapped(shape: Shape, change: Callable[[Point], Point]) -> Shape:
+    return [[[change(p) for p in ring] for ring in polygon] for polygon in shape]
+
+
+def scaled(shape: Shape, factor: Number) -> Shape:
+    return mapped(shape, lambda p: (p[0] * factor, p[1] * factor))
+
+
+def moved(shape: Shape, dx: Number, dy: Number) -> Shape:
+    return mapped(shape, lambda p: (p[0] + dx, p[1] + dy))
+
+
+def box(x0: Number, y0: Number, width: Number, height: Number) -> Ring:
+    return [(x0, y0), (x0 + width, y0), (x0 + width, y0 + height), (x0, y0 + height)]
+
+
+def extent(ring: Ring) -> tuple[Number, Number, Number, Number]:
+    """x, y, width and height of the bounding box."""
+    xs, ys = [p[0] for p in ring], [p[1] for p in ring]
+    return (min(xs), min(ys), max(xs) - min(xs), max(ys) - min(ys))
+
+
+def doubled_area(ring: Sequence[Point]) -> Number:
+    """Twice the area, positive where the ring runs counter-clockwise."""
+    total: Number = 0
+    for k, (x, y) in enumerate(ring):
+        total += ring[k - 1][0] * y - ring[k - 1][1] * x
+    return total
+
+
+def contains(polygons: Shape, point: Point) -> bool:
     """The point lies in the closed set."""
     for polygon in polygons:
         inside = False
@@ -38,7 +84,7 @@ def contains(polygons: Rings, point: Point) -> bool:
     return False
 
 
-def meet(first: Rings, second: Rings) -> bool:
+def meet(first: Shape, second: Shape) -> bool:
     """The two closed sets share a point: their boundaries meet, or one holds a vertex of the
     other."""
     others = sorted(edges(second), key=lambda edge: min(edge[0][0], edge[1][0]))
@@ -54,13 +100,14 @@ def meet(first: Rings, second: Rings) -> bool:
     )
 
 
-def edges(polygons: Rings) -> list[Edge]:
+def edges(polygons: Shape) -> list[Edge]:
     return [
         (ring[k - 1], ring[k]) for polygon in polygons for ring in polygon for k in range(len(ring))
     ]
 
 
 def turn(a: Point, b: Point, c: Point) -> int:
+    """1 where a, b, c turn to the left, -1 to the right, 0 on one line."""
     value = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
     return (value > 0) - (value < 0)
 
@@ -82,6 +129,7 @@ def hull(points: Iterable[Point]) -> list[Point]:
 
 
 def in_box(a: Point, b: Point, p: Point) -> bool:
+    """p, known to be on the line a b, lies on the closed segment."""
     return min(a[0], b[0]) <= p[0] <= max(a[0], b[0]) and min(a[1], b[1]) <= p[1] <= max(a[1], b[1])
 
 
@@ -99,3 +147,10 @@ def segments_meet(a: Point, b: Point, c: Point, d: Point) -> bool:
         or (t3 == 0 and in_box(c, d, a))
         or (t4 == 0 and in_box(c, d, b))
     )
+
+
+def crossing(a: Point, b: Point, c: Point, d: Point) -> Point:
+    """Where the line a b crosses the line c d. Not for parallel lines."""
+    u, v = (b[0] - a[0], b[1] - a[1]), (d[0] - c[0], d[1] - c[1])
+    t = Fraction((c[0] - a[0]) * v[1] - (c[1] - a[1]) * v[0]) / (u[0] * v[1] - u[1] * v[0])
+    return (a[0] + t * u[0], a[1] + t * u[1])

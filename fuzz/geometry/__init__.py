@@ -1,0 +1,1 @@
+"""Plain geometry of the plane and of space, in fractions and integers."""

@@ -1,0 +1,63 @@
+"""The plain geometry of fuzz/geometry stands alone, and answers as the definitions do."""
+
+from __future__ import annotations
+
+import ast
+import sys
+from fractions import Fraction
+from pathlib import Path
+from random import Random
+
+import pytest
+from minkref.fuzz.geometry import plane, space
+
+SQUARE = plane.box(0, 0, 4, 4)
+FRAME = [SQUARE, plane.box(1, 1, 2, 2)[::-1]]
+TEXT = (
+    '{"polygons":[{"outer":[["0","0"],["1/2","0"],["0","3"]],"holes":[]},'
+    '{"outer":[["5","5"],["9","5"],["9","9"],["5","9"]],'
+    '"holes":[[["6","6"],["6","7"],["7","7"]]]}]}'
+)
+
+
+@pytest.mark.parametrize("module", [plane, space], ids=["plane", "space"])
+def test_it_imports_the_standard_library_alone(module: object) -> None:
+    tree = ast.parse(Path(str(module.__file__)).read_text(encoding="utf-8"))  # type: ignore[attr-defined]
+    for node in ast.walk(tree):
+        names = [each.name for each in node.names] if isinstance(node, ast.Import) else []
+        names += [node.module or "."] if isinstance(node, ast.ImportFrom) else []
+        assert all(name.split(".")[0] in sys.stdlib_module_names for name in names), names
+
+
+def test_a_text_is_read_scaled_and_then_moved() -> None:
+    shape = plane.read_shape(TEXT, Fraction(2), (Fraction(1), Fraction(-1)))
+    assert shape[0] == [[(1, -1), (2, -1), (1, 5)]]
+    assert [len(ring) for ring in shape[1]] == [4, 3]
+    assert plane.written_rings(TEXT)[2] == [["6", "6"], ["6", "7"], ["7", "7"]]
+
+
+@pytest.mark.parametrize(
+    ("point", "within"),
+    [((Fraction(1, 2), 2), True), ((2, 2), False), ((1, 2), True), ((4, 4), True), ((5, 4), False)],
+    ids=["between", "in the hole", "on the hole", "at a corner", "outside"],
+)
+def test_a_frame_is_closed_and_its_hole_open(point: plane.Point, within: bool) -> None:
+    assert plane.contains([FRAME], point) is within
+
+
+def test_areas_have_the_sense_of_the_ring() -> None:
+    assert plane.doubled_area(SQUARE) == 32
+    assert plane.doubled_area(SQUARE[::-1]) == -32
+    assert plane.doubled_area([(0, 0), (Fraction(1, 3), 0), (0, 1)]) == Fraction(1, 3)
+
+
+def test_lines_of_whole_numbers_cross_in_fractions() -> None:
+    seed = 7
+    dice = Random(seed)
+    for _ in range(200):
+        a, b, c, d = ((dice.randint(-9, 9), dice.randint(-9, 9)) for _ in range(4))
+        if (b[0] - a[0]) * (d[1] - c[1]) == (b[1] - a[1]) * (d[0] - c[0]):
+            continue
+        x = plane.crossing(a, b, c, d)
+        assert plane.turn(a, b, x) == plane.turn(c, d, x) == 0, (seed, a, b, c, d)
+        assert all(isinstance(number, Fraction) for number in x), (seed, a, b, c, d)
