@@ -21,7 +21,7 @@ from minkref.commands.verify_limits import check_numbers
 from minkref.documents import Stopwatch, as_text, document
 from minkref.exits import ExitCode
 from minkref.fuzz.isolation.isolation import AUTO, Isolation, choose
-from minkref.fuzz.shrink.trial import Trial
+from minkref.fuzz.shrink.asker import Asker
 from minkref.fuzz.space.cells import Cell, surface_of
 from minkref.fuzz.targets.answer import PROCESSES, Limits
 from minkref.fuzz.targets.catalogue import select_one
@@ -124,8 +124,8 @@ def command(
     declared = declarations[entry.name]
     able = declared.capabilities
     trials = [*(IN_PLANE if "plane" in able else ()), *(IN_SPACE if "space" in able else ())]
-    with ending_in_order(), Trial(entry.name, limits) as trial:
-        rows = [(trying, trial.ask(trying.literal)[1]) for trying in trials]
+    with ending_in_order(), Asker(entry.name, limits) as asker:
+        rows = [(trying, asker.ask(trying.literal)[1]) for trying in trials]
     code = _exit_code([outcome for _, outcome in rows])
     value = document(
         "adapter_check",

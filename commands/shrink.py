@@ -24,11 +24,11 @@ from minkref.exits import ExitCode
 from minkref.fuzz.cases.case import CaseName
 from minkref.fuzz.isolation.isolation import AUTO, choose
 from minkref.fuzz.run.runner import Finding
+from minkref.fuzz.shrink.asker import Asker
 from minkref.fuzz.shrink.case_file import case_text, has_case_file
 from minkref.fuzz.shrink.finding import SmallFinding, shrink_finding
 from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.shrink.shrinker import MOST_CALLS
-from minkref.fuzz.shrink.trial import Trial
 from minkref.fuzz.targets.answer import PROCESSES, Limits
 from minkref.fuzz.targets.catalogue import select_one
 from minkref.fuzz.targets.declared import declarations_of
@@ -89,8 +89,8 @@ def command(
     refuse_unless_case(case)
     (entry,), _ = declarations_of([select_one(target)], limits)
     with ending_in_order():
-        with Trial(entry.name, limits) as trial:
-            result, outcome = trial.ask(CaseName(case, "shrinking").text)
+        with Asker(entry.name, limits) as asker:
+            result, outcome = asker.ask(CaseName(case, "shrinking").text)
         if outcome is None or outcome.verdict in (*GOOD, Verdict.SKIPPED, Verdict.UNDECIDED):
             said = "is not run on it" if outcome is None else f"says: {outcome.verdict}"
             raise Refusal(

@@ -9,8 +9,8 @@ from minkref.degeneracies.plane import (
     critical_scales,
     holes,
     incidences,
-    lines,
     magnitudes,
+    parallel_edges,
     touches,
 )
 from minkref.degeneracies.space import always, at_a_scaling, shapes, updates
@@ -20,7 +20,7 @@ from minkref.degeneracies.space.draft import SpaceFamily
 FAMILIES: dict[str, Family] = {
     family.name: family
     for module in (
-        lines,
+        parallel_edges,
         incidences,
         critical_scales,
         holes,

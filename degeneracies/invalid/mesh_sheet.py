@@ -132,7 +132,7 @@ def refused(
     )
 
 
-def shown(page: MeshSheet, vertex: int) -> str:
+def vertex_text(page: MeshSheet, vertex: int) -> str:
     """A vertex as messages write it."""
     return "(" + ", ".join(str(Fraction(text)) for text in page.vertices[vertex]) + ")"
 

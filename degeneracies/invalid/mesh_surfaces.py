@@ -14,8 +14,8 @@ from minkref.degeneracies.invalid.mesh_sheet import (
     middle,
     refused,
     sheet,
-    shown,
     shuffled,
+    vertex_text,
 )
 from minkref.fuzz.families.drawing import convex
 from minkref.fuzz.geometry.space import Point
@@ -51,7 +51,7 @@ def open_mesh(dice: Random) -> Invalid:
     page = sheet(dice, with_faces(mesh, faces))
     face = owner(faces, (b, a))
     place = f"face {face}", f"vertices {b}, {a}", f"line {page.line_of_face(face)}"
-    return refused(page, "open-mesh", "open-mesh", *place, shown(page, a))
+    return refused(page, "open-mesh", "open-mesh", *place, vertex_text(page, a))
 
 
 def non_manifold_edge(dice: Random) -> Invalid:
@@ -94,7 +94,7 @@ def non_manifold_vertex(dice: Random) -> Invalid:
     mesh = body(dice)
     vertex = dice.randrange(len(mesh.vertices))
     page = sheet(dice, _glued(mesh, mesh.vertices[vertex], {vertex: vertex}))
-    place = f"vertex {vertex}", shown(page, vertex)
+    place = f"vertex {vertex}", vertex_text(page, vertex)
     return refused(page, "non-manifold-vertex", "non-manifold-vertex", *place)
 
 
@@ -106,7 +106,7 @@ def wrong_orientation(dice: Random) -> Invalid:
     a, b = least(edges_of(faces[turned]))
     page = sheet(dice, with_faces(mesh, faces))
     both = sorted((turned, owner(mesh.faces, (a, b))))
-    place = f"face {both[0]}", f"vertices {a}, {b}", f"and face {both[1]}", shown(page, a)
+    place = f"face {both[0]}", f"vertices {a}, {b}", f"and face {both[1]}", vertex_text(page, a)
     return refused(page, "wrong-orientation", "wrong-orientation", *place)
 
 
@@ -143,7 +143,7 @@ def zero_area(dice: Random) -> Invalid:
     ends = mesh.vertices[a], mesh.vertices[b]
     x, y, z = (p + t * (q - p) for p, q in zip(*ends, strict=True))
     page = sheet(dice, with_faces(mesh, faces, (x, y, z)))
-    place = f"face {at}", f"line {page.line_of_face(at)}", shown(page, new)
+    place = f"face {at}", f"line {page.line_of_face(at)}", vertex_text(page, new)
     return refused(page, "zero-area", "zero-area", *place)
 
 
@@ -198,7 +198,7 @@ def unused_vertex(dice: Random) -> Invalid:
     point = dice.choice((_centre(mesh), mesh.vertices[0], (Fraction(99),) * 3))
     page = sheet(dice, with_faces(mesh, mesh.faces, point))
     new = len(mesh.vertices)
-    place = f"vertex {new}", shown(page, new), f"line {page.line_of_vertex(new)}"
+    place = f"vertex {new}", vertex_text(page, new), f"line {page.line_of_vertex(new)}"
     return refused(page, "unused-vertex", "unused-vertex", *place)
 
 
@@ -210,7 +210,7 @@ def zero_length_edge(dice: Random) -> Invalid:
     new = len(mesh.vertices)
     faces = [(f[0], new, *f[1:]) if k == face else f for k, f in enumerate(mesh.faces)]
     page = sheet(dice, with_faces(mesh, faces, mesh.vertices[ring[0]]))
-    place = f"face {face}", f"vertices {ring[0]}, {new}", shown(page, new)
+    place = f"face {face}", f"vertices {ring[0]}, {new}", vertex_text(page, new)
     return refused(page, "zero-length-edge", "zero-length-edge", *place)
 
 

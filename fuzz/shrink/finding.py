@@ -6,10 +6,10 @@ from dataclasses import dataclass, replace
 
 from minkref.fuzz.run.runner import REJECTS, Finding, verb_of
 from minkref.fuzz.run.worker import CaseResult
+from minkref.fuzz.shrink.asker import Asker, same_fault
 from minkref.fuzz.shrink.plane_steps import PlaneCase, smaller_in_plane
 from minkref.fuzz.shrink.shrinker import MOST_CALLS, shrink
 from minkref.fuzz.shrink.space_steps import SolidCase, smaller_in_space
-from minkref.fuzz.shrink.trial import Trial, same_fault
 from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.verdicts.verdict import Outcome, Verdict
 
@@ -52,15 +52,15 @@ def shrink_finding(
         return None
     silent = Verdict.TIMED_OUT in (finding.outcome.verdict, finding.outcome.was)
     used = brief(limits) if silent else limits
-    with Trial(finding.outcome.target, used) as trial:
-        first = trial.ask(literal)
+    with Asker(finding.outcome.target, used) as asker:
+        first = asker.ask(literal)
         if not same_fault(finding.outcome, first[1]):
             return None
         kept = first
 
         def still(case: PlaneCase | SolidCase) -> bool:
             nonlocal kept
-            asked = trial.ask(case.literal)
+            asked = asker.ask(case.literal)
             if same_fault(finding.outcome, asked[1]):
                 kept = asked
                 return True
@@ -75,10 +75,10 @@ def shrink_finding(
             solid = SolidCase.read(finding.case.P, finding.case.Q, case.scale)
             shaped = shrink(solid, smaller_in_space, still, most_calls)
             calls, complete = shaped.calls, shaped.complete
-        again = trial.ask(kept[0].name.text) if not silent else None
+        again = asker.ask(kept[0].name.text) if not silent else None
     if again is None:
-        with Trial(finding.outcome.target, limits) as trial:
-            again = kept = trial.ask(kept[0].name.text)
+        with Asker(finding.outcome.target, limits) as asker:
+            again = kept = asker.ask(kept[0].name.text)
         if not same_fault(finding.outcome, again[1]):
             return None
     result, outcome = kept

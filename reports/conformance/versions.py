@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from minkref.fuzz.shrink.asker import Asker, same_fault
 from minkref.fuzz.shrink.groups import Group
-from minkref.fuzz.shrink.trial import Trial, same_fault
 from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.verdicts.verdict import GOOD, Verdict
 
@@ -42,8 +42,8 @@ def presence(group: Group, value: dict[str, Any], limits: Limits) -> list[Presen
         cases = [example.case.literal or example.case.name.text]
     found = []
     for target, version in siblings(example.outcome.target, value):
-        with Trial(target, limits) as trial:
-            asked = [trial.ask(text)[1] for text in cases]
+        with Asker(target, limits) as asker:
+            asked = [asker.ask(text)[1] for text in cases]
         there = sum(same_fault(example.outcome, outcome) for outcome in asked)
         fine = sum(outcome is not None and outcome.verdict in GOOD for outcome in asked)
         others = [

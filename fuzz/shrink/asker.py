@@ -13,7 +13,7 @@ from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.verdicts.verdict import Outcome
 
 
-class Trial:
+class Asker:
     """Asks one target about one case after the other, in a process that may die."""
 
     def __init__(self, target: str, limits: Limits) -> None:
