@@ -16,7 +16,7 @@ from minkref.certify.certificate import Certificate, NoProof
 from minkref.certify.convex_certificate import ConvexCertificate
 from minkref.commands.certify_check import is_verified
 from minkref.commands.line.memory import SIMPLER, Memory, memory_wall
-from minkref.commands.line.options import Json, Schema
+from minkref.commands.line.options import FirstOperand, Json, Schema, SecondOperand
 from minkref.documents import (
     Stopwatch,
     as_text,
@@ -61,8 +61,8 @@ Make = Callable[[], Certificate | ConvexCertificate]
 
 
 def command(
-    P: Annotated[str, typer.Argument(help="First operand, which is scaled: a file or a model.")],
-    Q: Annotated[str, typer.Argument(help="Second operand: a file or a model.")],
+    P: FirstOperand,
+    Q: SecondOperand,
     output: Annotated[
         Path,
         typer.Option(

@@ -10,7 +10,14 @@ import typer
 from minkref import _core
 from minkref.commands.line.arithmetic import check_arithmetic
 from minkref.commands.line.memory import SMALLER, Memory, memory_wall
-from minkref.commands.line.options import Json, Schema
+from minkref.commands.line.options import (
+    FirstOperand,
+    Json,
+    Schema,
+    SecondOperand,
+    WindowFrom,
+    WindowTo,
+)
 from minkref.commands.line.progress import progress
 from minkref.commands.lists.event_lists import (
     BoundaryEventList,
@@ -78,18 +85,10 @@ LIVES = 24  # holes and components whose lives people see
 
 
 def command(
-    P: Annotated[str, typer.Argument(help="First operand, which is scaled: a file or a model.")],
-    Q: Annotated[str, typer.Argument(help="Second operand: a file or a model.")],
-    from_scale: Annotated[
-        str | None,
-        typer.Option(
-            "--from", help="Smallest scale, included. Default: every scale above 0.", metavar="A"
-        ),
-    ] = None,
-    to_scale: Annotated[
-        str | None,
-        typer.Option("--to", help="Largest scale, included. Default: no end.", metavar="B"),
-    ] = None,
+    P: FirstOperand,
+    Q: SecondOperand,
+    from_scale: WindowFrom = None,
+    to_scale: WindowTo = None,
     kind: Annotated[
         str,
         typer.Option(

@@ -11,7 +11,14 @@ from typing import Annotated, Any
 import typer
 from minkref import _core
 from minkref.commands.line.memory import SMALLER, Memory, memory_wall
-from minkref.commands.line.options import Json, Schema
+from minkref.commands.line.options import (
+    FirstOperand,
+    Json,
+    Schema,
+    SecondOperand,
+    WindowFrom,
+    WindowTo,
+)
 from minkref.commands.line.progress import progress
 from minkref.commands.lists.scale_space import build_index, cores
 from minkref.documents import (
@@ -41,19 +48,11 @@ MOST_CHECKS = 10_000
 
 
 def command(
-    P: Annotated[str, typer.Argument(help="First operand, which is scaled: a file or a model.")],
-    Q: Annotated[str, typer.Argument(help="Second operand: a file or a model.")],
+    P: FirstOperand,
+    Q: SecondOperand,
     output: Annotated[Path, typer.Option("-o", help="The file to write.", metavar="FILE")],
-    from_scale: Annotated[
-        str | None,
-        typer.Option(
-            "--from", help="Smallest scale, included. Default: every scale above 0.", metavar="A"
-        ),
-    ] = None,
-    to_scale: Annotated[
-        str | None,
-        typer.Option("--to", help="Largest scale, included. Default: no end.", metavar="B"),
-    ] = None,
+    from_scale: WindowFrom = None,
+    to_scale: WindowTo = None,
     threads: Annotated[
         int | None,
         typer.Option("--threads", help="Threads of the build. Default: one per core.", metavar="N"),

@@ -10,7 +10,7 @@ from typing import Annotated, Any
 import typer
 from minkref import _core
 from minkref.commands.line.memory import SMALLER, Memory, memory_wall
-from minkref.commands.line.options import Json, Schema
+from minkref.commands.line.options import FirstOperand, Json, Schema, SecondOperand
 from minkref.commands.line.progress import progress
 from minkref.commands.lists.row_spool import Row, RowSpool
 from minkref.commands.lists.scale_space import IndexFile, index_of, route_with
@@ -44,8 +44,8 @@ Sums = _core.ScaleSpaceIndex | _core.DynamicSum
 
 
 def command(
-    P: Annotated[str, typer.Argument(help="First operand, which is scaled: a file or a model.")],
-    Q: Annotated[str, typer.Argument(help="Second operand: a file or a model.")],
+    P: FirstOperand,
+    Q: SecondOperand,
     from_scale: Annotated[
         str | None, typer.Option("--from", help="The first scale.", metavar="A")
     ] = None,

@@ -17,6 +17,20 @@ def _print_schema(context: typer.Context, wanted: bool) -> None:
         raise typer.Exit
 
 
+FirstOperand = Annotated[
+    str, typer.Argument(help="First operand, which is scaled: a file or a model.")
+]
+SecondOperand = Annotated[str, typer.Argument(help="Second operand: a file or a model.")]
+WindowFrom = Annotated[
+    str | None,
+    typer.Option(
+        "--from", help="Smallest scale, included. Default: every scale above 0.", metavar="A"
+    ),
+]
+WindowTo = Annotated[
+    str | None,
+    typer.Option("--to", help="Largest scale, included. Default: no end.", metavar="B"),
+]
 Json = Annotated[
     bool,
     typer.Option("--json", help="Print one JSON document, and nothing else, on standard output."),
