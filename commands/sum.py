@@ -56,14 +56,14 @@ minkref sum disc1 cells1815 --index cells.index --scale 7/5
 
 minkref sum gs3 rod --scale 2,1/3,5 -o sum.off"""
 
-ROUTES = ("paper", "winding", "definition", "dynamic", "index")
+MOVING = ("dynamic", "index")  # routes that find all scales of a window
+ROUTES = (*_core.ROUTES, *MOVING)
 DEFAULT = "paper"
 INSTEAD = dict.fromkeys(ROUTES, SIMPLER) | {
     "definition": f"{SIMPLER}, or the route paper",
     "dynamic": f"{SIMPLER}, or the route paper",
     "index": f"{SIMPLER}, or the route paper",
 }
-MOVING = ("dynamic", "index")  # routes that find all scales of a window
 OUTPUTS = ("wkt", "geojson", "poly", "json", "svg")
 
 

@@ -13,6 +13,7 @@
 #include "python/stopwatch.hpp"
 #include "python/vector_caster.hpp"
 #include "reference/error.hpp"
+#include "reference/plane/route_names.hpp"
 #include "reference/plane/sum.hpp"
 
 namespace nb = nanobind;
@@ -33,14 +34,6 @@ std::vector<PassageRow> passage_rows(const std::vector<TightPassage>& passages) 
     for (const auto& edges : passage.contacts) contacts.push_back(convolution_rows(edges));
   }
   return rows;
-}
-
-Route route_named(const std::string& name) {
-  if (name == "paper") return Route::paper;
-  if (name == "winding") return Route::winding;
-  if (name == "definition") return Route::definition;
-  throw BadInput("unknown-route", "there is no route \"" + name + "\"",
-                 "choose paper, winding or definition");
 }
 
 TimedSum timed_sum(const Set& P, const Set& Q, const std::string& scale, const std::string& route,
@@ -113,6 +106,12 @@ void bind_sum(nb::module_& module) {
                                       : std::nullopt;
           },
           "As the function's; None unless asked for and rational.");
+  nb::dict routes;
+  for (const RouteName& each : route_names()) {
+    routes[nb::str(each.name.data(), each.name.size())] =
+        nb::str(each.what.data(), each.what.size());
+  }
+  module.attr("ROUTES") = routes;
   module.def("minkowski_sum", timed_sum, "P"_a, "Q"_a, "scale"_a, "route"_a = "paper",
              "arithmetic"_a = "rational", "tight_passages"_a = false, Released(),
              "sP + Q. Routes: paper, winding, definition. Arithmetics: rational, interval, double, "

@@ -12,8 +12,6 @@ from minkref.fuzz.judges.slow_operands import slow_operand, slow_operands
 from minkref.fuzz.verdicts.verdict import Reason, Witness
 from minkref.oracle import slow
 
-ROUTES = ("paper", "winding", "definition")
-
 
 def judge(case: Case) -> Ruling:
     """Digest, components, holes, by the routes paper, winding, definition, dynamic and index."""
@@ -25,7 +23,7 @@ def judge(case: Case) -> Ruling:
         truth = slow.minkowski_sum(P, Q, Fraction(scale))
         expected = (truth.digest, truth.components, truth.holes)
         dynamic.move_to(scale)
-        sums = {route: _core.minkowski_sum(case.P, case.Q, scale, route) for route in ROUTES}
+        sums = {route: _core.minkowski_sum(case.P, case.Q, scale, route) for route in _core.ROUTES}
         sums["dynamic"] = dynamic.sum()
         sums["index"] = index.sum(scale)
         for route, ours in sums.items():

@@ -18,9 +18,7 @@ from minkref.fuzz.verdicts.verdict import Verdict
 
 DYNAMIC, INDEX = "dynamic", "index"
 ROUTES = {
-    "paper": "reduced convolution, orientable loops, nesting, collision detection",
-    "winding": "winding number of the full convolution of slit operands",
-    "definition": "union of the sums of all pairs of triangles",
+    **_core.ROUTES,
     DYNAMIC: "dynamic update, from one scale to another",
     INDEX: "read off the boundary of the swept sum, built for all scales of a window",
 }

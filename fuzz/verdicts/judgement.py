@@ -13,7 +13,7 @@ from minkref.fuzz.verdicts.comparison import WitnessRefuted, decide, settle, som
 from minkref.fuzz.verdicts.region import Region
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict, Witness
 
-TRUTHS = ("minkref:paper", "minkref:winding", "minkref:definition")
+TRUTHS = tuple(f"minkref:{route}" for route in _core.ROUTES)
 REFEREE = "minkref:referee"  # the decision of single points; named only where it fails
 DOUBT = "the decision of a point is refuted by plain fractions"
 

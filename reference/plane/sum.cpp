@@ -2,6 +2,7 @@
 
 #include "reference/error.hpp"
 #include "reference/plane/boundary/boundary_graph.hpp"
+#include "reference/plane/route_names.hpp"
 #include "reference/plane/routes/routes.hpp"
 
 namespace minkref {
@@ -22,6 +23,27 @@ BoundaryGraph exact_route(const PolygonSet& P, const PolygonSet& Q, Route route,
 }
 
 }  // namespace
+
+const std::vector<RouteName>& route_names() {
+  static const std::vector<RouteName> names{
+      {Route::paper, "paper",
+       "reduced convolution, orientable loops, nesting, collision detection"},
+      {Route::winding, "winding", "winding number of the full convolution of slit operands"},
+      {Route::definition, "definition", "union of the sums of all pairs of triangles"},
+  };
+  return names;
+}
+
+Route route_named(std::string_view name) {
+  const auto& all = route_names();
+  std::string choice;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].name == name) return all[i].route;
+    choice += i == 0 ? "choose " : i + 1 < all.size() ? ", " : " or ";
+    choice += all[i].name;
+  }
+  throw BadInput("unknown-route", "there is no route \"" + std::string(name) + "\"", choice);
+}
 
 void refuse_bad_operands(const PolygonSet& P, const PolygonSet& Q, const Rational& scale) {
   if (sign(scale) <= 0) {

@@ -111,6 +111,7 @@ def edit(clone: Clone) -> Taken:
 def run(_: bool) -> Findings:
     findings = Findings()
     folder = Path(tempfile.mkdtemp(prefix="minkref-front-door-"))
+    folder.chmod(0o755)  # tests run programs as another user too
     now = subprocess.run(
         ["git", "-C", ROOT, "rev-parse", "--short", "HEAD"],
         capture_output=True,

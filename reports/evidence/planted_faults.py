@@ -18,6 +18,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from minkref.fuzz.verdicts.judgement import TRUTHS
 from minkref.reports.evidence.framework.part import CGAL, COMPARISON, REFERENCE, SCRIPTS, Findings
 
 SUBJECT = (
@@ -35,7 +36,7 @@ BUILD = ROOT / "build" / "faults"
 TABLE = SCRIPTS / "planted_faults.md"
 SUITES = ("plane", "critical", "dynamic", "scalespace")
 PYTEST_FOLDERS = ("tests/plane", "tests/dynamic")
-ROUTES = ("minkref:paper", "minkref:winding", "minkref:definition")
+ROUTES = TRUTHS
 PAIRS = 60
 SUITE_SECONDS, VERIFY_SECONDS, PYTEST_SECONDS = 300, 150, 150
 FEWEST = 25

@@ -11,6 +11,7 @@ from typing import Any
 from minkref.fuzz.cases.case import Case, CaseName
 from minkref.fuzz.geometry.plane import contains, read_shape
 from minkref.fuzz.targets.catalogue import list_targets
+from minkref.fuzz.verdicts.judgement import TRUTHS
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict
 from minkref.fuzz.verdicts.witness import holds
 from minkref.reports.evidence.framework.comparing import Bench
@@ -25,7 +26,7 @@ DEPENDS = (*REFERENCE, *READERS, *COMPARISON, *CGAL)
 
 SEED = 2012
 PAIRS, QUICK_PAIRS = 10_000, 500  # the quick ones are spread evenly over all
-ROUTES = ("minkref:paper", "minkref:winding", "minkref:definition")
+ROUTES = TRUTHS
 PROCESSES = 2
 BATCH = 50
 

@@ -1,0 +1,23 @@
+// The routes by name: the one list of them.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "reference/plane/sum.hpp"
+
+namespace minkref {
+
+struct RouteName {
+  Route route;
+  std::string_view name;
+  std::string_view what;  ///< how it works, in a few words
+};
+
+/// All routes, the paper's first.
+const std::vector<RouteName>& route_names();
+
+/// Throws BadInput ("unknown-route") that names them all.
+Route route_named(std::string_view name);
+
+}  // namespace minkref
