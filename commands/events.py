@@ -19,12 +19,6 @@ from minkref.commands.line.options import (
     WindowTo,
 )
 from minkref.commands.line.progress import progress
-from minkref.commands.lists.event_lists import (
-    BoundaryEventList,
-    EventList,
-    PairEventList,
-    find_events,
-)
 from minkref.commands.lists.event_output import FORMATS, document_pieces, print_pieces, write_events
 from minkref.commands.lists.scale_space import (
     IndexFile,
@@ -39,6 +33,13 @@ from minkref.documents import (
     refuse_overwriting,
 )
 from minkref.errors import Refusal, choice, refusing
+from minkref.event_lists import (
+    BoundaryEventList,
+    EventList,
+    PairEventList,
+    find_events,
+)
+from minkref.event_values import FORMS, KINDS, PAIR_KINDS, ROUTED_KINDS, ROUTES
 from minkref.exact import approximate, read_window
 from minkref.operand import Operand, read_operand
 from minkref.output_target import Target, target_of
@@ -64,8 +65,6 @@ minkref events g1 g2 --kind topology --where 'feature = hole and not change in (
 
 minkref events g1 g2 --form printed --arithmetic mpfr:53"""
 
-KINDS = ("pair", "parallel", "triple", "arrangement", "boundary", "topology")
-PAIR_KINDS = ("pair", "parallel")
 MEANINGS = {  # of the changes, under the table
     "pair": "birth, death: two edges of the convolution start, or cease, to meet as s grows. Where "
     "holes and components of the sum do, --kind topology says.",
@@ -73,9 +72,6 @@ MEANINGS = {  # of the changes, under the table
     "Where holes and components of the sum do, --kind topology says.",
     "topology": "before, after: the features that take part, by number; `outside` is no hole.",
 }
-ROUTED_KINDS = ("boundary", "topology")
-ROUTES = ("dynamic", "index")
-FORMS = ("corrected", "printed")
 SHOWN = 10  # events that people see
 PAIR_COUNTS = (
     "pairs", "filtered_pairs", "intersecting_pairs", "always_meeting_pairs", "touching_pairs",
@@ -239,7 +235,7 @@ def command(
 def _condition(where: str | None, kind: str) -> _core.EventCondition | None:
     if where is None:
         return None
-    from minkref.commands.lists.event_filter import read_filter
+    from minkref.event_filter import read_filter
 
     return read_filter(where, kind)
 

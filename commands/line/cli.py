@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import errno
+import os
 import sys
 import traceback
 from collections.abc import Callable, Sequence
@@ -96,6 +97,8 @@ def run(arguments: Sequence[str]) -> int:
     except Exception as error:  # noqa: BLE001 the border of the program
         if isinstance(error, OSError) and error.errno == errno.ENAMETOOLONG:
             return _refuse(_long_name(error, rest), rest)
+        if isinstance(error, FileNotFoundError) and _folder_is_gone():
+            return _refuse(_no_folder(rest), rest)
         return _internal(error, debug, REPORT)
 
 
@@ -126,6 +129,23 @@ def _long_name(error: OSError, arguments: Sequence[str]) -> dict[str, object]:
         "what": f"no file has a name of {len(name):,} characters",
         "where": f"{_path_of(arguments)}, {name[:60]}...",
         "mend": "check the path",
+    }
+
+
+def _folder_is_gone() -> bool:
+    try:
+        os.getcwd()
+    except FileNotFoundError:
+        return True
+    return False
+
+
+def _no_folder(arguments: Sequence[str]) -> dict[str, object]:
+    return {
+        "code": "no-folder",
+        "what": "the current folder has been removed",
+        "where": _path_of(arguments),
+        "mend": "change to one that is there: cd",
     }
 
 

@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 import sys
+from collections import deque
 from collections.abc import Iterable, Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
 from typing import Any
 
-from minkref.commands.lists.event_lists import EventList, PairEventList, json_pieces
+from minkref.commands.line.progress import progress
 from minkref.commands.lists.event_table import write_parquet
+from minkref.commands.lists.scale_space import cores
 from minkref.documents import as_text
+from minkref.event_lists import EventList, PairEventList
 from minkref.output_target import Target
 
+CHUNK = 32768  # events at a time
 FORMATS = ("json", "jsonl", "parquet")
 _EMPTY = "[]\n}\n"
 
@@ -37,6 +42,29 @@ def document_pieces(head: dict[str, Any], found: EventList, count: int) -> Itera
         yield last or b"[\n"
         last = piece
     yield last.removesuffix(b",\n") + b"\n]\n}\n" if last else _EMPTY.encode()
+
+
+def json_pieces(found: EventList, count: int, end: str) -> Iterator[bytes]:
+    """The first `count` events as JSON texts, each followed by `end`, some thousand at a time and
+    by all cores; progress on a terminal."""
+    firsts = iter(range(0, min(count, len(found)), CHUNK))
+    workers = cores()
+    with progress(count) as line, ThreadPoolExecutor(workers) as pool:
+        line.now("writing events")
+        waiting: deque[Future[bytes]] = deque()
+
+        def begin() -> None:
+            first = next(firsts, None)
+            if first is not None:
+                last = min(first + CHUNK, count)
+                waiting.append(pool.submit(found.json, first, last, end))
+
+        for _ in range(2 * workers):
+            begin()
+        while waiting:
+            yield waiting.popleft().result()
+            begin()
+            line.done(CHUNK)
 
 
 def print_pieces(pieces: Iterable[bytes]) -> None:

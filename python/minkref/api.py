@@ -25,6 +25,7 @@ from minkref.argument_types import (
     whole,
 )
 from minkref.errors import Refusal
+from minkref.event_values import Event, Events, events
 from minkref.operand import is_utf8, read_set
 from minkref.parents import passages_of
 
@@ -44,6 +45,8 @@ __all__ = [
     "BadInput",
     "ConvexPolyhedron",
     "ConvexSum",
+    "Event",
+    "Events",
     "LimitExceeded",
     "PolygonSet",
     "Polyhedron",
@@ -53,6 +56,7 @@ __all__ = [
     "convex_sum",
     "decide",
     "difference",
+    "events",
     "minkowski_sum",
     "read_file",
     "read_mesh",

@@ -34,6 +34,17 @@ CALLS: dict[str, tuple[Callable[[Any], Any], tuple[type, ...]]] = {
     "decide y": (lambda x: decide(SQUARE, SQUARE, 1, "0", x), NUMBERS),
     "difference first": (lambda x: minkref.difference(x, SQUARE), (minkref.PolygonSet,)),
     "difference second": (lambda x: minkref.difference(SQUARE, x), (minkref.PolygonSet,)),
+    "events P": (lambda x: minkref.events(x, SQUARE), (minkref.PolygonSet,)),
+    "events Q": (lambda x: minkref.events(SQUARE, x), (minkref.PolygonSet,)),
+    "events kind": (lambda x: minkref.events(SQUARE, SQUARE, x), (str,)),
+    "events from_scale": (
+        lambda x: minkref.events(SQUARE, SQUARE, "pair", x),
+        (*NUMBERS, type(None)),
+    ),
+    "events where": (
+        lambda x: minkref.events(SQUARE, SQUARE, where=x),
+        (str, type(None)),
+    ),
     "convex_sum P": (lambda x: minkref.convex_sum(x, BODY), (minkref.ConvexPolyhedron,)),
     "convex_sum Q": (lambda x: minkref.convex_sum(BODY, x), (minkref.ConvexPolyhedron,)),
     "convex_sum scaling": (lambda x: minkref.convex_sum(BODY, BODY, x), NUMBERS),

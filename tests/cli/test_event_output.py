@@ -10,8 +10,8 @@ from typing import Any
 import pyarrow.parquet
 import pytest
 from minkref import _core
-from minkref.commands.lists import event_lists
-from minkref.commands.lists.event_lists import PairEventList
+from minkref.commands.lists import event_output
+from minkref.event_lists import PairEventList
 from minkref.operand import read_operand
 
 Minkref = Callable[..., Any]
@@ -48,7 +48,7 @@ def test_texts_of_events_are_those_of_their_rationals(name: str, files: None) ->
 def test_lines_and_document_hold_the_same_events(
     minkref: Minkref, files: None, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(event_lists, "CHUNK", 50)  # several pieces
+    monkeypatch.setattr(event_output, "CHUNK", 50)  # several pieces
     for name in ("events.json", "events.jsonl"):
         assert minkref("events", "g3", "disc1", "-o", name).code == 0
     document = json.loads(Path("events.json").read_text(encoding="utf-8"))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -172,3 +174,19 @@ def test_folder_of_executables_that_does_not_exist_is_refused(
         ran = minkref("targets")
         assert ran.code == 2
         assert "MINKREF_CGAL" in ran.err
+
+
+@pytest.mark.parametrize("isolation", ["none", "auto"])
+def test_a_current_folder_that_is_gone_is_no_fault_of_ours(tmp_path: Path, isolation: str) -> None:
+    gone = tmp_path / "gone"
+    gone.mkdir()
+    words = ["verify", "minkref:winding", "--pairs", "2", "--no-models", "--isolation", isolation]
+    script = (
+        f"import os, sys; os.chdir({str(gone)!r}); os.rmdir({str(gone)!r})\n"
+        f"from minkref.commands.line.cli import run; sys.exit(run({words!r}))"
+    )
+    ran = subprocess.run(
+        [sys.executable, "-c", script], capture_output=True, text=True, check=False
+    )
+    assert ran.returncode == 2, ran.stderr
+    assert "the current folder has been removed" in ran.stderr and "fix: " in ran.stderr

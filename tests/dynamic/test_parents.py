@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 from minkref import _core
-from minkref.commands.lists.event_lists import ArrangementEventList, BoundaryEventList
+from minkref.event_lists import ArrangementEventList, BoundaryEventList
 from minkref.fuzz.families.lattice_pairs import lattice_pair
 
 Point = tuple[Fraction, Fraction]

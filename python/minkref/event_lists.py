@@ -1,21 +1,15 @@
-"""The events that `minkref events` lists, whatever their kind: counts, and the events in order."""
+"""Lists of events, whatever their kind: counts, and the events in order."""
 
 from __future__ import annotations
 
 import json
-from collections import deque
-from collections.abc import Iterator, Sequence
-from concurrent.futures import Future, ThreadPoolExecutor
+from collections.abc import Sequence
 from fractions import Fraction
 from itertools import compress
 from typing import Any, Protocol
 
 from minkref import _core
-from minkref.commands.line.progress import progress
-from minkref.commands.lists.scale_space import cores
 from minkref.parents import parents
-
-CHUNK = 32768  # events at a time
 
 
 class EventList(Protocol):
@@ -240,26 +234,3 @@ def _row(event: dict[str, Any]) -> Any:
     common = (event["s"], event["rank"], event["kind"], event["change"], edges, (x, y))
     features = [event.get(name, []) for name in ("before", "after")]
     return (*common, event.get("feature", ""), *features, event.get("parts", 0))
-
-
-def json_pieces(found: EventList, count: int, end: str) -> Iterator[bytes]:
-    """The first `count` events as JSON texts, each followed by `end`, some thousand at a time and
-    by all cores; progress on a terminal."""
-    firsts = iter(range(0, min(count, len(found)), CHUNK))
-    workers = cores()
-    with progress(count) as line, ThreadPoolExecutor(workers) as pool:
-        line.now("writing events")
-        waiting: deque[Future[bytes]] = deque()
-
-        def begin() -> None:
-            first = next(firsts, None)
-            if first is not None:
-                last = min(first + CHUNK, count)
-                waiting.append(pool.submit(found.json, first, last, end))
-
-        for _ in range(2 * workers):
-            begin()
-        while waiting:
-            yield waiting.popleft().result()
-            begin()
-            line.done(CHUNK)

@@ -12,6 +12,7 @@ from typing import Any, NoReturn
 
 from lark import Lark, Token, Transformer, v_args
 from lark.exceptions import UnexpectedCharacters, UnexpectedInput, UnexpectedToken, VisitError
+
 from minkref import _core
 from minkref.errors import Refusal, nearest
 from minkref.exact import read_number
