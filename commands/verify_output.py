@@ -6,7 +6,6 @@ import json
 import signal
 import sys
 from collections import Counter
-from types import TracebackType
 from typing import Any
 
 from minkref.documents import Stopwatch, document
@@ -54,12 +53,7 @@ class ProgressLine:
         self._progress.start()
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self._progress.stop()
 
     def say(self, what: str) -> None:

@@ -24,8 +24,10 @@ from minkref.argument_types import (
     text_of,
     whole,
 )
-from minkref.errors import Refusal
-from minkref.event_values import Event, Events, events
+from minkref.errors import Refusal as Refusal
+from minkref.event_values import Event as Event
+from minkref.event_values import Events as Events
+from minkref.event_values import events as events
 from minkref.operand import is_utf8, read_set
 from minkref.parents import passages_of
 
@@ -40,32 +42,6 @@ UndecidedSign = _core.UndecidedSign
 check_methods()
 
 Number = str | int | Fraction
-
-__all__ = [
-    "BadInput",
-    "ConvexPolyhedron",
-    "ConvexSum",
-    "Event",
-    "Events",
-    "LimitExceeded",
-    "PolygonSet",
-    "Polyhedron",
-    "Refusal",
-    "Sum",
-    "UndecidedSign",
-    "convex_sum",
-    "decide",
-    "difference",
-    "events",
-    "minkowski_sum",
-    "read_file",
-    "read_mesh",
-    "read_text",
-    "set_memory_limit",
-    "tight_passages",
-    "write",
-    "write_mesh",
-]
 
 
 def minkowski_sum(

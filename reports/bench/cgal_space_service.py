@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import subprocess
-from types import TracebackType
 from typing import Any
 
 from minkref import _core
@@ -32,12 +31,7 @@ class CgalSpaceService:
     def __enter__(self) -> CgalSpaceService:
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self.close()
 
     def load(self, Q: _core.Polyhedron) -> None:
