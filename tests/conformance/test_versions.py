@@ -34,7 +34,7 @@ class Asked:
 def test_each_version_says_whether_the_fault_is_there(
     made: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(versions, "Trial", Asked)
+    monkeypatch.setattr(versions, "Asker", Asked)
     others = ("6.0.1", "5.6", "5.4")
     made.value["targets"] += [{"name": f"cgal-reduced@{v}", "version": v} for v in others]
     made.value["targets"].append({"name": "cgal-reduced-raw", "version": "5.5.1"})
