@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import random
 
-from minkref.fuzz.geometry.plane import doubled_area, in_box, turn
+from minkref.fuzz.geometry.plane import doubled_area, in_box, segments_meet, turn
 
 Node = tuple[int, int]
 Ring = list[Node]
@@ -13,30 +13,6 @@ Ring = list[Node]
 
 def counter_clockwise(ring: Ring) -> Ring:
     return ring if doubled_area(ring) > 0 else ring[::-1]
-
-
-def segments_meet(a: Node, b: Node, c: Node, d: Node) -> bool:
-    """The closed segments a b and c d share a point. Written out: the generators spend most of
-    their time here."""
-    (ax, ay), (bx, by), (cx, cy), (dx, dy) = a, b, c, d
-    ux, uy = bx - ax, by - ay
-    t1 = ux * (cy - ay) - uy * (cx - ax)
-    t2 = ux * (dy - ay) - uy * (dx - ax)
-    if (t1 > 0 and t2 > 0) or (t1 < 0 and t2 < 0):
-        return False
-    vx, vy = dx - cx, dy - cy
-    t3 = vx * (ay - cy) - vy * (ax - cx)
-    t4 = vx * (by - cy) - vy * (bx - cx)
-    if (t3 > 0 and t4 > 0) or (t3 < 0 and t4 < 0):
-        return False
-    if t1 and t2 and t3 and t4:
-        return True
-    return (
-        (t1 == 0 and in_box(a, b, c))
-        or (t2 == 0 and in_box(a, b, d))
-        or (t3 == 0 and in_box(c, d, a))
-        or (t4 == 0 and in_box(c, d, b))
-    )
 
 
 def segments_cross(a: Node, b: Node, c: Node, d: Node) -> bool:

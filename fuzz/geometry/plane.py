@@ -134,12 +134,20 @@ def in_box(a: Point, b: Point, p: Point) -> bool:
 
 
 def segments_meet(a: Point, b: Point, c: Point, d: Point) -> bool:
-    if max(a[0], b[0]) < min(c[0], d[0]) or max(c[0], d[0]) < min(a[0], b[0]):
+    """The closed segments a b and c d share a point. Written out: the generators spend most of
+    their time here."""
+    (ax, ay), (bx, by), (cx, cy), (dx, dy) = a, b, c, d
+    ux, uy = bx - ax, by - ay
+    t1 = ux * (cy - ay) - uy * (cx - ax)
+    t2 = ux * (dy - ay) - uy * (dx - ax)
+    if (t1 > 0 and t2 > 0) or (t1 < 0 and t2 < 0):
         return False
-    if max(a[1], b[1]) < min(c[1], d[1]) or max(c[1], d[1]) < min(a[1], b[1]):
+    vx, vy = dx - cx, dy - cy
+    t3 = vx * (ay - cy) - vy * (ax - cx)
+    t4 = vx * (by - cy) - vy * (bx - cx)
+    if (t3 > 0 and t4 > 0) or (t3 < 0 and t4 < 0):
         return False
-    t1, t2, t3, t4 = turn(a, b, c), turn(a, b, d), turn(c, d, a), turn(c, d, b)
-    if t1 * t2 < 0 and t3 * t4 < 0:
+    if t1 and t2 and t3 and t4:
         return True
     return (
         (t1 == 0 and in_box(a, b, c))

@@ -61,3 +61,21 @@ def test_lines_of_whole_numbers_cross_in_fractions() -> None:
         x = plane.crossing(a, b, c, d)
         assert plane.turn(a, b, x) == plane.turn(c, d, x) == 0, (seed, a, b, c, d)
         assert all(isinstance(number, Fraction) for number in x), (seed, a, b, c, d)
+
+
+def test_segments_meet_on_a_lattice_where_the_boundaries_say_so() -> None:
+    """All pairs of segments and points on four by four; the other way: where the lines cross."""
+    nodes = [(x, y) for x in range(4) for y in range(4)]
+    segments = [(a, b) for a in nodes for b in nodes if a <= b]
+    for a, b in segments[::3]:
+        for c, d in segments:
+            assert plane.segments_meet(a, b, c, d) == _share_a_point(a, b, c, d), (a, b, c, d)
+
+
+def _share_a_point(a: plane.Point, b: plane.Point, c: plane.Point, d: plane.Point) -> bool:
+    u, v = (b[0] - a[0], b[1] - a[1]), (d[0] - c[0], d[1] - c[1])
+    if u[0] * v[1] != u[1] * v[0]:
+        at = plane.crossing(a, b, c, d)
+        return plane.in_box(a, b, at) and plane.in_box(c, d, at)
+    ends = [(p, a, b) for p in (c, d)] + [(p, c, d) for p in (a, b)]
+    return any(plane.turn(q, r, p) == 0 and plane.in_box(q, r, p) for p, q, r in ends)

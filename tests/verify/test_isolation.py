@@ -180,6 +180,8 @@ def test_who_wanted_more_processes_is_told_so_when_it_fails(walls: Isolation) ->
 )
 def test_a_fork_bomb_of_another_user_stops_in_its_user_space(tmp_path: Path) -> None:
     """Without a control group: the limit holds in the sandbox alone, whatever that user runs."""
+    if not all(folder.stat().st_mode & 0o001 for folder in PROGRAM.parents):
+        pytest.skip("the checkout is for its owner alone: another user cannot import minkref")
     script = (
         "from minkref.fuzz.isolation.isolation import choose\n"
         "from minkref.fuzz.targets.adapter_process import AdapterProcess\n"
@@ -194,9 +196,7 @@ def test_a_fork_bomb_of_another_user_stops_in_its_user_space(tmp_path: Path) -> 
     words += ["--inh-caps", "-all", sys.executable, "-c", script]
     environment = {**os.environ, "HOME": str(tmp_path), "XDG_STATE_HOME": str(tmp_path)}
     done = subprocess.run(words, env=environment, capture_output=True, text=True, check=False)
-    # That user may not read the checkout of root: the module is not found then.
-    absent = ("there is no sandbox", "Permission denied", "No module named 'minkref'")
-    if any(each in done.stderr for each in absent):
+    if "there is no sandbox" in done.stderr or "Permission denied" in done.stderr:
         pytest.skip(f"not for another user: {done.stderr[-200:]}")
     assert done.stdout == "limit of its user space, 19 True\n", done.stderr
 
