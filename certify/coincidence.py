@@ -14,10 +14,7 @@ Ends = tuple[Point, Point]
 
 
 def coincidences(
-    P: _core.PolygonSet,
-    Q: _core.PolygonSet,
-    vertices: Vertices,
-    scale: Fraction,
+    P: _core.PolygonSet, Q: _core.PolygonSet, vertices: Vertices, scale: Fraction
 ) -> list[Predicate]:
     """One or more for each pair, parallel and triple event at the scale: an end of an edge on the
     line of another, three lines in a point. Exact; costs as `_core.ArrangementEvents`."""

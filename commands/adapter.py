@@ -9,8 +9,8 @@ from typing import Annotated
 import typer
 from minkref.commands import adapter_check
 from minkref.errors import Refusal
-from minkref.fuzz.adapters import catalogue
 from minkref.fuzz.adapters.template import HEADER, LANGUAGES, template
+from minkref.fuzz.libraries import catalogue
 from minkref.terminal import escaped
 
 NEW_EXAMPLES = """Examples:

@@ -20,25 +20,15 @@ from minkref.commands.line.options import (
 )
 from minkref.commands.line.progress import progress
 from minkref.commands.lists.event_output import FORMATS, document_pieces, print_pieces, write_events
-from minkref.commands.lists.scale_space import (
+from minkref.commands.lists.scale_index import (
     IndexFile,
     index_of,
     refuse_overwriting_index,
     route_with,
 )
-from minkref.documents import (
-    Stopwatch,
-    as_text,
-    document,
-    refuse_overwriting,
-)
+from minkref.documents import Stopwatch, as_text, document, refuse_overwriting
 from minkref.errors import Refusal, choice, refusing
-from minkref.event_lists import (
-    BoundaryEventList,
-    EventList,
-    PairEventList,
-    find_events,
-)
+from minkref.event_lists import BoundaryEventList, EventList, PairEventList, find_events
 from minkref.event_values import FORMS, KINDS, PAIR_KINDS, ROUTED_KINDS, ROUTES
 from minkref.exact import approximate, read_window
 from minkref.operand import Operand, read_operand
@@ -260,7 +250,7 @@ def _counts(found: EventList, P: Operand, Q: Operand, window: list[str | None]) 
     """Counts of pairs of edges; of an index it has no need of them: null."""
     if isinstance(found, PairEventList):
         return dict(found.found.counts())
-    if isinstance(found, BoundaryEventList) and isinstance(found.found, _core.ScaleSpaceIndex):
+    if isinstance(found, BoundaryEventList) and isinstance(found.found, _core.ScaleIndex):
         counted_edges = found.found.counts()
         edges = {name: counted_edges[name] for name in ("s_edges", "t_edges")}
         return {**dict.fromkeys(PAIR_COUNTS), **edges}

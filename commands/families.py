@@ -10,8 +10,8 @@ from minkref.degeneracies.catalogue import FAMILIES as DEGENERATE
 from minkref.degeneracies.catalogue import SPACE_FAMILIES as DEGENERATE_IN_SPACE
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, INVALID_MESH_FAMILIES
 from minkref.documents import Stopwatch, as_text, document
-from minkref.fuzz.cases.space_case import SPACE_FAMILIES
 from minkref.fuzz.families.catalogue import FAMILIES
+from minkref.fuzz.space.case import SPACE_FAMILIES
 from minkref.terminal import console
 from rich.table import Table
 

@@ -105,8 +105,7 @@ def command(
         ),
     ] = DEFAULT_FOLDER,
     jobs: Annotated[
-        int,
-        typer.Option("--jobs", help="Processes; 0: one per core.", min=0, max=MOST_JOBS),
+        int, typer.Option("--jobs", help="Processes; 0: one per core.", min=0, max=MOST_JOBS)
     ] = 0,
     json: Json = False,
     schema: Schema = False,

@@ -20,7 +20,7 @@ from minkref.commands.line.options import (
     WindowTo,
 )
 from minkref.commands.line.progress import progress
-from minkref.commands.lists.scale_space import build_index, cores
+from minkref.commands.lists.scale_index import build_index, cores
 from minkref.documents import (
     Stopwatch,
     as_text,
@@ -120,7 +120,7 @@ def _check_numbers(threads: int | None, check: int) -> None:
             )
 
 
-def _checked(index: _core.ScaleSpaceIndex, count: int) -> dict[str, Any]:
+def _checked(index: _core.ScaleIndex, count: int) -> dict[str, Any]:
     """The scales at which the sum was compared with that of another route: all equal."""
     scales = scales_of(index, count)
     with progress(len(scales)) as line:
@@ -132,7 +132,7 @@ def _checked(index: _core.ScaleSpaceIndex, count: int) -> dict[str, Any]:
     return {"routes": ["index", "paper"], "scales": scales}
 
 
-def scales_of(index: _core.ScaleSpaceIndex, count: int) -> list[str]:
+def scales_of(index: _core.ScaleIndex, count: int) -> list[str]:
     """Scales of the window, the same ones each time; every other one at an event."""
     begin, end = index.window
     low = Fraction(begin) if begin is not None else None

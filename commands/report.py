@@ -35,8 +35,7 @@ PACKAGES = "the packages matplotlib, sympy, markdown-it-py, mdit-py-plugins and 
 
 def command(
     subjects: Annotated[
-        list[str],
-        typer.Argument(help=f"Which pages: {', '.join(SUBJECTS)}.", metavar="SUBJECT..."),
+        list[str], typer.Argument(help=f"Which pages: {', '.join(SUBJECTS)}.", metavar="SUBJECT...")
     ],
     output: Annotated[
         str, typer.Option("-o", help="Folder for the pages.", metavar="DIR")

@@ -21,7 +21,7 @@ from minkref.commands.verify_output import shrunk_document
 from minkref.documents import Stopwatch, as_text, document
 from minkref.errors import Refusal
 from minkref.exits import ExitCode
-from minkref.fuzz.cases.case import CaseName
+from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.isolation.isolation import AUTO, choose
 from minkref.fuzz.run.runner import Finding
 from minkref.fuzz.shrink.asker import Asker

@@ -12,7 +12,7 @@ from minkref import _core
 from minkref.commands.line.arithmetic import check_arithmetic
 from minkref.commands.line.memory import SIMPLER, Memory, memory_wall
 from minkref.commands.line.options import Json, Schema
-from minkref.commands.lists.scale_space import (
+from minkref.commands.lists.scale_index import (
     IndexFile,
     index_of,
     refuse_overwriting_index,
@@ -20,12 +20,7 @@ from minkref.commands.lists.scale_space import (
 )
 from minkref.commands.lists.sum_fields import SUM_FIELDS, sum_fields
 from minkref.commands.sum_table import print_table
-from minkref.documents import (
-    Stopwatch,
-    as_text,
-    document,
-    refuse_overwriting,
-)
+from minkref.documents import Stopwatch, as_text, document, refuse_overwriting
 from minkref.errors import Refusal, choice, refusing
 from minkref.exact import read_scale
 from minkref.operand import Operand, read_operand
@@ -117,8 +112,7 @@ def command(
         ),
     ] = None,
     only_sum: Annotated[
-        bool,
-        typer.Option("--only-sum", help="In an SVG, draw the sum alone, without P and Q."),
+        bool, typer.Option("--only-sum", help="In an SVG, draw the sum alone, without P and Q.")
     ] = False,
     plot: Annotated[
         bool, typer.Option("--plot", help="Draw a small picture of the sum below the table.")

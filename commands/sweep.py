@@ -13,7 +13,7 @@ from minkref.commands.line.memory import SMALLER, Memory, memory_wall
 from minkref.commands.line.options import FirstOperand, Json, Schema, SecondOperand
 from minkref.commands.line.progress import progress
 from minkref.commands.lists.row_spool import Row, RowSpool
-from minkref.commands.lists.scale_space import IndexFile, index_of, route_with
+from minkref.commands.lists.scale_index import IndexFile, index_of, route_with
 from minkref.commands.lists.sum_fields import sum_fields
 from minkref.commands.lists.sweep_folder import FORMATS, INDEX, SHOWN, SweepFolder
 from minkref.documents import Stopwatch, document, listing
@@ -40,7 +40,7 @@ minkref sweep gs3 rod --scales scalings.txt -o sums --format off"""
 
 ROUTES = ("index", "dynamic")
 
-Sums = _core.ScaleSpaceIndex | _core.DynamicSum
+Sums = _core.ScaleIndex | _core.DynamicSum
 
 
 def command(

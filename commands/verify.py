@@ -134,8 +134,7 @@ def command(
         ),
     ] = None,
     no_settings: Annotated[
-        bool,
-        typer.Option("--no-settings", is_eager=True, help="Read no settings file."),
+        bool, typer.Option("--no-settings", is_eager=True, help="Read no settings file.")
     ] = False,
     settings: Annotated[
         Path | None,
@@ -219,8 +218,7 @@ def command(
     isolation: IsolationKind = AUTO,
     pass_env: PassedVariables = None,
     quiet: Annotated[
-        bool,
-        typer.Option("--quiet", help="Print nothing; see the exit code and the files."),
+        bool, typer.Option("--quiet", help="Print nothing; see the exit code and the files.")
     ] = False,
     json: Json = False,
     schema: Schema = False,

@@ -7,15 +7,16 @@ from pathlib import Path
 
 from minkref.errors import Refusal, choice, nearest
 from minkref.fuzz.cases import naming
-from minkref.fuzz.cases.case import CaseName
 from minkref.fuzz.cases.case_files import CaseFiles, case_files
 from minkref.fuzz.cases.case_list import CaseList
+from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.no_case import NoCase
-from minkref.fuzz.cases.space_case import SPACE_FAMILIES
 from minkref.fuzz.cases.verbs import EVENTS, UPDATE
 from minkref.fuzz.families.catalogue import FAMILIES
+from minkref.fuzz.plane.laws import LAWS
+from minkref.fuzz.settings import SETTINGS
+from minkref.fuzz.space.case import SPACE_FAMILIES
 from minkref.fuzz.targets.declaration import Declaration
-from minkref.fuzz.verdicts.laws import LAWS
 
 SUITES = ("fuzz", "corpus", "all")
 
@@ -52,7 +53,8 @@ def case_list(
     wanted = families or [*(FAMILIES if plane else ()), *(SPACE_FAMILIES if space else ())]
     fuzz = suite in ("fuzz", "all")
     filed = suite in ("corpus", "all") and not named
-    files = case_files(corpus, plane, space) if filed else CaseFiles()
+    taken = [setting for setting in SETTINGS if setting.name in able]
+    files = case_files(corpus, taken) if filed else CaseFiles()
     laws = [*LAWS, *(verb for verb in (UPDATE, EVENTS) if verb in able)]
     cases = CaseList(
         seed,

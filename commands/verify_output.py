@@ -198,9 +198,7 @@ def _matrix(run: Run) -> Table:
         if any(cell.verdicts[verdict] for cell in run.matrix.values())
     ]
     table = Table(
-        title=f"Verdicts on {sum(run.cases.values()):,} cases",
-        title_justify="left",
-        pad_edge=False,
+        title=f"Verdicts on {sum(run.cases.values()):,} cases", title_justify="left", pad_edge=False
     )
     table.add_column("target")
     for verdict in verdicts:

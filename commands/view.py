@@ -13,7 +13,7 @@ import typer
 from minkref import _core
 from minkref.commands.line.memory import SMALLER, Memory, memory_wall
 from minkref.commands.line.options import FirstOperand, Json, Schema, SecondOperand
-from minkref.commands.lists.scale_space import (
+from minkref.commands.lists.scale_index import (
     IndexFile,
     index_of,
     refuse_overwriting_index,
@@ -98,7 +98,7 @@ def command(
         return
     watch = Stopwatch()
     if index is not None:
-        bounds = refusing(str(index), lambda: _core.ScaleSpaceIndex.open(str(index)).window)
+        bounds = refusing(str(index), lambda: _core.ScaleIndex.open(str(index)).window)
         from_scale = bounds[0] if from_scale is None else from_scale
         to_scale = bounds[1] if to_scale is None else to_scale
     window = _window(from_scale, to_scale, _given(("--scale", scale), ("--scales", scales)))

@@ -3,38 +3,33 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <utility>
 
-#include "formats/message_text.hpp"
-#include "reference/error.hpp"
+#include "formats/format_names.hpp"
 
 namespace minkref {
 namespace {
 
-constexpr std::array<std::pair<Format, std::string_view>, 6> set_formats{{
-    {Format::wkt, "wkt"},
-    {Format::geojson, "geojson"},
-    {Format::poly, "poly"},
-    {Format::json, "json"},
-    {Format::case_json, "case"},
-    {Format::svg, "svg"},
+constexpr std::array<FormatEntry, 6> table{{
+    {Format::wkt, "wkt", true, true},
+    {Format::geojson, "geojson", true, true},
+    {Format::poly, "poly", true, true},
+    {Format::json, "json", true, true},
+    {Format::case_json, "case", false, false},
+    {Format::svg, "svg", true, false},
 }};
 
 }  // namespace
 
+std::span<const FormatEntry> format_table() { return table; }
+
 std::string name(Format format) {
-  for (const auto& [value, text] : set_formats) {
-    if (value == format) return std::string(text);
-  }
-  return "unknown";
+  return std::string(std::find_if(table.begin(), table.end(), [&](const auto& e) {
+                       return e.format == format;
+                     })->name);
 }
 
 Format format_named(std::string_view wanted) {
-  for (const auto& [value, text] : set_formats) {
-    if (text == wanted) return value;
-  }
-  throw BadInput("unknown-format", in_quotes(wanted) + " is not a format of the plane",
-                 "name one of wkt, geojson, poly, json, case, svg");
+  return named(format_table(), wanted, "of the plane");
 }
 
 std::string extension_of(const std::string& path) {
@@ -47,16 +42,10 @@ std::string extension_of(const std::string& path) {
 
 Format format_of_file(const std::string& path) {
   const std::string extension = extension_of(path);
-  if (extension == ".wkt") return Format::wkt;
-  if (extension == ".geojson") return Format::geojson;
-  if (extension == ".json") return Format::json;
-  if (extension == ".poly") return Format::poly;
-  if (extension == ".svg") return Format::svg;
-  Place place;
-  place.source = path;
-  throw BadInput("unknown-format",
-                 "the extension " + in_quotes(extension) + " does not name a format of the plane",
-                 "give the file the extension .wkt, .geojson, .json or .poly", place);
+  for (const FormatEntry& entry : table) {
+    if (entry.is_extension && extension == "." + std::string(entry.name)) return entry.format;
+  }
+  refuse_extension(format_table(), path, extension, "of the plane", &FormatEntry::is_read);
 }
 
 }  // namespace minkref

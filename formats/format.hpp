@@ -1,6 +1,7 @@
 // The file formats of the plane and their names.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -14,6 +15,16 @@ enum class Format {
   case_json,  ///< case-v1: two operands with scales and expected results
   svg,        ///< a picture; written only
 };
+
+struct FormatEntry {
+  Format format;
+  std::string_view name;
+  bool is_extension;  ///< of files; those of cases end in .json too
+  bool is_read;       ///< by that extension
+};
+
+/// All of them: commands and Python take their lists from here.
+std::span<const FormatEntry> format_table();
 
 /// "wkt", "geojson", "poly", "json", "case", "svg".
 std::string name(Format format);

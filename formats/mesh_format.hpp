@@ -1,8 +1,12 @@
 // The file formats of polyhedra and their names.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
+
+#include "formats/input.hpp"
+#include "formats/mesh_reading.hpp"
 
 namespace minkref {
 
@@ -13,6 +17,20 @@ enum class MeshFormat {
   ply,   ///< Polygon File Format (Stanford); ASCII or binary
   json,  ///< {"vertices":[["x","y","z"],...],"faces":[[0,1,2],...]}; exact
 };
+
+/// A row of the table, which is all that knows of each format.
+struct MeshFormatEntry {
+  MeshFormat format;
+  std::string_view name;       ///< also the extension of files
+  std::string_view empty_set;  ///< how it is written; none where a text may be binary
+  MeshReading (*read)(std::string_view text, Input& input);
+  std::string (*write)(const Polyhedron& polyhedron);
+  bool is_exact;  ///< writes every number
+};
+
+/// All of them: commands and Python take their lists from here.
+std::span<const MeshFormatEntry> mesh_format_table();
+const MeshFormatEntry& entry_of(MeshFormat format);
 
 /// "off", "obj", "stl", "ply", "json".
 std::string name(MeshFormat format);

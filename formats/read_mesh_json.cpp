@@ -1,10 +1,10 @@
-#include "formats/read_mesh_json.hpp"
-
 #include <array>
 #include <string>
 
 #include "formats/json_object.hpp"
+#include "formats/json_text.hpp"
 #include "formats/mesh_builder.hpp"
+#include "formats/mesh_formats.hpp"
 #include "formats/message_text.hpp"
 #include "formats/read_json.hpp"
 
@@ -49,8 +49,6 @@ void read_face(Json value, MeshBuilder& mesh) {
   mesh.end_face();
 }
 
-}  // namespace
-
 MeshReading read_mesh_json(Json value, Input& input) {
   const JsonObject members(value, input, "a polyhedron", {"vertices", "faces"},
                            JsonObject::Others::refused);
@@ -62,6 +60,13 @@ MeshReading read_mesh_json(Json value, Input& input) {
   for (const Json vertex : vertices) read_vertex(vertex, mesh);
   for (const Json face : faces) read_face(face, mesh);
   return mesh.finish();
+}
+
+}  // namespace
+
+MeshReading read_mesh_json(std::string_view text, Input& input) {
+  const JsonText document(text, input);
+  return read_mesh_json(document.root(), input);
 }
 
 }  // namespace minkref

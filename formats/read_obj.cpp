@@ -1,10 +1,9 @@
-#include "formats/read_obj.hpp"
-
 #include <algorithm>
 #include <array>
 #include <string>
 
 #include "formats/mesh_builder.hpp"
+#include "formats/mesh_formats.hpp"
 #include "formats/message_text.hpp"
 #include "formats/text_lines.hpp"
 

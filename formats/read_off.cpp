@@ -1,8 +1,7 @@
-#include "formats/read_off.hpp"
-
 #include <string>
 
 #include "formats/mesh_builder.hpp"
+#include "formats/mesh_formats.hpp"
 #include "formats/message_text.hpp"
 #include "formats/text_lines.hpp"
 

@@ -1,5 +1,3 @@
-#include "formats/read_ply.hpp"
-
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -8,6 +6,7 @@
 
 #include "formats/file_text.hpp"
 #include "formats/mesh_builder.hpp"
+#include "formats/mesh_formats.hpp"
 #include "formats/message_text.hpp"
 #include "formats/ply_header.hpp"
 #include "formats/ply_values.hpp"

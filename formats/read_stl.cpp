@@ -1,11 +1,10 @@
-#include "formats/read_stl.hpp"
-
 #include <algorithm>
 #include <string>
 
 #include "formats/binary_bytes.hpp"
 #include "formats/file_text.hpp"
 #include "formats/mesh_builder.hpp"
+#include "formats/mesh_formats.hpp"
 #include "formats/message_text.hpp"
 #include "formats/text_lines.hpp"
 

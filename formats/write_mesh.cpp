@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "formats/decimal.hpp"
+#include "formats/mesh_formats.hpp"
 #include "reference/error.hpp"
 
 namespace minkref {
@@ -42,23 +43,11 @@ bool is_soup_of_triangles(const Polyhedron& polyhedron) {
 }  // namespace
 
 std::string write_mesh(const Polyhedron& polyhedron, MeshFormat format) {
-  switch (format) {
-    case MeshFormat::off:
-      return write_off(polyhedron);
-    case MeshFormat::obj:
-      return write_obj(polyhedron);
-    case MeshFormat::stl:
-      return write_stl(polyhedron);
-    case MeshFormat::ply:
-      return write_ply(polyhedron);
-    case MeshFormat::json:
-      break;
-  }
-  return write_mesh_json(polyhedron);
+  return entry_of(format).write(polyhedron);
 }
 
 bool writes_exactly(const Polyhedron& polyhedron, MeshFormat format) {
-  if (format == MeshFormat::json) return true;
+  if (entry_of(format).is_exact) return true;
   if (format == MeshFormat::stl && !is_soup_of_triangles(polyhedron)) return false;
   return std::all_of(polyhedron.vertices.begin(), polyhedron.vertices.end(), has_decimals);
 }

@@ -25,11 +25,4 @@ std::string write_mesh(const Polyhedron& polyhedron, MeshFormat format);
 /// anew, in the order of their first use.
 bool writes_exactly(const Polyhedron& polyhedron, MeshFormat format);
 
-std::string write_off(const Polyhedron& polyhedron);
-std::string write_obj(const Polyhedron& polyhedron);
-std::string write_stl(const Polyhedron& polyhedron);
-std::string write_ply(const Polyhedron& polyhedron);
-/// {"faces":[[0,1,2],...],"vertices":[["x","y","z"],...]} on one line, numbers as strings.
-std::string write_mesh_json(const Polyhedron& polyhedron);
-
 }  // namespace minkref

@@ -1,6 +1,6 @@
 #include "formats/cut_face.hpp"
 #include "formats/decimal.hpp"
-#include "formats/write_mesh.hpp"
+#include "formats/mesh_formats.hpp"
 #include "reference/error.hpp"
 
 namespace minkref {

@@ -15,12 +15,12 @@
 #include "python/core.hpp"
 #include "python/core_space.hpp"
 #include "python/vector_caster.hpp"
-#include "reference/convex/convex_sum.hpp"
-#include "reference/convex/incompatibility.hpp"
-#include "reference/convex/segment_sum.hpp"
-#include "reference/convex/static_convex_sum.hpp"
 #include "reference/error.hpp"
 #include "reference/space/canonical_polyhedron.hpp"
+#include "reference/space/convex/convex_sum.hpp"
+#include "reference/space/convex/incompatibility.hpp"
+#include "reference/space/convex/segment_sum.hpp"
+#include "reference/space/convex/static_convex_sum.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;

@@ -5,8 +5,8 @@
 
 #include "python/core.hpp"
 #include "python/stopwatch.hpp"
-#include "reference/convex/convex_polyhedron.hpp"
-#include "reference/convex/dynamic_convex_sum.hpp"
+#include "reference/space/convex/convex_polyhedron.hpp"
+#include "reference/space/convex/dynamic_convex_sum.hpp"
 
 namespace minkref::python {
 

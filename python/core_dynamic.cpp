@@ -19,7 +19,7 @@
 #include "reference/plane/critical/event_places.hpp"
 #include "reference/plane/dynamic/dynamic_sum.hpp"
 #include "reference/plane/dynamic/event_list.hpp"
-#include "reference/plane/dynamic/from_scratch.hpp"
+#include "trials/from_scratch.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;

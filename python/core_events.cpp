@@ -22,8 +22,8 @@
 #include "reference/plane/critical/pair_event_search.hpp"
 #include "reference/plane/critical/pair_interval.hpp"
 #include "reference/plane/critical/parallel_pair.hpp"
-#include "reference/plane/critical/precision_trial.hpp"
 #include "reference/plane/kernel/grid_kernel.hpp"
+#include "trials/precision_trial.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;

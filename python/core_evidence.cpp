@@ -7,9 +7,9 @@
 
 #include "python/core.hpp"
 #include "python/vector_caster.hpp"
-#include "reference/plane/filter_trial.hpp"
 #include "reference/plane/routes/face_points.hpp"
 #include "reference/plane/witness.hpp"
+#include "trials/filter_trial.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;

@@ -23,6 +23,13 @@ Set keep(Reading reading) {
 }  // namespace
 
 void bind_files(nb::module_& module) {
+  nb::dict formats;
+  for (const FormatEntry& entry : format_table()) {
+    if (entry.is_extension) {
+      formats[nb::str(entry.name.data(), entry.name.size())] = entry.is_read;
+    }
+  }
+  module.attr("SET_FORMATS") = formats;
   module.def(
       "read_file",
       [](const std::string& path) {

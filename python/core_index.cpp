@@ -19,8 +19,8 @@
 #include "python/vector_caster.hpp"
 #include "reference/error.hpp"
 #include "reference/plane/dynamic/dynamic_sum.hpp"
-#include "reference/scalespace/in_parallel.hpp"
-#include "reference/scalespace/scale_space_index.hpp"
+#include "reference/plane/index/in_parallel.hpp"
+#include "reference/plane/index/scale_index.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -99,11 +99,11 @@ class Index {
   }
   explicit Index(const std::string& path) {
     const Stopwatch watch;
-    index_ = ScaleSpaceIndex::open(path);
+    index_ = ScaleIndex::open(path);
     seconds = watch.seconds();
   }
 
-  const ScaleSpaceIndex& index() const { return *index_; }
+  const ScaleIndex& index() const { return *index_; }
   double seconds = 0;  ///< of building or opening it
 
   std::pair<std::optional<std::string>, std::optional<std::string>> window() const {
@@ -271,7 +271,7 @@ class Index {
   }
 
  private:
-  std::optional<ScaleSpaceIndex> index_;
+  std::optional<ScaleIndex> index_;
 };
 
 template <class Form>
@@ -351,7 +351,7 @@ void bind_rings(nb::module_& module) {
 void bind_index(nb::module_& module) {
   using OptionalText = std::optional<std::string>;
   bind_rings(module);
-  nb::class_<Index>(module, "ScaleSpaceIndex",
+  nb::class_<Index>(module, "ScaleIndex",
                     "sP + Q at all scales of a closed window, built once; any one is read off. "
                     "Safe to ask from several threads.")
       .def(nb::init<const Set&, const Set&, const OptionalText&, const OptionalText&, unsigned,

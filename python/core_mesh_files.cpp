@@ -23,6 +23,11 @@ std::pair<Surface, std::vector<std::string>> keep(MeshReading reading) {
 }  // namespace
 
 void bind_mesh_files(nb::module_& module) {
+  nb::list names;
+  for (const MeshFormatEntry& entry : mesh_format_table()) {
+    names.append(nb::str(entry.name.data(), entry.name.size()));
+  }
+  module.attr("MESH_FORMATS") = nb::tuple(names);
   module.def(
       "read_mesh_file", [](const std::string& path) { return keep(read_mesh_file(path)); },
       "path"_a, Released(),

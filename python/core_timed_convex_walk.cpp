@@ -8,9 +8,9 @@
 #include "python/core_convex.hpp"
 #include "python/core_space.hpp"
 #include "python/vector_caster.hpp"
-#include "reference/convex/convex_sum.hpp"
-#include "reference/convex/static_convex_sum.hpp"
-#include "reference/convex/sum_coordinates.hpp"
+#include "reference/space/convex/convex_sum.hpp"
+#include "reference/space/convex/static_convex_sum.hpp"
+#include "reference/space/convex/sum_coordinates.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;

@@ -9,8 +9,8 @@
 #include "python/core.hpp"
 #include "python/stopwatch.hpp"
 #include "python/vector_caster.hpp"
-#include "reference/scalespace/scale_space_index.hpp"
-#include "reference/scalespace/track_numbers.hpp"
+#include "reference/plane/index/scale_index.hpp"
+#include "reference/plane/index/track_numbers.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -26,7 +26,7 @@ constexpr int most_passes = 1000;
 
 class TimedQueries {
  public:
-  TimedQueries(const ScaleSpaceIndex& index, int passes) : index_(index), passes_(passes) {}
+  TimedQueries(const ScaleIndex& index, int passes) : index_(index), passes_(passes) {}
 
   Row rounded(const Rational& scale) {
     index_.rings(scale, tracks_);
@@ -106,7 +106,7 @@ class TimedQueries {
     homogeneous_numbers(own, index_.counts().track_bits, all_, scale, to);
   }
 
-  const ScaleSpaceIndex& index_;
+  const ScaleIndex& index_;
   int passes_;
   TrackRings tracks_;
   RoundedRings rounded_;
@@ -121,7 +121,7 @@ class TimedQueries {
 std::map<std::string, std::vector<Row>> timed_queries(const std::string& path,
                                                       const std::vector<std::string>& scales,
                                                       int passes) {
-  const ScaleSpaceIndex index = ScaleSpaceIndex::open(path);
+  const ScaleIndex index = ScaleIndex::open(path);
   TimedQueries timed(index, std::clamp(passes, 1, most_passes));
   std::map<std::string, std::vector<Row>> rows;
   for (const std::string& text : scales) {

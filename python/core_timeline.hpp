@@ -11,7 +11,7 @@
 
 #include "python/core.hpp"
 #include "reference/plane/critical/pair_events.hpp"
-#include "reference/plane/dynamic/topology_timeline.hpp"
+#include "reference/plane/history/topology_timeline.hpp"
 
 namespace minkref::python {
 

@@ -17,18 +17,31 @@ INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.MULTIL
 BY_NAME = re.compile(r"(import_module|__import__)\(\s*f?[\"'](?!\.[^.])[^\"']*")
 FOREIGN = ("CGAL/", "nlohmann/")
 ROOMS = (
-    "reference", "formats", "certify", "oracle", "degeneracies", "fuzz", "reports", "python",
-    "commands", "strategies",
+    "reference", "trials", "formats", "certify", "oracle", "degeneracies", "fuzz", "reports",
+    "python", "commands", "strategies",
 )  # fmt: skip
 
 # Room: the rooms of ours that it may include, and the foreign libraries of FOREIGN that it may use.
 MAY_INCLUDE: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "reference": (("reference",), ()),
+    "trials": (("trials", "reference"), ()),
     "formats": (("formats", "reference"), ("nlohmann/",)),
     "certify": (("certify", "formats", "reference"), ("nlohmann/",)),
-    "python": (("python", "certify", "formats", "reference"), ()),
+    "python": (("python", "certify", "formats", "trials", "reference"), ()),
     "fuzz": (("fuzz", "formats", "reference"), ("nlohmann/",)),
     "oracle": (("oracle",), FOREIGN),
+}
+_AFTER_CRITICAL = tuple(f"reference/plane/{room}/" for room in ("history", "dynamic", "index"))
+# Folder: what it may not include of its own room. The two ways through the scales share what is
+# below them.
+APART = {
+    "reference/number": ("reference/plane/", "reference/space/"),
+    "reference/plane": ("reference/space/",),
+    "reference/plane/moving": ("reference/plane/critical/", *_AFTER_CRITICAL),
+    "reference/plane/critical": _AFTER_CRITICAL,
+    "reference/plane/history": _AFTER_CRITICAL[1:],
+    "reference/plane/dynamic": ("reference/plane/index/",),
+    "reference/plane/index": ("reference/plane/dynamic/",),
 }
 # Folder: what its Python may not import. "standard library" lets nothing else through but itself.
 NO_IMPORT = {"oracle": ("minkref", "fuzz", "reports")}
@@ -36,9 +49,11 @@ NO_IMPORT = {"oracle": ("minkref", "fuzz", "reports")}
 CHECK_COMMANDS = (Path("commands/check.py"), Path("commands/certify_check.py"))
 STANDARD_LIBRARY_ONLY = ("oracle/slow", "oracle/checker")
 # The floors of the package, from the ground up: what stands on one imports nothing that stands on a
-# floor above it, also not by a module's name. `python` is the package's own folder.
+# floor above it, also not by a module's name. `python` is the package's own folder; its interface
+# stands above what it offers.
+API = ("python/minkref/api", "python/minkref/api.py", "python/minkref/__init__.py")
 FLOORS = (
-    ("python",), ("certify",), ("fuzz",), ("degeneracies",), ("strategies", "reports"),
+    ("python",), ("certify",), API, ("fuzz",), ("degeneracies",), ("strategies", "reports"),
     ("commands",), ("reports/documentation", "reports/evidence"),
 )  # fmt: skip
 DOOR = Path("python/minkref/__main__.py")  # `python -m minkref` is the command
@@ -73,12 +88,15 @@ def check_cpp(root: Path) -> Iterator[str]:
         own, foreign = MAY_INCLUDE.get(
             room, (tuple(r for r in ROOMS if r != "oracle"), ("nlohmann/",))
         )
+        apart = [f for folder, f in APART.items() if relative.is_relative_to(folder)]
         for line, include in includes(path.read_text(encoding="utf-8")):
             target = room_named(include)
             if ".." in include.split("/"):
                 yield f"{relative}:{line}: {include}: includes are written from the root"
             elif target is not None and target not in own:
                 yield f"{relative}:{line}: {room} may not include {include}"
+            elif any(include.startswith(folders) for folders in apart):
+                yield f"{relative}:{line}: {relative.parent} may not include {include}"
             elif include.startswith(FOREIGN) and not include.startswith(foreign):
                 yield f"{relative}:{line}: {room} may not use {include}"
 

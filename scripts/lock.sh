@@ -6,7 +6,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 # What the site shares with the checkout has one version in both.
-for source in requirements.in docs/site/requirements.in fuzz/adapters/*.requirements.in packaging/*.requirements.in; do
+for source in requirements.in docs/site/requirements.in fuzz/libraries/*/requirements.in packaging/*.requirements.in; do
   lock=${source%.in}.txt
   shared=()
   [[ $source != docs/* ]] || shared=(--constraints requirements.txt)

@@ -28,8 +28,7 @@ WindowFrom = Annotated[
     ),
 ]
 WindowTo = Annotated[
-    str | None,
-    typer.Option("--to", help="Largest scale, included. Default: no end.", metavar="B"),
+    str | None, typer.Option("--to", help="Largest scale, included. Default: no end.", metavar="B")
 ]
 Json = Annotated[
     bool,

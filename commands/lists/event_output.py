@@ -10,7 +10,7 @@ from typing import Any
 
 from minkref.commands.line.progress import progress
 from minkref.commands.lists.event_table import write_parquet
-from minkref.commands.lists.scale_space import cores
+from minkref.commands.lists.scale_index import cores
 from minkref.documents import as_text
 from minkref.event_lists import EventList, PairEventList
 from minkref.output_target import Target

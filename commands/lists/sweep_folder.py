@@ -12,6 +12,7 @@ import re
 from collections.abc import Iterable
 from pathlib import Path
 
+from minkref import _core
 from minkref.documents import TEMPORARY, check_writable, write_atomically
 from minkref.errors import Refusal
 from minkref.output_target import refuse_stream
@@ -20,8 +21,8 @@ from minkref.terminal import escaped
 INDEX = "index.json"
 SHOWN = 1000  # scales that people see
 UNFINISHED = f"{TEMPORARY}sweep"
-FORMATS = ("json", "wkt", "geojson", "poly", "svg")
-SPACE_FORMATS = ("json", "off", "obj", "stl", "ply")
+FORMATS = tuple(dict.fromkeys(("json", *_core.SET_FORMATS)))
+SPACE_FORMATS = tuple(dict.fromkeys(("json", *_core.MESH_FORMATS)))
 _OURS = re.compile(
     rf"sum-[0-9]{{4,}}\.({'|'.join({*FORMATS, *SPACE_FORMATS})})|{re.escape(INDEX)}"
     rf"|{re.escape(TEMPORARY)}.*",

@@ -10,12 +10,7 @@ from typing import Any
 from minkref import _core
 from minkref.commands.line.memory import SIMPLER, memory_wall
 from minkref.commands.lists.sweep_folder import SPACE_FORMATS
-from minkref.documents import (
-    Stopwatch,
-    as_text,
-    document,
-    refuse_overwriting,
-)
+from minkref.documents import Stopwatch, as_text, document, refuse_overwriting
 from minkref.errors import Refusal, choice, refusing
 from minkref.exact import scientific
 from minkref.output_target import target_of

@@ -140,10 +140,7 @@ def _print(value: dict[str, Any], rows: RowSpool) -> None:
         sys.stdout.write(f"{len(rows) - SHOWN:,} more: --json or -o DIR gives all\n")
     summary = [
         ("sweep", f"{value['P']} + {value['Q']}, {counted(len(rows), 'scaling')}"),
-        (
-            "fv, vf, ee",
-            "facets of P and Q whose vertex changed, pairs of edges that are no more",
-        ),
+        ("fv, vf, ee", "facets of P and Q whose vertex changed, pairs of edges that are no more"),
         ("seconds", f"{value['seconds']:.3f}"),
     ]
     if value["output"]:

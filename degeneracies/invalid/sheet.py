@@ -86,10 +86,7 @@ class Sheet:
 
 
 def sheet(
-    dice: Random,
-    shape: Shape,
-    forms: Sequence[str] = FORMS,
-    backwards: bool | None = None,
+    dice: Random, shape: Shape, forms: Sequence[str] = FORMS, backwards: bool | None = None
 ) -> Sheet:
     """The shape in one of the formats, in other coordinates, each ring begun at its first
     vertex."""

@@ -158,28 +158,8 @@ FAMILIES = (
         _bent,
         _is_bent,
     ),
-    Family(
-        "fits-hole",
-        "an operand that fits a hole of the other exactly",
-        _fits_hole,
-        _is_point,
-    ),
-    Family(
-        "fits-slot",
-        "an operand that just passes a slot into a room",
-        _fits_slot,
-        _is_slot,
-    ),
-    Family(
-        "fits-notch",
-        "an operand that fits a notch exactly",
-        _fits_notch,
-        _is_notch,
-    ),
-    Family(
-        "rings-touching",
-        "rings of an operand that touch at points",
-        _touching,
-        _is_touching,
-    ),
+    Family("fits-hole", "an operand that fits a hole of the other exactly", _fits_hole, _is_point),
+    Family("fits-slot", "an operand that just passes a slot into a room", _fits_slot, _is_slot),
+    Family("fits-notch", "an operand that fits a notch exactly", _fits_notch, _is_notch),
+    Family("rings-touching", "rings of an operand that touch at points", _touching, _is_touching),
 )

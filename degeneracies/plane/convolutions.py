@@ -198,22 +198,9 @@ FAMILIES = (
         _euler,
         _is_euler,
     ),
+    Family("combs", "combs whose sum has far more vertices than they have", _combs, _is_large),
     Family(
-        "combs",
-        "combs whose sum has far more vertices than they have",
-        _combs,
-        _is_large,
+        "spirals", "spirals whose sum has far more vertices than they have", _spirals, _is_large
     ),
-    Family(
-        "spirals",
-        "spirals whose sum has far more vertices than they have",
-        _spirals,
-        _is_large,
-    ),
-    Family(
-        "origin-outside",
-        "a scaled operand that does not contain the origin",
-        _away,
-        _is_away,
-    ),
+    Family("origin-outside", "a scaled operand that does not contain the origin", _away, _is_away),
 )

@@ -133,27 +133,9 @@ FAMILIES = (
         _is_close(200),
     ),
     Family(
-        "scale-is-no-float",
-        "an event scale that is no binary fraction",
-        _no_float,
-        _is_no_float,
+        "scale-is-no-float", "an event scale that is no binary fraction", _no_float, _is_no_float
     ),
-    Family(
-        "scale-is-a-float",
-        "an event scale that is a double",
-        _float,
-        _is_float,
-    ),
-    Family(
-        "scales-near-zero",
-        "event scales that accumulate near zero",
-        _near_zero,
-        _is_tiny,
-    ),
-    Family(
-        "scales-far-out",
-        "event scales that accumulate far out",
-        _far_out,
-        _is_large,
-    ),
+    Family("scale-is-a-float", "an event scale that is a double", _float, _is_float),
+    Family("scales-near-zero", "event scales that accumulate near zero", _near_zero, _is_tiny),
+    Family("scales-far-out", "event scales that accumulate far out", _far_out, _is_large),
 )

@@ -146,34 +146,11 @@ FAMILIES = (
         _triple,
         _by_triple,
     ),
+    Family("hole-to-segment", "a hole that closes to a segment", _segment, _has_passage(2, 2)),
+    Family("hole-to-polyline", "a hole that closes to a polyline", _polyline, _has_passage(3)),
+    Family("hole-born", "a hole that is born inside the sum", _born, _is_born),
+    Family("holes-merge", "two holes that merge", _merge, _is_merge),
     Family(
-        "hole-to-segment",
-        "a hole that closes to a segment",
-        _segment,
-        _has_passage(2, 2),
-    ),
-    Family(
-        "hole-to-polyline",
-        "a hole that closes to a polyline",
-        _polyline,
-        _has_passage(3),
-    ),
-    Family(
-        "hole-born",
-        "a hole that is born inside the sum",
-        _born,
-        _is_born,
-    ),
-    Family(
-        "holes-merge",
-        "two holes that merge",
-        _merge,
-        _is_merge,
-    ),
-    Family(
-        "holes-too-small",
-        "several holes of which few survive, one by nothing",
-        _small,
-        _is_small,
+        "holes-too-small", "several holes of which few survive, one by nothing", _small, _is_small
     ),
 )

@@ -116,10 +116,5 @@ FAMILIES = (
         _wholly,
         _is_wholly,
     ),
-    Family(
-        "several-events",
-        "events in three or more places at one scale",
-        _several,
-        _is_several,
-    ),
+    Family("several-events", "events in three or more places at one scale", _several, _is_several),
 )

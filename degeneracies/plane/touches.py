@@ -25,10 +25,7 @@ def _two_tiers(dice: Random, of_p: Part, of_q: Part, half: int) -> Draft:
     left, right = -half - dice.randint(0, 3), half + dice.randint(0, 3)
     first = -dice.randint(half, 3 * half)
     P = [*moved([[of_p(dice, 1)]], right, 0), *moved([[of_p(dice, -1)]], left, 0)]
-    Q = [
-        *moved([[of_q(dice, 1)]], first, 0),
-        *moved([[of_q(dice, -1)]], first + right - left, 0),
-    ]
+    Q = [*moved([[of_q(dice, 1)]], first, 0), *moved([[of_q(dice, -1)]], first + right - left, 0)]
     if dice.random() < 0.4:  # what happens, happens to a hole
         Q.append(framed([box(-FRAME, -FRAME, 2 * FRAME, 2 * FRAME)], dice.randint(20, 40)))
     return changed(dice, Draft(P, Q, ONE))

@@ -22,13 +22,7 @@ from minkref.degeneracies.space.coincidences import (
     parallel_edges,
     parallel_facets,
 )
-from minkref.degeneracies.space.draft import (
-    Coincidence,
-    SpaceDraft,
-    SpaceFacts,
-    SpaceFamily,
-    SumAt,
-)
+from minkref.degeneracies.space.draft import Coincidence, SpaceDraft, SpaceFacts, SpaceFamily, SumAt
 from minkref.fuzz.space.polyhedron import Polyhedron
 
 DIRECTIONS = ((1, 0), (0, 1), (1, 1), (2, -1), (1, 3))

@@ -6,14 +6,7 @@ from fractions import Fraction
 from random import Random
 
 from minkref.degeneracies.draft import NothingDrawn
-from minkref.degeneracies.space.bodies import (
-    any_scaling,
-    below,
-    changed,
-    hull,
-    scattered,
-    swapped,
-)
+from minkref.degeneracies.space.bodies import any_scaling, below, changed, hull, scattered, swapped
 from minkref.degeneracies.space.coincidences import (
     facets_along_edges,
     only_here,

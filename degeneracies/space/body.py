@@ -8,13 +8,7 @@ from functools import cached_property
 from itertools import combinations, pairwise
 
 from minkref import _core
-from minkref.degeneracies.space.vectors import (
-    Vector,
-    crossed,
-    difference,
-    direction,
-    product,
-)
+from minkref.degeneracies.space.vectors import Vector, crossed, difference, direction, product
 from minkref.fuzz.geometry.space import Point, Whole
 from minkref.fuzz.space.polyhedron import Polyhedron
 

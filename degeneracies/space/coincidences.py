@@ -4,11 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from minkref.degeneracies.space.draft import (
-    Coincidence,
-    SpaceFacts,
-    SumAt,
-)
+from minkref.degeneracies.space.draft import Coincidence, SpaceFacts, SumAt
 from minkref.fuzz.geometry.space import Whole
 
 

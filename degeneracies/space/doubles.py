@@ -44,11 +44,7 @@ def _minus(a: Triple, b: Triple) -> Triple:
 
 
 def _cross(a: Triple, b: Triple) -> Triple:
-    return (
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    )
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
 def _sign(value: float) -> int | None:

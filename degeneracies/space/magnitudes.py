@@ -28,14 +28,7 @@ from minkref.degeneracies.space.bodies import (
 from minkref.degeneracies.space.body import Corners
 from minkref.degeneracies.space.coincidences import facets_along_edges, only_here, parallel_facets
 from minkref.degeneracies.space.draft import Coincidence, SpaceDraft, SpaceFacts, SpaceFamily
-from minkref.degeneracies.space.vectors import (
-    crossed,
-    inverse,
-    product,
-    shrunk,
-    stretched,
-    vector,
-)
+from minkref.degeneracies.space.vectors import crossed, inverse, product, shrunk, stretched, vector
 from minkref.fuzz.geometry.space import Point
 
 LEAST_BITS, MOST_BITS = 20, 200

@@ -8,10 +8,7 @@ from fractions import Fraction
 from itertools import pairwise
 from random import Random
 
-from minkref.degeneracies.space.at_a_scaling import (
-    facet_and_edge,
-    facet_pair,
-)
+from minkref.degeneracies.space.at_a_scaling import facet_and_edge, facet_pair
 from minkref.degeneracies.space.bodies import (
     any_scaling,
     box,
@@ -301,12 +298,7 @@ FAMILIES = (
         _prisms,
         _many_corners,
     ),
-    SpaceFamily(
-        "with-itself",
-        "a body and the same body",
-        _itself,
-        _is_itself,
-    ),
+    SpaceFamily("with-itself", "a body and the same body", _itself, _is_itself),
     SpaceFamily(
         "with-its-reflection",
         "a body and its reflection in a point: all facets of the one are opposite to the other's",

@@ -8,13 +8,7 @@ from fractions import Fraction
 from random import Random
 
 from minkref.degeneracies.space.bodies import changed, hull, lattice_point, scattered
-from minkref.degeneracies.space.draft import (
-    ONE,
-    Coincidence,
-    SpaceDraft,
-    SpaceFacts,
-    SpaceFamily,
-)
+from minkref.degeneracies.space.draft import ONE, Coincidence, SpaceDraft, SpaceFacts, SpaceFamily
 from minkref.fuzz.geometry.space import Point
 
 Corners = tuple[int, ...]

@@ -28,7 +28,7 @@ GUIDE = (
     "definitions",
     "formats",
     "command-line",
-    "scale-space",
+    "scale-index",
     "convex-polyhedra",
     "first-finding",
     "verify",

@@ -64,10 +64,7 @@ def schema_pages(root: Path) -> Iterator[tuple[Path, str]]:
         schema = json.loads(path.read_text(encoding="utf-8"))
         title = schema.get("title", path.stem)
         text = jsonschema_markdown.generate(
-            schema,
-            title=title,
-            footer=False,
-            hide_empty_columns=True,
+            schema, title=title, footer=False, hide_empty_columns=True
         )
         for before, after in WORDS.items():
             text = text.replace(before, after)

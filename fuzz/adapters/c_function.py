@@ -9,12 +9,7 @@ from collections.abc import Callable
 from ctypes import POINTER, Structure, c_char_p, c_double, c_int, c_ubyte, c_void_p
 from typing import Any
 
-from adapter_protocol import (  # type: ignore[import-not-found,unused-ignore]
-    Errored,
-    Rejected,
-    Set,
-    Sum,
-)
+from adapter_protocol import Errored, Rejected, Set, Sum  # type: ignore[import-not-found,unused-ignore]
 
 RESULT, SKIPPED, REJECTED = 0, 1, 2
 MOST_VERTICES = 50_000_000

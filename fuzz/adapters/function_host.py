@@ -19,16 +19,7 @@ if __name__ == "__main__" and not sys.flags.safe_path:
     del sys.path[0]  # the folder of this program
 sys.path.insert(0, HERE)
 
-from adapter_protocol import (  # type: ignore[import-not-found,unused-ignore] # noqa: E402
-    Errored,
-    Rejected,
-    Set,
-    Skipped,
-    Sum,
-    serve,
-    streams,
-    told,
-)
+from adapter_protocol import Errored, Rejected, Set, Skipped, Sum, serve, streams, told  # type: ignore[import-not-found,unused-ignore] # noqa: E402
 
 sys.path.remove(HERE)
 PROTOCOL = sys.modules.pop("adapter_protocol")

@@ -14,11 +14,7 @@ VERIFY = "minkref verify {stem} --seconds 30"
 # Language: the template, the ending of the file, how it is started.
 LANGUAGES = {
     "python": ("template.py", ".py", ("minkref verify {program} --seconds 30",)),
-    "c++": (
-        "template.cpp",
-        ".cpp",
-        ("c++ -std=c++17 -O2 {file} -o {stem}", VERIFY),
-    ),
+    "c++": ("template.cpp", ".cpp", ("c++ -std=c++17 -O2 {file} -o {stem}", VERIFY)),
     "c": (
         "template.c",
         ".c",
@@ -38,9 +34,7 @@ def template(name: str, language: str, folder: Path) -> tuple[Path, str, list[st
     languages."""
     if language not in LANGUAGES:
         raise Refusal(
-            f"there is no template in {language[:40]!r}",
-            "--language",
-            choice(language, LANGUAGES),
+            f"there is no template in {language[:40]!r}", "--language", choice(language, LANGUAGES)
         )
     if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_-]{0,59}", name):
         raise Refusal(

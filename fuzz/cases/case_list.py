@@ -10,9 +10,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from enum import Enum
 
-from minkref.fuzz.cases.case import CaseName
-from minkref.fuzz.cases.space_case import LAWS_IN_SPACE
+from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.verbs import EVENTS, UPDATE
+from minkref.fuzz.space.case import LAWS_IN_SPACE
 from minkref.model_catalogue import PAPER_MODELS, all_models, or_look_alike
 
 SMALL_MODELS = ("g3", "g1", "disc1", "disc5", "g2", "g4", "dog145")

@@ -10,15 +10,7 @@ from fractions import Fraction
 from minkref import _core
 from minkref.exact import set_json
 from minkref.fuzz.families.random_pairs import Pair
-from minkref.fuzz.geometry.plane import (
-    Ring,
-    Shape,
-    box,
-    doubled_area,
-    mapped,
-    read_shape,
-    scaled,
-)
+from minkref.fuzz.geometry.plane import Ring, Shape, box, doubled_area, mapped, read_shape, scaled
 
 Draw = Callable[[random.Random, int], tuple[Shape, Shape]]
 

@@ -12,6 +12,12 @@ Whole = tuple[int, int, int]  # a point or vector with integer coordinates
 Scale = Fraction | Point  # the same along all axes, or one factor for each
 
 
+def scale_of(text: str) -> Scale:
+    """One number, or three."""
+    parts = [Fraction(part) for part in text.split(",")]
+    return (parts[0], parts[1], parts[2]) if len(parts) == 3 else parts[0]
+
+
 def factors(scale: Scale) -> Point:
     """One factor for each axis."""
     return scale if isinstance(scale, tuple) else (scale, scale, scale)
@@ -47,11 +53,7 @@ def dot(a: Whole, b: Whole) -> int:
 
 
 def cross(a: Whole, b: Whole) -> Whole:
-    return (
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    )
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
 def normal(a: Whole, b: Whole, c: Whole) -> Whole:

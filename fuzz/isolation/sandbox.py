@@ -76,7 +76,7 @@ def readable(command: tuple[str, ...], named: tuple[str, ...], here: str) -> tup
 def _ours() -> list[Path]:
     """This package, with what it is linked to, and the folder of installed adapters."""
     import minkref
-    from minkref.fuzz.adapters.catalogue import default_folder
+    from minkref.fuzz.libraries.catalogue import default_folder
 
     here = Path(__file__).resolve()
     rooms = [here.parents[2], *(Path(place) for place in minkref.__path__), default_folder()]

@@ -6,9 +6,9 @@ from collections.abc import Iterable
 from fractions import Fraction
 from typing import Any
 
-from minkref.fuzz.cases.case import Case
 from minkref.fuzz.cgal.oracle import CgalOracle, OracleNotFoundError, method_of_target
 from minkref.fuzz.judges.slow_operands import slow_operand, slow_operands
+from minkref.fuzz.plane.case import Case
 from minkref.oracle import slow
 
 SECONDS = 60.0

@@ -12,9 +12,9 @@ from importlib.util import find_spec
 
 from minkref import _core
 from minkref.errors import message_of
-from minkref.fuzz.cases.case import Case
 from minkref.fuzz.cgal.executables import SWEPT_SOLID, OracleNotFoundError, find_executable
 from minkref.fuzz.judges.ruling import Ruling
+from minkref.fuzz.plane.case import Case
 from minkref.fuzz.verdicts.verdict import Outcome, Verdict
 
 PREFIX = "minkref@"

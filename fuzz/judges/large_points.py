@@ -6,9 +6,9 @@ import random
 from fractions import Fraction
 
 from minkref import _core
-from minkref.fuzz.cases.case import Case
 from minkref.fuzz.geometry.plane import written_rings
 from minkref.fuzz.judges.slow_operands import slow_operands
+from minkref.fuzz.plane.case import Case
 from minkref.oracle import slow
 from minkref.oracle.slow.witness import Pieces
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 
 from minkref import _core
-from minkref.fuzz.cases.case import Case
+from minkref.fuzz.plane.case import Case
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict, Witness
 
 SCALES_OF_EVENTS = 2  # of each kind, on one case

@@ -10,10 +10,10 @@ from pathlib import Path
 from typing import Any, NamedTuple, Self
 
 from minkref import _core
-from minkref.fuzz.cases.case import Case
 from minkref.fuzz.cgal.executables import OracleNotFoundError, built_folders
 from minkref.fuzz.cgal.server import OracleServer
 from minkref.fuzz.judges.ruling import Ruling, dice_of
+from minkref.fuzz.plane.case import Case
 from minkref.fuzz.verdicts.verdict import Reason
 
 EXECUTABLE = "minkref-sampled-events"
@@ -95,7 +95,7 @@ def judge(case: Case, sampled: SampledEvents) -> Ruling:
     ruling = Ruling()
     low, high = window(case, truth.events)
     within = [event for event in truth.events if low <= event.s <= high]
-    for route, sums in (("dynamic", _core.DynamicSum), ("index", _core.ScaleSpaceIndex)):
+    for route, sums in (("dynamic", _core.DynamicSum), ("index", _core.ScaleIndex)):
         found = sums(case.P, case.Q)
         compare_events(ruling, f"boundary events by the route {route}", found, truth.events)
         compare_topology(ruling, route, found, truth.events)
@@ -159,7 +159,7 @@ def compare_states(ruling: Ruling, dynamic: _core.DynamicSum, truth: Events) -> 
     )  # fmt: skip
 
 
-def compare_index(ruling: Ruling, index: _core.ScaleSpaceIndex, truth: Events) -> None:
+def compare_index(ruling: Ruling, index: _core.ScaleIndex, truth: Events) -> None:
     """Components and holes at each event and in the middle between two."""
     scales = [event.s for event in truth.events]
     ends = [Fraction(0), *scales, 2 * max(scales, default=Fraction(1))]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-from minkref.fuzz.cases.case import Case
+from minkref.fuzz.plane.case import Case
 from minkref.oracle import slow
 from minkref.oracle.slow.exact import positive
 

@@ -6,12 +6,12 @@ import random
 from fractions import Fraction
 
 from minkref import _core
-from minkref.fuzz.cases.case import Case
 from minkref.fuzz.geometry.plane import written_rings
 from minkref.fuzz.judges.ruling import Ruling, dice_of
 from minkref.fuzz.judges.slow_operands import slow_operands
+from minkref.fuzz.plane.case import Case
+from minkref.fuzz.plane.witness import holds
 from minkref.fuzz.verdicts.verdict import Reason, Witness
-from minkref.fuzz.verdicts.witness import holds
 from minkref.oracle import slow
 from minkref.oracle.slow.witness import Pieces
 

@@ -6,9 +6,9 @@ from fractions import Fraction
 
 from minkref import _core
 from minkref.exact import digest
-from minkref.fuzz.cases.case import Case
 from minkref.fuzz.judges.ruling import Ruling, scales_of
 from minkref.fuzz.judges.slow_operands import slow_operand, slow_operands
+from minkref.fuzz.plane.case import Case
 from minkref.fuzz.verdicts.verdict import Reason, Witness
 from minkref.oracle import slow
 
@@ -18,7 +18,7 @@ def judge(case: Case) -> Ruling:
     ruling = Ruling()
     P, Q = slow_operands(case)
     dynamic = _core.DynamicSum(case.P, case.Q)
-    index = _core.ScaleSpaceIndex(case.P, case.Q)
+    index = _core.ScaleIndex(case.P, case.Q)
     for scale in scales_of(case, dynamic):
         truth = slow.minkowski_sum(P, Q, Fraction(scale))
         expected = (truth.digest, truth.components, truth.holes)

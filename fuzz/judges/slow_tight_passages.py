@@ -5,9 +5,9 @@ from __future__ import annotations
 from fractions import Fraction
 
 from minkref import _core
-from minkref.fuzz.cases.case import Case
 from minkref.fuzz.judges.ruling import Ruling, scales_of
 from minkref.fuzz.judges.slow_operands import slow_operands
+from minkref.fuzz.plane.case import Case
 from minkref.fuzz.verdicts.verdict import Reason
 from minkref.oracle import slow
 

@@ -6,9 +6,9 @@ from collections import Counter
 from fractions import Fraction
 
 from minkref import _core
-from minkref.fuzz.cases.case import Case
 from minkref.fuzz.judges.ruling import Ruling, event_scales
 from minkref.fuzz.judges.slow_operands import slow_operands
+from minkref.fuzz.plane.case import Case
 from minkref.fuzz.verdicts.verdict import Reason
 from minkref.oracle import slow
 from minkref.oracle.slow.identity import Link
@@ -24,7 +24,7 @@ def judge(case: Case) -> Ruling:
     ruling = Ruling()
     P, Q = slow_operands(case)
     dynamic = _core.DynamicSum(case.P, case.Q)
-    index = _core.ScaleSpaceIndex(case.P, case.Q)
+    index = _core.ScaleIndex(case.P, case.Q)
     boundary = {
         "dynamic": {row[0] for row in dynamic.boundary_events()},
         "index": {row[0] for row in index.boundary_events()},
@@ -97,7 +97,7 @@ def _word(link: Link) -> str:
     return link.change
 
 
-def _reported(sums: _core.DynamicSum | _core.ScaleSpaceIndex, scale: str) -> Counter[Change]:
+def _reported(sums: _core.DynamicSum | _core.ScaleIndex, scale: str) -> Counter[Change]:
     return Counter(
         (feature, change, len(before), parts, len(after))
         for s, feature, change, before, after, parts, _ in sums.topology_events()

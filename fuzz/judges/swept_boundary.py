@@ -5,9 +5,9 @@ from __future__ import annotations
 from fractions import Fraction
 
 from minkref import _core
-from minkref.fuzz.cases.case import Case
 from minkref.fuzz.cgal.swept_solid import MOST_PAIRS, SweptSolid
 from minkref.fuzz.judges.ruling import Ruling
+from minkref.fuzz.plane.case import Case
 from minkref.fuzz.verdicts.verdict import Reason
 
 # Between fractions with primes that no event of small integer operands has.
@@ -25,7 +25,7 @@ def judge(case: Case, solid: SweptSolid) -> Ruling:
         raise RuntimeError(f"the swept solid {answer.status}: {answer.reason}")
     ruling = Ruling()
     heights = {vertex.s for vertex in answer.vertices}
-    for route, sums in (("dynamic", _core.DynamicSum), ("index", _core.ScaleSpaceIndex)):
+    for route, sums in (("dynamic", _core.DynamicSum), ("index", _core.ScaleIndex)):
         rows = sums(case.P, case.Q, LOW, HIGH).boundary_events()
         events = {Fraction(s) for s, *_ in rows} - {Fraction(LOW), Fraction(HIGH)}
         ruling.compare(

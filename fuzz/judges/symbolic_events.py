@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from minkref.fuzz.cases.case import Case
 from minkref.fuzz.geometry.plane import written_rings
 from minkref.fuzz.judges.event_rows import compared, show
 from minkref.fuzz.judges.ruling import Ruling
+from minkref.fuzz.plane.case import Case
 from minkref.fuzz.verdicts.verdict import Reason
 from minkref.oracle.symbolic.arrangement import pairwise_events, threefold_events
 from minkref.oracle.symbolic.convolution import reduced_convolution

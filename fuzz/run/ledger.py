@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Any, Self
 
 from minkref.errors import Refusal
-from minkref.fuzz.cases.case import CaseName
+from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.run.ledger_chain import Chain, ledger_key
 from minkref.fuzz.run.worker import CaseResult
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict, Witness

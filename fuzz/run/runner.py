@@ -9,19 +9,17 @@ from dataclasses import dataclass, field
 
 from minkref.exits import ExitCode
 from minkref.fuzz.cases.case_list import CaseList, Wait
-from minkref.fuzz.cases.invalid_case import FAMILY as INVALID
-from minkref.fuzz.cases.verbs import EVENTS, UPDATE
+from minkref.fuzz.cases.verbs import EVENTS, REJECTS, UPDATE
+from minkref.fuzz.plane.invalid_case import FAMILY as INVALID
+from minkref.fuzz.plane.judgement import REFEREE
 from minkref.fuzz.run.ledger import Ledger
 from minkref.fuzz.run.pool import InternalError, run_cases
 from minkref.fuzz.run.resting import Resting
 from minkref.fuzz.run.worker import CaseResult, Job
 from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.verdicts.baseline import Baseline
-from minkref.fuzz.verdicts.judgement import REFEREE
 from minkref.fuzz.verdicts.verdict import BROKEN, GOOD, Outcome, Verdict
 from minkref.signals import Ended, Stoppable
-
-REJECTS = "rejects-invalid"  # the capability that invalid cases ask for
 
 
 @dataclass(frozen=True)

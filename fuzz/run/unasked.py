@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 
-from minkref.fuzz.cases.verbs import EVENTS, UPDATE
 from minkref.fuzz.run.resting import MOST_TIME_OUTS, RESTS
-from minkref.fuzz.run.runner import REJECTS, Run
+from minkref.fuzz.run.runner import Run
+from minkref.fuzz.setting import Setting
+from minkref.fuzz.settings import SETTINGS
 from minkref.fuzz.targets.declaration import CAPABILITIES, Declaration
 
 NAMED = "named"  # the group of cases that the command names
@@ -18,23 +19,21 @@ def not_asked(done: Run, declared: Mapping[str, Declaration]) -> list[str]:
     notes = []
     for name, declaration in declared.items():
         able = declaration.capabilities
-        in_plane = [("at", "plane", 2)] + [
-            (verb, "plane", 2) for verb in (UPDATE, EVENTS, REJECTS) if verb in able
-        ]
-        in_space = [("at", "space", 3)] + [(UPDATE, "space", 3)] * (UPDATE in able)
+        taken = [setting for setting in SETTINGS if setting.name in able]
         missing = [
-            f"{verb} ({where})"
-            for verb, where, dimension in (*in_plane, *in_space)
-            if where in able and not done.asked[name, verb, dimension]
+            f"{verb} ({setting.name})"
+            for setting in taken
+            for verb in ("at", *(verb for verb in setting.verbs if verb in able))
+            if not done.asked[name, verb, setting.dimension]
         ]
         if missing:
             notes.append(
                 f"{name} declares verbs that this run did not ask for: {', '.join(missing)}"
             )
         absent = [
-            f"in {'the plane' if dimension == 2 else 'space'} {', '.join(kinds)}"
-            for where, dimension in (("plane", 2), ("space", 3))
-            if where in able and (kinds := _not_met(done, name, able, dimension))
+            f"{setting.where} {', '.join(kinds)}"
+            for setting in taken
+            if (kinds := _not_met(done, name, able, setting))
         ]
         if absent and set(done.groups) != {NAMED}:
             notes.append(
@@ -43,14 +42,14 @@ def not_asked(done: Run, declared: Mapping[str, Declaration]) -> list[str]:
     return notes
 
 
-def _not_met(done: Run, name: str, able: Iterable[str], dimension: int) -> list[str]:
+def _not_met(done: Run, name: str, able: Iterable[str], setting: Setting) -> list[str]:
     """Kinds of operands, numbers and scales that a target takes and was not asked about."""
-    others = {"plane", "space", UPDATE, EVENTS, REJECTS, *(["non-uniform"] * (dimension == 2))}
+    others = {word for each in SETTINGS for word in (each.name, *each.verbs)} | setting.never
     return [
         capability
         for capability in CAPABILITIES
         if capability in able and capability not in others
-        if not done.met[name, capability, dimension]
+        if not done.met[name, capability, setting.dimension]
     ]
 
 

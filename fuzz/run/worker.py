@@ -9,14 +9,15 @@ from dataclasses import dataclass, field
 from multiprocessing.connection import Connection
 
 from minkref.fuzz.cases import naming
-from minkref.fuzz.cases.case import Case, CaseName
-from minkref.fuzz.cases.invalid_case import InvalidCase
+from minkref.fuzz.cases.any_case import AnyCase
+from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.no_case import NoCase
-from minkref.fuzz.cases.space_case import SpaceCase
 from minkref.fuzz.cgal import server as cgal_server
 from minkref.fuzz.judges.checks import PREFIX, Check
+from minkref.fuzz.plane.case import Case
 from minkref.fuzz.run import child
 from minkref.fuzz.run.asking import JUDGING, Asking
+from minkref.fuzz.settings import asking_about
 from minkref.fuzz.targets.answer import Limits, Target, load_limit
 from minkref.fuzz.targets.catalogue import declares_itself, make_target
 from minkref.fuzz.verdicts.verdict import GOOD, Outcome, Verdict
@@ -123,7 +124,7 @@ class _Work:
             return self._absent(str(reason))
         except MemoryError:
             return self._absent("there is too little memory to make it")
-        asking = Asking(case, self._target, self._begin, self.job.lost, self.limits)
+        asking = asking_about(case, self._target, self._begin, self.job.lost, self.limits)
         ruled = []
         if isinstance(case, Case) and case.law is None:
             ruled = [self._rule(case, name) for name in self.targets if is_check(name)]
@@ -160,9 +161,7 @@ class _Work:
     def _begin(self, step: str) -> None:
         self.pipe.send(("begin", step, wall_clock_limit(step, self.limits)))
 
-    def _result(
-        self, case: Case | SpaceCase | InvalidCase, outcomes: list[Outcome], asking: Asking
-    ) -> CaseResult:
+    def _result(self, case: AnyCase, outcomes: list[Outcome], asking: Asking) -> CaseResult:
         job = self.job
         result = CaseResult(
             job.number, job.name, case.scale, outcomes, case.P_name, case.Q_name, case.size
@@ -179,10 +178,7 @@ class _Work:
             result.coverage = asking.coverage()
         if any(outcome.verdict not in (*GOOD, Verdict.SKIPPED) for outcome in outcomes):
             result.literal = case.literal
-            if isinstance(case, SpaceCase):
-                result.P, result.Q = case.pair.P.to_json(), case.pair.Q.to_json()
-            else:
-                result.P, result.Q = case.P_json, case.Q_json
+            result.P, result.Q = case.judged_operands
             result.expected = asking.expected(outcomes)
         return result
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Self
 
-from minkref.fuzz.cases.case import CaseName
+from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.run.pool import run_cases
 from minkref.fuzz.run.worker import CaseResult, Job
 from minkref.fuzz.targets.answer import Limits

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from minkref.fuzz.run.runner import REJECTS, Finding, verb_of
+from minkref.fuzz.cases.verbs import REJECTS
+from minkref.fuzz.run.runner import Finding, verb_of
 from minkref.fuzz.run.worker import CaseResult
+from minkref.fuzz.setting import SmallCase
+from minkref.fuzz.settings import setting_of
 from minkref.fuzz.shrink.asker import Asker, same_fault
-from minkref.fuzz.shrink.plane_steps import PlaneCase, smaller_in_plane
 from minkref.fuzz.shrink.shrinker import MOST_CALLS, shrink
-from minkref.fuzz.shrink.space_steps import SolidCase, smaller_in_space
 from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.verdicts.verdict import Outcome, Verdict
 
@@ -58,7 +59,7 @@ def shrink_finding(
             return None
         kept = first
 
-        def still(case: PlaneCase | SolidCase) -> bool:
+        def still(case: SmallCase) -> bool:
             nonlocal kept
             asked = asker.ask(case.literal)
             if same_fault(finding.outcome, asked[1]):
@@ -66,15 +67,9 @@ def shrink_finding(
                 return True
             return False
 
-        case = finding.case
-        if case.dimension == 2:
-            plane = PlaneCase.read(finding.case.P, finding.case.Q, case.scale)
-            made = shrink(plane, smaller_in_plane, still, most_calls)
-            calls, complete = made.calls, made.complete
-        else:
-            solid = SolidCase.read(finding.case.P, finding.case.Q, case.scale)
-            shaped = shrink(solid, smaller_in_space, still, most_calls)
-            calls, complete = shaped.calls, shaped.complete
+        case, setting = finding.case, setting_of(finding.case.dimension)
+        small = setting.small_case(finding.case.P, finding.case.Q, case.scale)
+        made = shrink(small, setting.smaller, still, most_calls)
         again = asker.ask(kept[0].name.text) if not silent else None
     if again is None:
         with Asker(finding.outcome.target, limits) as asker:
@@ -87,8 +82,8 @@ def shrink_finding(
         result.name.text,
         result,
         outcome,
-        calls,
-        complete,
+        made.calls,
+        made.complete,
         same_fault(finding.outcome, again[1]),
         used.seconds if silent else None,
     )

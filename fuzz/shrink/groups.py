@@ -60,11 +60,7 @@ def shrunk_groups(
 
 
 def _shrink_all(
-    run: Run,
-    groups: list[Group],
-    limits: Limits,
-    most_calls: int,
-    progress: Callable[[str], None],
+    run: Run, groups: list[Group], limits: Limits, most_calls: int, progress: Callable[[str], None]
 ) -> None:
     for group in groups:
         outcome = group.example.outcome

@@ -12,12 +12,12 @@ from minkref.fuzz.space.cells import grid_cells
 from minkref.fuzz.space.closedness import open_edge
 from minkref.fuzz.space.cross_section import cross_sections, differing_points, sections_agree
 from minkref.fuzz.space.differing_cells import cell_reasons
+from minkref.fuzz.space.fault_search import FaultSearch, decided
 from minkref.fuzz.space.membership import Surface
 from minkref.fuzz.space.pair import SpacePair, Truth
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.sampling import points_near, sums_of_points
 from minkref.fuzz.space.stray_faces import TooMany, changes
-from minkref.fuzz.space.trial import Trial, decided
 from minkref.fuzz.space.witness import holds
 from minkref.fuzz.verdicts.verdict import Reason, Witness
 
@@ -56,20 +56,20 @@ def compare(
     malformed = _malformed(pair, result, exact)
     if malformed is not None:
         return malformed
-    trial = Trial(pair, whole, result, Fraction(0) if exact else tolerance)
-    proven, message = _examine(trial, exact)
-    if trial.refuted is not None:
-        return Comparison("undecided", message=trial.refuted, points=trial.points)
-    if trial.witness is not None:
-        return Comparison("wrong", tuple(trial.reasons), "", trial.witness, points=trial.points)
+    search = FaultSearch(pair, whole, result, Fraction(0) if exact else tolerance)
+    proven, message = _examine(search, exact)
+    if search.refuted is not None:
+        return Comparison("undecided", message=search.refuted, points=search.points)
+    if search.witness is not None:
+        return Comparison("wrong", tuple(search.reasons), "", search.witness, points=search.points)
     if proven:
-        return Comparison("pass", proven=True, points=trial.points)
+        return Comparison("pass", proven=True, points=search.points)
     if not exact:
-        return Comparison("pass-within", points=trial.points)
+        return Comparison("pass-within", points=search.points)
     if pair.truth is Truth.POINTS:
-        text = f"no fault at {trial.points} points"
-        return Comparison("pass", message=text, points=trial.points)
-    return Comparison("undecided", message=message, points=trial.points)
+        text = f"no fault at {search.points} points"
+        return Comparison("pass", message=text, points=search.points)
+    return Comparison("undecided", message=message, points=search.points)
 
 
 def _malformed(pair: SpacePair, result: Polyhedron, exact: bool) -> Comparison | None:
@@ -87,38 +87,38 @@ def _malformed(pair: SpacePair, result: Polyhedron, exact: bool) -> Comparison |
     return Comparison("wrong", (Reason.NOT_CLOSED,), message, witness, points=1)
 
 
-def _examine(trial: Trial, exact: bool) -> tuple[bool, str]:
+def _examine(search: FaultSearch, exact: bool) -> tuple[bool, str]:
     """Tests points until both kinds of faults are found, or all are tested. True where the result
     is proven to be the sum; else why not."""
-    pair = trial.pair
+    pair = search.pair
     proven, message = False, ""
     if pair.truth is Truth.CELLS:
-        message = _test_cells(trial)
+        message = _test_cells(search)
     if pair.truth is Truth.PRISM:
-        message = _test_sections(trial)
-    if trial.reasons:
+        message = _test_sections(search)
+    if search.reasons:
         return False, ""
     if pair.truth is not Truth.POINTS and not message:
-        proven, message = _prove(trial, exact)
-    if proven or trial.reasons:
+        proven, message = _prove(search, exact)
+    if proven or search.reasons:
         return proven, message
-    for p, q in sums_of_points(pair, trial.tolerance):
-        if trial.test_inside(p, q) or trial.refuted:
+    for p, q in sums_of_points(pair, search.tolerance):
+        if search.test_inside(p, q) or search.refuted:
             break
-    for x in points_near(pair, trial.result, trial.surface, trial.tolerance):
-        if len(trial.reasons) == 2 or trial.refuted:
+    for x in points_near(pair, search.result, search.surface, search.tolerance):
+        if len(search.reasons) == 2 or search.refuted:
             break
-        trial.test(x)
+        search.test(x)
     return False, message
 
 
-def _test_cells(trial: Trial) -> str:
+def _test_cells(search: FaultSearch) -> str:
     """Tests the centre of every cell. Says why not, where that says too little."""
-    known = trial.pair.cell_sum
-    if not trial.surface.triangles:
+    known = search.pair.cell_sum
+    if not search.surface.triangles:
         low, high = (Fraction(0),) * 3, (Fraction(0),) * 3
     else:
-        low, high = trial.result.box
+        low, high = search.result.box
     spans = [-(-high[k] // known.unit[k]) - low[k] // known.unit[k] for k in range(3)]
     if spans[0] * spans[1] * spans[2] > MOST_CELLS:
         return "the result is too large for its cells"
@@ -128,29 +128,29 @@ def _test_cells(trial: Trial) -> str:
     a, b, c = known.unit
     for x, y, z in sorted(cells):
         centre = ((x + half) * a, (y + half) * b, (z + half) * c)
-        winding = trial.surface.winding(centre)
+        winding = search.surface.winding(centre)
         truth = (x, y, z) in known.cells
         if truth if winding is None else winding > 0:
             claimed.add((x, y, z))
         if ((x, y, z) in claimed) != truth:
-            trial.test(centre)
-        if trial.refuted:
+            search.test(centre)
+        if search.refuted:
             return ""
-    trial.points += len(cells)
-    if trial.reasons:
-        found = set(trial.reasons)
-        trial.reasons = cell_reasons(known.cells, claimed, found)
+    search.points += len(cells)
+    if search.reasons:
+        found = set(search.reasons)
+        search.reasons = cell_reasons(known.cells, claimed, found)
     return "" if claimed == known.cells else "a cell differs by less than the tolerance"
 
 
-def _test_sections(trial: Trial) -> str:
+def _test_sections(search: FaultSearch) -> str:
     """Tests points of the cross-sections that differ. Says why not, where that says too little."""
-    prism, surface = trial.pair.prism_sum, trial.surface
+    prism, surface = search.pair.prism_sum, search.surface
     try:
         sections, complete = cross_sections(prism, surface)
-        for x in differing_points(prism, sections, trial.tolerance):
-            trial.test(x)
-            if len(trial.reasons) == 2 or trial.refuted:
+        for x in differing_points(prism, sections, search.tolerance):
+            search.test(x)
+            if len(search.reasons) == 2 or search.refuted:
                 return ""
         if not complete:
             return "the result has vertices at too many heights"
@@ -159,38 +159,38 @@ def _test_sections(trial: Trial) -> str:
         return str(error)
 
 
-def _prove(trial: Trial, exact: bool) -> tuple[bool, str]:
+def _prove(search: FaultSearch, exact: bool) -> tuple[bool, str]:
     """Where all triangles that bound the result lie in the boundary of the sum, or for cells and
     prisms in planes that part space into cells of which each was tested, the result is the sum.
     The others are tested on both sides."""
-    on_boundary = _boundary_test(trial)
-    surface = trial.surface
+    on_boundary = _boundary_test(search)
+    surface = search.surface
     stray = [k for k in range(len(surface.triangles)) if not on_boundary(k)]
     if stray and not exact:
         return False, ""
     changed = False
     try:
-        for outer, inner in changes(trial.whole, trial.result, surface, stray, MOST_STRAY):
+        for outer, inner in changes(search.whole, search.result, surface, stray, MOST_STRAY):
             changed = True
-            trial.test(outer)
-            trial.test(inner)
-            if trial.reasons or trial.refuted:
+            search.test(outer)
+            search.test(inner)
+            if search.reasons or search.refuted:
                 return False, ""
     except TooMany as error:
         return False, str(error)
     if changed:
         return False, "a face off the boundary of the sum bounds the result"
-    if stray and trial.pair.truth is Truth.CELLS:
+    if stray and search.pair.truth is Truth.CELLS:
         # A centre may have been on one of the stray triangles.
-        return _stray_cells(trial), "a stray face passes through the centre of a cell"
-    if trial.pair.truth is Truth.HULL:
-        vertices = trial.pair.hull.vertices
-        return _middle_is_inside(trial, vertices), "the middle of the hull is on the surface"
+        return _stray_cells(search), "a stray face passes through the centre of a cell"
+    if search.pair.truth is Truth.HULL:
+        vertices = search.pair.hull.vertices
+        return _middle_is_inside(search, vertices), "the middle of the hull is on the surface"
     return True, ""
 
 
-def _boundary_test(trial: Trial) -> Callable[[int], bool]:
-    surface, pair = trial.surface, trial.pair
+def _boundary_test(search: FaultSearch) -> Callable[[int], bool]:
+    surface, pair = search.surface, search.pair
     if pair.truth is Truth.CELLS:
         return _on_grid(surface, pair.cell_sum.unit)
     if pair.truth is Truth.PRISM:
@@ -245,7 +245,7 @@ def _on_hull(surface: Surface, hull: Polyhedron) -> Callable[[int], bool]:
     return test
 
 
-def _middle_is_inside(trial: Trial, vertices: tuple[Point, ...]) -> bool:
+def _middle_is_inside(search: FaultSearch, vertices: tuple[Point, ...]) -> bool:
     """Of some places inside, with unlike weights, one that is off the surface."""
     for power in range(MOST_MIDDLES):
         weights = [Fraction(1 + ((k + 1) ** power) % 97) for k in range(len(vertices))]
@@ -254,27 +254,27 @@ def _middle_is_inside(trial: Trial, vertices: tuple[Point, ...]) -> bool:
             sum((w * v[k] for w, v in zip(weights, vertices, strict=True)), Fraction(0)) / total
             for k in range(3)
         )
-        winding = trial.surface.winding((x, y, z))
+        winding = search.surface.winding((x, y, z))
         if winding is not None:
-            trial.test((x, y, z))
+            search.test((x, y, z))
             return winding > 0
     return False
 
 
-def _stray_cells(trial: Trial) -> bool:
+def _stray_cells(search: FaultSearch) -> bool:
     """Every cell has a place that is not on the surface and where the result is right."""
-    known = trial.pair.cell_sum
+    known = search.pair.cell_sum
     a, b, c = known.unit
-    low, high = trial.result.box
+    low, high = search.result.box
     for x, y, z in set(known.cells) | set(grid_cells(low, high, known.unit)):
         for number in range(7):
             share = Fraction(1, 2) + Fraction(number, 17 + number)
             other = Fraction(1, 2) - Fraction(number, 23 + number)
             place = ((x + share) * a, (y + other) * b, (z + share * share) * c)
-            winding = trial.surface.winding(place)
+            winding = search.surface.winding(place)
             if winding is not None:
-                trial.test(place)
+                search.test(place)
                 break
         else:
             return False
-    return not trial.reasons and trial.refuted is None
+    return not search.reasons and search.refuted is None

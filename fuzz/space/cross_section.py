@@ -9,9 +9,9 @@ from itertools import pairwise
 from minkref import _core
 from minkref.exact import set_json
 from minkref.fuzz.geometry.space import Point
+from minkref.fuzz.plane.region import Region, inner_point, minus, region_of_polygons
 from minkref.fuzz.space.membership import Surface
 from minkref.fuzz.space.prism import Prism
-from minkref.fuzz.verdicts.region import Region, inner_point, minus, region_of_polygons
 
 MOST_LEVELS = 64
 EMPTY = '{"polygons":[]}'

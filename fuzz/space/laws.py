@@ -57,9 +57,7 @@ def transformed_pairs(pair: SpacePair) -> list[TransformedPair]:
             lambda sum: sum.scaled(1 / FACTOR),
         ),
         TransformedPair(
-            "refinement",
-            replace(plain, P=refined(pair.P), Q=refined(pair.Q)),
-            lambda sum: sum,
+            "refinement", replace(plain, P=refined(pair.P), Q=refined(pair.Q)), lambda sum: sum
         ),
     ]
     for name, rotation in (("rotate-axes", Rotation((2, 0, 1))), ("quarter-turn", QUARTER)):

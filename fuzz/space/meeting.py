@@ -14,12 +14,7 @@ from minkref.fuzz.space.boxes import BoxTree, box_of, box_pairs
 from minkref.fuzz.space.face_pieces import inside, pieces, polygon_of
 from minkref.fuzz.space.membership import Surface, in_triangle
 from minkref.fuzz.space.polyhedron import Polyhedron
-from minkref.fuzz.space.triangle_contact import (
-    Triangle,
-    as_point,
-    contact,
-    farther_than,
-)
+from minkref.fuzz.space.triangle_contact import Triangle, as_point, contact, farther_than
 
 Contact = Literal["empty", "touch", "overlap"]
 MOST_CORNERS = 40  # of sP cut with x - Q, that are mixed to find a place deep inside

@@ -12,9 +12,9 @@ from minkref import _core
 from minkref.exact import set_json
 from minkref.fuzz.geometry.plane import in_box, turn
 from minkref.fuzz.geometry.space import Point, Scale, factors
+from minkref.fuzz.plane.region import region_of_sum
 from minkref.fuzz.space.face_triangles import Corner, ring_triangles
 from minkref.fuzz.space.polyhedron import Face, Polyhedron
-from minkref.fuzz.verdicts.region import region_of_sum
 
 Flat = tuple[Fraction, Fraction]
 Ring = list[Flat]
@@ -77,10 +77,7 @@ def sum_of_prisms(P: Prism, Q: Prism, scale: Scale) -> Prism:
     """sP + Q; its region is in canonical form."""
     a, b, c = factors(scale)
     scaled = set_json(
-        (
-            [(a * x, b * y) for x, y in outer],
-            [[(a * x, b * y) for x, y in hole] for hole in holes],
-        )
+        ([(a * x, b * y) for x, y in outer], [[(a * x, b * y) for x, y in hole] for hole in holes])
         for outer, holes in P.polygons
     )
     answer = _core.minkowski_sum(

@@ -135,10 +135,7 @@ def _on_faces(surface: Surface, most: int, dice: random.Random) -> Iterator[tupl
         centre = middle(corners)
         corner = dice.choice(corners)
         yield surface.normals[number], centre
-        yield (
-            surface.normals[number],
-            middle([*([corner] * 12), centre, *corners]),
-        )
+        yield (surface.normals[number], middle([*([corner] * 12), centre, *corners]))
 
 
 def _some(values: Sequence[T], most: int, dice: random.Random) -> list[T]:

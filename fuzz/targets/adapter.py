@@ -11,24 +11,15 @@ from itertools import pairwise
 from typing import Any
 
 from minkref.errors import cut, message_of
-from minkref.fuzz.cases.case import Case
-from minkref.fuzz.cases.invalid_case import InvalidCase
-from minkref.fuzz.cases.space_case import SpaceCase
+from minkref.fuzz.cases.any_case import AnyCase
+from minkref.fuzz.plane.case import Case
+from minkref.fuzz.settings import setting_of
 from minkref.fuzz.targets.adapter_process import AdapterProcess, Failure
 from minkref.fuzz.targets.answer import REGIONS, Answer, Limits, lacking, skipped
 from minkref.fuzz.targets.declaration import Declaration
-from minkref.fuzz.targets.numbers import (
-    Unreadable,
-    plane_answer,
-    received,
-    sent_scale,
-    sent_set,
-    sent_solid,
-    solid_answer,
-)
+from minkref.fuzz.targets.numbers import Unreadable, received
 from minkref.fuzz.verdicts.verdict import Verdict
 
-AnyCase = Case | SpaceCase | InvalidCase
 MOST_FAILED_STARTS = 3
 
 
@@ -98,13 +89,13 @@ class ProgramTarget:
         if self._loaded == key:
             return
         self._loaded = None
-        send = sent_solid if isinstance(case, SpaceCase) else sent_set
+        setting = setting_of(case.dimension)
         value = self._process.ask(
             "load",
             self.limits.seconds,
             dimension=case.dimension,
-            P=send(case.P_json, declaration),
-            Q=send(case.Q_json, declaration),
+            P=setting.sent(case.P_json, declaration),
+            Q=setting.sent(case.Q_json, declaration),
         )
         if value["status"] != "result":
             raise Refused(value)
@@ -118,12 +109,12 @@ class ProgramTarget:
             self._load(case, declaration)
         except Refused as refused:
             return self._without_result(case, refused.value, declaration)
-        send = sent_solid if isinstance(case, SpaceCase) else sent_set
+        setting = setting_of(case.dimension)
         value = self._process.ask(
             verb,
             self.limits.seconds,
-            scale=sent_scale(case.scale) if isinstance(case, SpaceCase) else case.scale,
-            sP=send(case.scaled_P_json, declaration),
+            scale=setting.sent_scale(case.scale),
+            sP=setting.sent(case.scaled_P_json, declaration),
         )
         seconds = time.perf_counter() - since
         if value["status"] != "result":
@@ -133,8 +124,7 @@ class ProgramTarget:
     def _read(
         self, case: AnyCase, value: dict[str, Any], declaration: Declaration, seconds: float
     ) -> Answer:
-        read = solid_answer if isinstance(case, SpaceCase) else plane_answer
-        return read(value, declaration, seconds)
+        return setting_of(case.dimension).received(value, declaration, seconds)
 
     def _without_result(
         self, case: AnyCase, value: dict[str, Any], declaration: Declaration
@@ -155,7 +145,7 @@ class ProgramTarget:
 class AdapterTarget(ProgramTarget):
     """Asks for updates and events, too."""
 
-    def updated_sum(self, before: Case | SpaceCase, case: Case | SpaceCase) -> Answer:
+    def updated_sum(self, before: AnyCase, case: AnyCase) -> Answer:
         """The sum by `update` from that of `before`, the same operands at another scale. In every
         other case, by name, that is itself reached by `update`, from the sum of `case`."""
 
@@ -163,7 +153,7 @@ class AdapterTarget(ProgramTarget):
             lack = lacking(declaration, before)
             if lack:
                 return skipped(lack, declaration)
-            steps: list[tuple[Case | SpaceCase, str]] = [(before, "at"), (case, "update")]
+            steps: list[tuple[AnyCase, str]] = [(before, "at"), (case, "update")]
             if zlib.crc32(case.name.text.encode()) % 2:
                 steps = [(case, "at"), (before, "update"), (case, "update")]
             for at, verb in steps:

@@ -19,7 +19,7 @@ from typing import Any
 
 from minkref.errors import LONGEST_MESSAGE, cut
 from minkref.fuzz.isolation.isolation import usual
-from minkref.fuzz.isolation.kept_program import WATCH_SECONDS, KeptProgram
+from minkref.fuzz.isolation.supervised_program import WATCH_SECONDS, SupervisedProgram
 from minkref.fuzz.targets.answer import Limits, load_limit
 from minkref.fuzz.targets.declaration import Declaration, DeclarationError, read_declaration
 from minkref.fuzz.verdicts.verdict import Verdict
@@ -52,7 +52,7 @@ class AdapterProcess:
     limits: Limits
     environment: dict[str, str] = field(default_factory=dict)
     declaration: Declaration | None = None
-    _program: KeptProgram | None = None
+    _program: SupervisedProgram | None = None
     _sequence: int = 0
     _rest: bytes = b""
     _log: bytes = b""
@@ -67,8 +67,10 @@ class AdapterProcess:
         self._rest, self._log = b"", b""
         try:
             isolation = self.limits.isolation or usual()
-            limits, more = self.limits, self.environment
-            program = KeptProgram(self.command, limits.bytes, limits.processes, isolation, more)
+            limits = self.limits
+            program = SupervisedProgram(
+                self.command, limits.bytes, limits.processes, isolation, self.environment
+            )
         except (OSError, subprocess.SubprocessError) as error:
             raise Failure(Verdict.ERRORED, f"cannot be started: {error}") from error
         self._program = program

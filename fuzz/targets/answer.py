@@ -7,13 +7,11 @@ from dataclasses import dataclass
 from typing import Any, Protocol
 
 from minkref.errors import message_of
-from minkref.fuzz.cases.case import Case
-from minkref.fuzz.cases.invalid_case import InvalidCase
-from minkref.fuzz.cases.space_case import SpaceCase
+from minkref.fuzz.cases.any_case import AnyCase
 from minkref.fuzz.isolation.isolation import Isolation
+from minkref.fuzz.plane.region import Region, plain_polygons, region_of_polygons
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.targets.declaration import Declaration
-from minkref.fuzz.verdicts.region import Region, plain_polygons, region_of_polygons
 from minkref.fuzz.verdicts.verdict import Verdict
 
 JUDGING_BYTES = 2 << 30
@@ -62,7 +60,7 @@ class Answer:
 class Target(Protocol):
     name: str
 
-    def sum(self, case: Case | SpaceCase | InvalidCase) -> Answer: ...
+    def sum(self, case: AnyCase) -> Answer: ...
 
     def close(self) -> None: ...
 
@@ -77,16 +75,12 @@ def skipped(message: str, declaration: Declaration = REGIONS) -> Answer:
     return Answer(verdict=Verdict.SKIPPED, message=message, declaration=declaration)
 
 
-def lacking(
-    declaration: Declaration, case: Case | SpaceCase | InvalidCase, *more: str
-) -> str | None:
+def lacking(declaration: Declaration, case: AnyCase, *more: str) -> str | None:
     """What keeps a case from a target; None if nothing does. `more` capabilities that it takes."""
     lacks = declaration.lacks(case.needs | set(more))
     if lacks:
         return f"does not declare {', '.join(lacks)}"
-    if isinstance(case, InvalidCase):
-        return None
-    return declaration.rounds(lambda: case.sent)
+    return declaration.rounds(lambda: case.sent) if case.is_valid else None
 
 
 def answered(rings: Any, seconds: float, turned: bool = False) -> Answer:

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from minkref.errors import Refusal, nearest
-from minkref.fuzz.adapters import catalogue as adapters
 from minkref.fuzz.cgal.executables import (
     ABOUT,
     cgal_version,
@@ -17,6 +16,7 @@ from minkref.fuzz.cgal.executables import (
     target_names,
 )
 from minkref.fuzz.judges import checks
+from minkref.fuzz.libraries import catalogue as adapters
 from minkref.fuzz.targets.adapter import AdapterTarget
 from minkref.fuzz.targets.adapter_process import named_command
 from minkref.fuzz.targets.answer import Limits, Target

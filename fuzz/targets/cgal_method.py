@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from minkref.fuzz.cases.case import Case
-from minkref.fuzz.cases.invalid_case import InvalidCase
-from minkref.fuzz.cases.space_case import SpaceCase
+from minkref.fuzz.cases.any_case import AnyCase
 from minkref.fuzz.cgal.executables import executable_of_target, method_of_target
 from minkref.fuzz.cgal.oracle import CgalOracle
+from minkref.fuzz.plane.case import Case
 from minkref.fuzz.targets.answer import Answer, Limits, answered, skipped
 from minkref.fuzz.verdicts.verdict import Verdict
 
@@ -23,7 +22,7 @@ class CgalMethod:
             method, executable_of_target(name), raw=raw, seconds=limits.seconds, bytes=limits.bytes
         )
 
-    def sum(self, case: Case | SpaceCase | InvalidCase) -> Answer:
+    def sum(self, case: AnyCase) -> Answer:
         if not isinstance(case, Case):
             return skipped("does not declare space, or rejects-invalid")
         answer = self._oracle.sum(case.scaled_P_json, case.Q_json)

@@ -8,10 +8,9 @@ from dataclasses import dataclass
 
 from minkref import _core
 from minkref.errors import message_of
-from minkref.fuzz.cases.case import Case
-from minkref.fuzz.cases.invalid_case import InvalidCase
-from minkref.fuzz.cases.space_case import SpaceCase
+from minkref.fuzz.cases.any_case import AnyCase
 from minkref.fuzz.geometry.space import Scale
+from minkref.fuzz.space.case import SpaceCase
 from minkref.fuzz.space.convex_sum import body_of, polyhedron_of, reference_sum, scaling_of
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.targets.answer import Answer, lacking, skipped
@@ -44,25 +43,23 @@ class ConvexReferenceTarget:
     def declaration(self) -> Declaration:
         return CONVEX_DECLARATIONS[self.route]
 
-    def sum(self, case: Case | SpaceCase | InvalidCase) -> Answer:
+    def sum(self, case: AnyCase) -> Answer:
         return self._updated(case, None) if self.route == DYNAMIC else self._fresh(case)
 
-    def _fresh(self, case: Case | SpaceCase | InvalidCase) -> Answer:
+    def _fresh(self, case: AnyCase) -> Answer:
         def compute(solid: SpaceCase) -> Polyhedron:
             return reference_sum(solid.asked.P, solid.asked.Q, solid.asked.scale)
 
         return self._guarded(case, compute)
 
-    def updated_sum(
-        self, before: Case | SpaceCase | InvalidCase, case: Case | SpaceCase | InvalidCase
-    ) -> Answer:
+    def updated_sum(self, before: AnyCase, case: AnyCase) -> Answer:
         """The sum at the scaling of `case`, updated from that of `before`."""
         if self.route != DYNAMIC:
             return skipped("does not declare update", self.declaration)
 
         return self._updated(case, before.asked.scale if isinstance(before, SpaceCase) else None)
 
-    def _updated(self, case: Case | SpaceCase | InvalidCase, start: Scale | None) -> Answer:
+    def _updated(self, case: AnyCase, start: Scale | None) -> Answer:
         """Without a scaling to start at from one that is another than that of the case."""
 
         def step(solid: SpaceCase) -> Polyhedron:
@@ -75,11 +72,7 @@ class ConvexReferenceTarget:
 
         return self._guarded(case, step)
 
-    def _guarded(
-        self,
-        case: Case | SpaceCase | InvalidCase,
-        compute: Callable[[SpaceCase], Polyhedron],
-    ) -> Answer:
+    def _guarded(self, case: AnyCase, compute: Callable[[SpaceCase], Polyhedron]) -> Answer:
         lack = lacking(self.declaration, case)
         if lack or not isinstance(case, SpaceCase):
             return skipped(lack or "in space only", self.declaration)

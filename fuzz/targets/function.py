@@ -8,20 +8,21 @@ from __future__ import annotations
 
 import os
 import sys
+from pathlib import Path
 from typing import Any
 
 from minkref.errors import Refusal, message_of
-from minkref.fuzz.adapters.catalogue import HERE
-from minkref.fuzz.cases.invalid_case import InvalidCase
-from minkref.fuzz.cases.space_case import SpaceCase
+from minkref.fuzz.cases.any_case import AnyCase
 from minkref.fuzz.isolation.sandbox import EMPTIED
-from minkref.fuzz.targets.adapter import AnyCase, ProgramTarget
+from minkref.fuzz.plane.invalid_case import InvalidCase
+from minkref.fuzz.plane.setting import PLANE
+from minkref.fuzz.settings import setting_of
+from minkref.fuzz.targets.adapter import ProgramTarget
 from minkref.fuzz.targets.answer import Answer, answered, skipped
 from minkref.fuzz.targets.declaration import Declaration
-from minkref.fuzz.targets.numbers import plane_answer, solid_answer
 from minkref.fuzz.verdicts.verdict import Verdict
 
-HOST = HERE / "function_host.py"
+HOST = Path(__file__).parents[1] / "adapters" / "function_host.py"
 PYTHON, C = "py", "so"
 MENDS = {
     PYTHON: "write py:module:function, the module importable from here",
@@ -41,18 +42,15 @@ class FunctionTarget(ProgramTarget):
     def _read(
         self, case: AnyCase, value: dict[str, Any], declaration: Declaration, seconds: float
     ) -> Answer:
-        in_space = isinstance(case, SpaceCase)
-        if declaration.numbers == "text" and not in_space:
+        setting = setting_of(case.dimension)
+        if declaration.numbers == "text" and setting is PLANE:
             answer = answered(value, seconds, turned=True)
             answer.declaration = declaration
             return answer
-        read, what = plane_answer, "not a polygon set"
-        if in_space:
-            read, what = solid_answer, "not a polyhedron"
         try:
-            return read(value, declaration, seconds)
+            return setting.received(value, declaration, seconds)
         except ValueError as error:
-            message = f"the answer is {what}: {message_of(error)}"
+            message = f"the answer is {setting.answer_is_no}: {message_of(error)}"
             return Answer(verdict=Verdict.ERRORED, message=message, declaration=declaration)
 
     def _without_result(

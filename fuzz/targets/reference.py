@@ -8,12 +8,11 @@ from fractions import Fraction
 
 from minkref import _core
 from minkref.errors import message_of
-from minkref.fuzz.cases.case import Case
-from minkref.fuzz.cases.invalid_case import InvalidCase
-from minkref.fuzz.cases.space_case import SpaceCase
+from minkref.fuzz.cases.any_case import AnyCase
+from minkref.fuzz.plane.case import Case
+from minkref.fuzz.plane.region import region_of_sum
 from minkref.fuzz.targets.answer import REGIONS, Answer, skipped
 from minkref.fuzz.targets.declaration import PLANE, Declaration
-from minkref.fuzz.verdicts.region import region_of_sum
 from minkref.fuzz.verdicts.verdict import Verdict
 
 DYNAMIC, INDEX = "dynamic", "index"
@@ -37,7 +36,7 @@ class ReferenceTarget:
     def declaration(self) -> Declaration:
         return UPDATING.get(self.route, REGIONS)
 
-    def sum(self, case: Case | SpaceCase | InvalidCase) -> Answer:
+    def sum(self, case: AnyCase) -> Answer:
         if not isinstance(case, Case):
             return skipped("does not declare space, or rejects-invalid")
         if self.route in UPDATING:
@@ -55,7 +54,7 @@ class ReferenceTarget:
         def step() -> _core.Sum:
             least, most = sorted((before.scale, case.scale), key=Fraction)
             if self.route == INDEX:
-                return _core.ScaleSpaceIndex(case.P, case.Q, least, most).sum(case.scale)
+                return _core.ScaleIndex(case.P, case.Q, least, most).sum(case.scale)
             moving = _core.DynamicSum(case.P, case.Q, least, most)
             moving.move_to(before.scale)
             moving.move_to(case.scale)

@@ -64,12 +64,7 @@ def state_document(state: State) -> Document:
 
 
 def link_document(link: Link) -> Document:
-    return {
-        "change": link.change,
-        "below": link.below,
-        "parts": len(link.at),
-        "above": link.above,
-    }
+    return {"change": link.change, "below": link.below, "parts": len(link.at), "above": link.above}
 
 
 def run_topology(P: Operand, Q: Operand, scale: Fraction, options: argparse.Namespace) -> Document:
@@ -99,11 +94,7 @@ def point_of(text: str) -> Point:
 
 
 def meeting_document(meeting: Meeting) -> Document:
-    return {
-        "contact": meeting.contact,
-        "p": point_text(meeting.p),
-        "q": point_text(meeting.q),
-    }
+    return {"contact": meeting.contact, "p": point_text(meeting.p), "q": point_text(meeting.q)}
 
 
 def run_witness(P: Operand, Q: Operand, scale: Fraction, options: argparse.Namespace) -> Document:

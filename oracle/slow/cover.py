@@ -123,12 +123,7 @@ class Cover:
         return lows, highs
 
     def pass_through(
-        self,
-        line: Line,
-        lows: list[Number],
-        highs: list[Number],
-        turns: list[int],
-        dots: list[int],
+        self, line: Line, lows: list[Number], highs: list[Number], turns: list[int], dots: list[int]
     ) -> None:
         """Fills in the open intervals in which the line passes through the inside of a pair."""
         d, offset = line.d, line.offset

@@ -78,10 +78,7 @@ def functions(name: str) -> tuple[list[str], Any, Any, Any]:
         arguments,
         compiled(found["squares"], arguments),
         compiled((found["numerator"], found["denominator"]), [*arguments, *lengths]),
-        (
-            compiled(found["terms"], arguments),
-            compiled(found["coefficients"], [*terms, *squared]),
-        ),
+        (compiled(found["terms"], arguments), compiled(found["coefficients"], [*terms, *squared])),
     )
 
 

@@ -12,14 +12,7 @@ from typing import Any
 from .pairs import Interval, end_conditions, end_meetings, intervals
 from .rational import Rational
 from .solutions import all_solutions, branch, compiled, root
-from .space_moving import (
-    MovingFacet,
-    SpaceSegment,
-    SpaceVertex,
-    Vector,
-    cross,
-    dot,
-)
+from .space_moving import MovingFacet, SpaceSegment, SpaceVertex, Vector, cross, dot
 from .space_standing import in_polygon, polygons_meet, shared
 
 

@@ -24,6 +24,9 @@ from minkref.argument_types import (
     text_of,
     whole,
 )
+from minkref.certify.certificate import Certificate as Certificate
+from minkref.certify.certificate import NoProof as NoProof
+from minkref.certify.convex_certificate import ConvexCertificate as ConvexCertificate
 from minkref.errors import Refusal as Refusal
 from minkref.event_values import Event as Event
 from minkref.event_values import Events as Events
@@ -37,6 +40,7 @@ ConvexSum = _core.ConvexSum
 LimitExceeded = _core.LimitExceeded
 PolygonSet = _core.PolygonSet
 Polyhedron = _core.Polyhedron
+ScaleIndex = _core.ScaleIndex
 Sum = _core.Sum
 UndecidedSign = _core.UndecidedSign
 check_methods()
@@ -79,6 +83,32 @@ def convex_sum(
     axes = scaling if isinstance(scaling, tuple | list) and len(scaling) == 3 else [scaling] * 3
     x, y, z = (number("scaling", factor) for factor in axes)
     return _core.convex_sum(P, Q, (x, y, z), text_of("route", route))
+
+
+def build_index(
+    P: PolygonSet,
+    Q: PolygonSet,
+    from_scale: Number | None = None,
+    to_scale: Number | None = None,
+    threads: int = 1,
+) -> ScaleIndex:
+    """The index of all scales: the sums of P, scaled by any factor of the closed window, and Q,
+    found once. Any of them is read off, in microseconds: in doubles with a certain error, in
+    integers, or exactly; so are areas, holes and components, and events.
+
+    Without bounds, all scales above 0. Exact. Both operands are validated first. Cost:
+    docs/scale-index.md. Raises BadInput; LimitExceeded where it needs more memory than there is."""
+    _validate(P=P, Q=Q)
+    bounds = (("from_scale", from_scale), ("to_scale", to_scale))
+    first, last = (None if bound is None else number(name, bound) for name, bound in bounds)
+    return _core.ScaleIndex(P, Q, first, last, max(1, whole("threads", threads)))
+
+
+def open_index(path: str | os.PathLike[str]) -> ScaleIndex:
+    """An index that `ScaleIndex.save` or `minkref index` has written: a copy of its file, which
+    then may change. Linear in its length. Raises BadInput for a file that is none or is damaged.
+    docs/formats.md."""
+    return _core.ScaleIndex.open(os.fsdecode(path))
 
 
 def read_mesh(path: str | os.PathLike[str]) -> Polyhedron:

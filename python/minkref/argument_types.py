@@ -59,27 +59,48 @@ def whole(name: str, value: Any) -> int:
     return value
 
 
+def truth(name: str, value: Any) -> bool:
+    if not isinstance(value, bool):
+        raise _wrong(name, "True or False", value)
+    return value
+
+
 def _wrong(name: str, expected: str, value: Any) -> TypeError:
     return TypeError(f"{name} has to be {expected}, and is of type {type(value).__name__}")
 
 
 Reader = Callable[[str, Any], Any]
-_METHODS: dict[str, dict[str, Reader]] = {
-    "from_json": {"text": text_of},
-    "validate": {"source": text_of},
-    "scaled": {"factor": number},
-    "translated": {"x": number, "y": number},
+_AT_A_SCALE: dict[str, Reader] = {"scale": number}
+_METHODS: dict[type, dict[str, dict[str, Reader]]] = {
+    _core.PolygonSet: {
+        "from_json": {"text": text_of},
+        "validate": {"source": text_of},
+        "scaled": {"factor": number},
+        "translated": {"x": number, "y": number},
+    },
+    _core.ScaleIndex: {
+        "rings": {"scale": number, "form": text_of},
+        "sum": {"scale": number, "passages": truth},
+        "area": _AT_A_SCALE,
+        "area_polynomial": _AT_A_SCALE,
+        "components_and_holes": _AT_A_SCALE,
+        "neighbours": _AT_A_SCALE,
+        "lives": {"kind": text_of},
+    },
 }
+_DEFAULTS: dict[str, Any] = {"source": "", "form": "double", "passages": False}
 
 
-def _checked(name: str, original: Callable[..., Any], readers: dict[str, Reader]) -> Any:
+def _checked(
+    owner: type, name: str, original: Callable[..., Any], readers: dict[str, Reader]
+) -> Any:
     """The method, which reads what it is given by these where it does not take it as it is."""
     is_static = name == "from_json"
     names = [*([] if is_static else ["self"]), *readers]
     either = inspect.Parameter.POSITIONAL_OR_KEYWORD
-    empty = {"source": ""}
+    none = inspect.Parameter.empty
     signature = inspect.Signature(
-        [inspect.Parameter(n, either, default=empty.get(n, inspect.Parameter.empty)) for n in names]
+        [inspect.Parameter(n, either, default=_DEFAULTS.get(n, none)) for n in names]
     )
 
     @wraps(original)
@@ -92,7 +113,7 @@ def _checked(name: str, original: Callable[..., Any], readers: dict[str, Reader]
         try:
             bound = signature.bind(*given, **named)
         except TypeError as error:
-            raise TypeError(f"PolygonSet.{name}: {error}") from None
+            raise TypeError(f"{owner.__name__}.{name}: {error}") from None
         bound.apply_defaults()
         return original(
             *(readers[n](n, v) if n in readers else v for n, v in bound.arguments.items())
@@ -102,8 +123,9 @@ def _checked(name: str, original: Callable[..., Any], readers: dict[str, Reader]
 
 
 def check_methods() -> None:
-    """Of PolygonSet, from now on."""
-    for name, readers in _METHODS.items():
-        original = getattr(_core.PolygonSet, name)
-        if not hasattr(original, "__wrapped__"):
-            setattr(_core.PolygonSet, name, _checked(name, original, readers))
+    """Of the classes that users have in hand, from now on."""
+    for owner, methods in _METHODS.items():
+        for name, readers in methods.items():
+            original = getattr(owner, name)
+            if not hasattr(original, "__wrapped__"):
+                setattr(owner, name, _checked(owner, name, original, readers))

@@ -131,7 +131,7 @@ class BoundaryEventList:
 
     def __init__(
         self,
-        found: _core.DynamicSum | _core.ScaleSpaceIndex,
+        found: _core.DynamicSum | _core.ScaleIndex,
         kind: str,
         window: Sequence[str | None] = (None, None),
     ) -> None:

@@ -132,7 +132,7 @@ def events(
     and topology events; the index is faster for large operands. `form`: `printed` for the paper's
     own rule of pair and parallel events. `where`: only those that meet a condition, as `minkref
     events --where` has it. Pair events take O(n^2 log n) for n edges of the convolution; for the
-    others and the index see docs/scale-space.md. Raises BadInput, Refusal. Behar & Lien 2012,
+    others and the index see docs/scale-index.md. Raises BadInput, Refusal. Behar & Lien 2012,
     Sec. 4."""
     expect_sets(P=P, Q=Q)
     names = (("kind", kind, KINDS), ("route", route, ROUTES), ("form", form, FORMS))
@@ -152,7 +152,7 @@ def events(
     window = [None if bound is None else number(name, bound) for name, bound in bounds]
     found: EventList
     if route == "index":
-        found = BoundaryEventList(_core.ScaleSpaceIndex(P, Q, window[0], window[1]), kind, window)
+        found = BoundaryEventList(_core.ScaleIndex(P, Q, window[0], window[1]), kind, window)
     else:
         found = find_events(P, Q, window, kind, form)
     if where is not None:

@@ -13,7 +13,7 @@ from minkref.model_catalogue import PAPER_MODELS, VARIABLE, all_models, shipped_
 from minkref.operand_text import is_text, source_of, text_and_form
 from minkref.terminal import escaped
 
-FORMATS = (".wkt", ".geojson", ".poly", ".json")
+FORMATS = tuple(f".{name}" for name, is_read in _core.SET_FORMATS.items() if is_read)
 LONGEST_NAME = 255  # characters, which no system's names of files exceed
 
 

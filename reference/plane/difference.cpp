@@ -6,7 +6,7 @@
 #include "reference/plane/location.hpp"
 #include "reference/plane/witness.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 namespace {
 
 template <class Grid>
@@ -92,4 +92,4 @@ std::optional<Difference> difference(const PolygonSet& first, const PolygonSet& 
   return Difference{*inner, separates(first, second, *inner) == 1};
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

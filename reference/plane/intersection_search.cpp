@@ -6,10 +6,10 @@
 
 #include "reference/number/rational.hpp"
 #include "reference/plane/convolution/convolution_segments.hpp"
-#include "reference/plane/critical/moving_edge.hpp"
 #include "reference/plane/kernel/exact_frame.hpp"
+#include "reference/plane/moving/moving_edge.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 namespace {
 
 /// A segment in doubles and its box.
@@ -107,4 +107,4 @@ std::size_t ContactSearch::run(const Rational& scale) const {
   });
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -6,7 +6,7 @@
 
 #include "reference/plane/polygon_set.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// The yardstick of Behar & Lien 2012, Table 1: every pair of edges is looked at, in plain doubles,
 /// boxes first. *Not exact*: what doubles cannot tell is counted as they happen to round.
@@ -43,4 +43,4 @@ class ContactSearch {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -1,6 +1,6 @@
 #include "reference/plane/location.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 namespace {
 
 /// Adds the ring's winding number around the point; returns whether the point lies on the ring.
@@ -50,4 +50,4 @@ Location locate(const PolygonSet& set, const Point& point) {
   return winding > 0 ? Location::inside : Location::outside;
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

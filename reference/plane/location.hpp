@@ -6,7 +6,7 @@
 #include "reference/plane/point_predicates.hpp"
 #include "reference/plane/polygon_set.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 enum class Location { outside, boundary, inside };
 
@@ -20,4 +20,4 @@ Location locate(const FilteredRing& ring, const FilteredPoint& point);
 /// Inside: the winding number with respect to all rings is positive. Exact. O(n).
 Location locate(const PolygonSet& set, const Point& point);
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

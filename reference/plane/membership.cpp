@@ -9,7 +9,7 @@
 #include "reference/plane/routes/simply_connected.hpp"
 #include "reference/plane/witness.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 namespace {
 
 /// A triangle, or the segment or point that an operand is.
@@ -220,4 +220,4 @@ Witness decide(const PolygonSet& P, const PolygonSet& Q, const Rational& scale, 
   return Membership(P, Q, scale).decide(x);
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

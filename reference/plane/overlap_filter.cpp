@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace minkref {
+namespace minkref::inline plane {
 namespace {
 
 /// Let u = 2^-53 and R bound the absolute values of all vertices, reflected ones by the sum of the
@@ -51,4 +51,4 @@ bool certainly_overlap(const NearTriangle& a, const NearTriangle& b, const Filte
   return none_separates(a, reflected, bound) && none_separates(reflected, a, bound);
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

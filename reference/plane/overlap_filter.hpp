@@ -6,7 +6,7 @@
 
 #include "reference/plane/point_predicates.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// The vertices of a triangle as the nearest doubles, with a bound on their absolute values.
 struct NearTriangle {
@@ -22,4 +22,4 @@ struct NearTriangle {
 /// rounding of a turn is proven in the source.
 bool certainly_overlap(const NearTriangle& a, const NearTriangle& b, const FilteredPoint& at);
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-namespace minkref {
+namespace minkref::inline plane {
 namespace {
 
 constexpr double unit = 1.0 / 9007199254740992.0;  // 2^-53
@@ -66,4 +66,4 @@ int compare_xy(const Point& a, const Point& b) {
   return a.y < b.y ? -1 : b.y < a.y ? 1 : 0;
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -5,7 +5,7 @@
 #include "reference/number/rational.hpp"
 #include "reference/plane/polygon_set.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// A rational point with the nearest doubles.
 class FilteredPoint {
@@ -38,4 +38,4 @@ int compare_y(const FilteredPoint& a, const FilteredPoint& b);
 int compare_xy(const FilteredPoint& a, const FilteredPoint& b);
 int compare_xy(const Point& a, const Point& b);
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

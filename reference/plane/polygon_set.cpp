@@ -4,7 +4,7 @@
 
 #include "reference/interrupt.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 std::size_t PolygonSet::vertices() const {
   std::size_t count = 0;
@@ -98,4 +98,4 @@ PolygonSet translated(const PolygonSet& set, const Point& by) {
   });
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

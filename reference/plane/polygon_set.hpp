@@ -9,7 +9,7 @@
 
 #include "reference/number/rational.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 struct Point {
   Rational x, y;
@@ -66,4 +66,4 @@ Rational area(const PolygonSet& set);
 PolygonSet scaled(const PolygonSet& set, const Rational& factor);
 PolygonSet translated(const PolygonSet& set, const Point& by);
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -6,7 +6,7 @@
 
 #include "reference/plane/sum.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 struct RouteName {
   Route route;
@@ -20,4 +20,4 @@ const std::vector<RouteName>& route_names();
 /// Throws BadInput ("unknown-route") that names them all.
 Route route_named(std::string_view name);
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

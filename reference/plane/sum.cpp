@@ -5,7 +5,7 @@
 #include "reference/plane/route_names.hpp"
 #include "reference/plane/routes/routes.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 namespace {
 
 BoundaryGraph exact_route(const PolygonSet& P, const PolygonSet& Q, Route route, Sum& sum) {
@@ -83,4 +83,4 @@ Sum minkowski_sum(const PolygonSet& P, const PolygonSet& Q, const Rational& scal
 
 Rational area(const Sum& sum) { return area(sum.region); }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

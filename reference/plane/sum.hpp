@@ -8,7 +8,7 @@
 #include "reference/plane/polygon_set.hpp"
 #include "reference/plane/tight_passages.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 enum class Route {
   paper,       ///< reduced convolution, orientable loops, nesting, collision detection (Sec. 3)
@@ -56,4 +56,4 @@ void refuse_bad_operands(const PolygonSet& P, const PolygonSet& Q, const Rationa
 /// The area of a sum, exact; costs far more than its digits suggest (denominators multiply).
 Rational area(const Sum& sum);
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

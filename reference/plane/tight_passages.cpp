@@ -9,7 +9,7 @@
 #include "reference/plane/routes/paper_route.hpp"
 #include "reference/plane/sum.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 namespace {
 
 /// P is already scaled; `rings_p` and `rings_q` are what the convolution is taken of.
@@ -51,4 +51,4 @@ std::vector<TightPassage> tight_passages(const PolygonSet& P, const PolygonSet& 
   return passages_along(graph);
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -5,7 +5,7 @@
 
 #include "reference/plane/convolution/convolution.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// A maximal piece: a point, or a polyline that ends where one or more than two of them meet
 /// (docs/definitions.md, "Tight passages").
@@ -29,4 +29,4 @@ struct TightPassage {
 std::vector<TightPassage> tight_passages(const PolygonSet& P, const PolygonSet& Q,
                                          const Rational& scale);
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -7,7 +7,7 @@
 #include "reference/plane/location.hpp"
 #include "reference/plane/polygon_set.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 namespace {
 
 std::string text(const Point& p) {
@@ -326,4 +326,4 @@ class Validator {
 
 void validate(const PolygonSet& set) { Validator(set).run(); }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

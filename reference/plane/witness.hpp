@@ -6,7 +6,7 @@
 
 #include "reference/plane/polygon_set.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// How `sP` and `x - Q` meet: not at all, with disjoint interiors, or with interiors in common.
 enum class Contact { empty, touching, overlapping };
@@ -50,4 +50,4 @@ struct Difference {
 };
 std::optional<Difference> difference(const PolygonSet& first, const PolygonSet& second);
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -6,7 +6,7 @@
 
 #include "reference/space/word_vectors.hpp"
 
-namespace minkref {
+namespace minkref::inline space {
 
 template <class Point>
 using AreaVector = std::conditional_t<std::is_same_v<Point, WordVector>, WideVector, IntegerVector>;
@@ -22,4 +22,4 @@ AreaVector<Point> area_vector(const std::vector<Point>& points, const Face& face
   return sum;
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline space

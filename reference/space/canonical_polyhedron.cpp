@@ -1,6 +1,6 @@
 #include "reference/space/canonical_polyhedron.hpp"
 
-namespace minkref {
+namespace minkref::inline space {
 
 std::string canonical_json(const Polyhedron& canonical) {
   std::string text = R"({"faces":[)";
@@ -20,4 +20,4 @@ std::string canonical_json(const Polyhedron& canonical) {
   return text + "]}";
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline space

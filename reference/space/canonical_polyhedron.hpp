@@ -5,10 +5,10 @@
 
 #include "reference/space/polyhedron.hpp"
 
-namespace minkref {
+namespace minkref::inline space {
 
 /// Canonical JSON (docs/definitions.md, "Canonical form") of a surface already in canonical form:
 /// `{"faces":[[0,1,2],...],"vertices":[["x","y","z"],...]}` without white space.
 std::string canonical_json(const Polyhedron& canonical);
 
-}  // namespace minkref
+}  // namespace minkref::inline space

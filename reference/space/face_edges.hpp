@@ -9,7 +9,7 @@
 
 #include "reference/space/polyhedron.hpp"
 
-namespace minkref {
+namespace minkref::inline space {
 
 /// An edge of a face, in the direction of that face.
 struct FaceEdge {
@@ -33,4 +33,4 @@ inline std::vector<FaceEdge> sorted_edges(const std::vector<Face>& faces) {
   return edges;
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline space

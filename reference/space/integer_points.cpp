@@ -2,7 +2,7 @@
 
 #include "reference/error.hpp"
 
-namespace minkref {
+namespace minkref::inline space {
 namespace {
 
 constexpr std::size_t most_denominator_bits = 100'000'000;  // of the denominator, over all vertices
@@ -39,4 +39,4 @@ IntegerPoints integer_points(const std::vector<SpacePoint>& vertices) {
   return result;
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline space

@@ -6,7 +6,7 @@
 
 #include "reference/space/polyhedron.hpp"
 
-namespace minkref {
+namespace minkref::inline space {
 
 using IntegerVector = std::array<Integer, 3>;
 
@@ -57,4 +57,4 @@ struct IntegerPoints {
 /// bits to write all vertices over it.
 IntegerPoints integer_points(const std::vector<SpacePoint>& vertices);
 
-}  // namespace minkref
+}  // namespace minkref::inline space

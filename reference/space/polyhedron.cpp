@@ -6,7 +6,7 @@
 #include "reference/space/area_vector.hpp"
 #include "reference/space/integer_points.hpp"
 
-namespace minkref {
+namespace minkref::inline space {
 
 Rational sextuple_volume(const Polyhedron& polyhedron) {
   const auto [denominator, points] = integer_points(polyhedron.vertices);
@@ -63,4 +63,4 @@ Polyhedron translated(const Polyhedron& polyhedron, const SpacePoint& by) {
   return result;
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline space

@@ -8,7 +8,7 @@
 
 #include "reference/number/rational.hpp"
 
-namespace minkref {
+namespace minkref::inline space {
 
 struct SpacePoint {
   Rational x, y, z;
@@ -64,4 +64,4 @@ void require_positive(const Scaling& scaling);
 Polyhedron scaled(const Polyhedron& polyhedron, const Scaling& by);
 Polyhedron translated(const Polyhedron& polyhedron, const SpacePoint& by);
 
-}  // namespace minkref
+}  // namespace minkref::inline space

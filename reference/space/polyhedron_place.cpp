@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace minkref {
+namespace minkref::inline space {
 namespace {
 
 std::string shortened(const Rational& coordinate) {
@@ -33,4 +33,4 @@ Place place_in(const Polyhedron& polyhedron, std::optional<std::uint32_t> face,
   return result;
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline space

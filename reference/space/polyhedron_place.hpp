@@ -8,11 +8,11 @@
 #include "reference/error.hpp"
 #include "reference/space/polyhedron.hpp"
 
-namespace minkref {
+namespace minkref::inline space {
 
 /// Names a face and vertices, with the coordinates of those that exist; a coordinate of thousands
 /// of digits, which would drown the message, is shortened.
 Place place_in(const Polyhedron& polyhedron, std::optional<std::uint32_t> face,
                const std::vector<std::uint32_t>& vertices);
 
-}  // namespace minkref
+}  // namespace minkref::inline space

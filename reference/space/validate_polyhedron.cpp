@@ -12,7 +12,7 @@
 #include "reference/space/polyhedron.hpp"
 #include "reference/space/polyhedron_place.hpp"
 
-namespace minkref {
+namespace minkref::inline space {
 namespace {
 
 class PolyhedronValidator {
@@ -221,4 +221,4 @@ void validate_faces(const Polyhedron& polyhedron) {
 
 void validate(const Polyhedron& polyhedron) { PolyhedronValidator(polyhedron).run(); }
 
-}  // namespace minkref
+}  // namespace minkref::inline space

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace minkref {
+namespace minkref::inline space {
 namespace {
 
 using Doubles = std::array<double, 3>;
@@ -113,4 +113,4 @@ int compare(const IntegerDirection& a, const IntegerDirection& b) {
   return 0;
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline space

@@ -11,7 +11,7 @@
 #include "reference/space/integer_points.hpp"
 #include "reference/space/polyhedron.hpp"
 
-namespace minkref {
+namespace minkref::inline space {
 
 using WordVector = std::array<std::int64_t, 3>;
 /// The cross product of two differences of points, or a sum of such.
@@ -81,4 +81,4 @@ inline IntegerDirection direction(const IntegerVector& v) { return IntegerDirect
 int compare(const WordDirection& a, const WordDirection& b);
 int compare(const IntegerDirection& a, const IntegerDirection& b);
 
-}  // namespace minkref
+}  // namespace minkref::inline space

@@ -96,9 +96,7 @@ def _facet(
     kind: str, p: Sequence[int] | frozenset[int], other: Body, q: Sequence[int] | frozenset[int]
 ) -> Facet:
     return Facet(
-        kind,
-        tuple(vector(P.points[k]) for k in p),
-        tuple(vector(other.points[k]) for k in q),
+        kind, tuple(vector(P.points[k]) for k in p), tuple(vector(other.points[k]) for k in q)
     )
 
 

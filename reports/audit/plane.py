@@ -124,10 +124,7 @@ def reduced_by_rings(
     P: Rings, Q: Rings, ends: str, reflex: bool = False, signed: bool = False
 ) -> list[Segment]:
     """The same of rings that need not run as they should."""
-    found = [
-        *_contributions(P, Q, ends[:2], reflex),
-        *_contributions(Q, P, ends[2:], reflex),
-    ]
+    found = [*_contributions(P, Q, ends[:2], reflex), *_contributions(Q, P, ends[2:], reflex)]
     convex = [segment for segment, sign in found if sign > 0]
     other = [segment[::-1] if signed else segment for segment, sign in found if sign < 0]
     return [*convex, *((b[0], b[1]) for b in other)]

@@ -29,11 +29,7 @@ def dot(a: Vector, b: Vector) -> Fraction:
 
 
 def cross(a: Vector, b: Vector) -> Vector:
-    return (
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    )
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
 def determinant(a: Vector, b: Vector, c: Vector) -> Fraction:
@@ -48,11 +44,7 @@ class Vertex:
     q: Vector
 
     def at(self, s: Fraction) -> Vector:
-        return (
-            s * self.p[0] + self.q[0],
-            s * self.p[1] + self.q[1],
-            s * self.p[2] + self.q[2],
-        )
+        return (s * self.p[0] + self.q[0], s * self.p[1] + self.q[1], s * self.p[2] + self.q[2])
 
     @property
     def numbers(self) -> paper_space.Vertex:

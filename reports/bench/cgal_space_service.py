@@ -7,7 +7,7 @@ import subprocess
 from typing import Any
 
 from minkref import _core
-from minkref.fuzz.adapters.catalogue import absence, command
+from minkref.fuzz.libraries.catalogue import absence, command
 
 HULL, NEF = "cgal-hull", "cgal-nef"
 

@@ -111,7 +111,7 @@ def _time_pair(
     tell(f"{pair.name}: build")
     builds: list[float] = []
     while len(builds) < (1 if quick else BUILDS):
-        index = refusing(pair.name, lambda: _core.ScaleSpaceIndex(pair.P.set, pair.Q.set, *WINDOW))
+        index = refusing(pair.name, lambda: _core.ScaleIndex(pair.P.set, pair.Q.set, *WINDOW))
         builds.append(index.seconds)
         if index.seconds > LONG_BUILD:
             break

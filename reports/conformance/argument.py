@@ -131,10 +131,7 @@ def _how_apart(a: list[list[Point]], b: list[list[Point]]) -> str:
             if u != v and len(sides) < 3 and others in ({1}, {-1}) and not others & sides:
                 line = f"the line through {point_text(u)} and {point_text(v)}"
                 return f"{line} has one on one side or on it, and the other strictly on the other"
-    for inner, outer_polygon, names in (
-        (b, a, ("x - Q", "sP")),
-        (a, b, ("sP", "x - Q")),
-    ):
+    for inner, outer_polygon, names in ((b, a, ("x - Q", "sP")), (a, b, ("sP", "x - Q"))):
         for hole in outer_polygon[1:]:
             if contains([[hole]], inner[0][0]):
                 ring = " ".join(point_text(p) for p in hole[:MOST_VERTICES])

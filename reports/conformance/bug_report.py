@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import re
 
+from minkref.fuzz.libraries.programs import library
 from minkref.fuzz.verdicts.verdict import Verdict
 from minkref.reports.conformance.case_view import CaseView, written
 from minkref.reports.conformance.markdown_text import plain
-from minkref.reports.conformance.programs.catalogue import library
 from minkref.reports.conformance.words import meaning
 from minkref.terminal import escaped
 

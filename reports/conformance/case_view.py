@@ -8,12 +8,14 @@ from typing import Any
 
 from minkref import _core
 from minkref.errors import cut
-from minkref.fuzz.cases.case import CaseName
+from minkref.fuzz.cases.case_name import CaseName
+from minkref.fuzz.libraries.program import Program
+from minkref.fuzz.libraries.programs import program, why_none
+from minkref.fuzz.plane.boundary_sum import MOST_PAIRS, boundary_sum
 from minkref.fuzz.run.runner import Finding
 from minkref.fuzz.run.worker import CaseResult
 from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.space.polyhedron import Polyhedron
-from minkref.fuzz.verdicts.boundary_sum import MOST_PAIRS, boundary_sum
 from minkref.fuzz.verdicts.verdict import Outcome, Reason
 from minkref.reports.conformance.argument import argument_in_plane, point_text
 from minkref.reports.conformance.plane_pictures import (
@@ -22,8 +24,6 @@ from minkref.reports.conformance.plane_pictures import (
     meeting_picture,
     operand_pictures,
 )
-from minkref.reports.conformance.programs.catalogue import program, why_none
-from minkref.reports.conformance.programs.program import Program
 from minkref.reports.conformance.space_argument import argument_in_space
 from minkref.reports.conformance.space_pictures import (
     expected_in_space,

@@ -18,7 +18,7 @@ from minkref.exact_frame import (
     exact_polygons,
     fitted,
 )
-from minkref.fuzz.verdicts.region import minus
+from minkref.fuzz.plane.region import minus
 from minkref.fuzz.verdicts.verdict import Outcome, Witness
 from minkref.reports.axes import rounded
 from minkref.reports.conformance.close_up import clipped, close_up

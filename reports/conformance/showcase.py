@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from minkref import _core
-from minkref.fuzz.cases.case import CaseName
 from minkref.fuzz.cases.case_list import REAL_PAIRS
+from minkref.fuzz.cases.case_name import CaseName
 from minkref.model_catalogue import all_models, or_look_alike
 from minkref.reports.drawing import Layer, picture
 

@@ -4,16 +4,10 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from minkref.fuzz.geometry.space import Point, Scale
+from minkref.fuzz.geometry.space import Point, scale_of
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.verdicts.verdict import Witness
 from minkref.reports.conformance.argument import around, inside, outside, point_text
-
-
-def scale_of(text: str) -> Scale:
-    """One number, or three."""
-    parts = [Fraction(part) for part in text.split(",")]
-    return (parts[0], parts[1], parts[2]) if len(parts) == 3 else parts[0]
 
 
 def argument_in_space(P: str, Q: str, scale: str, witness: Witness) -> list[str]:

@@ -4,22 +4,17 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from minkref.fuzz.cases.case import CaseName
+from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.naming import load
-from minkref.fuzz.cases.space_case import SpaceCase
+from minkref.fuzz.geometry.space import scale_of
 from minkref.fuzz.run.worker import CaseResult
+from minkref.fuzz.space.case import SpaceCase
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.verdicts.verdict import Outcome
 from minkref.reports.conformance.argument import point_text
 from minkref.reports.conformance.plane_pictures import Picture
 from minkref.reports.conformance.solid_axes import axes_around, box_around
-from minkref.reports.conformance.solid_drawing import (
-    place_of,
-    projected,
-    solid_layers,
-    wire_layer,
-)
-from minkref.reports.conformance.space_argument import scale_of
+from minkref.reports.conformance.solid_drawing import place_of, projected, solid_layers, wire_layer
 from minkref.reports.drawing import Label, Layer, picture
 
 

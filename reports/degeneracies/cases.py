@@ -10,9 +10,9 @@ from typing import Any
 import jsonschema
 from minkref.degeneracies import lint
 from minkref.errors import Refusal, cut
-from minkref.fuzz.cases.case import CaseName
-from minkref.fuzz.cases.space_case import SpaceCase
-from minkref.fuzz.cases.space_case_file import is_in_space, read_space_case, scalings_in
+from minkref.fuzz.cases.case_name import CaseName
+from minkref.fuzz.space.case import SpaceCase
+from minkref.fuzz.space.case_file import is_in_space, read_space_case, scalings_in
 from minkref.operand import read_operand
 
 SIBLINGS = 3  # scales at least: the one, and one below and above

@@ -16,7 +16,7 @@ from minkref.degeneracies.flags import explained
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, invalid_member
 from minkref.documents import check_writable, write_atomically
 from minkref.errors import Refusal, message_of
-from minkref.fuzz.cases.space_case_file import is_in_space
+from minkref.fuzz.space.case_file import is_in_space
 from minkref.output_folder import make_folder
 from minkref.reports.degeneracies.cases import cases_in, space_case, unfit
 from minkref.reports.degeneracies.pictures import Drawn, case_pictures

@@ -12,7 +12,7 @@ from functools import partial
 from pathlib import Path
 
 from minkref.certify.certificate import Certificate
-from minkref.fuzz.cases.case import Case
+from minkref.fuzz.plane.case import Case
 from minkref.reports.evidence.certificates.certified_cases import (
     cases,
     events,
@@ -88,13 +88,7 @@ def _small() -> Iterator[Work]:
         yield case.name.text, partial(_sum, case)
 
 
-def _many(
-    findings: Findings,
-    what: str,
-    wanted: Iterator[Work],
-    count: int,
-    folder: Path,
-) -> None:
+def _many(findings: Findings, what: str, wanted: Iterator[Work], count: int, folder: Path) -> None:
     rows: list[Row] = []
     kinds: Counter[str] = Counter()
     refused = []

@@ -14,8 +14,8 @@ from typing import Any
 
 from minkref import _core
 from minkref.certify.certificate import Certificate
-from minkref.fuzz.cases.case import Case
 from minkref.fuzz.judges.certified_claims import Confirmation
+from minkref.fuzz.plane.case import Case
 from minkref.reports.evidence.certificates.certified_cases import cases, events
 from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, verdicts
 from minkref.reports.evidence.certificates.mutants import Mutant, mutants

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from minkref.fuzz.adapters import catalogue
+from minkref.fuzz.libraries import catalogue
 from minkref.fuzz.targets.catalogue import list_targets
 from minkref.reports.evidence.framework.part import CGAL, COMPARISON, READERS, REFERENCE, Findings
 from minkref.reports.evidence.framework.store import FOLDER
@@ -13,7 +13,7 @@ SUBJECT = (
     "findings of each shrunk to a handful of vertices, known faults among them, found by search."
 )
 MINUTES = (25, 0.3)
-DEPENDS = (*REFERENCE, *READERS, *CGAL, *COMPARISON, "fuzz/adapters/*")
+DEPENDS = (*REFERENCE, *READERS, *CGAL, *COMPARISON, "fuzz/adapters/*", "fuzz/libraries/*/*")
 
 SEED = 6
 SECONDS, QUICK_SECONDS = 600, 8

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from minkref import _core
 from minkref.exact import digest
-from minkref.fuzz.cases.case import Case
+from minkref.fuzz.plane.case import Case
 from minkref.model_catalogue import shipped_models
 from minkref.reports.evidence.framework.operands import case_of, operand, tell_absent
 from minkref.reports.evidence.framework.part import MODELS, READERS, REFERENCE, Findings

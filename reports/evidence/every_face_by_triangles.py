@@ -6,9 +6,9 @@ import time
 from collections import Counter
 
 from minkref import _core
-from minkref.fuzz.cases.case import Case
+from minkref.fuzz.plane.case import Case
+from minkref.fuzz.plane.witness import holds
 from minkref.fuzz.verdicts.verdict import Witness
-from minkref.fuzz.verdicts.witness import holds
 from minkref.reports.evidence.framework.operands import SCALES, case_of, tell_absent
 from minkref.reports.evidence.framework.part import MODELS, READERS, REFERENCE, Findings
 
@@ -18,7 +18,7 @@ SUBJECT = (
     "and the discs with the neuron."
 )
 MINUTES = (1, 0.1)
-DEPENDS = (*REFERENCE, *READERS, *MODELS, "fuzz/verdicts/witness.py")
+DEPENDS = (*REFERENCE, *READERS, *MODELS, "fuzz/plane/witness.py")
 
 MOST_SPOT_CHECKS = 5  # decisions of each kind checked again in plain Python fractions
 

@@ -14,7 +14,7 @@ from typing import Any
 from minkref import _core
 from minkref.degeneracies.case_document import Degenerate
 from minkref.degeneracies.catalogue import FAMILIES
-from minkref.fuzz.verdicts.region import region_of_rings
+from minkref.fuzz.plane.region import region_of_rings
 from minkref.reports.evidence.framework.part import COMPARISON, READERS, REFERENCE, Findings
 from minkref.reports.evidence.framework.store import FOLDER, ROOT
 

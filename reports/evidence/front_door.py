@@ -64,11 +64,7 @@ class Clone:
         log = FOLDER / "front_door" / f"{self.name}-{'-'.join(command[:2])}.log".replace("/", "-")
         log.parent.mkdir(parents=True, exist_ok=True)
         path = [part for part in os.environ["PATH"].split(":") if str(ROOT / ".venv") not in part]
-        environment = {
-            "PATH": ":".join(path),
-            "HOME": os.environ["HOME"],
-            "CCACHE_DISABLE": "1",
-        }
+        environment = {"PATH": ":".join(path), "HOME": os.environ["HOME"], "CCACHE_DISABLE": "1"}
         began, spent = time.monotonic(), processor_seconds()
         with open(log, "w", encoding="utf-8") as out:
             done = subprocess.run(

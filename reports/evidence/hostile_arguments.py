@@ -60,11 +60,11 @@ def objects() -> list[Any]:
     frame, triangle, bow, empty, wide = (_core.PolygonSet.from_json(text) for text in FRAME)
     solid = _core.Polyhedron(CORNERS, FACES)
     convex = _core.ConvexPolyhedron(solid)
-    index = _core.ScaleSpaceIndex(frame, triangle, "1/2", "2")
+    index = _core.ScaleIndex(frame, triangle, "1/2", "2")
     return [
         *(frame, triangle, bow, empty, wide, solid, _core.Polyhedron([], []), convex, index),
         *(index.rings("1", form) for form in ("double", "rational", "homogeneous", "track")),
-        _core.ScaleSpaceIndex(empty, triangle, "1/2", "2"),
+        _core.ScaleIndex(empty, triangle, "1/2", "2"),
         _core.DynamicSum(frame, triangle, "1/2", "2"),
         _core.DynamicSum(empty, empty, None, None),
         _core.ArrangementEvents(frame, triangle, "1/2", "2"),

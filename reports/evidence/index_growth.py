@@ -93,7 +93,7 @@ FAMILIES: dict[str, Callable[[int, int], _core.PolygonSet]] = {
 
 
 def difference(
-    index: _core.ScaleSpaceIndex, P: _core.PolygonSet, Q: _core.PolygonSet, scale: str
+    index: _core.ScaleIndex, P: _core.PolygonSet, Q: _core.PolygonSet, scale: str
 ) -> str:
     """The scale, if the sum there is not the static one, or, of a large one, if points on either
     side of its boundary are not where the collision of the operands says."""
@@ -117,7 +117,7 @@ def look(task: tuple[str, int]) -> dict[str, Any]:
     family, size = task
     make = FAMILIES[family]
     P, Q = make(size, 1), make(size, 2)
-    index = _core.ScaleSpaceIndex(P, Q, *WINDOW)
+    index = _core.ScaleIndex(P, Q, *WINDOW)
     scales = [s for s in query_scales(1, 4 * QUERIES) if 0.5 <= _near(s) <= 2][:QUERIES]
     with tempfile.TemporaryDirectory() as folder:
         path = str(Path(folder) / "index")

@@ -65,7 +65,7 @@ def same_sums(task: Task, routes: tuple[str, ...] = ROUTES[:1]) -> tuple[str, in
         return digest(sum.region.canonical_json()), sum.components, sum.holes
 
     try:
-        index = _core.ScaleSpaceIndex(P, Q, *window)
+        index = _core.ScaleIndex(P, Q, *window)
         scales = list(given) or drawn(index, name, SCALES_OF_A_PAIR)
         for scale in scales:
             found = account(index.sum(scale))
@@ -86,7 +86,7 @@ def same_events(task: Task) -> tuple[str, int, str]:
     name, P_text, Q_text, window, _ = task
     P, Q = _core.PolygonSet.from_json(P_text), _core.PolygonSet.from_json(Q_text)
     try:
-        index, dynamic = _core.ScaleSpaceIndex(P, Q, *window), _core.DynamicSum(P, Q, *window)
+        index, dynamic = _core.ScaleIndex(P, Q, *window), _core.DynamicSum(P, Q, *window)
         pairs: list[tuple[list[Any], list[Any]]] = [
             (
                 [row[:2] for row in index.boundary_events()],
@@ -108,7 +108,7 @@ def same_events(task: Task) -> tuple[str, int, str]:
         return name, 0, f"{type(error).__name__}: {error}"
 
 
-def drawn(index: _core.ScaleSpaceIndex, seed: str, count: int) -> list[str]:
+def drawn(index: _core.ScaleIndex, seed: str, count: int) -> list[str]:
     """Seeded: of each four one at an event, one between two, two anywhere."""
     dice = random.Random(f"{SEED} {seed}")
     events = [Fraction(scale) for scale in index.event_scales()]
@@ -224,7 +224,7 @@ def _certificates(findings: Findings, tasks: list[Task]) -> None:
         files, other = [], []
         for number, (name, P_text, Q_text, window, _) in enumerate(tasks):
             P, Q = _core.PolygonSet.from_json(P_text), _core.PolygonSet.from_json(Q_text)
-            index = _core.ScaleSpaceIndex(P, Q, *window)
+            index = _core.ScaleIndex(P, Q, *window)
             scale = drawn(index, name, 1)[0]
             certificate = Certificate(P, Q)
             certificate.sum(scale)

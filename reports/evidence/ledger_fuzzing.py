@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from minkref.errors import Refusal
-from minkref.fuzz.cases.case import CaseName
+from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.run.ledger import Ledger
 from minkref.fuzz.run.ledger_chain import Chain, ledger_key
 from minkref.fuzz.run.worker import CaseResult

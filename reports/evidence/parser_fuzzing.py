@@ -21,7 +21,7 @@ DEPENDS = (
     *READERS,
     "reference/number/*.?pp",
     "reference/space/*.?pp",
-    "reference/scalespace/*.?pp",
+    "reference/plane/index/*.?pp",
     "reference/error.?pp",
     "tests/fuzzing/*",
 )

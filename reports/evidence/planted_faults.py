@@ -18,7 +18,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from minkref.fuzz.verdicts.judgement import TRUTHS
+from minkref.fuzz.plane.judgement import TRUTHS
 from minkref.reports.evidence.framework.part import CGAL, COMPARISON, REFERENCE, SCRIPTS, Findings
 
 SUBJECT = (
@@ -34,7 +34,7 @@ DEPENDS = (
 ROOT = SCRIPTS.parents[1]
 BUILD = ROOT / "build" / "faults"
 TABLE = SCRIPTS / "planted_faults.md"
-SUITES = ("plane", "critical", "dynamic", "scalespace")
+SUITES = ("plane", "critical", "dynamic", "index")
 PYTEST_FOLDERS = ("tests/plane", "tests/dynamic")
 ROUTES = TRUTHS
 PAIRS = 60

@@ -8,12 +8,13 @@ from collections import Counter
 from fractions import Fraction
 from typing import Any
 
-from minkref.fuzz.cases.case import Case, CaseName
+from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.geometry.plane import contains, read_shape
+from minkref.fuzz.plane.case import Case
+from minkref.fuzz.plane.judgement import TRUTHS
+from minkref.fuzz.plane.witness import holds
 from minkref.fuzz.targets.catalogue import list_targets
-from minkref.fuzz.verdicts.judgement import TRUTHS
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict
-from minkref.fuzz.verdicts.witness import holds
 from minkref.reports.evidence.framework.comparing import Bench
 from minkref.reports.evidence.framework.part import CGAL, COMPARISON, READERS, REFERENCE, Findings
 

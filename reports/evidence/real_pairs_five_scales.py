@@ -8,12 +8,7 @@ from fractions import Fraction
 
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict
 from minkref.reports.evidence.framework.comparing import Bench, available_cgal
-from minkref.reports.evidence.framework.operands import (
-    REAL_PAIRS,
-    SCALES,
-    case_of,
-    tell_absent,
-)
+from minkref.reports.evidence.framework.operands import REAL_PAIRS, SCALES, case_of, tell_absent
 from minkref.reports.evidence.framework.part import (
     CGAL,
     COMPARISON,

@@ -10,10 +10,11 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from minkref.fuzz.cases import naming
-from minkref.fuzz.cases.case import Case, CaseName
+from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.isolation.isolation import NONE, SANDBOX, Isolation, choose
 from minkref.fuzz.isolation.sandbox import absence
-from minkref.fuzz.run.asking import Asking
+from minkref.fuzz.plane.case import Case
+from minkref.fuzz.settings import asking_about
 from minkref.fuzz.targets.adapter import AdapterTarget
 from minkref.fuzz.targets.adapter_process import AdapterProcess
 from minkref.fuzz.targets.answer import Limits
@@ -115,6 +116,7 @@ def _rounds(walls: list[Isolation], count: int) -> list[list[float]]:
 def _ask(target: AdapterTarget, cases: Sequence[object]) -> None:
     for case in cases:
         assert isinstance(case, Case)
-        (outcome,) = Asking(case, lambda _: target, lambda _: None, {}, Limits()).outcomes(["it"])
+        asking = asking_about(case, lambda _: target, lambda _: None, {}, Limits())
+        (outcome,) = asking.outcomes(["it"])
         if outcome.verdict != "pass":
             raise RuntimeError(f"{case.name.text}: {outcome.verdict} {outcome.message}")

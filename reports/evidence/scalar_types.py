@@ -6,7 +6,7 @@ from typing import Any
 
 from minkref import _core
 from minkref.exact import approximate, digest
-from minkref.fuzz.cases.case import Case
+from minkref.fuzz.plane.case import Case
 from minkref.reports.evidence.framework.operands import case_of
 from minkref.reports.evidence.framework.part import MODELS, READERS, REFERENCE, Findings
 

@@ -8,8 +8,8 @@ from statistics import median
 from typing import Any
 
 from minkref import _core
-from minkref.fuzz.cases.case import Case
 from minkref.fuzz.cgal.oracle import CgalOracle
+from minkref.fuzz.plane.case import Case
 from minkref.reports.evidence.framework.comparing import available_cgal
 from minkref.reports.evidence.framework.operands import REAL_PAIRS, case_of, tell_absent
 from minkref.reports.evidence.framework.part import (

@@ -12,8 +12,9 @@ from collections.abc import Callable
 from pathlib import Path
 
 from minkref.fuzz.cases import naming
-from minkref.fuzz.cases.case import Case, CaseName
-from minkref.fuzz.run.asking import Asking
+from minkref.fuzz.cases.case_name import CaseName
+from minkref.fuzz.plane.case import Case
+from minkref.fuzz.settings import asking_about
 from minkref.fuzz.targets.answer import Limits, Target
 from minkref.fuzz.targets.catalogue import make_target
 from minkref.reports.evidence.framework.part import COMPARISON, READERS, REFERENCE, Findings
@@ -90,7 +91,7 @@ def _verify(names: list[CaseName], name: str) -> None:
         return made[wanted]
 
     for each in names:
-        asking = Asking(naming.load(each), target, lambda _: None, {}, limits)
+        asking = asking_about(naming.load(each), target, lambda _: None, {}, limits)
         (outcome,) = asking.outcomes([name])
         if outcome.verdict != "pass":
             raise RuntimeError(f"{each.text}: {outcome.verdict} {outcome.message}")

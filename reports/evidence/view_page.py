@@ -53,7 +53,7 @@ def run(quick: bool) -> Findings:
         P.set,
         Q.set,
         Window("1/10", "10"),
-        lambda: _core.ScaleSpaceIndex(P.set, Q.set, "1/10", "10"),
+        lambda: _core.ScaleIndex(P.set, Q.set, "1/10", "10"),
         lambda done, total: None,
     )
     text = page(P.name, Q.name, data)

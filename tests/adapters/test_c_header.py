@@ -7,7 +7,7 @@ import subprocess
 from pathlib import Path
 
 import pytest
-from minkref.fuzz.adapters import catalogue
+from minkref.fuzz.adapters.template import HEADER
 
 SOURCE = """
 #include "minkref_adapter.h"
@@ -42,5 +42,5 @@ def test_the_header_compiles_alone(words: list[str], tmp_path: Path) -> None:
     source.write_text(SOURCE, encoding="utf-8")
     strict = ["-Wall", "-Wextra", "-Wpedantic", "-Werror", "-shared", "-fPIC"]
     library = str(tmp_path / "libmine.so")
-    include = f"-I{catalogue.HERE}"
+    include = f"-I{HEADER.parent}"
     subprocess.run([*words, *strict, include, str(source), "-o", library], check=True, timeout=60)

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 from minkref.errors import Refusal
-from minkref.fuzz.adapters import catalogue, installation
+from minkref.fuzz.libraries import catalogue, installation
 
 PROGRAM = "toy.cpp"
 HOLD = """
@@ -25,8 +25,8 @@ time.sleep(60)
 
 @pytest.fixture
 def sources(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A folder of adapters with one small program."""
-    folder = tmp_path / "package" / "fuzz" / "adapters"
+    """A folder of libraries with one small program."""
+    folder = tmp_path / "package" / "fuzz" / "libraries"
     folder.mkdir(parents=True)
     (folder / PROGRAM).write_text("int main() { return 7; }\n", encoding="utf-8")
     monkeypatch.setattr(installation, "HERE", folder)
@@ -133,9 +133,10 @@ def test_every_adapter_has_its_files(tmp_path: Path) -> None:
         assert adapter.name == name
         if adapter.kind == "cgal":
             continue
-        assert (catalogue.HERE / adapter.program).is_file()
+        program = catalogue.HERE / adapter.program
+        assert program.is_file()
         if adapter.kind == "python":
-            pins = catalogue.HERE / f"{adapter.home}.requirements.txt"
+            pins = program.with_name("requirements.txt")
             assert f"{adapter.home}==" in pins.read_text(encoding="utf-8")
         if adapter.kind in ("python", "c++"):
             said = catalogue.absence(name, tmp_path)
@@ -155,5 +156,5 @@ def test_the_default_folder(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> 
     monkeypatch.delenv("MINKREF_ADAPTERS")
     root = Path(__file__).resolve().parents[2]
     assert catalogue.default_folder() == root / "build" / "adapters"
-    monkeypatch.setattr(catalogue, "HERE", tmp_path / "site" / "minkref" / "fuzz" / "adapters")
+    monkeypatch.setattr(catalogue, "HERE", tmp_path / "site" / "minkref" / "fuzz" / "libraries")
     assert catalogue.default_folder() == Path.home() / ".cache" / "minkref" / "adapters"

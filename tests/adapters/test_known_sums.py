@@ -8,7 +8,7 @@ from itertools import pairwise
 from typing import Any
 
 import pytest
-from minkref.fuzz.adapters import catalogue
+from minkref.fuzz.libraries import catalogue
 
 Ring = list[list[int]]
 Set = dict[str, Any]
@@ -75,12 +75,7 @@ SPACE = {
     "tunnel": (tunnel(), CUBE, {"non-convex", "holes"}, 192),
     "cavity": (joined(BLOCK, prism(box(3, 3, 3), 3, 3), True), CUBE, {"non-convex", "holes"}, 992),
     "pair": (joined(CUBE, prism(box(9, 9, 1), 1)), CUBE, {"non-convex", "components"}, 16),
-    "touching pair": (
-        joined(CUBE, prism(box(2, 2, 1), 1)),
-        CUBE,
-        {"non-convex", "components"},
-        16,
-    ),
+    "touching pair": (joined(CUBE, prism(box(2, 2, 1), 1)), CUBE, {"non-convex", "components"}, 16),
 }
 
 

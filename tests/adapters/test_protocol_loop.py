@@ -37,12 +37,7 @@ def toy(tmp_path: Path, converse: Callable[[list[str]], Any]) -> Any:
 
 
 def test_a_conversation(toy: Any) -> None:
-    assert toy.hello() == {
-        "seq": 1,
-        "status": "result",
-        "protocol": "adapter-v1",
-        "name": "toy",
-    }
+    assert toy.hello() == {"seq": 1, "status": "result", "protocol": "adapter-v1", "name": "toy"}
     assert toy.ask("at", scale="1", sP=1)["status"] == "errored"
     assert toy.ask("load", dimension=2, P=0, Q=2)["status"] == "result"
     assert toy.ask("at", scale="1", sP=1)["rings"] == [1, 2]

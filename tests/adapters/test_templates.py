@@ -11,9 +11,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from minkref.fuzz.adapters import catalogue
+from minkref.fuzz.adapters.template import HEADER
 
-TEMPLATES = catalogue.HERE / "templates"
+TEMPLATES = HEADER.parent / "templates"
 COMPILERS = {
     "cpp": ["c++", "-std=c++17", "-Wall", "-Wextra", "-Werror", "-O1"],
     "rs": ["rustc", "-D", "warnings"],

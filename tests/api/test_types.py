@@ -41,10 +41,7 @@ CALLS: dict[str, tuple[Callable[[Any], Any], tuple[type, ...]]] = {
         lambda x: minkref.events(SQUARE, SQUARE, "pair", x),
         (*NUMBERS, type(None)),
     ),
-    "events where": (
-        lambda x: minkref.events(SQUARE, SQUARE, where=x),
-        (str, type(None)),
-    ),
+    "events where": (lambda x: minkref.events(SQUARE, SQUARE, where=x), (str, type(None))),
     "convex_sum P": (lambda x: minkref.convex_sum(x, BODY), (minkref.ConvexPolyhedron,)),
     "convex_sum Q": (lambda x: minkref.convex_sum(BODY, x), (minkref.ConvexPolyhedron,)),
     "convex_sum scaling": (lambda x: minkref.convex_sum(BODY, BODY, x), NUMBERS),
@@ -64,6 +61,24 @@ CALLS: dict[str, tuple[Callable[[Any], Any], tuple[type, ...]]] = {
     "scaled factor": (SQUARE.scaled, NUMBERS),
     "translated x": (lambda x: at(x, "0"), NUMBERS),
     "translated y": (lambda x: at("0", x), NUMBERS),
+}
+index = minkref.build_index(SQUARE, SQUARE, "1/2", 3)
+CALLS |= {
+    "build_index P": (lambda x: minkref.build_index(x, SQUARE), (minkref.PolygonSet,)),
+    "build_index Q": (lambda x: minkref.build_index(SQUARE, x), (minkref.PolygonSet,)),
+    "build_index from_scale": (
+        lambda x: minkref.build_index(SQUARE, SQUARE, x),
+        (*NUMBERS, type(None)),
+    ),
+    "build_index threads": (lambda x: minkref.build_index(SQUARE, SQUARE, 1, 2, x), (int,)),
+    "open_index path": (minkref.open_index, (str, bytes, Path)),
+    "rings scale": (index.rings, NUMBERS),
+    "rings form": (lambda x: index.rings(1, x), (str,)),
+    "sum scale": (index.sum, NUMBERS),
+    "area scale": (index.area, NUMBERS),
+    "area_polynomial scale": (index.area_polynomial, NUMBERS),
+    "components_and_holes scale": (index.components_and_holes, NUMBERS),
+    "neighbours scale": (index.neighbours, NUMBERS),
 }
 REFUSED = (minkref.BadInput, minkref.Refusal)
 
@@ -88,7 +103,9 @@ def test_a_wrong_type_is_refused_in_plain_words(name: str) -> None:
         said = str(error.value)
         assert "\n" not in said and "_core" not in said and "nanobind" not in said, said
         assert type(value).__name__ in said, said
-        assert name.startswith(("read_file", "read_mesh")) or name.split()[1] in said, said
+        assert (
+            name.startswith(("read_file", "read_mesh", "open_index")) or name.split()[1] in said
+        ), said
     minkref.set_memory_limit(None)
 
 

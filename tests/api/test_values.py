@@ -68,11 +68,11 @@ def test_sets_go_to_other_processes() -> None:
 @pytest.mark.parametrize(
     "make",
     [
-        lambda: _core.ScaleSpaceIndex(FRAME, FRAME, "1", "2"),
+        lambda: _core.ScaleIndex(FRAME, FRAME, "1", "2"),
         lambda: _core.DynamicSum(FRAME, FRAME, "1", "2"),
         lambda: _core.DynamicConvexSum(CONVEX, CONVEX, ("1", "1", "1")),
         lambda: _core.Prover(FRAME, FRAME),
-        lambda: _core.ScaleSpaceIndex(FRAME, FRAME, "1", "2").rings("1"),
+        lambda: _core.ScaleIndex(FRAME, FRAME, "1", "2").rings("1"),
     ],
 )
 def test_what_is_no_value_is_neither_copied_nor_pickled(make: Any) -> None:
@@ -161,7 +161,7 @@ def test_threads_that_cannot_start_are_done_without(threads: int) -> None:
         import resource
         from minkref import _core
         P = _core.PolygonSet.from_json('{{"polygons":[{{"outer":[[0,0],[1,0],[0,1]]}}]}}')
-        index = _core.ScaleSpaceIndex(P, P, "1", "2", {threads})
+        index = _core.ScaleIndex(P, P, "1", "2", {threads})
         used = int(open("/proc/self/statm").read().split()[0]) * 4096
         resource.setrlimit(resource.RLIMIT_AS, (used + (6 << 20),) * 2)
         print(len(index.batch(["3/2"] * 4000, "double", {threads})))
@@ -172,11 +172,11 @@ def test_threads_that_cannot_start_are_done_without(threads: int) -> None:
 
 @pytest.mark.parametrize("threads", [1025, 4_000_000_000, 2**32 - 1])
 def test_too_many_threads_are_refused(threads: int) -> None:
-    index = _core.ScaleSpaceIndex(FRAME, FRAME, "1", "2")
+    index = _core.ScaleIndex(FRAME, FRAME, "1", "2")
     for call in (
         lambda: index.batch(["1"], "double", threads),
         lambda: index.batch([], "double", threads),
-        lambda: _core.ScaleSpaceIndex(FRAME, FRAME, "1", "2", threads),
+        lambda: _core.ScaleIndex(FRAME, FRAME, "1", "2", threads),
     ):
         with pytest.raises(minkref.BadInput, match="at most 1024"):
             call()

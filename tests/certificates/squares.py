@@ -97,20 +97,13 @@ MOVE: dict[str, Any] = {
     "rule": "move",
     "scales": ["1", "2"],
     "box": ["-1", "-1", "4", "4"],
-    "elements": [
-        *EQ["elements"][:4],
-        *(["meet", a, b] for a in _VERTICAL for b in _HORIZONTAL),
-    ],
+    "elements": [*EQ["elements"][:4], *(["meet", a, b] for a in _VERTICAL for b in _HORIZONTAL)],
     "cells": [
         [_corner(i, j), _corner(i + 1, j), _corner(i + 1, j + 1), _corner(i, j + 1)]
         for i in range(3)
         for j in range(3)
     ],
-    "proofs": [
-        *(["sep", 3],) * 3,
-        *(["sep", 0], ["cov", 0, 0], ["sep", 2]),
-        *(["sep", 1],) * 3,
-    ],
+    "proofs": [*(["sep", 3],) * 3, *(["sep", 0], ["cov", 0, 0], ["sep", 2]), *(["sep", 1],) * 3],
     "polygons": [[[_corner(1, 1), _corner(2, 1), _corner(2, 2), _corner(1, 2)]]],
 }
 BEFORE = {**MOVE, "scales": ["1/2", "1"]}

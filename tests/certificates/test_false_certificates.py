@@ -259,12 +259,7 @@ def test_rings_run_as_in_a_case(check_value: Any) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "code"),
-    [
-        ('"\\u0063laims"', 0),
-        ('"\\ud83dlaims"', 2),
-        ('"claims", "x": 1.0', 2),
-    ],
+    ("text", "code"), [('"\\u0063laims"', 0), ('"\\ud83dlaims"', 2), ('"claims", "x": 1.0', 2)]
 )
 def test_names_may_be_escaped(check: Any, tmp_path: Any, text: str, code: int) -> None:
     (tmp_path / "case.json").write_text(json.dumps(squares.CASE), encoding="utf-8")

@@ -13,8 +13,9 @@ from minkref import _core
 from minkref.certify.certificate import Certificate, NoProof
 from minkref.exact import digest
 from minkref.fuzz.cases import naming
-from minkref.fuzz.cases.case import Case, CaseName
+from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.families.catalogue import FAMILIES
+from minkref.fuzz.plane.case import Case
 from minkref.reports.evidence.certificates.mutants import mutants
 
 SEED = 7

@@ -16,12 +16,7 @@ from cubes import CUBE
 from minkref import _core
 from minkref.certify.certificate import Certificate
 from minkref.certify.convex_certificate import convex_certificate
-from minkref.reports.evidence.certificates.checkers import (
-    CHECKER,
-    in_cpp,
-    in_python,
-    verdicts,
-)
+from minkref.reports.evidence.certificates.checkers import CHECKER, in_cpp, in_python, verdicts
 
 SEED = 12
 TEXTS = (

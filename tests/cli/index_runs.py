@@ -40,11 +40,7 @@ PAIRS = {
 }
 SEVERAL = pytest.mark.parametrize("name", PAIRS)
 SUM = ("digest", "area", "area_approximate", "components", "holes", "vertices")
-THIN = {
-    "empty": "POLYGON EMPTY",
-    "point": "POINT(1 2)",
-    "segment": "LINESTRING(0 0,3 1)",
-}
+THIN = {"empty": "POLYGON EMPTY", "point": "POINT(1 2)", "segment": "LINESTRING(0 0,3 1)"}
 
 
 def written(folder: Path, name: str, operand: str) -> str:

@@ -43,7 +43,7 @@ def test_document_follows_the_published_schema_and_tells_the_file(
     assert (value["P"], value["Q"], value["from"], value["to"]) == ("g3", "g1", *window)
     assert (value["output"], value["bytes"]) == (str(path), path.stat().st_size)
     assert value["threads"] == 2
-    opened = _core.ScaleSpaceIndex.open(str(path))
+    opened = _core.ScaleIndex.open(str(path))
     assert opened.window == window
     kinds = [row[0] for row in opened.edges()]
     assert value["segments"] == {kind: kinds.count(kind) for kind in "ST"}

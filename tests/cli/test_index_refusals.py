@@ -23,7 +23,7 @@ EACH = pytest.mark.parametrize("command", COMMANDS)
 def at(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A working folder with an index."""
     monkeypatch.chdir(tmp_path)
-    index = _core.ScaleSpaceIndex(read_operand("g1").set, read_operand("g2").set, "1/4", "4")
+    index = _core.ScaleIndex(read_operand("g1").set, read_operand("g2").set, "1/4", "4")
     index.save("letters.index")
     return tmp_path
 
@@ -238,7 +238,7 @@ def test_no_route_of_that_name(minkref: Minkref, at: Path) -> None:
 class Differing:
     """An index that is wrong at the scales that it is asked about."""
 
-    def __init__(self, index: _core.ScaleSpaceIndex) -> None:
+    def __init__(self, index: _core.ScaleIndex) -> None:
         self._index = index
 
     def __getattr__(self, name: str) -> Any:

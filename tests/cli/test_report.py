@@ -201,8 +201,7 @@ def a_folder_for_a_page(folder: Path) -> str:
 
 
 @pytest.mark.parametrize(
-    "made",
-    [a_file, a_folder_for_a_page, lambda folder: a_file(folder) + "/x", lambda _: "/proc/x"],
+    "made", [a_file, a_folder_for_a_page, lambda folder: a_file(folder) + "/x", lambda _: "/proc/x"]
 )
 def test_pages_that_cannot_be_written_are_refused(minkref: Any, tmp_path: Path, made: Any) -> None:
     """Before the first of them is."""

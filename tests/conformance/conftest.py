@@ -12,15 +12,16 @@ from typing import Any
 
 import pytest
 from minkref import _core
-from minkref.fuzz.cases.case import Case, CaseName
+from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.naming import load
+from minkref.fuzz.plane.boundary_sum import decide_boundary
+from minkref.fuzz.plane.case import Case
+from minkref.fuzz.plane.comparison import decide
 from minkref.fuzz.run.runner import Cell, Finding, Run
 from minkref.fuzz.run.worker import CaseResult
 from minkref.fuzz.shrink.finding import SmallFinding
 from minkref.fuzz.shrink.groups import Group, groups_of
-from minkref.fuzz.space.trial import decided
-from minkref.fuzz.verdicts.boundary_sum import decide_boundary
-from minkref.fuzz.verdicts.comparison import decide
+from minkref.fuzz.space.fault_search import decided
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict, Witness
 
 HOSTILE = "py:<script>alert('x')</script>:f\x1b[31m\x00"

@@ -7,17 +7,15 @@ from collections.abc import Callable
 from typing import Any
 
 import pytest
-from minkref.fuzz.cases.case import Case, CaseName
+from minkref.fuzz.cases.case_name import CaseName
+from minkref.fuzz.plane.case import Case
+from minkref.fuzz.plane.comparison import decide
 from minkref.fuzz.run.runner import Finding
-from minkref.fuzz.verdicts.comparison import decide
 from minkref.reports.conformance.argument import argument_in_plane
 from minkref.reports.conformance.space_argument import argument_in_space
 
 SQUARE = [[0, 0], [2, 0], [2, 2], [0, 2]]
-FRAME = {
-    "outer": [[0, 0], [9, 0], [9, 9], [0, 9]],
-    "holes": [[[1, 1], [1, 8], [8, 8], [8, 1]]],
-}
+FRAME = {"outer": [[0, 0], [9, 0], [9, 9], [0, 9]], "holes": [[[1, 1], [1, 8], [8, 8], [8, 1]]]}
 TETRAHEDRON = {
     "vertices": [[0, 0, 0], [0, 0, 1], [0, 1, 0], [1, 0, 0]],
     "faces": [[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]],

@@ -11,12 +11,12 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from minkref.fuzz.adapters.catalogue import absence, default_folder
-from minkref.fuzz.adapters.installation import interpreter
+from minkref.fuzz.libraries.catalogue import absence, default_folder
+from minkref.fuzz.libraries.installation import interpreter
+from minkref.fuzz.libraries.program import Program
+from minkref.fuzz.libraries.programs import program, why_none
 from minkref.fuzz.run.runner import Finding
 from minkref.fuzz.verdicts.verdict import Reason, Verdict
-from minkref.reports.conformance.programs.catalogue import program, why_none
-from minkref.reports.conformance.programs.program import Program
 
 LOST = (
     '{"P":{"polygons":[{"outer":[[0,0],[1,0],[0,1]]}]},"Q":{"polygons":[{"outer":[[5,2],[0,4],[0,0]],'

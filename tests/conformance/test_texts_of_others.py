@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 from markdown_it import MarkdownIt
 from minkref.commands.verify_output import print_tables
-from minkref.fuzz.cases.case import CaseName
+from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.run.runner import Cell, Finding
 from minkref.fuzz.run.worker import CaseResult
 from minkref.fuzz.shrink.groups import groups_of

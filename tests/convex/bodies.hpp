@@ -4,8 +4,8 @@
 #include <random>
 #include <vector>
 
-#include "reference/convex/convex_sum.hpp"
-#include "reference/convex/static_convex_sum.hpp"
+#include "reference/space/convex/convex_sum.hpp"
+#include "reference/space/convex/static_convex_sum.hpp"
 
 namespace minkref::bodies {
 

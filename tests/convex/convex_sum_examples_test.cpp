@@ -1,9 +1,9 @@
 // Sums that can be checked by hand, and degenerate contacts.
 #include <gtest/gtest.h>
 
-#include "reference/convex/segment_sum.hpp"
 #include "reference/error.hpp"
 #include "reference/space/canonical_polyhedron.hpp"
+#include "reference/space/convex/segment_sum.hpp"
 #include "tests/convex/bodies.hpp"
 
 namespace minkref {

@@ -1,5 +1,5 @@
 // The degree of incompatibility, as printed and corrected (Behar & Lien 2012, Sec. 6).
-#include "reference/convex/incompatibility.hpp"
+#include "reference/space/convex/incompatibility.hpp"
 
 #include <gtest/gtest.h>
 

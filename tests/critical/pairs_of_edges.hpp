@@ -7,7 +7,7 @@
 
 #include "reference/number/eigen.hpp"
 #include "reference/number/rational.hpp"
-#include "reference/plane/critical/moving_edge.hpp"
+#include "reference/plane/moving/moving_edge.hpp"
 #include "tests/plane/random_polygons.hpp"
 
 namespace minkref::testing {

@@ -6,10 +6,10 @@
 #include <tuple>
 
 #include "reference/error.hpp"
-#include "reference/plane/dynamic/from_scratch.hpp"
-#include "reference/plane/dynamic/topology_timeline.hpp"
+#include "reference/plane/history/topology_timeline.hpp"
 #include "reference/plane/kernel/plain_kernel.hpp"
 #include "tests/plane/random_cases.hpp"
+#include "trials/from_scratch.hpp"
 
 namespace minkref::testing {
 namespace {

@@ -19,7 +19,7 @@ Point = tuple[Fraction, Fraction]
 Segment = tuple[Point, Point]
 Edge = tuple[str, int, int, int, int]
 
-Route = type[_core.DynamicSum] | type[_core.ScaleSpaceIndex]
+Route = type[_core.DynamicSum] | type[_core.ScaleIndex]
 
 SEED = 41
 PAIRS = 12
@@ -109,7 +109,7 @@ def named(parent: dict[str, Any]) -> Edge:
     return (parent["kind"], *parent["edge"], *parent["vertex"])
 
 
-@pytest.mark.parametrize("route", [_core.DynamicSum, _core.ScaleSpaceIndex])
+@pytest.mark.parametrize("route", [_core.DynamicSum, _core.ScaleIndex])
 @pytest.mark.parametrize("index", [*range(PAIRS), *ON_ONE_LINE])
 def test_parents_are_the_edges_that_come_to_the_place(index: int, route: Route) -> None:
     pair = lattice_pair(SEED, index)

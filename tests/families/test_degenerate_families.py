@@ -22,11 +22,7 @@ from minkref.degeneracies.make_corpus import SEED
 from minkref.degeneracies.plane.contacts import FAMILIES as CONTACTS
 from minkref.degeneracies.space.flags import FLAGS_IN_SPACE
 from minkref.oracle import slow
-from minkref.reports.evidence.certificates.checkers import (
-    in_cpp,
-    in_python,
-    verdicts,
-)
+from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, verdicts
 
 OTHER_SEED = 907
 

@@ -130,12 +130,7 @@ def test_significands_are_full() -> None:
 
 
 def test_integers_up_to_the_limits() -> None:
-    ranges = {
-        (-(2**31), 2**31 - 1),
-        (-(2**53), 2**53),
-        (-(2**62), 2**62),
-        (-(2**63), 2**63 - 1),
-    }
+    ranges = {(-(2**31), 2**31 - 1), (-(2**53), 2**53), (-(2**62), 2**62), (-(2**63), 2**63 - 1)}
     for seed, count in ((3, 100), (SEED, COUNT)):
         seen = set()
         for index in range(count):

@@ -29,9 +29,9 @@ from minkref.degeneracies.space.case_document import SHOWN, DegenerateInSpace
 from minkref.degeneracies.space.shapes import SOLIDS
 from minkref.degeneracies.space.vectors import vector
 from minkref.exact import digest
-from minkref.fuzz.cases.space_case import SPACE_FAMILIES as FUZZED_IN_SPACE
 from minkref.fuzz.families.catalogue import FAMILIES as FUZZED
 from minkref.fuzz.geometry.space import Point
+from minkref.fuzz.space.case import SPACE_FAMILIES as FUZZED_IN_SPACE
 from minkref.fuzz.space.hull import convex_hull, sum_of_convex
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, verdicts
@@ -67,11 +67,7 @@ def dot(a: Vector, b: Vector) -> Fraction:
 
 
 def cross(a: Vector, b: Vector) -> Vector:
-    return (
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    )
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
 def scaled(vertices: list[Vector], s: Point) -> list[Vector]:

@@ -14,7 +14,7 @@ from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
 ROOT = Path(__file__).resolve().parents[2]
-ADAPTERS = sorted(ROOT.glob("fuzz/adapters/*.requirements.txt"))
+ADAPTERS = sorted(ROOT.glob("fuzz/libraries/*/requirements.txt"))
 OTHERS = [ROOT / "docs/site/requirements.txt", ROOT / "packaging/tools.requirements.txt"]
 LOCKS = [ROOT / "requirements.txt", *OTHERS, *ADAPTERS]
 

@@ -12,7 +12,7 @@
 #include <boost/crc.hpp>
 #include <cstring>
 
-#include "reference/scalespace/scale_space_index.hpp"
+#include "reference/plane/index/scale_index.hpp"
 #include "tests/fuzzing/round_trip.hpp"
 
 namespace minkref::fuzzing {
@@ -46,7 +46,7 @@ PolygonSet polygon(Ring outer, std::vector<Ring> holes = {}) {
   return {{Polygon{std::move(outer), std::move(holes)}}};
 }
 
-std::string bytes_of(const ScaleSpaceIndex& index) {
+std::string bytes_of(const ScaleIndex& index) {
   char path[] = "/tmp/minkref_fuzz_index_XXXXXX";
   ::close(::mkstemp(path));
   index.save(path);
@@ -119,7 +119,7 @@ void ask(Question&& question) {
   }
 }
 
-void ask_at(const ScaleSpaceIndex& index, const Rational& scale) {
+void ask_at(const ScaleIndex& index, const Rational& scale) {
   const auto rings = [&](auto kind) { ask([&] { index.rings(scale, kind); }); };
   rings(TrackRings{});
   rings(RoundedRings{});
@@ -131,7 +131,7 @@ void ask_at(const ScaleSpaceIndex& index, const Rational& scale) {
   ask([&] { index.area_polynomial(index.place(scale).interval); });
 }
 
-void ask_all(const ScaleSpaceIndex& index) {
+void ask_all(const ScaleIndex& index) {
   ask([&] { index.P(); });
   ask([&] { index.Q(); });
   ask([&] { index.edges(); });
@@ -151,7 +151,7 @@ void ask_all(const ScaleSpaceIndex& index) {
 /// Whether it was opened.
 bool opens(const MemoryFile& file) {
   try {
-    ask_all(ScaleSpaceIndex::open(file.path()));
+    ask_all(ScaleIndex::open(file.path()));
     return true;
   } catch (const BadInput& refused) {
     check_refusal(refused);

@@ -145,24 +145,24 @@ def attack(
             "MINKREF_HOSTILE": json.dumps({k: str(v) for k, v in tells.items()}),  # to functions
         }
         kept = base / "kept"
-        keeper = [sys.executable, str(FOLDER / "keeper.py"), str(kept), str(PATIENCE)]
-        keeper += ["tty"] * tty
+        parent = [sys.executable, str(FOLDER / "supervisor.py"), str(kept), str(PATIENCE)]
+        parent += ["tty"] * tty
         home = outside.listing(places["home"])
-        subprocess.run([*keeper, "--", *command], cwd=places["work"], env=environment, check=True)
-        told_by_keeper = json.loads(kept.read_text())
+        subprocess.run([*parent, "--", *command], cwd=places["work"], env=environment, check=True)
+        seen_by_parent = json.loads(kept.read_text())
         seen = Seen(
-            code=told_by_keeper["code"],
-            seconds=told_by_keeper["seconds"],
+            code=seen_by_parent["code"],
+            seconds=seen_by_parent["seconds"],
             document=document(Path(f"{kept}.stdout")),
             stderr=Path(f"{kept}.stderr").read_text(errors="replace")[-20000:],
-            processes=told_by_keeper["left"],
+            processes=seen_by_parent["left"],
             outside=outside.left(run, free),
             home=changed(home, outside.listing(places["home"])),
             temporary=sorted(os.listdir(places["tmp"])),
             work=unknown(places["work"]),
             connections=server.count,
             files=written(places["work"]),
-            terminal=told_by_keeper,
+            terminal=seen_by_parent,
         )
         outside.remove(run)
         return seen

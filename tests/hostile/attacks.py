@@ -47,7 +47,7 @@ PROCESSES = [
     *of((PASS,), "OwnSubreaper", "OwnNamespace", "ManyThreads"),
     Attack("ForksFifty", (PASS, NONE), (*CONVEX, "--call-processes", "20")),
     Attack("Daemon", quick=True),
-    Attack("KillsItsKeeper", (PASS, CRASHED), kills=True, quick=True),
+    Attack("KillsItsSupervisor", (PASS, CRASHED), kills=True, quick=True),
     Attack("KillsItsGroup", (CRASHED,), kills=True),
     Attack("KillsAllInSight", (PASS, CRASHED), kills=True),
     Attack("TerminatesAllInSight", (PASS, CRASHED), kills=True),

@@ -51,8 +51,8 @@ def read(hostile: Hostile) -> Read:
         during = threading.Thread(target=hostile.during, args=(path,), daemon=True)
         if hostile.during:
             during.start()
-        keeper = [sys.executable, str(FOLDER / "keeper.py"), str(kept), str(PATIENCE), "memory"]
-        subprocess.run([*keeper, "--", *command], cwd=work, env=environment, check=True)
+        parent = [sys.executable, str(FOLDER / "supervisor.py"), str(kept), str(PATIENCE), "memory"]
+        subprocess.run([*parent, "--", *command], cwd=work, env=environment, check=True)
         if hostile.during:
             during.join(10)
         told = json.loads(kept.read_text())

@@ -47,10 +47,7 @@ def test_tracks_lead_to_the_sums_very_near(index: int) -> None:
         ]
         for step, result in zip(near, sums, strict=True):
             assert moved_on(state, step) == result.digest, (SEED, index, scale)
-            assert (len(state.interior), len(state.complement)) == (
-                result.components,
-                result.holes,
-            )
+            assert (len(state.interior), len(state.complement)) == (result.components, result.holes)
             a, b, c = state.area
             assert a + b * step + c * step * step == result.area
 

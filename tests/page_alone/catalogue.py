@@ -36,11 +36,6 @@ UNUSUAL = of_modules(
     unusual_rings, unusual_numbers, unusual_verbs, unusual_talk, unusual_space, unusual_space_sums
 )
 FAULTY = of_modules(
-    faulty_holes,
-    faulty_numbers,
-    faulty_events,
-    faulty_talk,
-    faulty_space,
-    faulty_space_verbs,
+    faulty_holes, faulty_numbers, faulty_events, faulty_talk, faulty_space, faulty_space_verbs
 )
 ADAPTERS = {**UNUSUAL, **FAULTY}

@@ -4,15 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from space_sets import (
-    Point,
-    Shell,
-    corners_of,
-    cross,
-    dot,
-    minus,
-    normal_of,
-)
+from space_sets import Point, Shell, corners_of, cross, dot, minus, normal_of
 
 
 def fan(corners: list[Point]) -> list[list[Point]]:

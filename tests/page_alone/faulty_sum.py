@@ -7,11 +7,7 @@ from typing import Any
 from conversation import Request
 from minkref import _core
 from plane_adapter import Plane
-from plane_sets import (
-    Polygon,
-    set_of,
-    sum_of,
-)
+from plane_sets import Polygon, set_of, sum_of
 
 
 class Faulty(Plane):

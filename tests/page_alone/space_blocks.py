@@ -7,13 +7,7 @@ from itertools import pairwise, product
 from typing import Any
 
 from plane_sets import Ring, rings_of, set_of_rings, sum_of, trapezoids
-from space_sets import (
-    Face,
-    Point,
-    Shell,
-    corners_of,
-    normal_of,
-)
+from space_sets import Face, Point, Shell, corners_of, normal_of
 
 
 def axis_of(corners: list[Point]) -> int | None:

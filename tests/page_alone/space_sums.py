@@ -9,16 +9,7 @@ from itertools import product
 from face_pieces import convex_faces
 from minkref import _core
 from space_blocks import sum_of_blocks, sum_of_prisms
-from space_sets import (
-    Point,
-    Shell,
-    body_of,
-    hull,
-    is_convex,
-    moved,
-    parts_of,
-    plus,
-)
+from space_sets import Point, Shell, body_of, hull, is_convex, moved, parts_of, plus
 
 
 def sums(first: Iterable[Point], second: Iterable[Point]) -> Shell | None:

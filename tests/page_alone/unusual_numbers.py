@@ -8,15 +8,7 @@ from typing import Any, ClassVar
 
 from conversation import Request
 from plane_adapter import SETS, Doubles, Plane
-from plane_sets import (
-    Polygon,
-    grown,
-    polygons_of,
-    rings_of,
-    set_of,
-    shrunk,
-    sum_of,
-)
+from plane_sets import Polygon, grown, polygons_of, rings_of, set_of, shrunk, sum_of
 
 HALF = Fraction(1, 2)
 

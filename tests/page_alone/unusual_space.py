@@ -9,14 +9,7 @@ from typing import Any, ClassVar
 from conversation import Answer, Rejected, Request
 from minkref import BadInput, _core
 from plane_adapter import Plane
-from space_adapter import (
-    ALL,
-    DoublesInSpace,
-    Space,
-    UpdatingInSpace,
-    in_triangles,
-    scaling_of,
-)
+from space_adapter import ALL, DoublesInSpace, Space, UpdatingInSpace, in_triangles, scaling_of
 from space_sets import Shell, shell_of
 from space_sums import sum_in_space
 

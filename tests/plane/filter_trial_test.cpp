@@ -1,5 +1,5 @@
 // The float filter of the grid kernel is never wrong, and is tried where doubles are.
-#include "reference/plane/filter_trial.hpp"
+#include "trials/filter_trial.hpp"
 
 #include <gtest/gtest.h>
 

@@ -86,9 +86,7 @@ CASES = [
         UNIT,
         "1",
         [[(2, 2)]],  # x - U = [1,2]^2
-        contacts=[
-            [[("S", 1, 0, 0, 2), ("S", 1, 1, 0, 1), ("S", 1, 2, 0, 0), ("S", 1, 3, 0, 3)]],
-        ],
+        contacts=[[[("S", 1, 0, 0, 2), ("S", 1, 1, 0, 1), ("S", 1, 2, 0, 0), ("S", 1, 3, 0, 3)]]],
     ),
     Case(
         "a hole longer than the peg: a segment, held by the two long sides",
@@ -137,12 +135,7 @@ CASES = [
     ),
     Case(
         "a Z-shaped hole: a polyline with two bends",
-        [
-            [
-                box(0, 0, 7, 5),
-                [(1, 1), (1, 2), (3, 2), (3, 4), (6, 4), (6, 3), (4, 3), (4, 1)],
-            ]
-        ],
+        [[box(0, 0, 7, 5), [(1, 1), (1, 2), (3, 2), (3, 4), (6, 4), (6, 3), (4, 3), (4, 1)]]],
         UNIT,
         "1",
         [[(2, 2), (4, 2), (4, 4), (6, 4)]],
@@ -178,13 +171,7 @@ CASES = [
     ),
     Case(
         "a channel round an island with a blind arm: a loop and a segment at its begin",
-        [
-            [
-                box(0, 0, 9, 7),
-                [(1, 1), (1, 6), (6, 6), (6, 2), (8, 2), (8, 1)],
-            ],
-            [box(2, 2, 5, 5)],
-        ],
+        [[box(0, 0, 9, 7), [(1, 1), (1, 6), (6, 6), (6, 2), (8, 2), (8, 1)]], [box(2, 2, 5, 5)]],
         UNIT,
         "1",
         [[(6, 2), (2, 2), (2, 6), (6, 6), (6, 2)], [(6, 2), (8, 2)]],
@@ -245,7 +232,7 @@ CASES = [
                 [
                     *[("S", 0, 0, 0, 2), ("S", 0, 2, 0, 2), ("S", 1, 0, 0, 3), ("S", 1, 2, 0, 3)],
                     *[("S", 2, 0, 0, 0), ("S", 2, 2, 0, 0), ("S", 3, 0, 0, 1), ("S", 3, 2, 0, 1)],
-                ],
+                ]
             ]
         ],
     ),
@@ -344,14 +331,7 @@ CASES = [
         [[(0, 0)]],
         near=[[(0, 0)]],
     ),
-    Case(
-        "the same at s = 1/3",
-        ONE_THREE,
-        TWO_FOUR,
-        "1/3",
-        [[(0, 0)]],
-        near=[[(0, 0)]],
-    ),
+    Case("the same at s = 1/3", ONE_THREE, TWO_FOUR, "1/3", [[(0, 0)]], near=[[(0, 0)]]),
     Case(
         "a segment through the point where two squares touch: it slides, at all scales",
         # x - Q passes the origin for x on Q; its ends are on the boundary of the sum.
@@ -395,11 +375,7 @@ CASES = [
         contacts=[[[("S", 1, 1, 0, 0), ("S", 1, 3, 0, 1)]]],
     ),
     Case(
-        "a segment as long as a corridor",
-        CORRIDOR,
-        [[[(0, 0), (3, 0)]]],
-        "1",
-        [[(4, 1), (4, 2)]],
+        "a segment as long as a corridor", CORRIDOR, [[[(0, 0), (3, 0)]]], "1", [[(4, 1), (4, 2)]]
     ),
     Case(
         "a segment shorter than a corridor is free in it: none",
@@ -425,13 +401,7 @@ CASES = [
         "1/2",
         [[(1, 2), (4, 2)]],
     ),
-    Case(
-        "a point as Q: none, though rings of P touch",
-        ONE_THREE,
-        [[[(0, 0)]]],
-        "1",
-        [],
-    ),
+    Case("a point as Q: none, though rings of P touch", ONE_THREE, [[[(0, 0)]]], "1", []),
     Case("a point as P: none", [[[(3, 4)]]], TWO_FOUR, "2", []),
     Case("two convex operands: none", TRIANGLE, UNIT, "1", []),
 ]

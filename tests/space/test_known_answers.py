@@ -9,13 +9,7 @@ from itertools import product
 import pytest
 from minkref.exact import set_json
 from minkref.fuzz.geometry.space import Point
-from minkref.fuzz.space.cells import (
-    cavities,
-    cells_of,
-    is_manifold,
-    sum_of_cells,
-    surface_of,
-)
+from minkref.fuzz.space.cells import cavities, cells_of, is_manifold, sum_of_cells, surface_of
 from minkref.fuzz.space.closedness import open_edge
 from minkref.fuzz.space.comparison import compare
 from minkref.fuzz.space.generators.convex import cube

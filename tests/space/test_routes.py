@@ -8,11 +8,11 @@ from itertools import product
 
 import pytest
 from minkref.fuzz.geometry.space import Point
+from minkref.fuzz.space.fault_search import decided, inside, outside
 from minkref.fuzz.space.known_sum import known_sum
 from minkref.fuzz.space.meeting import Meeting
 from minkref.fuzz.space.pair import SpacePair
 from minkref.fuzz.space.pairs import FAMILIES, space_pair
-from minkref.fuzz.space.trial import decided, inside, outside
 from minkref.fuzz.space.witness import holds
 
 DISTANCES = (Fraction(1, 1000), Fraction(1, 3))

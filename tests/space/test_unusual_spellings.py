@@ -8,9 +8,9 @@ from fractions import Fraction
 
 import pytest
 from minkref.fuzz.cases import naming
-from minkref.fuzz.cases.case import CaseName
-from minkref.fuzz.cases.space_case import SpaceCase
+from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.geometry.space import Point
+from minkref.fuzz.space.case import SpaceCase
 from minkref.fuzz.space.comparison import compare
 from minkref.fuzz.space.pair import Truth
 from minkref.fuzz.space.pairs import space_pair

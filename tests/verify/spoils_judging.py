@@ -10,8 +10,8 @@ from collections.abc import Callable
 from typing import Any
 
 from minkref.fuzz.cases import naming
-from minkref.fuzz.run import asking, worker
-from minkref.fuzz.verdicts import judgement
+from minkref.fuzz.plane import asking, judgement
+from minkref.fuzz.run import worker
 
 SPOILT = "py:faulty_sums:right"
 

@@ -7,15 +7,16 @@ from fractions import Fraction
 
 import pytest
 from minkref.fuzz.cases import naming
-from minkref.fuzz.cases.case import Case, CaseName
+from minkref.fuzz.cases.case_name import CaseName
+from minkref.fuzz.plane.boundary_sum import boundary_sum, decide_boundary
+from minkref.fuzz.plane.case import Case
+from minkref.fuzz.plane.judgement import judge
+from minkref.fuzz.plane.region import inner_point, minus
+from minkref.fuzz.plane.witness import holds
 from minkref.fuzz.targets.answer import answered
 from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.targets.reference import ReferenceTarget
-from minkref.fuzz.verdicts.boundary_sum import boundary_sum, decide_boundary
-from minkref.fuzz.verdicts.judgement import judge
-from minkref.fuzz.verdicts.region import inner_point, minus
 from minkref.fuzz.verdicts.verdict import Outcome, Verdict
-from minkref.fuzz.verdicts.witness import holds
 
 CURVES = Declaration("curves", sum="boundary")
 BIG_AND_SMALL = (

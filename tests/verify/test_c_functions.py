@@ -12,7 +12,7 @@ import jsonschema
 import pytest
 from minkref.commands.line.cli import run
 from minkref.commands.schemas import schema
-from minkref.fuzz.adapters import catalogue
+from minkref.fuzz.adapters.template import HEADER
 
 pytestmark = pytest.mark.skipif(not shutil.which("gcc"), reason="gcc is not installed")
 
@@ -119,7 +119,7 @@ def test_each_function_is_charged_with_what_it_does(
 ) -> None:
     source, library = tmp_path / "sums.c", tmp_path / "libsums.so"
     source.write_text(SOURCE, encoding="utf-8")
-    words = ["gcc", "-std=c99", "-O1", "-shared", "-fPIC", f"-I{catalogue.HERE}", str(source)]
+    words = ["gcc", "-std=c99", "-O1", "-shared", "-fPIC", f"-I{HEADER.parent}", str(source)]
     subprocess.run([*words, "-o", str(library), "-lm"], check=True, timeout=60)
     names = {f"so:{library}:{name}": name for name in EXPECTED}
     options = ["--family", "convex", "--pairs", "2", "--no-derived", "--no-models"]

@@ -8,13 +8,14 @@ from typing import Any
 
 import pytest
 from minkref import _core
-from minkref.fuzz.cases.case import Case, CaseName
+from minkref.fuzz.cases.case_name import CaseName
+from minkref.fuzz.plane.case import Case
+from minkref.fuzz.plane.comparison import settle
+from minkref.fuzz.plane.judgement import judge
+from minkref.fuzz.plane.region import minus, region_of_rings
+from minkref.fuzz.plane.witness import holds
 from minkref.fuzz.targets.answer import Answer
-from minkref.fuzz.verdicts.comparison import settle
-from minkref.fuzz.verdicts.judgement import judge
-from minkref.fuzz.verdicts.region import minus, region_of_rings
 from minkref.fuzz.verdicts.verdict import Reason, Verdict
-from minkref.fuzz.verdicts.witness import holds
 
 
 def ring(xmin: str, ymin: str, xmax: str, ymax: str) -> list[list[str]]:

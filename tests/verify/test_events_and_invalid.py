@@ -9,17 +9,18 @@ from math import inf, nextafter
 import pytest
 from minkref import _core
 from minkref.fuzz.cases import naming
-from minkref.fuzz.cases.case import Case, CaseName
+from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.grid import bits_of, unit_for
-from minkref.fuzz.cases.invalid_case import InvalidCase
 from minkref.fuzz.cases.no_case import NoCase
 from minkref.fuzz.families.invalid import KINDS
+from minkref.fuzz.plane.case import Case
+from minkref.fuzz.plane.event_judgement import judge_events, window
+from minkref.fuzz.plane.invalid_case import InvalidCase
+from minkref.fuzz.plane.invalid_judgement import judge_invalid
+from minkref.fuzz.plane.witness import holds
 from minkref.fuzz.targets.answer import Answer, answered
 from minkref.fuzz.targets.declaration import Declaration
-from minkref.fuzz.verdicts.event_judgement import judge_events, window
-from minkref.fuzz.verdicts.invalid_judgement import judge_invalid
 from minkref.fuzz.verdicts.verdict import GOOD, Reason, Verdict
-from minkref.fuzz.verdicts.witness import holds
 
 EXACT = Declaration("exact")
 FLOATS = Declaration("floats", arithmetic="float64", relative=Fraction(1, 10**9))

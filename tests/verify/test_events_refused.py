@@ -12,15 +12,16 @@ from typing import Any
 
 import pytest
 from minkref.fuzz.cases import naming
-from minkref.fuzz.cases.case import Case, CaseName
-from minkref.fuzz.run.asking import Asking
+from minkref.fuzz.cases.case_name import CaseName
+from minkref.fuzz.plane.case import Case
+from minkref.fuzz.plane.event_judgement import judge_events
+from minkref.fuzz.plane.witness import holds
+from minkref.fuzz.settings import asking_about
 from minkref.fuzz.targets.adapter import AdapterTarget
 from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.targets.catalogue import make_target
 from minkref.fuzz.targets.declaration import Declaration
-from minkref.fuzz.verdicts.event_judgement import judge_events
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict
-from minkref.fuzz.verdicts.witness import holds
 
 PROGRAM = """
 import json, sys
@@ -60,7 +61,7 @@ def told(tmp_path: Path) -> Iterator[Callable[..., Outcome]]:
         made.append(target)
         limits = Limits()
         asked = {"t": target}
-        asking = Asking(
+        asking = asking_about(
             case, lambda n: asked.get(n) or make_target(n, limits), lambda _: None, {}, limits
         )
         (outcome,) = asking.outcomes(["t"])

@@ -8,9 +8,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from minkref.fuzz.cases.case import Case, CaseName
+from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.naming import load
-from minkref.fuzz.run.asking import Asking
+from minkref.fuzz.plane.case import Case
+from minkref.fuzz.settings import asking_about
 from minkref.fuzz.targets.adapter import AdapterTarget
 from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.verdicts.verdict import Verdict
@@ -49,7 +50,7 @@ def test_a_program_that_ends_after_its_events(tmp_path: Path, scales: list[str])
     target = SlowToLook("ends", [sys.executable, str(tmp_path / "ends.py")], Limits(seconds=20))
     case = load(CaseName("events(fit:1:0)", "events"))
     try:
-        asking = Asking(case, lambda name: target, lambda step: None, {}, target.limits)
+        asking = asking_about(case, lambda name: target, lambda step: None, {}, target.limits)
         (outcome,) = asking.outcomes(["ends"])
     finally:
         target.close()

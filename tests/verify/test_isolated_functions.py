@@ -14,9 +14,9 @@ from pathlib import Path
 
 import pytest
 from minkref.errors import Refusal
-from minkref.fuzz.adapters.catalogue import HERE
+from minkref.fuzz.adapters.template import HEADER
 from minkref.fuzz.cases import naming
-from minkref.fuzz.cases.case import CaseName
+from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.isolation import sandbox
 from minkref.fuzz.isolation.isolation import Isolation, choose
 from minkref.fuzz.isolation.leftovers import marked
@@ -109,7 +109,7 @@ def test_it_cannot_forge_the_ledger(
 def test_forty_processes_that_it_left_are_ended(
     walls: Isolation, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """They killed their keeper."""
+    """They killed their supervisor."""
     monkeypatch.setenv("MINKREF_TRY", "forty")
     assert answer(walls, "tries").verdict in (Verdict.CRASHED, Verdict.ERRORED)
 
@@ -141,7 +141,7 @@ def test_a_c_function_writes_nowhere(
     if walls.kind == "none" and not walls.own_user:
         pytest.skip("without a sandbox, and not root: documented")
     (tmp_path / "writes.c").write_text(WRITES)
-    words = ["gcc", "-shared", "-fPIC", f"-I{HERE}", "writes.c", "-o", "libwrites.so"]
+    words = ["gcc", "-shared", "-fPIC", f"-I{HEADER.parent}", "writes.c", "-o", "libwrites.so"]
     subprocess.run(words, check=True, cwd=tmp_path, timeout=60)
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("MINKREF_TRY", str(tmp_path / "written"))

@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 from minkref.errors import Refusal
 from minkref.fuzz.cases import naming
-from minkref.fuzz.cases.case import CaseName
+from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.isolation import sandbox
 from minkref.fuzz.isolation.control_group import PIDS, find_rooms, remove_stale
 from minkref.fuzz.isolation.environment import NAMES, PREFIXES
@@ -125,7 +125,7 @@ def test_files_of_the_run_cannot_be_changed_nor_read_in_the_sandbox(
             assert file.read_text() == "what was judged"
 
 
-def test_forty_processes_that_left_it_and_killed_their_keeper_are_ended(walls: Isolation) -> None:
+def test_forty_processes_that_left_and_killed_their_supervisor_are_ended(walls: Isolation) -> None:
     try:
         said(walls, "forty")
     except Failure as failure:

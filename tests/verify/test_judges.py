@@ -12,7 +12,7 @@ import pytest
 from minkref import _core
 from minkref.commands.line.cli import run
 from minkref.commands.schemas import schema
-from minkref.fuzz.cases.case import Case, CaseName
+from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cgal.executables import OracleNotFoundError
 from minkref.fuzz.cgal.swept_solid import SweptSolid
 from minkref.fuzz.judges import (
@@ -27,8 +27,9 @@ from minkref.fuzz.judges import (
     symbolic_events,
 )
 from minkref.fuzz.judges.ruling import Ruling
+from minkref.fuzz.plane.case import Case
+from minkref.fuzz.plane.witness import holds
 from minkref.fuzz.verdicts.verdict import Reason, Verdict
-from minkref.fuzz.verdicts.witness import holds
 
 
 def case_of(P: str, Q: str, scale: str = "1") -> Case:
@@ -156,7 +157,7 @@ class WithoutHoles:
     """An index."""
 
     def __init__(self, *arguments: Any) -> None:
-        self._right = _core.ScaleSpaceIndex(*arguments)
+        self._right = _core.ScaleIndex(*arguments)
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self._right, name)
@@ -262,7 +263,7 @@ LIES: list[tuple[str, str, str, dict[str, Any], Reason]] = [
     ("sampled", TRIANGLE, FRAME, {"DynamicSum": RepeatedBoundaryEvents}, Reason.EVENT_INVENTED),
     ("sampled", TRIANGLE, FRAME, {"DynamicSum": drifting(0)}, Reason.STATE_DRIFT),
     ("sampled", TRIANGLE, FRAME, {"DynamicSum": drifting(1)}, Reason.STATE_DRIFT),
-    ("sampled", TRIANGLE, FRAME, {"ScaleSpaceIndex": WithoutHoles}, Reason.STATE_DRIFT),
+    ("sampled", TRIANGLE, FRAME, {"ScaleIndex": WithoutHoles}, Reason.STATE_DRIFT),
     (
         "tight passages", UNIT, CORRIDOR, {"tight_passages": lambda *_: []},
         Reason.PASSAGE_MISSED,
@@ -311,9 +312,7 @@ def test_verify_minkref_puts_the_reference_before_every_judge(
     assert passes >= 5 * 6
 
 
-def test_one_judge_alone_and_a_judge_that_there_is_not(
-    capsys: pytest.CaptureFixture[str],
-) -> None:
+def test_one_judge_alone_and_a_judge_that_there_is_not(capsys: pytest.CaptureFixture[str]) -> None:
     assert run(["verify", "minkref@slow-points", "--case", "g1+g3@7/5"]) == 0
     assert "minkref@slow-points" in capsys.readouterr().out
     assert run(["verify", "minkref@nobody", "--pairs", "1"]) == 2

@@ -8,14 +8,15 @@ from fractions import Fraction
 
 import pytest
 from minkref.fuzz.cases import naming
-from minkref.fuzz.cases.case import Case, CaseName
+from minkref.fuzz.cases.case_name import CaseName
+from minkref.fuzz.plane.case import Case
+from minkref.fuzz.plane.law_judgement import judge_law
+from minkref.fuzz.plane.laws import LAWS
+from minkref.fuzz.plane.maps import mapped
+from minkref.fuzz.plane.witness import holds
 from minkref.fuzz.targets.answer import Answer, answered
 from minkref.fuzz.targets.reference import ReferenceTarget
-from minkref.fuzz.verdicts.law_judgement import judge_law
-from minkref.fuzz.verdicts.laws import LAWS
-from minkref.fuzz.verdicts.plane_maps import mapped
 from minkref.fuzz.verdicts.verdict import Outcome, Verdict
-from minkref.fuzz.verdicts.witness import holds
 
 SOUND = ReferenceTarget("minkref:paper", "paper")
 FAMILIES = ("random", "holes", "comb", "touching", "degenerate", "rational", "offset")

@@ -15,11 +15,13 @@ from minkref import _core
 from minkref.errors import Refusal
 from minkref.exact import read_point, read_scale
 from minkref.fuzz.cases.case_files import scales_in
+from minkref.fuzz.plane.protocol import plane_answer
+from minkref.fuzz.plane.region import region_of_rings
 from minkref.fuzz.space.polyhedron import Polyhedron
+from minkref.fuzz.space.protocol import solid_answer
 from minkref.fuzz.targets.adapter import _scale
 from minkref.fuzz.targets.declaration import PLANE, Declaration, DeclarationError, read_declaration
-from minkref.fuzz.targets.numbers import Unreadable, plane_answer, solid_answer
-from minkref.fuzz.verdicts.region import region_of_rings
+from minkref.fuzz.targets.numbers import Unreadable
 
 REFUSALS = (ValueError, Unreadable, DeclarationError, Refusal, _core.BadInput)
 TEXT = Declaration("t", capabilities=PLANE | {"space"})

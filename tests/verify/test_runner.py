@@ -10,11 +10,11 @@ from typing import Any
 import pytest
 from minkref.exits import ExitCode
 from minkref.fuzz.isolation.isolation import choose
+from minkref.fuzz.plane.witness import holds
 from minkref.fuzz.run import pool
 from minkref.fuzz.run.runner import Run
 from minkref.fuzz.verdicts.baseline import Baseline, Entry
 from minkref.fuzz.verdicts.verdict import Reason, Verdict
-from minkref.fuzz.verdicts.witness import holds
 
 Verify = Callable[..., Run]
 

@@ -9,9 +9,11 @@ from dataclasses import replace
 
 import pytest
 from minkref.fuzz.cases import naming
-from minkref.fuzz.cases.case import Case, CaseName
-from minkref.fuzz.cases.space_case import SpaceCase
-from minkref.fuzz.run.asking import ASKED_TWICE, Asking
+from minkref.fuzz.cases.case_name import CaseName
+from minkref.fuzz.plane.case import Case
+from minkref.fuzz.run.asking import ASKED_TWICE
+from minkref.fuzz.settings import asking_about
+from minkref.fuzz.space.case import SpaceCase
 from minkref.fuzz.targets.answer import Answer, Limits, Target
 from minkref.fuzz.targets.catalogue import make_target
 from minkref.fuzz.verdicts.verdict import BROKEN, Outcome, Reason, Verdict
@@ -58,7 +60,7 @@ def outcome_of(
         return turns if name == turns.name else make_target(name, LIMITS)  # type: ignore[return-value]
 
     case = asked_twice(family, 5)
-    (outcome,) = Asking(case, target, lambda _: None, {}, LIMITS).outcomes([turns.name])
+    (outcome,) = asking_about(case, target, lambda _: None, {}, LIMITS).outcomes([turns.name])
     assert turns.calls == calls
     return outcome
 

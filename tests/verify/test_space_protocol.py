@@ -11,8 +11,8 @@ from typing import Any
 import pytest
 from minkref.commands.line import cli
 from minkref.fuzz.cases import naming
-from minkref.fuzz.cases.case import CaseName
-from minkref.fuzz.cases.space_case import SpaceCase
+from minkref.fuzz.cases.case_name import CaseName
+from minkref.fuzz.space.case import SpaceCase
 from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.targets.catalogue import make_target
 

@@ -9,16 +9,17 @@ from fractions import Fraction
 import pytest
 from minkref import _core
 from minkref.fuzz.cases import naming
-from minkref.fuzz.cases.case import Case, CaseName
+from minkref.fuzz.cases.case_name import CaseName
+from minkref.fuzz.plane.case import Case
+from minkref.fuzz.plane.judgement import judge
+from minkref.fuzz.plane.maps import mapped
+from minkref.fuzz.plane.region import minus
+from minkref.fuzz.plane.tolerance import grown, shrunk
+from minkref.fuzz.plane.witness import holds
 from minkref.fuzz.targets.answer import Answer, answered
 from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.targets.reference import ReferenceTarget
-from minkref.fuzz.verdicts.judgement import judge
-from minkref.fuzz.verdicts.plane_maps import mapped
-from minkref.fuzz.verdicts.region import minus
-from minkref.fuzz.verdicts.tolerance import grown, shrunk
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict, Witness
-from minkref.fuzz.verdicts.witness import holds
 
 HALF = Fraction(1, 100)
 FLOATS = Declaration("floats", arithmetic="float64", absolute=HALF)

@@ -5,8 +5,8 @@ from __future__ import annotations
 import json
 
 import pytest
+from minkref.fuzz.plane.witness import holds
 from minkref.fuzz.verdicts.verdict import Witness
-from minkref.fuzz.verdicts.witness import holds
 
 
 def box(xmin: int, ymin: int, xmax: int, ymax: int, *holes: tuple[int, int, int, int]) -> str:

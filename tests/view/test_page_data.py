@@ -18,10 +18,7 @@ from page_decoder import Decoder, data_of, difference, page_of, scales, true_pol
 CLOSE = 1e-9  # diagonals
 
 
-ROUTES: dict[str, Callable[..., Sums]] = {
-    "index": _core.ScaleSpaceIndex,
-    "dynamic": _core.DynamicSum,
-}
+ROUTES: dict[str, Callable[..., Sums]] = {"index": _core.ScaleIndex, "dynamic": _core.DynamicSum}
 
 
 def page_data(

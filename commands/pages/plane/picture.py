@@ -14,13 +14,13 @@ from minkref.commands.pages.plane.ring_changes import Row
 from minkref.commands.pages.plane.states import States
 from minkref.errors import Refusal
 
-Sums = _core.ScaleSpaceIndex | _core.DynamicSum
+Sums = _core.ScaleIndex | _core.DynamicSum
 
 Progress = Callable[[int, int], None]  # states done, states in all
 
 NARROWEST = 1e-12
 # The count that says how many states there are.
-GROUPS = {_core.DynamicSum: "boundary_groups", _core.ScaleSpaceIndex: "boundary_events"}
+GROUPS = {_core.DynamicSum: "boundary_groups", _core.ScaleIndex: "boundary_events"}
 CHANGES = {"birth": "b", "death": "d", "swap": "s", "touch": "t"}
 
 

@@ -47,8 +47,7 @@ def _with_corners(body: SpaceOperand, scaling: Scaling, corners: list[Scaling]) 
     if len(corners) == 2:
         first, last = corners
         made = refusing(
-            body.name,
-            lambda: _core.convex_sum_with_segment(solid(body), scaling, first, last),
+            body.name, lambda: _core.convex_sum_with_segment(solid(body), scaling, first, last)
         )
         return SpaceSum(made.surface, made.vertex_parents, made.facet_parents, 0)
     surface = solid(body).surface()

@@ -15,7 +15,7 @@ from minkref.model_catalogue import shipped_polyhedra
 from minkref.operand import LONGEST_NAME, is_utf8
 from minkref.terminal import escaped
 
-FORMATS = (".off", ".obj", ".stl", ".ply")
+FORMATS = tuple(f".{name}" for name in _core.MESH_FORMATS if name != "json")
 
 
 @dataclass(frozen=True)

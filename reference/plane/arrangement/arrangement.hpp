@@ -8,7 +8,7 @@
 
 #include "reference/plane/arrangement/segment_contacts.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// The subdivision of the plane by closed segments: any number of segments through a point,
 /// vertices on segments and segments that overlap are all allowed. Half-edge h and h ^ 1 are twins;
@@ -115,7 +115,7 @@ class Arrangement {
   std::vector<std::vector<std::uint32_t>> face_cycles_;
 };
 
-}  // namespace minkref
+}  // namespace minkref::inline plane
 
 #include "reference/plane/arrangement/arrangement_faces.hpp"
 #include "reference/plane/arrangement/arrangement_subdivision.hpp"

@@ -4,7 +4,7 @@
 #include "reference/interrupt.hpp"
 #include "reference/plane/arrangement/arrangement.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 template <class K>
 bool Arrangement<K>::left_of(std::uint32_t h, std::uint32_t n) const {
@@ -118,4 +118,4 @@ void Arrangement<K>::find_faces() {
   }
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -6,7 +6,7 @@
 #include "reference/interrupt.hpp"
 #include "reference/plane/arrangement/arrangement.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 template <class K>
 void Arrangement<K>::subdivide() {
@@ -142,4 +142,4 @@ void Arrangement<K>::link() {
   }
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

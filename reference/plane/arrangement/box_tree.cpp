@@ -4,7 +4,7 @@
 
 #include "reference/interrupt.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 BoxTree::BoxTree(std::vector<Box> boxes) : items_(boxes.size()), sorted_(std::move(boxes)) {
   std::iota(items_.begin(), items_.end(), 0U);
@@ -44,4 +44,4 @@ void BoxTree::build(std::uint32_t begin, std::uint32_t end) {
   build(middle, end);
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -8,7 +8,7 @@
 #include "reference/interrupt.hpp"
 #include "reference/plane/kernel/box.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 class BoxTree {
  public:
@@ -134,4 +134,4 @@ class BoxTree {
   std::vector<Box> sorted_;  ///< boxes in the order of items_
 };
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -4,10 +4,10 @@
 #include "reference/plane/arrangement/arrangement.hpp"
 #include "reference/plane/kernel/exact_frame.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 extern template class Arrangement<GridKernel<Grid64>>;
 extern template class Arrangement<GridKernel<Grid256>>;
 extern template class Arrangement<PlainKernel<Rational>>;
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

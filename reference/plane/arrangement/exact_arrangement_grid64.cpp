@@ -1,7 +1,7 @@
 #include "reference/plane/arrangement/exact_arrangement.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 template class Arrangement<GridKernel<Grid64>>;
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

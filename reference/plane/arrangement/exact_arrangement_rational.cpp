@@ -1,7 +1,7 @@
 #include "reference/plane/arrangement/exact_arrangement.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 template class Arrangement<PlainKernel<Rational>>;
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

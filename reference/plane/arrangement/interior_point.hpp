@@ -8,7 +8,7 @@
 #include "reference/plane/kernel/grid_kernel.hpp"
 #include "reference/plane/kernel/plain_kernel.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 namespace detail {
 
@@ -139,4 +139,4 @@ Vector2<T> interior_point(const PlainKernel<T>&, const Arrangement<PlainKernel<T
       [&](std::uint32_t n) { return arrangement.node(n); });
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -12,7 +12,7 @@
 #include "reference/plane/arrangement/box_tree.hpp"
 #include "reference/plane/kernel/direction_order.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// A segment between two vertices, given by index.
 struct IndexedSegment {
@@ -151,4 +151,4 @@ class SegmentContacts {
   std::vector<Crossing> crossings_;
 };
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -6,7 +6,7 @@
 #include "reference/interrupt.hpp"
 #include "reference/plane/arrangement/arrangement.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// The winding number of every face: the signed count of segments crossed on the way in from the
 /// unbounded face. `sign_of_segment(i)` is the multiplicity of segment i. Exact. O(size of the
@@ -37,4 +37,4 @@ std::vector<int> winding_numbers(const Arrangement<K>& arrangement, Sign&& sign_
   return winding;
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -8,7 +8,7 @@
 #include "reference/plane/boundary/canonical.hpp"
 #include "reference/plane/polygon_set.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// Directed straight edges with the interior of the set on their left and its exterior on their
 /// right. Edges meet only at points; two edges that leave a point have different directions; no two
@@ -41,4 +41,4 @@ Walks boundary_walks(const BoundaryGraph& graph);
 /// collinear vertices merged, rings rotated and sorted. Exact.
 Canonical canonical_form(const BoundaryGraph& graph);
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -10,7 +10,7 @@
 #include "reference/plane/boundary/boundary_graph.hpp"
 #include "reference/plane/point_predicates.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 namespace {
 
 class WalkFinder {
@@ -201,4 +201,4 @@ class WalkFinder {
 
 Walks boundary_walks(const BoundaryGraph& graph) { return WalkFinder(graph).find(); }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

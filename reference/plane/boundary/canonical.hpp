@@ -6,7 +6,7 @@
 
 #include "reference/plane/polygon_set.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// Canonical JSON text (docs/definitions.md, "Canonical form") of a set already in canonical form.
 std::string canonical_json(const PolygonSet& canonical);
@@ -22,4 +22,4 @@ struct Canonical {
 /// (outer rings counter-clockwise, holes clockwise; they may touch, overlap or cross). Exact.
 Canonical canonicalize(const PolygonSet& rings);
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -7,7 +7,7 @@
 #include "reference/plane/boundary/boundary_graph.hpp"
 #include "reference/plane/point_predicates.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 namespace {
 
 /// Splits a closed walk at repeated points.
@@ -146,4 +146,4 @@ std::string canonical_json(const PolygonSet& canonical) {
   return text + "]}";
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -7,7 +7,7 @@
 #include "reference/plane/arrangement/arrangement.hpp"
 #include "reference/plane/boundary/boundary_graph.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// Sub-edges between a face inside and a face outside, the inside on their left. `position(n)`
 /// gives a node's exact coordinates; it is asked once for each node on the boundary.
@@ -33,4 +33,4 @@ BoundaryGraph face_boundary(const Arrangement<K>& arrangement, const std::vector
   return graph;
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

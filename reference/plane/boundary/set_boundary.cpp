@@ -4,7 +4,7 @@
 #include "reference/plane/arrangement/winding_numbers.hpp"
 #include "reference/plane/boundary/face_boundary.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 SetBoundary set_boundary(const PolygonSet& rings) {
   return on_exact_frame(rings, {}, [](const auto& frame) {
@@ -40,4 +40,4 @@ Canonical canonicalize(const PolygonSet& rings) {
   return result;
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

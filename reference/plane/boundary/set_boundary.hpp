@@ -3,7 +3,7 @@
 
 #include "reference/plane/boundary/boundary_graph.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 struct SetBoundary {
   BoundaryGraph graph;
@@ -14,4 +14,4 @@ struct SetBoundary {
 /// Exact.
 SetBoundary set_boundary(const PolygonSet& rings);
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

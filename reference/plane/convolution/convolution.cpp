@@ -3,7 +3,7 @@
 #include "reference/plane/convolution/convolution_rule.hpp"
 #include "reference/plane/kernel/exact_frame.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 namespace {
 
 std::vector<ConvolutionEdge> convolution(const PolygonSet& P, const PolygonSet& Q, bool full) {
@@ -45,4 +45,4 @@ Segment at_scale(const ConvolutionEdge& edge, const PolygonSet& P, const Polygon
   return {end(0), end(1)};
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

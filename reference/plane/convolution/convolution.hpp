@@ -6,7 +6,7 @@
 
 #include "reference/plane/polygon_set.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// One edge of the convolution with its parents: an S-edge is an edge of P at a vertex of Q, a
 /// T-edge an edge of Q at a vertex of P. An edge is named by its start vertex.
@@ -32,4 +32,4 @@ struct Segment {
 Segment at_scale(const ConvolutionEdge& edge, const PolygonSet& P, const PolygonSet& Q,
                  const Rational& scale);
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -11,7 +11,7 @@
 #include "reference/plane/kernel/direction_order.hpp"
 #include "reference/plane/kernel/operand.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// Which end of a turn belongs to it: [in, out) or (in, out]. The two sides of a convolution must
 /// use different ones: it is then the exact rule for operands turned against each other by a
@@ -129,4 +129,4 @@ std::vector<ConvolutionEdge> convolution_edges(const K& kernel,
   return result;
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -9,7 +9,7 @@
 #include "reference/plane/arrangement/segment_contacts.hpp"
 #include "reference/plane/convolution/convolution_rule.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// Segment i is edges[i]; a vertex p + q is one vertex however many edges end there.
 template <class K>
@@ -63,4 +63,4 @@ ConvolutionSegments<K> convolution_segments(std::vector<ConvolutionEdge> edges,
   return result;
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

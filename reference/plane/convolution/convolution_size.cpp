@@ -3,7 +3,7 @@
 #include "reference/plane/convolution/convolution_rule.hpp"
 #include "reference/plane/kernel/exact_frame.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 std::uint64_t convolution_size(const PolygonSet& P, const PolygonSet& Q, bool full) {
   return on_exact_frame(P, Q, [&](const auto& frame) {
@@ -17,4 +17,4 @@ std::uint64_t convolution_size(const PolygonSet& P, const PolygonSet& Q, bool fu
   });
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -5,10 +5,10 @@
 
 #include "reference/plane/polygon_set.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// The number of edges of the reduced convolution, or of the full one. Exact. Takes the time of the
 /// convolution, and no memory for its edges.
 std::uint64_t convolution_size(const PolygonSet& P, const PolygonSet& Q, bool full);
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace minkref {
+namespace minkref::inline plane {
 namespace {
 
 // Between these no product and no sum overflows or is so small that its error is not relative.
@@ -53,4 +53,4 @@ Enclosure intersection(const Enclosure& x, const Enclosure& y) {
   return {std::max(x.lower, y.lower), std::min(x.upper, y.upper)};
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

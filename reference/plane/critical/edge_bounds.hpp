@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "reference/number/rational.hpp"
-#include "reference/plane/critical/moving_edge.hpp"
+#include "reference/plane/moving/moving_edge.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// A filter for questions about where events happen: what it says holds, and where doubles cannot
 /// tell it says all numbers.
@@ -33,4 +33,4 @@ class EdgeBounds {
 /// What both say.
 Enclosure intersection(const Enclosure& x, const Enclosure& y);
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

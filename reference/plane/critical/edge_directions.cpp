@@ -2,7 +2,7 @@
 
 #include <map>
 
-namespace minkref {
+namespace minkref::inline plane {
 namespace {
 
 using V = Vector2<Rational>;
@@ -32,4 +32,4 @@ EdgeDirections edge_directions(const std::vector<RationalEdge>& edges) {
   return result;
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "reference/plane/critical/moving_edge.hpp"
+#include "reference/plane/moving/moving_edge.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// Of each edge the number of its direction up to sign, and whether it goes forward: in the
 /// direction of growing x, or of growing y where it is upright.
@@ -24,4 +24,4 @@ struct EdgeDirections {
 /// Exact. O(n log n).
 EdgeDirections edge_directions(const std::vector<RationalEdge>& edges);
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

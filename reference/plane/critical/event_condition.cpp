@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-namespace minkref {
+namespace minkref::inline plane {
 
 bool NumberRange::holds(const Rational& value) const {
   if (low && (with_low ? value < *low : value <= *low)) return false;
@@ -69,4 +69,4 @@ std::vector<bool> matching_edges(const std::vector<ConvolutionEdge>& edges,
   return result;
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

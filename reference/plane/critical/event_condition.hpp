@@ -11,7 +11,7 @@
 #include "reference/number/rational.hpp"
 #include "reference/plane/convolution/convolution.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// The numbers between two bounds; without one it is endless.
 struct NumberRange {
@@ -77,4 +77,4 @@ EventTest event_test(const EventCondition& condition,
 std::vector<bool> matching_edges(const std::vector<ConvolutionEdge>& edges,
                                  const EdgePattern& pattern);
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -7,7 +7,7 @@
 #include "reference/plane/critical/line_intersection.hpp"
 #include "reference/plane/kernel/exact_frame.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 namespace {
 
 using Vector = Vector2<Rational>;
@@ -62,4 +62,4 @@ std::vector<EventPlace> event_places(const PairEvents& events, std::size_t first
   return result;
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

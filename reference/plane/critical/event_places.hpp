@@ -4,10 +4,10 @@
 #include <optional>
 #include <vector>
 
-#include "reference/plane/critical/moving_edge.hpp"
 #include "reference/plane/critical/pair_events.hpp"
+#include "reference/plane/moving/moving_edge.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 struct EventPlace {
   Rational scale;
@@ -22,4 +22,4 @@ std::vector<EventPlace> event_places(const PairEvents& events, std::size_t first
 std::vector<EventPlace> event_places(const PairEvents& events, std::size_t first, std::size_t last,
                                      const std::vector<RationalEdge>& edges);
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

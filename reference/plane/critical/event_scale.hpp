@@ -5,7 +5,7 @@
 #include "reference/plane/critical/parallel_pair.hpp"
 #include "reference/plane/kernel/exact_frame.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// A scale of a kernel as a number.
 inline Rational exact_parameter(const PlainKernel<Rational>&, const Rational& t) { return t; }
@@ -26,4 +26,4 @@ typename K::Parameter event_scale(const K& kernel, const MovingEdge<typename K::
   return event.change == Change::death ? pair.interval.upper->scale : pair.interval.lower->scale;
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -9,7 +9,7 @@
 #include "reference/interrupt.hpp"
 #include "reference/plane/critical/event_condition.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// The places of a sorted list whose numbers are in a range, as first and last + 1; `number` gives
 /// those of the list, ascending. O(log n).
@@ -99,4 +99,4 @@ std::size_t distinct_scales(const std::vector<Event>& events) {
   return count;
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

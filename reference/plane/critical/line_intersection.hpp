@@ -3,9 +3,9 @@
 
 #include "reference/form.hpp"
 #include "reference/number/eigen.hpp"
-#include "reference/plane/critical/moving_edge.hpp"
+#include "reference/plane/moving/moving_edge.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 template <class T>
 T cross(const Vector2<T>& u, const Vector2<T>& v) {
@@ -47,4 +47,4 @@ MovingPoint<T> line_intersection(const MovingEdge<Vector2<T>>& a, const MovingEd
   return {x0, Vector2<T>(intersection_at<T>(a, b, T(2)) - x0)};
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -5,9 +5,9 @@
 #include <cstdint>
 
 #include "reference/fault.hpp"
-#include "reference/plane/critical/moving_edge.hpp"
+#include "reference/plane/moving/moving_edge.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// slope s + value >= 0.
 template <class W>
@@ -53,4 +53,4 @@ PairConditions<typename K::Wide> pair_conditions(const K& kernel,
   return result;
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -7,7 +7,7 @@
 #include "reference/plane/critical/event_search.hpp"
 #include "reference/plane/kernel/exact_frame.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 namespace {
 
 /// What a search asks of pair events (event_search.hpp).
@@ -64,4 +64,4 @@ Enclosure place_bounds(const PairEvent& event, const EdgeBounds& bounds, int coo
   return bounds.of_end(of_a ? event.a : event.b, second, coordinate, scale);
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

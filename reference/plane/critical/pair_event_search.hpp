@@ -5,7 +5,7 @@
 #include "reference/plane/critical/event_condition.hpp"
 #include "reference/plane/critical/pair_events.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// Takes out of `events.events` all that do not meet the condition; ranks stay as they were among
 /// all. Fields: "s", "rank", "x", "y" (the place of `event_places`), "kind" ("pair", "parallel"),
@@ -18,4 +18,4 @@ void keep_events(PairEvents& events, const PolygonSet& P, const PolygonSet& Q,
 /// Where a pair event may be.
 Enclosure place_bounds(const PairEvent& event, const EdgeBounds& bounds, int coordinate);
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

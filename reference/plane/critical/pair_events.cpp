@@ -12,7 +12,7 @@
 #include "reference/plane/kernel/exact_frame.hpp"
 #include "reference/plane/routes/convolution_arrangement.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 std::string_view name(Change change) {
   switch (change) {
@@ -243,21 +243,6 @@ class PairSearch {
 
 }  // namespace
 
-void refuse_bad_window(const ScaleWindow& window) {
-  const auto refuse = [](const std::string& problem) {
-    throw BadInput("bad-window", problem, "give scales with 0 < from <= to");
-  };
-  if (window.from && sign(*window.from) <= 0) {
-    refuse("the window begins at " + to_string(*window.from) + ", which is not greater than zero");
-  }
-  if (window.to && sign(*window.to) <= 0) {
-    refuse("the window ends at " + to_string(*window.to) + ", which is not greater than zero");
-  }
-  if (window.from && window.to && *window.from > *window.to) {
-    refuse("the window [" + to_string(*window.from) + ", " + to_string(*window.to) + "] is empty");
-  }
-}
-
 PairEvents pair_events(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window,
                        EventKind kind, Form form, bool keep_meeting) {
   refuse_bad_operands(P, Q, 1);
@@ -331,4 +316,4 @@ std::vector<Rational> critical_scales(const PairEvents& events, const PolygonSet
   return result;
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -3,15 +3,15 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "reference/form.hpp"
 #include "reference/plane/critical/pair_conditions.hpp"
+#include "reference/plane/critical/scale_window.hpp"
 #include "reference/plane/sum.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// What happens at a critical scale, as s grows.
 enum class Change : std::uint8_t {
@@ -36,11 +36,6 @@ struct PairEvent {
 
 /// Which events are wanted.
 enum class EventKind : std::uint8_t { pair, parallel, both };
-
-/// A closed window of scales; without a bound it is open towards 0 or infinity.
-struct ScaleWindow {
-  std::optional<Rational> from, to;
-};
 
 /// Edges a < b that meet within a window.
 struct MeetingPair {
@@ -74,9 +69,6 @@ PairEvents pair_events(const PolygonSet& P, const PolygonSet& Q, const ScaleWind
                        EventKind kind = EventKind::both, Form form = Form::corrected,
                        bool keep_meeting = false);
 
-/// Throws BadInput ("bad-window") where a bound is not positive or the window is empty.
-void refuse_bad_window(const ScaleWindow& window);
-
 /// The printed interval against the corrected one, on exact roots, over all pairs that are not
 /// parallel.
 struct FormComparison {
@@ -94,4 +86,4 @@ FormComparison compare_forms(const PolygonSet& P, const PolygonSet& Q);
 std::vector<Rational> critical_scales(const PairEvents& events, const PolygonSet& P,
                                       const PolygonSet& Q);
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -6,7 +6,7 @@
 
 #include "reference/plane/kernel/double_block.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 namespace {
 
 constexpr std::size_t width = block_width;
@@ -130,4 +130,4 @@ std::size_t PairFilter::candidates(bool a_is_s, std::uint32_t a, bool b_is_s, st
                 : survivors_st(row, t_, first, error_, out);
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

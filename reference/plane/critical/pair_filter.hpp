@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// Coordinates of moving edges of one kind as doubles, column by column.
 struct EdgeColumns {
@@ -36,4 +36,4 @@ class PairFilter {
   double error_ = 0;
 };
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -10,7 +10,7 @@
 #include "reference/plane/critical/scale_solve.hpp"
 #include "reference/plane/kernel/plain_kernel.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// x(s) is at an end point u(s) = s p + q where s alpha = beta, alpha = p - sigma and
 /// beta = x0 - sigma - q (Sec. 4.2.1 and 4.2.2). Both are multiples of `direction`.
@@ -117,4 +117,4 @@ BoundedScales<T> corrected_interval(const std::array<EndCondition<T>, 4>& condit
   return result;
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

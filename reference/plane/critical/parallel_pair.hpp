@@ -6,7 +6,7 @@
 #include "reference/fault.hpp"
 #include "reference/plane/critical/scale_interval.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 enum class Meeting { never, touching, overlapping };
 
@@ -85,4 +85,4 @@ ParallelPair<K> parallel_pair(const K& kernel, const MovingEdge<typename K::Vect
   return result;
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

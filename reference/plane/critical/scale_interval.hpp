@@ -7,7 +7,7 @@
 #include "reference/fault.hpp"
 #include "reference/plane/critical/pair_conditions.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// A closed interval within (0, infinity), named by the half-lines that bound it. Without a lower
 /// bound it goes down to 0 (which is not in it), without an upper one to infinity.
@@ -100,4 +100,4 @@ bool same_scales(const K& kernel, const ScaleInterval<K>& x, const ScaleInterval
   return same(x.lower, y.lower) && same(x.upper, y.upper);
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -7,7 +7,7 @@
 #include "reference/number/eigen.hpp"
 #include "reference/number/scalar.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 enum class Solution {
   root,          ///< one scale
@@ -64,4 +64,4 @@ ScaleSolution<T> solve_scale(const ScaleVector<T, D>& direction, const ScaleVect
                                : solve_along<T, D>(direction, alpha, beta);
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

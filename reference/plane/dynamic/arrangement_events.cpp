@@ -6,7 +6,7 @@
 
 #include "reference/plane/kernel/grid_kernel.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 Rational ArrangementEvents::exact(std::uint32_t group) const {
   const Source& source = source_[group];
@@ -39,4 +39,4 @@ ArrangementEvents::Location ArrangementEvents::locate(const Rational& scale) con
   return {at, false};
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

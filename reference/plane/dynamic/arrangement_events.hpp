@@ -6,7 +6,7 @@
 
 #include "reference/plane/dynamic/triple_events.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// Nodes of all edges with the events at which they appear, disappear and swap. Events of one scale
 /// form a group; groups are numbered from 0 in the order of their scales, and in EdgeNode::from and
@@ -61,4 +61,4 @@ class ArrangementEvents {
   std::vector<std::uint32_t> group_of_triple_, group_of_rank_;
 };
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -9,7 +9,7 @@
 #include "reference/plane/dynamic/arrangement_events.hpp"
 #include "reference/plane/kernel/exact_frame.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 namespace {
 
 struct Lifetime {
@@ -223,4 +223,4 @@ void ArrangementEvents::order() {
   for (std::uint32_t& moment : group_of_rank_) to_group(moment);
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

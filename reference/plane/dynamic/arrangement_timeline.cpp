@@ -5,7 +5,7 @@
 
 #include "reference/plane/dynamic/edge_sweep.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 namespace {
 
 /// By a small integer key, stable: counting sort.
@@ -68,4 +68,4 @@ std::shared_ptr<const ArrangementTimeline> arrangement_timeline(const PolygonSet
   return timeline;
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

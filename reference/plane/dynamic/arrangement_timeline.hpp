@@ -8,7 +8,7 @@
 #include "reference/plane/dynamic/edge_history.hpp"
 #include "reference/plane/dynamic/node_track.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// The array of critical events of Behar & Lien 2012, Sec. 4.2.4, with what each does to the nodes
 /// along the edges; triple events, which the paper has not, included. Interval i of scales lies
@@ -36,4 +36,4 @@ std::shared_ptr<const ArrangementTimeline> arrangement_timeline(const PolygonSet
                                                                 const PolygonSet& Q,
                                                                 const ScaleWindow& window);
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

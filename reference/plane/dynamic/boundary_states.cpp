@@ -6,7 +6,7 @@
 #include <numeric>
 #include <unordered_map>
 
-namespace minkref {
+namespace minkref::inline plane {
 namespace {
 
 std::uint64_t key_of(std::uint32_t edge, std::uint32_t node) {
@@ -138,4 +138,4 @@ BoundaryGraph boundary_graph(const std::vector<Track>& tracks, BoundaryState sta
   return graph;
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

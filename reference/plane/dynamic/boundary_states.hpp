@@ -6,9 +6,9 @@
 
 #include "reference/plane/boundary/boundary_graph.hpp"
 #include "reference/plane/dynamic/arrangement_timeline.hpp"
-#include "reference/plane/dynamic/boundary_history.hpp"
+#include "reference/plane/history/boundary_history.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// Tracks of the nodes that the boundary has at some scale, each once, and the links of any state.
 class BoundaryStates : public BoundaryHistory {
@@ -45,4 +45,4 @@ class BoundaryStates : public BoundaryHistory {
 BoundaryGraph boundary_graph(const std::vector<Track>& tracks, BoundaryState state,
                              CycleFinder& cycles, const Rational& scale);
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

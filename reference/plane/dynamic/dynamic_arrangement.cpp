@@ -6,7 +6,7 @@
 #include "reference/fault.hpp"
 #include "reference/no_entry.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 namespace {}
 
 DynamicArrangement::DynamicArrangement(std::shared_ptr<const BoundaryStates> states)
@@ -147,4 +147,4 @@ BoundaryGraph DynamicArrangement::boundary() {
   return boundary_graph(states_->tracks(), std::move(state), cycles_, scale_);
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

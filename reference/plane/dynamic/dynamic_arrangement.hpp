@@ -4,7 +4,7 @@
 #include "reference/plane/dynamic/boundary_states.hpp"
 #include "reference/plane/dynamic/node_lists.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// What a step did (Behar & Lien 2012, Sec. 4.2.4).
 struct StepReport {
@@ -68,4 +68,4 @@ class DynamicArrangement {
   Rational scale_;
 };
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

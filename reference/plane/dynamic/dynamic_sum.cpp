@@ -2,15 +2,7 @@
 
 #include "reference/error.hpp"
 
-namespace minkref {
-
-ScaleWindow opened(const ScaleWindow& closed) {
-  const Rational room(1, 1024);
-  ScaleWindow result;
-  if (closed.from) result.from = *closed.from * (1 - room);
-  if (closed.to) result.to = *closed.to * (1 + room);
-  return result;
-}
+namespace minkref::inline plane {
 
 DynamicSum::DynamicSum(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window)
     : window_(window) {
@@ -45,4 +37,4 @@ Sum DynamicSum::sum() {
   return sum;
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

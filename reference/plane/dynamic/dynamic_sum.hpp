@@ -4,14 +4,10 @@
 #include <optional>
 
 #include "reference/plane/dynamic/dynamic_arrangement.hpp"
-#include "reference/plane/dynamic/topology_timeline.hpp"
+#include "reference/plane/history/topology_timeline.hpp"
 #include "reference/plane/sum.hpp"
 
-namespace minkref {
-
-/// The open window that holds a closed one with a little room on either side, so that events at its
-/// ends have both their sides.
-ScaleWindow opened(const ScaleWindow& closed);
+namespace minkref::inline plane {
 
 /// The dynamic sum of Behar & Lien 2012, Sec. 4.2.4.
 class DynamicSum {
@@ -38,4 +34,4 @@ class DynamicSum {
   std::optional<DynamicArrangement> arrangement_;
 };
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

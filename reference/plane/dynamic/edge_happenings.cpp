@@ -2,7 +2,7 @@
 
 #include <tuple>
 
-namespace minkref {
+namespace minkref::inline plane {
 namespace {
 
 template <class Add>
@@ -57,4 +57,4 @@ void EdgeHappenings::of(std::uint32_t edge, std::vector<Happening>& happenings) 
   });
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -7,7 +7,7 @@
 
 #include "reference/plane/dynamic/arrangement_events.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 struct Happening {
   enum class Kind : std::uint8_t { arrival, departure, swap, overlap } kind;
@@ -50,4 +50,4 @@ class EdgeHappenings {
   ByEdge<Happening> shared_;  ///< swaps and overlaps; arrivals and departures are in the node table
 };
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

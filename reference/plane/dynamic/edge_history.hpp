@@ -5,11 +5,12 @@
 #include <cstdint>
 #include <vector>
 
-namespace minkref {
+#include "reference/plane/history/boundary_cycles.hpp"
+
+namespace minkref::inline plane {
 
 /// Ends of an edge where a node is asked for.
 inline constexpr std::uint32_t start_of_edge = 0xfffffffeU, end_of_edge = 0xfffffffdU;
-inline constexpr std::uint32_t no_sub_edge = 0xffffffffU;
 
 /// A change of the order of nodes along an edge. Each group of events has two steps: 2 g, after
 /// which the arrangement is that at the scale of group g, and 2 g + 1, after which it is that just
@@ -72,4 +73,4 @@ struct EdgeHistory {
   std::uint64_t decided_by_doubles = 0, decided_exactly = 0;  ///< collision detection
 };
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -9,7 +9,7 @@
 #include "reference/plane/dynamic/sub_edge_status.hpp"
 #include "reference/plane/dynamic/swept_edge.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 namespace {
 
 bool in(const std::vector<std::uint32_t>& set, std::uint32_t x) {
@@ -320,4 +320,4 @@ EdgeSweep::~EdgeSweep() = default;
 
 void EdgeSweep::sweep(std::uint32_t edge, EdgeHistory& history) { impl_->run(edge, history); }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -5,10 +5,10 @@
 
 #include "reference/plane/dynamic/arrangement_events.hpp"
 #include "reference/plane/dynamic/edge_history.hpp"
-#include "reference/plane/dynamic/interior_test.hpp"
 #include "reference/plane/dynamic/node_arithmetic.hpp"
+#include "reference/plane/moving/interior_test.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// The order of the nodes along an edge is that of their positions, which are linear in the scale;
 /// it changes at events only. A sub-edge that exists between two events is on the boundary at all
@@ -29,4 +29,4 @@ class EdgeSweep {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -4,7 +4,7 @@
 #include <set>
 #include <tuple>
 
-namespace minkref {
+namespace minkref::inline plane {
 
 std::vector<ListedEvent> listed_events(const ArrangementEvents& events, const ScaleWindow& closed) {
   // Groups within the window.
@@ -54,4 +54,4 @@ std::vector<ListedEvent> listed_events(const ArrangementEvents& events, const Sc
   return list;
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

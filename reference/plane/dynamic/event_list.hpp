@@ -5,7 +5,7 @@
 
 #include "reference/plane/dynamic/arrangement_events.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// One event of the list.
 struct ListedEvent {
@@ -23,4 +23,4 @@ struct ListedEvent {
 /// Events within the closed window, sorted by group, pair events before triple ones.
 std::vector<ListedEvent> listed_events(const ArrangementEvents& events, const ScaleWindow& closed);
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -1,11 +1,11 @@
 #include "reference/plane/dynamic/node_arithmetic.hpp"
 
 #include "reference/plane/critical/event_scale.hpp"
-#include "reference/plane/dynamic/double_range.hpp"
 #include "reference/plane/dynamic/edge_history.hpp"
 #include "reference/plane/kernel/exact_frame.hpp"
+#include "reference/plane/moving/double_range.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 namespace {
 
 template <class K>
@@ -82,4 +82,4 @@ std::unique_ptr<NodeArithmetic> node_arithmetic(const PolygonSet& P, const Polyg
   });
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -7,7 +7,7 @@
 #include "reference/plane/dynamic/arrangement_events.hpp"
 #include "reference/plane/kernel/fraction.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// Nodes are named as in the table; start_of_edge and end_of_edge (edge_history.hpp) name the ends
 /// of the edge itself. All answers are exact.
@@ -32,4 +32,4 @@ class NodeArithmetic {
 std::unique_ptr<NodeArithmetic> node_arithmetic(const PolygonSet& P, const PolygonSet& Q,
                                                 const ArrangementEvents& events);
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -5,7 +5,7 @@
 
 #include "reference/fault.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 NodeLists::NodeLists(const ArrangementTimeline& timeline)
     : timeline_(timeline), length_(timeline.initial.size()) {
@@ -161,4 +161,4 @@ void NodeLists::erase(std::uint32_t node, std::uint32_t rank) {
   --length_[e];
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

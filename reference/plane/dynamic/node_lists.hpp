@@ -5,7 +5,7 @@
 
 #include "reference/plane/dynamic/arrangement_timeline.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// How often nodes were inserted, deleted and swapped with a neighbour; a node that has just come
 /// is not swapped but settles among those in its place.
@@ -62,4 +62,4 @@ class NodeLists {
   std::vector<Snapshot> snapshots_;
 };
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

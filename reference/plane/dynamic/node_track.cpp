@@ -3,14 +3,7 @@
 #include "reference/plane/dynamic/edge_history.hpp"
 #include "reference/plane/kernel/plain_kernel.hpp"
 
-namespace minkref {
-
-Track track_along(const RationalEdge& edge, const PositionAlong<Rational>& position) {
-  const Rational value = position.value / position.den, slope = position.slope / position.den;
-  const auto &p = edge.p, &q = edge.q, &d = edge.d;
-  return {{Rational(q.x() + d.x() * value), Rational(q.y() + d.y() * value)},
-          {Rational(p.x() + d.x() * slope), Rational(p.y() + d.y() * slope)}};
-}
+namespace minkref::inline plane {
 
 Track node_track(const ArrangementEvents& events, std::uint32_t edge, std::uint32_t node) {
   const RationalEdge& e = events.moving()[edge];
@@ -27,4 +20,4 @@ Track node_track(const ArrangementEvents& events, std::uint32_t edge, std::uint3
   return track_along(e, position);
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

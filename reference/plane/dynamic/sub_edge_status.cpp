@@ -3,12 +3,12 @@
 #include <cmath>
 
 #include "reference/fault.hpp"
-#include "reference/plane/dynamic/double_range.hpp"
-#include "reference/plane/dynamic/right_of_edge.hpp"
 #include "reference/plane/kernel/grid_kernel.hpp"
 #include "reference/plane/kernel/plain_kernel.hpp"
+#include "reference/plane/moving/double_range.hpp"
+#include "reference/plane/moving/right_of_edge.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 namespace {
 using V = Vector2<Rational>;
 
@@ -141,4 +141,4 @@ Status SubEdgeStatus::between(std::uint32_t x, std::uint32_t y, std::uint32_t lo
   return at(x, y, sample);
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "reference/plane/dynamic/edge_happenings.hpp"
-#include "reference/plane/dynamic/interior_test.hpp"
 #include "reference/plane/dynamic/swept_edge.hpp"
+#include "reference/plane/moving/interior_test.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// What the boundary is to a sub-edge: `tight` if only the sum of the interiors misses it.
 enum class Status : std::uint8_t { interior, boundary, tight };
@@ -57,4 +57,4 @@ class SubEdgeStatus {
   ByEdge<std::uint32_t> always_on_one_line_;  ///< edges on the line of an edge at every scale
 };
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

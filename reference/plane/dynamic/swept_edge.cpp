@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-#include "reference/plane/dynamic/double_range.hpp"
 #include "reference/plane/kernel/grid_kernel.hpp"
 #include "reference/plane/kernel/plain_kernel.hpp"
+#include "reference/plane/moving/double_range.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 namespace {
 
 /// The sign of x - y; 0 if doubles cannot tell. `terms`: the sum of what both were added up from.
@@ -95,4 +95,4 @@ bool SweptEdge::same_track(std::uint32_t x, std::uint32_t y) const {
   return arithmetic_->same_track(edge_, name(x), name(y));
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

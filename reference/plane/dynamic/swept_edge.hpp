@@ -7,7 +7,7 @@
 #include "reference/plane/dynamic/edge_history.hpp"
 #include "reference/plane/dynamic/node_arithmetic.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// One edge at a time. Its nodes have local numbers from 0; then come its start and its end.
 /// Comparisons are exact: doubles decide where they can tell.
@@ -61,4 +61,4 @@ class SweptEdge {
   Fraction exact_scale_;
 };
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -8,11 +8,11 @@
 #include "reference/fault.hpp"
 #include "reference/interrupt.hpp"
 #include "reference/plane/convolution/convolution_segments.hpp"
-#include "reference/plane/dynamic/double_range.hpp"
 #include "reference/plane/kernel/double_block.hpp"
 #include "reference/plane/kernel/exact_frame.hpp"
+#include "reference/plane/moving/double_range.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 namespace {
 
 /// The nodes of one edge as columns: positions slope s + value, and the scales between which they
@@ -255,4 +255,4 @@ std::vector<TripleEvent> triple_events(const PolygonSet& P, const PolygonSet& Q,
   });
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "reference/plane/dynamic/edge_nodes.hpp"
-#include "reference/plane/dynamic/moments.hpp"
+#include "reference/plane/critical/moments.hpp"
+#include "reference/plane/moving/edge_nodes.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// Edges a < b < c have a point in common at one scale, and there two of them swap along the third:
 /// both meet it at all scales nearby, in the other order before and after. The paper's Section 4.2
@@ -31,4 +31,4 @@ std::vector<TripleEvent> triple_events(const PolygonSet& P, const PolygonSet& Q,
 Rational triple_scale(const TripleEvent& event, const std::vector<RationalEdge>& edges,
                       const NodeTable& table);
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -1,7 +1,7 @@
 #include "reference/plane/dynamic/triple_events.hpp"
 #include "reference/plane/kernel/plain_kernel.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 Rational triple_scale(const TripleEvent& event, const std::vector<RationalEdge>& edges,
                       const NodeTable& table) {
@@ -11,4 +11,4 @@ Rational triple_scale(const TripleEvent& event, const std::vector<RationalEdge>&
   return Rational((g.value * f.den - f.value * g.den) / (f.slope * g.den - g.slope * f.den));
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

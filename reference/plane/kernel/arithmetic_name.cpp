@@ -2,7 +2,7 @@
 
 #include <charconv>
 
-namespace minkref {
+namespace minkref::inline plane {
 
 std::optional<long> mpfr_bits(const std::string& name) {
   if (name == "rational" || name == "interval" || name == "double") return std::nullopt;
@@ -17,4 +17,4 @@ std::optional<long> mpfr_bits(const std::string& name) {
                  "use rational, interval, double or mpfr:BITS with 2 to 1000000 bits");
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

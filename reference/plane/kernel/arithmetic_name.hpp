@@ -6,7 +6,7 @@
 
 #include "reference/number/scalar.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// The bits of "mpfr:BITS", if the name is one. Throws BadInput (code "unknown-arithmetic") for
 /// names that name nothing, and for fewer than 2 or more than 1,000,000 bits.
@@ -21,4 +21,4 @@ auto with_arithmetic(const std::string& name, Use&& use) {
   return use(Arithmetic<Mpfr>(*mpfr_bits(name)));
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace minkref {
+namespace minkref::inline plane {
 
 struct Box {
   double xmin = std::numeric_limits<double>::infinity();
@@ -52,4 +52,4 @@ inline Box reflected(const Box& box, const Box& at) {
           above(at.ymax - box.ymin)};
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -1,7 +1,7 @@
 // Directions in the plane in counter-clockwise order, exactly as the kernel's signs allow.
 #pragma once
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// 0 for angles in [-180, 0) degrees, 1 for [0, 180).
 template <class K, class V>
@@ -25,4 +25,4 @@ bool same_way(const K& kernel, const V& u, const V& v) {
   return ux != 0 ? ux == kernel.sign(v.x()) : kernel.sign(u.y()) == kernel.sign(v.y());
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -17,7 +17,7 @@
 #endif
 #define MINKREF_INLINE inline __attribute__((always_inline))
 
-namespace minkref {
+namespace minkref::inline plane {
 
 inline constexpr std::size_t block_width = 4;
 using Block = double __attribute__((vector_size(8 * block_width)));
@@ -29,4 +29,4 @@ MINKREF_INLINE Block load_block(const double* from) {
   return block;
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

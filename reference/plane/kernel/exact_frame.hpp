@@ -8,7 +8,7 @@
 #include "reference/fault.hpp"
 #include "reference/plane/kernel/frame.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// Both operands in the frame of a kernel, and the way back to real coordinates.
 template <class Grid>
@@ -63,4 +63,4 @@ auto on_exact_frame(const PolygonSet& P, const PolygonSet& Q, Use&& use) {
   return use(frame);
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -4,7 +4,7 @@
 #include "reference/plane/kernel/grid_kernel.hpp"
 #include "reference/plane/kernel/plain_kernel.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// num / den, den > 0.
 struct Fraction {
@@ -33,4 +33,4 @@ int sign_at(const Wide& slope, const Wide& value, const Fraction& s) {
   return sign(Integer(grid_integer(slope) * s.num + grid_integer(value) * s.den));
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -4,7 +4,7 @@
 
 #include "reference/interrupt.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 GridFit grid_fit(const std::vector<const PolygonSet*>& sets, std::size_t limit) {
   GridFit fit;
@@ -41,4 +41,4 @@ GridFit grid_fit(const std::vector<const PolygonSet*>& sets, std::size_t limit) 
   return fit;
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -7,7 +7,7 @@
 #include "reference/plane/kernel/operand.hpp"
 #include "reference/plane/kernel/plain_kernel.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// What a common denominator of a set of points asks for.
 struct GridFit {
@@ -51,4 +51,4 @@ Point grid_position(const typename GridKernel<Grid>::Node& node, const Integer& 
   return {GridKernel<Grid>::exact(node, 0) * unit, GridKernel<Grid>::exact(node, 1) * unit};
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

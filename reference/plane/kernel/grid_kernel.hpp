@@ -13,7 +13,7 @@
 #include "reference/number/rational.hpp"
 #include "reference/plane/kernel/kernel.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// Integers of the grid: Int for coordinates, Wide for products of two, Huge for products of four.
 struct Grid64 {
@@ -244,4 +244,4 @@ class GridKernel {
   }
 };
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -22,7 +22,7 @@
 
 #include "reference/plane/kernel/box.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// How many signs each tier decided.
 struct SignCounts {
@@ -50,4 +50,4 @@ concept Kernel =
       { k.side(v, v, q) } -> std::same_as<int>;
     };
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -7,7 +7,7 @@
 #include "reference/fault.hpp"
 #include "reference/plane/polygon_set.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// The rings of an operand in the order outer, holes, outer, holes, ...
 template <class V>
@@ -42,4 +42,4 @@ Operand<V> operand(const PolygonSet& set, Convert&& convert) {
   return result;
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

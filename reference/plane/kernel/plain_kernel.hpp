@@ -10,7 +10,7 @@
 #include "reference/number/scalar.hpp"
 #include "reference/plane/kernel/kernel.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// Doubles that certainly enclose the value.
 inline std::pair<double, double> enclosure(double value) { return {value, value}; }
@@ -85,4 +85,4 @@ class PlainKernel {
   mutable SignCounts counts;
 };
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

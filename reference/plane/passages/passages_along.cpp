@@ -5,7 +5,7 @@
 #include "reference/plane/passages/tight_graph.hpp"
 #include "reference/plane/point_predicates.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 namespace {
 
 using Contacts = std::vector<ConvolutionEdge>;
@@ -126,4 +126,4 @@ class Chains {
 
 std::vector<TightPassage> passages_along(const TightGraph& graph) { return Chains(graph).all(); }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

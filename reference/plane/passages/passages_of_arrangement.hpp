@@ -8,7 +8,7 @@
 #include "reference/plane/passages/tight_graph.hpp"
 #include "reference/plane/witness.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// P is already scaled; segment i of the arrangement is edges[i]. `inside(face)` tells whether a
 /// face lies in the sum. Exact. The operands are triangulated only if there is a point to decide.
@@ -27,4 +27,4 @@ TightGraph tight_graph_of_arrangement(const Frame& frame,
       });
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

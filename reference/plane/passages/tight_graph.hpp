@@ -10,7 +10,7 @@
 #include "reference/plane/arrangement/arrangement.hpp"
 #include "reference/plane/tight_passages.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// Straight edges that meet at points only. An edge from a point to itself is a tight point that no
 /// other edge has.
@@ -133,4 +133,4 @@ TightGraph tight_graph(const K& kernel, const Arrangement<K>& arrangement,
   return graph;
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

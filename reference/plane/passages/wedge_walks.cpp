@@ -3,7 +3,7 @@
 #include "reference/fault.hpp"
 #include "reference/plane/arrangement/exact_arrangement.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 namespace {
 
 /// The rings of an operand as segments: segment i runs along edge names[i].
@@ -92,4 +92,4 @@ ConvolutionEdge in_operands(ConvolutionEdge edge, const std::optional<WedgeWalks
   return edge;
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

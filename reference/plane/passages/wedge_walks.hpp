@@ -6,7 +6,7 @@
 
 #include "reference/plane/convolution/convolution.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// Where rings touch, the interior of the set is parted although the set is not. The rings turn
 /// there from one part to the next; the walks stay along one, and their convolution holds the
@@ -26,4 +26,4 @@ std::optional<WedgeWalks> wedge_walks(const PolygonSet& set);
 ConvolutionEdge in_operands(ConvolutionEdge edge, const std::optional<WedgeWalks>& P,
                             const std::optional<WedgeWalks>& Q);
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -8,7 +8,7 @@
 #include "reference/plane/arrangement/box_tree.hpp"
 #include "reference/plane/kernel/operand.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// Decides membership of points in P + Q from the operands alone. P is already scaled.
 template <class K>
@@ -123,4 +123,4 @@ class Collision {
   BoxTree tree_p_, tree_q_;
 };
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -6,7 +6,7 @@
 #include "reference/plane/kernel/kernel.hpp"
 #include "reference/plane/sum.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 template <class K>
 struct ConvolutionArrangement {
@@ -38,4 +38,4 @@ inline void add_counts(Statistics& statistics, const SignCounts& counts) {
 /// Whether an operand is one polygon (or a point, or a segment): its closed set is connected.
 inline bool connected(const PolygonSet& set) { return set.polygons.size() <= 1; }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

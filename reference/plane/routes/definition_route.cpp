@@ -10,7 +10,7 @@
 #include "reference/plane/routes/routes.hpp"
 #include "reference/plane/routes/simply_connected.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 namespace {
 
 struct PointPair {
@@ -103,4 +103,4 @@ BoundaryGraph definition_route(const PolygonSet& P, const PolygonSet& Q, Statist
   });
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -9,7 +9,7 @@
 #include "reference/plane/arrangement/box_tree.hpp"
 #include "reference/plane/kernel/direction_order.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// The union of convex polygons, edge by edge: the part of an edge that lies in the interior of
 /// another polygon is an open interval; what no interval covers is boundary. No arrangement is
@@ -154,4 +154,4 @@ std::vector<typename K::Vector> convex_sum(const K& kernel,
   return result;
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

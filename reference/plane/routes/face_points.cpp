@@ -6,7 +6,7 @@
 #include "reference/plane/routes/paper_route.hpp"
 #include "reference/plane/sum.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 namespace {
 
 template <class Grid>
@@ -45,4 +45,4 @@ std::vector<FacePoint> face_points(const PolygonSet& P, const PolygonSet& Q,
   });
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -5,7 +5,7 @@
 
 #include "reference/plane/polygon_set.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 struct FacePoint {
   Point point;  ///< in real coordinates, exact
@@ -17,4 +17,4 @@ struct FacePoint {
 /// of the route plus O(size) a face.
 std::vector<FacePoint> face_points(const PolygonSet& P, const PolygonSet& Q, const Rational& scale);
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

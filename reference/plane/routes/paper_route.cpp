@@ -7,7 +7,7 @@
 #include "reference/plane/routes/convolution_arrangement.hpp"
 #include "reference/plane/routes/routes.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 BoundaryGraph paper_route(const PolygonSet& P, const PolygonSet& Q, Statistics& statistics,
                           std::vector<TightPassage>* passages) {
   return on_exact_frame(P, Q, [&](const auto& frame) {
@@ -31,4 +31,4 @@ BoundaryGraph paper_route(const PolygonSet& P, const PolygonSet& Q, Statistics& 
   });
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

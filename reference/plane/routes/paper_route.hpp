@@ -11,7 +11,7 @@
 #include "reference/plane/arrangement/interior_point.hpp"
 #include "reference/plane/routes/collision.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// Whether every segment along the boundary of a face runs against it. The sum lies on the left of
 /// each convolution edge, so only such a face can be outside of the sum.
@@ -120,4 +120,4 @@ std::vector<bool> faces_of_sum(const Arrangement<K>& arrangement, bool connected
   return inside;
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

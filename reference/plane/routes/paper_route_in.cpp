@@ -7,7 +7,7 @@
 #include "reference/plane/routes/paper_route.hpp"
 #include "reference/plane/routes/routes.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 namespace {
 
 /// The boundary as closed walks, followed in the arrangement itself: they close whatever the
@@ -110,4 +110,4 @@ Canonical paper_route_in(const std::string& arithmetic, const PolygonSet& P, con
   return rounding_route<Mpfr>(P, Q, scale, Arithmetic<Mpfr>(*mpfr_bits(arithmetic)), statistics);
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -4,7 +4,7 @@
 #include "reference/plane/boundary/boundary_graph.hpp"
 #include "reference/plane/sum.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// Reduced convolution and collision detection, exact. Finds the tight passages in the same
 /// arrangement where they are asked for.
@@ -23,4 +23,4 @@ BoundaryGraph winding_route(const PolygonSet& P, const PolygonSet& Q, Statistics
 /// Union of the sums of all pairs of triangles, exact.
 BoundaryGraph definition_route(const PolygonSet& P, const PolygonSet& Q, Statistics& statistics);
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

@@ -7,7 +7,7 @@
 #include "reference/plane/boundary/set_boundary.hpp"
 #include "reference/plane/point_predicates.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 namespace {
 
 using Indices = std::vector<std::uint32_t>;
@@ -219,4 +219,4 @@ std::vector<Triangle> triangulate(const PolygonSet& set) {
   return triangles;
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

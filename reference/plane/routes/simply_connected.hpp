@@ -7,7 +7,7 @@
 #include "reference/plane/boundary/boundary_graph.hpp"
 #include "reference/plane/polygon_set.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 /// The set with its holes joined to their outer rings by slits between vertices: one weakly simple
 /// ring for each connected component of the interior, in `outer`, and no holes. Every vertex of the
@@ -21,4 +21,4 @@ using Triangle = std::array<Point, 3>;
 /// std::logic_error if the areas do not add up (never seen). Exact. O(n^2).
 std::vector<Triangle> triangulate(const PolygonSet& set);
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

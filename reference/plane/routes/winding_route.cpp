@@ -8,7 +8,7 @@
 #include "reference/plane/routes/routes.hpp"
 #include "reference/plane/routes/simply_connected.hpp"
 
-namespace minkref {
+namespace minkref::inline plane {
 
 BoundaryGraph winding_route(const PolygonSet& P, const PolygonSet& Q, Statistics& statistics) {
   const bool cut = !planted(Fault::slits_forgotten);
@@ -37,4 +37,4 @@ BoundaryGraph winding_route(const PolygonSet& P, const PolygonSet& Q, Statistics
   });
 }
 
-}  // namespace minkref
+}  // namespace minkref::inline plane

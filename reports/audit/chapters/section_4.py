@@ -186,8 +186,7 @@ def _(shown: Shown) -> None:
         found = None if empty else (bounds[0], bounds[1])
         shown.equal(f"two edges {what} meet for $s$ in", written(found), wanted)
         shown.true(
-            f"the symbolic oracle agrees on the edges {what}",
-            symbolic_interval(*pair) == found,
+            f"the symbolic oracle agrees on the edges {what}", symbolic_interval(*pair) == found
         )
     P, Q = operand([box(0, 0, 1, 1)]), operand([box(0, 0, 9, 7), box(2, 2, 5, 3)])
     told = _core.ArrangementEvents(P, Q, "3", "3")

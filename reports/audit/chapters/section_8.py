@@ -305,7 +305,7 @@ def _(shown: Shown) -> None:
     and equal to the bound only if the path is a widest one. It is where the place of the part comes
     to lie in a bounded component of the complement of $O \oplus (-s R)$, that is, where a hole of
     the sum is born around it: a topology event.""",
-    code=("reference/plane/dynamic/topology_timeline.hpp", "reports/audit/paths.py"),
+    code=("reference/plane/history/topology_timeline.hpp", "reports/audit/paths.py"),
 )
 def _(shown: Shown) -> None:
     """A cavity with two openings, of width 2 and 4, and a unit square in it: the valid scales of

@@ -5,7 +5,8 @@ from __future__ import annotations
 from fractions import Fraction
 from functools import cache
 
-from minkref.fuzz.cases.case import Case, CaseName
+from minkref.fuzz.cases.case_name import CaseName
+from minkref.fuzz.plane.case import Case
 from minkref.model_catalogue import all_models, or_look_alike
 from minkref.operand import Operand, read_operand
 from minkref.reports.evidence.framework.part import Findings

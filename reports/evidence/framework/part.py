@@ -13,7 +13,7 @@ SCRIPTS = Path(__file__).resolve().parents[1]
 NOT_PARTS = ("__init__", "run")
 
 # Globs of code that parts depend on, from the repository root.
-REFERENCE = ("reference/**/*.?pp", "python/*.cpp", "CMakeLists.txt", "cmake/*")
+REFERENCE = ("reference/**/*.?pp", "trials/*.?pp", "python/*.cpp", "CMakeLists.txt", "cmake/*")
 READERS = ("formats/*.?pp",)
 COMPARISON = ("fuzz/**/*.py", "python/minkref/*.py")
 CGAL = ("oracle/cgal/*.?pp", "oracle/cgal/CMakeLists.txt")

@@ -5,7 +5,7 @@
 #include <exception>
 #include <string_view>
 
-#include "formats/write_mesh.hpp"
+#include "formats/mesh_formats.hpp"
 #include "tests/fuzzing/reference/input_tally.hpp"
 
 namespace minkref::fuzzing {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/convex/convex_polyhedron.hpp"
+#include "reference/space/convex/convex_polyhedron.hpp"
 #include "reference/space/integer_points.hpp"
 #include "tests/fuzzing/reference/dice.hpp"
 #include "tests/fuzzing/reference/hull_of_points.hpp"

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "reference/plane/critical/moving_edge.hpp"
+#include "reference/plane/moving/moving_edge.hpp"
 
 namespace minkref::fuzzing {
 

@@ -3,9 +3,9 @@
 #include <span>
 #include <string>
 
-#include "reference/convex/incompatibility.hpp"
-#include "reference/convex/segment_sum.hpp"
-#include "reference/convex/static_convex_sum.hpp"
+#include "reference/space/convex/incompatibility.hpp"
+#include "reference/space/convex/segment_sum.hpp"
+#include "reference/space/convex/static_convex_sum.hpp"
 #include "tests/fuzzing/reference/body_input.hpp"
 
 namespace minkref::fuzzing {

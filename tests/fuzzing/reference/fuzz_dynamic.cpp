@@ -4,8 +4,8 @@
 
 #include "reference/plane/boundary/canonical.hpp"
 #include "reference/plane/dynamic/dynamic_sum.hpp"
-#include "reference/plane/dynamic/from_scratch.hpp"
 #include "tests/fuzzing/reference/pair_input.hpp"
+#include "trials/from_scratch.hpp"
 
 namespace minkref::fuzzing {
 

@@ -59,11 +59,11 @@ def is_ours(pid: int, run: str) -> bool:
 
 def of_this_run(run: str) -> list[int]:
     """All processes in sight that belong to this run, but for this one and the one that keeps it
-    from the outside (`keeper.py`)."""
+    from the outside (`supervisor.py`)."""
     found = []
     for name in os.listdir("/proc"):
         if name.isdigit() and int(name) != os.getpid() and is_ours(int(name), run):
-            if b"keeper.py" not in Path("/proc", name, "cmdline").read_bytes():
+            if b"supervisor.py" not in Path("/proc", name, "cmdline").read_bytes():
                 found.append(int(name))
     return found
 

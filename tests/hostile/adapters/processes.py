@@ -69,14 +69,14 @@ class DaemonWithoutEnvironment(Adapter):
             os.execve("/bin/sleep", ["quiet-worker", str(SECONDS)], {})
 
 
-class KillsItsKeeper(Adapter):
+class KillsItsSupervisor(Adapter):
     """Daemons by the dozen, each of which kills the parent of the adapter."""
 
     def mischief(self, request: Request) -> None:
-        keeper = os.getppid()
+        supervisor = os.getppid()
         for _ in range(12):
             if daemon():
-                send(keeper, signal.SIGKILL, self.run)
+                send(supervisor, signal.SIGKILL, self.run)
                 linger()
 
 

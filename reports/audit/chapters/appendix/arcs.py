@@ -6,24 +6,11 @@ import random
 from fractions import Fraction
 
 import sympy as sp
-from minkref.fuzz.judges.paper_disc import (
-    Corner,
-    circles,
-    end_on_circle,
-    touches,
-)
+from minkref.fuzz.judges.paper_disc import Corner, circles, end_on_circle, touches
 from minkref.reports.audit.disc import exact
 from minkref.reports.audit.entry import Chapter, Shown, Status
 from minkref.reports.audit.sketches import arcs_at
-from minkref.reports.audit.symbolic_disc import (
-    FIVES,
-    corner_of_normals,
-    normal,
-    r,
-    s,
-    unit,
-    vector,
-)
+from minkref.reports.audit.symbolic_disc import FIVES, corner_of_normals, normal, r, s, unit, vector
 
 PART = Chapter("appendix", "Appendix: a scaling disc")
 SEED = 12

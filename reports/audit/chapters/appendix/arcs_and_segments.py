@@ -19,14 +19,7 @@ from minkref.fuzz.judges.paper_disc import (
 from minkref.reports.audit.disc import corner, exact, squared_distance
 from minkref.reports.audit.entry import Chapter, CheckFailed, Shown, Status, text
 from minkref.reports.audit.sketches import swept
-from minkref.reports.audit.symbolic_disc import (
-    corner_of_normals,
-    normal,
-    r,
-    s,
-    unit,
-    vector,
-)
+from minkref.reports.audit.symbolic_disc import corner_of_normals, normal, r, s, unit, vector
 
 PART = Chapter("appendix", "Appendix: a scaling disc")
 SEED = 12

@@ -9,23 +9,13 @@ from fractions import Fraction
 import sympy as sp
 from minkref import _core
 from minkref.fuzz.judges.paper_disc import Edge as Side
-from minkref.fuzz.judges.paper_disc import (
-    end_on_line,
-    touches,
-)
+from minkref.fuzz.judges.paper_disc import end_on_line, touches
 from minkref.fuzz.judges.paper_pairs import contact_interval
 from minkref.reports.audit.disc import along, exact, moving, squared_distance
 from minkref.reports.audit.edges import answers, written
 from minkref.reports.audit.entry import Chapter, CheckFailed, Shown, Status, text
 from minkref.reports.audit.pictures import moving_edges
-from minkref.reports.audit.symbolic_disc import (
-    FIVES,
-    r,
-    s,
-    unit,
-    vector,
-    z,
-)
+from minkref.reports.audit.symbolic_disc import FIVES, r, s, unit, vector, z
 
 PART = Chapter("appendix", "Appendix: a scaling disc")
 SEED = 12

@@ -16,22 +16,9 @@ from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.reports.audit import cavity
 from minkref.reports.audit.bodies import hull
 from minkref.reports.audit.entry import Chapter, Shown, Status
-from minkref.reports.audit.space import (
-    Facet,
-    cross,
-    dot,
-    events_of_facets,
-    minus,
-    vector,
-)
+from minkref.reports.audit.space import Facet, cross, dot, events_of_facets, minus, vector
 from minkref.reports.audit.space_pictures import solids_picture
-from minkref.reports.audit.symbolic_space import (
-    Flat,
-    degree,
-    edge,
-    place,
-    s,
-)
+from minkref.reports.audit.symbolic_space import Flat, degree, edge, place, s
 from minkref.reports.audit.symbolic_space import facet as symbolic_facet
 
 PART = Chapter("section-5", "Section 5: uniform scaling in space")

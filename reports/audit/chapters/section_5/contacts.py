@@ -22,14 +22,7 @@ from minkref.reports.audit.space import (
     vector,
 )
 from minkref.reports.audit.space_pictures import facets_picture
-from minkref.reports.audit.symbolic_space import (
-    EDGES,
-    FACETS,
-    Flat,
-    edge,
-    place,
-    s,
-)
+from minkref.reports.audit.symbolic_space import EDGES, FACETS, Flat, edge, place, s
 from minkref.reports.audit.symbolic_space import facet as symbolic_facet
 
 PART = Chapter("section-5", "Section 5: uniform scaling in space")

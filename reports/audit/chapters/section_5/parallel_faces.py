@@ -22,11 +22,7 @@ from minkref.reports.audit.space import (
     vector,
 )
 from minkref.reports.audit.space_pictures import facets_picture
-from minkref.reports.audit.symbolic_space import (
-    FACETS,
-    Flat,
-    edge,
-)
+from minkref.reports.audit.symbolic_space import FACETS, Flat, edge
 from minkref.reports.audit.symbolic_space import facet as symbolic_facet
 
 PART = Chapter("section-5", "Section 5: uniform scaling in space")

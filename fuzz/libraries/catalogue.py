@@ -1,0 +1,103 @@
+"""The adapters that come with the project: what each is, whether it is there, how it is got.
+
+install(name)   gets what it needs into a folder of its own; does nothing where that is there
+command(name)   the words that start it, None where it is not installed
+absence(name)   None, or a sentence that says what is missing and how to get it
+"""
+
+from __future__ import annotations
+
+import os
+import pkgutil
+import sys
+from importlib import import_module
+from pathlib import Path
+
+from minkref.errors import Refusal, choice
+from minkref.fuzz.cgal.executables import BUILD_COMMAND, search_folders
+from minkref.fuzz.libraries import installation
+from minkref.fuzz.libraries.library import Adapter, Library
+
+HERE = Path(__file__).parent
+INSTALL_COMMAND = "minkref adapter install"
+RUN = HERE.parent / "adapters" / "run_program.py"  # beside what programs in Python import
+OPENSCAD = "openscad"
+
+
+def _libraries() -> dict[str, Library]:
+    """By the name of the folder, in the order of their places."""
+    folders = [each.name for each in pkgutil.iter_modules([str(HERE)]) if each.ispkg]
+    found = {f: import_module(f"minkref.fuzz.libraries.{f}").LIBRARY for f in folders}
+    return dict(sorted(found.items(), key=lambda item: item[1].place))
+
+
+LIBRARIES = _libraries()
+ADAPTERS = {adapter.name: adapter for library in LIBRARIES.values() for adapter in library.adapters}
+
+
+def default_folder() -> Path:
+    """MINKREF_ADAPTERS, else build/adapters of the checkout, else below ~/.cache."""
+    given = os.environ.get("MINKREF_ADAPTERS")
+    if given:
+        return Path(given)
+    checkout = HERE.resolve().parents[1]
+    if (checkout / "pyproject.toml").is_file():
+        return checkout / "build" / "adapters"
+    return Path.home() / ".cache" / "minkref" / "adapters"
+
+
+def adapter_named(name: str) -> Adapter:
+    if name not in ADAPTERS:
+        raise Refusal(f"there is no adapter {name[:60]!r}", "adapter", choice(name, ADAPTERS))
+    return ADAPTERS[name]
+
+
+def install(name: str, folder: Path | None = None) -> None:
+    """Gets what the adapter needs. Raises Refusal where that cannot be."""
+    adapter = adapter_named(name)
+    if adapter.kind == "debian":
+        installation.install_package(OPENSCAD, OPENSCAD)
+    elif adapter.kind == "cgal" and absence(name, folder) is not None:
+        raise Refusal("it is built with the project", name, BUILD_COMMAND, "not-installed")
+    elif adapter.kind in ("python", "c++"):
+        installation.install_home(_home(adapter, folder), adapter.kind, adapter.program)
+
+
+def command(name: str, folder: Path | None = None) -> list[str] | None:
+    """The words that start the adapter, None where it is not installed or not up to date."""
+    adapter = adapter_named(name)
+    if absence(name, folder) is not None:
+        return None
+    program = [str(RUN), str(HERE / adapter.program)]
+    if adapter.kind == "python":
+        start = [str(installation.interpreter(_home(adapter, folder))), *program]
+    elif adapter.kind == "c++":
+        start = [str(installation.binary(_home(adapter, folder)))]
+    elif adapter.kind == "cgal":
+        start = [str(_cgal_program(adapter))]
+    else:
+        start = [sys.executable, *program]
+    return [*start, *adapter.arguments]
+
+
+def absence(name: str, folder: Path | None = None) -> str | None:
+    """What is missing, and the command that gets it; None where the adapter can be started."""
+    adapter = adapter_named(name)
+    if adapter.kind == "debian":
+        return installation.missing_package(OPENSCAD, OPENSCAD)
+    if adapter.kind == "cgal":
+        built = _cgal_program(adapter)
+        return None if built else f"{adapter.program} is not built: {BUILD_COMMAND}"
+    if adapter.kind == "own":
+        return None
+    state = installation.state_of(_home(adapter, folder), adapter.kind, adapter.program)
+    return f"{name} is {state}: {INSTALL_COMMAND} {name}" if state else None
+
+
+def _home(adapter: Adapter, folder: Path | None) -> Path:
+    return (folder or default_folder()).absolute() / adapter.home
+
+
+def _cgal_program(adapter: Adapter) -> Path | None:
+    paths = (folder / adapter.program for folder in search_folders())
+    return next((path for path in paths if path.is_file() and os.access(path, os.X_OK)), None)

@@ -1,0 +1,50 @@
+"""A program that uses one library, makes one call, and exits with 1 where the fault shows."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from importlib import resources
+from string import Template
+
+from minkref.fuzz.run.runner import Finding
+from minkref.fuzz.verdicts.verdict import Outcome
+
+
+@dataclass(frozen=True)
+class Program:
+    """`run` are the lines of a shell that build and start it; `note` is what a reader has to know
+    of what it does, or empty."""
+
+    file: str
+    text: str
+    run: str
+    note: str = ""
+
+
+def filled(template: str, **fields: str) -> str:
+    """A file of a library with its fields set: `clipper2/curves`, say."""
+    folder = resources.files("minkref.fuzz.libraries")
+    text = (folder / f"{template}.template").read_text(encoding="utf-8")
+    return Template(text).substitute(fields)
+
+
+def observed(outcome: Outcome) -> str:
+    """What was seen, on one line that is safe in a comment of any language."""
+    signal = f", {outcome.signal}" if outcome.signal else ""
+    text = f"{outcome.target} {outcome.was or outcome.verdict}: {', '.join(outcome.kinds)}{signal}"
+    return re.sub(r"[^\w .,:@+-]", " ", text)
+
+
+def scaled_operands(finding: Finding) -> tuple[str, str] | None:
+    """P scaled, and Q, as JSON texts; None where the finding is of no two operands."""
+    from minkref import _core
+    from minkref.fuzz.geometry.space import scale_of
+    from minkref.fuzz.space.polyhedron import Polyhedron
+
+    case = finding.case
+    if case.P is None or case.Q is None:
+        return None
+    if case.dimension == 3:
+        return Polyhedron.from_json(case.P).scaled(scale_of(case.scale)).to_json(), case.Q
+    return _core.PolygonSet.from_json(case.P).scaled(case.scale).to_json(), case.Q

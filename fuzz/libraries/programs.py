@@ -1,0 +1,48 @@
+"""Which program shows a finding, by the name of its target."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from importlib import import_module
+
+from minkref.fuzz.libraries.catalogue import LIBRARIES
+from minkref.fuzz.libraries.program import Program
+from minkref.fuzz.run.runner import Finding
+
+Maker = Callable[[Finding, str], Program | None]
+
+
+def program(finding: Finding, name: str) -> Program | None:
+    """The program, its file called `name`; None where there is none (`why_none`)."""
+    maker = _maker(finding.outcome.target)
+    return maker(finding, name) if maker else None
+
+
+def why_none(finding: Finding) -> str:
+    """A sentence for a finding that has no program."""
+    if _maker(finding.outcome.target):
+        return "No program: the library is not called with such operands."
+    if finding.outcome.target.startswith("minkref"):
+        return "No program: this is minkref itself; the line above shows it."
+    return "No program: the adapter or function is itself the program that shows it."
+
+
+def library(target: str) -> str:
+    """The name of the accused library; that of the target where it is none that we know."""
+    found = (each.title for each in LIBRARIES.values() if target.startswith(each.targets))
+    return next(found, target)
+
+
+def _maker(target: str) -> Maker | None:
+    for folder, library in LIBRARIES.items():
+        if library.has_program and target.startswith(library.targets):
+            module = import_module(f"minkref.fuzz.libraries.{folder}.program")
+            names = {adapter.name for adapter in library.adapters}
+            maker: Maker = module.program
+            return maker if target in names or _is_method(module, target) else None
+    return None
+
+
+def _is_method(module: object, target: str) -> bool:
+    """Whether a target is one of the library that has no adapter."""
+    return bool(getattr(module, "shows", lambda _: False)(target))

@@ -1,0 +1,170 @@
+"""Targets asked about a case in the plane."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import partial
+
+from minkref.fuzz.cases.verbs import EVENTS, UPDATE
+from minkref.fuzz.plane.case import Case
+from minkref.fuzz.plane.event_judgement import MOST_PAIRS, judge_events, window, without_scales
+from minkref.fuzz.plane.invalid_case import InvalidCase
+from minkref.fuzz.plane.invalid_judgement import judge_invalid
+from minkref.fuzz.plane.judgement import TRUTHS, judge
+from minkref.fuzz.plane.law_judgement import judge_law
+from minkref.fuzz.plane.laws import LAWS
+from minkref.fuzz.run.asking import JUDGING, Asking, is_asked_again
+from minkref.fuzz.targets.adapter import AdapterTarget
+from minkref.fuzz.targets.answer import Answer, skipped
+from minkref.fuzz.targets.catalogue import REFERENCE, size_limit
+from minkref.fuzz.targets.reference import ReferenceTarget
+from minkref.fuzz.verdicts.verdict import BROKEN, GOOD, Outcome, Reason, Verdict
+
+
+@dataclass
+class PlaneAsking(Asking):
+    """A route of the reference is asked with them; where answers differ, a point settles it."""
+
+    def outcomes(self, names: list[str]) -> list[Outcome]:
+        if not names:
+            return []
+        if isinstance(self.case, InvalidCase):
+            return [self._refused(self.case, name) for name in names]
+        if self.case.law is not None:
+            return self._by_law(self.case, names)
+        for name in dict.fromkeys([*TRUTHS, *names]):
+            if name not in names and any(answer.region for answer in self.answers.values()):
+                continue  # one route of ours is truth enough until somebody disagrees
+            self.answers[name] = self._ask(name, self.case)
+        outcomes = self._judged(self.case, self.answers, names)
+        return [self._once_more(self.case, outcome) for outcome in outcomes]
+
+    def coverage(self) -> str | None:
+        """Family, position of the scale, shape of the sum, needs. None where no route of ours has a
+        sum."""
+        case = self.case
+        if not isinstance(case, Case) or case.law is not None:
+            return None
+        region = next((self.answers[n].region for n in TRUTHS if n in self.answers), None)
+        if region is None:
+            return None
+        shape = f"{min(region.components, 3)} {min(region.holes, 4)}"
+        return "|".join([case.family, case.position, shape, " ".join(sorted(case.needs))])
+
+    def expected(self, outcomes: list[Outcome]) -> str | None:
+        """The sum as canonical JSON by a route that nothing refutes."""
+        wrong = {outcome.target for outcome in outcomes if outcome.verdict is Verdict.WRONG}
+        regions = (
+            self.answers[name].region
+            for name in TRUTHS
+            if name in self.answers and name not in wrong
+        )
+        return next((region.json for region in regions if region), None)
+
+    def _ask(self, name: str, case: Case) -> Answer:
+        if name in self.lost:
+            lost = self.lost[name]
+            return Answer(
+                verdict=lost.verdict, message=lost.message, signal=lost.signal, seconds=lost.seconds
+            )
+        limit = size_limit(name, self.limits)
+        if limit is not None and case.vertex_pairs > limit:
+            pairs = f"{case.vertex_pairs:,} pairs of vertices"
+            return skipped(f"{pairs}, more than {limit:,} (--size-limit)")
+        target = self.target(name)
+        return self._in_time(name, lambda: target.sum(case))
+
+    def _once_more(self, case: Case, outcome: Outcome) -> Outcome:
+        """A wrong answer, and some of the right ones, are asked for again: whether it stays."""
+        name = outcome.target
+        if name.startswith(REFERENCE) or name not in self.answers:
+            return outcome
+        if not is_asked_again(case, outcome):
+            return outcome
+        second = self._ask(name, case)
+        if second.region is None and outcome.verdict not in GOOD:
+            return outcome
+        if second.region is not None and second.region.digest == outcome.digest:
+            return outcome
+        rejudged = self._judged(case, {**self.answers, name: second}, [name])
+        for worse in (outcome, *rejudged):
+            if worse.target == name and worse.verdict is Verdict.WRONG:
+                return replace(worse, reasons=(*worse.reasons, Reason.NONDETERMINISTIC))
+        return next((each for each in rejudged if each.verdict in BROKEN), outcome)
+
+    def _judged(self, case: Case, answers: dict[str, Answer], names: list[str]) -> list[Outcome]:
+        judged = {name: self._judgeable(name, answer) for name, answer in answers.items()}
+        return judge(case, judged, names, self._judging)
+
+    def _by_law(self, case: Case, names: list[str]) -> list[Outcome]:
+        assert case.law is not None
+        law, base = case.law
+        outcomes = []
+        for name in names:
+            if law in (UPDATE, EVENTS):
+                ask = self._updated if law == UPDATE else self._events
+                outcomes.append(ask(name, base, case))
+                continue
+            answer = self._ask(name, case)
+            before = None if LAWS[law].constant else self._ask(name, base)
+            answer = self._judgeable(name, answer)
+            self._judging(name)
+            against_truth = partial(self._against_truth, case, name, answer)
+            outcomes += judge_law(law, name, base, before, case, answer, against_truth)
+        return outcomes
+
+    def _against_truth(self, case: Case, name: str, answer: Answer) -> list[Outcome]:
+        answers = {TRUTHS[0]: self._ask(TRUTHS[0], case), name: answer}
+        return self._judged(case, answers, [name])
+
+    def _updated(self, name: str, base: Case, case: Case) -> Outcome:
+        """The sum by `update` against the fresh one and the truth."""
+        if name in self.lost:
+            return self.lost[name]
+        target = self.target(name)
+        if not isinstance(target, AdapterTarget | ReferenceTarget):
+            message = "does not declare update"
+            return Outcome(name, Verdict.SKIPPED, message=message)
+        self.begin(name)
+        updated = target.updated_sum(base, case)
+        judged = self._against_truth(case, name, updated)
+        (outcome,) = (o for o in judged if o.target == name)
+        if outcome.verdict is not Verdict.WRONG:
+            return outcome
+        fresh = self._ask(name, case)
+        if fresh.region is None or fresh.region.digest != outcome.digest:
+            return replace(outcome, reasons=(*outcome.reasons, Reason.STATE_DRIFT))
+        return outcome
+
+    def _events(self, name: str, _: Case, case: Case) -> Outcome:
+        """The scales of topology events that a target lists."""
+        if name in self.lost:
+            return self.lost[name]
+        target = self.target(name)
+        if not isinstance(target, AdapterTarget):
+            return Outcome(name, Verdict.SKIPPED, message="does not declare events")
+        if case.vertex_pairs > MOST_PAIRS:
+            message = f"{case.vertex_pairs:,} pairs of vertices, more than {MOST_PAIRS:,}"
+            return Outcome(name, Verdict.SKIPPED, message=message)
+        if not (case.P.is_region or case.Q.is_region):
+            message = "of two operands without area no events are known"
+            return Outcome(name, Verdict.SKIPPED, message=message)
+        self.begin(name)
+        claimed = target.events(case, *window(case))
+        if isinstance(claimed, Answer):
+            return without_scales(case, name, claimed)
+        if JUDGING + name in self.lost:
+            return without_scales(case, name, self._judgeable(name, Answer()))
+        self._judging(name)
+        scales, declared = claimed
+        if declared.boundary:
+            message = "of the sum of the boundaries no events are known"
+            return Outcome(name, Verdict.SKIPPED, message=message)
+        return judge_events(case, name, scales, declared)
+
+    def _refused(self, case: InvalidCase, name: str) -> Outcome:
+        if name in self.lost:
+            return self.lost[name]
+        target = self.target(name)
+        self.begin(name)
+        return judge_invalid(case, name, target.sum(case))

@@ -1,0 +1,70 @@
+"""The sum of the boundaries of two polygon sets: what some libraries compute under the name of the
+Minkowski sum."""
+
+from __future__ import annotations
+
+import json
+from fractions import Fraction
+
+from minkref import _core
+from minkref.fuzz.geometry.plane import (
+    Edge,
+    Point,
+    crossing,
+    edges,
+    in_box,
+    read_shape,
+    segments_meet,
+    turn,
+)
+from minkref.fuzz.plane.case import Case
+from minkref.fuzz.plane.region import Region, region_of_polygons
+from minkref.fuzz.verdicts.verdict import Witness
+
+MOST_PAIRS = 10_000  # of edges
+
+
+def boundary_sum(case: Case) -> Region:
+    """The union of the parallelograms of all pairs of edges, regularised: where edges are parallel
+    there is nothing. O(m n) parallelograms."""
+    polygons = []
+    second = edges(read_shape(case.Q_json))
+    for a, b in edges(read_shape(case.scaled_P_json)):
+        for c, d in second:
+            u, v = (b[0] - a[0], b[1] - a[1]), (d[0] - c[0], d[1] - c[1])
+            area = u[0] * v[1] - u[1] * v[0]
+            if area == 0:
+                continue
+            ring = [_plus(a, c), _plus(b, c), _plus(b, d), _plus(a, d)]
+            ordered = ring if area > 0 else ring[::-1]
+            polygons.append({"outer": [[str(x), str(y)] for x, y in ordered], "holes": []})
+    union = _core.canonicalize(_core.PolygonSet.from_json(json.dumps({"polygons": polygons})))[0]
+    return region_of_polygons(json.loads(union.canonical_json())["polygons"], False)
+
+
+def decide_boundary(case: Case, point: tuple[str, str]) -> Witness:
+    """Whether the point is p + q with p and q on the boundaries. O(mn) exact segment tests."""
+    s, x = Fraction(case.scale), (Fraction(point[0]), Fraction(point[1]))
+    reflected = edges(read_shape(case.Q_json, Fraction(-1), x))
+    for a, b in edges(read_shape(case.P_json, s)):
+        for c, d in reflected:
+            if segments_meet(a, b, c, d):
+                z = _common((a, b), (c, d))
+                p = (str(z[0] / s), str(z[1] / s))
+                q = (str(x[0] - z[0]), str(x[1] - z[1]))
+                return Witness(point, True, p, q, boundary=True)
+    return Witness(point, False, boundary=True)
+
+
+def _common(first: Edge, second: Edge) -> Point:
+    """A point of two segments that meet."""
+    (a, b), (c, d) = first, second
+    for edge, ends in ((first, second), (second, first)):
+        for end in ends:
+            if turn(*edge, end) == 0 and in_box(*edge, end):
+                return end
+    return crossing(a, b, c, d)
+
+
+def _plus(a: Point, b: Point) -> Point:
+    return (a[0] + b[0], a[1] + b[1])

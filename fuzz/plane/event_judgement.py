@@ -1,0 +1,114 @@
+"""The verdict on the scales that a target lists as those of topology events."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from math import inf, nextafter
+
+from minkref import _core
+from minkref.exact import scientific
+from minkref.fuzz.plane.case import Case
+from minkref.fuzz.plane.comparison import decide, some_point
+from minkref.fuzz.plane.judgement import without_answer
+from minkref.fuzz.targets.answer import Answer
+from minkref.fuzz.targets.declaration import Declaration
+from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict
+
+MOST_PAIRS = 2000  # of vertices
+TWO_STEPS = Fraction(1, 2**51)  # relative: twice what lies between a double and the next, at most
+
+
+def window(case: Case) -> tuple[str, str]:
+    """From half of the scale to twice of it."""
+    scale = Fraction(case.scale)
+    return str(scale / 2), str(scale * 2)
+
+
+def without_scales(case: Case, name: str, answer: Answer) -> Outcome:
+    """Of an answer that says why there is no list; WRONG says that valid operands were rejected."""
+    outcome = without_answer(name, answer)
+    if outcome.verdict is not Verdict.WRONG:
+        return outcome
+    return replace(outcome, reasons=(Reason.REJECTED_VALID,), witness=some_point(case))
+
+
+def judge_events(case: Case, name: str, claimed: list[Fraction], declared: Declaration) -> Outcome:
+    """Every scale of an exact target is one of the reference's and the other way round; of a
+    rounding one each within its tolerance of another (docs/adapter-protocol.md). The witness of a
+    missed one is the place where it happens, at its scale. Events at the ends of the window, or
+    within the tolerance of these, may be left out. Skipped where the tolerance is as large as the
+    window: any list would do."""
+    low, high = map(Fraction, window(case))
+    within = Within(declared)
+    room = within.room(high)
+    if 2 * room >= high - low:
+        message = f"a tolerance of {scientific(str(room))} is as large as the window of scales"
+        return Outcome(name, Verdict.SKIPPED, message=message)
+    wide = (low - room if room < low else low / 2, high + room)
+    moving = _core.DynamicSum(case.P, case.Q, *map(str, wide))
+    places: dict[Fraction, tuple[str, str]] = {}
+    for row in moving.topology_events():
+        places.setdefault(Fraction(row[0]), (row[6][0], row[6][1]))
+    inner = [s for s in places if low + within.room(s) < s < high - within.room(s)]
+    missed = [s for s in inner if not any(map(within(s), claimed))]
+    invented = [listed for listed in claimed if not any(within(s)(listed) for s in places)]
+    if not missed and not invented:
+        right = declared.exact or set(inner) <= set(claimed) <= set(places)
+        return Outcome(name, Verdict.PASS if right else Verdict.PASS_WITHIN)
+    reasons = ((Reason.EVENT_MISSED,) if missed else ()) + (
+        (Reason.EVENT_INVENTED,) if invented else ()
+    )
+    text = ""
+    witness = None
+    if missed:
+        s = min(missed)
+        at = replace(case, scale=str(s), law=None)
+        witness = replace(decide(at, places[s]), scale=str(s))
+        text = f"the topology changes at {s}, at ({', '.join(places[s])}), which is not listed"
+    if invented:
+        s = min(invented)
+        near = min(places, key=lambda other: abs(other - s), default=None)
+        nearest = "there is none" if near is None else f"the nearest is at {near}"
+        text += (
+            f"{'; ' if text else ''}{s} is listed, where the topology does not change: {nearest}"
+        )
+        if witness is None:
+            # That the sum there is as it is just below and above cannot be shown by one point.
+            at = replace(case, scale=str(s) if s > 0 else case.scale, law=None)
+            witness = replace(some_point(at), scale=at.scale)
+    return Outcome(name, Verdict.WRONG, reasons, message=text, witness=witness)
+
+
+@dataclass(frozen=True)
+class Within:
+    """Whether a listed scale may stand for one of an event."""
+
+    declared: Declaration
+
+    def slack(self, scale: Fraction) -> Fraction:
+        return self.declared.tolerance(scale)
+
+    def room(self, scale: Fraction) -> Fraction:
+        """At least what listed scales up to this may be off."""
+        return self.slack(scale) + (scale * TWO_STEPS if self.declared.numbers == "double" else 0)
+
+    def __call__(self, scale: Fraction) -> Callable[[Fraction], bool]:
+        slack, beside = self.slack(scale), self._beside(scale)
+        return lambda listed: abs(listed - scale) <= slack or listed in beside
+
+    def _beside(self, scale: Fraction) -> set[Fraction]:
+        """The greatest double that is not above a scale, and the least that is not below it, where
+        the target's numbers are doubles: then an exact one cannot say more either."""
+        if self.declared.numbers != "double":
+            return set()
+        try:
+            near = float(scale)
+        except OverflowError:
+            return set()
+        doubles = [
+            Fraction(x) for x in (nextafter(near, 0.0), near, nextafter(near, inf)) if x < inf
+        ]
+        below, above = [x for x in doubles if x <= scale], [x for x in doubles if x >= scale]
+        return {*below[-1:], *above[:1]}

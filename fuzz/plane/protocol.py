@@ -1,0 +1,83 @@
+"""Sets of the plane on their way to a target and back, as its declaration says."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from typing import Any
+
+from minkref.fuzz.plane.region import region_of_polygons
+from minkref.fuzz.targets.answer import Answer, no_set
+from minkref.fuzz.targets.declaration import Declaration
+from minkref.fuzz.targets.numbers import MOST_VERTICES, Unreadable, double, list_in, received
+from minkref.fuzz.verdicts.verdict import Verdict
+
+
+def sent_set(text: str, declaration: Declaration) -> Any:
+    """The JSON value of a set as the target wants it. OverflowError beyond the range of doubles."""
+    value = json.loads(text)
+    if declaration.numbers == "text":
+        return value
+    return {"polygons": [_doubles(polygon) for polygon in value["polygons"]]}
+
+
+def _doubles(polygon: dict[str, Any]) -> dict[str, Any]:
+    def ring(points: list[list[str]]) -> list[list[float]]:
+        return [[double(number) for number in point] for point in points]
+
+    return {"outer": ring(polygon["outer"]), "holes": [ring(hole) for hole in polygon["holes"]]}
+
+
+def plane_answer(value: dict[str, Any], declaration: Declaration, seconds: float) -> Answer:
+    """The region that `polygons` or `rings` of an answer give. Raises Unreadable. Rings may
+    overlap: their winding number tells the set. Polygons that are points and segments have no
+    interior."""
+    by_winding = "rings" in value
+    if by_winding and "polygons" in value:
+        raise Unreadable("it has both polygons and rings")
+    polygons: list[dict[str, Any]]
+    if by_winding:
+        polygons = [
+            {"outer": _ring(ring, declaration), "holes": []} for ring in list_in(value, "rings")
+        ]
+    else:
+        given = [_polygon(polygon, declaration) for polygon in list_in(value, "polygons")]
+        polygons = [each for each in given if len(each["outer"]) > 2 or each["holes"]]
+    count = sum(len(ring) for each in polygons for ring in (each["outer"], *each["holes"]))
+    if count > MOST_VERTICES:
+        raise Unreadable(f"{count:,} vertices, more than {MOST_VERTICES:,}")
+    try:
+        region = region_of_polygons(polygons, turned=not by_winding)
+        if by_winding:
+            region = replace(region, degenerate=None, overlap=None)
+        return Answer(region, seconds=seconds, declaration=declaration)
+    except MemoryError:
+        verdict, message = Verdict.OUT_OF_MEMORY, "while its answer was read"
+        return Answer(verdict=verdict, message=message, declaration=declaration)
+    except ValueError as error:
+        answer = no_set(error, seconds)
+        answer.declaration = declaration
+        return answer
+
+
+def _polygon(polygon: Any, declaration: Declaration) -> dict[str, Any]:
+    if not isinstance(polygon, dict) or "outer" not in polygon:
+        raise Unreadable("a polygon has no outer ring")
+    holes = polygon.get("holes", [])
+    if not isinstance(holes, list):
+        raise Unreadable("holes is not a list")
+    return {
+        "outer": _ring(polygon["outer"], declaration),
+        "holes": [_ring(hole, declaration) for hole in holes],
+    }
+
+
+def _ring(ring: Any, declaration: Declaration) -> list[list[str]]:
+    if not isinstance(ring, list) or not ring:
+        raise Unreadable("a ring is not a list of points")
+    points = []
+    for point in ring:
+        if not isinstance(point, list) or len(point) != 2:
+            raise Unreadable("a point is not a pair of numbers")
+        points.append([received(number, declaration) for number in point])
+    return points

@@ -1,0 +1,129 @@
+"""The plane as a setting of `verify`."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from minkref import _core
+from minkref.errors import refusing
+from minkref.exact import read_scale
+from minkref.fuzz.cases.any_case import AnyCase
+from minkref.fuzz.cases.case_name import CaseName
+from minkref.fuzz.cases.no_case import NoCase
+from minkref.fuzz.cases.verbs import EVENTS, REJECTS, UPDATE
+from minkref.fuzz.families.catalogue import FAMILIES
+from minkref.fuzz.plane.case import Case
+from minkref.fuzz.plane.derived import derived
+from minkref.fuzz.plane.invalid_case import FAMILY, InvalidCase, load_invalid
+from minkref.fuzz.plane.protocol import plane_answer, sent_set
+from minkref.fuzz.plane.small_case import PlaneCase, smaller_in_plane
+from minkref.fuzz.setting import Setting
+from minkref.fuzz.targets.answer import Answer
+from minkref.fuzz.targets.declaration import Declaration
+from minkref.fuzz.targets.number_text import number_of
+from minkref.operand import read_operand
+
+if TYPE_CHECKING:
+    from minkref.fuzz.plane.asking import PlaneAsking
+
+
+class Plane(Setting):
+    """Sets of polygons and uniform scales."""
+
+    name, where, dimension = "plane", "in the plane", 2
+    target = "minkref:paper"
+    verbs = (UPDATE, EVENTS, REJECTS)
+    never = frozenset({"non-uniform"})
+    answer_is_no = "not a polygon set"
+
+    def holds(self, operands: list[Any]) -> bool:
+        return all(isinstance(each, dict) and "polygons" in each for each in operands)
+
+    def is_document(self, value: Any) -> bool:
+        return isinstance(value, dict) and value.get("schema") == "case-v1"
+
+    def case_of(self, name: CaseName, operands: list[Any], scale: Any, where: str) -> Case:
+        P, Q = (_valid(json.dumps(each), where) for each in operands)
+        return Case(name, P, Q, read_scale(str(scale), where), "P", "Q", "named")
+
+    def scales_in(self, value: dict[str, Any], path: Path) -> list[str]:
+        scales = value.get("scales")
+        if isinstance(scales, list) and scales:
+            return [str(scale) for scale in scales]
+        return [_within(value.get("interval"))]
+
+    def case_in(self, name: CaseName, path: Path, scale: str) -> Case:
+        P, Q = (read_operand(f"{path}#{part}") for part in "PQ")
+        return Case(name, P.set, Q.set, read_scale(scale), P.name, Q.name)
+
+    def refuse_bad_operands(self, path: Path) -> None:
+        for part in "PQ":
+            read_operand(f"{path}#{part}")
+
+    def drawn(
+        self, name: CaseName, family: str, seed: int, index: int
+    ) -> Case | InvalidCase | None:
+        if family == FAMILY:
+            return load_invalid(name, seed, index)
+        if family not in FAMILIES:
+            return None
+        pair = FAMILIES[family].pair(seed, index)
+        P, Q = _core.PolygonSet.from_json(pair.P), _core.PolygonSet.from_json(pair.Q)
+        return Case(name, P, Q, pair.scale, "P", "Q", family)
+
+    def derived(
+        self, base: AnyCase, name: CaseName, operation: str, number: int | None
+    ) -> Case | None:
+        if not isinstance(base, Case):
+            raise NoCase("nothing is got from an invalid case")
+        return derived(base, name, operation, number)
+
+    def sent(self, text: str, declaration: Declaration) -> Any:
+        return sent_set(text, declaration)
+
+    def sent_scale(self, text: str) -> str:
+        return text
+
+    def received(self, value: dict[str, Any], declaration: Declaration, seconds: float) -> Answer:
+        return plane_answer(value, declaration, seconds)
+
+    @property
+    def asking(self) -> type[PlaneAsking]:
+        from minkref.fuzz.plane.asking import PlaneAsking  # it takes the targets, which take this
+
+        return PlaneAsking
+
+    def small_case(self, P: str, Q: str, scale: str) -> PlaneCase:
+        return PlaneCase.read(P, Q, scale)
+
+    @property
+    def smaller(self) -> Callable[[PlaneCase], Iterator[PlaneCase]]:
+        return smaller_in_plane
+
+    def scales_of_file(self, scale: str) -> list[str]:
+        return [scale]
+
+
+def _valid(text: str, where: str) -> _core.PolygonSet:
+    read: _core.PolygonSet = refusing(where, lambda: _core.read_text(text, "json", where))
+    refusing(where, lambda: read.validate(where))
+    return read
+
+
+def _within(interval: Any) -> str:
+    """1, or the end that is nearer to it."""
+    ends = interval if isinstance(interval, dict) else {}
+    try:
+        if "from" in ends and number_of(str(ends["from"])) > 1:
+            return str(ends["from"])
+        if "to" in ends and number_of(str(ends["to"])) < 1:
+            return str(ends["to"])
+    except ValueError:
+        pass  # the reader of cases refuses it
+    return "1"
+
+
+PLANE = Plane()

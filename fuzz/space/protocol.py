@@ -1,0 +1,51 @@
+"""Sets of space on their way to a target and back, as its declaration says."""
+
+from __future__ import annotations
+
+import json
+from fractions import Fraction
+from typing import Any
+
+from minkref.fuzz.space.polyhedron import Polyhedron
+from minkref.fuzz.targets.answer import Answer
+from minkref.fuzz.targets.declaration import Declaration
+from minkref.fuzz.targets.numbers import MOST_VERTICES, Unreadable, double, list_in, received
+
+
+def sent_solid(text: str, declaration: Declaration) -> Any:
+    """The JSON value of a set as the target wants it. OverflowError beyond the range of doubles."""
+    value = json.loads(text)
+    if declaration.numbers == "text":
+        return value
+    vertices = [[double(number) for number in vertex] for vertex in value["vertices"]]
+    return {"vertices": vertices, "faces": value["faces"]}
+
+
+def sent_scale(text: str) -> str | list[str]:
+    """A scale as a text; a non-uniform one as a list of three."""
+    parts = text.split(",")
+    return text if len(parts) == 1 else parts
+
+
+def solid_answer(value: dict[str, Any], declaration: Declaration, seconds: float) -> Answer:
+    """The polyhedron that `vertices` and `faces` of an answer give. Raises Unreadable."""
+    vertices = []
+    for vertex in list_in(value, "vertices"):
+        if not isinstance(vertex, list) or len(vertex) != 3:
+            raise Unreadable("a vertex is not a list of three numbers")
+        x, y, z = (Fraction(received(number, declaration)) for number in vertex)
+        vertices.append((x, y, z))
+    if len(vertices) > MOST_VERTICES:
+        raise Unreadable(f"{len(vertices):,} vertices, more than {MOST_VERTICES:,}")
+    faces = []
+    for face in list_in(value, "faces"):
+        if not isinstance(face, list) or len(face) < 3:
+            raise Unreadable("a face is not a list of three indices or more")
+        for index in face:
+            if isinstance(index, bool) or not isinstance(index, int):
+                raise Unreadable("an index of a face is no integer")
+            if not 0 <= index < len(vertices):
+                raise Unreadable(f"a face names vertex {index} of {len(vertices)}")
+        faces.append(tuple(face))
+    solid = Polyhedron(tuple(vertices), tuple(faces))
+    return Answer(solid=solid, seconds=seconds, declaration=declaration)

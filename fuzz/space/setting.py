@@ -1,0 +1,101 @@
+"""Space as a setting of `verify`."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from minkref.fuzz.cases.any_case import AnyCase
+from minkref.fuzz.cases.case_name import CaseName
+from minkref.fuzz.cases.no_case import NoCase
+from minkref.fuzz.cases.verbs import UPDATE
+from minkref.fuzz.setting import Setting
+from minkref.fuzz.space.case import LAWS_IN_SPACE, SPACE_FAMILIES, SpaceCase, load_space
+from minkref.fuzz.space.case_file import DIMENSION, is_in_space, read_space_case, scalings_in
+from minkref.fuzz.space.hull import is_convex
+from minkref.fuzz.space.polyhedron import Polyhedron
+from minkref.fuzz.space.protocol import sent_scale, sent_solid, solid_answer
+from minkref.fuzz.space.small_case import SolidCase, smaller_in_space
+from minkref.fuzz.targets.answer import Answer
+from minkref.fuzz.targets.declaration import Declaration
+
+if TYPE_CHECKING:
+    from minkref.fuzz.space.asking import SpaceAsking
+
+SOME_SCALING = "1"  # operands are read before a run, scalings when their turn comes
+
+
+class Space(Setting):
+    """Polyhedra and scales of one factor or three."""
+
+    name, where, dimension = "space", "in space", DIMENSION
+    target = "minkref:convex"
+    verbs = (UPDATE,)
+    answer_is_no = "not a polyhedron"
+
+    def holds(self, operands: list[Any]) -> bool:
+        return all(isinstance(each, dict) and "faces" in each for each in operands)
+
+    def is_document(self, value: Any) -> bool:
+        return is_in_space(value)
+
+    def case_of(self, name: CaseName, operands: list[Any], scale: Any, where: str) -> SpaceCase:
+        return SpaceCase.of(name, operands, scale, where)
+
+    def scales_in(self, value: dict[str, Any], path: Path) -> list[str]:
+        return scalings_in(value, str(path))
+
+    def case_in(self, name: CaseName, path: Path, scale: str) -> SpaceCase:
+        return read_space_case(name, path, scale)
+
+    def refuse_bad_operands(self, path: Path) -> None:
+        read_space_case(CaseName(str(path), "case files"), path, SOME_SCALING)
+
+    def drawn(self, name: CaseName, family: str, seed: int, index: int) -> SpaceCase | None:
+        return load_space(name, family, seed, index) if family in SPACE_FAMILIES else None
+
+    def derived(
+        self, base: AnyCase, name: CaseName, operation: str, number: int | None
+    ) -> SpaceCase:
+        assert isinstance(base, SpaceCase)
+        if number is None and operation in LAWS_IN_SPACE:
+            return base.under(operation, name)
+        if number is None and operation == UPDATE:
+            return base.updated(name)
+        raise NoCase("a case in space has no probes and no mutants, and other laws")
+
+    def sent(self, text: str, declaration: Declaration) -> Any:
+        return sent_solid(text, declaration)
+
+    def sent_scale(self, text: str) -> str | list[str]:
+        return sent_scale(text)
+
+    def received(self, value: dict[str, Any], declaration: Declaration, seconds: float) -> Answer:
+        return solid_answer(value, declaration, seconds)
+
+    @property
+    def asking(self) -> type[SpaceAsking]:
+        from minkref.fuzz.space.asking import SpaceAsking  # it takes the targets, which take this
+
+        return SpaceAsking
+
+    def small_case(self, P: str, Q: str, scale: str) -> SolidCase:
+        return SolidCase.read(P, Q, scale)
+
+    @property
+    def smaller(self) -> Callable[[SolidCase], Iterator[SolidCase]]:
+        return smaller_in_space
+
+    def scales_of_file(self, scale: str) -> list[list[str]]:
+        factors = scale.split(",")
+        return [factors if len(factors) == DIMENSION else factors * DIMENSION]
+
+    def has_case_file(self, literal: str) -> bool:
+        """Only convex operands have one."""
+        value = json.loads(literal)
+        return all(is_convex(Polyhedron.from_document(value[name])) for name in "PQ")
+
+
+SPACE = Space()

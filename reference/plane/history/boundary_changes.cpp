@@ -1,0 +1,203 @@
+#include "reference/plane/history/boundary_changes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "reference/fault.hpp"
+
+namespace minkref::inline plane {
+namespace {
+
+bool is_before(const Point& p, const Point& q) { return p.x != q.x ? p.x < q.x : p.y < q.y; }
+
+template <class T>
+void sort_and_drop_duplicates(std::vector<T>& items) {
+  std::sort(items.begin(), items.end());
+  items.erase(std::unique(items.begin(), items.end()), items.end());
+}
+
+/// Whether a point lies on a closed segment. Exact.
+bool holds(const Point& from, const Point& to, const Point& p) {
+  const auto outside = [](const Rational& a, const Rational& b, const Rational& x) {
+    return (x < a && x < b) || (x > a && x > b);
+  };
+  if (outside(from.x, to.x, p.x) || outside(from.y, to.y, p.y)) return false;
+  return (to.x - from.x) * (p.y - from.y) == (to.y - from.y) * (p.x - from.x);
+}
+
+/// One side that comes and one that leaves in its direction: no corner.
+void drop_straight(std::vector<std::uint32_t>& sides) {
+  sort_and_drop_duplicates(sides);
+  if (sides.size() == 2 && sides[0] / 2 == sides[1] / 2) sides.clear();
+}
+
+}  // namespace
+
+BoundaryChanges::BoundaryChanges(const BoundaryHistory& history)
+    : history_(history),
+      lines_(history.moving(), history.directions()),
+      first_(history.tracks().size() + 1, 0) {
+  for (const MovingLink& link : history.sub_edges()) {
+    ++first_[link.from + 1];
+    ++first_[link.to + 1];
+  }
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  of_track_.resize(first_.back());
+  std::vector<std::uint32_t> place(first_.begin(), first_.end() - 1);
+  for (const Track& t : history.tracks()) {
+    in_doubles_.push_back({to_double(t.a.x), to_double(t.a.y), to_double(t.b.x), to_double(t.b.y)});
+  }
+  for (std::uint32_t k = 0; k < history.sub_edges().size(); ++k) {
+    of_track_[place[history.sub_edges()[k].from]++] = k;
+    of_track_[place[history.sub_edges()[k].to]++] = k;
+  }
+}
+
+std::uint32_t BoundaryChanges::side(std::uint32_t edge, bool leaves) const {
+  return 2 * history_.directions().number(edge) + (leaves ? 1 : 0);
+}
+
+BoundaryChanges::Sides BoundaryChanges::between(std::uint32_t track, std::uint32_t interval) const {
+  Sides sides;
+  for (const std::uint32_t k : of_track(track)) {
+    const MovingLink& link = history_.sub_edges()[k];
+    if (link.first <= interval && interval <= link.last) {
+      sides.push_back(side(link.edge, link.from == track));
+    }
+  }
+  drop_straight(sides);
+  return sides;
+}
+
+BoundaryChanges::Sides BoundaryChanges::at_scale(std::span<const std::uint32_t> tracks,
+                                                 std::uint32_t point, std::uint32_t group,
+                                                 const BoundaryAtGroup& here) const {
+  Sides sides;
+  for (const std::uint32_t track : tracks) {
+    for (const std::uint32_t k : of_track(track)) {
+      const MovingLink& link = history_.sub_edges()[k];
+      if (link.first > group || link.last <= group || here.is_interrupted(k)) continue;
+      sides.push_back(side(link.edge, link.from == track));
+    }
+  }
+  for (const BoundaryLink& piece : here.pieces) {
+    if (piece.from == piece.to) continue;
+    if (piece.from == point) sides.push_back(side(piece.edge, true));
+    if (piece.to == point) sides.push_back(side(piece.edge, false));
+  }
+  drop_straight(sides);
+  return sides;
+}
+
+/// Not one corner that moves through the scale, nor a point where the boundary goes straight on.
+bool BoundaryChanges::is_place(std::span<const std::uint32_t> tracks, std::uint32_t point,
+                               std::uint32_t group, const BoundaryAtGroup& here) const {
+  Sides corner;
+  bool is_met = false;
+  for (const std::uint32_t track : tracks) {
+    const Sides below = between(track, group), above = between(track, group + 1);
+    if (below != above) return true;
+    if (below.empty()) continue;
+    if (is_met && !planted(Fault::only_both_sides_compared)) return true;
+    is_met = true;
+    corner = below;
+  }
+  return at_scale(tracks, point, group, here) != corner &&
+         !planted(Fault::only_both_sides_compared);
+}
+
+/// Whether a link surely has no point near a place at a scale, which doubles tell of most links.
+bool BoundaryChanges::is_certainly_beside(const MovingLink& link, double scale, double x,
+                                          double y) const {
+  const std::array<double, 4>&u = in_doubles_[link.from], &v = in_doubles_[link.to];
+  const auto beside = [&](std::size_t k, double p) {
+    const double a = u[k] + scale * u[k + 2], b = v[k] + scale * v[k + 2];
+    const double room = (std::abs(u[k]) + std::abs(scale * u[k + 2]) + std::abs(v[k]) +
+                         std::abs(scale * v[k + 2]) + std::abs(p)) *
+                            0x1p-48 +
+                        1e-300;
+    return p < std::min(a, b) - room || p > std::max(a, b) + room;
+  };
+  return beside(0, x) || beside(1, y);
+}
+
+void BoundaryChanges::add_parents(std::uint32_t sub_edge, const Rational& scale, bool above,
+                                  std::span<const std::uint32_t> tracks, const Point& place,
+                                  std::vector<std::uint32_t>& parents) {
+  const MovingLink& link = history_.sub_edges()[sub_edge];
+  const auto ends_here = [&](std::uint32_t track) {
+    return std::find(tracks.begin(), tracks.end(), track) != tracks.end();
+  };
+  if (!ends_here(link.from) && !ends_here(link.to) &&
+      !holds(history_.tracks()[link.from].at(scale), history_.tracks()[link.to].at(scale), place)) {
+    return;
+  }
+  lines_.along(link, history_.tracks(), scale, above, place, parents);
+}
+
+std::optional<BoundaryChange> BoundaryChanges::at(std::uint32_t group, const BoundaryAtGroup& here,
+                                                  std::span<const std::uint32_t> below,
+                                                  std::span<const std::uint32_t> above) {
+  const auto &ended = history_.end_with(group), &begun = history_.begin_with(group + 1);
+  // Points, by the tracks that stand for them, and the tracks that are there.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> met;
+  const auto meet = [&](std::uint32_t track) {
+    met.emplace_back(here.standing_for(track), track);
+    met.emplace_back(met.back().first, met.back().first);
+  };
+  for (const auto& [track, point] : here.merged) meet(track);
+  for (const BoundaryLink& piece : here.pieces) {
+    meet(piece.from);
+    meet(piece.to);
+  }
+  for (const auto* list : {&ended, &begun}) {
+    for (const std::uint32_t k : *list) {
+      meet(history_.sub_edges()[k].from);
+      meet(history_.sub_edges()[k].to);
+    }
+  }
+  sort_and_drop_duplicates(met);
+
+  std::optional<BoundaryChange> change;
+  const Rational scale = history_.scale(group);
+  std::vector<std::uint32_t> tracks;
+  for (std::size_t k = 0; k < met.size();) {
+    const std::uint32_t point = met[k].first;
+    for (tracks.clear(); k < met.size() && met[k].first == point; ++k) {
+      tracks.push_back(met[k].second);
+    }
+    if (!is_place(tracks, point, group, here)) continue;
+    const Point place = history_.tracks()[point].at(scale);
+    if (!change) change.emplace(BoundaryChange{place, {}});
+    if (is_before(place, change->place) || planted(Fault::place_as_it_comes)) {
+      change->place = place;
+    }
+    for (const std::uint32_t track : tracks) {
+      for (const std::uint32_t sub_edge : of_track(track)) {
+        const MovingLink& link = history_.sub_edges()[sub_edge];
+        for (const bool side : {false, true}) {
+          const std::uint32_t interval = group + (side ? 1 : 0);
+          if (link.first > interval || interval > link.last) continue;
+          add_parents(sub_edge, scale, side, tracks, place, change->edges);
+        }
+      }
+    }
+    // Sides that have the place, and no end there.
+    const double near_scale = to_double(scale), x = to_double(place.x), y = to_double(place.y);
+    const auto add = [&](std::span<const std::uint32_t> list, bool side) {
+      for (const std::uint32_t s : list) {
+        if (is_certainly_beside(history_.sub_edges()[s], near_scale, x, y)) continue;
+        add_parents(s, scale, side, tracks, place, change->edges);
+      }
+    };
+    add(ended, false);
+    add(below, false);
+    add(begun, true);
+    add(above, true);
+  }
+  if (change) sort_and_drop_duplicates(change->edges);
+  return change;
+}
+
+}  // namespace minkref::inline plane

@@ -1,0 +1,45 @@
+// Which convolution edges lie on one line at every scale, and where they run along the boundary.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "reference/plane/critical/edge_directions.hpp"
+#include "reference/plane/history/boundary_history.hpp"
+
+namespace minkref::inline plane {
+
+/// Edges that point the same way on one line are looked for when they are asked for, direction by
+/// direction. Exact. Not for several threads at once.
+class EdgesOnLines {
+ public:
+  /// Both must outlive it.
+  EdgesOnLines(const std::vector<RationalEdge>& edges, const EdgeDirections& directions);
+
+  /// The edges on the line of an edge at every scale that point the same way, itself included;
+  /// ascending. O(n log n) for the first of n edges in a direction, then O(log n).
+  std::span<const std::uint32_t> with(std::uint32_t edge);
+
+  /// The edges that run along a link just below a scale (or just above) and come to a point of it:
+  /// what the two share has a length there, and the point as a limit. Added to `to`.
+  void along(const MovingLink& link, const std::vector<Track>& tracks, const Rational& scale,
+             bool above, const Point& point, std::vector<std::uint32_t>& to);
+
+ private:
+  /// Edges of one direction, sorted by their lines: positions across the direction.
+  struct Lines {
+    std::vector<std::uint32_t> edges;
+    std::vector<std::uint32_t> first;  ///< of each line, and the end
+    std::unordered_map<std::uint32_t, std::uint32_t> line_of_edge;
+  };
+  const Lines& lines(std::uint32_t direction);
+
+  const std::vector<RationalEdge>& edges_;
+  const EdgeDirections& directions_;
+  std::vector<std::vector<std::uint32_t>> by_direction_;
+  std::unordered_map<std::uint32_t, Lines> lines_;
+};
+
+}  // namespace minkref::inline plane

@@ -1,0 +1,49 @@
+// The boundary at one scale, ring by ring, in the form that the caller chooses.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "reference/plane/index/integer_column.hpp"
+#include "reference/plane/index/ring_order.hpp"
+
+namespace minkref::inline plane {
+
+/// Rings one after the other, in no particular order, outer ones counter-clockwise and holes
+/// clockwise, without straight vertices. Memory is used again where one is filled twice.
+struct RingShape {
+  std::vector<std::uint32_t> ring_ends;  ///< behind the last vertex of each ring
+  /// The hole and the component that each ring bounds, as in the timeline; at an event where rings
+  /// touch, numbered afresh: there they are parts of those of the timeline.
+  std::vector<RingFeatures> rings;
+  /// Of the convolution, by the number in ScaleIndex::edges: one that the side behind each
+  /// vertex lies on.
+  std::vector<std::uint32_t> edges;
+};
+
+/// Vertices as tracks of the index: the functions of the scale themselves.
+struct TrackRings : RingShape {
+  std::vector<std::uint32_t> tracks;
+};
+
+/// Each coordinate is off by at most `error`.
+struct RoundedRings : RingShape {
+  std::vector<double> x, y;
+  double error = 0;
+};
+
+/// Vertices as (X / W, Y / W), W > 0, not in lowest terms: three integers each.
+struct HomogeneousRings : RingShape {
+  std::uint32_t words = 1;  ///< of each integer: as IntegerColumn has them
+  std::vector<std::uint64_t> numbers;
+  IntegerColumn column() const { return {words, numbers}; }
+};
+
+/// Vertices as (x, y) in lowest terms: four integers each, x num, x den, y num, y den.
+struct RationalRings : RingShape {
+  std::uint32_t words = 1;
+  std::vector<std::uint64_t> numbers;
+  IntegerColumn column() const { return {words, numbers}; }
+};
+
+}  // namespace minkref::inline plane

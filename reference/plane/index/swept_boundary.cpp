@@ -1,0 +1,218 @@
+#include "reference/plane/index/swept_boundary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <unordered_map>
+
+#include "reference/plane/convolution/convolution_rule.hpp"
+#include "reference/plane/index/in_parallel.hpp"
+#include "reference/plane/index/patch_clipping.hpp"
+#include "reference/plane/index/patch_neighbours.hpp"
+#include "reference/plane/index/patch_sweep.hpp"
+#include "reference/plane/kernel/fraction.hpp"
+#include "reference/plane/kernel/plain_kernel.hpp"
+#include "reference/plane/moving/interior_test.hpp"
+#include "reference/plane/moving/right_of_edge.hpp"
+#include "reference/plane/passages/wedge_walks.hpp"
+
+namespace minkref::inline plane {
+namespace {
+
+/// A number of few bits near the middle, where doubles leave room for one; else none.
+std::optional<double> between(double low, double high) {
+  const double room = high - low;
+  if (!(room > 0x1p-30 * (std::fabs(low) + std::fabs(high)) + 1e-280)) return std::nullopt;
+  const int unit = std::ilogb(room) - 2;
+  return std::ldexp(std::nearbyint(std::ldexp(low + room / 2, -unit)), unit);
+}
+
+/// The direction of the segment that one operand is, if rings of the other touch. Where the segment
+/// passes a point at which they do, the interior on either side, no edge of the convolution shows
+/// what touches there: an edge on its line may have the sum on its right too.
+std::optional<Vector2<Rational>> segment_past_touching_rings(const PolygonSet& P,
+                                                             const PolygonSet& Q) {
+  for (const auto& [segment, other] : {std::pair(&P, &Q), std::pair(&Q, &P)}) {
+    if (!segment->is_segment() || !wedge_walks(*other)) continue;
+    const Ring& ends = segment->polygons[0].outer;
+    return Vector2<Rational>(ends[1].x - ends[0].x, ends[1].y - ends[0].y);
+  }
+  return std::nullopt;
+}
+
+template <class K>
+class BoundarySearch {
+ public:
+  using Edge = MovingEdge<typename K::Vector>;
+  using Sweep = PatchSweep<K>;
+  using Piece = typename Sweep::Piece;
+
+  BoundarySearch(K kernel, const std::vector<Edge>& edges, const std::vector<RationalEdge>& moving,
+                 const PatchNeighbours& neighbours, const InteriorTracks& tracks,
+                 const InteriorSolids& solids, const InteriorTest& test,
+                 const std::optional<Vector2<Rational>>& segment, const ScaleWindow& window,
+                 const BuildControl& control, SweptBoundary& result)
+      : moving_(moving),
+        neighbours_(neighbours),
+        test_(test),
+        segment_(segment),
+        finder_(std::move(kernel), edges),
+        clipping_(moving, tracks, solids),
+        sweep_(window.from.value_or(Rational(0)), window.to, control),
+        result_(result) {}
+
+  void operator()(std::size_t index) {
+    const auto edge = static_cast<std::uint32_t>(index);
+    if (neighbours_.cells.of(edge).empty()) return;
+    const std::uint32_t first = neighbours_.first[edge];
+    finder_.find(edge, neighbours_.others.data() + first, neighbours_.first[edge + 1] - first,
+                 nodes_);
+    clipping_.clip(edge, neighbours_.cells.of(edge), nodes_);
+    sweep_.run(nodes_);
+    result_.pieces_in_all += sweep_.pieces().size();
+    largest_.clear();
+    for (std::uint32_t k = 0; k < sweep_.pieces().size(); ++k) {
+      const Piece& piece = sweep_.pieces()[k];
+      const std::uint32_t face = sweep_.face(piece);
+      if (sweep_.is_shut(face)) continue;
+      const auto [place, fresh] = largest_.try_emplace(face, Largest{k, size_of(piece), false});
+      if (!fresh && size_of(piece) > place->second.size) {
+        place->second = {k, size_of(piece), false};
+      }
+    }
+    for (auto& [face, largest] : largest_) {
+      largest.exposed = is_exposed(edge, sweep_.pieces()[largest.piece]);
+    }
+    result_.faces_tested += largest_.size();
+    bool exposed = false;
+    for (const Piece& piece : sweep_.pieces()) {
+      const auto found = largest_.find(sweep_.face(piece));
+      if (found == largest_.end() || !found->second.exposed) continue;
+      exposed = true;
+      std::optional<Rational> upper;
+      if (std::isfinite(piece.to.near)) upper = sweep_.scale(piece.to);
+      result_.pieces.push_back({edge, nodes_.nodes[piece.left].name, nodes_.nodes[piece.right].name,
+                                sweep_.scale(piece.from), std::move(upper)});
+    }
+    if (!exposed) return;
+    for (const auto& [other, scale] : nodes_.contacts) {
+      const Fraction s = fraction(scale);
+      result_.contacts.push_back({edge, other, Rational(s.num, s.den)});
+    }
+  }
+
+ private:
+  using Stop = typename Sweep::Stop;
+  struct Largest {
+    std::uint32_t piece;
+    double size;
+    bool exposed;
+  };
+
+  static double finite(const Stop& to, const Stop& from) {
+    return std::isfinite(to.near) ? to.near : 2 * from.near + 1;
+  }
+  double near(std::uint32_t node, double s) const {
+    return nodes_.nodes[node].slope * s + nodes_.nodes[node].value;
+  }
+  double size_of(const Piece& piece) const {
+    const double to = finite(piece.to, piece.from), s = (piece.from.near + to) / 2;
+    return (to - piece.from.near) / to * (near(piece.right, s) - near(piece.left, s));
+  }
+  Rational along(std::uint32_t node, const Rational& s) const {
+    const auto& [slope, value, den] = nodes_.nodes[node].position;
+    return (exact(slope) * s + exact(value)) / exact(den);
+  }
+  static Rational exact(const Rational& value) { return value; }
+  template <class W>
+  static Rational exact(const W& value) {
+    return Rational(grid_integer(value));
+  }
+
+  /// By a point within the piece.
+  bool is_exposed(std::uint32_t edge, const Piece& piece) const {
+    Rational s;
+    if (const auto middle = between(piece.from.near, finite(piece.to, piece.from))) {
+      s = from_double(*middle);
+    } else {
+      s = (sweep_.scale(piece.from) + sweep_.scale(piece.to)) / 2;
+    }
+    const double near_s = to_double(s);
+    Rational t;
+    if (const auto middle = between(near(piece.left, near_s), near(piece.right, near_s))) {
+      t = from_double(*middle);
+    } else {
+      t = (along(piece.left, s) + along(piece.right, s)) / 2;
+    }
+    const RationalEdge& e = moving_[edge];
+    const Point x{e.p.x() * s + e.q.x() + e.d.x() * t, e.p.y() * s + e.q.y() + e.d.y() * t};
+    if (test_.inside(x, s)) return false;
+    const bool may_have_sum_on_the_right =
+        segment_ && sign(PlainKernel<Rational>::cross(e.d, *segment_)) == 0;
+    return !may_have_sum_on_the_right || !sum_on_the_right(moving_, edge, x, s, test_);
+  }
+
+  const std::vector<RationalEdge>& moving_;
+  const PatchNeighbours& neighbours_;
+  const InteriorTest& test_;
+  const std::optional<Vector2<Rational>>& segment_;
+  PatchNodeFinder<K> finder_;
+  PatchClipping<K> clipping_;
+  Sweep sweep_;
+  PatchNodes<K> nodes_;
+  std::unordered_map<std::uint32_t, Largest> largest_;
+  SweptBoundary& result_;
+};
+
+/// Of all threads, in the order of the edges.
+void gather(std::vector<SweptBoundary>& parts, SweptBoundary& result) {
+  for (SweptBoundary& part : parts) {
+    result.pieces_in_all += part.pieces_in_all;
+    result.faces_tested += part.faces_tested;
+    std::move(part.pieces.begin(), part.pieces.end(), std::back_inserter(result.pieces));
+    std::move(part.contacts.begin(), part.contacts.end(), std::back_inserter(result.contacts));
+  }
+  std::stable_sort(result.pieces.begin(), result.pieces.end(),
+                   [](const ExposedPiece& a, const ExposedPiece& b) { return a.edge < b.edge; });
+}
+
+}  // namespace
+
+SweptBoundary swept_boundary(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window,
+                             const BuildOptions& options) {
+  const BuildControl control(options);
+  refuse_bad_window(window);
+  SweptBoundary result;
+  result.window = window;
+  if (P.empty() || Q.empty()) return result;
+  result.edges = reduced_convolution(P, Q);
+  const auto as_vectors = [](const PolygonSet& set) {
+    return operand<Vector2<Rational>>(set,
+                                      [](const Point& p) { return Vector2<Rational>(p.x, p.y); });
+  };
+  result.moving = moving_edges(result.edges, as_vectors(P), as_vectors(Q));
+  control.look_now();
+  const InteriorTracks tracks(P, Q);
+  control.look_now();
+  InteriorSolids solids(P, Q);
+  const PatchNeighbours neighbours =
+      patch_neighbours(tracks, solids, result.moving, window, control);
+  result.meeting_pairs = neighbours.meeting;
+  result.pairs_inside = neighbours.inside;
+  control.look_now();
+  const InteriorTest test(P, Q);
+  const std::optional<Vector2<Rational>> segment = segment_past_touching_rings(P, Q);
+  on_exact_frame(P, Q, [&](const auto& frame) {
+    using K = typename std::decay_t<decltype(frame)>::K;
+    const auto edges = moving_edges(result.edges, frame.P, frame.Q);
+    std::vector<SweptBoundary> parts(control.threads());
+    in_parallel(edges.size(), control, BuildProgress::Stage::patches, [&](unsigned thread) {
+      return BoundarySearch<K>(frame.kernel, edges, result.moving, neighbours, tracks, solids, test,
+                               segment, window, control, parts[thread]);
+    });
+    gather(parts, result);
+  });
+  return result;
+}
+
+}  // namespace minkref::inline plane

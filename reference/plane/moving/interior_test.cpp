@@ -1,0 +1,170 @@
+#include "reference/plane/moving/interior_test.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "reference/plane/arrangement/box_tree.hpp"
+#include "reference/plane/moving/double_range.hpp"
+#include "reference/plane/point_predicates.hpp"
+#include "reference/plane/routes/simply_connected.hpp"
+#include "reference/plane/witness.hpp"
+
+namespace minkref::inline plane {
+namespace {
+
+using TriangleInDoubles = std::array<std::array<double, 2>, 3>;
+
+struct ConvexPieces {
+  std::vector<Triangle> exact;
+  std::vector<TriangleInDoubles> doubles;
+  BoxTree tree;
+  double magnitude = 0;
+
+  explicit ConvexPieces(const PolygonSet& set) {
+    if (set.is_region()) exact = triangulate(set);
+    std::vector<Box> boxes;
+    for (const Triangle& t : exact) {
+      TriangleInDoubles d;
+      Box box;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double x = to_double(t[i].x), y = to_double(t[i].y);
+        box.add({below(x), below(y), above(x), above(y)});
+        magnitude = std::max({magnitude, std::abs(x), std::abs(y)});
+        d[i] = {filter_double(t[i].x), filter_double(t[i].y)};
+      }
+      doubles.push_back(d);
+      boxes.push_back(box);
+    }
+    tree = BoxTree(std::move(boxes));
+  }
+};
+
+/// What doubles tell of the edges of `a`, coordinates being off by `error`: one of them has all of
+/// `b` on its right, each has some of `b` on its left, or neither is certain.
+enum class Told : std::uint8_t { separates, none_separates, nothing };
+
+Told by_edges(const TriangleInDoubles& a, const TriangleInDoubles& b, double error) {
+  bool each_open = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto &p = a[i], &q = a[(i + 1) % 3];
+    const double ux = q[0] - p[0], uy = q[1] - p[1];
+    bool open = false, closed = true;
+    for (const auto& r : b) {
+      const double vx = r[0] - p[0], vy = r[1] - p[1];
+      const double left = ux * vy, right = uy * vx;
+      const double sum = std::abs(ux) + std::abs(uy) + std::abs(vx) + std::abs(vy);
+      const double bound =
+          (std::abs(left) + std::abs(right)) * 0x1p-50 + 4 * error * sum + 16 * error * error;
+      open = open || left - right > bound;
+      closed = closed && left - right < -bound;
+    }
+    if (closed) return Told::separates;
+    each_open = each_open && open;
+  }
+  return each_open ? Told::none_separates : Told::nothing;
+}
+
+/// Whether the interiors of two triangles meet, as far as doubles tell.
+std::optional<bool> told(const TriangleInDoubles& a, const TriangleInDoubles& b, double error) {
+  const Told first = by_edges(a, b, error);
+  if (first == Told::separates) return false;
+  const Told second = by_edges(b, a, error);
+  if (second == Told::separates) return false;
+  if (first == Told::nothing || second == Told::nothing) return std::nullopt;
+  return true;
+}
+
+/// Whether the interiors of two triangles, both counter-clockwise, meet.
+bool interiors_meet(const std::array<FilteredPoint, 3>& a, const std::array<FilteredPoint, 3>& b) {
+  const auto separates = [](const auto& u, const auto& v) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (std::all_of(v.begin(), v.end(), [&](const FilteredPoint& p) {
+            return orientation(u[i], u[(i + 1) % 3], p) <= 0;
+          })) {
+        return true;
+      }
+    }
+    return false;
+  };
+  return !separates(a, b) && !separates(b, a);
+}
+
+}  // namespace
+
+struct InteriorTest::Impl {
+  PolygonSet P, Q;
+  ConvexPieces p, q;
+  bool regions;
+
+  Impl(const PolygonSet& P_, const PolygonSet& Q_)
+      : P(P_), Q(Q_), p(P_), q(Q_), regions(P_.is_region() && Q_.is_region()) {}
+
+  /// How far coordinates of s a and of x - b are off at most.
+  double error(double x, double y, double scale, double own) const {
+    return own + 0x1p-48 * (p.magnitude * scale + q.magnitude + std::abs(x) + std::abs(y)) + 1e-300;
+  }
+  /// s a and x - b.
+  std::pair<TriangleInDoubles, TriangleInDoubles> placed(std::uint32_t i, std::uint32_t j, double x,
+                                                         double y, double scale) const {
+    TriangleInDoubles a = p.doubles[i], b = q.doubles[j];
+    for (auto& v : a) v = {v[0] * scale, v[1] * scale};
+    for (auto& v : b) v = {x - v[0], y - v[1]};
+    return {a, b};
+  }
+};
+
+InteriorTest::InteriorTest(const PolygonSet& P, const PolygonSet& Q)
+    : impl_(std::make_unique<Impl>(P, Q)) {}
+InteriorTest::~InteriorTest() = default;
+
+bool InteriorTest::certainly_inside(double x, double y, double error, double scale) const {
+  if (!impl_->regions || !in_filter_range(scale)) return false;
+  const double e = impl_->error(x, y, scale, error);
+  return impl_->p.tree.pairs_with(
+      impl_->q.tree,
+      [&](const Box& a, const Box& b) {
+        return a.xmin * scale - e < x - b.xmin && a.xmax * scale + e > x - b.xmax &&
+               a.ymin * scale - e < y - b.ymin && a.ymax * scale + e > y - b.ymax;
+      },
+      [&](std::uint32_t i, std::uint32_t j) {
+        const auto [a, b] = impl_->placed(i, j, x, y, scale);
+        return told(a, b, e).value_or(false);
+      });
+}
+
+bool InteriorTest::in_closed_sum(const Point& x, const Rational& scale) const {
+  return Membership(impl_->P, impl_->Q, scale).contact(x) != Contact::empty;
+}
+
+bool InteriorTest::inside(const Point& x, const Rational& scale) const {
+  if (!impl_->regions) {
+    return Membership(impl_->P, impl_->Q, scale).decide(x).contact == Contact::overlapping;
+  }
+  const FilteredPoint at(x);
+  const Box box{below(at.x()), below(at.y()), above(at.x()), above(at.y())};
+  const double s = to_double(scale), low = below(s), high = above(s);
+  const double e = impl_->error(at.x(), at.y(), s, 0);
+  const bool in_range = in_filter_range(s) && std::isfinite(e);  // so are all differences
+  return impl_->p.tree.pairs_with(
+      impl_->q.tree,
+      [&](const Box& a, const Box& b) {
+        if (!in_range) return scaled(a, low, high).overlaps(reflected(b, box));
+        return a.xmin * s - e <= at.x() - b.xmin && a.xmax * s + e >= at.x() - b.xmax &&
+               a.ymin * s - e <= at.y() - b.ymin && a.ymax * s + e >= at.y() - b.ymax;
+      },
+      [&](std::uint32_t i, std::uint32_t j) {
+        const auto [near_a, near_b] = impl_->placed(i, j, at.x(), at.y(), s);
+        const auto known = in_range ? told(near_a, near_b, e) : std::nullopt;
+        if (known) return *known;
+        const Triangle &a = impl_->p.exact[i], &b = impl_->q.exact[j];
+        std::array<FilteredPoint, 3> u, v;
+        for (std::size_t k = 0; k < 3; ++k) {
+          u[k] = FilteredPoint(Point{a[k].x * scale, a[k].y * scale});
+          v[k] = FilteredPoint(Point{x.x - b[k].x, x.y - b[k].y});
+        }
+        return interiors_meet(u, v);
+      });
+}
+
+}  // namespace minkref::inline plane

@@ -1,0 +1,36 @@
+// Whether a point lies in the sum of the interiors, at any scale.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "reference/plane/polygon_set.hpp"
+
+namespace minkref::inline plane {
+
+/// Collision detection (Behar & Lien 2012, Sec. 3) on open sets: whether the interiors of sP and of
+/// x - Q meet. A point or segment as an operand counts with its relative interior. Decided by pairs
+/// of triangles, one of P and one of Q; nothing of the convolution is used.
+class InteriorTest {
+ public:
+  /// O(m^2 + n^2), for the triangulations. Operands must have passed `validate`.
+  InteriorTest(const PolygonSet& P, const PolygonSet& Q);
+  ~InteriorTest();
+
+  /// Exact. O(mn) pairs of triangles at worst; boxes discard most.
+  bool inside(const Point& x, const Rational& scale) const;
+
+  /// Whether a point lies in the sum of the closed sets. Exact. O(mn) pairs of triangles.
+  bool in_closed_sum(const Point& x, const Rational& scale) const;
+
+  /// True only if every point within `error` of (x, y), in both coordinates, is certainly inside
+  /// at every scale within a relative 2^-50 of `scale`. In doubles; about 1 us.
+  bool certainly_inside(double x, double y, double error, double scale) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace minkref::inline plane

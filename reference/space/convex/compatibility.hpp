@@ -1,0 +1,91 @@
+// The pairs of which the sum of two convex polyhedra is made: the overlay of their Gaussian maps.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "reference/space/convex/facet_contact.hpp"
+
+namespace minkref::inline space {
+
+/// For S P and Q in generic position (contact.hpp: P moved by an infinitesimal linear map).
+///
+/// - fv-pairs: each facet of P and the one vertex of Q that is farthest along its normal;
+/// - vf-pairs: each facet of Q and the one vertex of P;
+/// - ee-pairs: each edge of P and the edges of Q whose arcs cross its arc in the Gaussian map, from
+///   the facet on the left of `half_edge(edge)` to that on its right. They are half-edges of Q that
+///   form a chain: each starts where the one before ends, the first at the vertex of the left
+///   facet.
+struct Compatibility {
+  std::vector<std::uint32_t> vertex_of_Q;          ///< by facet of P
+  std::vector<std::uint32_t> vertex_of_P;          ///< by facet of Q
+  std::vector<std::vector<std::uint32_t>> chains;  ///< by edge of P
+  friend bool operator==(const Compatibility&, const Compatibility&) = default;
+};
+
+/// The predicates of one pair at one scaling.
+struct Contacts {
+  FacetContact across_P, across_Q;  ///< normals of P and edges of Q; normals of Q and edges of P
+
+  Contacts(const ConvexPolyhedron& P, const ConvexPolyhedron& Q)
+      : across_P(P, Q, FacetContact::Operand::normals_of_P),
+        across_Q(Q, P, FacetContact::Operand::normals_of_Q) {}
+  void rescale(const RoundedScaling& scaling) {
+    across_P.rescale(scaling);
+    across_Q.rescale(scaling);
+  }
+  void rescale(const Scaling& scaling) { rescale(RoundedScaling(scaling)); }
+  std::uint64_t evaluations() const { return across_P.evaluations() + across_Q.evaluations(); }
+  std::uint64_t exact_evaluations() const {
+    return across_P.exact_evaluations() + across_Q.exact_evaluations();
+  }
+  const ConvexPolyhedron& P() const { return across_P.normals(); }
+  const ConvexPolyhedron& Q() const { return across_P.edges(); }
+};
+
+/// What a search for the vertex compatible with a facet found.
+struct Climb {
+  std::uint32_t vertex;
+  std::uint32_t steps;  ///< edges walked
+  double slack;  ///< how far the scaling may drift with the vertex certainly compatible still
+};
+
+/// From a vertex along the witness of the incompatibility, the edge that rises most, until no edge
+/// rises (Sec. 6). Always ends at the vertex farthest along the normal: the edges at a vertex of a
+/// convex polyhedron span its cone, so a vertex without a rising edge is farthest, and the height
+/// grows with every step. Which edge rises most is decided by doubles: it changes the way, never
+/// the end.
+Climb climb(const FacetContact& contact, std::uint32_t facet, std::uint32_t vertex);
+
+/// The same; where an edge rises at `vertex` and `other` is estimated to be higher, from there.
+/// `walked` is given the half-edges of the way.
+Climb climb(const FacetContact& contact, std::uint32_t facet, std::uint32_t vertex,
+            std::uint32_t other, std::vector<std::uint32_t>& walked);
+
+/// The chain of an edge of P between the vertices of the facets on its two sides: from the region
+/// of the first, each time through the arc by which the great circle of the edge leaves the region.
+/// The great circle meets each region, which is convex, in one piece, so the walk is the arc's way.
+/// `slacks`: of each of its edges, as `examine_link` has it. std::logic_error where it finds that
+/// the ends are not those of the edge.
+void walk_chain(const FacetContact& across_Q, std::uint32_t edge, std::uint32_t from,
+                std::uint32_t to, std::vector<std::uint32_t>& chain, std::vector<double>& slacks);
+
+/// Whether the great circle of the edge runs through the arc of a half-edge of Q, and how far the
+/// scaling may drift with that certainly so. A chain of such, whose ends are the vertices of the
+/// two facets, is the right one.
+struct LinkState {
+  bool right;
+  double slack;
+};
+LinkState examine_link(const FacetContact& across_Q, std::uint32_t edge, std::uint32_t half_edge);
+
+/// The vertices of a facet in the order of its ring.
+template <class Visit>
+void for_vertices_of(const ConvexPolyhedron& body, std::uint32_t facet, Visit visit) {
+  const std::uint32_t start = body.start(facet);
+  std::uint32_t h = start;
+  do visit(body.origin(h));
+  while ((h = body.next(h)) != start);
+}
+
+}  // namespace minkref::inline space

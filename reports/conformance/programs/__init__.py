@@ -1,1 +1,0 @@
-"""Stand-alone programs that show a finding with the accused library alone."""

@@ -1,0 +1,181 @@
+"""What is asked of the index in Python singly, in batches and from several threads; its build."""
+
+from __future__ import annotations
+
+import math
+from concurrent.futures import ThreadPoolExecutor
+from fractions import Fraction
+from typing import Any
+
+import numpy
+import pytest
+from indexed_sums import FORMS, LONG, NAMES, Index, Rings, arrays, operands, scales
+from minkref import _core
+from minkref.commands.lists.scale_index import STAGES
+
+# What needs no rings.
+
+
+def test_the_area_is_within_its_error(index: Index) -> None:
+    for scale in scales(index):
+        exact = Fraction(_core.minkowski_sum(index.P, index.Q, scale).region.area())
+        value, error = index.area(scale)
+        assert 0 <= error < math.inf
+        assert abs(Fraction(value) - exact) <= Fraction(error), scale
+
+
+@pytest.mark.parametrize("name", [name for name in NAMES if name != LONG])
+def test_the_error_of_the_area_is_small(indices: dict[str, Index], name: str) -> None:
+    for scale in scales(indices[name]):
+        value, error = indices[name].area(scale)
+        assert error <= 1e-9 * (1 + value)
+
+
+def test_the_polynomial_of_the_area_is_exact(index: Index) -> None:
+    for scale in scales(index):
+        exact = Fraction(_core.minkowski_sum(index.P, index.Q, scale).region.area())
+        a0, a1, a2 = map(Fraction, index.area_polynomial(scale))
+        assert a0 + Fraction(scale) * (a1 + Fraction(scale) * a2) == exact, scale
+
+
+def test_one_polynomial_holds_up_to_the_next_events(indices: dict[str, Index]) -> None:
+    index = indices["several components"]
+    for low, high in zip(index.event_scales(), index.event_scales()[1:], strict=False):
+        a, b = Fraction(low), Fraction(high)
+        told = {tuple(index.area_polynomial(str(a + (b - a) * k / 4))) for k in (1, 2, 3)}
+        assert len(told) == 1
+        a0, a1, a2 = map(Fraction, told.pop())
+        for s in (a, b):
+            exact = Fraction(_core.minkowski_sum(index.P, index.Q, str(s)).region.area())
+            assert a0 + s * (a1 + s * a2) == exact
+
+
+def test_components_and_holes_and_the_sum_are_those_of_the_static_route(index: Index) -> None:
+    for scale in scales(index):
+        expected = _core.minkowski_sum(index.P, index.Q, scale, tight_passages=True)
+        found = index.sum(scale, True)
+        counts = (expected.components, expected.holes)
+        assert index.components_and_holes(scale) == counts, scale
+        assert (found.components, found.holes) == counts
+        assert found.region.canonical_json() == expected.region.canonical_json()
+        assert found.tight_passages == expected.tight_passages
+        assert index.sum(scale).tight_passages is None
+    assert index.first_difference(scales(index)) == ""
+
+
+def test_neighbours_are_the_events_beside_a_scale(index: Index) -> None:
+    events = index.event_scales()
+    exact = [Fraction(event) for event in events]
+    assert exact == sorted(set(exact))
+    low, high = index.window
+    for scale in scales(index, 20):
+        s = Fraction(scale)
+        below = [event for event in exact if event < s]
+        above = [event for event in exact if event > s]
+        assert index.neighbours(scale) == (
+            str(below[-1]) if below else None,
+            s in exact,
+            str(above[0]) if above else None,
+        )
+    within = [
+        e
+        for e in exact
+        if (low is None or e >= Fraction(low)) and (high is None or e <= Fraction(high))
+    ]
+    assert {Fraction(row[0]) for row in index.boundary_events()} <= set(within)
+
+
+# Many questions.
+
+
+def same(one: Rings, other: Rings) -> bool:
+    """The same in all they tell."""
+    heads = [(r.scale, r.form, len(r), r.features()) for r in (one, other)]
+    errors = [r.error if r.form == "double" else None for r in (one, other)]
+    return (
+        heads[0] == heads[1]
+        and errors[0] == errors[1]
+        and all(
+            a.dtype == b.dtype and numpy.array_equal(a, b)
+            for (_, a), (_, b) in zip(arrays(one), arrays(other), strict=True)
+        )
+    )
+
+
+@pytest.mark.parametrize("threads", [1, 2, 5])
+@pytest.mark.parametrize("form", FORMS)
+def test_a_batch_is_the_single_answers_in_their_order(
+    indices: dict[str, Index], form: str, threads: int
+) -> None:
+    for name in ("several components", "letters", LONG, "nothing"):
+        index = indices[name]
+        asked = scales(index)[::-1]
+        asked += asked[:3]
+        batch = index.batch(asked, form, threads)
+        assert [rings.scale for rings in batch] == asked
+        for scale, rings in zip(asked, batch, strict=True):
+            assert same(rings, index.rings(scale, form)), (name, scale)
+    assert index.batch([], form, threads) == []
+
+
+def test_batches_and_rings_are_doubles_where_no_form_is_named(indices: dict[str, Index]) -> None:
+    index = indices["islands"]
+    assert index.rings("2").form == index.batch(["2"])[0].form == "double"
+
+
+def test_a_scale_may_be_told_in_any_way(indices: dict[str, Index]) -> None:
+    index = indices["islands"]
+    for text in ("5/2", "2.5", "25e-1", "10/4"):
+        rings = index.rings(text)
+        assert rings.scale == "5/2"
+        assert same(rings, index.rings("5/2"))
+
+
+def test_several_threads_get_the_same_answers() -> None:
+    P, Q = operands("letters")
+    index = Index(P, Q, "1/4", "4", 2)
+    asked = scales(index, 30)
+
+    def answer(scale: str) -> list[Any]:
+        return [
+            *(index.rings(scale, form) for form in FORMS),
+            index.sum(scale).region.canonical_json(),
+            index.area(scale),
+            index.area_polynomial(scale),
+            index.components_and_holes(scale),
+            index.neighbours(scale),
+            index.topology_events(),
+            index.lives("hole"),
+        ]
+
+    expected = {scale: answer(scale) for scale in asked}
+    with ThreadPoolExecutor(8) as pool:
+        for scale, found in zip(asked * 3, pool.map(answer, asked * 3), strict=True):
+            wanted = expected[scale]
+            assert found[len(FORMS) :] == wanted[len(FORMS) :], scale
+            assert all(map(same, found[: len(FORMS)], wanted[: len(FORMS)])), scale
+
+
+def test_indices_may_be_built_at_the_same_time() -> None:
+    names = ("letters", "islands", "several components", "random 2")
+    with ThreadPoolExecutor(4) as pool:
+        built = list(pool.map(lambda name: Index(*operands(name)), names * 3))
+    for name, index in zip(names * 3, built, strict=True):
+        assert index.first_difference(["1", "7/5"]) == "", name
+
+
+def test_progress_tells_of_each_stage_and_may_end_the_build() -> None:
+    told: list[tuple[str, int, int]] = []
+    P, Q = operands("letters")
+    Index(P, Q, None, None, 2, 0, lambda *now: told.append(now))
+    assert list(dict.fromkeys(stage for stage, _, _ in told)) == list(STAGES)
+    assert all(0 <= done <= total for _, done, total in told)
+    for stage in STAGES:
+        done = [now[1] for now in told if now[0] == stage]
+        assert done == sorted(done)
+
+    def stop(stage: str, done: int, total: int) -> None:
+        raise InterruptedError(stage)
+
+    with pytest.raises(InterruptedError):
+        Index(P, Q, None, None, 2, 0, stop)
