@@ -8,16 +8,18 @@ from pathlib import Path
 from typing import Any
 
 from minkref import _core
+from minkref.argument_types import expect_sets, number
 from minkref.certify.case_text import case_digest, case_text, places
 from minkref.certify.coincidence import coincidences
 from minkref.certify.moving_form import Figure, figure, moving_form
 from minkref.certify.predicate import Place, Predicate, Vertices
 from minkref.certify.simplest import simplest_between
-from minkref.errors import cut
+from minkref.errors import Refusal, cut
 from minkref.version import version
 
 PIECES = (0, 1)  # the numbers of their steps
 MOST_ATTEMPTS = 400
+Number = str | int | Fraction
 
 
 class NoProof(Exception):
@@ -25,11 +27,16 @@ class NoProof(Exception):
 
 
 class Certificate:
-    """Steps and claims about sP + Q. Scales are texts, n or n/d, or fractions. Each method adds
-    what it says, with its proof, and returns the number of the claim. Exact. Raises NoProof where
-    a claim does not hold, and RuntimeError where the reference is wrong: there is no proof then."""
+    """Steps and claims about sP + Q. Scales are exact numbers: texts, ints, Fractions. Each method
+    adds what it says, with its proof, and returns the number of the claim. Exact. Raises NoProof
+    where a claim does not hold, and RuntimeError where the reference is wrong: there is no proof
+    then."""
 
     def __init__(self, P: _core.PolygonSet, Q: _core.PolygonSet) -> None:
+        """Validates both operands: raises BadInput for one that is none."""
+        expect_sets(P=P, Q=Q)
+        for name, operand in (("P", P), ("Q", Q)):
+            operand.validate(name)
         self.P, self.Q = P, Q
         self._prover = _core.Prover(P, Q)
         self._steps: list[str] = []
@@ -37,26 +44,26 @@ class Certificate:
         self.claims: list[dict[str, Any]] = []
         self._figures: dict[int, Figure] = {}  # of claims about sums and intervals
 
-    def sum(self, scale: str | Fraction, passages: bool = False) -> int:
+    def sum(self, scale: Number, passages: bool = False) -> int:
         """The sum at a scale; with its tight passages, each a claim of its own, after it. Contacts
         prove none where an operand is a point or a segment: then there are no such claims."""
-        text = str(Fraction(scale))
+        text = str(_exact("scale", scale))
         passages = passages and all(o.is_region for o in (self.P, self.Q))
         step, here, found = self._prove(text, passages)
-        number = self._step(step)
+        at = self._step(step)
         claim = self._claim(
-            "sum", scale=text, step=number, components=here.components, holes=here.holes,
+            "sum", scale=text, step=at, components=here.components, holes=here.holes,
             digest=here.digest,
         )  # fmt: skip
         self._figures[claim] = here
         for points, path in found:
             places = [list(point) for point in points]
-            self._claim("passage", scale=text, step=number, points=places, path=path)
+            self._claim("passage", scale=text, step=at, points=places, path=path)
         return claim
 
-    def interval(self, from_scale: str | Fraction, to_scale: str | Fraction) -> int:
+    def interval(self, from_scale: Number, to_scale: Number) -> int:
         """That the boundary has no event between two scales. Raises NoProof if it has."""
-        a, b = Fraction(from_scale), Fraction(to_scale)
+        a, b = _exact("from_scale", from_scale), _exact("to_scale", to_scale)
         step, at, moving = self._move(a, b)
         steps = [step]
         while at < b:
@@ -77,16 +84,12 @@ class Certificate:
         return claim
 
     def event(
-        self,
-        scale: str | Fraction,
-        from_scale: str | Fraction,
-        kind: str | None = None,
-        passages: bool = False,
+        self, scale: Number, from_scale: Number, kind: str | None = None, passages: bool = False
     ) -> int:
         """A boundary or topology event at a scale: what is below, none in between, what is at it,
         perhaps with its tight passages, and what is just above. Without `kind` a topology event if
         it is one."""
-        s = Fraction(scale)
+        s = _exact("scale", scale)
         before = self.interval(from_scale, s)
         at = self.sum(s, passages)
         step, end, above = self._move(s, 2 * s)
@@ -104,9 +107,10 @@ class Certificate:
         )  # fmt: skip
         return self._claim("event", scale=str(s), kind=kind, before=before, at=at, after=after)
 
-    def point(self, scale: str | Fraction, point: tuple[str, str]) -> int:
+    def point(self, scale: Number, point: tuple[Number, Number]) -> int:
         """That a point is in the sum."""
-        s = Fraction(scale)
+        s = _exact("scale", scale)
+        point = (number("x", point[0]), number("y", point[1]))
         answer = _core.decide(self.P, self.Q, str(s), *point)
         if answer["contact"] == "empty":
             raise NoProof(f"the point ({cut(point[0])}, {cut(point[1])}) is not in the sum at {s}")
@@ -118,7 +122,7 @@ class Certificate:
             "point", scale=str(s), point=list(point), p=p, q=q, by=list(by), pieces=pieces
         )
 
-    def sign(self, of: Predicate, from_scale: str | Fraction, to_scale: str | Fraction) -> int:
+    def sign(self, of: Predicate, from_scale: Number, to_scale: Number) -> int:
         """The sign of a predicate (certify/predicate.py) at all scales between two, or at one."""
         a, b = Fraction(from_scale), Fraction(to_scale)
         sign = self._vertices.sign_between(of, a, b)
@@ -126,7 +130,7 @@ class Certificate:
             raise NoProof(f"no one sign between {a} and {b} is seen in the coefficients")
         return self._claim("sign", of=of, **{"from": str(a), "to": str(b)}, sign=sign)
 
-    def zero(self, of: Predicate, scale: str | Fraction) -> list[int]:
+    def zero(self, of: Predicate, scale: Number) -> list[int]:
         """That a predicate is zero at a scale, and its signs just below and above; or that it is
         zero at all scales, said of half to double of this one."""
         s = Fraction(scale)
@@ -137,10 +141,10 @@ class Certificate:
         return [self.sign(of, *ends) for ends in (self._beside(of, s, 0), (s, s),
                                                   self._beside(of, s, 2 * s))]  # fmt: skip
 
-    def degeneracy(self, scale: str | Fraction) -> list[int]:
+    def degeneracy(self, scale: Number) -> list[int]:
         """What makes a scale critical: for all edges of the convolution that start or stop to meet
         there, alone or three in a point, the predicate that is zero at it, and its signs beside."""
-        found = coincidences(self.P, self.Q, self._vertices, Fraction(scale))
+        found = coincidences(self.P, self.Q, self._vertices, _exact("scale", scale))
         if not found:
             raise NoProof(f"no edges of the convolution start or stop to meet at {scale}")
         return [claim for of in found for claim in self.zero(of, scale)]
@@ -179,11 +183,11 @@ class Certificate:
         """The piece of an operand that a point of it is in."""
         value = json.loads(self._steps[step])
         vertices = (self._vertices.P, self._vertices.Q)[step]
-        for number, piece in enumerate(value["pieces"]):
+        for k, piece in enumerate(value["pieces"]):
             corners = [vertices[i] for i in piece]
             sides = zip(corners, corners[1:] + corners[:1], strict=True)
             if len(piece) > 2 and all(_turn(a, b, place) >= 0 for a, b in sides):
-                return number
+                return k
         raise NoProof("a point or a segment has no pieces for a claim about a point")
 
     def _beside(self, of: Predicate, s: Fraction, end: Fraction | int) -> tuple[Fraction, Fraction]:
@@ -220,6 +224,15 @@ class Certificate:
                 return step, Fraction(end), figure(form, touching, components, holes)
             low = Fraction(begin)
         raise RuntimeError(f"there is no proof from {a} on")
+
+
+def _exact(name: str, given: Number) -> Fraction:
+    text = number(name, given)
+    try:
+        return Fraction(text)
+    except (ValueError, ZeroDivisionError):
+        mend = "write an integer, a decimal or a fraction, such as 7/5"
+        raise Refusal(f"{cut(text)!r} is not a number", name, mend, "not-a-number") from None
 
 
 def _turn(a: Place, b: Place, c: Place) -> Fraction:

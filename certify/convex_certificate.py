@@ -10,6 +10,7 @@ from math import gcd, lcm
 from typing import Any, NamedTuple
 
 from minkref import _core
+from minkref.argument_types import expect_surfaces
 from minkref.exact import digest
 from minkref.version import version
 
@@ -43,6 +44,7 @@ class ConvexCertificate:
 
     def __init__(self, P: _core.Polyhedron, Q: _core.Polyhedron) -> None:
         """Raises _core.BadInput where an operand is not valid, not convex or has no volume."""
+        expect_surfaces(P=P, Q=Q)
         self.P, self.Q = _Operand(P, "P"), _Operand(Q, "Q")
         self.claims: list[dict[str, Any]] = []
         self._sums: list[dict[str, Any]] = []

@@ -1,4 +1,5 @@
-"""Points and vectors in space over integers: a common denominator makes exact tests fast."""
+"""Points and vectors in space, in fractions and in integers: a common denominator makes exact tests
+fast."""
 
 from __future__ import annotations
 
@@ -6,7 +7,10 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from itertools import pairwise
 from math import gcd, lcm
+from typing import TypeVar
 
+Number = TypeVar("Number", int, Fraction)
+Vector = tuple[Number, Number, Number]
 Point = tuple[Fraction, Fraction, Fraction]
 Whole = tuple[int, int, int]  # a point or vector with integer coordinates
 Scale = Fraction | Point  # the same along all axes, or one factor for each
@@ -44,19 +48,19 @@ def middle(points: Sequence[Point]) -> Point:
     return (x, y, z)
 
 
-def minus(a: Whole, b: Whole) -> Whole:
+def minus(a: Vector[Number], b: Vector[Number]) -> Vector[Number]:
     return (a[0] - b[0], a[1] - b[1], a[2] - b[2])
 
 
-def dot(a: Whole, b: Whole) -> int:
+def dot(a: Vector[Number], b: Vector[Number]) -> Number:
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 
 
-def cross(a: Whole, b: Whole) -> Whole:
+def cross(a: Vector[Number], b: Vector[Number]) -> Vector[Number]:
     return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
-def normal(a: Whole, b: Whole, c: Whole) -> Whole:
+def normal(a: Vector[Number], b: Vector[Number], c: Vector[Number]) -> Vector[Number]:
     """Of the triangle, on the side from which it runs counter-clockwise; its length is twice the
     area."""
     return cross(minus(b, a), minus(c, a))

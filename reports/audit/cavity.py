@@ -10,11 +10,12 @@ from collections.abc import Sequence
 from fractions import Fraction
 from itertools import combinations
 
+from minkref.fuzz.geometry.space import cross
 from minkref.fuzz.judges import paper_space
 from minkref.fuzz.space.meeting import Meeting
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.reports.audit.bodies import Body, compatible_pairs, dot, hull, minus, support
-from minkref.reports.audit.space import Facet, Vector, cross, determinant, vector
+from minkref.reports.audit.space import Facet, Vector, determinant, vector
 
 P = hull([(1, -3, 2), (-1, 1, 3), (-3, -1, -2), (3, 2, 0)])
 CAVITY = hull([(0, 0, 6), (6, 0, -5), (-4, 8, -4), (-4, -8, -4)])

@@ -9,27 +9,15 @@ from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
 
+from minkref.fuzz.geometry.space import Point, Whole, cross, dot, minus, normal
 from minkref.fuzz.judges import paper_space
 
-Vector = tuple[Fraction, Fraction, Fraction]
-Whole = tuple[int, int, int]
+Vector = Point
 
 
 def vector(numbers: Sequence[int | Fraction]) -> Vector:
     x, y, z = map(Fraction, numbers)
     return x, y, z
-
-
-def minus(a: Vector, b: Vector) -> Vector:
-    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
-
-
-def dot(a: Vector, b: Vector) -> Fraction:
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-
-
-def cross(a: Vector, b: Vector) -> Vector:
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
 def determinant(a: Vector, b: Vector, c: Vector) -> Fraction:
@@ -102,7 +90,7 @@ class Facet:
     @property
     def normal(self) -> Vector:
         """The same at all scales, but for its length."""
-        return normal(self.corners(Fraction(1)))
+        return normal(*self.corners(Fraction(1))[:3])
 
     @property
     def numbers(self) -> paper_space.Facet:
@@ -121,14 +109,9 @@ def t_edge(q0: Whole, q1: Whole, p: Whole) -> Edge:
     return Edge("T", Vertex(vector(p), vector(q0)), Vertex(vector(p), vector(q1)))
 
 
-def normal(corners: Sequence[Vector]) -> Vector:
-    a, b, c = corners[:3]
-    return cross(minus(b, a), minus(c, a))
-
-
 def in_polygon(x: Vector, corners: Sequence[Vector]) -> bool:
     """Of a point in the plane of a convex polygon."""
-    n = normal(corners)
+    n = normal(*corners[:3])
     around = pairwise([*corners, corners[0]])
     return all(dot(n, cross(minus(b, a), minus(x, a))) >= 0 for a, b in around)
 
@@ -147,7 +130,7 @@ def segments_meet(a: Vector, b: Vector, c: Vector, d: Vector) -> bool:
 
 def segment_meets(a: Vector, b: Vector, corners: Sequence[Vector]) -> bool:
     """A segment and a convex polygon."""
-    n = normal(corners)
+    n = normal(*corners[:3])
     below, above = dot(n, minus(a, corners[0])), dot(n, minus(b, corners[0]))
     if below == above == 0:
         return in_polygon(a, corners) or any(

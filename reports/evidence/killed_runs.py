@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from minkref.reports.evidence.framework.part import COMPARISON, READERS, REFERENCE, Findings
-from minkref.reports.evidence.framework.verify_run import COMMAND
+from minkref.reports.evidence.framework.verify_run import begun
 
 SUBJECT = (
     "A run killed by SIGKILL at 20 random moments and resumed from its ledger: nothing reported is "
@@ -29,16 +29,8 @@ SEED = 11
 
 
 def start(ledger: Path, target: str) -> subprocess.Popen[str]:
-    words = [*COMMAND, "verify", target, "minkref:winding", "--pairs", str(CASES), "--seed"]
-    words += [str(SEED), "--no-models", "--jobs", "2", "--shrink-calls", "0", "--json"]
-    return subprocess.Popen(
-        [*words, "--ledger", str(ledger)],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.DEVNULL,
-        text=True,
-        start_new_session=True,
-        env={**os.environ, "PYTHONPATH": str(SEEDED)},
-    )
+    words = (target, "minkref:winding", "--pairs", str(CASES), "--seed", str(SEED))
+    return begun(ledger, *words, PYTHONPATH=str(SEEDED))
 
 
 def findings_of(text: str) -> list[str]:

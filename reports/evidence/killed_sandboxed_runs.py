@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import random
 import signal
 import subprocess
@@ -16,7 +15,7 @@ from minkref.fuzz.isolation.control_group import find_rooms
 from minkref.fuzz.isolation.process_tree import descendants
 from minkref.fuzz.isolation.sandbox import absence
 from minkref.reports.evidence.framework.part import COMPARISON, READERS, REFERENCE, Findings
-from minkref.reports.evidence.framework.verify_run import COMMAND
+from minkref.reports.evidence.framework.verify_run import begun
 from minkref.reports.evidence.killed_runs import SEEDED, findings_of, results_in
 
 SUBJECT = (
@@ -36,16 +35,8 @@ PATIENCE = 5.0  # seconds in which what was sent SIGKILL has to be gone
 
 def start(ledger: Path, mark: str) -> subprocess.Popen[str]:
     target = f"cmd:{sys.executable} {SEEDED / 'seeded_adapter.py'} {fault()}"
-    words = [*COMMAND, "verify", target, "--isolation", "sandbox", "--pairs", str(CASES)]
-    words += ["--seed", str(SEED), "--no-models", "--jobs", "2", "--shrink-calls", "0", "--json"]
-    return subprocess.Popen(
-        [*words, "--ledger", str(ledger)],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.DEVNULL,
-        text=True,
-        start_new_session=True,
-        env={**os.environ, MARK: mark, "TMPDIR": str(ledger.parent / "temporary")},
-    )
+    words = (target, "--isolation", "sandbox", "--pairs", str(CASES), "--seed", str(SEED))
+    return begun(ledger, *words, **{MARK: mark, "TMPDIR": str(ledger.parent / "temporary")})
 
 
 def fault() -> str:

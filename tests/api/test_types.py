@@ -80,6 +80,13 @@ CALLS |= {
     "components_and_holes scale": (index.components_and_holes, NUMBERS),
     "neighbours scale": (index.neighbours, NUMBERS),
 }
+CALLS |= {
+    "Certificate P": (lambda x: minkref.Certificate(x, SQUARE), (minkref.PolygonSet,)),
+    "Certificate Q": (lambda x: minkref.Certificate(SQUARE, x), (minkref.PolygonSet,)),
+    "sum scale of a certificate": (lambda x: minkref.Certificate(SQUARE, SQUARE).sum(x), NUMBERS),
+    "point x": (lambda x: minkref.Certificate(SQUARE, SQUARE).point(4, (x, 1)), NUMBERS),
+    "ConvexCertificate P": (lambda x: minkref.ConvexCertificate(x, SIMPLEX), (minkref.Polyhedron,)),
+}
 REFUSED = (minkref.BadInput, minkref.Refusal)
 
 

@@ -32,6 +32,19 @@ def verify(
     return ran.returncode, value
 
 
+def begun(ledger: Path, *arguments: str, **variables: str) -> subprocess.Popen[str]:
+    """A run on a ledger, in a session of its own, whose document goes to a pipe."""
+    words = [*COMMAND, "verify", *arguments, "--no-models", "--jobs", "2", "--shrink-calls", "0"]
+    return subprocess.Popen(
+        [*words, "--json", "--ledger", str(ledger)],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+        text=True,
+        start_new_session=True,
+        env={**os.environ, **variables},
+    )
+
+
 def counts_of(value: dict[str, Any], target: str) -> dict[str, int]:
     """Verdicts of a target over all groups."""
     counts: dict[str, int] = {}

@@ -8,7 +8,7 @@ from itertools import combinations, pairwise
 from math import comb
 
 import sympy as sp
-from minkref.fuzz.geometry.space import area_vector
+from minkref.fuzz.geometry.space import area_vector, cross, dot, minus
 from minkref.fuzz.judges import paper_space
 from minkref.fuzz.space.generators.star import star
 from minkref.fuzz.space.meeting import Meeting
@@ -16,7 +16,7 @@ from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.reports.audit import cavity
 from minkref.reports.audit.bodies import hull
 from minkref.reports.audit.entry import Chapter, Shown, Status
-from minkref.reports.audit.space import Facet, cross, dot, events_of_facets, minus, vector
+from minkref.reports.audit.space import Facet, events_of_facets, vector
 from minkref.reports.audit.space_pictures import solids_picture
 from minkref.reports.audit.symbolic_space import Flat, degree, edge, place, s
 from minkref.reports.audit.symbolic_space import facet as symbolic_facet

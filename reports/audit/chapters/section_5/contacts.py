@@ -6,17 +6,15 @@ import random
 from fractions import Fraction
 from itertools import pairwise, product
 
+from minkref.fuzz.geometry.space import cross, dot, minus
 from minkref.fuzz.judges import paper_space
 from minkref.reports.audit.entry import Chapter, Shown, Status
 from minkref.reports.audit.space import (
     Edge,
     Vertex,
-    cross,
-    dot,
     drawn,
     events_of_facets,
     facet,
-    minus,
     polygons_meet,
     t_edge,
     vector,

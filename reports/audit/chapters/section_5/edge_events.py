@@ -9,17 +9,15 @@ from itertools import product
 from math import isqrt
 
 import sympy as sp
+from minkref.fuzz.geometry.space import cross, dot, minus
 from minkref.fuzz.judges import paper_space
 from minkref.reports.audit.entry import Chapter, Shown, Status, text
 from minkref.reports.audit.space import (
     Edge,
     Vector,
     Vertex,
-    cross,
-    dot,
     events_of_facets,
     facet,
-    minus,
     polygons_meet,
     s_edge,
     segments_meet,
