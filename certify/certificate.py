@@ -142,11 +142,11 @@ class Certificate:
                                                   self._beside(of, s, 2 * s))]  # fmt: skip
 
     def degeneracy(self, scale: Number) -> list[int]:
-        """What makes a scale critical: for all edges of the convolution that start or stop to meet
+        """What makes a scale critical: for all edges of the convolution that start or stop meeting
         there, alone or three in a point, the predicate that is zero at it, and its signs beside."""
         found = coincidences(self.P, self.Q, self._vertices, _exact("scale", scale))
         if not found:
-            raise NoProof(f"no edges of the convolution start or stop to meet at {scale}")
+            raise NoProof(f"no edges of the convolution start or stop meeting at {scale}")
         return [claim for of in found for claim in self.zero(of, scale)]
 
     def text(self, case: Path | str, title: str = "", producer: str = "") -> str:

@@ -48,7 +48,7 @@ def _is_several(facts: Facts) -> bool:
 
 def _is_concurrent(facts: Facts) -> bool:
     """Three edges, no two of them parallel, pass through a place that is an end of none, and at
-    which no two edges start or stop to meet."""
+    which no two edges start or stop meeting."""
     others = {row["at"] for row in facts.arrangement if row["kind"] != "triple"}
     return any(
         row["kind"] == "triple"

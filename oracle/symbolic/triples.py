@@ -1,7 +1,7 @@
 """When three moving segments share a point, and where two of them swap along the third.
 
 Three lines pass through one point at one scale, at none or at all. The scales at which the segments
-do begin and end there, or where two of the segments start or stop to meet.
+do begin and end there, or where two of the segments start or stop meeting.
 """
 
 from __future__ import annotations

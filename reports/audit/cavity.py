@@ -102,7 +102,7 @@ def _facet(
 
 
 def pair_events(facets: Sequence[Facet]) -> set[Fraction]:
-    """The scales at which a vertex comes to a facet, or two edges start or stop to meet, by the
+    """The scales at which a vertex comes to a facet, or two edges start or stop meeting, by the
     symbolic oracle."""
     vertices = {vertex for facet in facets for vertex in facet.vertices}
     edges = {

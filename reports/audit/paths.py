@@ -46,7 +46,7 @@ def moving_edges(robot: _core.PolygonSet, obstacle: _core.PolygonSet) -> list[Mo
 def contacts(
     robot: _core.PolygonSet, obstacle: _core.PolygonSet, a: Place, b: Place
 ) -> set[Fraction]:
-    """Scales at which a step from a to b starts or stops to meet an edge of the reduced
+    """Scales at which a step from a to b starts or stops meeting an edge of the reduced
     convolution, by the code for two edges. Whole coordinates."""
     P = reflected(robot)
     rings = {"S": (rings_of(P), rings_of(obstacle)), "T": (rings_of(obstacle), rings_of(P))}

@@ -164,7 +164,7 @@ def drawn(dice: random.Random, kind: str, size: int) -> Facet:
 
 def events_of_facets(a: Facet, b: Facet) -> dict[str, list[Fraction]]:
     """All vertex events and edge events of a pair, by the symbolic oracle: scales at which a vertex
-    of one is on the other, and those at which two edges start or stop to meet."""
+    of one is on the other, and those at which two edges start or stop meeting."""
     found: dict[str, list[Fraction]] = {"vertex": [], "edge": []}
     for one, other in ((a, b), (b, a)):
         for vertex in one.vertices:

@@ -129,7 +129,7 @@ def test_points_of_the_sum(check: Any, tmp_path: Path) -> None:
 
 def test_what_does_not_hold_has_no_proof() -> None:
     certificate = Certificate(*triangle_in_frame())
-    with pytest.raises(NoProof, match="start or stop to meet"):
+    with pytest.raises(NoProof, match="start or stop meeting"):
         certificate.degeneracy(2)
     with pytest.raises(NoProof, match="is not zero"):
         certificate.zero(("orientation", ((0, 0), (1, 0), (2, 0))), 2)

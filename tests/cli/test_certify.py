@@ -66,7 +66,7 @@ def test_what_is_certified_is_verified(
         (["--degeneracy", "1", "--scale", "2"], "do not go together"),
         (["--degeneracy", "1", "--from", "2"], "do not go together"),
         (["--event", "1", "--point", "2,3"], "do not go together"),
-        (["--degeneracy", "2"], "start or stop to meet at 2"),
+        (["--degeneracy", "2"], "start or stop meeting at 2"),
         (["--point", "0,0"], "not in the sum"),
         (["--point", "0"], "not a point"),
         (["--point", "0,x"], "the point is not a number"),

@@ -436,7 +436,7 @@ def _(shown: Shown) -> None:
 )
 def _(shown: Shown) -> None:
     """A triangle and a box with a triangular hole: the hole of the sum ends at 541/186, where no
-    two edges start or stop to meet; sums just below, at and above it. The determinant is linear in
+    two edges start or stop meeting; sums just below, at and above it. The determinant is linear in
     s, by computer algebra."""
     import sympy as sp
 

@@ -229,7 +229,7 @@ def _(shown: Shown) -> None:
 
 @CHAPTER.entry(
     "contact-at-an-end",
-    "Two edges start and stop to meet at an end of one of them",
+    "Two edges start and stop meeting at an end of one of them",
     place="Section 4.2",
     status=Status.HOLDS,
     printed=r"""If two edges start to meet as $P$ scales, they do so at an end of one of them, and
@@ -237,7 +237,7 @@ def _(shown: Shown) -> None:
     right=r"""So it is, for closed edges, also where they lie on one line. Where two edges that are
     not parallel cross between their ends they do so shortly before and after as well, for the
     parameters $r$ and $t$ are continuous; and where they lie on one line the ends alone decide. A
-    pair may begin and stop to meet at one scale.""",
+    pair may begin and stop meeting at one scale.""",
     code=("reference/plane/critical/pair_events.hpp",),
 )
 def _(shown: Shown) -> None:

@@ -211,7 +211,7 @@ def _(shown: Shown) -> None:
 def _(shown: Shown) -> None:
     """By computer algebra both conditions are linear in s, for S- and T-edges. For 400 random steps
     and edges the code has the interval of the symbolic oracle. For eight random robots, obstacles
-    and steps, where an interval of valid scales ends, the step starts or stops to meet an edge;
+    and steps, where an interval of valid scales ends, the step starts or stops meeting an edge;
     and at scales at which two edges and the step pass through one point nothing changes."""
     s = sp.Symbol("s", positive=True)
     g, e = (sp.Matrix(sp.symbols(f"{name}_x {name}_y")) for name in "ge")
@@ -382,7 +382,7 @@ def _(shown: Shown) -> None:
     right=r"""A bridge belongs to an empty disc that touches $P$ at two places. It also begins or
     ends where the disc touches a third feature: its centre is a vertex of the Voronoi diagram of
     the exterior, and three curves of the convolution pass through it. There a hole of $P \oplus D$
-    may end with all its bridges, and no two curves start or stop to meet.""",
+    may end with all its bridges, and no two curves start or stop meeting.""",
     code=("oracle/symbolic/disc_contact.py",),
 )
 def _(shown: Shown) -> None:
