@@ -24,10 +24,9 @@ run:
 	@scripts/set_up.sh run
 	.venv/bin/minkref verify --baseline fuzz/baseline.json --seconds 30 --report build/report $(ARGS)
 
-# A third of the time, tests wait for programs: half as many more workers than processors.
 test: setup
 	ctest --preset release -j $$(nproc)
-	.venv/bin/python -m pytest -n $$(( ($$(nproc) * 3 + 1) / 2 )) $(ARGS)
+	.venv/bin/python -m pytest -n $$(nproc) $(ARGS)
 
 evidence: setup
 	.venv/bin/python reports/evidence/run.py $(ONLY) $(if $(QUICK),--quick)
