@@ -13,6 +13,7 @@ from concurrent.futures import Future, ProcessPoolExecutor
 from contextlib import closing
 from dataclasses import dataclass, field
 from multiprocessing import active_children, get_context
+from multiprocessing.process import BaseProcess
 from pathlib import Path
 from typing import Annotated
 
@@ -233,11 +234,18 @@ def _made(tasks: Iterable[Task], jobs: int) -> Generator[Made, None, None]:
         while waiting:
             yield waiting.popleft().result()
     except BaseException:
-        for process in set(active_children()) - before:
-            process.kill()
+        _kill(pool, set(active_children()) - before)
         raise
     finally:
         pool.shutdown(cancel_futures=True)
+
+
+def _kill(pool: ProcessPoolExecutor, processes: Iterable[BaseProcess]) -> None:
+    """Its processes. Of a result that one had half written the pool would wait for the rest: with
+    its own end of their pipe closed it reads the end instead (CPython has no public way)."""
+    for process in processes:
+        process.kill()
+    pool._result_queue._writer.close()  # type: ignore[attr-defined]
 
 
 def _submitted(pool: ProcessPoolExecutor, task: Task) -> Future[Made]:

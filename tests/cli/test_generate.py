@@ -309,6 +309,27 @@ def test_processes_end_with_the_command(tmp_path: Path, number: signal.Signals) 
     assert all(json.loads(path.read_text(encoding="utf-8")) for path in tmp_path.rglob("*.json"))
 
 
+KILLED = """
+import operator
+from concurrent.futures import ProcessPoolExecutor
+from multiprocessing import active_children, get_context
+from minkref.commands.generate import _kill
+
+if __name__ == "__main__":
+    pool = ProcessPoolExecutor(2, get_context("spawn"))
+    results = [pool.submit(operator.mul, b"x", 8 << 20) for _ in range(200)]
+    results[0].result()
+    _kill(pool, active_children())
+    pool.shutdown(cancel_futures=True)
+"""
+
+
+def test_a_pool_ends_though_a_result_was_half_written(tmp_path: Path) -> None:
+    program = tmp_path / "killed.py"
+    program.write_text(KILLED, encoding="utf-8")
+    subprocess.run([sys.executable, program], check=True, timeout=SECONDS, capture_output=True)
+
+
 @pytest.mark.parametrize("name", ["space/a b", "it's $HOME", "-x"])
 def test_the_command_that_checks_can_be_pasted_into_a_shell(
     minkref: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str
