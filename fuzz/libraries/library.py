@@ -16,11 +16,11 @@ class Adapter:
     title: str
     kind: str
     program: str
-    arguments: tuple[str, ...]
-    home: str
-    language: str
     source: str
     licence: str
+    arguments: tuple[str, ...] = ()
+    home: str = ""
+    language: str = "C++"
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ LICENCE = "GPL-3.0-or-later"
 
 
 def _adapter(name: str, title: str, mode: str) -> Adapter:
-    return Adapter(name, title, "cgal", PROGRAM, (mode,), "", "C++", SOURCE, LICENCE)
+    return Adapter(name, title, "cgal", PROGRAM, SOURCE, LICENCE, (mode,))
 
 
 LIBRARY = Library(

@@ -7,7 +7,7 @@ SOURCE = "Clipper2 2.0.1, from the source distribution of pyclipr 0.1.8 (PyPI)"
 
 def _adapter(name: str, title: str, mode: str) -> Adapter:
     program = "clipper2/adapter.cpp"
-    return Adapter(name, title, "c++", program, (mode,), "clipper2", "C++", SOURCE, "BSL-1.0")
+    return Adapter(name, title, "c++", program, SOURCE, "BSL-1.0", (mode,), "clipper2")
 
 
 LIBRARY = Library(

@@ -6,7 +6,7 @@ PROGRAM, LICENCE = "minkref/adapter.py", "Apache-2.0"
 
 
 def _adapter(name: str, title: str, arithmetic: str) -> Adapter:
-    return Adapter(name, title, "own", PROGRAM, (arithmetic,), "", "C++", "this package", LICENCE)
+    return Adapter(name, title, "own", PROGRAM, "this package", LICENCE, (arithmetic,))
 
 
 LIBRARY = Library(

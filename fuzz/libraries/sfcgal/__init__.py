@@ -8,7 +8,7 @@ LICENCE = "GPL-3.0-or-later"
 
 def _adapter(name: str, title: str, mode: str) -> Adapter:
     program = "sfcgal/adapter.py"
-    return Adapter(name, title, "python", program, (mode,), "pysfcgal", "C++", SOURCE, LICENCE)
+    return Adapter(name, title, "python", program, SOURCE, LICENCE, (mode,), "pysfcgal")
 
 
 LIBRARY = Library(
