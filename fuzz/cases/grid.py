@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from fractions import Fraction
 
+from minkref.fuzz.geometry.plane import Number
+
 
 def bits_of(numbers: Iterable[Fraction]) -> int | None:
     """The least b such that all are integers of absolute value at most 2^b times one power of two;
@@ -22,7 +24,7 @@ def bits_of(numbers: Iterable[Fraction]) -> int | None:
     return (max(wholes) >> common).bit_length()
 
 
-def rounded(number: Fraction, unit: Fraction) -> Fraction:
+def rounded(number: Number, unit: Fraction) -> Fraction:
     """The nearest multiple of the unit."""
     return unit * round(number / unit)
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 import random
 
 from minkref.fuzz.families.drawing import drawn_pair
-from minkref.fuzz.families.integer_rings import untangled
+from minkref.fuzz.families.integer_rings import scattered, untangled
 from minkref.fuzz.families.random_pairs import Pair
 from minkref.fuzz.geometry.plane import Ring, Shape, box
 
@@ -34,6 +34,6 @@ def _dented(dice: random.Random, size: int) -> tuple[Shape, Shape]:
 
 def _ring(dice: random.Random, vertices: int, side: int) -> Ring:
     while True:
-        ring = untangled(dice, vertices, side, side)
+        ring = untangled(scattered(dice, vertices, side, side))
         if ring is not None:
             return list(ring)

@@ -9,6 +9,7 @@ from fractions import Fraction
 
 from minkref import _core
 from minkref.exact import set_json
+from minkref.fuzz.families.dice import Dice
 from minkref.fuzz.families.random_pairs import Pair
 from minkref.fuzz.geometry.plane import Ring, Shape, box, doubled_area, mapped, read_shape, scaled
 
@@ -29,7 +30,7 @@ def vertices_at(index: int, dice: random.Random) -> int:
 def drawn_pair(family: str, seed: int, index: int, draw: Draw) -> Pair:
     """The pair that `draw` makes, perhaps turned, mirrored and swapped. Where the scale is not 1,
     the first operand is divided by it: what fits still fits."""
-    dice = random.Random(f"minkref {family} {seed} {index}")
+    dice = Dice(f"minkref {family} {seed} {index}")
     for _ in range(PATIENCE):
         size = vertices_at(index, dice)
         operands = list(draw(dice, size))

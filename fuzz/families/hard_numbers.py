@@ -7,7 +7,7 @@ import random
 from fractions import Fraction
 
 from minkref.fuzz.families.drawing import convex, drawn_pair
-from minkref.fuzz.families.integer_rings import untangled
+from minkref.fuzz.families.integer_rings import scattered, untangled
 from minkref.fuzz.families.random_pairs import Pair
 from minkref.fuzz.families.touching_pairs import touching_shape
 from minkref.fuzz.geometry.plane import Polygon, Ring, Shape, box, mapped, moved
@@ -42,11 +42,11 @@ def polygon(dice: random.Random, vertices: int, holed: bool = True) -> Polygon:
     if holed and vertices > 7 and dice.random() < 0.4:
         hole = None
         while hole is None:
-            hole = untangled(dice, min(vertices - 4, 12), side, side)
+            hole = untangled(scattered(dice, min(vertices - 4, 12), side, side))
         return [box(-1, -1, side + 2, side + 2), list(hole)]
     ring = None
     while ring is None:
-        ring = untangled(dice, vertices, side, side)
+        ring = untangled(scattered(dice, vertices, side, side))
     return [list(ring)]
 
 

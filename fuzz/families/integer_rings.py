@@ -30,26 +30,11 @@ def segments_cross(a: Node, b: Node, c: Node, d: Node) -> bool:
 
 def is_simple(ring: Ring) -> bool:
     """Distinct vertices, non-adjacent edges apart, adjacent edges meeting in their vertex only."""
-    n = len(ring)
-    if n < 3 or len(set(ring)) != n or doubled_area(ring) == 0:
-        return False
-    for i in range(n):
-        a, b = ring[i], ring[(i + 1) % n]
-        c = ring[(i + 2) % n]
-        if turn(a, b, c) == 0 and (in_box(a, b, c) or in_box(b, c, a)):
-            return False
-        for j in range(i + 2, n):
-            if (j + 1) % n == i:
-                continue
-            if segments_meet(a, b, ring[j], ring[(j + 1) % n]):
-                return False
-    return True
+    return _is_open(ring) and _meeting_edges(ring) is None
 
 
-def untangled(dice: random.Random, vertices: int, width: int, height: int) -> Ring | None:
-    """Random points of the grid [0, width] x [0, height], joined to a simple ring by reversing
-    the stretch between two crossing edges until none is left (2-opt); None where that does not
-    succeed."""
+def scattered(dice: random.Random, vertices: int, width: int, height: int) -> Ring:
+    """Random points of the grid [0, width] x [0, height], each once."""
     ring: Ring = []
     seen: set[Node] = set()
     for _ in range(vertices):
@@ -57,23 +42,43 @@ def untangled(dice: random.Random, vertices: int, width: int, height: int) -> Ri
         if node not in seen:
             seen.add(node)
             ring.append(node)
-    n = len(ring)
-    if n < 3:
-        return None
-    for _ in range(4 * n):
-        found = False
-        for i in range(n - 2):
-            a, b = ring[i], ring[i + 1]
-            for j in range(i + 2, n if i else n - 1):
-                if segments_meet(a, b, ring[j], ring[(j + 1) % n]):
-                    ring[i + 1 : j + 1] = ring[i + 1 : j + 1][::-1]
-                    found = True
-                    break
-            if found:
-                break
-        if not found:
-            break
+    return ring
+
+
+def untangled(points: Ring) -> Ring | None:
+    """The points joined to a simple ring by reversing the stretch between two edges that meet until
+    there are none (2-opt); None where that does not succeed."""
+    ring = list(points)
+    for _ in range(4 * len(ring)):
+        meeting = _meeting_edges(ring)
+        if meeting is None:
+            return ring if _is_open(ring) else None
+        i, j = meeting
+        ring[i + 1 : j + 1] = ring[i + 1 : j + 1][::-1]
     return ring if is_simple(ring) else None
+
+
+def _meeting_edges(ring: Ring) -> tuple[int, int] | None:
+    """The first two edges that share no vertex and meet."""
+    n = len(ring)
+    for i in range(n - 2):
+        a, b = ring[i], ring[i + 1]
+        for j in range(i + 2, n if i else n - 1):
+            if segments_meet(a, b, ring[j], ring[(j + 1) % n]):
+                return (i, j)
+    return None
+
+
+def _is_open(ring: Ring) -> bool:
+    """Three distinct vertices or more that bound an area; no edge folds back on the one before."""
+    n = len(ring)
+    if n < 3 or len(set(ring)) != n or doubled_area(ring) == 0:
+        return False
+    for i in range(n):
+        a, b, c = ring[i - 2], ring[i - 1], ring[i]
+        if turn(a, b, c) == 0 and (in_box(a, b, c) or in_box(b, c, a)):
+            return False
+    return True
 
 
 def on_grid_cells(dice: random.Random, side: int, most_vertices: int) -> Ring | None:
@@ -133,8 +138,13 @@ def _outline(cells: set[Node]) -> Ring | None:
 def inside(inner: Ring, outer: Ring) -> bool:
     """Every vertex of `inner` lies in the closed region of `outer`, and not all of them on its
     rim."""
-    places = [_place(node, outer) for node in inner]
-    return min(places) >= 0 and max(places) > 0
+    deepest = 0
+    for node in inner:
+        place = _place(node, outer)
+        if place < 0:
+            return False
+        deepest = max(deepest, place)
+    return deepest > 0
 
 
 def _place(p: Node, ring: Ring) -> int:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import random
 
+from minkref.fuzz.families.dice import Dice
 from minkref.fuzz.families.drawing import convex, shape_text
 from minkref.fuzz.families.hard_numbers import polygon
 from minkref.fuzz.geometry.plane import Ring, Shape, box, moved, scaled
@@ -25,7 +26,7 @@ KINDS = (
 
 def invalid_pair(seed: int, index: int) -> tuple[str, str, str]:
     """(kind, P, Q): the kinds in turn; P is invalid, and at odd rounds Q in its place."""
-    dice = random.Random(f"minkref invalid {seed} {index}")
+    dice = Dice(f"minkref invalid {seed} {index}")
     kind = KINDS[index % len(KINDS)]
     shape = scaled(_drawn(dice, kind), dice.randint(1, 4))
     shape = moved(shape, dice.randint(-9, 9), dice.randint(-9, 9))

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import random
 
+from minkref.fuzz.families.dice import Dice
 from minkref.fuzz.families.drawing import SCALES, is_valid, shape_text
 from minkref.fuzz.families.integer_rings import (
     Node,
@@ -12,6 +13,7 @@ from minkref.fuzz.families.integer_rings import (
     counter_clockwise,
     is_simple,
     on_grid_cells,
+    scattered,
     untangled,
 )
 from minkref.fuzz.families.random_pairs import Pair, random_holes
@@ -24,7 +26,7 @@ GROWTH = 160
 
 def lattice_pair(seed: int, index: int) -> Pair:
     """Of both operands every coordinate is a whole number from -3 to 5, whatever the scale."""
-    dice = random.Random(f"minkref lattice {seed} {index}")
+    dice = Dice(f"minkref lattice {seed} {index}")
     small = dice.random() < 0.4
     most = FEWEST + min(index, GROWTH) * (MOST - FEWEST) // GROWTH
     P, Q = (lattice_operand(dice, small, most) for _ in range(2))
@@ -71,7 +73,7 @@ def _outer(dice: random.Random, small: bool) -> Ring:
         elif kind < 0.75:
             ring = on_grid_cells(dice, side, 8)
         else:
-            ring = untangled(dice, dice.randint(4, 7), side, side)
+            ring = untangled(scattered(dice, dice.randint(4, 7), side, side))
         if ring is not None and is_simple(ring):
             return counter_clockwise(ring)
 

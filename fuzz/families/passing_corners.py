@@ -6,6 +6,7 @@ from __future__ import annotations
 import random
 from fractions import Fraction
 
+from minkref.fuzz.families.dice import Dice
 from minkref.fuzz.families.drawing import placed, shape_text
 from minkref.fuzz.families.random_pairs import Pair
 from minkref.fuzz.geometry.plane import Polygon, Ring, Shape, box, scaled
@@ -18,7 +19,7 @@ SCALES = (Fraction(2), Fraction(5, 2), Fraction(3), Fraction(4))
 def passing_pair(seed: int, index: int) -> Pair:
     """At the scale of the touch, or at three quarters of it; of early pairs that is 1, and of some
     others."""
-    dice = random.Random(f"minkref passing {seed} {index}")
+    dice = Dice(f"minkref passing {seed} {index}")
     scale = dice.choice(SCALES)
     left, right = -dice.randint(8, 12) * 2, dice.randint(8, 12) * 2
     tips, count = dice.randint(4, 8) * 2, dice.randint(2, 2 + min(index, 60) // 20)

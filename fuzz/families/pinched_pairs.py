@@ -6,6 +6,7 @@ from __future__ import annotations
 import random
 from fractions import Fraction
 
+from minkref.fuzz.families.dice import Dice
 from minkref.fuzz.families.drawing import PATIENCE, is_valid, shape_text
 from minkref.fuzz.families.random_pairs import Pair
 from minkref.fuzz.geometry.plane import Point, Ring, Shape, box, doubled_area
@@ -17,7 +18,7 @@ MOST_VERTICES = 16
 def pinched_pair(seed: int, index: int) -> Pair:
     """At scale 1; coordinates are from -3 to 5, whole but for middles of edges. Of four pairs, two
     have a segment, and every tenth a point."""
-    dice = random.Random(f"minkref pinched {seed} {index}")
+    dice = Dice(f"minkref pinched {seed} {index}")
     pinched = pinched_shape(dice)
     other: Shape
     if index % 10 == 9:

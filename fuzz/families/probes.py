@@ -3,20 +3,22 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from functools import lru_cache
 
 from minkref import _core
 
 STEPS = (Fraction(1, 2**10), Fraction(1, 2**40))
 
 
-def boundary_scales(P: str, Q: str) -> list[Fraction]:
+@lru_cache(maxsize=64)
+def boundary_scales(P: str, Q: str) -> tuple[Fraction, ...]:
     """The scales at which the boundary of sP + Q changes, ascending. None where an operand has no
-    area."""
+    area. Kept for a while: the probes of a pair come one after the other."""
     first, second = _core.PolygonSet.from_json(P), _core.PolygonSet.from_json(Q)
     if not (first.is_region and second.is_region):
-        return []
+        return ()
     moving = _core.DynamicSum(first, second)
-    return sorted({Fraction(row[0]) for row in moving.boundary_events()})
+    return tuple(sorted({Fraction(row[0]) for row in moving.boundary_events()}))
 
 
 def scale_probes(P: str, Q: str, most: int) -> list[tuple[str, str]]:

@@ -15,6 +15,7 @@ from dataclasses import dataclass
 
 from minkref import _core
 from minkref.exact import set_json
+from minkref.fuzz.families.dice import Dice
 from minkref.fuzz.families.integer_rings import (
     Ring,
     counter_clockwise,
@@ -23,6 +24,7 @@ from minkref.fuzz.families.integer_rings import (
     on_grid_cells,
     rings_cross,
     rings_meet,
+    scattered,
     untangled,
 )
 
@@ -60,7 +62,7 @@ def grid_of(index: int, dice: random.Random) -> int:
 
 def random_pair(seed: int, index: int) -> Pair:
     """Pair `index` of the sequence `seed`. Some 0.5 to 1 ms."""
-    dice = random.Random(f"minkref pair {seed} {index}")
+    dice = Dice(f"minkref pair {seed} {index}")
     grid = grid_of(index, dice)
     holes = index % 3 != 0
     P = random_operand(dice, grid, MOST_HOLES if holes else 0)
@@ -126,11 +128,14 @@ def random_holes(dice: random.Random, outer: Ring, most: int, touching: bool) ->
             x, y = dice.randint(left, right - width), dice.randint(low, high - height)
         if min(width, height) < 1:
             continue
-        ring = untangled(dice, dice.randint(3, 6), width, height)
+        points = [(a + x, b + y) for a, b in scattered(dice, dice.randint(3, 6), width, height)]
+        if len(points) < 3 or not inside(points, outer):
+            continue
+        ring = untangled(points)
         if ring is None:
             continue
-        hole = counter_clockwise([(a + x, b + y) for a, b in ring])
-        if not inside(hole, outer) or meet(hole, outer):
+        hole = counter_clockwise(ring)
+        if meet(hole, outer):
             continue
         if any(meet(hole, other) or inside(hole, other) or inside(other, hole) for other in holes):
             continue
@@ -139,7 +144,7 @@ def random_holes(dice: random.Random, outer: Ring, most: int, touching: bool) ->
 
 
 def _untangled_outer(dice: random.Random, side: int) -> Ring | None:
-    return untangled(dice, dice.randint(3, MOST_VERTICES), side, side)
+    return untangled(scattered(dice, dice.randint(3, MOST_VERTICES), side, side))
 
 
 def _cell_outer(dice: random.Random, side: int) -> Ring | None:

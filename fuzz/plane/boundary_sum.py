@@ -3,13 +3,13 @@ Minkowski sum."""
 
 from __future__ import annotations
 
-import json
 from fractions import Fraction
 
 from minkref import _core
 from minkref.fuzz.geometry.plane import (
     Edge,
     Point,
+    Shape,
     crossing,
     edges,
     in_box,
@@ -18,7 +18,8 @@ from minkref.fuzz.geometry.plane import (
     turn,
 )
 from minkref.fuzz.plane.case import Case
-from minkref.fuzz.plane.region import Region, region_of_polygons
+from minkref.fuzz.plane.exact_shapes import set_of
+from minkref.fuzz.plane.region import Region
 from minkref.fuzz.verdicts.verdict import Witness
 
 MOST_PAIRS = 10_000  # of edges
@@ -27,7 +28,7 @@ MOST_PAIRS = 10_000  # of edges
 def boundary_sum(case: Case) -> Region:
     """The union of the parallelograms of all pairs of edges, regularised: where edges are parallel
     there is nothing. O(m n) parallelograms."""
-    polygons = []
+    polygons: Shape = []
     second = edges(read_shape(case.Q_json))
     for a, b in edges(read_shape(case.scaled_P_json)):
         for c, d in second:
@@ -36,10 +37,8 @@ def boundary_sum(case: Case) -> Region:
             if area == 0:
                 continue
             ring = [_plus(a, c), _plus(b, c), _plus(b, d), _plus(a, d)]
-            ordered = ring if area > 0 else ring[::-1]
-            polygons.append({"outer": [[str(x), str(y)] for x, y in ordered], "holes": []})
-    union = _core.canonicalize(_core.PolygonSet.from_json(json.dumps({"polygons": polygons})))[0]
-    return region_of_polygons(json.loads(union.canonical_json())["polygons"], False)
+            polygons.append([ring if area > 0 else ring[::-1]])
+    return Region(*_core.canonicalize(set_of(polygons))[:3])
 
 
 def decide_boundary(case: Case, point: tuple[str, str]) -> Witness:

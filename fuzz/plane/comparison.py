@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
 from minkref import _core
+from minkref.fuzz.geometry.plane import Point
 from minkref.fuzz.plane.boundary_sum import decide_boundary
 from minkref.fuzz.plane.case import Case
-from minkref.fuzz.plane.region import Region, inner_point, minus
+from minkref.fuzz.plane.exact_shapes import shape_of
+from minkref.fuzz.plane.region import Region
 from minkref.fuzz.plane.tolerance import grown, shrunk
 from minkref.fuzz.plane.witness import holds
 from minkref.fuzz.verdicts.verdict import Reason, Witness
@@ -51,11 +52,15 @@ def decide(case: Case, point: tuple[str, str], boundary: bool = False) -> Witnes
 
 def some_point(case: Case) -> Witness:
     """A point of the sum: that of two vertices. Of the empty sum the origin, which is outside."""
-    corners = [json.loads(text)["polygons"] for text in (case.scaled_P_json, case.Q_json)]
-    if not all(corners):
+    if case.P.is_empty or case.Q.is_empty:
         return decide(case, ("0", "0"))
-    (px, py), (qx, qy) = (polygons[0]["outer"][0] for polygons in corners)
-    return decide(case, (str(Fraction(px) + Fraction(qx)), str(Fraction(py) + Fraction(qy))))
+    s, (px, py), (qx, qy) = Fraction(case.scale), _first(case.P), _first(case.Q)
+    return decide(case, (str(s * px + qx), str(s * py + qy)))
+
+
+def _first(operand: _core.PolygonSet) -> Point:
+    """A vertex."""
+    return shape_of(operand)[0][0][0]
 
 
 def settle(
@@ -65,10 +70,10 @@ def settle(
     With `half` only points count whose whole square of that half side lies inside, or outside.
     `boundary`: the sum of the boundaries is meant."""
     settled = Settlement()
-    least, most = shrunk(truth.json, half), grown(truth.json, half)
-    absent, surplus = minus(least, claim.json), minus(claim.json, most)
+    least, most = shrunk(truth.set, half), grown(truth.set, half)
+    absent, surplus = _core.minus(least, claim.set), _core.minus(claim.set, most)
     for part, reason in ((absent, Reason.MISSING), (surplus, Reason.EXTRA)):
-        point = inner_point(part)
+        point = _core.inner_point(part)
         if point is None:
             continue
         settled.differ = True
@@ -84,9 +89,7 @@ def settle(
         else:
             settled.truth = settled.truth or witness
     if settled.claim is not None:
-        settled.reasons = _sharpen(
-            settled.reasons, truth, claim, absent, surplus, _outers(least), _holes(most)
-        )
+        settled.reasons = _sharpen(settled.reasons, truth, claim, absent, surplus, least, most)
     return settled
 
 
@@ -96,19 +99,18 @@ def _sharpen(
     claim: Region,
     absent: _core.PolygonSet,
     surplus: _core.PolygonSet,
-    outers: set[frozenset[tuple[str, str]]],
-    holes: set[frozenset[tuple[str, str]]],
+    least: _core.PolygonSet,
+    most: _core.PolygonSet,
 ) -> list[Reason]:
     """Names lost and invented holes and components; `missing` and `extra` are left out where these
-    explain all of the difference. `outers` and `holes` are rings of what the result may be at
-    least, and at most."""
+    explain all of the difference. `least` and `most`: what the result may be."""
     found: list[Reason] = []
     if Reason.EXTRA in reasons:
         if claim.holes < truth.holes:
             found.append(Reason.HOLE_LOST)
         elif claim.components > truth.components:
             found.append(Reason.COMPONENT)
-        if not (found and _pieces(surplus) <= holes | _outers(claim.json)):
+        if not (found and _outers(surplus) <= _holes(most) | _outers(claim.set)):
             found.append(Reason.EXTRA)
     if Reason.MISSING in reasons:
         more: list[Reason] = []
@@ -116,25 +118,15 @@ def _sharpen(
             more.append(Reason.HOLE_INVENTED)
         elif claim.components < truth.components:
             more.append(Reason.COMPONENT)
-        if not (more and _pieces(absent) <= _holes(claim.json) | outers):
+        if not (more and _outers(absent) <= _holes(claim.set) | _outers(least)):
             more.append(Reason.MISSING)
         found += [reason for reason in more if reason not in found]
     return found
 
 
-def _key(ring: list[list[str]]) -> frozenset[tuple[str, str]]:
-    return frozenset((x, y) for x, y in ring)
+def _outers(region: _core.PolygonSet) -> set[frozenset[Point]]:
+    return {frozenset(outer) for outer, *_ in shape_of(region)}
 
 
-def _pieces(region: _core.PolygonSet) -> set[frozenset[tuple[str, str]]]:
-    polygons = json.loads(region.canonical_json())["polygons"]
-    return {_key(polygon["outer"]) for polygon in polygons}
-
-
-def _outers(text: str) -> set[frozenset[tuple[str, str]]]:
-    return {_key(polygon["outer"]) for polygon in json.loads(text)["polygons"]}
-
-
-def _holes(text: str) -> set[frozenset[tuple[str, str]]]:
-    polygons = json.loads(text)["polygons"]
-    return {_key(hole) for polygon in polygons for hole in polygon["holes"]}
+def _holes(region: _core.PolygonSet) -> set[frozenset[Point]]:
+    return {frozenset(hole) for _, *holes in shape_of(region) for hole in holes}

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import random
 from dataclasses import replace
 from fractions import Fraction
@@ -14,7 +13,9 @@ from minkref.fuzz.cases.no_case import NoCase
 from minkref.fuzz.cases.verbs import EVENTS, UPDATE
 from minkref.fuzz.families.mutation import mutate
 from minkref.fuzz.families.probes import scale_probes
+from minkref.fuzz.geometry.plane import Ring, mapped
 from minkref.fuzz.plane.case import Case
+from minkref.fuzz.plane.exact_shapes import set_of, shape_of
 from minkref.fuzz.plane.laws import LAWS
 
 MOST_PROBES = 12
@@ -73,21 +74,18 @@ def _cut(base: Case, name: CaseName, fewest: int) -> Case:
     def refined(operand: _core.PolygonSet) -> _core.PolygonSet:
         if not operand.is_region:
             return operand
-        value = json.loads(operand.to_json())
-        for polygon in value["polygons"]:
-            polygon["outer"] = _in_parts(polygon["outer"], parts)
-            polygon["holes"] = [_in_parts(hole, parts) for hole in polygon["holes"]]
-        return _core.PolygonSet.from_json(json.dumps(value))
+        cut = [[_in_parts(ring, parts) for ring in polygon] for polygon in shape_of(operand)]
+        return set_of(cut)
 
     return replace(base, name=name, P=refined(base.P), Q=refined(base.Q))
 
 
-def _in_parts(ring: list[list[str]], parts: int) -> list[list[str]]:
-    points = [[Fraction(number) for number in point] for point in ring]
-    made = []
-    for (x, y), (u, v) in zip(points, points[1:] + points[:1], strict=True):
-        made += [(x + (u - x) * k / parts, y + (v - y) * k / parts) for k in range(parts)]
-    return [[str(x), str(y)] for x, y in made]
+def _in_parts(ring: Ring, parts: int) -> Ring:
+    made: Ring = []
+    for (x, y), (u, v) in zip(ring, ring[1:] + ring[:1], strict=True):
+        steps = [Fraction(k, parts) for k in range(parts)]
+        made += [(x + (u - x) * t, y + (v - y) * t) for t in steps]
+    return made
 
 
 def _on_grid(base: Case, name: CaseName, bits: int) -> Case:
@@ -98,25 +96,16 @@ def _on_grid(base: Case, name: CaseName, bits: int) -> Case:
         raise NoCase("there is nothing to round")
     unit = unit_for(largest, bits)
     operands = []
-    for text in (base.scaled_P_json, base.Q_json):
-        moved = [
-            {
-                "outer": _rounded(polygon["outer"], unit),
-                "holes": [_rounded(hole, unit) for hole in polygon["holes"]],
-            }
-            for polygon in json.loads(text)["polygons"]
-        ]
-        operand = _core.PolygonSet.from_json(json.dumps({"polygons": moved}))
+    for exact in (base.P.scaled(base.scale), base.Q):
+        operand = set_of(
+            mapped(shape_of(exact), lambda p: (rounded(p[0], unit), rounded(p[1], unit)))
+        )
         try:
             operand.validate("rounded")
         except _core.BadInput as error:
             raise NoCase(f"rounded it is no operand: {error}") from error
         operands.append(operand)
     return replace(base, name=name, P=operands[0], Q=operands[1], scale="1")
-
-
-def _rounded(ring: list[list[str]], unit: Fraction) -> list[list[str]]:
-    return [[str(rounded(Fraction(number), unit)) for number in point] for point in ring]
 
 
 def _other_scale(base: Case, name: CaseName) -> str:

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable
 
 from minkref import _core
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.comparison import WitnessRefuted, settle
+from minkref.fuzz.plane.exact_shapes import shape_of
 from minkref.fuzz.plane.judgement import too_large
 from minkref.fuzz.plane.laws import LAWS, applies
-from minkref.fuzz.plane.region import Region, inner_point, minus, region_of_polygons
+from minkref.fuzz.plane.region import Region, region_of_polygons
 from minkref.fuzz.targets.answer import Answer
 from minkref.fuzz.verdicts.verdict import Outcome, Verdict
 
@@ -33,9 +33,9 @@ def judge_law(
         return [Outcome(name, Verdict.SKIPPED, message=what)]
     related = answer.declaration.exact and not answer.declaration.boundary
     if answer.region is not None and related and (before is None or before.region is not None):
-        polygons = json.loads(before.region.json)["polygons"] if before and before.region else []
+        R = shape_of(before.region.set) if before and before.region else []
         try:
-            said = region_of_polygons(LAWS[law].carry(base, polygons), True)
+            said = region_of_polygons(LAWS[law].carry(base, R), True)
             outcome = _related(law, name, case, answer, said)
         except _core.LimitExceeded as error:
             outcome = too_large(name, answer, error)
@@ -66,6 +66,6 @@ def _related(law: str, name: str, case: Case, answer: Answer, said: Region) -> O
                 expected_digest=said.digest,
                 got=got.json,
             )
-        if not LAWS[law].contains or inner_point(minus(said.json, got.json)) is not None:
+        if not LAWS[law].contains or _core.inner_point(_core.minus(said.set, got.set)) is not None:
             return None
     return Outcome(name, Verdict.PASS, seconds=answer.seconds, digest=got.digest)

@@ -7,31 +7,29 @@ the two is wrong.
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from typing import Any
 
 from minkref import _core
+from minkref.fuzz.geometry.plane import Shape, mapped, moved, scaled
 from minkref.fuzz.plane.case import Case
-from minkref.fuzz.plane.maps import hull_of, mapped, refined, without_holes
+from minkref.fuzz.plane.exact_shapes import set_of, shape_of
+from minkref.fuzz.plane.maps import hull_of, quarter_turn, refined, without_holes
 
-Polygons = list[dict[str, Any]]
 FAR = (Fraction(1013), Fraction(-778))
 FACTOR = Fraction(3)
-EMPTY = _core.PolygonSet.from_json('{"polygons":[]}')
-POINT = _core.PolygonSet.from_json('{"polygons":[{"outer":[["-3","5"]],"holes":[]}]}')
+THERE = (Fraction(-3), Fraction(5))
 
 
 @dataclass(frozen=True)
 class Law:
-    """`carry(base, R)` is what the changed sum must be where R is the sum of `base`, both as
-    polygons; with `contains` it must be a part of the changed sum. `constant`: whatever R is."""
+    """`carry(base, R)` is what the changed sum must be where R is the sum of `base`, both in
+    fractions; with `contains` it must be a part of the changed sum. `constant`: whatever R is."""
 
     title: str
     change: Callable[[Case], Case]
-    carry: Callable[[Case, Polygons], Polygons]
+    carry: Callable[[Case, Shape], Shape]
     contains: bool = False
     constant: bool = False
 
@@ -40,43 +38,36 @@ class Law:
         return replace(self.change(base), law=(name, base), family=base.family)
 
 
-def _set(polygons: Polygons) -> _core.PolygonSet:
-    return _core.PolygonSet.from_json(json.dumps({"polygons": polygons}))
+def _made(change: Callable[[Shape], Shape], operand: _core.PolygonSet) -> _core.PolygonSet:
+    return set_of(change(shape_of(operand)))
 
 
-def _polygons(text: str) -> Polygons:
-    polygons: Polygons = json.loads(text)["polygons"]
-    return polygons
+def _moved(shape: Shape) -> Shape:
+    return moved(shape, *FAR)
 
 
-def _moved(operand: _core.PolygonSet, by: tuple[Fraction, Fraction]) -> _core.PolygonSet:
-    return _set(mapped(_polygons(operand.to_json()), shift=by))
+def _scaled(shape: Shape) -> Shape:
+    return scaled(shape, FACTOR)
 
 
-def _turned(operand: _core.PolygonSet) -> _core.PolygonSet:
-    return _set(mapped(_polygons(operand.to_json()), quarter_turn=True))
+def _turned(shape: Shape) -> Shape:
+    return mapped(shape, quarter_turn)
 
 
-def _scaled(operand: _core.PolygonSet, factor: Fraction) -> _core.PolygonSet:
-    return _set(mapped(_polygons(operand.to_json()), factor))
-
-
-def _same(_: Case, R: Polygons) -> Polygons:
+def _same(_: Case, R: Shape) -> Shape:
     return R
 
 
 LAWS: dict[str, Law] = {
     "translate-P": Law(
         "s(P + t) + Q = (sP + Q) + st",
-        lambda case: replace(case, P=_moved(case.P, FAR)),
-        lambda base, R: mapped(
-            R, shift=(Fraction(base.scale) * FAR[0], Fraction(base.scale) * FAR[1])
-        ),
+        lambda case: replace(case, P=_made(_moved, case.P)),
+        lambda base, R: moved(R, *(Fraction(base.scale) * along for along in FAR)),
     ),
     "translate-Q": Law(
         "sP + (Q + t) = (sP + Q) + t",
-        lambda case: replace(case, Q=_moved(case.Q, FAR)),
-        lambda _, R: mapped(R, shift=FAR),
+        lambda case: replace(case, Q=_made(_moved, case.Q)),
+        lambda _, R: _moved(R),
     ),
     "swap": Law(
         "sP + Q = Q + sP",
@@ -85,48 +76,45 @@ LAWS: dict[str, Law] = {
     ),
     "homogeneity": Law(
         "s(kP) + kQ = k(sP + Q)",
-        lambda case: replace(case, P=_scaled(case.P, FACTOR), Q=_scaled(case.Q, FACTOR)),
-        lambda _, R: mapped(R, FACTOR),
+        lambda case: replace(case, P=_made(_scaled, case.P), Q=_made(_scaled, case.Q)),
+        lambda _, R: _scaled(R),
     ),
     "scale-split": Law(
         "(2s)(P/2) + Q = sP + Q",
-        lambda case: replace(
-            case, P=_scaled(case.P, Fraction(1, 2)), scale=str(2 * Fraction(case.scale))
-        ),
+        lambda case: replace(case, P=case.P.scaled("1/2"), scale=str(2 * Fraction(case.scale))),
         _same,
     ),
     "empty": Law(
-        "sP + {} = {}", lambda case: replace(case, Q=EMPTY), lambda _, R: [], constant=True
+        "sP + {} = {}",
+        lambda case: replace(case, Q=_core.PolygonSet()),
+        lambda _, R: [],
+        constant=True,
     ),
     "point": Law(
         "sP + {q} = sP moved by q",
-        lambda case: replace(case, Q=POINT),
-        lambda base, R: mapped(_polygons(base.scaled_P_json), shift=(Fraction(-3), Fraction(5))),
+        lambda case: replace(case, Q=_core.PolygonSet(THERE)),
+        lambda base, R: moved(scaled(shape_of(base.P), Fraction(base.scale)), *THERE),
         constant=True,
     ),
     "monotonicity": Law(
         "P in P' : sP + Q in sP' + Q",
-        lambda case: replace(case, P=_set(without_holes(_polygons(case.P_json)))),
+        lambda case: replace(case, P=_made(without_holes, case.P)),
         _same,
         contains=True,
     ),
     "refinement": Law(
         "vertices amid edges change nothing",
-        lambda case: replace(
-            case, P=_set(refined(_polygons(case.P_json))), Q=_set(refined(_polygons(case.Q_json)))
-        ),
+        lambda case: replace(case, P=_made(refined, case.P), Q=_made(refined, case.Q)),
         _same,
     ),
     "quarter-turn": Law(
         "the sum turns with the operands",
-        lambda case: replace(case, P=_turned(case.P), Q=_turned(case.Q)),
-        lambda _, R: mapped(R, quarter_turn=True),
+        lambda case: replace(case, P=_made(_turned, case.P), Q=_made(_turned, case.Q)),
+        lambda _, R: _turned(R),
     ),
     "hull": Law(
         "hull(sP + Q) = s hull(P) + hull(Q)",
-        lambda case: replace(
-            case, P=_set(hull_of(_polygons(case.P_json))), Q=_set(hull_of(_polygons(case.Q_json)))
-        ),
+        lambda case: replace(case, P=_made(hull_of, case.P), Q=_made(hull_of, case.Q)),
         lambda _, R: hull_of(R),
     ),
 }

@@ -6,7 +6,7 @@ import json
 from dataclasses import replace
 from typing import Any
 
-from minkref.fuzz.plane.region import region_of_polygons
+from minkref.fuzz.plane.region import TextRing, region_of_polygons
 from minkref.fuzz.targets.answer import Answer, no_set
 from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.targets.numbers import MOST_VERTICES, Unreadable, double, list_in, received
@@ -35,15 +35,13 @@ def plane_answer(value: dict[str, Any], declaration: Declaration, seconds: float
     by_winding = "rings" in value
     if by_winding and "polygons" in value:
         raise Unreadable("it has both polygons and rings")
-    polygons: list[dict[str, Any]]
+    polygons: list[list[TextRing]]
     if by_winding:
-        polygons = [
-            {"outer": _ring(ring, declaration), "holes": []} for ring in list_in(value, "rings")
-        ]
+        polygons = [[_ring(ring, declaration)] for ring in list_in(value, "rings")]
     else:
         given = [_polygon(polygon, declaration) for polygon in list_in(value, "polygons")]
-        polygons = [each for each in given if len(each["outer"]) > 2 or each["holes"]]
-    count = sum(len(ring) for each in polygons for ring in (each["outer"], *each["holes"]))
+        polygons = [each for each in given if len(each) > 1 or len(each[0]) > 2]
+    count = sum(len(ring) for rings in polygons for ring in rings)
     if count > MOST_VERTICES:
         raise Unreadable(f"{count:,} vertices, more than {MOST_VERTICES:,}")
     try:
@@ -60,19 +58,16 @@ def plane_answer(value: dict[str, Any], declaration: Declaration, seconds: float
         return answer
 
 
-def _polygon(polygon: Any, declaration: Declaration) -> dict[str, Any]:
+def _polygon(polygon: Any, declaration: Declaration) -> list[TextRing]:
     if not isinstance(polygon, dict) or "outer" not in polygon:
         raise Unreadable("a polygon has no outer ring")
     holes = polygon.get("holes", [])
     if not isinstance(holes, list):
         raise Unreadable("holes is not a list")
-    return {
-        "outer": _ring(polygon["outer"], declaration),
-        "holes": [_ring(hole, declaration) for hole in holes],
-    }
+    return [_ring(ring, declaration) for ring in (polygon["outer"], *holes)]
 
 
-def _ring(ring: Any, declaration: Declaration) -> list[list[str]]:
+def _ring(ring: Any, declaration: Declaration) -> TextRing:
     if not isinstance(ring, list) or not ring:
         raise Unreadable("a ring is not a list of points")
     points = []

@@ -2,40 +2,31 @@
 
 from __future__ import annotations
 
-import json
 from fractions import Fraction
 
 from minkref import _core
-from minkref.fuzz.plane.region import minus
+from minkref.fuzz.geometry.plane import Number, box, extent
+from minkref.fuzz.plane.exact_shapes import set_of, shape_of
 
 
-def _square(half: Fraction) -> _core.PolygonSet:
-    a, b = str(-half), str(half)
-    outer = [[a, a], [b, a], [b, b], [a, b]]
-    return _core.PolygonSet.from_json(json.dumps({"polygons": [{"outer": outer, "holes": []}]}))
+def square(half: Number) -> _core.PolygonSet:
+    """The square about the origin, of half side `half`."""
+    return set_of([[box(-half, -half, 2 * half, 2 * half)]])
 
 
-def grown(region: str, half: Fraction) -> str:
-    """The sum of a set (canonical JSON) and the square of half side `half`: canonical JSON."""
-    operand = _core.PolygonSet.from_json(region)
-    if operand.is_empty or not half:
+def grown(region: _core.PolygonSet, half: Fraction) -> _core.PolygonSet:
+    """The sum of a set and the square of half side `half`, canonical."""
+    if region.is_empty or not half:
         return region
-    text: str = _core.minkowski_sum(
-        operand, _square(half), "1", "paper", "rational"
-    ).region.canonical_json()
-    return text
+    return _core.minkowski_sum(region, square(half), "1", "paper", "rational").region
 
 
-def shrunk(region: str, half: Fraction) -> str:
+def shrunk(region: _core.PolygonSet, half: Fraction) -> _core.PolygonSet:
     """The closure of all points whose square of half side `half` lies in the set."""
-    polygons = json.loads(region)["polygons"]
-    if not polygons or not half:
+    if region.is_empty or not half:
         return region
-    points = [(Fraction(x), Fraction(y)) for polygon in polygons for x, y in polygon["outer"]]
+    left, low, width, height = extent([point for outer, *_ in shape_of(region) for point in outer])
     pad = 2 * half + 1
-    left, right = min(x for x, _ in points) - pad, max(x for x, _ in points) + pad
-    low, high = min(y for _, y in points) - pad, max(y for _, y in points) + pad
-    corners = [(left, low), (right, low), (right, high), (left, high)]
-    frame = {"polygons": [{"outer": [[str(x), str(y)] for x, y in corners], "holes": []}]}
-    outside = minus(json.dumps(frame), region).canonical_json()
-    return minus(region, grown(outside, half)).canonical_json()
+    around = set_of([[box(left - pad, low - pad, width + 2 * pad, height + 2 * pad)]])
+    outside = _core.minus(around, region)
+    return _core.minus(region, grown(outside, half))

@@ -7,14 +7,14 @@ from fractions import Fraction
 from itertools import pairwise
 
 from minkref import _core
-from minkref.exact import set_json
 from minkref.fuzz.geometry.space import Point
-from minkref.fuzz.plane.region import Region, inner_point, minus, region_of_polygons
+from minkref.fuzz.plane.region import Region, region_of_polygons
+from minkref.fuzz.plane.tolerance import grown
 from minkref.fuzz.space.membership import Surface
 from minkref.fuzz.space.prism import Prism
 
 MOST_LEVELS = 64
-EMPTY = '{"polygons":[]}'
+EMPTY = _core.PolygonSet()
 Flat = tuple[Fraction, Fraction]
 Sections = dict[Fraction, Region]
 
@@ -23,14 +23,14 @@ def differing_points(prism: Prism, sections: Sections, tolerance: Fraction) -> I
     """A point where a cross-section has something that the prism has not, and one the other way
     round. With a tolerance also such points beyond a border of that width."""
     for z, section in sections.items():
-        text = _at(prism, z)
-        if section.json == text:
+        there, right = section.set, _at(prism, z)
+        if there == right:
             continue
-        found = [inner_point(minus(text, section.json)), inner_point(minus(section.json, text))]
+        found = [_core.inner_point(_core.minus(a, b)) for a, b in ((right, there), (there, right))]
         if tolerance:
             found += [
-                inner_point(minus(text, _grown(section.json, tolerance))),
-                inner_point(minus(section.json, _grown(text, tolerance))),
+                _core.inner_point(_core.minus(a, grown(b, tolerance)))
+                for a, b in ((right, there), (there, right))
             ]
         for flat in found:
             if flat is not None:
@@ -40,7 +40,7 @@ def differing_points(prism: Prism, sections: Sections, tolerance: Fraction) -> I
 def sections_agree(prism: Prism, sections: Sections) -> bool:
     """Where all triangles of the result are upright or level, and no section was left out, this
     says that the result is the prism."""
-    return all(section.json == _at(prism, z) for z, section in sections.items())
+    return all(section.set == _at(prism, z) for z, section in sections.items())
 
 
 def cross_sections(prism: Prism, surface: Surface) -> tuple[Sections, bool]:
@@ -55,7 +55,7 @@ def cross_sections(prism: Prism, surface: Surface) -> tuple[Sections, bool]:
     return {z: cross_section(surface, z) for z in chosen}, len(chosen) == len(levels)
 
 
-def _at(prism: Prism, z: Fraction) -> str:
+def _at(prism: Prism, z: Fraction) -> _core.PolygonSet:
     return prism.region if prism.low < z < prism.high else EMPTY
 
 
@@ -93,20 +93,4 @@ def cross_section(surface: Surface, z: Fraction) -> Region:
                 break
             ring.append(there)
         rings.append(ring)
-    polygons = [
-        {"outer": [[str(x), str(y)] for x, y in ring], "holes": []}
-        for ring in rings
-        if len(ring) > 2
-    ]
-    return region_of_polygons(polygons, turned=False)
-
-
-def _grown(text: str, distance: Fraction) -> str:
-    if text == EMPTY:
-        return text
-    d = distance
-    square = set_json([([(-d, -d), (d, -d), (d, d), (-d, d)], [])])
-    grown = _core.minkowski_sum(
-        _core.PolygonSet.from_json(text), _core.PolygonSet.from_json(square), "1"
-    )
-    return grown.region.canonical_json()
+    return region_of_polygons([[ring] for ring in rings if len(ring) > 2], turned=False)

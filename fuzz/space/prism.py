@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from math import lcm
 
 from minkref import _core
-from minkref.exact import set_json
-from minkref.fuzz.geometry.plane import in_box, turn
+from minkref.fuzz.geometry.plane import in_box, mapped, turn
 from minkref.fuzz.geometry.space import Point, Scale, factors
-from minkref.fuzz.plane.region import region_of_sum
+from minkref.fuzz.plane.exact_shapes import set_of, shape_of
 from minkref.fuzz.space.face_triangles import Corner, ring_triangles
 from minkref.fuzz.space.polyhedron import Face, Polyhedron
 
@@ -23,23 +21,19 @@ Polygons = list[tuple[Ring, list[Ring]]]  # outer ring, holes
 
 @dataclass(frozen=True)
 class Prism:
-    """All (x, y, z) with (x, y) in a polygon set (JSON text) and low <= z <= high."""
+    """All (x, y, z) with (x, y) in a polygon set and low <= z <= high."""
 
-    region: str
+    region: _core.PolygonSet
     low: Fraction
     high: Fraction
 
     @cached_property
     def polygons(self) -> Polygons:
-        return [
-            (_ring(polygon["outer"]), [_ring(hole) for hole in polygon["holes"]])
-            for polygon in json.loads(self.region)["polygons"]
-        ]
+        return [(outer, holes) for outer, *holes in self.region.rings()]
 
     @property
     def volume(self) -> Fraction:
-        area = _core.PolygonSet.from_json(self.region).area()
-        return Fraction(area) * (self.high - self.low)
+        return Fraction(self.region.area()) * (self.high - self.low)
 
     def contains(self, point: Point) -> bool:
         """In the closed prism."""
@@ -76,18 +70,9 @@ class Prism:
 def sum_of_prisms(P: Prism, Q: Prism, scale: Scale) -> Prism:
     """sP + Q; its region is in canonical form."""
     a, b, c = factors(scale)
-    scaled = set_json(
-        ([(a * x, b * y) for x, y in outer], [[(a * x, b * y) for x, y in hole] for hole in holes])
-        for outer, holes in P.polygons
-    )
-    answer = _core.minkowski_sum(
-        _core.PolygonSet.from_json(scaled), _core.PolygonSet.from_json(Q.region), "1"
-    )
-    return Prism(region_of_sum(answer).json, c * P.low + Q.low, c * P.high + Q.high)
-
-
-def _ring(ring: list[list[str]]) -> Ring:
-    return [(Fraction(x), Fraction(y)) for x, y in ring]
+    scaled = set_of(mapped(shape_of(P.region), lambda p: (a * p[0], b * p[1])))
+    region = _core.minkowski_sum(scaled, Q.region, "1").region
+    return Prism(region, c * P.low + Q.low, c * P.high + Q.high)
 
 
 def _side(ring: Ring, point: Point) -> int:

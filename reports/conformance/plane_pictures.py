@@ -18,7 +18,6 @@ from minkref.exact_frame import (
     exact_polygons,
     fitted,
 )
-from minkref.fuzz.plane.region import minus
 from minkref.fuzz.verdicts.verdict import Outcome, Witness
 from minkref.reports.axes import rounded
 from minkref.reports.conformance.close_up import clipped, close_up
@@ -57,9 +56,10 @@ def comparison_pictures(expected: str, outcome: Outcome) -> list[Picture]:
     groups: list[tuple[str, list[Set]]] = [("expected", [("sum", wanted)])]
     differing: list[Set] = []
     if outcome.got is not None:
+        right, got = map(_core.PolygonSet.from_json, (expected, outcome.got))
         differing = [
-            ("missing", exact_polygons(minus(expected, outcome.got))),
-            ("extra", exact_polygons(minus(outcome.got, expected))),
+            ("missing", exact_polygons(_core.minus(right, got))),
+            ("extra", exact_polygons(_core.minus(got, right))),
         ]
         groups.append((f"got from {outcome.target}", [("got", _exact(outcome.got))]))
         groups.append((_difference(differing), [("faint", wanted), *differing]))

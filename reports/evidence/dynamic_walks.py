@@ -10,7 +10,7 @@ from typing import Any
 
 from minkref import _core
 from minkref.exact import set_json
-from minkref.fuzz.families.integer_rings import Ring, counter_clockwise, untangled
+from minkref.fuzz.families.integer_rings import Ring, counter_clockwise, scattered, untangled
 from minkref.fuzz.families.random_pairs import random_holes
 from minkref.reports.evidence.framework.part import REFERENCE, Findings
 
@@ -34,7 +34,7 @@ def operand(dice: random.Random, holes: bool) -> tuple[str, int]:
         grid = dice.choice((8, 12, 20))
         outer: Ring | None = None
         while outer is None:
-            outer = untangled(dice, dice.randint(8, 24 if holes else 40), grid, grid)
+            outer = untangled(scattered(dice, dice.randint(8, 24 if holes else 40), grid, grid))
         outer = counter_clockwise(outer)
         inner = random_holes(dice, outer, 3, dice.random() < 0.3) if holes else []
         count = len(outer) + sum(map(len, inner))

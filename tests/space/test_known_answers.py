@@ -7,7 +7,7 @@ from fractions import Fraction
 from itertools import product
 
 import pytest
-from minkref.exact import set_json
+from minkref import PolygonSet
 from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.cells import cavities, cells_of, is_manifold, sum_of_cells, surface_of
 from minkref.fuzz.space.closedness import open_edge
@@ -111,9 +111,9 @@ def test_hull_and_cells_agree_on_boxes() -> None:
 def test_prism_and_cells_agree_on_prisms_of_grid_squares() -> None:
     ring = [(0, 0), (4, 0), (4, 4), (0, 4)]
     hole = [(1, 1), (1, 3), (3, 3), (3, 1)]
-    P = Prism(set_json([(ring, [hole])]), Fraction(0), Fraction(1))
+    P = Prism(PolygonSet([ring, hole]), Fraction(0), Fraction(1))
     corner = [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)]
-    Q = Prism(set_json([(corner, [])]), Fraction(1), Fraction(2))
+    Q = Prism(PolygonSet(corner), Fraction(1), Fraction(2))
     P_cells = frozenset(c for c in block(4, 4, 1) if c[0] in (0, 3) or c[1] in (0, 3))
     Q_cells = frozenset({(0, 0, 1), (1, 0, 1), (0, 1, 1)})
     assert cells_of(P.polyhedron()) == P_cells and cells_of(Q.polyhedron()) == Q_cells

@@ -6,12 +6,12 @@ from dataclasses import replace
 from fractions import Fraction
 
 import pytest
+from minkref import _core
 from minkref.fuzz.cases import naming
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.plane.boundary_sum import boundary_sum, decide_boundary
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.judgement import judge
-from minkref.fuzz.plane.region import inner_point, minus
 from minkref.fuzz.plane.witness import holds
 from minkref.fuzz.targets.answer import answered
 from minkref.fuzz.targets.declaration import Declaration
@@ -51,8 +51,8 @@ def test_sum_of_boundaries_is_a_part_of_the_sum_that_misses_containment_only(fam
         region = ReferenceTarget("minkref:paper", "paper").sum(case).region
         assert region is not None
         curves = boundary_sum(case)
-        assert minus(curves.json, region.json).is_empty
-        point = inner_point(minus(region.json, curves.json))
+        assert _core.minus(curves.set, region.set).is_empty
+        point = _core.inner_point(_core.minus(region.set, curves.set))
         if point is not None:
             witness = decide_boundary(case, point)
             assert not witness.in_truth

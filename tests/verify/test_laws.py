@@ -3,16 +3,14 @@ found."""
 
 from __future__ import annotations
 
-import json
-from fractions import Fraction
-
 import pytest
 from minkref.fuzz.cases import naming
 from minkref.fuzz.cases.case_name import CaseName
+from minkref.fuzz.families.drawing import shape_text
+from minkref.fuzz.geometry.plane import moved, read_shape
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.law_judgement import judge_law
 from minkref.fuzz.plane.laws import LAWS
-from minkref.fuzz.plane.maps import mapped
 from minkref.fuzz.plane.witness import holds
 from minkref.fuzz.targets.answer import Answer, answered
 from minkref.fuzz.targets.reference import ReferenceTarget
@@ -32,8 +30,7 @@ def shifted(case: Case, by: int = 1) -> Answer:
     """The sum of a target that moves it where P is not at the origin: it breaks translation."""
     answer = SOUND.sum(case)
     assert answer.region is not None
-    polygons = json.loads(answer.region.json)["polygons"]
-    return answered({"polygons": mapped(polygons, shift=(Fraction(by), Fraction(0)))}, 0.0)
+    return answered(shape_text(moved(read_shape(answer.region.json), by, 0)), 0.0)
 
 
 def judged(law: str, case: Case, answer: Answer) -> Outcome:

@@ -10,10 +10,11 @@ import pytest
 from minkref import _core
 from minkref.fuzz.cases import naming
 from minkref.fuzz.cases.case_name import CaseName
+from minkref.fuzz.families.drawing import shape_text
+from minkref.fuzz.geometry.plane import moved
 from minkref.fuzz.plane.case import Case
+from minkref.fuzz.plane.exact_shapes import shape_of
 from minkref.fuzz.plane.judgement import judge
-from minkref.fuzz.plane.maps import mapped
-from minkref.fuzz.plane.region import minus
 from minkref.fuzz.plane.tolerance import grown, shrunk
 from minkref.fuzz.plane.witness import holds
 from minkref.fuzz.targets.answer import Answer, answered
@@ -44,6 +45,12 @@ def judged(case: Case, polygons: object) -> Outcome:
     return outcome
 
 
+def moved_by(case: Case, dx: Fraction, dy: Fraction | int) -> object:
+    region = truth_of(case).region
+    assert region is not None
+    return json.loads(shape_text(moved(shape_of(region.set), dx, dy)))["polygons"]
+
+
 def polygons_of(case: Case) -> list[dict[str, object]]:
     region = truth_of(case).region
     assert region is not None
@@ -56,20 +63,19 @@ def test_growing_and_shrinking_are_dual(family: str) -> None:
     for index in range(8):
         region = truth_of(named(f"{family}:3:{index}")).region
         assert region is not None
-        inner, outer = shrunk(region.json, HALF), grown(region.json, HALF)
-        assert minus(inner, region.json).is_empty
-        assert minus(region.json, outer).is_empty
-        assert minus(grown(inner, HALF), region.json).is_empty
-        assert minus(region.json, shrunk(outer, HALF)).is_empty
+        inner, outer = shrunk(region.set, HALF), grown(region.set, HALF)
+        assert _core.minus(inner, region.set).is_empty
+        assert _core.minus(region.set, outer).is_empty
+        assert _core.minus(grown(inner, HALF), region.set).is_empty
+        assert _core.minus(region.set, shrunk(outer, HALF)).is_empty
 
 
 @pytest.mark.parametrize("family", FAMILIES)
 def test_the_sum_moved_by_the_tolerance_is_within_and_by_more_is_not(family: str) -> None:
     for index in range(6):
         case = named(f"{family}:3:{index}")
-        polygons = polygons_of(case)
-        assert judged(case, mapped(polygons, shift=(HALF, -HALF))).verdict is Verdict.PASS_WITHIN
-        outcome = judged(case, mapped(polygons, shift=(3 * HALF, Fraction(0))))
+        assert judged(case, moved_by(case, HALF, -HALF)).verdict is Verdict.PASS_WITHIN
+        outcome = judged(case, moved_by(case, 3 * HALF, 0))
         assert outcome.verdict is Verdict.WRONG
         assert outcome.witness is not None and outcome.witness.tolerance == str(HALF)
         assert holds(case.P_json, case.Q_json, case.scale, outcome.witness)

@@ -6,6 +6,7 @@ import random
 from fractions import Fraction
 from itertools import combinations
 
+from minkref import _core
 from minkref.fuzz.families.integer_rings import Ring, rings_meet
 from minkref.fuzz.families.random_pairs import random_operand
 from minkref.fuzz.geometry.plane import written_rings
@@ -20,7 +21,11 @@ def random_prism(dice: random.Random, grid: int, most_holes: int) -> Prism:
         if not any(rings_meet(_whole(a), _whole(b)) for a, b in combinations(rings, 2)):
             break
     low = Fraction(dice.randint(-4, 4), dice.randint(1, 3))
-    return Prism(text, low, low + Fraction(dice.randint(1, 6), dice.randint(1, 3)))
+    return Prism(
+        _core.PolygonSet.from_json(text),
+        low,
+        low + Fraction(dice.randint(1, 6), dice.randint(1, 3)),
+    )
 
 
 def _whole(ring: list[list[str]]) -> Ring:
