@@ -6,6 +6,7 @@
 #include <numeric>
 #include <vector>
 
+#include "reference/plane/arrangement/listed_contacts.hpp"
 #include "reference/plane/arrangement/segment_contacts.hpp"
 
 namespace minkref::inline plane {
@@ -34,7 +35,23 @@ class Arrangement {
   /// Degenerate segments (equal ends) are ignored. O((N + k) log N) on usual input.
   Arrangement(const K& kernel, std::vector<Vector> vertices, std::vector<IndexedSegment> segments)
       : kernel_(kernel), vertices_(std::move(vertices)), segments_(std::move(segments)) {
-    subdivide();
+    subdivide([this](const std::vector<IndexedSegment>& proper, const std::vector<std::uint32_t>&) {
+      return SegmentContacts<K>(kernel_, vertices_, proper);
+    });
+    link();
+    find_faces();
+  }
+
+  /// The segments are cut where the list says, whatever their coordinates say: the contacts name
+  /// vertices, and their order along a segment is that of their positions. What the list leaves out
+  /// does not meet.
+  Arrangement(const K& kernel, std::vector<Vector> vertices, std::vector<IndexedSegment> segments,
+              const std::vector<ListedContact<K>>& contacts)
+      : kernel_(kernel), vertices_(std::move(vertices)), segments_(std::move(segments)) {
+    subdivide(
+        [&](const std::vector<IndexedSegment>& proper, const std::vector<std::uint32_t>& name) {
+          return ListedContacts<K>(vertices_, segments_.size(), proper, name, contacts);
+        });
     link();
     find_faces();
   }
@@ -91,7 +108,10 @@ class Arrangement {
   }
 
  private:
-  void subdivide();
+  /// `meet` finds the contacts of the segments that are not degenerate, which it is told with the
+  /// index that each has among all.
+  template <class Meet>
+  void subdivide(const Meet& meet);
   void link();
   void find_faces();
   std::uint32_t find(std::uint32_t point) {

@@ -9,7 +9,8 @@
 namespace minkref::inline plane {
 
 template <class K>
-void Arrangement<K>::subdivide() {
+template <class Meet>
+void Arrangement<K>::subdivide(const Meet& meet) {
   const auto representative = coincident_vertices(kernel_, vertices_);
   for (IndexedSegment& s : segments_) s = {representative[s.from], representative[s.to]};
   // Degenerate segments keep their index (callers know segments by it) but take no part.
@@ -20,7 +21,7 @@ void Arrangement<K>::subdivide() {
     proper.push_back(segments_[i]);
     name.push_back(i);
   }
-  SegmentContacts<K> meeting(kernel_, vertices_, proper);
+  auto meeting = meet(proper, name);
   auto& contacts = meeting.contacts();
   directions_.resize(segments_.size());
   for (std::uint32_t i = 0; i < proper.size(); ++i) directions_[name[i]] = meeting.directions()[i];
@@ -42,6 +43,7 @@ void Arrangement<K>::subdivide() {
   }
   parent_.resize(vertices_.size() + meeting.crossings().size());
   std::iota(parent_.begin(), parent_.end(), 0U);
+  std::copy(representative.begin(), representative.end(), parent_.begin());
   for (std::size_t i = 0; i < proper.size(); ++i) {
     look_for_interrupt_now();
     const auto begin = order.begin() + first[i], end = order.begin() + first[i + 1];

@@ -29,22 +29,24 @@ struct MovingPoint {
   Vector2<T> at(const T& scale) const { return Vector2<T>(x0 + sigma * T(scale - T(1))); }
 };
 
-/// The intersection of the lines of a and b at a scale. As exact as T.
+/// The intersection of the lines of a and b at a scale, by Observation 1 in one of its forms. As
+/// exact as T.
 template <class T>
 Vector2<T> intersection_at(const MovingEdge<Vector2<T>>& a, const MovingEdge<Vector2<T>>& b,
-                           const T& scale) {
+                           const T& scale, Form form = Form::corrected) {
   const Vector2<T> a0 = at(start_of(a), scale), b0 = at(start_of(b), scale);
   const Vector2<T> v(at(end_of(a), scale) - a0), w(at(end_of(b), scale) - b0);
-  const T r = observation_1<T>(v, w, Vector2<T>(a0 - b0), Form::corrected);
+  const T r = observation_1<T>(v, w, Vector2<T>(a0 - b0), form);
   return Vector2<T>(a0 + v * r);
 }
 
 /// The same for all scales, from x0 = x(1) and sigma = x(2) - x(1) (Behar & Lien 2012, Sec. 4.2):
 /// exact in exact arithmetic, since both lines move parallel to themselves, linearly in s.
 template <class T>
-MovingPoint<T> line_intersection(const MovingEdge<Vector2<T>>& a, const MovingEdge<Vector2<T>>& b) {
-  const Vector2<T> x0 = intersection_at<T>(a, b, T(1));
-  return {x0, Vector2<T>(intersection_at<T>(a, b, T(2)) - x0)};
+MovingPoint<T> line_intersection(const MovingEdge<Vector2<T>>& a, const MovingEdge<Vector2<T>>& b,
+                                 Form form = Form::corrected) {
+  const Vector2<T> x0 = intersection_at<T>(a, b, T(1), form);
+  return {x0, Vector2<T>(intersection_at<T>(a, b, T(2), form) - x0)};
 }
 
 }  // namespace minkref::inline plane

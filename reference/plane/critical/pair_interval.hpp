@@ -22,14 +22,20 @@ struct EndCondition {
 /// In the order of PairEnd. The edges are not parallel.
 template <class T>
 std::array<EndCondition<T>, 4> end_conditions(const MovingEdge<Vector2<T>>& a,
-                                              const MovingEdge<Vector2<T>>& b) {
-  const MovingPoint<T> x = line_intersection<T>(a, b);
+                                              const MovingEdge<Vector2<T>>& b,
+                                              const MovingPoint<T>& x) {
   const auto condition = [&](const MovingEdge<Vector2<T>>& edge,
                              const MovingVertex<Vector2<T>>& end) {
     return EndCondition<T>{edge.d, Vector2<T>(end.p - x.sigma), Vector2<T>(x.x0 - x.sigma - end.q)};
   };
   return {condition(a, start_of(a)), condition(a, end_of(a)), condition(b, start_of(b)),
           condition(b, end_of(b))};
+}
+
+template <class T>
+std::array<EndCondition<T>, 4> end_conditions(const MovingEdge<Vector2<T>>& a,
+                                              const MovingEdge<Vector2<T>>& b) {
+  return end_conditions<T>(a, b, line_intersection<T>(a, b));
 }
 
 /// The scale of each end point, in the order of PairEnd.

@@ -57,6 +57,40 @@ ScaleSolution<T> solve_along(const ScaleVector<T, D>& direction, const ScaleVect
   return {sign(value) == 0 ? Solution::identity : Solution::inconsistent, T(0)};
 }
 
+/// The overdetermined system by least squares: s = (alpha . beta) / (alpha . alpha). Never
+/// inconsistent, save where alpha is zero.
+template <class T, int D>
+ScaleSolution<T> solve_by_least_squares(const ScaleVector<T, D>& alpha,
+                                        const ScaleVector<T, D>& beta) {
+  const T square = alpha.dot(alpha);
+  if (sign(square) != 0) return {Solution::root, T(T(alpha.dot(beta)) / square)};
+  return {sign(T(beta.dot(beta))) == 0 ? Solution::identity : Solution::inconsistent, T(0)};
+}
+
+/// The system with a tolerance: what is at most `tolerance` counts as zero.
+template <class T, int D>
+ScaleSolution<T> solve_within(const ScaleVector<T, D>& alpha, const ScaleVector<T, D>& beta,
+                              const T& tolerance) {
+  const auto is_zero = [&](const T& value) {
+    return sign(T(value - tolerance)) <= 0 && sign(T(value + tolerance)) >= 0;
+  };
+  int pivot = 0;
+  for (int i = 1; i < D; ++i) {
+    if (std::abs(approximate(alpha[i])) > std::abs(approximate(alpha[pivot]))) pivot = i;
+  }
+  if (is_zero(alpha[pivot])) {
+    for (int i = 0; i < D; ++i) {
+      if (!is_zero(alpha[i]) || !is_zero(beta[i])) return {};
+    }
+    return {Solution::identity, T(0)};
+  }
+  const T scale = T(beta[pivot] / alpha[pivot]);
+  for (int i = 0; i < D; ++i) {
+    if (i != pivot && !is_zero(T(scale * alpha[i] - beta[i]))) return {};
+  }
+  return {Solution::root, scale};
+}
+
 template <class T, int D>
 ScaleSolution<T> solve_scale(const ScaleVector<T, D>& direction, const ScaleVector<T, D>& alpha,
                              const ScaleVector<T, D>& beta, Form form) {

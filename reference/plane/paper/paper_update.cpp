@@ -1,0 +1,256 @@
+#include "reference/plane/paper/paper_update.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "reference/memory.hpp"
+#include "reference/number/exact_value.hpp"
+#include "reference/plane/boundary/canonical.hpp"
+#include "reference/plane/kernel/arithmetic_name.hpp"
+#include "reference/plane/paper/intersection_lists.hpp"
+#include "reference/plane/paper/listed_intersections.hpp"
+#include "reference/plane/routes/boundary_rings.hpp"
+#include "reference/plane/routes/convolution_arrangement.hpp"
+#include "reference/plane/routes/paper_route.hpp"
+
+namespace minkref::inline plane {
+namespace {
+
+Rational value_of(const Rational& number) { return number; }
+Rational value_of(const Interval& number) { return exact_value(approximate(number)); }
+template <class T>
+Rational value_of(const T& number) {
+  return exact_value(number);
+}
+
+void refuse_scale(const Rational& scale) {
+  if (sign(scale) <= 0) {
+    throw BadInput("scale-not-positive", "the scale " + to_string(scale) + " is not positive",
+                   "give a scale above zero");
+  }
+}
+
+template <class T>
+class UpdateIn : public PaperUpdate {
+ public:
+  using K = PlainKernel<T>;
+  using Vector = Vector2<T>;
+
+  UpdateIn(const PolygonSet& P, const PolygonSet& Q, const Rational& first_scale,
+           const Arithmetic<T>& arithmetic, const Readings& readings, std::uint64_t memory)
+      : arithmetic_(arithmetic),
+        readings_(readings),
+        connected_(connected(P) && connected(Q)),
+        P_(scalar_operand<T>(P, arithmetic)),
+        Q_(scalar_operand<T>(Q, arithmetic)),
+        convolution_(convolution_segments<K>(reduced_convolution(P, Q), P_, Q_)),
+        edges_(moving_edges(convolution_.edges, P_, Q_)),
+        lists_(edges_, regions_, readings.order) {
+    find_regions(memory);
+    sort_events();
+    start(arithmetic_(first_scale));
+  }
+
+  Step move_to(const Rational& to) override {
+    refuse_scale(to);
+    const T scale = arithmetic_(to);
+    Step step;
+    while (next_ < events_.size() && is_due(events_[next_], scale)) {
+      apply(events_[next_], events_[next_].insertion, step);
+      ++next_;
+    }
+    while (next_ > 0 && !is_due(events_[next_ - 1], scale)) {
+      --next_;
+      apply(events_[next_], !events_[next_].insertion, step);
+    }
+    scale_ = scale;
+    step.updated = active_;
+    return step;
+  }
+
+  Sum sum() override {
+    Sum sum;
+    sum.statistics.kernel = arithmetic_.name();
+    if (edges_.empty()) return sum;
+    const K kernel;
+    Operand<Vector> scaled = P_;
+    for (auto& ring : scaled.rings) {
+      for (auto& v : ring) v = Vector(T(v.x() * scale_), T(v.y() * scale_));
+    }
+    auto at_scale = convolution_segments<K>(convolution_.edges, scaled, Q_);
+    const ListedIntersections<T> listed(kernel, edges_, regions_, lists_, readings_.order, scale_,
+                                        at_scale);
+    const Arrangement<K> arrangement(kernel, listed.vertices, at_scale.segments, listed.contacts);
+    const auto inside =
+        faces_of_sum(arrangement, connected_, PlainFaceCollision<T>(kernel, scaled, Q_),
+                     sum.statistics.orientable_faces);
+    Canonical form =
+        canonicalize(boundary_rings(arrangement, inside, [&](std::uint32_t n) -> Point {
+          const Vector& v = arrangement.node(n);
+          return {value_of(v.x()), value_of(v.y())};
+        }));
+    for (const auto& edge : edges_)
+      ++(edge.is_s() ? sum.statistics.s_edges : sum.statistics.t_edges);
+    sum.statistics.nodes = arrangement.node_count();
+    sum.statistics.faces = arrangement.face_count();
+    sum.region = std::move(form.region);
+    sum.components = form.components;
+    sum.holes = form.holes;
+    return sum;
+  }
+
+  std::vector<Event> events() const override {
+    std::vector<Event> result;
+    result.reserve(events_.size());
+    for (const Critical& event : events_) {
+      look_for_interrupt();
+      const CriticalRegion<T>& region = regions_[event.region];
+      result.push_back({value_of(scale_of(event)), region.a, region.b, event.insertion});
+    }
+    return result;
+  }
+
+  Counts counts() const override { return counts_; }
+
+ private:
+  struct Critical {
+    std::uint32_t region;
+    bool insertion;
+  };
+
+  const T& scale_of(const Critical& event) const {
+    const CriticalRegion<T>& region = regions_[event.region];
+    return event.insertion ? *region.lower : *region.upper;
+  }
+
+  /// Whether the walk upwards to a scale crosses the event: regions are closed.
+  bool is_due(const Critical& event, const T& scale) const {
+    const int order = sign(T(scale_of(event) - scale));
+    return event.insertion ? order <= 0 : order < 0;
+  }
+
+  /// The arrangement at the first scale: every region that holds it.
+  void start(const T& scale) {
+    scale_ = scale;
+    while (next_ < events_.size() && is_due(events_[next_], scale)) ++next_;
+    for (std::uint32_t i = 0; i < regions_.size(); ++i) {
+      look_for_interrupt();
+      const CriticalRegion<T>& region = regions_[i];
+      if (region.lower && sign(T(*region.lower - scale)) > 0) continue;
+      if (region.upper && sign(T(*region.upper - scale)) < 0) continue;
+      lists_.insert(i, scale);
+      ++active_;
+    }
+  }
+
+  void apply(const Critical& event, bool insertion, Step& step) {
+    if (insertion) {
+      lists_.insert(event.region, scale_of(event));
+      ++step.insertions;
+      ++active_;
+    } else {
+      lists_.erase(event.region);
+      ++step.deletions;
+      --active_;
+    }
+  }
+
+  void find_regions(std::uint64_t memory) {
+    const K kernel;
+    const T zero = tolerance();
+    counts_.edges = edges_.size();
+    for (std::uint32_t a = 0; a < edges_.size(); ++a) {
+      look_for_interrupt_now();
+      if (memory != 0) check_memory(memory, "the list of critical regions");
+      for (std::uint32_t b = a + 1; b < edges_.size(); ++b) {
+        if (!readings_.adjacent && share_vertex(a, b)) continue;
+        ++counts_.pairs;
+        try {
+          add(kernel, a, b, zero);
+        } catch (const UndecidedSign&) {
+          if constexpr (std::is_same_v<T, Interval>) throw;
+          ++counts_.undecided;
+        }
+      }
+    }
+    counts_.regions = regions_.size();
+  }
+
+  void add(const K& kernel, std::uint32_t a, std::uint32_t b, const T& zero) {
+    const bool parallel = kernel.turn(edges_[a].d, edges_[b].d) == 0;
+    if (parallel && !readings_.parallel) return;
+    auto region = parallel ? parallel_region(kernel, edges_[a], edges_[b])
+                           : critical_region<T>(edges_[a], edges_[b], readings_, zero);
+    if (!region) return;
+    region->a = a;
+    region->b = b;
+    regions_.push_back(std::move(*region));
+  }
+
+  bool share_vertex(std::uint32_t a, std::uint32_t b) const {
+    const IndexedSegment &s = convolution_.segments[a], &t = convolution_.segments[b];
+    return s.from == t.from || s.from == t.to || s.to == t.from || s.to == t.to;
+  }
+
+  /// What counts as zero with a tolerance.
+  T tolerance() const {
+    Rational largest = 0;
+    const auto look = [&](const Operand<Vector>& operand) {
+      Rational most = 0;
+      for (const auto& ring : operand.rings) {
+        for (const Vector& v : ring) {
+          for (const T* coordinate : {&v.x(), &v.y()}) {
+            const Rational size = abs(value_of(*coordinate));
+            if (size > most) most = size;
+          }
+        }
+      }
+      largest += most;
+    };
+    look(P_);
+    look(Q_);
+    return arithmetic_(Rational(exact_value(readings_.tolerance) * largest));
+  }
+
+  /// Ascending; at one scale insertions come first, for regions are closed.
+  void sort_events() {
+    for (std::uint32_t i = 0; i < regions_.size(); ++i) {
+      if (regions_[i].lower) events_.push_back({i, true});
+      if (regions_[i].upper) events_.push_back({i, false});
+    }
+    std::stable_sort(events_.begin(), events_.end(), [&](const Critical& x, const Critical& y) {
+      look_for_interrupt();
+      const int order = sign(T(scale_of(x) - scale_of(y)));
+      return order != 0 ? order < 0 : x.insertion && !y.insertion;
+    });
+  }
+
+  const Arithmetic<T> arithmetic_;
+  const Readings readings_;
+  const bool connected_;
+  const Operand<Vector> P_, Q_;
+  const ConvolutionSegments<K> convolution_;
+  const std::vector<MovingEdge<Vector>> edges_;
+  std::vector<CriticalRegion<T>> regions_;
+  std::vector<Critical> events_;
+  IntersectionLists<T> lists_;
+  std::size_t next_ = 0;
+  std::uint64_t active_ = 0;
+  T scale_{};
+  Counts counts_;
+};
+
+}  // namespace
+
+std::unique_ptr<PaperUpdate> PaperUpdate::make(const PolygonSet& P, const PolygonSet& Q,
+                                               const Rational& first_scale,
+                                               const std::string& arithmetic,
+                                               const Readings& readings, std::uint64_t memory) {
+  refuse_bad_operands(P, Q, first_scale);
+  return with_arithmetic(
+      arithmetic, [&]<class T>(const Arithmetic<T>& in) -> std::unique_ptr<PaperUpdate> {
+        return std::make_unique<UpdateIn<T>>(P, Q, first_scale, in, readings, memory);
+      });
+}
+
+}  // namespace minkref::inline plane
