@@ -86,7 +86,7 @@ def _drawn(findings: Findings, page: Path) -> None:
     """Each figure has a size and something in it, each formula a width; nothing is said on the
     console, and the page is no wider than the window."""
     with browser() as window:
-        window.resize(1200, 900)
+        window.set_window_size(1200, 900)
         window.open(page)
         seen = window.run(FIGURES)
         said = window.messages()

@@ -26,7 +26,7 @@ def test_pages_fit_and_say_nothing_on_the_console(made: Any, tmp_path: Path) -> 
         for width in (1280, 400):
             for colours in ("light", "dark"):
                 window.prefer(colours)
-                window.resize(width, 1400)
+                window.set_window_size(width, 1400)
                 for page in sorted(tmp_path.glob("*.html")):
                     window.open(page)
                     window.run("document.querySelectorAll('details').forEach((d) => d.open = true)")
@@ -38,5 +38,5 @@ def test_pages_fit_and_say_nothing_on_the_console(made: Any, tmp_path: Path) -> 
                     grounds.add((colours, window.run(GROUND)))
                     assert window.messages() == []
                 window.open(tmp_path / "index.html")
-                window.screenshot(SHOTS / f"index-{width}-{colours}.png")
+                window.save_screenshot(SHOTS / f"index-{width}-{colours}.png")
     assert len(grounds) == 2

@@ -12,6 +12,7 @@ import pytest
 from minkref.operand import read_operand
 from minkref.reports.evidence.framework.browser import Browser, absent, browser
 from page_decoder import data_of, difference, page_of, scales, true_polygons
+from selenium.common.exceptions import JavascriptException
 
 pytestmark = pytest.mark.skipif(absent() is not None, reason=f"no browser: {absent()}")
 
@@ -54,10 +55,10 @@ def test_rings_at_fifty_scales_are_those_of_the_sum(
     for scale, got in zip(wanted, window.run(RINGS, wanted), strict=True):
         assert difference(got, true_polygons(P, Q, scale)) < 1e-9, scale
     SHOTS.mkdir(parents=True, exist_ok=True)
-    window.screenshot(SHOTS / f"{names[0]}-{names[1]}.png")
+    window.save_screenshot(SHOTS / f"{names[0]}-{names[1]}.png")
     window.prefer("dark")
     window.run(DRAWN)
-    window.screenshot(SHOTS / f"{names[0]}-{names[1]}-dark.png")
+    window.save_screenshot(SHOTS / f"{names[0]}-{names[1]}-dark.png")
     assert window.messages() == []
 
 
@@ -153,7 +154,7 @@ def test_edges_of_the_convolution_are_shown_and_hidden(window: Browser, tmp_path
 
 def test_a_scale_outside_of_the_window_has_no_rings(window: Browser, tmp_path: Path) -> None:
     opened(window, page_of(tmp_path, "g1", "g2", "--from", "1/2", "--to", "2"))
-    with pytest.raises(RuntimeError, match="outside of the window"):
+    with pytest.raises(JavascriptException, match="outside of the window"):
         window.run("return window.minkref.rings(3)")
 
 

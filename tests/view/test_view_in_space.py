@@ -333,7 +333,7 @@ def coloured(window: framework.Browser, plot: str, shot: Path) -> dict[str, floa
     from matplotlib.image import imread
 
     SHOTS.mkdir(parents=True, exist_ok=True)
-    window.screenshot(shot)
+    window.save_screenshot(shot)
     left, top, right, bottom = (round(side) for side in window.run(BOX, plot))
     pixels = imread(shot)[top:bottom, left:right, :3]
     red, green, blue = pixels[..., 0], pixels[..., 1], pixels[..., 2]
@@ -473,14 +473,14 @@ def test_the_page_is_not_wider_than_the_window(
     window: framework.Browser, view: View, scales: Path, width: int
 ) -> None:
     page, _ = view("gs3", "rod", "--scales", scales)
-    window.resize(width, 1000)
+    window.set_window_size(width, 1000)
     try:
         opened(window, page)
         needed, there = window.run(
             "const { scrollWidth, clientWidth } = document.documentElement;"
             "return [scrollWidth, clientWidth]"
         )
-        window.screenshot(SHOTS / f"gs3-rod-{width}.png")
+        window.save_screenshot(SHOTS / f"gs3-rod-{width}.png")
         assert needed <= there
     finally:
-        window.resize(1440, 1000)
+        window.set_window_size(1440, 1000)
