@@ -6,9 +6,11 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from fractions import Fraction
-from typing import Any
+from typing import Any, TypeVar
 
 Number = Fraction | int
+One = TypeVar("One", int, Fraction)
+Vector = tuple[One, One]
 Point = tuple[Number, Number]
 Ring = list[Point]  # a corner once, either way around
 Polygon = list[Ring]  # the outer ring, then holes
@@ -25,6 +27,14 @@ def rings_of(polygon: Mapping[str, Any]) -> list[Any]:
 def written_rings(text: str) -> list[list[list[str]]]:
     """All rings of a set in the canonical JSON's form, one after the other; as written."""
     return [ring for polygon in json.loads(text)["polygons"] for ring in rings_of(polygon)]
+
+
+def fraction_rings(text: str, factor: Number = 1) -> list[list[Vector[Fraction]]]:
+    """The same in fractions, scaled about the origin."""
+    return [
+        [(factor * Fraction(x), factor * Fraction(y)) for x, y in ring]
+        for ring in written_rings(text)
+    ]
 
 
 def read_shape(text: str, factor: Number = 1, shift: Point = ORIGIN) -> Shape:
@@ -58,6 +68,22 @@ def extent(ring: Ring) -> tuple[Number, Number, Number, Number]:
     """x, y, width and height of the bounding box."""
     xs, ys = [p[0] for p in ring], [p[1] for p in ring]
     return (min(xs), min(ys), max(xs) - min(xs), max(ys) - min(ys))
+
+
+def plus(a: Vector[One], b: Vector[One]) -> Vector[One]:
+    return (a[0] + b[0], a[1] + b[1])
+
+
+def minus(a: Vector[One], b: Vector[One]) -> Vector[One]:
+    return (a[0] - b[0], a[1] - b[1])
+
+
+def dot(a: Vector[One], b: Vector[One]) -> One:
+    return a[0] * b[0] + a[1] * b[1]
+
+
+def cross(a: Vector[One], b: Vector[One]) -> One:
+    return a[0] * b[1] - a[1] * b[0]
 
 
 def doubled_area(ring: Sequence[Point]) -> Number:

@@ -27,8 +27,8 @@ def factors(scale: Scale) -> Point:
     return scale if isinstance(scale, tuple) else (scale, scale, scale)
 
 
-def denominator_of(points: Iterable[Point]) -> int:
-    """The least common denominator of all coordinates; 1 without points."""
+def denominator_of(points: Iterable[Sequence[Fraction]]) -> int:
+    """The least common denominator of all coordinates, of two or three; 1 without points."""
     return lcm(*{number.denominator for point in points for number in point})
 
 

@@ -9,6 +9,7 @@ from math import isqrt
 from typing import Any
 
 import sympy as sp
+from minkref.fuzz.geometry.plane import cross
 from minkref.fuzz.judges.paper_disc import Corner, Root, Vertex
 from minkref.fuzz.judges.paper_disc import Edge as Side
 from minkref.reports.audit.edges import Edge
@@ -32,7 +33,7 @@ def reflex_pairs(ring: Sequence[Vertex]) -> list[tuple[Side, Side]]:
     """The edges before and after each reflex vertex."""
     found = sides(ring)
     pairs = zip([found[-1], *found[:-1]], found, strict=True)
-    return [(a, b) for a, b in pairs if _cross(along(a), along(b)) < 0]
+    return [(a, b) for a, b in pairs if cross(along(a), along(b)) < 0]
 
 
 def along(side: Side) -> Vertex:
@@ -70,7 +71,7 @@ def crossing(first: Side, second: Side, way: Fraction) -> Place:
         n = unit_normal(side)
         rows.append((n, n[0] * side[0][0] + n[1] * side[0][1] + way))
     ((a, u), (b, v)) = rows
-    below = _cross(a, b)
+    below = cross(a, b)
     return (u * b[1] - v * a[1]) / below, (a[0] * v - b[0] * u) / below
 
 
@@ -83,7 +84,3 @@ def _to_side(x: tuple[Any, Any], side: Side) -> Any:
     d, w = along(side), (x[0] - side[0][0], x[1] - side[0][1])
     t = min(max((d[0] * w[0] + d[1] * w[1]) / (d[0] ** 2 + d[1] ** 2), 0), 1)
     return (w[0] - t * d[0]) ** 2 + (w[1] - t * d[1]) ** 2
-
-
-def _cross(u: Any, v: Any) -> Any:
-    return u[0] * v[1] - u[1] * v[0]

@@ -12,6 +12,7 @@ from itertools import combinations, pairwise
 
 from minkref import _core
 from minkref.fuzz.families.drawing import reflected, shape_text
+from minkref.fuzz.geometry.plane import cross, dot, minus, plus
 from minkref.reports.audit.edges import Interval
 from minkref.reports.audit.plane import Place, Ring, rings_of
 
@@ -37,7 +38,7 @@ def moving_edges(robot: _core.PolygonSet, obstacle: _core.PolygonSet) -> list[Mo
         for ring in rings:
             for k, b in enumerate(ring):
                 a = ring[k - 1]
-                d = _minus(b, a)
+                d = minus(b, a)
                 for v in corners[kind]:
                     found.append((kind, a, v, d) if kind == "S" else (kind, v, a, d))
     return found
@@ -50,12 +51,12 @@ def contacts(
     convolution, by the code for two edges. Whole coordinates."""
     P = reflected(robot)
     rings = {"S": (rings_of(P), rings_of(obstacle)), "T": (rings_of(obstacle), rings_of(P))}
-    step = ("T", tuple(int(x) for x in (0, 0, *a, *_minus(b, a))))
+    step = ("T", tuple(int(x) for x in (0, 0, *a, *minus(b, a))))
     pairs = []
     for kind, _, edge_ring, edge, corner_ring, corner in _core.reduced_convolution(P, obstacle):
         edges, corners = rings[kind]
         ring, v = edges[edge_ring], corners[corner_ring][corner]
-        p, d = ring[edge], _minus(ring[(edge + 1) % len(ring)], ring[edge])
+        p, d = ring[edge], minus(ring[(edge + 1) % len(ring)], ring[edge])
         row = (*p, *v, *d) if kind == "S" else (*v, *p, *d)
         pairs.append((step, (kind, tuple(map(int, row)))))
     found = set()
@@ -72,30 +73,30 @@ def candidates(edges: Sequence[Moving], path: Sequence[Place]) -> list[Fraction]
     found = set()
     steps = list(pairwise(path)) or [(path[0], path[0])]
     for kind, p, q, d in edges:
-        ends = [(p, q), (_plus(p, d), q) if kind == "S" else (p, _plus(q, d))]
+        ends = [(p, q), (plus(p, d), q) if kind == "S" else (p, plus(q, d))]
         for a, b in steps:
-            step = _minus(b, a)
+            step = minus(b, a)
             conditions = [(_turned(d), (a, b)), (_turned(step), (a,))]
-            if _dot(_turned(d), step) == 0:
+            if dot(_turned(d), step) == 0:
                 conditions.append((step, (a, b)))
             for normal, known in conditions:
                 for u, v in ends:
-                    slope = _dot(normal, u)
-                    found |= {_dot(normal, _minus(x, v)) / slope for x in known if slope}
+                    slope = dot(normal, u)
+                    found |= {dot(normal, minus(x, v)) / slope for x in known if slope}
     return sorted(s for s in found if s > 0)
 
 
 def concurrencies(edges: Sequence[Moving], a: Place, b: Place) -> set[Fraction]:
     """Scales s > 0 at which the lines of two edges, and that through a and b, pass through one
     point: roots of a determinant, which is linear in s."""
-    step = _turned(_minus(b, a))
-    rows = [(_turned(d), _dot(_turned(d), p), _dot(_turned(d), q)) for _, p, q, d in edges]
+    step = _turned(minus(b, a))
+    rows = [(_turned(d), dot(_turned(d), p), dot(_turned(d), q)) for _, p, q, d in edges]
     found = set()
     for (m, u, v), (n, w, x) in combinations(rows, 2):
-        first, second = _cross(step, n), _cross(step, m)
+        first, second = cross(step, n), cross(step, m)
         slope = w * second - u * first
         if slope:
-            found.add((v * first - x * second - _dot(step, a) * _cross(m, n)) / slope)
+            found.add((v * first - x * second - dot(step, a) * cross(m, n)) / slope)
     return {s for s in found if s > 0}
 
 
@@ -116,17 +117,17 @@ def is_valid(
 
 def _places(edges: Sequence[Moving], path: Sequence[Place], s: Fraction) -> Iterator[Place]:
     for a, b in pairwise(path):
-        step = _minus(b, a)
+        step = minus(b, a)
         cuts = {Fraction(0), Fraction(1)}
         for kind, p, q, d in edges:
             start = s * p[0] + q[0], s * p[1] + q[1]
             span = (s * d[0], s * d[1]) if kind == "S" else d
-            across = _dot(_turned(span), step)
+            across = dot(_turned(span), step)
             if across:
-                cuts.add(_dot(_turned(span), _minus(start, a)) / across)
+                cuts.add(dot(_turned(span), minus(start, a)) / across)
             else:
-                ends = start, _plus(start, span)
-                cuts |= {_dot(step, _minus(x, a)) / _dot(step, step) for x in ends}
+                ends = start, plus(start, span)
+                cuts |= {dot(step, minus(x, a)) / dot(step, step) for x in ends}
         inside = sorted(t for t in cuts if 0 <= t <= 1)
         for t in (*inside, *((x + y) / 2 for x, y in pairwise(inside))):
             yield a[0] + t * step[0], a[1] + t * step[1]
@@ -158,22 +159,6 @@ def valid_scales(
             found.append((low, high))
             joined = True
     return found
-
-
-def _plus(a: Place, b: Place) -> Place:
-    return a[0] + b[0], a[1] + b[1]
-
-
-def _minus(a: Place, b: Place) -> Place:
-    return a[0] - b[0], a[1] - b[1]
-
-
-def _dot(u: Place, v: Place) -> Fraction:
-    return u[0] * v[0] + u[1] * v[1]
-
-
-def _cross(u: Place, v: Place) -> Fraction:
-    return u[0] * v[1] - u[1] * v[0]
 
 
 def _turned(d: Place) -> Place:

@@ -13,7 +13,17 @@ from minkref import _core
 from minkref.degeneracies.plane.convolutions import crossing_combs
 from minkref.fuzz.families.drawing import shape_text
 from minkref.fuzz.families.random_pairs import random_pair
-from minkref.fuzz.geometry.plane import Ring, box
+from minkref.fuzz.geometry.plane import (
+    Ring,
+    Vector,
+    box,
+    cross,
+    dot,
+    doubled_area,
+    fraction_rings,
+    minus,
+    plus,
+)
 
 __all__ = [
     "Ring",
@@ -29,7 +39,7 @@ __all__ = [
     "star",
 ]
 
-Place = tuple[Fraction, Fraction]
+Place = Vector[Fraction]
 Segment = tuple[Place, Place]
 Rings = list[list[Place]]
 
@@ -41,8 +51,7 @@ def operand(polygon: Sequence[Ring]) -> _core.PolygonSet:
 
 
 def _clockwise(ring: Ring) -> Ring:
-    area = sum(a[0] * b[1] - a[1] * b[0] for a, b in zip(ring, ring[1:] + ring[:1], strict=True))
-    return ring if area < 0 else ring[::-1]
+    return ring if doubled_area(ring) < 0 else ring[::-1]
 
 
 def random_operand(dice: random.Random, holes: bool = True) -> _core.PolygonSet:
@@ -56,28 +65,12 @@ def random_operand(dice: random.Random, holes: bool = True) -> _core.PolygonSet:
             return found
 
 
-def rings_of(value: _core.PolygonSet) -> list[list[Place]]:
-    return [
-        [(Fraction(x), Fraction(y)) for x, y in ring]
-        for polygon in json.loads(value.to_json())["polygons"]
-        for ring in (polygon["outer"], *polygon["holes"])
-    ]
-
-
-def _cross(u: Place, v: Place) -> Fraction:
-    return u[0] * v[1] - u[1] * v[0]
-
-
-def _dot(u: Place, v: Place) -> Fraction:
-    return u[0] * v[0] + u[1] * v[1]
-
-
-def _minus(a: Place, b: Place) -> Place:
-    return a[0] - b[0], a[1] - b[1]
+def rings_of(value: _core.PolygonSet) -> Rings:
+    return fraction_rings(value.to_json())
 
 
 def _same(u: Place, v: Place) -> bool:
-    return _cross(u, v) == 0 and _dot(u, v) > 0
+    return cross(u, v) == 0 and dot(u, v) > 0
 
 
 def _in_turn(d: Place, start: Place, end: Place, ends: str) -> bool:
@@ -87,7 +80,7 @@ def _in_turn(d: Place, start: Place, end: Place, ends: str) -> bool:
         return ends[0] == "["
     if _same(d, end):
         return ends[1] == "]"
-    return _cross(start, d) > 0 and _cross(d, end) > 0
+    return cross(start, d) > 0 and cross(d, end) > 0
 
 
 def _contributions(
@@ -97,19 +90,19 @@ def _contributions(
     reflex ones, which are left out unless `reflex`."""
     for corner_ring in corners_of:
         for k, v in enumerate(corner_ring):
-            come = _minus(v, corner_ring[k - 1])
-            go = _minus(corner_ring[(k + 1) % len(corner_ring)], v)
-            turn = _cross(come, go)
+            come = minus(v, corner_ring[k - 1])
+            go = minus(corner_ring[(k + 1) % len(corner_ring)], v)
+            turn = cross(come, go)
             if turn == 0 or (turn < 0 and not reflex):
                 continue
             for ring in edges_of:
                 for i, a in enumerate(ring):
                     b = ring[(i + 1) % len(ring)]
-                    d = _minus(b, a)
+                    d = minus(b, a)
                     if turn > 0 and _in_turn(d, come, go, ends):
-                        yield ((a[0] + v[0], a[1] + v[1]), (b[0] + v[0], b[1] + v[1])), 1
+                        yield (plus(a, v), plus(b, v)), 1
                     if turn < 0 and _in_turn(d, go, come, ends):
-                        yield ((a[0] + v[0], a[1] + v[1]), (b[0] + v[0], b[1] + v[1])), -1
+                        yield (plus(a, v), plus(b, v)), -1
 
 
 def reduced_by_rule(
@@ -133,19 +126,19 @@ def reduced_by_rings(
 def covered(edge: Segment, segments: list[Segment]) -> bool:
     """Whether a segment, or a point, is covered by the union of segments."""
     a, b = edge
-    d = _minus(b, a)
+    d = minus(b, a)
     spans = []
     for u, v in segments:
         if a == b:
-            w = _minus(v, u)
-            along = _dot(_minus(a, u), w)
-            if _cross(_minus(a, u), w) == 0 and 0 <= along <= _dot(w, w):
+            w = minus(v, u)
+            along = dot(minus(a, u), w)
+            if cross(minus(a, u), w) == 0 and 0 <= along <= dot(w, w):
                 return True
-        elif _cross(_minus(u, a), d) == 0 == _cross(_minus(v, a), d):
-            spans.append(sorted((_dot(_minus(u, a), d), _dot(_minus(v, a), d))))
+        elif cross(minus(u, a), d) == 0 == cross(minus(v, a), d):
+            spans.append(sorted((dot(minus(u, a), d), dot(minus(v, a), d))))
     if a == b:
         return False
-    reach, end = Fraction(0), _dot(d, d)
+    reach, end = Fraction(0), dot(d, d)
     for low, high in sorted(spans):
         if low > reach:
             break

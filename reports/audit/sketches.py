@@ -8,6 +8,7 @@ from fractions import Fraction
 from itertools import pairwise
 
 from minkref import _core
+from minkref.fuzz.geometry.plane import cross, dot
 from minkref.fuzz.judges.paper_disc import Corner, Vertex
 from minkref.reports.audit.disc import along, corner, sides
 from minkref.reports.audit.plane import Place, rings_of
@@ -76,9 +77,7 @@ def offset_curves(ring: Sequence[Vertex], radius: float) -> list[Segment]:
 
 def _corner_arc(about: Corner, radius: float) -> list[Segment]:
     before, after = along(about[:2]), along(about[1:])
-    turn = math.atan2(
-        before[0] * after[1] - before[1] * after[0], before[0] * after[0] + before[1] * after[1]
-    )
+    turn = math.atan2(cross(before, after), dot(before, after))
     start = math.atan2(-before[0], before[1])
     return arc(about[1], radius, start, start + turn) if turn > 0 else []
 

@@ -7,6 +7,7 @@ from fractions import Fraction
 from typing import Any
 
 import sympy as sp
+from minkref.fuzz.geometry.plane import cross
 from minkref.reports.audit.edges import Edge
 
 
@@ -33,10 +34,6 @@ def kinds_of(kinds: str) -> tuple[SymbolicEdge, SymbolicEdge]:
         for edge, kind in zip("ab", kinds, strict=True)
     )
     return a, b
-
-
-def cross(u: Any, v: Any) -> Any:
-    return u[0] * v[1] - u[1] * v[0]
 
 
 def moving(a: SymbolicEdge, b: SymbolicEdge, s: Any) -> tuple[Any, Any]:

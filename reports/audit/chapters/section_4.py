@@ -12,6 +12,7 @@ from typing import Any
 import sympy as sp
 from minkref import _core
 from minkref.fuzz.families.drawing import convex
+from minkref.fuzz.geometry.plane import cross, in_box, turn
 from minkref.model_catalogue import all_models, or_look_alike
 from minkref.operand import read_operand
 from minkref.reports.audit.edges import (
@@ -27,7 +28,7 @@ from minkref.reports.audit.edges import (
 from minkref.reports.audit.entry import Chapter, CheckFailed, Shown, Status
 from minkref.reports.audit.pictures import moving_edges
 from minkref.reports.audit.plane import box, operand, random_operand, rings_of
-from minkref.reports.audit.symbolic_edges import cross, ends, kinds_of, moving
+from minkref.reports.audit.symbolic_edges import ends, kinds_of, moving
 
 CHAPTER = Chapter("section-4", "Section 4: uniform scaling in the plane")
 KINDS = ("SS", "ST", "TT")
@@ -54,7 +55,7 @@ def _pairs(count: int) -> list[tuple[Edge, Edge]]:
         kept = 0
         while kept < count:
             pair = _drawn(dice, kinds[0]), _drawn(dice, kinds[1])
-            if pair[0].d[0] * pair[1].d[1] != pair[0].d[1] * pair[1].d[0]:
+            if cross(pair[0].d, pair[1].d) != 0:
                 found.append(pair)
                 kept += 1
     return found
@@ -259,10 +260,7 @@ def _(shown: Shown) -> None:
 
 
 def _is_on(p: Point, a: Point, b: Point) -> bool:
-    d = b[0] - a[0], b[1] - a[1]
-    e = p[0] - a[0], p[1] - a[1]
-    along = d[0] * e[0] + d[1] * e[1]
-    return d[0] * e[1] == d[1] * e[0] and 0 <= along <= d[0] ** 2 + d[1] ** 2
+    return turn(a, b, p) == 0 and in_box(a, b, p)
 
 
 @CHAPTER.entry(
@@ -498,7 +496,7 @@ def _(shown: Shown) -> None:
         edges = _edges_of(P, Q)
         for i, a in enumerate(edges):
             for b in edges[i + 1 :]:
-                if a.d[0] * b.d[1] == a.d[1] * b.d[0]:
+                if cross(a.d, b.d) == 0:
                     continue
                 found = answers(a, b)
                 if found.corrected is None:
@@ -526,7 +524,7 @@ def _(shown: Shown) -> None:
 def _convex_rule(a: Edge, b: Edge, found: Answers) -> Interval:
     """For edges that meet: scales that do not exist are left out."""
     names = ("a0", "b1"), ("a1", "b0")
-    if a.d[0] * b.d[1] < a.d[1] * b.d[0]:
+    if cross(a.d, b.d) < 0:
         names = names[::-1]
     lows, highs = ([x for x in map(found.ends.get, each) if x is not None] for each in names)
     low = max(lows, default=Fraction(0))

@@ -20,7 +20,8 @@ from minkref.reports.audit.paper_numbers import (
     TABLE_2,
     cells,
 )
-from minkref.reports.audit.plane import Place, combs, regular, rings_of, turned_by
+from minkref.reports.audit.plane import combs, regular, turned_by
+from minkref.reports.convolution_count import turns_of, whole_rings
 
 CHAPTER = Chapter("section-7", "Section 7: tables, figures and times")
 ABSENT = "The paper's models are not at hand here (MINKREF_MODELS): nothing was counted."
@@ -284,9 +285,9 @@ def _(shown: Shown) -> None:
     shown.tell(f"{of_P:,} S-edges and {len(edges) - of_P:,} T-edges.")
     inner, ends, straight = 0, [], 0
     for one, other in ((P, Q), (Q, P)):
-        more, begin, end, level = _ties(one, other)
-        inner, straight = inner + more, straight + level
-        ends += [begin, end]
+        turns, _, level = turns_of(whole_rings(one), whole_rings(other))
+        inner, straight = inner + turns.inside, straight + level
+        ends += [turns.begin, turns.end]
     totals = {
         inner + sum(n for n, taken in zip(ends, which, strict=True) if taken) + kept * straight
         for which in product((False, True), repeat=4)
@@ -294,37 +295,6 @@ def _(shown: Shown) -> None:
     }
     shown.equal("least and most edges of 32 conventions", (min(totals), max(totals)),
                 (16_421, 16_432))  # fmt: skip
-
-
-def _ties(edges_of: _core.PolygonSet, corners_of: _core.PolygonSet) -> tuple[int, int, int, int]:
-    """Edges of the one whose direction is inside the turn of a convex vertex of the other, at its
-    beginning, at its end; and along a straight vertex."""
-    ways = [way for ring in rings_of(edges_of) for way in _ways(ring)]
-    inside = begin = end = level = 0
-    for ring in rings_of(corners_of):
-        around = _ways(ring)
-        for come, go in zip([around[-1], *around[:-1]], around, strict=True):
-            turn = come[0] * go[1] - come[1] * go[0]
-            if turn < 0:
-                continue
-            for d in ways:
-                u, v = come[0] * d[1] - come[1] * d[0], d[0] * go[1] - d[1] * go[0]
-                if turn == 0:
-                    level += u == 0 and come[0] * d[0] + come[1] * d[1] > 0
-                elif u > 0 and v > 0:
-                    inside += 1
-                elif u == 0:
-                    begin += come[0] * d[0] + come[1] * d[1] > 0
-                elif v == 0:
-                    end += go[0] * d[0] + go[1] * d[1] > 0
-    return inside, begin, end, level
-
-
-def _ways(ring: list[Place]) -> list[tuple[int, int]]:
-    """Directions of the edges, made whole by one factor."""
-    factor = math.lcm(*(c.denominator for place in ring for c in place))
-    whole = [(int(x * factor), int(y * factor)) for x, y in ring]
-    return [(b[0] - a[0], b[1] - a[1]) for a, b in zip(whole, whole[1:] + whole[:1], strict=True)]
 
 
 @CHAPTER.entry(

@@ -8,6 +8,7 @@ from fractions import Fraction
 import sympy as sp
 from minkref import _core
 from minkref.fuzz.families.drawing import convex, reflected
+from minkref.fuzz.geometry.plane import cross, dot, minus, turn
 from minkref.fuzz.judges.paper_disc import circles, ring_touches
 from minkref.fuzz.judges.small_operands import star
 from minkref.reports.audit.disc import corner, crossing, exact, reflex_pairs, squared_distance
@@ -24,7 +25,7 @@ from minkref.reports.audit.paths import (
 )
 from minkref.reports.audit.plane import Place, Ring, box, operand
 from minkref.reports.audit.sketches import robot_on_path, swept
-from minkref.reports.audit.symbolic_edges import cross, kinds_of
+from minkref.reports.audit.symbolic_edges import kinds_of
 
 CHAPTER = Chapter("section-8", "Section 8: applications")
 SEED = 8
@@ -45,7 +46,7 @@ def _polygon(ring: list[Place]) -> _core.PolygonSet:
 
 def _sees_all(ring: list[Place]) -> bool:
     """Whether a simple ring, counter-clockwise, is star-shaped about the origin."""
-    return all(a[0] * b[1] >= a[1] * b[0] for a, b in zip(ring, ring[1:] + ring[:1], strict=True))
+    return all(cross(a, b) >= 0 for a, b in zip(ring, ring[1:] + ring[:1], strict=True))
 
 
 def _drawn_robot(dice: random.Random) -> list[Place]:
@@ -53,7 +54,7 @@ def _drawn_robot(dice: random.Random) -> list[Place]:
     while True:
         ring = star(dice, 4, 6)
         following = [*ring[1:], ring[0]]
-        turns = [a[0] * b[1] - a[1] * b[0] for a, b in zip(ring, following, strict=True)]
+        turns = [cross(a, b) for a, b in zip(ring, following, strict=True)]
         if len(ring) > 3 and min(turns) > 0:
             return [(Fraction(x), Fraction(y)) for x, y in ring]
 
@@ -68,17 +69,14 @@ def _obstacle_in_the_way(ring: list[Place]) -> tuple[Fraction, _core.PolygonSet]
     the robot meets at that scale, and does not at 1 and at small ones. Behind the middle of an edge
     that turns its back to the origin there are places outside the robot, towards the origin."""
     following = ring[1:] + ring[:1]
-    a, b = next(
-        x for x in zip(ring, following, strict=True) if x[0][0] * x[1][1] < x[0][1] * x[1][0]
-    )
+    a, b = next(x for x in zip(ring, following, strict=True) if cross(*x) < 0)
     m = (a[0] + b[0]) / 2, (a[1] + b[1]) / 2
     cuts = [Fraction(0)]
     for u, v in zip(ring, following, strict=True):
-        d = v[0] - u[0], v[1] - u[1]
-        across = m[0] * d[1] - m[1] * d[0]
+        d = minus(v, u)
+        across = cross(m, d)
         if across:
-            t = (u[0] * d[1] - u[1] * d[0]) / across
-            along = (u[0] * m[1] - u[1] * m[0]) / across
+            t, along = cross(u, d) / across, cross(u, m) / across
             if 0 < t < 1 and 0 <= along <= 1:
                 cuts.append(t)
     factor = (max(cuts) + 1) / 2
@@ -231,7 +229,7 @@ def _(shown: Shown) -> None:
     while compared < 400:
         step = Edge("T", (0, 0), drawn(), drawn())
         edge_2 = Edge(dice.choice("ST"), drawn(), drawn(), drawn())
-        if step.d[0] * edge_2.d[1] == step.d[1] * edge_2.d[0]:
+        if cross(step.d, edge_2.d) == 0:
             continue
         told = answers(step, edge_2)
         if told.corrected != told.symbolic:
@@ -545,11 +543,8 @@ def _bridges_at_infinity(ring: list[tuple[int, int]]) -> list[tuple[tuple[int, i
             if u == v or frozenset((u, v)) in sides:
                 continue
             others = [w for w in ring if w not in (u, v)]
-            d = v[0] - u[0], v[1] - u[1]
-            turns = [d[0] * (w[1] - u[1]) - d[1] * (w[0] - u[0]) for w in others]
-            between = [
-                (w[0] - u[0]) * (w[0] - v[0]) + (w[1] - u[1]) * (w[1] - v[1]) for w in others
-            ]
+            turns = [turn(u, v, w) for w in others]
+            between = [dot(minus(w, u), minus(w, v)) for w in others]
             if all(x > 0 or (x == 0 and y >= 0) for x, y in zip(turns, between, strict=True)):
                 found.append((u, v))
     return found

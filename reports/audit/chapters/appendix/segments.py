@@ -8,6 +8,7 @@ from fractions import Fraction
 
 import sympy as sp
 from minkref import _core
+from minkref.fuzz.geometry.plane import cross
 from minkref.fuzz.judges.paper_disc import Edge as Side
 from minkref.fuzz.judges.paper_disc import end_on_line, touches
 from minkref.fuzz.judges.paper_pairs import contact_interval
@@ -118,7 +119,7 @@ def _(shown: Shown) -> None:
     counts: Counter[str] = Counter()
     for _ in range(500):
         a, b = _drawn_side(dice), _drawn_side(dice)
-        if along(a)[0] * along(b)[1] == along(a)[1] * along(b)[0]:
+        if cross(along(a), along(b)) == 0:
             continue
         told = answers(moving(a, 5), moving(b, 5))
         ends = {x for x in told.corrected or () if x is not None}

@@ -219,12 +219,3 @@ def _(shown: Shown) -> None:
     heights = [max(dot(way, p) for p in prism) - dot(way, middle) for way in (n, after)]
     shown.equal("by how much it is not highest, before and after", heights, [0, 2])
     shown.true("the normal has turned by less than a right angle", dot(n, after) > 0)
-
-
-def _ridge(count: int, axis: int) -> Body:
-    """A ridge of `count` edges along an axis, x or y, on a parabola, and a tip on either side."""
-    low = -40 * count * count
-    places = [k - count // 2 for k in range(count + 1)]
-    points: list[Whole] = [(2 * k, 0, -k * k) for k in places]
-    points += [(1, 1, low), (1, -1, low)]
-    return hull([p if axis == 0 else (p[1], p[0], p[2]) for p in points])
