@@ -12,7 +12,7 @@ from minkref.certify.certificate import Certificate
 from minkref.reports.evidence.certificates.certified_cases import written
 from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, timed
 from minkref.reports.evidence.framework.operands import operand, tell_absent
-from minkref.reports.evidence.framework.part import MODELS, READERS, REFERENCE, Findings
+from minkref.reports.evidence.framework.part import CERTIFY, MODELS, READERS, REFERENCE, Findings
 
 SUBJECT = (
     "Certificates of the sums of monkey and bird and of disc1 and neuron at scale 1, with their "
@@ -20,17 +20,13 @@ SUBJECT = (
     "Python, and their size."
 )
 MINUTES = (2, None)
-DEPENDS = (
-    *REFERENCE, *READERS, *MODELS, "certify/*", "oracle/checker/*",
-    "reports/evidence/certificates/*.py",
-)  # fmt: skip
+DEPENDS = (*REFERENCE, *READERS, *MODELS, *CERTIFY)
 
 REPETITIONS = 5
 MOST_BYTES, MOST_SECONDS = 200e6, 600.0
 
 
-def run(quick: bool) -> Findings:
-    findings = Findings()
+def run(findings: Findings, quick: bool) -> None:
     for names in (("monkey", "bird"), ("disc1", "neuron")):
         P, Q = (operand(name) for name in names)
         title = f"{P.name} + {Q.name} at 1"
@@ -63,4 +59,3 @@ def run(quick: bool) -> Findings:
             f"{REPETITIONS}), in Python in {in_p[1]:.2f} s"
         )
     tell_absent(findings, "monkey", "bird", "neuron")
-    return findings

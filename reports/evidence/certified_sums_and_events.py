@@ -22,7 +22,7 @@ from minkref.reports.evidence.certificates.certified_cases import (
 )
 from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, timed
 from minkref.reports.evidence.framework.operands import operand
-from minkref.reports.evidence.framework.part import READERS, REFERENCE, Findings
+from minkref.reports.evidence.framework.part import CERTIFY, READERS, REFERENCE, Findings
 
 SUBJECT = (
     "500 certificates of sums with their tight passages and 500 of events, of all families, "
@@ -30,10 +30,7 @@ SUBJECT = (
     "of pairs of 12 vertices, of 100 and 30."
 )
 MINUTES = (8, None)
-DEPENDS = (
-    *REFERENCE, *READERS, "certify/*", "oracle/checker/*", "reports/evidence/certificates/*.py",
-    "fuzz/families/*.py",
-)  # fmt: skip
+DEPENDS = (*REFERENCE, *READERS, *CERTIFY, "fuzz/families/*.py")
 
 SEED = 1611
 SUMS = EVENTS = 500
@@ -45,15 +42,13 @@ Row = dict[str, float]
 Work = tuple[str, Callable[[], Certificate]]  # a name, and what is timed
 
 
-def run(quick: bool) -> Findings:
-    findings = Findings()
+def run(findings: Findings, quick: bool) -> None:
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         _many(findings, "sums", _sums(), SUMS, folder)
         _many(findings, "events", _events(), EVENTS, folder)
         _many(findings, "pairs of 12 vertices", _small(), 100, folder)
         _large(findings, folder)
-    return findings
 
 
 def _sum(case: Case) -> Certificate:

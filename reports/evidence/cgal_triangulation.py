@@ -5,27 +5,19 @@ from __future__ import annotations
 from minkref.fuzz.verdicts.verdict import Verdict
 from minkref.reports.evidence.framework.comparing import Bench, available_cgal
 from minkref.reports.evidence.framework.operands import REAL_PAIRS, case_of, tell_absent
-from minkref.reports.evidence.framework.part import (
-    CGAL,
-    COMPARISON,
-    MODELS,
-    READERS,
-    REFERENCE,
-    Findings,
-)
+from minkref.reports.evidence.framework.part import AGAINST_CGAL, Findings
 
 SUBJECT = "disc1 + neuron, disc5 + neuron, monkey + bird at one scale each by CGAL's triangulation."
 MINUTES = (3, 0.2)
-DEPENDS = (*REFERENCE, *READERS, *MODELS, *COMPARISON, *CGAL)
+DEPENDS = AGAINST_CGAL
 
 TRIANGULATION = "cgal-triangulation"
 
 
-def run(quick: bool) -> Findings:
-    findings = Findings()
+def run(findings: Findings, quick: bool) -> None:
     cgal = available_cgal(findings, TRIANGULATION)
     if not cgal:
-        return findings
+        return
     pairs = REAL_PAIRS[:1] if quick else REAL_PAIRS
     tell_absent(findings, *(name for pair in pairs for name in pair if "disc" not in name))
     with Bench(["minkref:paper", TRIANGULATION], seconds=1200, gigabytes=12) as bench:
@@ -44,4 +36,3 @@ def run(quick: bool) -> Findings:
                 findings.law(case.name.text, same, "one digest", outcome.verdict)
             else:
                 findings.target(case.name.text, False, "one digest", outcome.message)
-    return findings

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import itertools
 import json
-import multiprocessing
 import random
 import tempfile
 from collections import Counter
@@ -19,7 +18,8 @@ from minkref.fuzz.plane.case import Case
 from minkref.reports.evidence.certificates.certified_cases import cases, events
 from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, verdicts
 from minkref.reports.evidence.certificates.mutants import Mutant, mutants
-from minkref.reports.evidence.framework.part import READERS, REFERENCE, Findings
+from minkref.reports.evidence.framework.in_processes import in_processes
+from minkref.reports.evidence.framework.part import CERTIFY, READERS, REFERENCE, Findings
 
 SUBJECT = (
     "Certificates of sums, tight passages, events, degeneracies and points, each field of each "
@@ -28,8 +28,8 @@ SUBJECT = (
 )
 MINUTES = (10, None)
 DEPENDS = (
-    *REFERENCE, *READERS, "certify/*", "oracle/checker/*", "reports/evidence/certificates/*.py",
-    "fuzz/families/*.py", "fuzz/judges/certified_claims.py", "oracle/slow/*.py",
+    *REFERENCE, *READERS, *CERTIFY, "fuzz/families/*.py", "fuzz/judges/certified_claims.py",
+    "oracle/slow/*.py",
 )  # fmt: skip
 
 SEED = 1973
@@ -37,7 +37,6 @@ LEAST = 2000
 SUMS, EVENTS, DEGENERACIES = 8, 8, 4
 EACH = 2  # mutants of a field and a way, of one certificate
 BATCH = 100
-PROCESSES = 2
 TRUTHS = ("claims", "case", "certificate")  # nothing that they say may change
 
 
@@ -53,30 +52,21 @@ class Tally:
     disagreements: list[str] = field(default_factory=list)
 
     def add(self, other: Tally) -> None:
-        self.whole += other.whole
-        self.mutants += other.mutants
-        self.refused += other.refused
-        self.fields += other.fields
-        self.other_proofs += other.other_proofs
-        self.other_truths += other.other_truths
-        self.false += other.false
-        self.disagreements += other.disagreements
+        for name, value in vars(other).items():
+            setattr(self, name, getattr(self, name) + value)
 
 
-def run(quick: bool) -> Findings:
-    findings, total, certified = Findings(), Tally(), _certified()
-    with multiprocessing.Pool(PROCESSES) as pool:
-        for i, tally in enumerate(pool.imap_unordered(_spoilt, list(enumerate(certified)))):
-            total.add(tally)
-            print(f"{i + 1} certificates, {total.mutants} mutants", flush=True)
+def run(findings: Findings, quick: bool) -> None:
+    total, certified = Tally(), _certified()
+    for tally in in_processes(_spoilt, list(enumerate(certified)), what="certificates"):
+        total.add(tally)
     words = {1: "refuted", 2: "malformed", 4: "out of budget"}
     findings.target("mutants", total.mutants >= LEAST, f"at least {LEAST:,}", f"{total.mutants:,}")
-    findings.law("mutants on which the checkers disagree", not total.disagreements, 0,
-                 "; ".join(total.disagreements[:3]) or 0)  # fmt: skip
-    findings.law("mutants that are verified and not confirmed", not total.false, 0,
-                 "; ".join(total.false[:3]) or 0)  # fmt: skip
-    findings.law("unchanged certificates that are verified and confirmed",
-                 total.whole == len(certified), len(certified), total.whole)  # fmt: skip
+    findings.none("mutants on which the checkers disagree", total.disagreements)
+    findings.none("mutants that are verified and not confirmed", total.false)
+    findings.equal(
+        "unchanged certificates that are verified and confirmed", len(certified), total.whole
+    )
     findings.figures["refused"] = {words[int(code)]: n for code, n in sorted(total.refused.items())}
     findings.figures["verified: the same claims by another proof, each confirmed"] = (
         total.other_proofs
@@ -84,7 +74,6 @@ def run(quick: bool) -> Findings:
     findings.figures["verified: other claims, true as well, each confirmed"] = total.other_truths
     findings.figures["fields that were changed"] = len(total.fields)
     findings.figures["mutants by rule and claim"] = dict(sorted(_by_kind(total.fields).items()))
-    return findings
 
 
 def _by_kind(fields: Counter[str]) -> Counter[str]:

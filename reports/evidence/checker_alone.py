@@ -13,8 +13,8 @@ from minkref import _core
 from minkref.certify.certificate import Certificate
 from minkref.reports.evidence.certificates.certified_cases import cases, written
 from minkref.reports.evidence.certificates.checkers import CHECKER
-from minkref.reports.evidence.framework.part import READERS, REFERENCE, Findings
-from minkref.reports.evidence.framework.store import ROOT
+from minkref.reports.evidence.framework.command import tests_pass
+from minkref.reports.evidence.framework.part import CERTIFY, READERS, REFERENCE, Findings
 
 SUBJECT = (
     "The checker in Python alone in an empty folder, in an empty environment: true certificates "
@@ -22,18 +22,14 @@ SUBJECT = (
     "each claim."
 )
 MINUTES = (0.5, None)
-DEPENDS = (
-    *REFERENCE, *READERS, "certify/*", "oracle/checker/*", "reports/evidence/certificates/*.py",
-    "tests/certificates/*.py",
-)  # fmt: skip
+DEPENDS = (*REFERENCE, *READERS, *CERTIFY, "tests/certificates/*.py")
 
 SEED = 1201
 FALSE = "tests/certificates/test_false_certificates.py"
 ALONE = "tests/certificates/test_the_file_alone.py"
 
 
-def run(quick: bool) -> Findings:
-    findings = Findings()
+def run(findings: Findings, quick: bool) -> None:
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         shutil.copy(CHECKER, folder)
@@ -53,11 +49,7 @@ def run(quick: bool) -> Findings:
         (folder / "it.case.json").unlink()
         _follow(findings, "a case that is missing", folder, file.name, 2)
     for what, path in (("false certificates by hand", FALSE), ("the file alone", ALONE)):
-        command = [sys.executable, "-m", "pytest", "-q", "-p", "no:xdist", path]
-        ran = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
-        tail = ran.stdout.strip().splitlines()[-1] if ran.stdout.strip() else ran.stderr[-200:]
-        findings.law(f"{what}: pytest {path}", ran.returncode == 0, "all pass", tail)
-    return findings
+        tests_pass(findings, f"{what}: pytest {path}", path)
 
 
 def _follow(findings: Findings, what: str, folder: Path, file: str, wanted: int) -> None:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from minkref.fuzz.libraries import catalogue
 from minkref.fuzz.targets.catalogue import list_targets
+from minkref.reports.evidence.framework.command import counts_of, told, verify
 from minkref.reports.evidence.framework.part import CGAL, COMPARISON, READERS, REFERENCE, Findings
 from minkref.reports.evidence.framework.store import FOLDER
-from minkref.reports.evidence.framework.verify_run import counts_of, verify
 
 SUBJECT = (
     "All targets, those of other libraries installed, for 600 s on two cores: the matrix, and the "
@@ -29,8 +29,7 @@ RAW = ("cgal-reduced-raw", "cgal-vertical-raw")  # these alone show CGAL issue 5
 OURS = ("minkref:", "minkref-")
 
 
-def run(quick: bool) -> Findings:
-    findings = Findings()
+def run(findings: Findings, quick: bool) -> None:
     for name in catalogue.ADAPTERS:
         if catalogue.absence(name) is not None and not quick:
             catalogue.install(name)
@@ -42,25 +41,23 @@ def run(quick: bool) -> Findings:
     report = FOLDER / "conformance"
     words = ["all", *RAW, "--seconds", seconds, "--seed", SEED, "--jobs", 2, "--report", report]
     words += ["--shrink-calls", 60 if quick else 400, "--no-models"]
-    code, value = verify(*(str(word) for word in words), seconds=seconds)
+    code, value = verify(*words, seconds=seconds)
     findings.figures["exit code"] = code
     for target in value["targets"]:
-        counts = counts_of(value, target["name"])
-        text = ", ".join(f"{count:,} {verdict}" for verdict, count in counts.items())
-        findings.figures[f"{target['name']} {target['version'] or ''}".strip()] = text
+        title = f"{target['name']} {target['version'] or ''}".strip()
+        findings.figures[title] = told(counts_of(value, target["name"]))
     ours = [
         finding
         for finding in value["findings"]
         if finding["target"].startswith(OURS[0]) and finding["verdict"] != "undecided"
     ]
-    findings.law("findings against the exact routes of the reference", not ours, 0, len(ours))
+    findings.none("findings against the exact routes of the reference", len(ours))
     if not quick:  # there is no time to find them
         _known(findings, value)
     for row in value["shrunk"]:
         kinds = " ".join(row["reasons"]) or row["verdict"]
         found = f"{row['target']} {kinds}: {row['count']} found; {row['reproduce']}"
         findings.note(found if len(found) < 900 else found[:897] + "...")
-    return findings
 
 
 def _known(findings: Findings, value: dict[str, object]) -> None:

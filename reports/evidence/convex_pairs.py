@@ -16,15 +16,11 @@ SUBJECT = (
     "that was updated from factor to factor is the one from scratch, and CGAL's hull."
 )
 MINUTES = (2, None)
-DEPENDS = (
-    *part.REFERENCE, *part.COMPARISON, *part.CGAL, "models/*.off", "reports/bench/*.py",
-    "python/minkref/space/*.py", "commands/space/*.py",
-)  # fmt: skip
+DEPENDS = (*part.REFERENCE, *part.COMPARISON, *part.CGAL, *part.CONVEX)
 FACTORS, WITH_CGAL = 100, 5
 
 
-def run(quick: bool) -> Findings:
-    findings = Findings()
+def run(findings: Findings, quick: bool) -> None:
     operands = [read_space_operand(name) for name in MODELS]
     updates = static = surfaces = hulls = without_error = 0
     with CgalSpaceService() as service:
@@ -47,8 +43,6 @@ def run(quick: bool) -> Findings:
     compared = len(operands) ** 2 * WITH_CGAL
     findings.law("updates that have the pairs of the static route", static == updates,
                  len(operands) ** 2 * FACTORS, static)  # fmt: skip
-    findings.law("surfaces equal to those of all pairs compared", surfaces == compared, compared,
-                 surfaces)  # fmt: skip
-    findings.law("surfaces equal to CGAL's hull", hulls == compared, compared, hulls)
-    findings.law("ee-errors without an error of a facet", without_error == 0, 0, without_error)
-    return findings
+    findings.equal("surfaces equal to those of all pairs compared", compared, surfaces)
+    findings.equal("surfaces equal to CGAL's hull", compared, hulls)
+    findings.none("ee-errors without an error of a facet", without_error)

@@ -28,9 +28,8 @@ SUBJECT = (
 )
 MINUTES = (7, None)
 DEPENDS = (
-    *part.REFERENCE, *part.COMPARISON, *part.CGAL, "certify/*.py", "oracle/checker/*",
-    "oracle/symbolic/convex.py", "reports/bench/*.py", "python/minkref/space/*.py",
-    "commands/space/*.py",
+    *part.REFERENCE, *part.COMPARISON, *part.CGAL, *part.CONVEX, *part.CERTIFY,
+    "oracle/symbolic/convex.py",
 )  # fmt: skip
 PAIRS, SCALINGS = 2000, 20
 WITH_NEF, WITH_ALGEBRA = 100, 10  # pairs, at their last scaling
@@ -38,8 +37,7 @@ MOST_FOR_ALGEBRA = 6  # vertices of each operand
 SEED = 20121
 
 
-def run(quick: bool) -> Findings:
-    findings = Findings()
+def run(findings: Findings, quick: bool) -> None:
     dice = random.Random(SEED)
     counts: Counter[str] = Counter()
     kinds: Counter[str] = Counter()
@@ -66,19 +64,18 @@ def run(quick: bool) -> Findings:
         ("sums equal to CGAL's hull", "hull"),
         ("certified digests equal to those of the sums", "digest"),
     ):
-        findings.law(what, counts[key] == every, every, counts[key])
-    findings.law("certificates verified, one for each pair", counts["verified"] == PAIRS, PAIRS,
-                 counts["verified"])  # fmt: skip
-    findings.law("sums equal to CGAL's of Nef polyhedra", counts["nef"] == WITH_NEF, WITH_NEF,
-                 counts["nef"])  # fmt: skip
-    findings.law("facets with their parents equal to those by computer algebra",
-                 counts["algebra"] == WITH_ALGEBRA, WITH_ALGEBRA, counts["algebra"])  # fmt: skip
-    findings.law("ee-errors without an error of a facet", counts["without error"] == 0, 0,
-                 counts["without error"])  # fmt: skip
+        findings.equal(what, every, counts[key])
+    findings.equal("certificates verified, one for each pair", PAIRS, counts["verified"])
+    findings.equal("sums equal to CGAL's of Nef polyhedra", WITH_NEF, counts["nef"])
+    findings.equal(
+        "facets with their parents equal to those by computer algebra",
+        WITH_ALGEBRA,
+        counts["algebra"],
+    )
+    findings.none("ee-errors without an error of a facet", counts["without error"])
     findings.note(f"seed {SEED}; errors mended: {counts['errors']:,}")
     told = ", ".join(f"{kind} {count:,}" for kind, count in kinds.most_common())
     findings.note(f"facets by the faces whose sum they are: {told}")
-    return findings
 
 
 def _operand(dice: random.Random) -> SpaceOperand:

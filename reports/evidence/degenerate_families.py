@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import subprocess
 import tempfile
 import time
 from collections import Counter
@@ -14,8 +13,14 @@ from minkref.degeneracies import lint
 from minkref.degeneracies.catalogue import FAMILIES, SPACE_FAMILIES
 from minkref.degeneracies.verdict_of_floats import WIDTHS
 from minkref.reports.evidence.certificates.checkers import in_cpp, verdicts
-from minkref.reports.evidence.framework.part import READERS, REFERENCE, Findings
-from minkref.reports.evidence.framework.store import ROOT
+from minkref.reports.evidence.framework.command import minkref
+from minkref.reports.evidence.framework.part import (
+    CERTIFY,
+    DEGENERACIES,
+    READERS,
+    REFERENCE,
+    Findings,
+)
 
 SUBJECT = (
     "`minkref generate`, every degenerate family, in the plane and in space, 100 cases each, all "
@@ -24,8 +29,7 @@ SUBJECT = (
 )
 MINUTES = (15, None)
 DEPENDS = (
-    *REFERENCE, *READERS, "certify/*", "oracle/checker/*", "degeneracies/*.py",
-    "degeneracies/plane/*.py", "degeneracies/space/*.py", "degeneracies/pages/*",
+    *REFERENCE, *READERS, *CERTIFY, *DEGENERACIES, "degeneracies/pages/*",
     "degeneracies/flags.json", "fuzz/space/*.py",
 )  # fmt: skip
 
@@ -33,15 +37,13 @@ SEED = 20
 COUNT = 100
 BATCH = 200
 MORE = f"more than {WIDTHS[-1]}"
-PROGRAM = ROOT / ".venv" / "bin" / "minkref"
 
 
-def run(quick: bool) -> Findings:
-    findings = Findings()
+def run(findings: Findings, quick: bool) -> None:
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        words = ("--count", str(COUNT), "--seed", str(SEED), "-o", name)
-        made, more = (_minkref("generate", which, *words) for which in ("all", "space"))
+        words = ("--count", COUNT, "--seed", SEED, "-o", name)
+        made, more = (minkref("generate", which, *words)[1] for which in ("all", "space"))
         rows = [*made["cases"], *more["cases"]]
         per_family = Counter(row["family"] for row in rows)
         counts = sorted({per_family[family] for family in (*FAMILIES, *SPACE_FAMILIES)})
@@ -54,7 +56,7 @@ def run(quick: bool) -> Findings:
             "in the plane": made["cases_per_second"], "in space": more["cases_per_second"]
         }  # fmt: skip
         began = time.perf_counter()
-        checked = _minkref("check", name)["files"]
+        checked = minkref("check", name)[1]["files"]
         seconds = time.perf_counter() - began
         bad = [row["file"] for row in checked if row["verdict"] != "verified"]
         good = len(checked) - len(bad)
@@ -67,11 +69,10 @@ def run(quick: bool) -> Findings:
         findings.law("verified by the checker in C++", codes == Counter({0: len(files)}),
                      len(files), codes[0])  # fmt: skip
         faults = list(lint.faults(folder, again=False))
-        findings.law("faults of form", not faults, 0, "; ".join(faults[:3]) or 0)
+        findings.none("faults of form", faults)
         values = [json.loads(path.read_text(encoding="utf-8")) for path in lint.case_paths(folder)]
         _floats(findings, [value for value in values if value["dimension"] == 2])
         _signs(findings, [value for value in values if value["dimension"] == 3])
-    return findings
 
 
 def _floats(findings: Findings, values: list[dict[str, Any]]) -> None:
@@ -100,11 +101,3 @@ def _signs(findings: Findings, values: list[dict[str, Any]]) -> None:
     findings.figures["share of scalings at which a sign is wrong in doubles"] = {
         family: f"{tally[True] / tally.total():.0%}" for family, tally in sorted(wrong.items())
     }
-
-
-def _minkref(*words: str) -> dict[str, Any]:
-    ran = subprocess.run([str(PROGRAM), *words, "--json"], capture_output=True, text=True)
-    if ran.returncode not in (0, 1):
-        raise RuntimeError(f"minkref {words[0]} ended with {ran.returncode}: {ran.stderr[-400:]}")
-    value: dict[str, Any] = json.loads(ran.stdout)
-    return value

@@ -15,15 +15,9 @@ SUBJECT = (
 )
 MINUTES = (15, None)
 DEPENDS = (
-    "docs/**/*.md",
-    "docs/site/*",
-    "scripts/docs.sh",
-    "README.md",
-    "reference/**/*.hpp",
-    "python/minkref/**/*.py",
-    "commands/**/*.py",
-    "commands/schemas/*.json",
-)
+    "docs/**/*.md", "docs/site/*", "scripts/docs.sh", "README.md", "reference/**/*.hpp",
+    "python/minkref/**/*.py", "commands/**/*.py", "commands/schemas/*.json",
+)  # fmt: skip
 
 ROOT = Path(__file__).resolve().parents[2]
 SITE = ROOT / "build" / "site"
@@ -40,8 +34,7 @@ FOUND = "return document.querySelectorAll('.md-search-result__item').length"
 SECONDS = 60  # until the search has read its index
 
 
-def run(quick: bool) -> Findings:
-    findings = Findings()
+def run(findings: Findings, quick: bool) -> None:
     began = time.perf_counter()
     done = subprocess.run(
         [ROOT / "scripts/docs.sh"], cwd=ROOT, capture_output=True, text=True, check=False
@@ -50,7 +43,7 @@ def run(quick: bool) -> Findings:
     said = (done.stdout + done.stderr).strip()
     findings.law("the strict build ends well", done.returncode == 0, 0, said[-500:])
     if done.returncode != 0:
-        return findings
+        return
     pages = sorted(page for page in SITE.rglob("*.html") if page.name != "404.html")
     viewed = [page for page in pages if page.parent.name == "gallery" and page.stem != "index"]
     pages = [page for page in pages if page not in viewed]
@@ -59,11 +52,10 @@ def run(quick: bool) -> Findings:
     if reason is not None:
         findings.note(f"install {' and '.join(PACKAGES)}, then run this part with --again")
         findings.target("pages in Chromium", False, "looked at", reason)
-        return findings
+        return
     with browser() as window:
         _look(findings, window, pages)
         _search(findings, window)
-    return findings
 
 
 def _look(findings: Findings, window: Browser, pages: list[Path]) -> None:
@@ -92,7 +84,7 @@ def _search(findings: Findings, window: Browser) -> None:
         window.prefer(mode)
         window.open(SITE / "index.html")
         colours.append(window.run(BACKGROUND))
-    findings.law("dark mode has another background", len(set(colours)) == 2, 2, len(set(colours)))
+    findings.equal("dark mode has another background", 2, len(set(colours)))
     end = time.monotonic() + SECONDS
     found = 0
     while not found and time.monotonic() < end:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import multiprocessing
 import random
 from collections import Counter
 from fractions import Fraction
@@ -12,6 +11,7 @@ from minkref import _core
 from minkref.exact import set_json
 from minkref.fuzz.families.integer_rings import Ring, counter_clockwise, scattered, untangled
 from minkref.fuzz.families.random_pairs import random_holes
+from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.part import REFERENCE, Findings
 
 SUBJECT = (
@@ -24,7 +24,6 @@ DEPENDS = (*REFERENCE, "fuzz/families/integer_rings.py", "fuzz/families/random_p
 
 SEED = 2012
 WALKS, QUICK_WALKS, STEPS = 1000, 10, 30
-PROCESSES = 2
 KINDS = ("pair", "parallel", "triple")
 
 
@@ -83,22 +82,18 @@ def walk(index: int) -> dict[str, Any]:
     return {"tally": tally, "fault": None}
 
 
-def run(quick: bool) -> Findings:
-    findings = Findings()
+def run(findings: Findings, quick: bool) -> None:
     walks = QUICK_WALKS if quick else WALKS
     total: Counter[str] = Counter()
     faults = []
-    with multiprocessing.get_context("spawn").Pool(PROCESSES) as pool:
-        for done, result in enumerate(pool.imap_unordered(walk, range(walks)), 1):
-            total.update(result["tally"])
-            if result["fault"]:
-                faults.append(result["fault"])
-            if done % 20 == 0:
-                print(f"{done} of {walks} walks, {len(faults)} faults", flush=True)
+    for result in in_processes(walk, range(walks), each=20, what="walks"):
+        total.update(result["tally"])
+        if result["fault"]:
+            faults.append(result["fault"])
     steps = total["up"] + total["down"]
     at_events = sum(total[kind] for kind in KINDS)
     findings.figures |= {"seed": SEED, "walks": walks, **total, "faults": faults[:5]}
-    findings.law("walks that leave the static arrangement or sum", not faults, 0, len(faults))
+    findings.none("walks that leave the static arrangement or sum", len(faults))
     findings.law("steps", steps >= walks * STEPS, walks * STEPS, steps)
     findings.law("stops on events", 3 * at_events >= steps, "a third", f"{at_events} of {steps}")
     reached = ", ".join(f"{kind} {total[kind]}" for kind in KINDS)
@@ -108,4 +103,3 @@ def run(quick: bool) -> Findings:
         f"{total['up']} up, {total['down']} down",
     )  # fmt: skip
     findings.law("walks with holes", 2 * total["holes"] >= walks - 1, "half", total["holes"])
-    return findings

@@ -3,19 +3,23 @@
 from __future__ import annotations
 
 import csv
-import importlib
 import json
-import multiprocessing
-import sys
 from fractions import Fraction
-from pathlib import Path
 from typing import Any
 
 from minkref import _core
 from minkref.degeneracies.case_document import Degenerate
 from minkref.degeneracies.catalogue import FAMILIES
 from minkref.fuzz.plane.region import region_of_rings
-from minkref.reports.evidence.framework.part import COMPARISON, READERS, REFERENCE, Findings
+from minkref.reports.evidence.framework.in_processes import in_processes
+from minkref.reports.evidence.framework.of_tests import SEEDED, module, seeded_faults
+from minkref.reports.evidence.framework.part import (
+    COMPARISON,
+    DEGENERACIES,
+    READERS,
+    REFERENCE,
+    Findings,
+)
 from minkref.reports.evidence.framework.store import FOLDER, ROOT
 
 SUBJECT = (
@@ -23,32 +27,24 @@ SUBJECT = (
     "on ten of its members at their scales: the mutation score by family."
 )
 MINUTES = (5, None)
-DEPENDS = (
-    *REFERENCE, *READERS, *COMPARISON, "degeneracies/*.py", "degeneracies/plane/*.py",
-    "tests/seeded/*.py",
-)  # fmt: skip
+DEPENDS = (*REFERENCE, *READERS, *COMPARISON, *DEGENERACIES, "tests/seeded/*.py")
 
-SEEDED = Path(__file__).resolve().parents[2] / "tests" / "seeded"
 SEED = 11
 MATRIX = FOLDER / "faults_by_family.csv"
 MEMBERS = 10
 SCALES = 3  # of a member: the critical one, and one on each side
 SECONDS = 1.0  # of one call; a fault that takes longer shows
-PROCESSES = 2
 # Families that may show none, and why.
 BLAND: dict[str, str] = {}
 
 
-def run(quick: bool) -> Findings:
-    findings = Findings()
-    names = sorted(_beside("seeded_sums").FAULTS)
+def run(findings: Findings, quick: bool) -> None:
+    names = sorted(seeded_faults())
     shown: dict[str, set[str]] = {}
-    with multiprocessing.Pool(PROCESSES) as pool:
-        for family, found, alarms in pool.imap_unordered(_of_family, list(FAMILIES)):
-            shown[family] = set(found)
-            findings.law(f"{family}: answers of the sound implementation that are wrong",
-                         not alarms, 0, "; ".join(alarms[:2]) or 0)  # fmt: skip
-            print(f"{family}: {len(found)} of {len(names)}", flush=True)
+    for family, found, alarms in in_processes(_of_family, list(FAMILIES)):
+        shown[family] = set(found)
+        findings.none(f"{family}: answers of the sound implementation that are wrong", alarms)
+        print(f"{family}: {len(found)} of {len(names)}", flush=True)
     for family in FAMILIES:
         findings.figures[family] = f"{len(shown[family])} of {len(names)}"
     bland = [family for family in FAMILIES if not shown[family] and family not in BLAND]
@@ -64,7 +60,6 @@ def run(quick: bool) -> Findings:
         for family in FAMILIES
     }
     findings.figures["faults that one family alone shows"] = {k: v for k, v in only.items() if v}
-    return findings
 
 
 def _write_matrix(names: list[str], shown: dict[str, set[str]]) -> None:
@@ -77,19 +72,13 @@ def _write_matrix(names: list[str], shown: dict[str, set[str]]) -> None:
             table.writerow([name, *(int(name in shown[family]) for family in FAMILIES)])
 
 
-def _beside(name: str) -> Any:
-    """A module of the seeded implementation."""
-    if str(SEEDED) not in sys.path:
-        sys.path.insert(0, str(SEEDED))
-    return importlib.import_module(name)
-
-
 def _of_family(family: str) -> tuple[str, list[str], list[str]]:
     """Its name, the faults that it shows, and where the sound sum is wrong."""
-    seeded = _beside("seeded_sums")
-    made = _beside("seeded_adapter").made
+    made = module("seeded_adapter", SEEDED).made
     cases = [_questions(family, index) for index in range(MEMBERS)]
-    found = [name for name in sorted(seeded.FAULTS) if _differences(made(name), cases, first=True)]
+    found = [
+        name for name in sorted(seeded_faults()) if _differences(made(name), cases, first=True)
+    ]
     return family, found, _differences(made("sound"), cases, first=False)
 
 
@@ -122,7 +111,7 @@ def _differences(target: Any, cases: list[Question], first: bool) -> list[str]:
 
 def _answer(target: Any, scale: str, sP: Any) -> str:
     try:
-        with _beside("time_limit").limited(SECONDS):
+        with module("time_limit", SEEDED).limited(SECONDS):
             result = target.at(scale, sP)
     except Exception as error:  # noqa: BLE001 a fault may raise anything
         return type(error).__name__

@@ -19,8 +19,7 @@ BATCH = 100_000
 MOST_BATCHES = 50
 
 
-def run(quick: bool) -> Findings:
-    findings = Findings()
+def run(findings: Findings, quick: bool) -> None:
     total: Counter[str] = Counter()
     batches = 0
     while batches < MOST_BATCHES and (
@@ -35,5 +34,4 @@ def run(quick: bool) -> Findings:
     findings.law("those are among the signs handed on", wrong <= handed, f"at most {handed}", wrong)
     if "filter_wrong" in total:
         bad = total["filter_wrong"]
-        findings.law("signs that the filter decided wrongly", bad == 0, 0, bad)
-    return findings
+        findings.none("signs that the filter decided wrongly", bad)

@@ -2,18 +2,14 @@
 
 from __future__ import annotations
 
-import os
-import resource
-import shutil
 import statistics
 import subprocess
 import tempfile
-import time
-from dataclasses import dataclass
 from pathlib import Path
 
+from minkref.reports.evidence.framework.clone import Clone, Taken, git, processor_seconds
 from minkref.reports.evidence.framework.part import Findings
-from minkref.reports.evidence.framework.store import FOLDER, ROOT
+from minkref.reports.evidence.framework.store import ROOT
 
 SUBJECT = (
     "Fresh clones of this commit and of one before the front door was made cheaper, with an empty "
@@ -38,59 +34,15 @@ EDITED = "formats/decimal.cpp"
 EDITED_TEST = ("test_formats", "--gtest_filter=*Decimal*")
 
 
-@dataclass(frozen=True)
-class Taken:
-    """Seconds on the clock, and of all processors."""
-
-    clock: float
-    processor: float
-    code: int
-
-    def __str__(self) -> str:
-        return f"{self.clock:.0f} s ({self.processor:.0f} s of processor time)"
-
-
-class Clone:
-    """The files of a commit in a folder of its own, and commands in it with nothing but PATH and
-    HOME in their environment."""
-
-    def __init__(self, folder: Path, commit: str) -> None:
-        self.root = folder / commit
-        subprocess.run(["git", "clone", "--quiet", ROOT, self.root], check=True)
-        subprocess.run(["git", "-C", self.root, "checkout", "--quiet", commit], check=True)
-        self.name = commit
-
-    def call(self, *command: str) -> Taken:
-        log = FOLDER / "front_door" / f"{self.name}-{'-'.join(command[:2])}.log".replace("/", "-")
-        log.parent.mkdir(parents=True, exist_ok=True)
-        path = [part for part in os.environ["PATH"].split(":") if str(ROOT / ".venv") not in part]
-        environment = {"PATH": ":".join(path), "HOME": os.environ["HOME"], "CCACHE_DISABLE": "1"}
-        began, spent = time.monotonic(), processor_seconds()
-        with open(log, "w", encoding="utf-8") as out:
-            done = subprocess.run(
-                command, cwd=self.root, env=environment, stdin=subprocess.DEVNULL,
-                stdout=out, stderr=out, check=False,
-            )  # fmt: skip
-        clock = time.monotonic() - began
-        taken = Taken(clock, processor_seconds() - spent, done.returncode)
-        print(f"{self.name}: {' '.join(command)}: exit code {done.returncode}, {taken}", flush=True)
-        return taken
-
-    def start(self, *words: str) -> float:
-        """Seconds of processor time of the command, the least of some runs."""
-        command = [str(self.root / ".venv" / "bin" / "minkref"), *words]
-        seconds = []
-        for _ in range(STARTS):
-            spent = processor_seconds()
-            subprocess.run(command, cwd=self.root, capture_output=True, check=True)
-            seconds.append(processor_seconds() - spent)
-        return statistics.median(seconds)
-
-
-def processor_seconds() -> float:
-    """Of all children that have ended."""
-    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return usage.ru_utime + usage.ru_stime
+def start(clone: Clone, *words: str) -> float:
+    """Seconds of processor time of the command, the middle of some runs."""
+    command = [str(clone.root / ".venv" / "bin" / "minkref"), *words]
+    seconds = []
+    for _ in range(STARTS):
+        spent = processor_seconds()
+        subprocess.run(command, cwd=clone.root, capture_output=True, check=True)
+        seconds.append(processor_seconds() - spent)
+    return statistics.median(seconds)
 
 
 def edit(clone: Clone) -> Taken:
@@ -101,29 +53,24 @@ def edit(clone: Clone) -> Taken:
     line = (
         f"cmake --build build/release --target {test} && build/release/tests/formats/{test} {words}"
     )
-    return clone.call("bash", "-c", line)
+    return clone.call("edit", "bash", "-c", line)
 
 
-def run(_: bool) -> Findings:
-    findings = Findings()
-    folder = Path(tempfile.mkdtemp(prefix="minkref-front-door-"))
-    folder.chmod(0o755)  # tests run programs as another user too
-    now = subprocess.run(
-        ["git", "-C", ROOT, "rev-parse", "--short", "HEAD"],
-        capture_output=True,
-        text=True,
-        check=True,
-    ).stdout.strip()
-    try:
-        old, new = Clone(folder, BEFORE), Clone(folder, now)
+def run(findings: Findings, _: bool) -> None:
+    now = git(ROOT, "rev-parse", "--short", "HEAD")
+    with tempfile.TemporaryDirectory(
+        prefix="minkref-front-door-", ignore_cleanup_errors=True
+    ) as name:
+        Path(name).chmod(0o755)  # tests run programs as another user too
+        old, new = (Clone(Path(name, commit), commit) for commit in (BEFORE, now))
         # This commit first: what it gets wrong is seen soonest.
         taken = {
-            (clone.name, command): clone.call("make", command)
+            (clone, command): clone.call(f"make {command}", "make", command)
             for clone in (new, old) for command in ("run", "test")
         }  # fmt: skip
         for command, most in (("run", RUN_RATIO), ("test", TEST_RATIO)):
-            before, after = taken[old.name, command], taken[new.name, command]
-            findings.law(f"make {command}: exit code", after.code == 0, 0, after.code)
+            before, after = taken[old, command], taken[new, command]
+            findings.equal(f"make {command}: exit code", 0, after.code)
             if before.code:
                 findings.note(f"make {command} at {BEFORE} ended with exit code {before.code}.")
             ratio = after.clock / before.clock
@@ -138,18 +85,15 @@ def run(_: bool) -> Findings:
             )
         starts = {"--version": ["--version"], "sum of two triangles": ["sum", *TRIANGLES]}
         for name, words in starts.items():
-            before_s, after_s = old.start(*words), new.start(*words)
+            before_s, after_s = start(old, *words), start(new, *words)
             most = START_RATIOS[name]
             findings.target(
                 f"start, {name}: of {BEFORE}'s processor time", after_s / before_s <= most,
                 f"{most:.2f}", f"{after_s / before_s:.2f} ({before_s:.2f} s, {after_s:.2f} s)",
             )  # fmt: skip
         edited = edit(new)
-        findings.law("the edit: exit code", edited.code == 0, 0, edited.code)
+        findings.equal("the edit: exit code", 0, edited.code)
         findings.target(
             "an edit of one source to its tested result", edited.clock <= EDIT_SECONDS,
             f"{EDIT_SECONDS:.0f} s", str(edited),
         )  # fmt: skip
-    finally:
-        shutil.rmtree(folder, ignore_errors=True)
-    return findings

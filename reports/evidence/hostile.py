@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import importlib
-import sys
 from concurrent.futures import ThreadPoolExecutor
-from pathlib import Path
 from typing import Any
 
+from minkref.reports.evidence.framework.of_tests import module
 from minkref.reports.evidence.framework.part import COMPARISON, READERS, REFERENCE, Findings
+from minkref.reports.evidence.framework.store import ROOT
 
 SUBJECT = (
     "Hostile adapters, written from the documentation alone by somebody who had not read the "
@@ -24,7 +23,7 @@ DEPENDS = (
     "tests/hostile/**/*",
 )  # fmt: skip
 
-FOLDER = Path(__file__).resolve().parents[2] / "tests" / "hostile"
+FOLDER = ROOT / "tests" / "hostile"
 WORDS: tuple[str, ...] = ("--no-models", "--shrink-calls", "0", "--jobs", "1", "--no-settings")
 WORDS += ("--call-seconds", "3", "--call-memory", "400", "--call-output", "32")
 WAYS = ("sandbox", "none")
@@ -32,12 +31,9 @@ QUICK_FILES = 12  # every so many of them
 AT_ONCE = 2
 
 
-def room(module: str) -> Any:
-    """A module of tests/hostile, whose own scripts find each other beside them."""
-    for folder in (FOLDER, FOLDER / "files"):
-        if str(folder) not in sys.path:
-            sys.path.insert(0, str(folder))
-    return importlib.import_module(module)
+def room(name: str) -> Any:
+    """A module of tests/hostile."""
+    return module(name, FOLDER, FOLDER / "files")
 
 
 def attacked(attack: Any, way: str) -> dict[str, Any]:
@@ -64,8 +60,7 @@ def read(hostile: Any) -> dict[str, Any]:
     return {"title": seen.title, "faults": seen.faults, "code": seen.code, "peak": seen.peak_bytes}
 
 
-def run(quick: bool) -> Findings:
-    findings = Findings()
+def run(findings: Findings, quick: bool) -> None:
     files = room("file_catalogue").FILES
     chosen = [attack for attack in room("attacks").ATTACKS if attack.quick or not quick]
     files = files[::QUICK_FILES] if quick else files
@@ -74,15 +69,14 @@ def run(quick: bool) -> Findings:
             rows = list(pool.map(lambda attack, way=way: attacked(attack, way), chosen))
             tell_attacks(findings, way, rows)
         tell_files(findings, list(pool.map(read, files)))
-    return findings
 
 
 def tell_attacks(findings: Findings, way: str, rows: list[dict[str, Any]]) -> None:
     name = "with the sandbox" if way == "sandbox" else "without it"
     bad = [row for row in rows if row["faults"]]
-    findings.law(f"attacks {name}: not as documented", not bad, 0, len(bad))
+    findings.none(f"attacks {name}: not as documented", len(bad))
     left = sum(row["processes"] for row in rows)
-    findings.law(f"processes left behind, {name}", left == 0, 0, left)
+    findings.none(f"processes left behind, {name}", left)
     findings.figures[f"attacks, {name}"] = rows
     reached = sorted({word for row in rows for word in row["reached"]})
     findings.note(f"{name}, adapters and functions got at: {', '.join(reached) or 'nothing'}")
@@ -91,7 +85,7 @@ def tell_attacks(findings: Findings, way: str, rows: list[dict[str, Any]]) -> No
 
 def tell_files(findings: Findings, rows: list[dict[str, Any]]) -> None:
     bad = [row for row in rows if row["faults"]]
-    findings.law("hostile files neither refused nor judged as documented", not bad, 0, len(bad))
+    findings.none("hostile files neither refused nor judged as documented", len(bad))
     findings.figures["hostile files"] = len(rows)
     findings.figures["refused"] = sum(row["code"] != 0 for row in rows)
     findings.figures["largest process, MiB"] = max(row["peak"] for row in rows) >> 20

@@ -5,8 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from minkref.reports.bench import index
-from minkref.reports.evidence.framework import part
-from minkref.reports.evidence.framework.part import Findings
+from minkref.reports.evidence.framework.part import AGAINST_CGAL, Findings
 
 SUBJECT = (
     "The index of all scales, window from 1/10 to 10, one core: seconds to build, bytes, seconds "
@@ -15,10 +14,7 @@ SUBJECT = (
 )
 MINUTES = (6, None)
 ALONE = True
-DEPENDS = (
-    *part.REFERENCE, *part.READERS, *part.MODELS, *part.COMPARISON, *part.CGAL,
-    "reports/bench/*.py",
-)  # fmt: skip
+DEPENDS = (*AGAINST_CGAL, "reports/bench/*.py")
 SEED = 1
 
 # Of each large pair: CGAL over a query by form; builds in CGAL's sums or in seconds; bytes.
@@ -33,13 +29,11 @@ MOST_BYTES = 10_000_000
 MEAN_RATIO = 1000  # homogeneous, over the 25 small pairs
 
 
-def run(quick: bool) -> Findings:
-    findings = Findings()
+def run(findings: Findings, quick: bool) -> None:
     table = index.run(quick, SEED, lambda text: print(text, flush=True), lambda: None)
     for note in table.notes:
         findings.note(note)
-    findings.law("sums that differ from the static ones", not table.wrong, 0,
-                 ", ".join(table.wrong) or 0)  # fmt: skip
+    findings.none("sums that differ from the static ones", table.wrong)
     for name, row in ((_asked(row["name"]), row) for row in table.rows if not row["small"]):
         for form, wanted in RATIOS.get(name, {}).items():
             ratio = row["forms"][form]["cgal_ratio"]
@@ -68,7 +62,6 @@ def run(quick: bool) -> Findings:
         if told is not None:
             findings.note(f"mean over the 25 pairs of CGAL over a query, {form}: {told:,.0f}")
     findings.figures = {"rows": table.rows}
-    return findings
 
 
 def _or_dash(value: float | None, form: str) -> str:

@@ -4,10 +4,8 @@ sum."""
 from __future__ import annotations
 
 import json
-import multiprocessing
 import random
 import tempfile
-from collections import Counter
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 from pathlib import Path
@@ -22,8 +20,9 @@ from minkref.fuzz.families.pinched_pairs import pinched_pair
 from minkref.fuzz.families.random_pairs import Pair
 from minkref.reports.evidence.certificates.certified_cases import written
 from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, verdicts
+from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.operands import operand, tell_absent
-from minkref.reports.evidence.framework.part import MODELS, READERS, REFERENCE, Findings
+from minkref.reports.evidence.framework.part import CERTIFY, MODELS, READERS, REFERENCE, Findings
 
 SUBJECT = (
     "The index of all scales: equal by digest to the static sum at random scales and below, at and "
@@ -34,8 +33,7 @@ SUBJECT = (
 )
 MINUTES = (55, None)
 DEPENDS = (
-    *REFERENCE, *READERS, *MODELS, "certify/*", "oracle/checker/*", "fuzz/families/*.py",
-    "degeneracies/corpus/*/*.json", "reports/evidence/certificates/*.py",
+    *REFERENCE, *READERS, *MODELS, *CERTIFY, "fuzz/families/*.py", "degeneracies/corpus/*/*.json",
 )  # fmt: skip
 
 SEED = 2012
@@ -45,7 +43,6 @@ PAIRS, SCALES_OF_A_PAIR = 2000, 20
 PINCHED = 5000  # pairs
 ROUTES = tuple(_core.ROUTES)
 SAMPLE = 40  # certificates
-PROCESSES = 2
 MAKERS: dict[str, Callable[[int, int], Pair]] = {
     "holes": holes_pair,
     "small holes": small_holes_pair,
@@ -179,43 +176,34 @@ def real_tasks(findings: Findings, first: str, second: str) -> list[Task]:
     ]
 
 
-def run(quick: bool) -> Findings:
-    findings = Findings()
-    with multiprocessing.get_context("spawn").Pool(PROCESSES) as pool:
+def run(findings: Findings, quick: bool) -> None:
+    def all_of(what: str, work: Callable[[Task], tuple[str, int, str]], tasks: list[Task]) -> None:
+        compared, wrong = 0, []
+        for name, count, fault in in_processes(work, tasks, each=100, what=what):
+            compared += count
+            if fault:
+                wrong.append(f"{name}: {fault}")
+        findings.none(f"{what}: differ", wrong)
+        findings.figures[what] = f"{len(tasks):,} tasks, {compared:,} compared"
+        findings.target(f"{what}: compared", compared > 0, "some", compared)
 
-        def all_of(
-            what: str, work: Callable[[Task], tuple[str, int, str]], tasks: list[Task]
-        ) -> None:
-            counts: Counter[str] = Counter()
-            wrong = []
-            for done, (name, count, fault) in enumerate(pool.imap_unordered(work, tasks), 1):
-                counts["compared"] += count
-                if fault:
-                    wrong.append(f"{name}: {fault}")
-                if done % 100 == 0 or done == len(tasks):
-                    print(f"{what}: {done} of {len(tasks)}, {len(wrong)} wrong", flush=True)
-            findings.law(f"{what}: differ", not wrong, 0, "; ".join(wrong[:3]) or 0)
-            findings.figures[what] = f"{len(tasks):,} tasks, {counts['compared']:,} compared"
-            findings.target(f"{what}: compared", counts["compared"] > 0, "some", counts["compared"])
-
-        degenerate, corpus = list(degenerate_tasks()), list(corpus_tasks())
-        pinched = list(pinched_tasks())
-        all_of("degenerate pairs, sums at 20 scales", same_sums, degenerate)
-        all_of("degenerate pairs, events", same_events, degenerate)
-        all_of("pinched pairs, sums at 20 scales by all routes", same_sums_by_all_routes, pinched)
-        all_of("pinched pairs, events", same_events, pinched)
-        all_of("corpus, sums at 20 scales", same_sums, corpus)
-        all_of("corpus, events", same_events, corpus[::2])
-        for first, second in (("neuron", "disc1"), ("monkey", "bird")):
-            tasks = real_tasks(findings, first, second)
-            all_of(f"{first} + {second}, sums", same_sums, tasks)
-            all_of(f"{first} + {second}, events", same_events, tasks[:1])
+    degenerate, corpus = list(degenerate_tasks()), list(corpus_tasks())
+    pinched = list(pinched_tasks())
+    all_of("degenerate pairs, sums at 20 scales", same_sums, degenerate)
+    all_of("degenerate pairs, events", same_events, degenerate)
+    all_of("pinched pairs, sums at 20 scales by all routes", same_sums_by_all_routes, pinched)
+    all_of("pinched pairs, events", same_events, pinched)
+    all_of("corpus, sums at 20 scales", same_sums, corpus)
+    all_of("corpus, events", same_events, corpus[::2])
+    for first, second in (("neuron", "disc1"), ("monkey", "bird")):
+        tasks = real_tasks(findings, first, second)
+        all_of(f"{first} + {second}, sums", same_sums, tasks)
+        all_of(f"{first} + {second}, events", same_events, tasks[:1])
     _certificates(findings, degenerate[:: len(degenerate) // SAMPLE])
     findings.note(
         f"seed {SEED}; windows of real pairs {WINDOW[0]} to {WINDOW[1]}, of degenerate pairs all "
         "scales, of the corpus from half the least to twice the greatest scale of the case"
     )
-    return findings
 
 
 def _certificates(findings: Findings, tasks: list[Task]) -> None:
@@ -236,8 +224,6 @@ def _certificates(findings: Findings, tasks: list[Task]) -> None:
             for verdict in (*verdicts(in_cpp(), files), *verdicts(in_python(), files))
             if verdict.code
         ]
-    findings.law("certificates of another sum than the index has", not other, 0,
-                 "; ".join(other[:3]) or 0)  # fmt: skip
-    findings.law("certificates that a checker refuses", not refused, 0,
-                 "; ".join(refused[:3]) or 0)  # fmt: skip
+    findings.none("certificates of another sum than the index has", other)
+    findings.none("certificates that a checker refuses", refused)
     findings.figures["certificates followed by both checkers"] = len(files)

@@ -42,14 +42,12 @@ class Cost:
     mib: float  # at most resident
 
 
-def run(quick: bool) -> Findings:
-    findings = Findings()
+def run(findings: Findings, quick: bool) -> None:
     P, Q = (operand(name) for name in PAIR)
     with tempfile.TemporaryDirectory() as folder:
         _events(findings, P.name, Q.name, Path(folder))
         _arrangement(findings)
         _sweeps(findings)
-    return findings
 
 
 def _events(findings: Findings, P: str, Q: str, folder: Path) -> None:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from minkref.fuzz.judges.witness_check import confirmed
+from minkref.reports.evidence.framework.command import counts_of, told, verify
 from minkref.reports.evidence.framework.part import CGAL, COMPARISON, READERS, REFERENCE, Findings
-from minkref.reports.evidence.framework.verify_run import counts_of, verify
 
 SUBJECT = (
     "Twenty minutes over our routes and all CGAL targets, raw ones too: no `wrong` whose witness "
@@ -15,12 +15,8 @@ DEPENDS = (*REFERENCE, *READERS, *CGAL, *COMPARISON, "oracle/slow/*.py")
 
 SEED = 2024
 SECONDS, QUICK_SECONDS = 1200, 6
-ROUTES = (
-    "minkref:paper",
-    "minkref:winding",
-    "minkref:definition",
-    "minkref:dynamic",
-    "minkref:index",
+ROUTES = tuple(
+    f"minkref:{route}" for route in ("paper", "winding", "definition", "dynamic", "index")
 )
 METHODS = ("reduced", "full", "vertical", "triangulation", "ssab", "optimal", "hertel-mehlhorn")
 CGAL_TARGETS = (
@@ -29,39 +25,22 @@ CGAL_TARGETS = (
 )
 
 
-def run(quick: bool) -> Findings:
-    findings = Findings()
+def run(findings: Findings, quick: bool) -> None:
     seconds = QUICK_SECONDS if quick else SECONDS
-    words = [
-        "minkref",
-        *ROUTES,
-        *CGAL_TARGETS,
-        "--no-models",
-        "--seconds",
-        seconds,
-        "--seed",
-        SEED,
-        "--jobs",
-        2,
-    ]
-    _, value = verify(*(str(word) for word in [*words, "--shrink-calls", 0]), seconds=seconds)
+    words = ("minkref", *ROUTES, *CGAL_TARGETS, "--no-models", "--seconds", seconds, "--seed", SEED)
+    _, value = verify(*words, "--jobs", 2, "--shrink-calls", 0, seconds=seconds)
     for target in value["targets"]:
-        counts = counts_of(value, target["name"])
-        text = ", ".join(f"{count:,} {verdict}" for verdict, count in counts.items())
-        findings.figures[target["name"]] = text
+        findings.figures[target["name"]] = told(counts_of(value, target["name"]))
     wrong = [finding for finding in value["findings"] if finding["verdict"] == "wrong"]
     large = [finding for finding in wrong if finding["P"]["set"] is None]
     checked = [finding for finding in wrong if finding["P"]["set"] is not None]
     refuted = [finding for finding in checked if not confirmed(finding)]
     findings.figures["wrong"] = len(wrong)
-    findings.law("wrongs whose operands the document leaves out", not large, 0, len(large))
-    findings.law(
-        f"of {len(checked)} witnesses, refuted by the slow engine", not refuted, 0, len(refuted)
-    )
+    findings.none("wrongs whose operands the document leaves out", len(large))
+    findings.none(f"of {len(checked)} witnesses, refuted by the slow engine", len(refuted))
     for finding in refuted:
         findings.note(f"{finding['target']}: {finding['reproduce']}")
     ours = [finding for finding in value["findings"] if finding["target"] in ROUTES]
-    findings.law("findings against our own routes", not ours, 0, len(ours))
+    findings.none("findings against our own routes", len(ours))
     undecided = sum(counts_of(value, t).get("undecided", 0) for t in (*ROUTES, *CGAL_TARGETS))
-    findings.law("undecided", undecided == 0, 0, undecided)
-    return findings
+    findings.none("undecided", undecided)

@@ -18,19 +18,10 @@ SUBJECT = (
 )
 MINUTES = (40, None)
 DEPENDS = (
-    "pyproject.toml",
-    "CMakeLists.txt",
-    "requirements.txt",
-    "cmake/*",
-    "packaging/*.py",
-    "LICENSES/*",
-    "reference/**/*.?pp",
-    "formats/*.?pp",
-    "certify/*",
-    "python/**/*.?p*",
-    "fuzz/**/*.py",
-    "tests/consumer/**/*",
-)
+    "pyproject.toml", "CMakeLists.txt", "requirements.txt", "cmake/*", "packaging/*.py",
+    "LICENSES/*", "reference/**/*.?pp", "formats/*.?pp", "certify/*", "python/**/*.?p*",
+    "fuzz/**/*.py", "tests/consumer/**/*",
+)  # fmt: skip
 
 
 def call(findings: Findings, title: str, *command: str | Path) -> str | None:
@@ -85,11 +76,9 @@ def installed(findings: Findings, folder: Path) -> None:
     findings.law("it is the installed one", str(prefix) in (said or ""), prefix.name, said)
 
 
-def run(quick: bool) -> Findings:
-    findings = Findings()
+def run(findings: Findings, quick: bool) -> None:
     with tempfile.TemporaryDirectory(prefix="minkref-packages-") as name:
         folder = Path(name)
         bare(findings, folder)
         fetched(findings, folder)
         installed(findings, folder)
-    return findings

@@ -3,13 +3,14 @@ right at single scales."""
 
 from __future__ import annotations
 
-import json
 import resource
 import time
 from fractions import Fraction
 from typing import Any
 
 from minkref import _core
+from minkref.fuzz.geometry.plane import Vector, cross, fraction_rings, minus, plus, segments_meet
+from minkref.fuzz.geometry.space import denominator_of
 from minkref.reports.evidence.framework.operands import operand, tell_absent
 from minkref.reports.evidence.framework.part import MODELS, READERS, REFERENCE, Findings
 
@@ -19,7 +20,7 @@ SUBJECT = (
     "by orientation signs in plain Python."
 )
 MINUTES = (0.3, 0.1)
-DEPENDS = (*REFERENCE, *READERS, *MODELS)
+DEPENDS = (*REFERENCE, *READERS, *MODELS, "fuzz/geometry/*.py")
 
 #: pairs that meet on an interval, births and deaths, those of SS, ST and TT pairs
 COUNTED = {
@@ -30,14 +31,12 @@ PAPER_TOTALS = {("disc1", "neuron"): 56_238, ("monkey", "bird"): 56_996_430}
 LIMITS = {("disc1", "neuron"): (2.0, 4096), ("monkey", "bird"): (30.0, 4096)}  # seconds, MiB
 CHECKED_AT = (Fraction(1, 3), Fraction(1), Fraction(541, 186))
 BIRTH, DEATH, TOUCH = 0, 1, 2
-Segment = tuple[int, int, int, int]
+Segment = tuple[Vector[int], Vector[int]]
 
 
-def run(quick: bool) -> Findings:
-    findings = Findings()
+def run(findings: Findings, quick: bool) -> None:
     for names in COUNTED:
         _pair(findings, names, quick)
-    return findings
 
 
 def _pair(findings: Findings, names: tuple[str, str], quick: bool) -> None:
@@ -63,7 +62,7 @@ def _pair(findings: Findings, names: tuple[str, str], quick: bool) -> None:
         "the paper's total": PAPER_TOTALS[names],
     }
     descents = tally["descents"]
-    findings.law(f"{title}: events before one of a smaller scale", descents == 0, 0, descents)
+    findings.none(f"{title}: events before one of a smaller scale", descents)
     limit, memory = LIMITS[names]
     findings.target(f"{title}: seconds", seconds < limit, f"under {limit:g}", f"{seconds:.2f}")
     findings.target(f"{title}: peak MiB", peak < memory, f"under {memory}", f"{peak:.0f}")
@@ -81,10 +80,9 @@ def _pair(findings: Findings, names: tuple[str, str], quick: bool) -> None:
     if names == ("disc1", "neuron"):
         for s in CHECKED_AT[:1] if quick else CHECKED_AT:
             expected, got_at = _meeting_by_events(found, s), _meeting_by_signs(P.set, Q.set, s)
-            findings.law(
-                f"{title}: pairs that meet at {s}, by orientation signs", expected == got_at,
-                got_at, expected,
-            )  # fmt: skip
+            findings.equal(
+                f"{title}: pairs that meet at {s}, by orientation signs", got_at, expected
+            )
 
 
 def _tally(found: _core.PairEvents) -> dict[str, Any]:
@@ -143,57 +141,29 @@ def _meeting_by_events(found: _core.PairEvents, s: Fraction) -> int:
 def _meeting_by_signs(P: _core.PolygonSet, Q: _core.PolygonSet, s: Fraction) -> int:
     """Pairs of edges of the reduced convolution, not parallel, with a common point at scale s: a
     sweep over x intervals, and integer orientation signs."""
-    segments = _segments(P, Q, s)
-    order = sorted(range(len(segments)), key=lambda i: min(segments[i][0], segments[i][2]))
-    active: list[tuple[int, int, int, Segment]] = []
+    active: list[tuple[int, Segment]] = []
     count = 0
-    for i in order:
-        x0, y0, x1, y1 = segments[i]
-        left, right = min(x0, x1), max(x0, x1)
-        low, high = min(y0, y1), max(y0, y1)
+    for left, right, (a, b) in sorted(
+        (min(a[0], b[0]), max(a[0], b[0]), (a, b)) for a, b in _segments(P, Q, s)
+    ):
         active = [entry for entry in active if entry[0] >= left]
-        for _, other_low, other_high, other in active:
-            if other_low <= high and low <= other_high:
-                count += _meet(segments[i], other)
-        active.append((right, low, high, segments[i]))
+        count += sum(
+            cross(minus(b, a), minus(d, c)) != 0 and segments_meet(a, b, c, d)
+            for _, (c, d) in active
+        )
+        active.append((right, (a, b)))
     return count
 
 
 def _segments(P: _core.PolygonSet, Q: _core.PolygonSet, s: Fraction) -> list[Segment]:
-    def rings(region: _core.PolygonSet, factor: Fraction) -> list[list[tuple[Fraction, Fraction]]]:
-        return [
-            [(factor * Fraction(x), factor * Fraction(y)) for x, y in ring]
-            for polygon in json.loads(region.to_json())["polygons"]
-            for ring in (polygon["outer"], *polygon["holes"])
-        ]
-
-    first, second = rings(P, s), rings(Q, Fraction(1))
-    denominator = 1
-    for ring in (*first, *second):
-        for point in ring:
-            for value in point:
-                if denominator % value.denominator:
-                    denominator *= value.denominator
-    result: list[Segment] = []
+    """Times a common denominator."""
+    first, second = fraction_rings(P.to_json(), s), fraction_rings(Q.to_json())
+    denominator = denominator_of(point for ring in (*first, *second) for point in ring)
+    found: list[Segment] = []
     for kind, _, edge_ring, edge, vertex_ring, vertex in _core.reduced_convolution(P, Q):
         moving, fixed = (first, second) if kind == "S" else (second, first)
         ring, at = moving[edge_ring], fixed[vertex_ring][vertex]
-        start, end = ring[edge], ring[(edge + 1) % len(ring)]
-        numbers = (start[0] + at[0], start[1] + at[1], end[0] + at[0], end[1] + at[1])
-        result.append(tuple(int(n * denominator) for n in numbers))  # type: ignore[arg-type]
-    return result
-
-
-def _meet(u: Segment, v: Segment) -> bool:
-    ux, uy, vx, vy = u[2] - u[0], u[3] - u[1], v[2] - v[0], v[3] - v[1]
-    if ux * vy == uy * vx:
-        return False
-
-    def side(line: Segment, dx: int, dy: int, x: int, y: int) -> int:
-        value = dx * (y - line[1]) - dy * (x - line[0])
-        return (value > 0) - (value < 0)
-
-    return (
-        side(u, ux, uy, v[0], v[1]) * side(u, ux, uy, v[2], v[3]) <= 0
-        and side(v, vx, vy, u[0], u[1]) * side(v, vx, vy, u[2], u[3]) <= 0
-    )
+        ends = plus(ring[edge], at), plus(ring[(edge + 1) % len(ring)], at)
+        a, b = ((int(x * denominator), int(y * denominator)) for x, y in ends)
+        found.append((a, b))
+    return found

@@ -7,6 +7,7 @@ from collections import Counter
 from fractions import Fraction
 
 from minkref import _core
+from minkref.fuzz.geometry.plane import Vector, segments_meet
 from minkref.reports.evidence.framework.part import REFERENCE, Findings
 
 SUBJECT = (
@@ -15,7 +16,7 @@ SUBJECT = (
     "meet, by orientation signs in plain Python."
 )
 MINUTES = (2, 0.2)
-DEPENDS = REFERENCE
+DEPENDS = (*REFERENCE, "fuzz/geometry/plane.py")
 
 COUNT, QUICK_COUNT = 100_000, 5_000
 BATCH = 10_000
@@ -25,7 +26,7 @@ TYPES = ("SS", "ST", "TT")
 HAIR = Fraction(1, 1 << 60)
 Numbers = tuple[int, int, int, int, int, int]  # p, q, d
 Edge = tuple[str, Numbers]
-Vector = tuple[Fraction, Fraction]
+Place = Vector[Fraction]
 
 
 def random_edge(source: random.Random, kind: str) -> Edge:
@@ -67,32 +68,11 @@ def random_pair(source: random.Random, kinds: str) -> tuple[Edge, Edge, str]:
     return a, (b[0], numbers), which
 
 
-def ends(edge: Edge, s: Fraction) -> tuple[Vector, Vector]:
+def ends(edge: Edge, s: Fraction) -> tuple[Place, Place]:
     kind, (px, py, qx, qy, dx, dy) = edge
     first = (s * px + qx, s * py + qy)
     length = s if kind == "S" else 1
     return first, (first[0] + length * dx, first[1] + length * dy)
-
-
-def meet(a: Edge, b: Edge, s: Fraction) -> bool:
-    """Whether the closed segments have a common point at scale s."""
-
-    def side(u: Vector, v: Vector, x: Vector) -> int:
-        value = (v[0] - u[0]) * (x[1] - u[1]) - (v[1] - u[1]) * (x[0] - u[0])
-        return (value > 0) - (value < 0)
-
-    def on(u: Vector, v: Vector, x: Vector) -> bool:
-        return (
-            side(u, v, x) == 0
-            and min(u[0], v[0]) <= x[0] <= max(u[0], v[0])
-            and min(u[1], v[1]) <= x[1] <= max(u[1], v[1])
-        )
-
-    a0, a1 = ends(a, s)
-    b0, b1 = ends(b, s)
-    if on(a0, a1, b0) or on(a0, a1, b1) or on(b0, b1, a0) or on(b0, b1, a1):
-        return True
-    return side(a0, a1, b0) * side(a0, a1, b1) < 0 and side(b0, b1, a0) * side(b0, b1, a1) < 0
 
 
 def expectations(
@@ -113,8 +93,7 @@ def expectations(
     return [*asked, ((low + high) / 2, True), ((15 * low + high) / 16, True)]
 
 
-def run(quick: bool) -> Findings:
-    findings = Findings()
+def run(findings: Findings, quick: bool) -> None:
     count = QUICK_COUNT if quick else COUNT
     for kinds in TYPES:
         source = random.Random(f"{SEED} {kinds}")
@@ -132,7 +111,7 @@ def run(quick: bool) -> Findings:
                 seen[f"built {which}"] += 1
                 for s, expected in expectations(empty, lower, upper):
                     decisions += 1
-                    if meet(a, b, s) != expected:
+                    if segments_meet(*ends(a, s), *ends(b, s)) != expected:
                         wrong += 1
                         first_wrong = first_wrong or f"{a} {b} at {s}"
         findings.figures[kinds] = {"pairs": count, "decisions": decisions, **dict(seen)}
@@ -148,4 +127,3 @@ def run(quick: bool) -> Findings:
             f"{kinds}: point intervals seen", seen["meeting point"] > 0, "some",
             seen["meeting point"],
         )  # fmt: skip
-    return findings

@@ -18,13 +18,9 @@ SUBJECT = (
 )
 MINUTES = (26, 2.3)
 DEPENDS = (
-    *READERS,
-    "reference/number/*.?pp",
-    "reference/space/*.?pp",
-    "reference/plane/index/*.?pp",
-    "reference/error.?pp",
-    "tests/fuzzing/*",
-)
+    *READERS, "reference/number/*.?pp", "reference/space/*.?pp", "reference/plane/index/*.?pp",
+    "reference/error.?pp", "tests/fuzzing/*",
+)  # fmt: skip
 
 SECONDS, QUICK_SECONDS = 300, 8
 BUILD = ROOT / "build" / "fuzzing"
@@ -48,8 +44,7 @@ def row_of(target: Path, seconds: int) -> dict[str, Any]:
     }
 
 
-def run(quick: bool) -> Findings:
-    findings = Findings()
+def run(findings: Findings, quick: bool) -> None:
     targets = build(BUILD, "tests/fuzzing")
     seconds = QUICK_SECONDS if quick else SECONDS
     with ThreadPoolExecutor(AT_ONCE) as pool:
@@ -60,4 +55,3 @@ def run(quick: bool) -> Findings:
         findings.law(f"{row['target']}: findings", row["clean"], "none", reached)
         runs = row["executions"]
         findings.law(f"{row['target']}: executions", runs > 100, "more than 100", runs)
-    return findings

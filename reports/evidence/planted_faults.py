@@ -155,8 +155,7 @@ def put_in(fault: str) -> Caught:
     return caught
 
 
-def run(quick: bool) -> Findings:
-    findings = Findings()
+def run(findings: Findings, quick: bool) -> None:
     faults = listed()
     build()
     with ThreadPoolExecutor(JOBS) as pool:
@@ -178,7 +177,6 @@ def run(quick: bool) -> Findings:
     findings.target("caught by a law or test", by_test >= FEWEST, f"at least {FEWEST}", by_test)
     findings.target("seen by our own routes", by_routes > 0, "some", by_routes)
     TABLE.write_text(table(faults, all_caught), encoding="utf-8")
-    return findings
 
 
 def table(faults: dict[str, str], all_caught: dict[str, Caught]) -> str:

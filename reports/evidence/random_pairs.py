@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import multiprocessing
 from collections import Counter
 from fractions import Fraction
 from typing import Any
@@ -16,6 +15,7 @@ from minkref.fuzz.plane.witness import holds
 from minkref.fuzz.targets.catalogue import list_targets
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict
 from minkref.reports.evidence.framework.comparing import Bench
+from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.part import CGAL, COMPARISON, READERS, REFERENCE, Findings
 
 SUBJECT = (
@@ -28,7 +28,6 @@ DEPENDS = (*REFERENCE, *READERS, *COMPARISON, *CGAL)
 SEED = 2012
 PAIRS, QUICK_PAIRS = 10_000, 500  # the quick ones are spread evenly over all
 ROUTES = TRUTHS
-PROCESSES = 2
 BATCH = 50
 
 
@@ -103,8 +102,7 @@ def work(job: tuple[range, list[str]]) -> dict[str, Any]:
     return {"tally": tally, "faults": faults, "counts": counts, "most": most}
 
 
-def run(quick: bool) -> Findings:
-    findings = Findings()
+def run(findings: Findings, quick: bool) -> None:
     pairs = QUICK_PAIRS if quick else PAIRS
     entries = [entry for entry in list_targets() if entry.name.startswith("cgal-")]
     cgal = [entry.name for entry in entries if entry.available and not entry.name.endswith("-raw")]
@@ -118,16 +116,12 @@ def run(quick: bool) -> Findings:
     tally: Counter[str] = Counter()
     faults: list[dict[str, Any]] = []
     counts: Counter[str] = Counter()
-    done = 0
     most: dict[str, int] = {}
-    with multiprocessing.get_context("spawn").Pool(PROCESSES) as pool:
-        for batch in pool.imap_unordered(work, jobs):
-            tally.update(batch["tally"])
-            faults += batch["faults"]
-            counts.update(batch["counts"])
-            most = {key: max(value, most.get(key, 0)) for key, value in batch["most"].items()}
-            done += BATCH
-            print(f"{min(done, pairs)} of {pairs} pairs, {len(faults)} faults", flush=True)
+    for batch in in_processes(work, jobs, what=f"batches of {BATCH} pairs"):
+        tally.update(batch["tally"])
+        faults += batch["faults"]
+        counts.update(batch["counts"])
+        most = {key: max(value, most.get(key, 0)) for key, value in batch["most"].items()}
     faults.sort(key=lambda fault: (int(fault["case"].rpartition(":")[2]), fault["target"]))
     wrong = [fault for fault in faults if fault["verdict"] == "wrong"]
     agreed, hole_free = counts["agreed"], counts["free"]
@@ -142,13 +136,11 @@ def run(quick: bool) -> Findings:
         "kinds of fault": dict(sorted(kinds.items())),
         "first faults": faults[:40],
     }
-    findings.law("pairs on which the three routes agree", agreed == pairs, pairs, agreed)
+    findings.equal("pairs on which the three routes agree", pairs, agreed)
     proven = sum(fault["proven"] for fault in wrong)
-    findings.law(
-        "wrong results with a witness that holds", proven == len(wrong), len(wrong), proven
-    )
+    findings.equal("wrong results with a witness that holds", len(wrong), proven)
     undecided = sum(fault["verdict"] == "undecided" for fault in faults)
-    findings.law("disagreements left undecided", undecided == 0, 0, undecided)
+    findings.none("disagreements left undecided", undecided)
     least = pairs * 3 // 10
     findings.target("pairs without holes", hole_free >= least, f"at least {least}", hole_free)
     bounds = most["most vertices"] <= 12 and most["most holes"] <= 3 and most["extent"] <= 12
@@ -156,4 +148,3 @@ def run(quick: bool) -> Findings:
     findings.law("most vertices, holes, extent", bounds, "at most 12, 3, 12", reached)
     for line, count in sorted(kinds.items()):
         findings.note(f"{line}: {count}")
-    return findings

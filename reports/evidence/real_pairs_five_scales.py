@@ -9,14 +9,7 @@ from fractions import Fraction
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict
 from minkref.reports.evidence.framework.comparing import Bench, available_cgal
 from minkref.reports.evidence.framework.operands import REAL_PAIRS, SCALES, case_of, tell_absent
-from minkref.reports.evidence.framework.part import (
-    CGAL,
-    COMPARISON,
-    MODELS,
-    READERS,
-    REFERENCE,
-    Findings,
-)
+from minkref.reports.evidence.framework.part import AGAINST_CGAL, Findings
 
 SUBJECT = (
     "disc1 + neuron, disc5 + neuron, monkey + bird at scales 1/3, 1, 7/5, 541/186, 9: routes paper "
@@ -25,7 +18,7 @@ SUBJECT = (
     "dies or loses holes: at least one among 100 seeded scales."
 )
 MINUTES = (1, 0.3)
-DEPENDS = (*REFERENCE, *READERS, *MODELS, *COMPARISON, *CGAL)
+DEPENDS = AGAINST_CGAL
 
 PAPER, WINDING, CGAL_REDUCED = "minkref:paper", "minkref:winding", "cgal-reduced"
 RAW = "cgal-reduced-raw"
@@ -73,11 +66,8 @@ def five_scales(findings: Findings, cgal: list[str]) -> None:
                     raw[describe(verdicts[RAW]).split(":")[0]] += 1
                 print(row, flush=True)
     findings.figures |= {"five scales": rows, "five scales, raw": raw}
-    findings.law("cases in which paper and winding agree", agreed == total, total, agreed)
-    findings.law(
-        "cases in which CGAL agrees, or lost a hole by a witness", allowed == compared,
-        compared, allowed,
-    )  # fmt: skip
+    findings.equal("cases in which paper and winding agree", total, agreed)
+    findings.equal("cases in which CGAL agrees, or lost a hole by a witness", compared, allowed)
 
 
 def seeded_scales(count: int) -> list[str]:
@@ -123,12 +113,10 @@ def hundred_scales(findings: Findings, cgal: list[str], quick: bool, real: bool)
         findings.target(f"sums of which {version} lost a hole", lost >= 1, "at least 1", lost)
 
 
-def run(quick: bool) -> Findings:
-    findings = Findings()
+def run(findings: Findings, quick: bool) -> None:
     real = tell_absent(findings, "neuron")
     tell_absent(findings, "monkey", "bird")
     cgal = available_cgal(findings, CGAL_REDUCED, RAW)
     five_scales(findings, cgal)
     if cgal:
         hundred_scales(findings, cgal, quick, real)
-    return findings

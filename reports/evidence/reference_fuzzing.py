@@ -19,12 +19,9 @@ SUBJECT = (
 )
 MINUTES = (28, None)
 DEPENDS = (
-    *REFERENCE,
-    *READERS,
-    "tests/fuzzing/reference/*",
-    "tests/fuzzing/corpus/pair/*",
+    *REFERENCE, *READERS, "tests/fuzzing/reference/*", "tests/fuzzing/corpus/pair/*",
     "tests/fuzzing/corpus/bodies/*",
-)
+)  # fmt: skip
 
 SECONDS = 300
 BUILD = ROOT / "build" / "fuzzing_reference"
@@ -72,8 +69,7 @@ def row_of(target: Path, seconds: int) -> dict[str, Any]:
     }
 
 
-def run(_: bool) -> Findings:
-    findings = Findings()
+def run(findings: Findings, _: bool) -> None:
     targets = build(
         BUILD,
         "tests/fuzzing/reference",
@@ -95,4 +91,3 @@ def run(_: bool) -> Findings:
         findings.target(
             f"{name}: share of valid pairs", share >= VALID_SHARE, wanted, f"{share:.1%}"
         )
-    return findings

@@ -41,7 +41,7 @@ MOST_INTERVALS = 6  # of a pair
 Told = dict[str, Any]
 
 
-def run(quick: bool) -> Findings:
+def run(findings: Findings, quick: bool) -> None:
     pairs = QUICK_PAIRS if quick else PAIRS
     table = Table()
     numbers = iter(range(pairs))
@@ -50,7 +50,7 @@ def run(quick: bool) -> Findings:
         thread.start()
     for thread in threads:
         thread.join()
-    return table.findings(pairs)
+    table.tell(findings, pairs)
 
 
 @dataclass
@@ -86,8 +86,7 @@ class Table:
         self.wrong += [f"{name}: {message}" for message in told["messages"]]
         self.false += [f"{name}: {message}" for message in told["false"]]
 
-    def findings(self, pairs: int) -> Findings:
-        findings = Findings()
+    def tell(self, findings: Findings, pairs: int) -> None:
         findings.law(
             f"pairs that were not judged within {SECONDS:.0f} s", not self.endless, 0,
             _some(self.endless),
@@ -95,12 +94,11 @@ class Table:
         findings.law("disagreements with the judge", not self.wrong, 0, _some(self.wrong))
         findings.law("certificates of what is false", not self.false, 0, _some(self.false))
         judged = self.counts["judged"] + len(self.endless)
-        findings.law("pairs put before the judge", judged == pairs, pairs, judged)
+        findings.equal("pairs put before the judge", pairs, judged)
         for what in ("a thin operand", "holes", "several parts", "certified"):
             findings.target(f"pairs with {what}", self.counts[what] > 0, "some", self.counts[what])
         findings.figures |= dict(sorted(self.counts.items()))
         findings.figures["most seconds for a pair"] = round(self.worst, 2)
-        return findings
 
 
 def _some(names: list[str]) -> str:

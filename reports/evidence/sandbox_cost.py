@@ -18,6 +18,7 @@ from minkref.fuzz.settings import asking_about
 from minkref.fuzz.targets.adapter import AdapterTarget
 from minkref.fuzz.targets.adapter_process import AdapterProcess
 from minkref.fuzz.targets.answer import Limits
+from minkref.reports.evidence.framework.of_tests import SEEDED
 from minkref.reports.evidence.framework.part import COMPARISON, READERS, REFERENCE, Findings
 
 SUBJECT = (
@@ -28,7 +29,6 @@ MINUTES = (3, None)
 ALONE = True
 DEPENDS = (*REFERENCE, *READERS, *COMPARISON, "tests/seeded/*.py")
 
-SEEDED = Path(__file__).resolve().parents[2] / "tests" / "seeded"
 STARTS = 150
 ROUNDS = 25
 CASES = 60
@@ -42,12 +42,11 @@ GREETS = (
 )
 
 
-def run(_: bool) -> Findings:
-    findings = Findings()
+def run(findings: Findings, _: bool) -> None:
     why = absence()
     if why is not None:
         findings.target("a sandbox", False, "available", why)
-        return findings
+        return
     walls = [choose(SANDBOX), choose(NONE)]
     for each in walls:
         findings.figures[f"walls: {each.kind}"] = each.sentence()
@@ -61,7 +60,6 @@ def run(_: bool) -> Findings:
     share = lost / statistics.median(rounds[1])
     met = share <= MOST_SHARE
     findings.target("share of the throughput, middle", met, MOST_SHARE, f"{share:.3f}")
-    return findings
 
 
 def _report(findings: Findings, what: str, times: list[list[float]], unit: float) -> float:

@@ -20,14 +20,9 @@ SUBJECT = (
 )
 MINUTES = (60, None)
 DEPENDS = (
-    *REFERENCE,
-    *READERS,
-    "oracle/checker/*.?pp",
-    "oracle/sampled/*.?pp",
-    "tests/*/*.?pp",
-    "tests/**/CMakeLists.txt",
-    "CMakePresets.json",
-)
+    *REFERENCE, *READERS, "oracle/checker/*.?pp", "oracle/sampled/*.?pp", "tests/*/*.?pp",
+    "tests/**/CMakeLists.txt", "CMakePresets.json",
+)  # fmt: skip
 
 PRESETS = {"asan": "address and undefined behaviour", "tsan": "threads"}
 LEAST_TESTS = {"asan": 500, "tsan": 25}
@@ -92,8 +87,7 @@ def read(results: Path, seconds: float) -> Tests:
     return Tests(ran, failed, skipped, reports, seconds)
 
 
-def run(_: bool) -> Findings:
-    findings = Findings()
+def run(findings: Findings, _: bool) -> None:
     for preset, subject in PRESETS.items():
         built = build(preset)
         tests = run_tests(preset)
@@ -113,4 +107,3 @@ def run(_: bool) -> Findings:
         findings.law(f"{subject}: tests that fail", not tests.failed, "none", shown)
         if tests.skipped:
             findings.note(f"{subject}: skipped: {', '.join(tests.skipped)}.")
-    return findings

@@ -45,8 +45,7 @@ def answer(case: Case, arithmetic: str) -> dict[str, Any]:
     }
 
 
-def run(quick: bool) -> Findings:
-    findings = Findings()
+def run(findings: Findings, quick: bool) -> None:
     rows: dict[str, dict[str, Any]] = {}
     same: dict[str, int] = dict.fromkeys(ARITHMETICS, 0)
     undecided: dict[str, int] = dict.fromkeys(ARITHMETICS, 0)
@@ -68,18 +67,17 @@ def run(quick: bool) -> Findings:
         rows[case.name.text] = row
     findings.figures = {"cases": rows, "undecided": undecided}
     count = len(CASES)
-    findings.law("rational has the digest of route winding", exact == count, count, exact)
+    findings.equal("rational has the digest of route winding", count, exact)
     certified = sum(
         row["interval"].get("exact digest", False) or "undecided" in row["interval"]
         for row in rows.values()
     )
-    findings.law("interval is exact or says undecided", certified == count, count, certified)
-    findings.law("mpfr at 53 bits answers as doubles do", alike == count, count, alike)
+    findings.equal("interval is exact or says undecided", count, certified)
+    findings.equal("mpfr at 53 bits answers as doubles do", count, alike)
     wrong = sum("undecided" in row[a] for row in rows.values() for a in ("double", "mpfr:53"))
-    findings.law("sums to which plain floats give no answer", wrong == 0, 0, wrong)
+    findings.none("sums to which plain floats give no answer", wrong)
     for arithmetic in ARITHMETICS:
         findings.target(
             f"{arithmetic}: sums with the right numbers of vertices, components, holes",
             same[arithmetic] > 0, f"at least 1 of {count}", same[arithmetic],
         )  # fmt: skip
-    return findings

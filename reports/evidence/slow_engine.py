@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import itertools
 import json
-import multiprocessing
 import time
 from collections import Counter
 from fractions import Fraction
@@ -19,16 +17,9 @@ from minkref.fuzz.judges.cgal_claims import CgalClaims
 from minkref.fuzz.judges.large_points import decided_otherwise
 from minkref.fuzz.plane.case import Case
 from minkref.reports.drawing import Layer, picture
+from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.operands import case_of, tell_absent
-from minkref.reports.evidence.framework.part import (
-    CGAL,
-    COMPARISON,
-    MODELS,
-    READERS,
-    REFERENCE,
-    SCRIPTS,
-    Findings,
-)
+from minkref.reports.evidence.framework.part import AGAINST_CGAL, SCRIPTS, Findings
 
 SUBJECT = (
     "The slow engine against the routes paper, winding, definition and dynamic on 2,000 random "
@@ -36,13 +27,10 @@ SUBJECT = (
     "passages, points; against CGAL's methods, each difference drawn; its witness on large sets."
 )
 MINUTES = (6, 0.4)
-DEPENDS = (
-    *REFERENCE, *READERS, *MODELS, *CGAL, *COMPARISON, "fuzz/judges/*.py", "oracle/slow/*.py",
-)  # fmt: skip
+DEPENDS = (*AGAINST_CGAL, "fuzz/judges/*.py", "oracle/slow/*.py")
 
 SEED = 1905
 PAIRS, QUICK_PAIRS = 2000, 60
-PROCESSES = 2
 JUDGES = {
     "sums": slow_sums.judge,
     "topology": slow_topology.judge,
@@ -114,36 +102,32 @@ def large_operands(findings: Findings) -> None:
         different = decided_otherwise(case, POINTS, SEED)
         seconds = time.perf_counter() - since
         name = case.name.text
-        findings.law(f"{name}: points decided otherwise", not different, 0, len(different))
+        findings.none(f"{name}: points decided otherwise", len(different))
         findings.target(
             f"{name}: seconds for {POINTS} points", seconds < WITNESS_SECONDS,
             f"under {WITNESS_SECONDS:.0f} for one", f"{seconds:.1f} for all",
         )  # fmt: skip
 
 
-def run(quick: bool) -> Findings:
-    findings = Findings()
+def run(findings: Findings, quick: bool) -> None:
     wanted = QUICK_PAIRS if quick else PAIRS
     tally: Counter[str] = Counter()
     faults: list[str] = []
     rows: list[dict[str, Any]] = []
     outcomes: Counter[str] = Counter()
     done = 0
-    with multiprocessing.get_context("spawn").Pool(PROCESSES) as pool:
-        for result in pool.imap(judge, itertools.islice(itertools.count(), 3 * wanted)):
-            done += result["holes"]
-            tally.update(result["tally"])
-            faults += result["faults"]
-            for row in result["cgal"]:
-                outcomes[f"{row['method']}: {row['outcome']}"] += 1
-                if row["outcome"] == "different":
-                    rows.append(row)
-            if result["holes"] and done % 100 == 0:
-                print(f"{done} of {wanted} pairs, {len(faults)} faults", flush=True)
-            if done == wanted:
-                break
+    for result in in_processes(judge, range(3 * wanted), each=100, what="pairs at most"):
+        done += result["holes"]
+        tally.update(result["tally"])
+        faults += result["faults"]
+        for row in result["cgal"]:
+            outcomes[f"{row['method']}: {row['outcome']}"] += 1
+            if row["outcome"] == "different":
+                rows.append(row)
+        if done == wanted:
+            break
     findings.law("pairs with holes", done >= wanted, f"{wanted:,}", f"{done:,}")
-    findings.law("differences from the reference", not faults, 0, len(faults))
+    findings.none("differences from the reference", len(faults))
     for name in JUDGES:
         findings.law(f"{name} compared", tally[name] > 0, "some", f"{tally[name]:,}")
     agree = sum(count for name, count in outcomes.items() if name.endswith("equal"))
@@ -151,7 +135,7 @@ def run(quick: bool) -> Findings:
     DRAWN.parent.mkdir(parents=True, exist_ok=True)
     DRAWN.write_text(draw(rows), encoding="utf-8")
     undrawn = sum(row["point"] is None for row in rows)
-    findings.law("differences from CGAL that are not drawn", undrawn == 0, 0, undrawn)
+    findings.none("differences from CGAL that are not drawn", undrawn)
     findings.note(f"{len(rows)} differences from CGAL are drawn in {Path(DRAWN.name)}")
     large_operands(findings)
     findings.figures |= {
@@ -163,4 +147,3 @@ def run(quick: bool) -> Findings:
             json.dumps([{k: r[k] for k in ("method", "case", "point")} for r in rows])
         ),
     }
-    return findings

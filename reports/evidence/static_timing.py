@@ -12,14 +12,7 @@ from minkref.fuzz.cgal.oracle import CgalOracle
 from minkref.fuzz.plane.case import Case
 from minkref.reports.evidence.framework.comparing import available_cgal
 from minkref.reports.evidence.framework.operands import REAL_PAIRS, case_of, tell_absent
-from minkref.reports.evidence.framework.part import (
-    CGAL,
-    COMPARISON,
-    MODELS,
-    READERS,
-    REFERENCE,
-    Findings,
-)
+from minkref.reports.evidence.framework.part import AGAINST_CGAL, Findings
 
 SUBJECT = (
     "Static sum by route paper against CGAL's reduced convolution, side by side: seconds of the "
@@ -27,7 +20,7 @@ SUBJECT = (
 )
 MINUTES = (0.3, 0.2)
 ALONE = True
-DEPENDS = (*REFERENCE, *READERS, *MODELS, *COMPARISON, *CGAL)
+DEPENDS = AGAINST_CGAL
 
 REPETITIONS, QUICK_REPETITIONS = 7, 3
 
@@ -52,10 +45,9 @@ def spread(times: list[float]) -> dict[str, Any]:
     return {"median": median(times), "least": min(times), "most": max(times), "all": times}
 
 
-def run(quick: bool) -> Findings:
-    findings = Findings()
+def run(findings: Findings, quick: bool) -> None:
     if not available_cgal(findings, "cgal-reduced"):
-        return findings
+        return
     tell_absent(findings, "monkey", "bird", "neuron")
     repetitions = QUICK_REPETITIONS if quick else REPETITIONS
     with CgalOracle("reduced", seconds=60) as oracle:
@@ -85,4 +77,3 @@ def run(quick: bool) -> Findings:
             findings.target(f"{case.name.text}, ours to CGAL's", ratio <= 1, "at most 1", reached)
     findings.note("CGAL's exact numbers are lazy: its time leaves out evaluating coordinates; ours "
                   "has the canonical form in it")  # fmt: skip
-    return findings

@@ -26,8 +26,7 @@ def shares(pairs: Counter[str], degenerate: Counter[str]) -> str:
     return ", ".join(f"{kinds} {degenerate[kinds] / pairs[kinds]:.0%}" for kinds in sorted(pairs))
 
 
-def run(quick: bool) -> Findings:
-    findings = Findings()
+def run(findings: Findings, quick: bool) -> None:
     count = QUICK_PAIRS if quick else PAIRS
     since = time.perf_counter()
     intervals = interval_comparison.compare_intervals(SEED, count)
@@ -37,7 +36,7 @@ def run(quick: bool) -> Findings:
     for name, table in (("intervals", intervals), ("events", events)):
         enough = all(table.pairs[kinds] >= count for kinds in ("SS", "ST", "TT"))
         reached = ", ".join(f"{kinds} {table.pairs[kinds]:,}" for kinds in ("SS", "ST", "TT"))
-        findings.law(f"{name}: differences", not table.differences, 0, table.differences)
+        findings.none(f"{name}: differences", table.differences)
         findings.law(f"{name}: pairs of each type", enough, f"{count:,}", reached)
         third = all(3 * table.degenerate[k] >= table.pairs[k] for k in table.pairs)
         findings.target(
@@ -45,8 +44,7 @@ def run(quick: bool) -> Findings:
             shares(table.pairs, table.degenerate),
         )  # fmt: skip
     findings.law("triples of segments", events.triples >= TRIPLES, TRIPLES, f"{events.triples:,}")
-    findings.law("pairs left out as too long", not events.left_out_too_long, 0,
-                 events.left_out_too_long)  # fmt: skip
+    findings.none("pairs left out as too long", events.left_out_too_long)
     swaps = events.events["triple swap"]
     findings.target("triple events among them", swaps > 0, "some", f"{swaps:,}")
     a_minute = 60 * sum(intervals.pairs.values()) / seconds
@@ -57,4 +55,3 @@ def run(quick: bool) -> Findings:
         "intervals": json.loads(json.dumps(vars(intervals))),
         "seconds of the intervals": round(seconds, 2),
     }
-    return findings

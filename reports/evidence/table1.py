@@ -7,8 +7,7 @@ from typing import Any
 from minkref.reports.bench import table1
 from minkref.reports.bench.baselines import ABOUT, CGAL, CONTACTS, PAIRWISE, STATIC
 from minkref.reports.bench.table1 import PAPER_MEAN, Table1
-from minkref.reports.evidence.framework import part
-from minkref.reports.evidence.framework.part import Findings
+from minkref.reports.evidence.framework.part import AGAINST_CGAL, Findings
 
 SUBJECT = (
     "Dynamic update at random re-scalings out of 0.1, ..., 10 against finding the same afresh: all "
@@ -17,24 +16,15 @@ SUBJECT = (
 )
 MINUTES = (5, 0.4)
 ALONE = True
-DEPENDS = (
-    *part.REFERENCE,
-    *part.READERS,
-    *part.MODELS,
-    *part.COMPARISON,
-    *part.CGAL,
-    "reports/bench/*.py",
-)
+DEPENDS = (*AGAINST_CGAL, "reports/bench/*.py")
 SEED = 1
 
 
-def run(quick: bool) -> Findings:
-    findings = Findings()
+def run(findings: Findings, quick: bool) -> None:
     table = table1.run(quick, SEED, lambda text: print(text, flush=True), lambda: None)
     for note in table.notes:
         findings.note(note)
-    findings.law("sums after the update that differ from the static ones", not table.wrong, 0,
-                 ", ".join(table.wrong) or 0)  # fmt: skip
+    findings.none("sums after the update that differ from the static ones", table.wrong)
     reached = table.mean_ratio(PAIRWISE)
     findings.target(
         "mean ratio over the 25 pairs, against all pairs of edges in doubles",
@@ -51,7 +41,6 @@ def run(quick: bool) -> Findings:
             findings.note(_sentence(row))
     findings.note(f"{table.rescalings} re-scalings of each pair, seed {SEED}; ratios of means")
     findings.figures = _figures(table)
-    return findings
 
 
 def _sentence(row: dict[str, Any]) -> str:

@@ -6,10 +6,8 @@ import cProfile
 import os
 import pstats
 import statistics
-import sys
 import time
 from collections.abc import Callable
-from pathlib import Path
 
 from minkref.fuzz.cases import naming
 from minkref.fuzz.cases.case_name import CaseName
@@ -17,6 +15,7 @@ from minkref.fuzz.plane.case import Case
 from minkref.fuzz.settings import asking_about
 from minkref.fuzz.targets.answer import Limits, Target
 from minkref.fuzz.targets.catalogue import make_target
+from minkref.reports.evidence.framework.of_tests import SEEDED, seeded_adapter
 from minkref.reports.evidence.framework.part import COMPARISON, READERS, REFERENCE, Findings
 
 SUBJECT = (
@@ -27,7 +26,6 @@ MINUTES = (2, 0.2)
 ALONE = True
 DEPENDS = (*REFERENCE, *READERS, *COMPARISON, "tests/seeded/*.py")
 
-SEEDED = Path(__file__).resolve().parents[2] / "tests" / "seeded"
 FAMILY = "random"
 CASES, QUICK_CASES = 1500, 100
 REPETITIONS = 5
@@ -39,17 +37,15 @@ STEPS = {
 }
 
 
-def run(quick: bool) -> Findings:
-    findings = Findings()
+def run(findings: Findings, quick: bool) -> None:
     count = QUICK_CASES if quick else CASES
-    names = [name for name in _small(count)]
+    names = _small(count)
     os.environ["PYTHONPATH"] = str(SEEDED)
-    program = f"cmd:{sys.executable} {SEEDED / 'seeded_adapter.py'} sound"
     rates = {}
     for title, target in (
         ("a route of the reference in process", "minkref:winding"),
         ("a Python function with a sum of its own", "py:seeded_sums:sound"),
-        ("the same as an adapter written by hand", program),
+        ("the same as an adapter written by hand", seeded_adapter("sound")),
     ):
         rates[title] = _rates(names, target)
         least, most = min(rates[title]), max(rates[title])
@@ -61,7 +57,6 @@ def run(quick: bool) -> Findings:
     findings.target("cases per second and core in process", middle >= AIM, AIM, f"{middle:,.0f}")
     for step, share in _shares(names).items():
         findings.figures[f"share of the time in process: {step}"] = f"{share:.0%}"
-    return findings
 
 
 def _small(count: int) -> list[CaseName]:

@@ -4,14 +4,12 @@ from __future__ import annotations
 
 import re
 import statistics
-import subprocess
-import sys
 import time
 
 from minkref import _core
+from minkref.reports.evidence.framework.command import tests_pass
 from minkref.reports.evidence.framework.operands import operand, tell_absent
 from minkref.reports.evidence.framework.part import MODELS, READERS, REFERENCE, Findings
-from minkref.reports.evidence.framework.store import ROOT
 
 SUBJECT = (
     "Tight passages: more than 20 hand-made cases with their expected result, empty beside the "
@@ -20,26 +18,15 @@ SUBJECT = (
 MINUTES = (0.5, 0.2)
 DEPENDS = (*REFERENCE, *READERS, *MODELS, "tests/plane/*tight*")
 
+TESTS = "tests/plane/test_tight_passages.py"
 LEAST = 20
 REPEATS = 9
 
 
-def run(quick: bool) -> Findings:
-    findings = Findings()
-    command = [
-        sys.executable,
-        "-m",
-        "pytest",
-        "-q",
-        "-p",
-        "no:xdist",
-        "tests/plane/test_tight_passages.py",
-    ]
-    ran = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
-    tail = ran.stdout.strip().splitlines()[-1] if ran.stdout.strip() else ran.stderr[-200:]
-    found = re.search(r"(\d+) passed", tail)
+def run(findings: Findings, quick: bool) -> None:
+    what = "hand-made cases and their checks: pytest"
+    found = re.search(r"(\d+) passed", tests_pass(findings, what, TESTS))
     passed = int(found[1]) if found else 0
-    findings.law("hand-made cases and their checks: pytest", ran.returncode == 0, "all pass", tail)
     findings.target("of them", passed >= LEAST, f"at least {LEAST}", passed)
     P, Q = operand("monkey"), operand("bird")
     shares = []
@@ -55,4 +42,3 @@ def run(quick: bool) -> Findings:
     findings.target(f"{P.name} + {Q.name}: seconds with passages to without", median < 1.5,
                     "under 1.5", f"{median:.2f} ({low:.2f} to {high:.2f})")  # fmt: skip
     tell_absent(findings, "monkey", "bird")
-    return findings

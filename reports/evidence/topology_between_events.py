@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import multiprocessing
 from collections import Counter
 from fractions import Fraction
 from typing import Any
 
 from minkref import _core
 from minkref.fuzz.families.random_pairs import random_pair
+from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.part import REFERENCE, Findings
 
 SUBJECT = (
@@ -21,7 +21,6 @@ DEPENDS = (*REFERENCE, "fuzz/families/integer_rings.py", "fuzz/families/random_p
 
 SEED = 541186
 PAIRS, QUICK_PAIRS = 500, 12
-PROCESSES = 2
 
 
 def numbers(P: _core.PolygonSet, Q: _core.PolygonSet, scale: Fraction) -> tuple[int, int]:
@@ -79,22 +78,17 @@ def look(index: int) -> dict[str, Any]:
     return {"tally": tally, "fault": wrong}
 
 
-def run(quick: bool) -> Findings:
-    findings = Findings()
+def run(findings: Findings, quick: bool) -> None:
     pairs = QUICK_PAIRS if quick else PAIRS
     step = PAIRS // pairs  # the quick ones are spread evenly over all
     total: Counter[str] = Counter()
     faults = []
-    with multiprocessing.get_context("spawn").Pool(PROCESSES) as pool:
-        chosen = range(0, PAIRS, step)
-        for done, result in enumerate(pool.imap_unordered(look, chosen), 1):
-            total.update(result["tally"])
-            if result["fault"]:
-                faults.append(result["fault"])
-            if done % 20 == 0:
-                print(f"{done} of {len(chosen)} pairs, {len(faults)} faults", flush=True)
+    chosen = range(0, PAIRS, step)
+    for result in in_processes(look, chosen, each=20, what="pairs"):
+        total.update(result["tally"])
+        if result["fault"]:
+            faults.append(result["fault"])
     findings.figures |= {"seed": SEED, "pairs": len(chosen), **total, "faults": faults[:5]}
-    findings.law("pairs with a wrong topology somewhere", not faults, 0, len(faults))
+    findings.none("pairs with a wrong topology somewhere", len(faults))
     findings.target("topology events seen", total["topology events"] > 0, "some",
                     total["topology events"])  # fmt: skip
-    return findings

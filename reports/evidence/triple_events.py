@@ -28,8 +28,7 @@ SQUARE = (
 SCALE = Fraction(541, 186)
 
 
-def run(quick: bool) -> Findings:
-    findings = Findings()
+def run(findings: Findings, quick: bool) -> None:
     _dying_hole(findings)
     for names in COUNTED if not quick else [("disc1", "neuron")]:
         P, Q = (operand(name) for name in names)
@@ -53,7 +52,6 @@ def run(quick: bool) -> Findings:
             counted = COUNTED[names]
             near = abs(triples - counted) < counted // 50
             findings.target(f"{title}: triple events", near, f"some {counted:,}", f"{triples:,}")
-    return findings
 
 
 def _dying_hole(findings: Findings) -> None:

@@ -10,9 +10,9 @@ from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from minkref.reports.evidence.framework.adapters_of_the_page import FOLDER, kinds, target_of
+from minkref.reports.evidence.framework.command import counts_of, told, verify
+from minkref.reports.evidence.framework.of_tests import PAGE_ALONE, page_adapter, page_adapters
 from minkref.reports.evidence.framework.part import COMPARISON, READERS, REFERENCE, Findings
-from minkref.reports.evidence.framework.verify_run import counts_of, verify
 
 SUBJECT = (
     "Right adapters with every habit that docs/adapter-protocol.md allows, written from that page "
@@ -35,10 +35,10 @@ def programs(folder: Path) -> dict[str, str]:
     """The adapters in other languages, as far as this machine runs them."""
     found = {}
     if shutil.which("node"):
-        found["convex.js"] = f"cmd:node {FOLDER / 'convex.js'}"
+        found["convex.js"] = f"cmd:node {PAGE_ALONE / 'convex.js'}"
     if compiler := shutil.which("c++"):
         program = folder / "convex"
-        words = [compiler, "-std=c++17", "-O2", str(FOLDER / "convex.cpp"), "-o", str(program)]
+        words = [compiler, "-std=c++17", "-O2", str(PAGE_ALONE / "convex.cpp"), "-o", str(program)]
         subprocess.run(words, check=True)
         found["convex.cpp"] = str(program)
     return found
@@ -51,9 +51,9 @@ def judged(
     counts: Counter[str] = Counter()
     shown: list[str] = []
     for seed in range(1, RUNS + 1):
-        words = [target, *more, "--pairs", str(pairs), "--seed", str(seed), "--jobs", "1"]
-        words += ["--call-seconds", "300"]
-        _, value = verify(*words, "--no-models", "--shrink-calls", "0", seconds=1800)
+        words = (target, *more, "--pairs", pairs, "--seed", seed, "--jobs", 1)
+        words += ("--call-seconds", 300, "--no-models", "--shrink-calls", 0)
+        _, value = verify(*words, seconds=1800)
         counts.update(counts_of(value, value["targets"][0]["name"]))
         shown += [finding["reproduce"] for finding in value["findings"]]
         if sum(counts[verdict] for verdict in counts if verdict != "skipped") >= cases:
@@ -61,9 +61,8 @@ def judged(
     return counts, shown
 
 
-def run(quick: bool) -> Findings:
-    findings = Findings()
-    targets = {name: target_of(name) for name in kinds("UNUSUAL")}
+def run(findings: Findings, quick: bool) -> None:
+    targets = {name: page_adapter(name) for name in page_adapters("UNUSUAL")}
     with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(WORKERS) as pool:
         others = programs(Path(folder))
 
@@ -77,14 +76,13 @@ def run(quick: bool) -> Findings:
         rows = dict(zip(targets, pool.map(row_of, targets, targets.values()), strict=True))
     alarms, open_cases, few = 0, 0, 0
     for name, (counts, shown) in rows.items():
-        findings.figures[name] = ", ".join(f"{n:,} {verdict}" for verdict, n in counts.items())
+        findings.figures[name] = told(counts)
         open_cases += counts["undecided"]
         alarms += sum(n for verdict, n in counts.items() if verdict not in (*GOOD, "undecided"))
         few += sum(n for verdict, n in counts.items() if verdict != "skipped") < CASES
         for line in shown[:3]:
             findings.note(f"{name}: {line}")
     findings.figures["kinds"] = len(rows)
-    findings.law("alarms", alarms == 0, 0, alarms)
-    findings.law("cases undecided", open_cases == 0, 0, open_cases)
-    findings.law(f"kinds with fewer than {CASES} cases", few == 0, 0, few)
-    return findings
+    findings.none("alarms", alarms)
+    findings.none("cases undecided", open_cases)
+    findings.none(f"kinds with fewer than {CASES} cases", few)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import random
 import tempfile
@@ -15,6 +14,7 @@ from minkref import _core
 from minkref.commands.pages.plane.picture import Window, picture
 from minkref.commands.pages.plane.write_page import page
 from minkref.documents import write_atomically
+from minkref.fuzz.geometry.plane import read_shape
 from minkref.reports.evidence.framework.browser import PACKAGES, absent, browser
 from minkref.reports.evidence.framework.operands import operand, tell_absent
 from minkref.reports.evidence.framework.part import MODELS, READERS, REFERENCE, Findings
@@ -25,13 +25,9 @@ SUBJECT = (
 )
 MINUTES = (1, 0.5)
 DEPENDS = (
-    *REFERENCE,
-    *READERS,
-    *MODELS,
-    "commands/pages/plane/*.py",
-    "commands/pages/plane/page/*",
-    "commands/view.py",
-)
+    *REFERENCE, *READERS, *MODELS, "commands/pages/plane/*.py", "commands/pages/plane/page/*",
+    "commands/view.py", "fuzz/geometry/plane.py",
+)  # fmt: skip
 
 SEED = 2012
 SCALES, QUICK_SCALES = 50, 10
@@ -41,11 +37,10 @@ CLOSE = 1e-9  # diagonals of the sum
 RINGS = """return arguments[0].map(
     (s) => window.minkref.rings(s).map((polygon) => [polygon.outer, ...polygon.holes]))"""
 MARKS = "return document.getElementById('marks').getAttribute('d').split('M').length - 1"
-Polygons = list[list[list[list[float]]]]
+Polygons = list[list[list[tuple[float, float]]]]  # per polygon its outer ring, then its holes
 
 
-def run(quick: bool) -> Findings:
-    findings = Findings()
+def run(findings: Findings, quick: bool) -> None:
     P, Q = operand("disc1"), operand("neuron")
     tell_absent(findings, "disc1", "neuron")
     began = time.perf_counter()
@@ -77,12 +72,11 @@ def run(quick: bool) -> Findings:
     if reason is not None:
         findings.note(f"install {' and '.join(PACKAGES)}, then run this part with --again")
         findings.target(f"rings at {count} scales in Chromium", False, "looked at", reason)
-        return findings
+        return
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder, "view.html")
         write_atomically(path, text)
         _look(findings, path, data, (P.set, Q.set), count)
-    return findings
 
 
 def _look(
@@ -105,40 +99,41 @@ def _look(
         findings.figures["milliseconds a scale"] = round(1000 * per_scale, 1)
         messages = window.messages()
     differences = [
-        _difference(got, _truth(operands, scale)) for scale, got in zip(scales, drawn, strict=True)
+        difference(got, true_polygons(*operands, scale))
+        for scale, got in zip(scales, drawn, strict=True)
     ]
-    alike = sum(difference < CLOSE for difference in differences)
-    findings.law("scales whose rings are those of the sum", alike == count, count, alike)
+    alike = sum(found < CLOSE for found in differences)
+    findings.equal("scales whose rings are those of the sum", count, alike)
     findings.figures["greatest difference, in diagonals"] = max(differences)
     events = len(data["scales"])
-    findings.law("marks, one for each boundary event", marks == events, events, marks)
-    findings.law("errors of the page", not messages, 0, len(messages))
+    findings.equal("marks, one for each boundary event", events, marks)
+    findings.none("errors of the page", len(messages))
 
 
-def _truth(operands: tuple[_core.PolygonSet, _core.PolygonSet], scale: float) -> Polygons:
-    exact = _core.minkowski_sum(*operands, str(Fraction(scale)))
+def true_polygons(P: _core.PolygonSet, Q: _core.PolygonSet, scale: float) -> Polygons:
+    """Of `minkref sum` at exactly this double."""
+    text = _core.minkowski_sum(P, Q, str(Fraction(scale))).region.canonical_json()
     return [
-        [
-            [[float(Fraction(x)), float(Fraction(y))] for x, y in ring]
-            for ring in (polygon["outer"], *polygon["holes"])
-        ]
-        for polygon in json.loads(exact.region.canonical_json())["polygons"]
+        [[(float(x), float(y)) for x, y in ring] for ring in polygon]
+        for polygon in read_shape(text)
     ]
 
 
-def _difference(got: Polygons, wanted: Polygons) -> float:
-    """The greatest distance of a vertex from its place, in diagonals; infinite if the polygons,
-    rings or numbers of vertices are others."""
-
-    def sizes(polygons: Polygons) -> list[list[int]]:
-        return [[len(ring) for ring in polygon] for polygon in polygons]
-
-    def points(polygons: Polygons) -> list[list[float]]:
-        return [point for polygon in polygons for ring in polygon for point in ring]
-
-    if sizes(got) != sizes(wanted):
+def difference(got: Any, wanted: Polygons) -> float:
+    """The greatest distance of a vertex from where it should be, in diagonals of the sum; infinite
+    if the rings are others."""
+    if [[len(ring) for ring in polygon] for polygon in got] != [
+        [len(ring) for ring in polygon] for polygon in wanted
+    ]:
         return math.inf
-    true = points(wanted)
-    sides = [max(p[i] for p in true) - min(p[i] for p in true) for i in (0, 1)]
-    farthest = max(math.dist(p, q) for p, q in zip(points(got), true, strict=True))
-    return farthest / math.hypot(*sides)
+    pairs = [
+        (p, q)
+        for one, other in zip(got, wanted, strict=True)
+        for ring, true_ring in zip(one, other, strict=True)
+        for p, q in zip(ring, true_ring, strict=True)
+    ]
+    points = [q for _, q in pairs]
+    if not points:
+        return 0.0
+    sides = [max(q[i] for q in points) - min(q[i] for q in points) for i in (0, 1)]
+    return max(math.dist(p, q) for p, q in pairs) / (math.hypot(*sides) or 1.0)

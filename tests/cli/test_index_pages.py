@@ -8,7 +8,8 @@ from typing import Any
 import pytest
 from index_runs import Minkref, Window, ask, build, operands, window_options
 from minkref.operand import read_operand
-from page_decoder import Decoder, data_of, difference, true_polygons
+from minkref.reports.evidence.view_page import difference, true_polygons
+from page_decoder import Decoder, data_of
 
 
 def page_data(minkref: Minkref, page: Path, *arguments: str | Path) -> tuple[Any, dict[str, Any]]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib
 import json
 from pathlib import Path
 
@@ -10,6 +9,7 @@ import pytest
 
 pytest.importorskip("minkref._core", reason="the extension module is not built")
 
+from minkref.reports.convolution_count import Turns, turns_of
 from minkref.reports.evidence.framework import child, store, table
 from minkref.reports.evidence.framework.part import Findings, Part, Status, load, names
 
@@ -146,10 +146,20 @@ def test_quick_run_fits_ten_minutes_on_two_cores() -> None:
 
 
 def test_recount_of_the_convolution_on_two_triangles_by_hand() -> None:
-    """Two triangles with edges in six different directions: each edge meets one vertex."""
-    module = importlib.import_module("minkref.reports.evidence.convolution_sizes")
+    """Two triangles that share the direction of one edge: each edge meets one vertex. A triangle
+    and itself: each edge is at the beginning of one turn and at the end of another."""
     P, Q = [[(0, 0), (4, 0), (0, 4)]], [[(0, 0), (0, -4), (4, 1)]]
-    assert module.recount(P, Q, begin=True) == (3, 0)
-    assert module.recount(Q, P, begin=False) == (3, 0)
-    same = module.recount(P, P, begin=True), module.recount(P, P, begin=False)
-    assert same == ((3, 0), (3, 0))
+    assert turns_of(P, Q) == (Turns(inside=2, begin=1, end=1), Turns(), 0)
+    assert turns_of(Q, P) == (Turns(inside=2, begin=1, end=1), Turns(), 0)
+    assert turns_of(P, P) == (Turns(begin=3, end=3), Turns(), 0)
+
+
+def test_recount_at_reflex_and_straight_vertices_by_hand() -> None:
+    """A dart with one reflex vertex, whose turn holds the direction of one edge; a vertex in the
+    middle of an edge is straight."""
+    triangle = [[(0, 0), (4, 0), (0, 4)]]
+    dart = [[(0, 0), (9, -4), (4, 0), (9, 4)]]
+    _, reflex, straight = turns_of([[(0, 0), (0, 5), (-5, 0)]], dart)
+    assert (reflex, straight) == (Turns(inside=1), 0)
+    _, reflex, straight = turns_of(triangle, [[(0, 0), (2, 0), (4, 0), (0, 4)]])
+    assert (reflex, straight) == (Turns(), 1)

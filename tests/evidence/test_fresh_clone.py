@@ -10,7 +10,8 @@ import pytest
 pytest.importorskip("minkref._core", reason="the extension module is not built")
 
 from minkref.reports.evidence import fresh_clone
-from minkref.reports.evidence.framework.part import Status
+from minkref.reports.evidence.framework import clone
+from minkref.reports.evidence.framework.part import Findings, Status
 
 MAKEFILE = """
 all_but_three = $(shell env | cut -d= -f1 | grep -vxE "PATH|HOME|CCACHE_DISABLE|PWD|OLDPWD|SHLVL|_\\
@@ -37,10 +38,13 @@ def repository(folder: Path, tests: int) -> Path:
 def test_commands_run_in_a_clean_environment_and_a_failure_is_a_failure(
     tests: int, status: Status, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(fresh_clone, "ROOT", repository(tmp_path / "repository", tests))
-    monkeypatch.setattr(fresh_clone, "FOLDER", tmp_path)
+    source = repository(tmp_path / "repository", tests)
+    monkeypatch.setattr(fresh_clone, "ROOT", source)
+    monkeypatch.setattr(clone, "ROOT", source)
+    monkeypatch.setattr(clone, "FOLDER", tmp_path)
     monkeypatch.setenv("MINKREF_MODELS", "/nowhere")
-    findings = fresh_clone.run(False)
+    findings = Findings()
+    fresh_clone.run(findings, False)
     broken = [check.what for check in findings.checks if not check.met]
     assert broken == ([] if tests == 0 else ["make test"])
     assert findings.status is status

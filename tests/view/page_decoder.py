@@ -6,14 +6,12 @@ import json
 import math
 import random
 import re
-from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-from minkref import _core
+from minkref.reports.evidence.view_page import Polygons
 
 Point = tuple[float, float]
-Polygons = list[list[list[Point]]]  # per polygon its outer ring, then its holes
 
 
 def data_of(page: str) -> dict[str, Any]:
@@ -70,38 +68,6 @@ class Decoder:
                 assert component not in outer
                 outer[component] = ring
         return sorted([ring, *sorted(holes.get(c, []))] for c, ring in outer.items())
-
-
-def true_polygons(P: _core.PolygonSet, Q: _core.PolygonSet, scale: float) -> Polygons:
-    """Of `minkref sum` at exactly this double."""
-    text = _core.minkowski_sum(P, Q, str(Fraction(scale))).region.canonical_json()
-    return [
-        [
-            [(float(Fraction(x)), float(Fraction(y))) for x, y in ring]
-            for ring in (polygon["outer"], *polygon["holes"])
-        ]
-        for polygon in json.loads(text)["polygons"]
-    ]
-
-
-def difference(got: Any, wanted: Polygons) -> float:
-    """The greatest distance of a vertex from where it should be, in diagonals of the sum; infinite
-    if the rings are others."""
-    if [[len(ring) for ring in polygon] for polygon in got] != [
-        [len(ring) for ring in polygon] for polygon in wanted
-    ]:
-        return math.inf
-    pairs = [
-        (p, q)
-        for one, other in zip(got, wanted, strict=True)
-        for ring, true_ring in zip(one, other, strict=True)
-        for p, q in zip(ring, true_ring, strict=True)
-    ]
-    points = [q for _, q in pairs]
-    if not points:
-        return 0.0
-    sides = [max(q[i] for q in points) - min(q[i] for q in points) for i in (0, 1)]
-    return max(math.dist(p, q) for p, q in pairs) / (math.hypot(*sides) or 1.0)
 
 
 def scales(count: int, seed: int, first: float = 0.1, last: float = 10.0) -> list[float]:

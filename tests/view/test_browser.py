@@ -11,14 +11,13 @@ from typing import Any
 import pytest
 from minkref.operand import read_operand
 from minkref.reports.evidence.framework.browser import Browser, absent, browser
-from page_decoder import data_of, difference, page_of, scales, true_polygons
+from minkref.reports.evidence.view_page import RINGS, difference, true_polygons
+from page_decoder import data_of, page_of, scales
 from selenium.common.exceptions import JavascriptException
 
 pytestmark = pytest.mark.skipif(absent() is not None, reason=f"no browser: {absent()}")
 
 SHOTS = Path(__file__).resolve().parents[2] / "build" / "view"
-RINGS = """return arguments[0].map(
-    (s) => window.minkref.rings(s).map((polygon) => [polygon.outer, ...polygon.holes]))"""
 DRAWN = "return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
 VALUE = "return document.getElementById(arguments[0]).value"
 TEXT = "return document.getElementById(arguments[0]).textContent"

@@ -13,7 +13,8 @@ from minkref.commands.pages.plane.linear import linear
 from minkref.commands.pages.plane.picture import Sums, Window, picture
 from minkref.fuzz.families.random_pairs import random_pair
 from minkref.operand import read_operand
-from page_decoder import Decoder, data_of, difference, page_of, scales, true_polygons
+from minkref.reports.evidence.view_page import difference, true_polygons
+from page_decoder import Decoder, data_of, page_of, scales
 
 CLOSE = 1e-9  # diagonals
 

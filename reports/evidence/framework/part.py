@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import importlib
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
 from pathlib import Path
@@ -18,6 +18,12 @@ READERS = ("formats/*.?pp",)
 COMPARISON = ("fuzz/**/*.py", "python/minkref/*.py")
 CGAL = ("oracle/cgal/*.?pp", "oracle/cgal/CMakeLists.txt")
 MODELS = ("models/*.poly", "models/index.json")
+AGAINST_CGAL = (*REFERENCE, *READERS, *MODELS, *COMPARISON, *CGAL)
+CONVEX = (
+    "models/*.off", "python/minkref/space/*.py", "commands/space/*.py", "reports/bench/*.py",
+)  # fmt: skip
+CERTIFY = ("certify/*", "oracle/checker/*", "reports/evidence/certificates/*.py")
+DEGENERACIES = ("degeneracies/*.py", "degeneracies/plane/*.py", "degeneracies/space/*.py")
 
 
 class Status(StrEnum):
@@ -49,6 +55,14 @@ class Findings:
     def target(self, what: str, met: bool, wanted: object, reached: object) -> None:
         self.checks.append(Check(what, str(wanted), str(reached), bool(met), False))
 
+    def none(self, what: str, found: int | Sequence[object]) -> None:
+        """A law that there is none: their number, or themselves, of which the first are shown."""
+        shown = found if isinstance(found, int) else "; ".join(map(str, found[:3])) or 0
+        self.law(what, not found, 0, shown)
+
+    def equal(self, what: str, wanted: object, reached: object) -> None:
+        self.law(what, reached == wanted, wanted, reached)
+
     def note(self, text: str) -> None:
         if text not in self.notes:
             self.notes.append(text)
@@ -75,12 +89,18 @@ class Part:
 
 
 def load(name: str) -> Part:
-    """The part that the script `name`.py declares by SUBJECT, MINUTES, DEPENDS, run(quick) and,
-    where nothing may run beside it, ALONE."""
+    """What `name`.py declares: SUBJECT, MINUTES, DEPENDS, run(findings, quick); ALONE where nothing
+    may run beside it."""
     module = importlib.import_module(f"minkref.reports.evidence.{name}")
+
+    def run(quick: bool) -> Findings:
+        findings = Findings()
+        module.run(findings, quick)
+        return findings
+
     full, quick = module.MINUTES
     alone = getattr(module, "ALONE", False)
-    return Part(name, module.SUBJECT, full, quick, tuple(module.DEPENDS), module.run, alone)
+    return Part(name, module.SUBJECT, full, quick, tuple(module.DEPENDS), run, alone)
 
 
 def names() -> list[str]:

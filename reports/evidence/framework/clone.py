@@ -1,0 +1,64 @@
+"""Fresh clones of this checkout, and commands in them that are given nothing else of it."""
+
+from __future__ import annotations
+
+import os
+import resource
+import subprocess
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+from minkref.reports.evidence.framework.store import FOLDER, ROOT
+
+
+@dataclass(frozen=True)
+class Taken:
+    """Seconds on the clock, and of all processors."""
+
+    clock: float
+    processor: float
+    code: int
+
+    def __str__(self) -> str:
+        return f"{self.clock:.0f} s ({self.processor:.0f} s of processor time)"
+
+
+class Clone:
+    """The files of a commit in the folder `root`."""
+
+    def __init__(self, root: Path, commit: str = "HEAD") -> None:
+        self.root = root
+        subprocess.run(["git", "clone", "--quiet", ROOT, root], check=True)
+        git(root, "checkout", "--quiet", commit)
+
+    def call(self, title: str, *command: str) -> Taken:
+        """With PATH and HOME alone in the environment, and a compiler cache that is switched off:
+        times are those of a cold one. The log goes to build/evidence."""
+        log = FOLDER / "clones" / f"{self.root.name} {title}.log".replace(" ", "-")
+        log.parent.mkdir(parents=True, exist_ok=True)
+        path = [part for part in os.environ["PATH"].split(":") if str(ROOT / ".venv") not in part]
+        environment = {"PATH": ":".join(path), "HOME": os.environ["HOME"], "CCACHE_DISABLE": "1"}
+        began, spent = time.monotonic(), processor_seconds()
+        with open(log, "w", encoding="utf-8") as out:
+            done = subprocess.run(
+                command, cwd=self.root, env=environment, stdin=subprocess.DEVNULL,
+                stdout=out, stderr=out, check=False,
+            )  # fmt: skip
+        clock = time.monotonic() - began
+        taken = Taken(clock, processor_seconds() - spent, done.returncode)
+        print(f"{self.root.name}: {title}: exit code {done.returncode}, {taken}", flush=True)
+        return taken
+
+
+def git(folder: Path, *words: str) -> str:
+    """What it prints."""
+    command = ["git", "-C", str(folder), *words]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    return done.stdout.strip()
+
+
+def processor_seconds() -> float:
+    """Of all children that have ended."""
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime

@@ -1,0 +1,74 @@
+"""`minkref` and pytest as children, as their users run them."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+from minkref.reports.evidence.framework.part import Findings
+from minkref.reports.evidence.framework.store import ROOT
+
+COMMAND = (sys.executable, "-m", "minkref")
+GRACE = 900.0  # seconds beyond what a run is given
+Document = dict[str, Any]
+
+
+def minkref(*words: object, seconds: float | None = None, **variables: str) -> tuple[int, Document]:
+    """Exit code and document, with these variables in the environment. RuntimeError where there is
+    no document, subprocess.TimeoutExpired after `seconds`."""
+    ran = subprocess.run(
+        [*COMMAND, *map(str, words), "--json"], capture_output=True, text=True, timeout=seconds,
+        env={**os.environ, **variables},
+    )  # fmt: skip
+    try:
+        value: Document = json.loads(ran.stdout)
+    except ValueError as error:
+        raise RuntimeError(f"exit code {ran.returncode}: {ran.stderr[-2000:]}") from error
+    return ran.returncode, value
+
+
+def verify(*words: object, seconds: float, path: Path | None = None) -> tuple[int, Document]:
+    """The same of a run of so many seconds. `path` is put before PYTHONPATH."""
+    before = os.environ.get("PYTHONPATH", "")
+    variables = {} if path is None else {"PYTHONPATH": f"{path}{os.pathsep}{before}"}
+    return minkref("verify", *words, seconds=seconds + GRACE, **variables)
+
+
+def begun(ledger: Path, *arguments: str, **variables: str) -> subprocess.Popen[str]:
+    """A run on a ledger, in a session of its own, whose document goes to a pipe."""
+    words = [*COMMAND, "verify", *arguments, "--no-models", "--jobs", "2", "--shrink-calls", "0"]
+    return subprocess.Popen(
+        [*words, "--json", "--ledger", str(ledger)],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+        text=True,
+        start_new_session=True,
+        env={**os.environ, **variables},
+    )
+
+
+def counts_of(value: Document, target: str) -> dict[str, int]:
+    """Verdicts of a target over all groups."""
+    counts: dict[str, int] = {}
+    for row in value["matrix"]:
+        if row["target"] == target:
+            for verdict, count in row["verdicts"].items():
+                counts[verdict] = counts.get(verdict, 0) + count
+    return counts
+
+
+def told(counts: dict[str, int]) -> str:
+    return ", ".join(f"{count:,} {verdict}" for verdict, count in counts.items())
+
+
+def tests_pass(findings: Findings, what: str, path: str) -> str:
+    """The law that pytest ends well on these tests; its last line."""
+    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:xdist", path]
+    ran = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
+    tail = ran.stdout.strip().splitlines()[-1] if ran.stdout.strip() else ran.stderr[-200:]
+    findings.law(what, ran.returncode == 0, "all pass", tail)
+    return tail

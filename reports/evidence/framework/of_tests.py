@@ -1,0 +1,49 @@
+"""Adapters, functions and faults that folders of tests/ hold, as targets and as modules."""
+
+from __future__ import annotations
+
+import importlib
+import sys
+from pathlib import Path
+from typing import Any
+
+from minkref.reports.evidence.framework.store import ROOT
+
+SEEDED = ROOT / "tests" / "seeded"  # a small implementation, and faults to put into it
+PAGE_ALONE = ROOT / "tests" / "page_alone"  # adapters written from the page of the protocol alone
+
+
+def module(name: str, *folders: Path) -> Any:
+    """One whose own imports stand beside it in these folders."""
+    for folder in folders:
+        if str(folder) not in sys.path:
+            sys.path.insert(0, str(folder))
+    return importlib.import_module(name)
+
+
+def seeded_faults() -> dict[str, Any]:
+    """By name."""
+    found: dict[str, Any] = module("seeded_sums", SEEDED).FAULTS
+    return found
+
+
+def losing_a_hole() -> str:
+    """The first seeded fault about holes that functions show as well as adapters."""
+    faults = seeded_faults()
+    return next(name for name in sorted(faults) if "hole" in name and not faults[name].needs_scale)
+
+
+def seeded_adapter(fault: str) -> str:
+    """The target; `sound` for none."""
+    return f"cmd:{sys.executable} {SEEDED / 'seeded_adapter.py'} {fault}"
+
+
+def page_adapters(which: str) -> dict[str, Any]:
+    """By name, with the class of each: the UNUSUAL, which are right, or the FAULTY."""
+    found: dict[str, Any] = getattr(module("catalogue", PAGE_ALONE), which)
+    return found
+
+
+def page_adapter(name: str) -> str:
+    """The target."""
+    return f"cmd:{sys.executable} {PAGE_ALONE / 'adapter.py'} {name}"
