@@ -8,6 +8,7 @@ from pathlib import Path
 
 from minkref.reports.evidence.framework.browser import PACKAGES, Browser, absent, browser
 from minkref.reports.evidence.framework.part import Findings
+from minkref.reports.evidence.framework.store import ROOT
 
 SUBJECT = (
     "`make docs` builds the site without a warning; each page in headless Chromium at 1,280 and "
@@ -19,7 +20,6 @@ DEPENDS = (
     "python/minkref/**/*.py", "commands/**/*.py", "commands/schemas/*.json",
 )  # fmt: skip
 
-ROOT = Path(__file__).resolve().parents[2]
 SITE = ROOT / "build" / "site"
 WIDTHS = (1280, 390)
 WIDE = "return document.documentElement.scrollWidth - window.innerWidth"

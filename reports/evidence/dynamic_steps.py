@@ -8,6 +8,7 @@ import subprocess
 from pathlib import Path
 
 from minkref.reports.evidence.framework.part import REFERENCE, Findings
+from minkref.reports.evidence.framework.store import ROOT
 
 SUBJECT = (
     "A step calls nothing that computes from scratch: its sources link alone. Its insertions, "
@@ -17,7 +18,7 @@ SUBJECT = (
 MINUTES = (0.5, 0.1)
 DEPENDS = (*REFERENCE, "tests/dynamic/*", "tests/plane/random_cases.hpp")
 
-BUILD = Path(__file__).resolve().parents[2] / "build" / "release" / "tests" / "dynamic"
+BUILD = ROOT / "build" / "release" / "tests" / "dynamic"
 COUNTS = "DynamicWalk.InsertionsDeletionsAndSwapsAreTheEventsCrossed"
 REPEAT, QUICK_REPEAT = 20, 2  # times 80 pairs of operands, 5 counted steps each
 SECONDS = 600

@@ -20,6 +20,7 @@ from pathlib import Path
 
 from minkref.fuzz.plane.judgement import TRUTHS
 from minkref.reports.evidence.framework.part import CGAL, COMPARISON, REFERENCE, SCRIPTS, Findings
+from minkref.reports.evidence.framework.store import ROOT
 
 SUBJECT = (
     "At least 25 faults put into the reference, one at a time: each is caught by a judge, a law or "
@@ -31,7 +32,6 @@ DEPENDS = (
     "oracle/slow/*.py", "oracle/symbolic/*.py",
 )  # fmt: skip
 
-ROOT = SCRIPTS.parents[1]
 BUILD = ROOT / "build" / "faults"
 TABLE = SCRIPTS / "planted_faults.md"
 SUITES = ("plane", "critical", "dynamic", "index")
@@ -72,8 +72,18 @@ def build() -> None:
             raise RuntimeError(f"{' '.join(command)}: {(done.stderr or done.stdout)[-2000:]}")
 
 
-def environment(fault: str) -> dict[str, str]:
-    return {**os.environ, "MINKREF_FAULT": fault, "PYTHONPATH": str(BUILD / "package")}
+def ended(
+    fault: str, seconds: float, *command: str | Path
+) -> subprocess.CompletedProcess[str] | None:
+    """A command with the fault put in; None where it does not end."""
+    variables = {**os.environ, "MINKREF_FAULT": fault, "PYTHONPATH": str(BUILD / "package")}
+    try:
+        return subprocess.run(
+            command, cwd=ROOT, env=variables, capture_output=True, text=True, errors="replace",
+            check=False, timeout=seconds,
+        )  # fmt: skip
+    except subprocess.TimeoutExpired:
+        return None
 
 
 def laws(fault: str) -> list[str]:
@@ -82,17 +92,11 @@ def laws(fault: str) -> list[str]:
     failed = []
     for suite in SUITES:
         with tempfile.NamedTemporaryFile(suffix=".json") as report:
-            command = [
-                str(BUILD / "tests" / suite / f"test_{suite}"),
-                f"--gtest_output=json:{report.name}",
-                "--gtest_fail_fast",
-            ]
-            try:
-                code = subprocess.run(
-                    command, env=environment(fault), capture_output=True, check=False,
-                    timeout=SUITE_SECONDS,
-                ).returncode  # fmt: skip
-            except subprocess.TimeoutExpired:
+            done = ended(
+                fault, SUITE_SECONDS, BUILD / "tests" / suite / f"test_{suite}",
+                f"--gtest_output=json:{report.name}", "--gtest_fail_fast",
+            )  # fmt: skip
+            if done is None:
                 failed.append(f"{suite}: no end in {SUITE_SECONDS} s")
                 continue
             text = Path(report.name).read_text(encoding="utf-8")
@@ -102,21 +106,17 @@ def laws(fault: str) -> list[str]:
             for test in group["testsuite"]
             if test.get("failures")
         ]
-        if code and not found:
-            found = [f"{suite}: exit code {code}"]
+        if done.returncode and not found:
+            found = [f"{suite}: exit code {done.returncode}"]
         failed += found
     return failed
 
 
 def python_tests(fault: str) -> list[str]:
     """The first that fails of tight passages made by hand, and of parents by their definition."""
-    try:
-        done = subprocess.run(
-            [sys.executable, "-m", "pytest", "-qx", "-p", "no:cacheprovider", *PYTEST_FOLDERS],
-            cwd=ROOT, env=environment(fault), capture_output=True, text=True, check=False,
-            timeout=PYTEST_SECONDS,
-        )  # fmt: skip
-    except subprocess.TimeoutExpired:
+    words = ("-m", "pytest", "-qx", "-p", "no:cacheprovider", *PYTEST_FOLDERS)
+    done = ended(fault, PYTEST_SECONDS, sys.executable, *words)
+    if done is None:
         return [f"{' '.join(PYTEST_FOLDERS)}: no end"]
     found = re.findall(r"^(?:FAILED|ERROR) \S+?::(.+?)(?: - |$)", done.stdout, re.MULTILINE)
     return found or ([f"pytest: exit code {done.returncode}"] if done.returncode else [])
@@ -124,17 +124,12 @@ def python_tests(fault: str) -> list[str]:
 
 def before_judges(fault: str, caught: Caught) -> None:
     """The judges, and our own routes against each other, on the same cases."""
-    command = [
-        sys.executable, "-m", "minkref", "verify", "minkref", *ROUTES, "--pairs", str(PAIRS),
-        "--no-models", "--json", "--jobs", "1", "--shrink-calls", "0",
-    ]  # fmt: skip
+    words = ("-m", "minkref", "verify", "minkref", *ROUTES, "--pairs", str(PAIRS), "--no-models")
+    more = ("--json", "--jobs", "1", "--shrink-calls", "0")
+    done = ended(fault, VERIFY_SECONDS, sys.executable, *words, *more)
     try:
-        done = subprocess.run(
-            command, cwd=ROOT, env=environment(fault), capture_output=True, text=True, check=False,
-            timeout=VERIFY_SECONDS,
-        )  # fmt: skip
-        matrix = json.loads(done.stdout)["matrix"]
-    except (subprocess.TimeoutExpired, ValueError, KeyError):
+        matrix = json.loads(done.stdout if done is not None else "")["matrix"]
+    except (ValueError, KeyError):
         caught.judges.append("verify: no end")
         return
     bad: Counter[str] = Counter()  # a row is a target on a family

@@ -19,7 +19,8 @@ from minkref.fuzz.plane.case import Case
 from minkref.reports.drawing import Layer, picture
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.operands import case_of, tell_absent
-from minkref.reports.evidence.framework.part import AGAINST_CGAL, SCRIPTS, Findings
+from minkref.reports.evidence.framework.part import AGAINST_CGAL, Findings
+from minkref.reports.evidence.framework.store import FOLDER
 
 SUBJECT = (
     "The slow engine against the routes paper, winding, definition and dynamic on 2,000 random "
@@ -39,7 +40,7 @@ JUDGES = {
 }
 POINTS = 20
 WITNESS_SECONDS = 60.0
-DRAWN = SCRIPTS.parents[1] / "build" / "evidence" / "slow_engine_and_cgal.html"
+DRAWN = FOLDER / "slow_engine_and_cgal.html"
 
 
 def judge(index: int) -> dict[str, Any]:
