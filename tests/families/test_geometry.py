@@ -34,6 +34,18 @@ def test_a_text_is_read_scaled_and_then_moved() -> None:
     assert shape[0] == [[(1, -1), (2, -1), (1, 5)]]
     assert [len(ring) for ring in shape[1]] == [4, 3]
     assert plane.written_rings(TEXT)[2] == [["6", "6"], ["6", "7"], ["7", "7"]]
+    assert plane.fraction_rings(TEXT, 2)[0] == [(0, 0), (1, 0), (0, 6)]
+
+
+def test_the_product_of_vectors_has_the_sign_of_the_turn() -> None:
+    dice = Random(8)
+    for _ in range(200):
+        a, b, c = ((dice.randint(-3, 3), dice.randint(-3, 3)) for _ in range(3))
+        area = plane.cross(plane.minus(b, a), plane.minus(c, b))
+        assert area == plane.doubled_area([a, b, c])
+        assert (area > 0) - (area < 0) == plane.turn(a, b, c)
+    assert plane.plus((1, 2), (3, -5)) == (4, -3)
+    assert plane.dot((1, 2), (3, -5)) == -7
 
 
 @pytest.mark.parametrize(
