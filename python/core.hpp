@@ -65,6 +65,15 @@ class Computing {
 };
 using Released = nanobind::call_guard<Computing>;
 
+/// Of a class whose values never change: copy.copy and copy.deepcopy give the value itself.
+template <typename Value>
+nanobind::class_<Value>& unchanging(nanobind::class_<Value>&& bound) {
+  return bound.def("__copy__", [](const nanobind::object& self) { return self; })
+      .def(
+          "__deepcopy__", [](const nanobind::object& self, nanobind::handle) { return self; },
+          nanobind::arg("memo"));
+}
+
 void bind_errors(nanobind::module_& module);
 void bind_polygon_set(nanobind::module_& module);
 void bind_files(nanobind::module_& module);

@@ -12,6 +12,7 @@
 
 #include "formats/listed_events.hpp"
 #include "python/core.hpp"
+#include "python/core_fields.hpp"
 #include "python/core_timeline.hpp"
 #include "python/stopwatch.hpp"
 #include "python/vector_caster.hpp"
@@ -87,11 +88,8 @@ class Arrangement {
     Fields fields;
     const PairEvents none;
     const PairEvents& pairs = events_ ? events_->pairs() : none;
-    fields["pairs"] = pairs.pairs;
-    fields["filtered_pairs"] = pairs.filtered_pairs;
-    fields["s_edges"] = pairs.statistics.s_edges;
-    fields["t_edges"] = pairs.statistics.t_edges;
-    fields["kernel"] = pairs.statistics.kernel;
+    MINKREF_PUT(pairs, pairs, filtered_pairs);
+    MINKREF_PUT(pairs.statistics, s_edges, t_edges, kernel);
     std::uint64_t swaps = 0;
     for (const ListedEvent& event : list_) {
       if (event.kind != ListedEvent::Kind::triple) continue;
@@ -169,11 +167,10 @@ class ArrangementList {
 }  // namespace
 
 void bind_arrangement(nb::module_& module) {
-  using OptionalText = std::optional<std::string>;
-  nb::class_<Arrangement>(module, "ArrangementEvents",
-                          "Pair, parallel and triple events of sP + Q in a closed window, sorted.")
-      .def(nb::init<const Set&, const Set&, const OptionalText&, const OptionalText&>(), "P"_a,
-           "Q"_a, "from_scale"_a = nb::none(), "to_scale"_a = nb::none(), Released())
+  nb::class_<Arrangement> bound(
+      module, "ArrangementEvents",
+      "Pair, parallel and triple events of sP + Q in a closed window, sorted.");
+  bind_of_window(bound)
       .def_ro("seconds", &Arrangement::seconds)
       .def("counts", &Arrangement::counts)
       .def("edges", &Arrangement::edges, Released(), "Rows as reduced_convolution's.")

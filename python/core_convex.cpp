@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "python/core.hpp"
+#include "python/core_fields.hpp"
 #include "python/core_space.hpp"
 #include "python/vector_caster.hpp"
 #include "reference/error.hpp"
@@ -113,25 +114,17 @@ using ParentRow = std::pair<std::vector<std::uint32_t>, std::vector<std::uint32_
 
 Fields fields_of(const UpdateCounts& counts) {
   Fields fields;
-  fields["fv_errors"] = counts.fv_errors;
-  fields["vf_errors"] = counts.vf_errors;
-  fields["descent_steps"] = counts.descent_steps;
-  fields["ee_errors"] = counts.ee_errors;
-  fields["ee_pairs_added"] = counts.ee_pairs_added;
-  fields["chains_walked"] = counts.chains_walked;
-  fields["chains_mended_by_proof"] = counts.chains_mended_by_proof;
-  fields["chains_without_error"] = counts.chains_without_error;
-  fields["facets_examined"] = counts.facets_examined;
-  fields["chains_examined"] = counts.chains_examined;
-  fields["signs"] = counts.signs;
-  fields["exact_signs"] = counts.exact_signs;
+  MINKREF_PUT(counts, fv_errors, vf_errors, descent_steps, ee_errors, ee_pairs_added, chains_walked,
+              chains_mended_by_proof, chains_without_error, facets_examined, chains_examined, signs,
+              exact_signs);
   return fields;
 }
 
 void bind_convex(nb::module_& module) {
-  nb::class_<ConvexBody>(module, "ConvexPolyhedron",
-                         "A strictly convex polyhedron, certified: coplanar faces merged, flat "
-                         "vertices dropped, vertices in lexicographic order.")
+  unchanging(
+      nb::class_<ConvexBody>(module, "ConvexPolyhedron",
+                             "A strictly convex polyhedron, certified: coplanar faces merged, flat "
+                             "vertices dropped, vertices in lexicographic order."))
       .def(
           "__init__",
           [](ConvexBody* self, const Surface& surface, const std::string& source) {
@@ -155,9 +148,6 @@ void bind_convex(nb::module_& module) {
                     std::to_string(self.value->edges()) + " edges, " +
                     std::to_string(self.value->facets()) + " facets>";
            })
-      .def("__copy__", [](const nb::object& self) { return self; })
-      .def(
-          "__deepcopy__", [](const nb::object& self, nb::handle) { return self; }, "memo"_a)
       .def("__getstate__", [](const ConvexBody& self) { return Surface(self.value->surface()); })
       .def("__setstate__",
            [](ConvexBody& self, const Surface& state) {

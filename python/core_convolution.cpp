@@ -47,20 +47,17 @@ std::vector<SegmentTuple> segments(const Set& P, const Set& Q, const std::string
 }  // namespace
 
 void bind_convolution(nb::module_& module) {
-  module.def(
-      "reduced_convolution",
-      [](const Set& P, const Set& Q) {
-        return convolution_rows(reduced_convolution(P.value, Q.value));
-      },
-      "P"_a, "Q"_a, Released(),
-      "Rows (kind, sign, edge ring, edge index, vertex ring, vertex index).");
-  module.def(
-      "full_convolution",
-      [](const Set& P, const Set& Q) {
-        return convolution_rows(full_convolution(P.value, Q.value));
-      },
-      "P"_a, "Q"_a, Released(),
-      "Rows (kind, sign, edge ring, edge index, vertex ring, vertex index).");
+  const auto bind_rows = [&](const char* name, auto convolution) {
+    module.def(
+        name,
+        [convolution](const Set& P, const Set& Q) {
+          return convolution_rows(convolution(P.value, Q.value));
+        },
+        "P"_a, "Q"_a, Released(),
+        "Rows (kind, sign, edge ring, edge index, vertex ring, vertex index).");
+  };
+  bind_rows("reduced_convolution", reduced_convolution);
+  bind_rows("full_convolution", full_convolution);
   module.def("convolution_segments", segments, "P"_a, "Q"_a, "scale"_a, "reduced"_a, Released(),
              "For drawing: rows x0, y0, x1, y1.");
 }

@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "python/core.hpp"
+#include "python/core_fields.hpp"
 #include "python/core_timed_sum.hpp"
 #include "python/core_timeline.hpp"
 #include "python/stopwatch.hpp"
@@ -45,11 +46,7 @@ class Dynamic {
     const StepReport report = sum_->move_to(s);
     const double taken = watch.seconds();
     Fields fields;
-    fields["insertions"] = report.insertions;
-    fields["deletions"] = report.deletions;
-    fields["swaps"] = report.swaps;
-    fields["updated"] = report.updated;
-    fields["groups"] = report.groups;
+    MINKREF_PUT(report, insertions, deletions, swaps, updated, groups);
     fields["seconds"] = taken;
     return fields;
   }
@@ -100,9 +97,7 @@ class Dynamic {
     if (sum_->empty()) return fields;
     const ArrangementTimeline& timeline = sum_->states().timeline();
     const ArrangementEvents& events = *timeline.events;
-    fields["s_edges"] = events.pairs().statistics.s_edges;
-    fields["t_edges"] = events.pairs().statistics.t_edges;
-    fields["kernel"] = events.pairs().statistics.kernel;
+    MINKREF_PUT(events.pairs().statistics, s_edges, t_edges, kernel);
     fields["pair_events"] = events.pairs().events.size();
     fields["triple_events"] = events.triples().size();
     fields["scales"] = events.groups();
@@ -110,8 +105,7 @@ class Dynamic {
     fields["sub_edges"] = timeline.sub_edges.size();
     fields["tracks"] = sum_->states().tracks().size();
     fields["boundary_groups"] = sum_->states().groups().size();
-    fields["decided_by_doubles"] = timeline.decided_by_doubles;
-    fields["decided_exactly"] = timeline.decided_exactly;
+    MINKREF_PUT(timeline, decided_by_doubles, decided_exactly);
     return fields;
   }
 
@@ -171,11 +165,9 @@ class Dynamic {
 }  // namespace
 
 void bind_dynamic(nb::module_& module) {
-  using OptionalText = std::optional<std::string>;
-  nb::class_<Dynamic>(module, "DynamicSum",
-                      "sP + Q over a closed window of scales, by dynamic update.")
-      .def(nb::init<const Set&, const Set&, const OptionalText&, const OptionalText&>(), "P"_a,
-           "Q"_a, "from_scale"_a = nb::none(), "to_scale"_a = nb::none(), Released())
+  nb::class_<Dynamic> bound(module, "DynamicSum",
+                            "sP + Q over a closed window of scales, by dynamic update.");
+  bind_of_window(bound)
       .def_ro("seconds", &Dynamic::seconds, "Of finding all events.")
       .def("counts", &Dynamic::counts)
       .def("edges", &Dynamic::edges, Released())
@@ -184,26 +176,14 @@ void bind_dynamic(nb::module_& module) {
       .def("update", &Dynamic::update, "scale"_a, Released(),
            "Steps to a scale and places all nodes, in doubles; gives the seconds.")
       .def("sum", &Dynamic::sum, Released(), "The sum where it stands, exact.")
-      .def("boundary_events", &Dynamic::boundary_events, Released(),
-           "(scale, change, edges, place), ascending.")
-      .def("topology_events", &Dynamic::topology_events, Released(),
-           "(scale, feature, change, before, after, parts at the scale, place), ascending.")
-      .def("features", &Dynamic::features, "kind"_a, Released(),
-           "Scales of birth and death of each hole (0 is the outside) or component.")
-      .def("lives", &Dynamic::lives, "kind"_a, Released(),
-           "Holes (the outside left out) or components that live within the window: name, scales "
-           "of birth and death.")
       .def("event_scales", &Dynamic::event_scales, Released(),
            "All scales of arrangement events: (scale, kinds), ascending.")
       .def("difference_from_scratch", &Dynamic::difference_from_scratch, Released(),
            "What differs from the static arrangement and sum at the same scale; empty: nothing.")
       .def("state_counts", &Dynamic::state_counts, Released(),
            "States of the boundary: where each begins, (holes, components, vertices, holes and "
-           "components at the scale itself).")
-      .def("tracks", &Dynamic::tracks, Released(), "The point a + s b of each track: a, b.")
-      .def("ring_states", &Dynamic::ring_states, "report"_a,
-           "Calls report with each state of the boundary: where it begins, and its rings as (is a "
-           "hole's, component, hole, tracks).");
+           "components at the scale itself).");
+  bind_history(bound);
 }
 
 }  // namespace minkref::python

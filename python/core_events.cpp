@@ -13,6 +13,7 @@
 
 #include "formats/write_events.hpp"
 #include "python/core.hpp"
+#include "python/core_fields.hpp"
 #include "python/stopwatch.hpp"
 #include "python/vector_caster.hpp"
 #include "reference/error.hpp"
@@ -149,19 +150,9 @@ Fields counts(const Events& events) {
   const PairEvents& value = events.value;
   Fields fields;
   fields["count"] = value.events.size();
-  fields["distinct"] = value.distinct;
-  fields["pairs"] = value.pairs;
-  fields["filtered_pairs"] = value.filtered_pairs;
-  fields["intersecting_pairs"] = value.intersecting_pairs;
-  fields["always_meeting_pairs"] = value.always_meeting_pairs;
-  fields["touching_pairs"] = value.touching_pairs;
-  fields["parallel_pairs"] = value.parallel_pairs;
-  fields["s_edges"] = value.statistics.s_edges;
-  fields["t_edges"] = value.statistics.t_edges;
-  fields["kernel"] = value.statistics.kernel;
-  fields["by_float"] = value.statistics.by_float;
-  fields["by_integer"] = value.statistics.by_integer;
-  fields["by_rational"] = value.statistics.by_rational;
+  MINKREF_PUT(value, distinct, pairs, filtered_pairs, intersecting_pairs, always_meeting_pairs,
+              touching_pairs, parallel_pairs);
+  MINKREF_PUT(value.statistics, s_edges, t_edges, kernel, by_float, by_integer, by_rational);
   return fields;
 }
 
@@ -172,18 +163,8 @@ Fields trial(const Set& P, const Set& Q, const std::string& arithmetic, const st
     result = precision_trial(P.value, Q.value, arithmetic, form_named(form));
   }
   Fields fields;
-  fields["pairs"] = result.pairs;
-  fields["undecided_pairs"] = result.undecided_pairs;
-  fields["roots"] = result.roots;
-  fields["false_inconsistent"] = result.false_inconsistent;
-  fields["false_identity"] = result.false_identity;
-  fields["invented_roots"] = result.invented_roots;
-  fields["events"] = result.events;
-  fields["missed"] = result.missed;
-  fields["invented"] = result.invented;
-  fields["misplaced"] = result.misplaced;
-  fields["inversions"] = result.inversions;
-  fields["merged"] = result.merged;
+  MINKREF_PUT(result, pairs, undecided_pairs, roots, false_inconsistent, false_identity,
+              invented_roots, events, missed, invented, misplaced, inversions, merged);
   fields["all_right"] = result.all_right();
   return fields;
 }
@@ -195,12 +176,8 @@ Fields forms(const Set& P, const Set& Q) {
     result = compare_forms(P.value, Q.value);
   }
   Fields fields;
-  fields["intersecting"] = result.intersecting;
-  fields["touching"] = result.touching;
-  fields["printed_right"] = result.printed_right;
-  fields["printed_right_by_roots"] = result.printed_right_by_roots;
-  fields["printed_empty"] = result.printed_empty;
-  fields["printed_invented"] = result.printed_invented;
+  MINKREF_PUT(result, intersecting, touching, printed_right, printed_right_by_roots, printed_empty,
+              printed_invented);
   return fields;
 }
 

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "python/core.hpp"
+#include "python/core_fields.hpp"
 #include "python/vector_caster.hpp"
 #include "reference/plane/routes/face_points.hpp"
 #include "reference/plane/witness.hpp"
@@ -42,11 +43,7 @@ std::vector<std::string> decide_many(const Set& P, const Set& Q, const std::stri
 Fields trial_of_filter(std::uint64_t seed, std::uint64_t count) {
   const FilterTrial trial = filter_trial(seed, count);
   Fields fields;
-  fields["trials"] = trial.trials;
-  fields["by_filter"] = trial.by_filter;
-  fields["filter_wrong"] = trial.filter_wrong;
-  fields["handed_on"] = trial.handed_on;
-  fields["doubles_wrong"] = trial.doubles_wrong;
+  MINKREF_PUT(trial, trials, by_filter, filter_wrong, handed_on, doubles_wrong);
   return fields;
 }
 

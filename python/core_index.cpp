@@ -13,6 +13,7 @@
 #include <variant>
 
 #include "python/core.hpp"
+#include "python/core_fields.hpp"
 #include "python/core_timed_sum.hpp"
 #include "python/core_timeline.hpp"
 #include "python/stopwatch.hpp"
@@ -117,12 +118,7 @@ class Index {
     const IndexCounts& counts = index().counts();
     const IndexColumns& columns = index().columns();
     Fields fields;
-    fields["s_edges"] = counts.s_edges;
-    fields["t_edges"] = counts.t_edges;
-    fields["meeting_pairs"] = counts.meeting_pairs;
-    fields["pairs_inside"] = counts.pairs_inside;
-    fields["faces_tested"] = counts.faces_tested;
-    fields["pieces"] = counts.pieces;
+    MINKREF_PUT(counts, s_edges, t_edges, meeting_pairs, pairs_inside, faces_tested, pieces);
     fields["tracks"] = index().tracks();
     fields["links"] = columns.links.size();
     const auto [first, last] = index().events_within();
@@ -351,9 +347,11 @@ void bind_rings(nb::module_& module) {
 void bind_index(nb::module_& module) {
   using OptionalText = std::optional<std::string>;
   bind_rings(module);
-  nb::class_<Index>(module, "ScaleIndex",
-                    "sP + Q at all scales of a closed window, built once; any one is read off. "
-                    "Safe to ask from several threads.")
+  nb::class_<Index> bound(
+      module, "ScaleIndex",
+      "sP + Q at all scales of a closed window, built once; any one is read off. "
+      "Safe to ask from several threads.");
+  bound
       .def(nb::init<const Set&, const Set&, const OptionalText&, const OptionalText&, unsigned,
                     std::uint64_t, const std::optional<Index::Progress>&>(),
            "P"_a, "Q"_a, "from_scale"_a = nb::none(), "to_scale"_a = nb::none(), "threads"_a = 1,
@@ -389,16 +387,6 @@ void bind_index(nb::module_& module) {
       .def("neighbours", &Index::neighbours, "scale"_a,
            "The next event of the window below a scale, whether one is at it, the next above.")
       .def("event_scales", &Index::event_scales, Released())
-      .def("boundary_events", &Index::boundary_events, Released(),
-           "(scale, change, edges, place), ascending.")
-      .def("topology_events", &Index::topology_events, Released(),
-           "(scale, feature, change, before, after, parts at the scale, place), ascending.")
-      .def("features", &Index::features, "kind"_a, Released(),
-           "Scales of birth and death of each hole (0 is the outside) or component.")
-      .def("lives", &Index::lives, "kind"_a, Released(),
-           "Holes (the outside left out) or components that live within the window: name, scales "
-           "of birth and death.")
-      .def("tracks", &Index::tracks, Released(), "The point a + s b of each track: a, b.")
       .def_prop_ro(
           "track_integers",
           [](nb::handle self) {
@@ -414,12 +402,10 @@ void bind_index(nb::module_& module) {
             return Array<double>(&tracks.data()->x0, {tracks.size(), std::size_t{4}}, self);
           },
           "Shape (tracks, 4): x0, y0, x1, y1 of (x0, y0) + s (x1, y1), rounded.")
-      .def("ring_states", &Index::ring_states, "report"_a,
-           "Calls report with each state of the boundary: where it begins, and its rings as (is a "
-           "hole's, component, hole, tracks).")
       .def("first_difference", &Index::first_difference, "scales"_a, Released(),
            "The first of these scales at which the sum is not that of the static route; empty: "
            "none.");
+  bind_history(bound);
 }
 
 }  // namespace minkref::python

@@ -91,9 +91,10 @@ Set from_state(const std::pair<std::string, bool>& state) {
 }  // namespace
 
 void bind_polygon_set(nb::module_& module) {
-  nb::class_<Set>(module, "PolygonSet",
-                  "A closed regular set bounded by polygons; exact. A value: never changed, equal "
-                  "to each set of the same points.")
+  unchanging(nb::class_<Set>(
+                 module, "PolygonSet",
+                 "A closed regular set bounded by polygons; exact. A value: never changed, equal "
+                 "to each set of the same points."))
       .def(
           "__init__",
           [](Set* self, const nb::object& shape, bool validate) {
@@ -127,9 +128,6 @@ void bind_polygon_set(nb::module_& module) {
       .def_static("from_json", from_json, "text"_a, Released(),
                   "From {\"polygons\":[{\"outer\":ring,\"holes\":[...]}]}; nothing is validated.")
       .def("to_json", to_json, Released(), "The rings as they are stored.")
-      .def("__copy__", [](const nb::object& self) { return self; })
-      .def(
-          "__deepcopy__", [](const nb::object& self, nb::handle) { return self; }, "memo"_a)
       .def("__getstate__", [](const Set& set) { return std::pair(to_json(set), set.canonical); })
       .def("__setstate__",
            [](Set& self, const std::pair<std::string, bool>& state) {

@@ -70,9 +70,10 @@ std::vector<std::array<double, 3>> approximate_points(const Polyhedron& polyhedr
 }  // namespace
 
 void bind_space(nb::module_& module) {
-  nb::class_<Surface>(module, "Polyhedron",
-                      "A closed surface of planar faces, exact; faces run counter-clockwise seen "
-                      "from outside. Without faces: the empty set, a point, a segment.")
+  unchanging(nb::class_<Surface>(
+                 module, "Polyhedron",
+                 "A closed surface of planar faces, exact; faces run counter-clockwise seen "
+                 "from outside. Without faces: the empty set, a point, a segment."))
       .def(
           "__init__",
           [](Surface* self, const nb::object& vertices, const std::vector<Face>& faces) {
@@ -82,9 +83,6 @@ void bind_space(nb::module_& module) {
           "From points (x, y, z), whose numbers count by their exact value as those of PolygonSet, "
           "and for each face the numbers of its vertices. Refuses (BadInput) a face that names no "
           "vertex, or has fewer than three.")
-      .def("__copy__", [](const nb::object& self) { return self; })
-      .def(
-          "__deepcopy__", [](const nb::object& self, nb::handle) { return self; }, "memo"_a)
       .def("__getstate__",
            [](const Surface& self) { return std::pair(points(self.value()), self.value().faces); })
       .def("__setstate__",

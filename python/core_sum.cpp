@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "python/core.hpp"
+#include "python/core_fields.hpp"
 #include "python/core_timed_sum.hpp"
 #include "python/stopwatch.hpp"
 #include "python/vector_caster.hpp"
@@ -62,25 +63,15 @@ TimedSum timed_sum(const Set& P, const Set& Q, const std::string& scale, const s
 Fields statistics(const TimedSum& sum) {
   const Statistics& counted = sum.statistics;
   Fields fields;
-  fields["by_float"] = counted.by_float;
-  fields["by_integer"] = counted.by_integer;
-  fields["by_rational"] = counted.by_rational;
-  fields["kernel"] = counted.kernel;
-  fields["s_edges"] = counted.s_edges;
-  fields["t_edges"] = counted.t_edges;
-  fields["nodes"] = counted.nodes;
-  fields["faces"] = counted.faces;
-  fields["orientable_faces"] = counted.orientable_faces;
+  MINKREF_PUT(counted, by_float, by_integer, by_rational, kernel, s_edges, t_edges, nodes, faces,
+              orientable_faces);
   return fields;
 }
 
 }  // namespace
 
 void bind_sum(nb::module_& module) {
-  nb::class_<TimedSum>(module, "Sum", "sP + Q in canonical form, and how it was got.")
-      .def("__copy__", [](const nb::object& self) { return self; })
-      .def(
-          "__deepcopy__", [](const nb::object& self, nb::handle) { return self; }, "memo"_a)
+  unchanging(nb::class_<TimedSum>(module, "Sum", "sP + Q in canonical form, and how it was got."))
       .def(
           "__reduce_ex__",
           [](const TimedSum&, int) -> nb::object {

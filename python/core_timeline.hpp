@@ -65,4 +65,34 @@ class TimelineRows {
   std::function<Rational(std::uint32_t)> scale_;
 };
 
+/// The constructor of a class that is sP + Q over a window.
+template <typename Class>
+nanobind::class_<Class>& bind_of_window(nanobind::class_<Class>& bound) {
+  using Bound = std::optional<std::string>;
+  using nanobind::arg;
+  return bound.def(nanobind::init<const Set&, const Set&, const Bound&, const Bound&>(), arg("P"),
+                   arg("Q"), arg("from_scale") = nanobind::none(),
+                   arg("to_scale") = nanobind::none(), Released());
+}
+
+/// What a class that has followed the boundary through a window says of it.
+template <typename Class>
+void bind_history(nanobind::class_<Class>& bound) {
+  using nanobind::arg;
+  bound
+      .def("boundary_events", &Class::boundary_events, Released(),
+           "(scale, change, edges, place), ascending.")
+      .def("topology_events", &Class::topology_events, Released(),
+           "(scale, feature, change, before, after, parts at the scale, place), ascending.")
+      .def("features", &Class::features, arg("kind"), Released(),
+           "Scales of birth and death of each hole (0 is the outside) or component.")
+      .def("lives", &Class::lives, arg("kind"), Released(),
+           "Holes (the outside left out) or components that live within the window: name, scales "
+           "of birth and death.")
+      .def("tracks", &Class::tracks, Released(), "The point a + s b of each track: a, b.")
+      .def("ring_states", &Class::ring_states, arg("report"),
+           "Calls report with each state of the boundary: where it begins, and its rings as (is a "
+           "hole's, component, hole, tracks).");
+}
+
 }  // namespace minkref::python
