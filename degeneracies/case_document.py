@@ -10,16 +10,15 @@ from typing import Any
 
 from minkref import _core
 from minkref.certify.certificate import Certificate
-from minkref.degeneracies.draft import Facts, Family, Subject
+from minkref.degeneracies.case_texts import IN_FULL, CaseTexts, id_of, is_double, source_of
+from minkref.degeneracies.draft import Facts, Family
 from minkref.degeneracies.flags import flags_of
 from minkref.degeneracies.generate import member
 from minkref.degeneracies.verdict_of_floats import precision
 from minkref.exact import digest
 from minkref.fuzz.geometry.plane import written_rings
 
-LICENCE = "Apache-2.0"
 FINE = 60  # bits: a sibling is this near, where neighbouring doubles are 52 or 53 bits apart
-IN_FULL = 60  # results of up to this many vertices are given in full
 
 VARIES = {
     "closed": "The sum is closed. An implementation that computes the closure of its interior has "
@@ -33,19 +32,16 @@ VARIES = {
 
 
 @dataclass(frozen=True)
-class Degenerate:
-    """A case, and the texts that it becomes. They depend on these three alone."""
+class Degenerate(CaseTexts):
+    """A case in the plane."""
 
-    subject: Subject
     facts: Facts
-    source: str
 
     @classmethod
     def of(cls, family: Family, seed: int, index: int, size: int | None = None) -> Degenerate:
         """The member of this number; of about so many vertices, where a size is given."""
-        source = f"minkref generate {family.name} --seed {seed} --index {index}"
-        source += f" --size {size}" if size is not None else ""
-        return cls(family, member(family, seed, index, size), source)
+        source = source_of(family.name, seed, index, size)
+        return cls(family, source, member(family, seed, index, size))
 
     @cached_property
     def scales(self) -> list[Fraction]:
@@ -70,20 +66,16 @@ class Degenerate:
     @cached_property
     def document(self) -> dict[str, Any]:
         """case-v1."""
-        facts, name = self.facts, self.subject.name
-        return {
-            "schema": "case-v1",
-            "id": self.id,
-            "title": self.subject.title,
+        facts, found = self.facts, list(zip(self.scales, self.sums, strict=True))
+        operands = {
             "dimension": 2,
             "P": json.loads(facts.P.to_json()),
             "Q": json.loads(facts.Q.to_json()),
             "scales": [str(scale) for scale in self.scales],
-            "tags": [name],
+        }
+        findings = {
             "flags": flags_of(facts),
-            "expected": [
-                self._expected(*pair) for pair in zip(self.scales, self.sums, strict=True)
-            ],
+            "expected": [self._expected(*each) for each in found],
             "degeneracy": {
                 "at": facts.text,
                 "why": self.subject.why,
@@ -93,20 +85,10 @@ class Degenerate:
                 **self._wound_zero_times(),
                 "below_at_above": [list(counts) for counts in facts.counts],
                 "varies": [VARIES[name] for name in self._varies()],
-                "floats": [
-                    precision(facts.P, facts.Q, str(scale), found)
-                    for scale, found in zip(self.scales, self.sums, strict=True)
-                ],
+                "floats": [precision(facts.P, facts.Q, str(scale), answer) for scale, answer in found],
             },
-            "source": self.source,
-            "licence": LICENCE,
-            "certificate": f"{self.id}.cert.json",
         }
-
-    @cached_property
-    def case_text(self) -> str:
-        """A member a line: the canonical form of a case file."""
-        return canonical_text(self.document)
+        return self.described(operands, findings)
 
     @cached_property
     def certificate(self) -> Certificate:
@@ -131,10 +113,6 @@ class Degenerate:
             made.sum(scale)
         return made
 
-    @cached_property
-    def certificate_text(self) -> str:
-        return self.certificate.text(f"{self.id}.json", self.id, "minkref")
-
     def _expected(self, scale: Fraction, found: _core.Sum) -> dict[str, Any]:
         told: dict[str, Any] = {
             "scale": str(scale),
@@ -154,7 +132,7 @@ class Degenerate:
 
     def _varies(self) -> list[str]:
         rings = written_rings(self.sums[0].region.canonical_json())
-        exact = all(_is_double(x) for ring in rings for point in ring for x in point)
+        exact = all(is_double(x) for ring in rings for point in ring for x in point)
         named = ["form"] + ["closed"] * bool(self.facts.passages) + ["rounding"] * (not exact)
         return named
 
@@ -174,25 +152,7 @@ def _content(operand: _core.PolygonSet) -> list[Any]:
     return sorted([turned(p["outer"]), sorted(map(turned, p["holes"]))] for p in polygons)
 
 
-def id_of(family: str, content: str, scales: list[str]) -> str:
-    """The family, and a hash of operands and scales."""
-    return f"{family}-{digest(json.dumps([content, *scales]))[:12]}"
-
-
-def canonical_text(document: dict[str, Any]) -> str:
-    parts = [f'"{name}": {json.dumps(document[name])}' for name in document]
-    return "{" + ",\n".join(parts) + "}\n"
-
-
 def _event(row: dict[str, Any]) -> dict[str, Any]:
     edges = [dict(zip(("kind", "sign", "edge_ring", "edge", "vertex_ring", "vertex"), edge,
                       strict=True)) for edge in row["edges"]]  # fmt: skip
     return {**row, "edges": edges}
-
-
-def _is_double(text: str) -> bool:
-    value = Fraction(text)
-    try:
-        return Fraction(float(value)) == value
-    except OverflowError:
-        return False

@@ -110,7 +110,7 @@ def write_member(
 
 
 def write_found(story: Story, folder: Path) -> FileRow:
-    return _made(Degenerate(story, story.facts, story.value["source"]), 0).write(folder)
+    return _made(Degenerate(story, story.value["source"], story.facts), 0).write(folder)
 
 
 def _made(made: Degenerate | DegenerateInSpace, index: int) -> Made:

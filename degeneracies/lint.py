@@ -13,8 +13,9 @@ from typing import Any
 import jsonschema
 from minkref import _core
 from minkref.certify.case_text import case_digest
-from minkref.degeneracies.case_document import Degenerate, canonical_text, content_of
+from minkref.degeneracies.case_document import Degenerate, content_of
 from minkref.degeneracies.case_faults import of_certificate, of_place
+from minkref.degeneracies.case_texts import canonical_text
 from minkref.degeneracies.catalogue import FAMILIES, SPACE_FAMILIES
 from minkref.degeneracies.files import member_of
 from minkref.degeneracies.flags import FLAGS, explained
@@ -120,7 +121,7 @@ def _made_again(value: dict[str, Any]) -> Degenerate | DegenerateInSpace | None:
     if value["tags"][0] == FOUND_NAME:
         return next(
             (
-                Degenerate(story, story.facts, story.value["source"])
+                Degenerate(story, story.value["source"], story.facts)
                 for story in FOUND
                 if story.title == value.get("title")
             ),

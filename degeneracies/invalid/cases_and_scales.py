@@ -7,10 +7,12 @@ from fractions import Fraction
 from random import Random
 
 from minkref.degeneracies.invalid.json_text import Marked, Object, Raw, json_text
-from minkref.degeneracies.invalid.member import Invalid, family
+from minkref.degeneracies.invalid.member import Families, Invalid
 from minkref.degeneracies.invalid.operands import region
 from minkref.degeneracies.invalid.sheet import Sheet, place_of, sheet
 from minkref.degeneracies.invalid.writing import of_bytes, refused, text_of, tree_of
+
+FAMILIES = Families()
 
 VERSIONS = ("case-v2", "case-v0", "case", "", "CASE-V1", "case-v1 ", "case-v1.1", "case-v10")
 DIMENSIONS = ('"2"', "3", "1", "0", "-2", "2.0", "2e0", "null", "[2]", "true")
@@ -26,6 +28,7 @@ NOT_UNIFORM = ("1,2", "2,2", "1/2,3", "1,", ",1", "1,2,3", "1.5,1.5", "2, 2", "0
 ZEROS = ("0", "0.0", "-0", "+0", "0/7", "0e99", ".0", "00", "0.", "-0.000")
 
 
+@FAMILIES.add("a ring of a case that runs the wrong way")
 def wrong_orientation(dice: Random) -> Invalid:
     shape = region(dice)
     page = sheet(dice, shape, ("case",))
@@ -46,6 +49,7 @@ def case(dice: Random) -> tuple[Sheet, Object]:
     return page, tree_of(dice, page)
 
 
+@FAMILIES.add("a case of another version")
 def unsupported_version(dice: Random) -> Invalid:
     page, tree = case(dice)
     version = dice.choice(VERSIONS)
@@ -53,12 +57,14 @@ def unsupported_version(dice: Random) -> Invalid:
     return refused(dice, page, "unsupported-version", version, text=json_text(tree, page.tall))
 
 
+@FAMILIES.add("a case of another dimension than 2")
 def unsupported_dimension(dice: Random) -> Invalid:
     page, tree = case(dice)
     tree.put("dimension", Marked(Raw(dice.choice(DIMENSIONS))))
     return refused(dice, page, "unsupported-dimension", text=json_text(tree, page.tall))
 
 
+@FAMILIES.add("an operand of a case asked of what is none")
 def not_a_case(dice: Random) -> Invalid:
     """#P or #Q behind the name of a file that holds one operand."""
     page = sheet(dice, region(dice), ("wkt", "poly", "geojson", "json"))
@@ -66,6 +72,7 @@ def not_a_case(dice: Random) -> Invalid:
     return replace(made, part=f"#{page.operand}", place=(f"{made.file_name}#{page.operand}",))
 
 
+@FAMILIES.add("a case with a scale that is not positive")
 def scale_not_positive(dice: Random) -> Invalid:
     """Among the scales, at an end of the interval, or in an expected result."""
     page, tree = case(dice)
@@ -86,6 +93,7 @@ def scale_not_positive(dice: Random) -> Invalid:
     return refused(dice, page, "scale-not-positive", text=json_text(tree, page.tall))
 
 
+@FAMILIES.add("a case whose interval ends before it begins")
 def empty_interval(dice: Random) -> Invalid:
     page, tree = case(dice)
     tree.drop("scales")
@@ -108,28 +116,34 @@ def with_scale(dice: Random, code: str, text: str) -> Invalid:
     return replace(made, operand="scale", scale=text)
 
 
+@FAMILIES.add("a scale that is not finite")
 def scale_not_finite(dice: Random) -> Invalid:
     return with_scale(dice, "scale-not-finite", dice.choice(NOT_FINITE))
 
 
+@FAMILIES.add("a scale that is no number")
 def scale_not_a_number(dice: Random) -> Invalid:
     return with_scale(dice, "scale-not-a-number", dice.choice(NOT_A_NUMBER))
 
 
+@FAMILIES.add("a scale for each axis")
 def scale_not_uniform(dice: Random) -> Invalid:
     return with_scale(dice, "scale-not-uniform", dice.choice(NOT_UNIFORM))
 
 
+@FAMILIES.add("a scale of zero")
 def scale_zero(dice: Random) -> Invalid:
     return with_scale(dice, "scale-zero", dice.choice(ZEROS))
 
 
+@FAMILIES.add("a negative scale")
 def scale_negative(dice: Random) -> Invalid:
     n, d = dice.randint(1, 10**6), dice.randint(1, 99)
     texts = (f"-{n}", f"-{n}/{d}", f"-0.{n}", f"-{n}e-9", f"-1e-{dice.randint(1, 999)}")
     return with_scale(dice, "scale-negative", dice.choice(texts))
 
 
+@FAMILIES.add("a scale of too many digits, or with too large an exponent")
 def limit(dice: Random) -> Invalid:
     """Too many digits, or too large an exponent."""
     digits = "".join(dice.choice("123456789") for _ in range(40))
@@ -137,19 +151,3 @@ def limit(dice: Random) -> Invalid:
     exponent = dice.choice((5000, 99999, 10**9, 10**18, 10**100))
     texts = (long, f"{long}/7", f"7/{long}", f"0.{long}", f"1e{exponent}", f"1e-{exponent}")
     return with_scale(dice, "limit", dice.choice(texts))
-
-
-FAMILIES = (
-    family("wrong-orientation", "a ring of a case that runs the wrong way", wrong_orientation),
-    family("unsupported-version", "a case of another version", unsupported_version),
-    family("unsupported-dimension", "a case of another dimension than 2", unsupported_dimension),
-    family("not-a-case", "an operand of a case asked of what is none", not_a_case),
-    family("scale-not-positive", "a case with a scale that is not positive", scale_not_positive),
-    family("empty-interval", "a case whose interval ends before it begins", empty_interval),
-    family("scale-not-finite", "a scale that is not finite", scale_not_finite),
-    family("scale-not-a-number", "a scale that is no number", scale_not_a_number),
-    family("scale-not-uniform", "a scale for each axis", scale_not_uniform),
-    family("scale-zero", "a scale of zero", scale_zero),
-    family("scale-negative", "a negative scale", scale_negative),
-    family("limit", "a scale of too many digits, or with too large an exponent", limit),
-)

@@ -6,10 +6,12 @@ import json
 from random import Random
 
 from minkref.degeneracies.invalid.json_text import MARK
-from minkref.degeneracies.invalid.member import Invalid, family
+from minkref.degeneracies.invalid.member import Families, Invalid
 from minkref.degeneracies.invalid.operands import region
 from minkref.degeneracies.invalid.sheet import CLOSED, Sheet, sheet
 from minkref.degeneracies.invalid.writing import of_bytes, refused, text_of
+
+FAMILIES = Families()
 
 BLANK = (b"", b"", b"\n", b" \t\r\n", b"\n" * 50, b"\xef\xbb\xbf", b"\xef\xbb\xbf \n", b"\f\v")
 # Not UTF-8: Latin-1, a lone continuation, cut short, overlong, half a surrogate pair, too large.
@@ -25,11 +27,13 @@ NOT_UTF8 = (
 MARKS = {"utf-16-le": b"\xff\xfe", "utf-16-be": b"\xfe\xff", "utf-32-be": b"\0\0\xfe\xff"}
 
 
+@FAMILIES.add("a file with nothing in it, or with white space only")
 def empty_file(dice: Random) -> Invalid:
     page = sheet(dice, region(dice))
     return of_bytes(page, "empty-file", dice.choice(BLANK))
 
 
+@FAMILIES.add("a file that holds a NUL byte")
 def nul_byte(dice: Random) -> Invalid:
     """At one place, as padding at the end, or as every other byte of UTF-16 without a mark."""
     page = sheet(dice, region(dice))
@@ -42,6 +46,7 @@ def nul_byte(dice: Random) -> Invalid:
     return refused(dice, page, "nul-byte", text=text[:at] + MARK + nuls + text[at:])
 
 
+@FAMILIES.add("a file in another encoding than UTF-8")
 def not_utf8(dice: Random) -> Invalid:
     """UTF-16 or UTF-32 with a mark, or wrong bytes in a string of JSON."""
     page = sheet(dice, region(dice))
@@ -63,10 +68,3 @@ def _spoil(dice: Random, page: Sheet) -> None:
     rings = [ring for part in page.polygons for ring in part]
     corner = dice.choice(dice.choice(rings))
     corner[0] = MARK + json.dumps(f"{dice.randint(0, 99)}@")
-
-
-FAMILIES = (
-    family("empty-file", "a file with nothing in it, or with white space only", empty_file),
-    family("nul-byte", "a file that holds a NUL byte", nul_byte),
-    family("not-utf8", "a file in another encoding than UTF-8", not_utf8),
-)

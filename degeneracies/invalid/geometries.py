@@ -5,7 +5,7 @@ from __future__ import annotations
 from random import Random
 
 from minkref.degeneracies.invalid.json_text import MARK, Marked, Raw, json_text
-from minkref.degeneracies.invalid.member import Invalid, family
+from minkref.degeneracies.invalid.member import Families, Invalid
 from minkref.degeneracies.invalid.operands import coordinates, region, thin
 from minkref.degeneracies.invalid.sheet import (
     CLOSED,
@@ -20,6 +20,8 @@ from minkref.degeneracies.invalid.structure import holders
 from minkref.degeneracies.invalid.writing import geojson, geometry_of, refused, text_of
 from minkref.fuzz.geometry.plane import mapped
 
+FAMILIES = Families()
+
 WORDS = (
     "MULTIPOINT", "MULTILINESTRING", "CIRCULARSTRING", "CURVEPOLYGON", "TRIANGLE", "TIN", "CIRCLE",
     "POLYHEDRALSURFACE", "POLYGONE", "LINEARRING", "BOX", "MULTISURFACE", "COMPOUNDCURVE", "RASTER",
@@ -28,6 +30,7 @@ MIXED = (*JSON_FORMS, *CLOSED)
 TYPES = ("MultiPoint", "MultiLineString", "polygon", "POLYGON", "Topology", "LinearRing", "Circle")
 
 
+@FAMILIES.add("a geometry that is no operand")
 def unsupported_geometry(dice: Random) -> Invalid:
     """Another geometry in place of one, or a prefix that says where on the globe it lies."""
     page = sheet(dice, region(dice), CLOSED)
@@ -50,6 +53,7 @@ def unsupported_geometry(dice: Random) -> Invalid:
     return refused(dice, page, "unsupported-geometry", name, text=json_text(tree, page.tall))
 
 
+@FAMILIES.add("coordinates beyond x and y")
 def three_dimensional(dice: Random) -> Invalid:
     """A coordinate too many, at one vertex or at all; Z and M of well-known text."""
     page = sheet(dice, region(dice) if dice.random() < 0.8 else thin(dice))
@@ -76,6 +80,7 @@ def _dimension_word(dice: Random, page: Sheet) -> Invalid:
     return refused(dice, page, "three-dimensional", text=f"{MARK}{first}{word}{text[len(first) :]}")
 
 
+@FAMILIES.add("a line of other than two points")
 def not_a_segment(dice: Random) -> Invalid:
     """A line of another number of points than two: open, closed, or of one point."""
     shape = region(dice, parts=1)
@@ -95,6 +100,7 @@ def not_a_segment(dice: Random) -> Invalid:
     return refused(dice, page, "not-a-segment", "ring 0", f"{len(ring)} p", text=text)
 
 
+@FAMILIES.add("a point or a segment beside other parts")
 def mixed_operand(dice: Random) -> Invalid:
     """A point or a segment beside polygons or beside another."""
     page = sheet(dice, region(dice), MIXED)
@@ -111,11 +117,3 @@ def mixed_operand(dice: Random) -> Invalid:
     page.mark(number, 0, 0)
     place = place_of(*(rings[0][0] for rings in shape))
     return refused(dice, page, "mixed-operand", f"ring {ring}", "vertex 0", *place)
-
-
-FAMILIES = (
-    family("unsupported-geometry", "a geometry that is no operand", unsupported_geometry),
-    family("three-dimensional", "coordinates beyond x and y", three_dimensional),
-    family("not-a-segment", "a line of other than two points", not_a_segment),
-    family("mixed-operand", "a point or a segment beside other parts", mixed_operand),
-)

@@ -7,10 +7,12 @@ import json
 from random import Random
 
 from minkref.degeneracies.invalid.json_text import MARK, Marked, Object, Raw, json_text
-from minkref.degeneracies.invalid.member import Invalid, family
+from minkref.degeneracies.invalid.member import Families, Invalid
 from minkref.degeneracies.invalid.operands import region
 from minkref.degeneracies.invalid.sheet import CLOSED, JSON_FORMS, Sheet, sheet
 from minkref.degeneracies.invalid.writing import of_bytes, refused, text_of, tree_of
+
+FAMILIES = Families()
 
 DIGITS = 10_000
 EXPONENT = 10_000
@@ -33,6 +35,7 @@ def spoilt(dice: Random, text: str, bare: bool) -> tuple[Sheet, tuple[str, ...]]
     return page, (f"ring {number}", f"vertex {vertex}")
 
 
+@FAMILIES.add("a number of more than ten thousand digits")
 def number_too_long(dice: Random) -> Invalid:
     """Digits before the point, behind it, or of a fraction: a few too many, or a million."""
     count = dice.choice((DIGITS + 1, DIGITS + 7, 20_000, 100_000, 1_000_000))
@@ -50,6 +53,7 @@ def number_too_long(dice: Random) -> Invalid:
     return refused(dice, page, "number-too-long", *place)
 
 
+@FAMILIES.add("an exponent beyond ten thousand")
 def exponent_too_large(dice: Random) -> Invalid:
     exponent = dice.choice((EXPONENT + 1, 99_999, 10**6, 10**9, 2**31, 2**63, 2**64 + 1, 10**40))
     mantissa = dice.choice(("1", "0", "3.25", "0.001", "-7"))
@@ -58,6 +62,7 @@ def exponent_too_large(dice: Random) -> Invalid:
     return refused(dice, page, "exponent-too-large", *place, text[:SHOWN])
 
 
+@FAMILIES.add("values nested deeper than 128")
 def too_deep(dice: Random) -> Invalid:
     """Nested collections, arrays in place of a coordinate, or a member that nobody reads."""
     depth = dice.choice((DEPTH + 1, DEPTH + 2, 200, 1000, 5000, 100_000))
@@ -86,6 +91,7 @@ def too_deep(dice: Random) -> Invalid:
     return refused(dice, page, "too-deep")
 
 
+@FAMILIES.add("more than a million vertices")
 def too_many_vertices(dice: Random) -> Invalid:
     """A box whose sides have a vertex at each whole number."""
     form = dice.choice(("wkt", "poly", "json"))
@@ -109,6 +115,7 @@ def too_many_vertices(dice: Random) -> Invalid:
     return of_bytes(page, "too-many-vertices", text.encode(), *place)
 
 
+@FAMILIES.add("numbers that would fill the memory")
 def too_many_digits(dice: Random) -> Invalid:
     """Short texts of long numbers: together they would fill the memory."""
     form = dice.choice(("wkt", "json"))
@@ -126,6 +133,7 @@ def too_many_digits(dice: Random) -> Invalid:
     return of_bytes(page, "too-many-digits", text.encode(), "ring 0", "vertex ", "line ")
 
 
+@FAMILIES.add("holes whose outer ring is too costly to find")
 def too_much_work(dice: Random) -> Invalid:
     """Of a .poly with two outer rings: a hole and an outer ring with a vertex at each whole number
     of two sides. The slow engine has no such limit."""
@@ -139,13 +147,3 @@ def too_much_work(dice: Random) -> Invalid:
     content = "\n".join(lines).encode()
     place = ("ring 2", "vertex 0", "(1, 1)", f"line {line}")
     return of_bytes(page, "too-much-work", content, *place, slow=False)
-
-
-FAMILIES = (
-    family("number-too-long", "a number of more than ten thousand digits", number_too_long),
-    family("exponent-too-large", "an exponent beyond ten thousand", exponent_too_large),
-    family("too-deep", "values nested deeper than 128", too_deep),
-    family("too-many-vertices", "more than a million vertices", too_many_vertices),
-    family("too-many-digits", "numbers that would fill the memory", too_many_digits),
-    family("too-much-work", "holes whose outer ring is too costly to find", too_much_work),
-)

@@ -37,6 +37,9 @@ class Invalid:
         return self.file_name + self.part
 
 
+Draw = Callable[[Random], Invalid]
+
+
 @dataclass(frozen=True)
 class InvalidFamily:
     """Why code that reads input gets it wrong: degeneracies/pages/NAME.md."""
@@ -44,7 +47,7 @@ class InvalidFamily:
     name: str
     title: str
     code: str
-    draw: Callable[[Random], Invalid]
+    draw: Draw
 
     @property
     def why(self) -> str:
@@ -53,5 +56,20 @@ class InvalidFamily:
         return text.strip()
 
 
-def family(code: str, title: str, draw: Callable[[Random], Invalid]) -> InvalidFamily:
-    return InvalidFamily(PREFIX + code, title, code, draw)
+class Families(list[InvalidFamily]):
+    """Those of a module, in the order in which it defines the functions that draw them. A family is
+    called as its function is, after the prefix."""
+
+    def __init__(self, prefix: str = PREFIX) -> None:
+        super().__init__()
+        self._prefix = prefix
+
+    def add(self, title: str, code: str = "") -> Callable[[Draw], Draw]:
+        """For the head of a function. `code`: that of the refusal, where it is not the name."""
+
+        def added(draw: Draw) -> Draw:
+            name = draw.__name__.replace("_", "-")
+            self.append(InvalidFamily(self._prefix + name, title, code or name, draw))
+            return draw
+
+        return added

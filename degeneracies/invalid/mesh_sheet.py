@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from random import Random
 
-from minkref.degeneracies.invalid.member import PREFIX, Invalid, InvalidFamily
+from minkref.degeneracies.invalid.member import PREFIX, Invalid
 from minkref.fuzz.families.drawing import convex
 from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.generators.convex import random_hull
@@ -143,9 +143,3 @@ def middle(mesh: Polyhedron, face: Sequence[int]) -> Point:
         sum(column) / len(face) for column in zip(*(mesh.vertices[k] for k in face), strict=True)
     )
     return x, y, z
-
-
-def mesh_family(
-    name: str, title: str, draw: Callable[[Random], Invalid], code: str | None = None
-) -> InvalidFamily:
-    return InvalidFamily(MESH + name, title, code or name, draw)

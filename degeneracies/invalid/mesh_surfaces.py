@@ -7,10 +7,10 @@ from fractions import Fraction
 from itertools import pairwise
 from random import Random
 
-from minkref.degeneracies.invalid.member import Invalid
+from minkref.degeneracies.invalid.member import Families, Invalid
 from minkref.degeneracies.invalid.mesh_sheet import (
+    MESH,
     body,
-    mesh_family,
     middle,
     refused,
     sheet,
@@ -20,6 +20,8 @@ from minkref.degeneracies.invalid.mesh_sheet import (
 from minkref.fuzz.families.drawing import convex
 from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.polyhedron import Face, Polyhedron
+
+FAMILIES = Families(MESH)
 
 Edge = tuple[int, int]
 
@@ -42,6 +44,7 @@ def owner(faces: Sequence[Face], edge: Edge) -> int:
     return next(k for k, face in enumerate(faces) if edge in edges_of(face))
 
 
+@FAMILIES.add("a surface that lacks a face")
 def open_mesh(dice: Random) -> Invalid:
     """A face is missing."""
     mesh = body(dice)
@@ -54,6 +57,7 @@ def open_mesh(dice: Random) -> Invalid:
     return refused(page, "open-mesh", "open-mesh", *place, vertex_text(page, a))
 
 
+@FAMILIES.add("an edge of more than two faces")
 def non_manifold_edge(dice: Random) -> Invalid:
     """A triangle more at an edge; or two bodies that share one."""
     mesh = body(dice)
@@ -89,6 +93,7 @@ def _glued(mesh: Polyhedron, at: Point, images: dict[int, int]) -> Polyhedron:
     return with_faces(mesh, [*mesh.faces, *faces], *more)
 
 
+@FAMILIES.add("two bodies that share a vertex")
 def non_manifold_vertex(dice: Random) -> Invalid:
     """Two bodies that share a vertex."""
     mesh = body(dice)
@@ -98,6 +103,7 @@ def non_manifold_vertex(dice: Random) -> Invalid:
     return refused(page, "non-manifold-vertex", "non-manifold-vertex", *place)
 
 
+@FAMILIES.add("a face that runs the wrong way")
 def wrong_orientation(dice: Random) -> Invalid:
     """One face is turned round."""
     mesh = body(dice)
@@ -110,12 +116,14 @@ def wrong_orientation(dice: Random) -> Invalid:
     return refused(page, "wrong-orientation", "wrong-orientation", *place)
 
 
+@FAMILIES.add("a surface that faces inwards", "wrong-orientation")
 def inside_out(dice: Random) -> Invalid:
     page = sheet(dice, body(dice).turned_inside_out())
     place = "face 0", "inside out", f"line {page.line_of_face(0)}"
     return refused(page, "inside-out", "wrong-orientation", *place)
 
 
+@FAMILIES.add("a face that visits a vertex twice")
 def repeated_vertex(dice: Random) -> Invalid:
     """A face that visits a vertex twice."""
     mesh = body(dice)
@@ -129,6 +137,7 @@ def repeated_vertex(dice: Random) -> Invalid:
     return refused(page, "repeated-vertex", "repeated-vertex", *place)
 
 
+@FAMILIES.add("a face without area")
 def zero_area(dice: Random) -> Invalid:
     """A sliver in an edge, between a vertex inside it and its ends."""
     mesh = body(dice)
@@ -147,6 +156,7 @@ def zero_area(dice: Random) -> Invalid:
     return refused(page, "zero-area", "zero-area", *place)
 
 
+@FAMILIES.add("a face that lies in no plane")
 def non_planar_face(dice: Random) -> Invalid:
     """A corner of a face of four or more is moved off its plane, by little or much."""
     while True:
@@ -165,6 +175,7 @@ def non_planar_face(dice: Random) -> Invalid:
             return refused(page, "non-planar-face", "non-planar-face", *place)
 
 
+@FAMILIES.add("a face whose edges cross")
 def face_not_simple(dice: Random) -> Invalid:
     """Two corners of a face have changed places, so that its edges cross."""
     while True:
@@ -179,6 +190,7 @@ def face_not_simple(dice: Random) -> Invalid:
             return refused(page, "face-not-simple", "face-not-simple", *place)
 
 
+@FAMILIES.add("a face of a vertex that is not there")
 def index_out_of_range(dice: Random) -> Invalid:
     mesh = body(dice)
     page = sheet(dice, mesh)
@@ -192,6 +204,7 @@ def index_out_of_range(dice: Random) -> Invalid:
     return refused(page, "index-out-of-range", "index-out-of-range", *place)
 
 
+@FAMILIES.add("a vertex of no face")
 def unused_vertex(dice: Random) -> Invalid:
     """Inside of the body, on it or far away: it is in no face."""
     mesh = body(dice)
@@ -202,6 +215,7 @@ def unused_vertex(dice: Random) -> Invalid:
     return refused(page, "unused-vertex", "unused-vertex", *place)
 
 
+@FAMILIES.add("an edge between equal vertices")
 def zero_length_edge(dice: Random) -> Invalid:
     """A vertex given twice, and an edge between the two."""
     mesh = body(dice)
@@ -214,6 +228,7 @@ def zero_length_edge(dice: Random) -> Invalid:
     return refused(page, "zero-length-edge", "zero-length-edge", *place)
 
 
+@FAMILIES.add("a face of fewer than three vertices")
 def too_few_vertices(dice: Random) -> Invalid:
     """A face of two vertices, of one or of none."""
     page = sheet(dice, body(dice))
@@ -223,6 +238,7 @@ def too_few_vertices(dice: Random) -> Invalid:
     return refused(page, "too-few-vertices", "too-few-vertices", *place)
 
 
+@FAMILIES.add("vertices and no face")
 def too_few_faces(dice: Random) -> Invalid:
     """Points alone."""
     page = sheet(dice, with_faces(body(dice), []))
@@ -230,6 +246,7 @@ def too_few_faces(dice: Random) -> Invalid:
     return refused(page, "too-few-faces", "too-few-faces", count)
 
 
+@FAMILIES.add("a body with a dent", "not-convex")
 def dent(dice: Random) -> Invalid:
     """A pyramid is cut out of a body, with a facet as its base: by so little."""
     mesh = body(dice)
@@ -244,6 +261,7 @@ def dent(dice: Random) -> Invalid:
     return refused(page, "dent", "not-convex", "not convex", "face ", "vertex ")
 
 
+@FAMILIES.add("two convex bodies in one file", "not-convex")
 def two_bodies(dice: Random) -> Invalid:
     """Apart; each is convex."""
     first, second = body(dice), body(dice)
@@ -252,6 +270,7 @@ def two_bodies(dice: Random) -> Invalid:
     return refused(page, "two-bodies", "not-convex", "face ")
 
 
+@FAMILIES.add("a body inside another", "not-convex")
 def body_in_another(dice: Random) -> Invalid:
     """A small one inside of a larger one, its faces as they were, or turned, which makes a
     cavity."""
@@ -267,6 +286,7 @@ def body_in_another(dice: Random) -> Invalid:
     return refused(page, "body-in-another", "not-convex", "face ")
 
 
+@FAMILIES.add("a surface that goes around twice", "not-convex")
 def wound_twice(dice: Random) -> Invalid:
     """Over a pentagram: convex at each edge, and twice around."""
     while True:
@@ -282,6 +302,7 @@ def wound_twice(dice: Random) -> Invalid:
     return refused(page, "wound-twice", "not-convex", "face ")
 
 
+@FAMILIES.add("a polygon from both sides, with nothing inside", "not-convex")
 def flat(dice: Random) -> Invalid:
     """A polygon from both sides: closed, and there is nothing inside."""
     ring = convex(dice, dice.randint(3, 8), 12)
@@ -289,26 +310,3 @@ def flat(dice: Random) -> Invalid:
     vertices = tuple((Fraction(x), Fraction(y), Fraction(x - 2 * y)) for x, y in ring)
     page = sheet(dice, shuffled(dice, Polyhedron(vertices, (face, face[::-1]))))
     return refused(page, "flat", "not-convex", "face ")
-
-
-FAMILIES = (
-    mesh_family("open-mesh", "a surface that lacks a face", open_mesh),
-    mesh_family("non-manifold-edge", "an edge of more than two faces", non_manifold_edge),
-    mesh_family("non-manifold-vertex", "two bodies that share a vertex", non_manifold_vertex),
-    mesh_family("wrong-orientation", "a face that runs the wrong way", wrong_orientation),
-    mesh_family("inside-out", "a surface that faces inwards", inside_out, "wrong-orientation"),
-    mesh_family("repeated-vertex", "a face that visits a vertex twice", repeated_vertex),
-    mesh_family("zero-area", "a face without area", zero_area),
-    mesh_family("non-planar-face", "a face that lies in no plane", non_planar_face),
-    mesh_family("face-not-simple", "a face whose edges cross", face_not_simple),
-    mesh_family("index-out-of-range", "a face of a vertex that is not there", index_out_of_range),
-    mesh_family("unused-vertex", "a vertex of no face", unused_vertex),
-    mesh_family("zero-length-edge", "an edge between equal vertices", zero_length_edge),
-    mesh_family("too-few-vertices", "a face of fewer than three vertices", too_few_vertices),
-    mesh_family("too-few-faces", "vertices and no face", too_few_faces),
-    mesh_family("dent", "a body with a dent", dent, "not-convex"),
-    mesh_family("two-bodies", "two convex bodies in one file", two_bodies, "not-convex"),
-    mesh_family("body-in-another", "a body inside another", body_in_another, "not-convex"),
-    mesh_family("wound-twice", "a surface that goes around twice", wound_twice, "not-convex"),
-    mesh_family("flat", "a polygon from both sides, with nothing inside", flat, "not-convex"),
-)

@@ -7,15 +7,10 @@ import struct
 from random import Random
 
 from minkref.degeneracies.invalid.encoding import MARKS, NOT_UTF8
-from minkref.degeneracies.invalid.member import Invalid
-from minkref.degeneracies.invalid.mesh_sheet import (
-    FORMS,
-    MeshSheet,
-    body,
-    mesh_family,
-    refused,
-    sheet,
-)
+from minkref.degeneracies.invalid.member import Families, Invalid
+from minkref.degeneracies.invalid.mesh_sheet import FORMS, MESH, MeshSheet, body, refused, sheet
+
+FAMILIES = Families(MESH)
 
 TEXTS = ("off", "obj", "ply")  # what has words
 NO_NUMBERS = ("nan", "NaN", "inf", "-Infinity", "0x10", "1,5", "--3", "1e", "1.2.3", "١", "x")
@@ -35,6 +30,7 @@ def spoilt(dice: Random, name: str, text: str, *more: str) -> Invalid:
     return refused(page, name, name, *place, *more)
 
 
+@FAMILIES.add("a coordinate that is no finite number")
 def not_a_number(dice: Random) -> Invalid:
     if dice.random() < 0.15:
         return _in_binary(dice)
@@ -52,10 +48,12 @@ def _in_binary(dice: Random) -> Invalid:
     return refused(page, "not-a-number", "not-a-number", f"vertex {vertex}", content=content)
 
 
+@FAMILIES.add("a coordinate with the denominator zero")
 def zero_denominator(dice: Random) -> Invalid:
     return spoilt(dice, "zero-denominator", f"{dice.randint(-9, 9)}/{'0' * dice.randint(1, 3)}")
 
 
+@FAMILIES.add("a number of more than ten thousand digits")
 def number_too_long(dice: Random) -> Invalid:
     count = dice.choice((DIGITS + 1, DIGITS + 9, 100_000))
     digits = "".join(dice.choice("123456789") for _ in range(97)) * (count // 97 + 1)
@@ -63,17 +61,20 @@ def number_too_long(dice: Random) -> Invalid:
     return spoilt(dice, "number-too-long", text)
 
 
+@FAMILIES.add("an exponent beyond ten thousand")
 def exponent_too_large(dice: Random) -> Invalid:
     exponent = dice.choice((EXPONENT + 1, 10**6, 2**31, 2**64 + 1))
     text = f"{dice.choice(('1', '0', '-2.5'))}{dice.choice('eE')}{dice.choice(('', '-'))}{exponent}"
     return spoilt(dice, "exponent-too-large", text, text[:30])
 
 
+@FAMILIES.add("a mesh file with nothing in it")
 def empty_file(dice: Random) -> Invalid:
     page = drawn(dice)
     return refused(page, "empty-file", "empty-file", content=dice.choice(("", "\n", " \n\t\n")))
 
 
+@FAMILIES.add("a mesh file that holds a NUL byte")
 def nul_byte(dice: Random) -> Invalid:
     page = drawn(dice)
     data = bytearray(page.text().encode())
@@ -82,6 +83,7 @@ def nul_byte(dice: Random) -> Invalid:
     return refused(page, "nul-byte", "nul-byte", content=bytes(data))
 
 
+@FAMILIES.add("a mesh file in another encoding than UTF-8")
 def not_utf8(dice: Random) -> Invalid:
     """UTF-16 or UTF-32 with a mark, or wrong bytes in a string of JSON."""
     page = drawn(dice)
@@ -94,6 +96,7 @@ def not_utf8(dice: Random) -> Invalid:
     return refused(page, "not-utf8", "not-utf8", content=content)
 
 
+@FAMILIES.add("a mesh file that breaks the grammar of its format")
 def syntax(dice: Random) -> Invalid:
     """A vertex of too few or too many numbers, or a wrong first word."""
     page = drawn(dice, *TEXTS)
@@ -107,6 +110,7 @@ def syntax(dice: Random) -> Invalid:
     return refused(page, "syntax", "syntax", line)
 
 
+@FAMILIES.add("a mesh file that ends too early")
 def truncated(dice: Random) -> Invalid:
     """The text ends early; a binary file is shorter than it says."""
     if dice.random() < 0.2:
@@ -121,6 +125,7 @@ def truncated(dice: Random) -> Invalid:
     return refused(page, "truncated", "truncated", "line ", content="\n".join(lines[:kept]) + "\n")
 
 
+@FAMILIES.add("a mesh file with text after its end")
 def trailing_text(dice: Random) -> Invalid:
     page = drawn(dice, "off", "ply", "json")
     last = len(page.lines()) + 1
@@ -130,6 +135,7 @@ def trailing_text(dice: Random) -> Invalid:
     )
 
 
+@FAMILIES.add("a mesh without its vertices or its faces")
 def missing_member(dice: Random) -> Invalid:
     page = drawn(dice, "json")
     value = json.loads(page.text())
@@ -141,6 +147,7 @@ def missing_member(dice: Random) -> Invalid:
     return refused(page, "missing-member", "missing-member", name, "line 1", content=content)
 
 
+@FAMILIES.add("a mesh with a member that is not known")
 def unknown_member(dice: Random) -> Invalid:
     page = drawn(dice, "json")
     name = dice.choice(("face", "Vertices", "normals", "name", "edges"))
@@ -148,6 +155,7 @@ def unknown_member(dice: Random) -> Invalid:
     return refused(page, "unknown-member", "unknown-member", name, content=content)
 
 
+@FAMILIES.add("a mesh with a member given twice")
 def duplicate_member(dice: Random) -> Invalid:
     page = drawn(dice, "json")
     name = dice.choice(("vertices", "faces"))
@@ -156,6 +164,7 @@ def duplicate_member(dice: Random) -> Invalid:
     return refused(page, "duplicate-member", "duplicate-member", name, content=content)
 
 
+@FAMILIES.add("a value of a mesh of another type than is due")
 def wrong_type(dice: Random) -> Invalid:
     """An index as a text, a vertex or a face that is none; or a property of a header."""
     if dice.random() < 0.3:
@@ -179,6 +188,7 @@ def wrong_type(dice: Random) -> Invalid:
     return refused(page, "wrong-type", "wrong-type", place, content=json.dumps(value))
 
 
+@FAMILIES.add("a mesh of values nested deeper than 128")
 def too_deep(dice: Random) -> Invalid:
     page = drawn(dice, "json")
     depth = dice.choice((DEPTH + 1, 1000, 100_000))
@@ -195,6 +205,7 @@ def _header(dice: Random, name: str, line: int, text: str, *place: str) -> Inval
     return refused(page, name, name, *place, content="\n".join(lines) + "\n")
 
 
+@FAMILIES.add("a mesh in an encoding unknown")
 def unsupported_encoding(dice: Random) -> Invalid:
     if dice.random() < 0.4:
         page = drawn(dice, "off")
@@ -205,11 +216,13 @@ def unsupported_encoding(dice: Random) -> Invalid:
     return _header(dice, "unsupported-encoding", 2, f"format {word} 1.0", "line 2", word)
 
 
+@FAMILIES.add("a PLY file of another version")
 def unsupported_version(dice: Random) -> Invalid:
     number = dice.choice(("1.1", "2.0", "1", "0.9"))
     return _header(dice, "unsupported-version", 2, f"format ascii {number}", "line 2", number)
 
 
+@FAMILIES.add("a mesh with lines, points or curves")
 def unsupported_geometry(dice: Random) -> Invalid:
     """What a polyhedron does not have."""
     if dice.random() < 0.3:
@@ -228,6 +241,7 @@ def unsupported_geometry(dice: Random) -> Invalid:
     )  # fmt: skip
 
 
+@FAMILIES.add("a line of an OBJ file that begins with no word of it")
 def unknown_word(dice: Random) -> Invalid:
     """Of an OBJ file: a face misspelt is a hole."""
     page = drawn(dice, "obj")
@@ -241,47 +255,20 @@ def unknown_word(dice: Random) -> Invalid:
     )  # fmt: skip
 
 
+@FAMILIES.add("a PLY header that lacks a coordinate")
 def missing_property(dice: Random) -> Invalid:
     line, name = dice.choice(((4, "x"), (5, "y"), (6, "z")))
     return _header(dice, "missing-property", line, "property double w", "line 3", f'"{name}"')
 
 
+@FAMILIES.add("a PLY header with a property twice")
 def duplicate_property(dice: Random) -> Invalid:
     line, name = dice.choice(((5, "x"), (6, "y"), (6, "x")))
     text = f"property double {name}"
     return _header(dice, "duplicate-property", line, text, "line 3", f'"{name}"')
 
 
+@FAMILIES.add("a PLY header with an element twice")
 def duplicate_element(dice: Random) -> Invalid:
     text = f"element vertex {dice.randint(0, 9)}"
     return _header(dice, "duplicate-element", 7, text, "line 7", "vertex")
-
-
-FAMILIES = (
-    mesh_family("not-a-number", "a coordinate that is no finite number", not_a_number),
-    mesh_family("zero-denominator", "a coordinate with the denominator zero", zero_denominator),
-    mesh_family("number-too-long", "a number of more than ten thousand digits", number_too_long),
-    mesh_family("exponent-too-large", "an exponent beyond ten thousand", exponent_too_large),
-    mesh_family("empty-file", "a mesh file with nothing in it", empty_file),
-    mesh_family("nul-byte", "a mesh file that holds a NUL byte", nul_byte),
-    mesh_family("not-utf8", "a mesh file in another encoding than UTF-8", not_utf8),
-    mesh_family("syntax", "a mesh file that breaks the grammar of its format", syntax),
-    mesh_family("truncated", "a mesh file that ends too early", truncated),
-    mesh_family("trailing-text", "a mesh file with text after its end", trailing_text),
-    mesh_family("missing-member", "a mesh without its vertices or its faces", missing_member),
-    mesh_family("unknown-member", "a mesh with a member that is not known", unknown_member),
-    mesh_family("duplicate-member", "a mesh with a member given twice", duplicate_member),
-    mesh_family("wrong-type", "a value of a mesh of another type than is due", wrong_type),
-    mesh_family("too-deep", "a mesh of values nested deeper than 128", too_deep),
-    mesh_family("unsupported-encoding", "a mesh in an encoding unknown", unsupported_encoding),
-    mesh_family("unsupported-version", "a PLY file of another version", unsupported_version),
-    mesh_family(
-        "unsupported-geometry", "a mesh with lines, points or curves", unsupported_geometry
-    ),
-    mesh_family(
-        "unknown-word", "a line of an OBJ file that begins with no word of it", unknown_word
-    ),
-    mesh_family("missing-property", "a PLY header that lacks a coordinate", missing_property),
-    mesh_family("duplicate-property", "a PLY header with a property twice", duplicate_property),
-    mesh_family("duplicate-element", "a PLY header with an element twice", duplicate_element),
-)

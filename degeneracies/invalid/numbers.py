@@ -6,10 +6,12 @@ import json
 from random import Random
 
 from minkref.degeneracies.invalid.json_text import MARK
-from minkref.degeneracies.invalid.member import Invalid, family
+from minkref.degeneracies.invalid.member import Families, Invalid
 from minkref.degeneracies.invalid.operands import region, thin
 from minkref.degeneracies.invalid.sheet import FORMS, JSON_FORMS, Sheet, sheet
 from minkref.degeneracies.invalid.writing import refused
+
+FAMILIES = Families()
 
 NO_NUMBERS = (
     "NaN", "nan", "-nan", "Infinity", "-Infinity", "inf", "+inf", "1e", "1e+", "--1", "+-1", "0x1F",
@@ -37,6 +39,7 @@ def drawn(dice: Random, forms: tuple[str, ...] = FORMS) -> Sheet:
     return sheet(dice, region(dice) if dice.random() < 0.85 else thin(dice), forms)
 
 
+@FAMILIES.add("a coordinate that is no finite number")
 def not_a_number(dice: Random) -> Invalid:
     page = drawn(dice)
     if page.form == "geojson" or (page.form in JSON_FORMS and dice.random() < 0.3):
@@ -62,14 +65,9 @@ def ascii_only(text: str) -> list[str]:
     return [text] if text.isascii() else []
 
 
+@FAMILIES.add("a coordinate with a denominator of zero")
 def zero_denominator(dice: Random) -> Invalid:
     page = drawn(dice, ("wkt", "poly", "json", "case"))
     text = f"{dice.choice(('', '-', '+'))}{dice.randint(0, 10**9)}/{dice.choice(ZERO)}"
     written = json.dumps(text) if page.form in JSON_FORMS else text
     return refused(dice, page, "zero-denominator", *spoilt(dice, page, written), text)
-
-
-FAMILIES = (
-    family("not-a-number", "a coordinate that is no finite number", not_a_number),
-    family("zero-denominator", "a coordinate with a denominator of zero", zero_denominator),
-)

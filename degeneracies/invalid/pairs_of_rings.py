@@ -5,12 +5,14 @@ from __future__ import annotations
 
 from random import Random
 
-from minkref.degeneracies.invalid.member import Invalid, family
+from minkref.degeneracies.invalid.member import Families, Invalid
 from minkref.degeneracies.invalid.operands import Spot, region, spot
 from minkref.degeneracies.invalid.sheet import FORMS, Sheet, place_of, sheet
 from minkref.degeneracies.invalid.writing import refused
 from minkref.degeneracies.shapes import turned
 from minkref.fuzz.geometry.plane import Ring, Shape, box, extent
+
+FAMILIES = Families()
 
 Places = tuple[tuple[int, int], ...]
 
@@ -49,6 +51,7 @@ def edge_of(page: Sheet, at: Spot) -> tuple[str, ...]:
     return place_of(*(ring[-k - 1 if page.backwards else k] for k in ends))
 
 
+@FAMILIES.add("two rings along one stretch, or a hole in a hole")
 def overlapping_rings(dice: Random) -> Invalid:
     """A stretch in common, the same ring twice, or a hole in a hole."""
     shape = region(dice)
@@ -77,6 +80,7 @@ def overlapping_rings(dice: Random) -> Invalid:
     return refused(dice, page, "overlapping-rings", *place)
 
 
+@FAMILIES.add("two rings that cross")
 def crossing_rings(dice: Random) -> Invalid:
     """A hole or another polygon across an edge."""
     shape = region(dice)
@@ -92,6 +96,7 @@ def crossing_rings(dice: Random) -> Invalid:
     return refused(dice, page, "crossing-rings", *place, *edge_of(page, at))
 
 
+@FAMILIES.add("a hole that does not lie in its outer ring")
 def hole_outside(dice: Random) -> Invalid:
     """A hole beside its outer ring, or around it."""
     shape = region(dice)
@@ -111,6 +116,7 @@ def hole_outside(dice: Random) -> Invalid:
     return refused(dice, page, "hole-outside", *place)
 
 
+@FAMILIES.add("a polygon in the material of another")
 def overlapping_polygons(dice: Random) -> Invalid:
     """A polygon in the material of another, or all of them in one that has no hole for them."""
     shape = region(dice)
@@ -128,13 +134,3 @@ def overlapping_polygons(dice: Random) -> Invalid:
         page.mark(*inner, 0)
         place += ["vertex 0", *place_of(*(page.shape[p][r][0] for p, r in (inner, outer)))]
     return refused(dice, page, "overlapping-polygons", *place)
-
-
-FAMILIES = (
-    family(
-        "overlapping-rings", "two rings along one stretch, or a hole in a hole", overlapping_rings
-    ),
-    family("crossing-rings", "two rings that cross", crossing_rings),
-    family("hole-outside", "a hole that does not lie in its outer ring", hole_outside),
-    family("overlapping-polygons", "a polygon in the material of another", overlapping_polygons),
-)

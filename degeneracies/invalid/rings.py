@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from random import Random
 
-from minkref.degeneracies.invalid.member import Invalid, family
+from minkref.degeneracies.invalid.member import Families, Invalid
 from minkref.degeneracies.invalid.operands import region, spot
 from minkref.degeneracies.invalid.sheet import CLOSED, JSON_FORMS, Tokens, place_of, sheet, token
 from minkref.degeneracies.invalid.writing import refused
 from minkref.fuzz.geometry.plane import Shape, box
+
+FAMILIES = Families()
 
 Damage = tuple[tuple[tuple[int, int], ...], tuple[int, ...]]
 
@@ -21,6 +23,7 @@ FOLD: Damage = ((2, 0), (-1, 0), (3, 0)), (0, 1)
 LINES = ((0, 2, 1), (0, 1, 2), (0, 3, 1, 2), (0, 3, 2, 1), (1, 3, 2, 0, -1))
 
 
+@FAMILIES.add("a ring that crosses or touches itself")
 def self_intersection(dice: Random) -> Invalid:
     if dice.random() < 0.2:
         return _bow_tie(dice)
@@ -48,6 +51,7 @@ def _bow_tie(dice: Random) -> Invalid:
     return refused(dice, page, "self-intersection", "ring 0", *place_of(*page.shape[0][0]))
 
 
+@FAMILIES.add("a vertex twice in a row")
 def zero_length_edge(dice: Random) -> Invalid:
     shape = region(dice)
     p = dice.randrange(len(shape))
@@ -63,6 +67,7 @@ def zero_length_edge(dice: Random) -> Invalid:
     return refused(dice, page, "zero-length-edge", *place)
 
 
+@FAMILIES.add("a ring whose vertices all lie on one line")
 def zero_area(dice: Random) -> Invalid:
     """A ring along a line: a hole, a polygon of its own, or all there is."""
     steps = dice.choice(LINES)
@@ -84,6 +89,7 @@ def zero_area(dice: Random) -> Invalid:
     return refused(dice, page, "zero-area", f"ring {page.number(p, r)}", *named)
 
 
+@FAMILIES.add("a ring of fewer than three vertices")
 def too_few_vertices(dice: Random) -> Invalid:
     """A hole, or all there is where that is no point and no segment."""
     shape = region(dice)
@@ -104,6 +110,7 @@ def too_few_vertices(dice: Random) -> Invalid:
     return refused(dice, page, "too-few-vertices", f"ring {page.number(p, r)}")
 
 
+@FAMILIES.add("a ring whose last vertex is not its first")
 def ring_not_closed(dice: Random) -> Invalid:
     """The first vertex is not repeated, or something else is."""
     shape = region(dice)
@@ -120,12 +127,3 @@ def ring_not_closed(dice: Random) -> Invalid:
     page.mark(p, r, last)
     named = [f"vertices 0, {last}", *place_of(points[0], points[-1])]
     return refused(dice, page, "ring-not-closed", f"ring {page.number(p, r)}", *named)
-
-
-FAMILIES = (
-    family("self-intersection", "a ring that crosses or touches itself", self_intersection),
-    family("zero-length-edge", "a vertex twice in a row", zero_length_edge),
-    family("zero-area", "a ring whose vertices all lie on one line", zero_area),
-    family("too-few-vertices", "a ring of fewer than three vertices", too_few_vertices),
-    family("ring-not-closed", "a ring whose last vertex is not its first", ring_not_closed),
-)

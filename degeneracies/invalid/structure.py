@@ -6,10 +6,12 @@ from collections.abc import Iterator, Sequence
 from random import Random
 
 from minkref.degeneracies.invalid.json_text import MARK, Marked, Object, Raw, json_text
-from minkref.degeneracies.invalid.member import Invalid, family
+from minkref.degeneracies.invalid.member import Families, Invalid
 from minkref.degeneracies.invalid.operands import region
 from minkref.degeneracies.invalid.sheet import Sheet, sheet
 from minkref.degeneracies.invalid.writing import geojson, refused, tree_of
+
+FAMILIES = Families()
 
 FORMS = ("json", "case", "geojson")
 MISSPELT = {
@@ -61,6 +63,7 @@ def holders(value: object, names: Sequence[str]) -> list[tuple[Object, str]]:
     return [(each, name) for each in objects(value) for name, _ in each if name in names]
 
 
+@FAMILIES.add("a JSON object that lacks a member")
 def missing_member(dice: Random) -> Invalid:
     """Left out, or there with nothing in it."""
     page, value = drawn(dice)
@@ -76,6 +79,7 @@ def missing_member(dice: Random) -> Invalid:
     return written(dice, page, "missing-member", value, name)
 
 
+@FAMILIES.add("a JSON object with a member that is not known")
 def unknown_member(dice: Random) -> Invalid:
     """A known one misspelt, or one more."""
     page, value = drawn(dice, ("json", "case"))
@@ -92,6 +96,7 @@ def unknown_member(dice: Random) -> Invalid:
     return written(dice, page, "unknown-member", value, name)
 
 
+@FAMILIES.add("a JSON object with a member given twice")
 def duplicate_member(dice: Random) -> Invalid:
     """The same value twice, or two; or scales in two ways."""
     page, value = drawn(dice)
@@ -110,6 +115,7 @@ def duplicate_member(dice: Random) -> Invalid:
     return written(dice, page, "duplicate-member", value, name)
 
 
+@FAMILIES.add("a JSON value of another type than is due")
 def wrong_type(dice: Random) -> Invalid:
     page, value = drawn(dice)
     if dice.random() < 0.3:
@@ -127,11 +133,3 @@ def _no_vertex(dice: Random, page: Sheet) -> Invalid:
     rings[number][vertex][:] = ["@"]
     text = json_text(tree(dice, page), page.tall).replace("[@]", MARK + dice.choice(NO_VERTEX))
     return refused(dice, page, "wrong-type", f"ring {number}", f"vertex {vertex}", text=text)
-
-
-FAMILIES = (
-    family("missing-member", "a JSON object that lacks a member", missing_member),
-    family("unknown-member", "a JSON object with a member that is not known", unknown_member),
-    family("duplicate-member", "a JSON object with a member given twice", duplicate_member),
-    family("wrong-type", "a JSON value of another type than is due", wrong_type),
-)

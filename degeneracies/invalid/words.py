@@ -7,10 +7,12 @@ from collections.abc import Callable
 from random import Random
 
 from minkref.degeneracies.invalid.json_text import MARK
-from minkref.degeneracies.invalid.member import Invalid, family
+from minkref.degeneracies.invalid.member import Families, Invalid
 from minkref.degeneracies.invalid.operands import region
 from minkref.degeneracies.invalid.sheet import Sheet, sheet
 from minkref.degeneracies.invalid.writing import refused, text_of
+
+FAMILIES = Families()
 
 Change = tuple[str, str]  # a pattern, and what its first or another match becomes
 
@@ -66,6 +68,7 @@ def drawn(dice: Random) -> tuple[Sheet, str]:
     return page, text_of(dice, page).strip() + "\n"
 
 
+@FAMILIES.add("a text that does not keep to its format")
 def syntax(dice: Random) -> Invalid:
     """One change of one or two letters."""
     while True:
@@ -79,6 +82,7 @@ def syntax(dice: Random) -> Invalid:
             return refused(dice, page, "syntax", text=text)
 
 
+@FAMILIES.add("a file whose end is missing")
 def truncated(dice: Random) -> Invalid:
     """Cut behind a token; in .poly behind a line."""
     page, text = drawn(dice)
@@ -117,6 +121,7 @@ def _in_poly(text: str) -> list[int]:
     return ends
 
 
+@FAMILIES.add("more after the end of the operand")
 def trailing_text(dice: Random) -> Invalid:
     page, text = drawn(dice)
     more = dice.choice(AFTER[kind(page)])
@@ -125,10 +130,3 @@ def trailing_text(dice: Random) -> Invalid:
             more = AFTER["poly"][0]  # what else follows a ring would be its indices
         return refused(dice, page, "trailing-text", text=f"{text}{MARK}{more}\n")
     return refused(dice, page, "trailing-text", text=text + dice.choice(("", "\n\n")) + MARK + more)
-
-
-FAMILIES = (
-    family("syntax", "a text that does not keep to its format", syntax),
-    family("truncated", "a file whose end is missing", truncated),
-    family("trailing-text", "more after the end of the operand", trailing_text),
-)

@@ -8,8 +8,8 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
-from minkref.degeneracies.case_document import IN_FULL, LICENCE, canonical_text, id_of
-from minkref.degeneracies.draft import Subject
+from minkref.certify.convex_certificate import ConvexCertificate
+from minkref.degeneracies.case_texts import IN_FULL, CaseTexts, id_of, is_double, source_of
 from minkref.degeneracies.space.body import Body, Corners
 from minkref.degeneracies.space.draft import Coincidence, SpaceFacts, SpaceFamily
 from minkref.degeneracies.space.flags import flags_in_space
@@ -30,23 +30,19 @@ VARIES = {
 
 
 @dataclass(frozen=True)
-class DegenerateInSpace:
-    """A case, and the texts that it becomes. They depend on these alone."""
+class DegenerateInSpace(CaseTexts):
+    """A case in space."""
 
-    subject: Subject
     facts: SpaceFacts
     shown: list[Coincidence]
-    source: str
 
     @classmethod
     def of(
         cls, family: SpaceFamily, seed: int, index: int, size: int | None = None
     ) -> DegenerateInSpace:
         """The member of this number; of about so many vertices, where a size is given."""
-        source = f"minkref generate {family.name} --seed {seed} --index {index}"
-        source += f" --size {size}" if size is not None else ""
-        facts, shown = member_in_space(family, seed, index, size)
-        return cls(family, facts, shown, source)
+        source = source_of(family.name, seed, index, size)
+        return cls(family, source, *member_in_space(family, seed, index, size))
 
     @cached_property
     def id(self) -> str:
@@ -58,15 +54,13 @@ class DegenerateInSpace:
     def document(self) -> dict[str, Any]:
         """case-v1, of dimension 3."""
         facts = self.facts
-        return {
-            "schema": "case-v1",
-            "id": self.id,
-            "title": self.subject.title,
+        operands = {
             "dimension": 3,
             "P": facts.P.given.document(),
             "Q": facts.Q.given.document(),
             "scales": [_texts(at) for at in facts.scalings],
-            "tags": [self.subject.name],
+        }
+        findings = {
             "flags": flags_in_space(facts),
             "expected": [self._expected(at) for at in facts.scalings],
             "degeneracy": {
@@ -77,20 +71,13 @@ class DegenerateInSpace:
                 "varies": [VARIES[name] for name in self._varies()],
                 "floats": [self._floats(at) for at in facts.scalings],
             },
-            "source": self.source,
-            "licence": LICENCE,
-            "certificate": f"{self.id}.cert.json",
         }
+        return self.described(operands, findings)
 
-    @cached_property
-    def case_text(self) -> str:
-        """A member a line: the canonical form of a case file."""
-        return canonical_text(self.document)
-
-    @cached_property
-    def certificate_text(self) -> str:
+    @property
+    def certificate(self) -> ConvexCertificate:
         """What the sum is at each of the scalings."""
-        return self.facts.certificate.text(f"{self.id}.json", self.id, "minkref")
+        return self.facts.certificate
 
     def _expected(self, at: Point) -> dict[str, Any]:
         surface = self.facts.sum(at).found.surface
@@ -124,7 +111,7 @@ class DegenerateInSpace:
 
     def _varies(self) -> list[str]:
         points = self.facts.sum().found.surface.points()
-        exact = all(_is_double(Fraction(c)) for point in points for c in point)
+        exact = all(is_double(c) for point in points for c in point)
         return ["form"] + ["rounding"] * (not exact)
 
 
@@ -150,10 +137,3 @@ def _texts(at: Point) -> list[str]:
 def _given(body: Body, face: Corners) -> list[int]:
     """As the vertices are numbered in the file."""
     return sorted(body.numbers[k] for k in face)
-
-
-def _is_double(value: Fraction) -> bool:
-    try:
-        return Fraction(float(value)) == value
-    except OverflowError:
-        return False

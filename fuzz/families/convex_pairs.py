@@ -6,26 +6,19 @@ from __future__ import annotations
 import random
 from fractions import Fraction
 
-from minkref.fuzz.families.drawing import convex, drawn_pair
-from minkref.fuzz.families.random_pairs import Pair
+from minkref.fuzz.families.drawing import convex, family
 from minkref.fuzz.geometry.plane import Ring, Shape, box
 
 
-def convex_pair(seed: int, index: int) -> Pair:
-    return drawn_pair("convex", seed, index, _convex)
-
-
-def collinear_pair(seed: int, index: int) -> Pair:
-    return drawn_pair("collinear", seed, index, _collinear)
-
-
-def _convex(dice: random.Random, size: int) -> tuple[Shape, Shape]:
+@family("convex")
+def convex_pair(dice: random.Random, size: int) -> tuple[Shape, Shape]:
     first = dice.randint(3, size - 3)
     reach = dice.choice((6, 20, 100, 1000) if size < 20 else (100, 300, 1000))
     return [[convex(dice, first, reach)]], [[convex(dice, size - first, reach)]]
 
 
-def _collinear(dice: random.Random, size: int) -> tuple[Shape, Shape]:
+@family("collinear")
+def collinear_pair(dice: random.Random, size: int) -> tuple[Shape, Shape]:
     """Two rings with edges of the same directions, all cut into collinear parts."""
     corners = dice.randint(3, max(3, min(8, size // 4)))
     P = _of_steps(dice, corners)

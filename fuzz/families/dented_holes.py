@@ -8,20 +8,16 @@ from __future__ import annotations
 
 import random
 
-from minkref.fuzz.families.drawing import drawn_pair
+from minkref.fuzz.families.drawing import family
 from minkref.fuzz.families.integer_rings import scattered, untangled
-from minkref.fuzz.families.random_pairs import Pair
 from minkref.fuzz.geometry.plane import Ring, Shape, box
 
 CELL = 12  # across, for each hole
 FEW = 14  # vertices of a pair up to which there is one hole
 
 
-def dented_pair(seed: int, index: int) -> Pair:
-    return drawn_pair("dents", seed, index, _dented)
-
-
-def _dented(dice: random.Random, size: int) -> tuple[Shape, Shape]:
+@family("dents")
+def dented_pair(dice: random.Random, size: int) -> tuple[Shape, Shape]:
     across, corners = (1, 5) if size <= FEW else dice.choice(((3, 5), (4, 4)))
     side = across * CELL
     polygon: list[Ring] = [box(0, 0, side, side)]

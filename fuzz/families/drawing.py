@@ -3,6 +3,7 @@ operands become a valid pair."""
 
 from __future__ import annotations
 
+import functools
 import random
 from collections.abc import Callable
 from fractions import Fraction
@@ -27,7 +28,20 @@ def vertices_at(index: int, dice: random.Random) -> int:
     return dice.randint(8, limit)
 
 
-def drawn_pair(family: str, seed: int, index: int, draw: Draw) -> Pair:
+def family(name: str) -> Callable[[Draw], Callable[[int, int], Pair]]:
+    """Of a function that draws two operands: makes the pairs of the family, by seed and index."""
+
+    def pairs(draw: Draw) -> Callable[[int, int], Pair]:
+        @functools.wraps(draw)
+        def pair(seed: int, index: int) -> Pair:
+            return _drawn_pair(name, seed, index, draw)
+
+        return pair
+
+    return pairs
+
+
+def _drawn_pair(family: str, seed: int, index: int, draw: Draw) -> Pair:
     """The pair that `draw` makes, perhaps turned, mirrored and swapped. Where the scale is not 1,
     the first operand is divided by it: what fits still fits."""
     dice = Dice(f"minkref {family} {seed} {index}")

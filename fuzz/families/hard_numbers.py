@@ -6,33 +6,12 @@ from __future__ import annotations
 import random
 from fractions import Fraction
 
-from minkref.fuzz.families.drawing import convex, drawn_pair
+from minkref.fuzz.families.drawing import convex, family
 from minkref.fuzz.families.integer_rings import scattered, untangled
-from minkref.fuzz.families.random_pairs import Pair
 from minkref.fuzz.families.touching_pairs import touching_shape
 from minkref.fuzz.geometry.plane import Polygon, Ring, Shape, box, mapped, moved
 
 LARGE_PRIMES = (10**9 + 7, 998_244_353, 2**61 - 1)
-
-
-def thin_pair(seed: int, index: int) -> Pair:
-    return drawn_pair("thin", seed, index, _thin)
-
-
-def offset_pair(seed: int, index: int) -> Pair:
-    return drawn_pair("offset", seed, index, _offset)
-
-
-def magnitude_pair(seed: int, index: int) -> Pair:
-    return drawn_pair("magnitude", seed, index, _magnitude)
-
-
-def rational_pair(seed: int, index: int) -> Pair:
-    return drawn_pair("rational", seed, index, _rational)
-
-
-def degenerate_pair(seed: int, index: int) -> Pair:
-    return drawn_pair("degenerate", seed, index, _degenerate)
 
 
 def polygon(dice: random.Random, vertices: int, holed: bool = True) -> Polygon:
@@ -50,7 +29,8 @@ def polygon(dice: random.Random, vertices: int, holed: bool = True) -> Polygon:
     return [list(ring)]
 
 
-def _thin(dice: random.Random, size: int) -> tuple[Shape, Shape]:
+@family("thin")
+def thin_pair(dice: random.Random, size: int) -> tuple[Shape, Shape]:
     """Needles, long zigzags and flat boxes, against each other or against something stout."""
     P = _sliver(dice, size // 2)
     kind = dice.random()
@@ -90,7 +70,8 @@ def _nearly_parallel(dice: random.Random) -> tuple[Shape, Shape]:
     return shapes[0], shapes[1]
 
 
-def _offset(dice: random.Random, size: int) -> tuple[Shape, Shape]:
+@family("offset")
+def offset_pair(dice: random.Random, size: int) -> tuple[Shape, Shape]:
     """Ordinary operands far from the origin, one or both; perhaps a part far from the rest."""
     shapes: list[Shape] = [[polygon(dice, size // 2)], [polygon(dice, size // 3, False)]]
     far = 10 ** dice.randint(4, 15)
@@ -106,7 +87,8 @@ def _offset(dice: random.Random, size: int) -> tuple[Shape, Shape]:
     return shapes[0], shapes[1]
 
 
-def _magnitude(dice: random.Random, size: int) -> tuple[Shape, Shape]:
+@family("magnitude")
+def magnitude_pair(dice: random.Random, size: int) -> tuple[Shape, Shape]:
     """Each operand, perhaps each coordinate, times a power of two between 2^-30 and 2^30, or over a
     large prime."""
     shapes: list[Shape] = [[polygon(dice, size // 2)], [polygon(dice, size // 3)]]
@@ -133,7 +115,8 @@ def _nudged(dice: random.Random, ring: Ring, tiny: Fraction) -> Ring:
     return [(x + tiny * dice.randint(-9, 9), y + tiny * dice.randint(-9, 9)) for x, y in ring]
 
 
-def _rational(dice: random.Random, size: int) -> tuple[Shape, Shape]:
+@family("rational")
+def rational_pair(dice: random.Random, size: int) -> tuple[Shape, Shape]:
     """Vertices with denominators of one digit, different ones in the two operands."""
     shapes: list[Shape] = []
     for share in (2, 3):
@@ -146,7 +129,8 @@ def _rational(dice: random.Random, size: int) -> tuple[Shape, Shape]:
     return shapes[0], shapes[1]
 
 
-def _degenerate(dice: random.Random, size: int) -> tuple[Shape, Shape]:
+@family("degenerate")
+def degenerate_pair(dice: random.Random, size: int) -> tuple[Shape, Shape]:
     """A point, a segment or nothing beside an ordinary operand."""
     P: Shape = [polygon(dice, size - 2)]
     if dice.random() < 0.3:

@@ -6,31 +6,15 @@ from __future__ import annotations
 import random
 from fractions import Fraction
 
-from minkref.fuzz.families.drawing import around, convex, drawn_pair
+from minkref.fuzz.families.drawing import around, convex, family
 from minkref.fuzz.families.outlines import comb
-from minkref.fuzz.families.random_pairs import Pair
 from minkref.fuzz.geometry.plane import Polygon, Ring, Shape, box, extent
 
 TINY = Fraction(1, 2**20)
 
 
-def nested_pair(seed: int, index: int) -> Pair:
-    return drawn_pair("nested", seed, index, _nested)
-
-
-def holes_pair(seed: int, index: int) -> Pair:
-    return drawn_pair("holes", seed, index, _holes)
-
-
-def small_holes_pair(seed: int, index: int) -> Pair:
-    return drawn_pair("small-holes", seed, index, _small_holes)
-
-
-def fit_pair(seed: int, index: int) -> Pair:
-    return drawn_pair("fit", seed, index, _fit)
-
-
-def _nested(dice: random.Random, size: int) -> tuple[Shape, Shape]:
+@family("nested")
+def nested_pair(dice: random.Random, size: int) -> tuple[Shape, Shape]:
     """Polygons in holes of polygons, perhaps beside others; Q about as wide as the gaps."""
     corners = dice.choice((3, 4, 4, 5, 6, 8)) if size > 20 else 4
     rings = max(3, (size - 4) // corners)
@@ -63,7 +47,8 @@ def _onion(dice: random.Random, corners: int, rings: int, gap: int) -> Shape:
     return [made[k : k + 2] for k in range(0, rings, 2)]
 
 
-def _holes(dice: random.Random, size: int) -> tuple[Shape, Shape]:
+@family("holes")
+def holes_pair(dice: random.Random, size: int) -> tuple[Shape, Shape]:
     """Plates with holes in both operands, the one often as large as a hole of the other."""
     room = max(1, (size - 8) // 4)
     first = dice.randint(1, max(1, room - 1))
@@ -92,7 +77,8 @@ def plate(dice: random.Random, holes: int, side: int) -> Polygon:
     return rings
 
 
-def _small_holes(dice: random.Random, size: int) -> tuple[Shape, Shape]:
+@family("small-holes")
+def small_holes_pair(dice: random.Random, size: int) -> tuple[Shape, Shape]:
     """A plate whose holes are the other operand turned by half, at sizes about its own: most are
     too small to survive, or by nothing, and some just survive."""
     corners = 3 if size < 16 else dice.randint(3, 5)
@@ -114,7 +100,8 @@ def _small_holes(dice: random.Random, size: int) -> tuple[Shape, Shape]:
     return [rings], [[Q]]
 
 
-def _fit(dice: random.Random, size: int) -> tuple[Shape, Shape]:
+@family("fit")
+def fit_pair(dice: random.Random, size: int) -> tuple[Shape, Shape]:
     """Q fits into a hole, a notch or a slot of P exactly, or is too large or too small by one part
     in 2^20."""
     off = dice.choice((0, 0, TINY, -TINY))

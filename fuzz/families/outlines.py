@@ -5,24 +5,12 @@ from __future__ import annotations
 import random
 from fractions import Fraction
 
-from minkref.fuzz.families.drawing import around, convex, drawn_pair
-from minkref.fuzz.families.random_pairs import Pair
+from minkref.fuzz.families.drawing import around, convex, family
 from minkref.fuzz.geometry.plane import Point, Ring, Shape, box
 
 
-def comb_pair(seed: int, index: int) -> Pair:
-    return drawn_pair("comb", seed, index, _combs)
-
-
-def star_pair(seed: int, index: int) -> Pair:
-    return drawn_pair("star", seed, index, _stars)
-
-
-def spiral_pair(seed: int, index: int) -> Pair:
-    return drawn_pair("spiral", seed, index, _spirals)
-
-
-def _combs(dice: random.Random, size: int) -> tuple[Shape, Shape]:
+@family("comb")
+def comb_pair(dice: random.Random, size: int) -> tuple[Shape, Shape]:
     """A comb, and one that interlocks with it, exactly or nearly; or a box as wide as a gap."""
     kind = dice.random()
     count = max(2, size // (8 if kind < 0.6 else 4) - 1)
@@ -60,7 +48,8 @@ def comb(dice: random.Random, widths: list[Fraction], gaps: list[Fraction]) -> R
     return ring
 
 
-def _stars(dice: random.Random, size: int) -> tuple[Shape, Shape]:
+@family("star")
+def star_pair(dice: random.Random, size: int) -> tuple[Shape, Shape]:
     kind = dice.random()
     tips = max(3, size // (4 if kind < 0.5 else 2) - 1)
     P = star(dice, tips)
@@ -82,7 +71,8 @@ def star(dice: random.Random, tips: int) -> Ring:
     ]
 
 
-def _spirals(dice: random.Random, size: int) -> tuple[Shape, Shape]:
+@family("spiral")
+def spiral_pair(dice: random.Random, size: int) -> tuple[Shape, Shape]:
     """A wall in a spiral; against it a box near the width of the way, a spiral or a triangle."""
     kind = dice.random()
     legs = max(3, size // (4 if kind < 0.4 else 2) - 2)

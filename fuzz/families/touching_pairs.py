@@ -8,20 +8,12 @@ import random
 from fractions import Fraction
 
 from minkref import _core
-from minkref.fuzz.families.drawing import convex, drawn_pair, shape_text
-from minkref.fuzz.families.random_pairs import Pair
+from minkref.fuzz.families.drawing import convex, family, shape_text
 from minkref.fuzz.geometry.plane import Point, Polygon, Ring, Shape, box
 
 
-def touching_pair(seed: int, index: int) -> Pair:
-    return drawn_pair("touching", seed, index, _touching)
-
-
-def cells_pair(seed: int, index: int) -> Pair:
-    return drawn_pair("cells", seed, index, _cells)
-
-
-def _touching(dice: random.Random, size: int) -> tuple[Shape, Shape]:
+@family("touching")
+def touching_pair(dice: random.Random, size: int) -> tuple[Shape, Shape]:
     """A chain of diamonds, a pinwheel of holes, or polygons corner to corner; Q small against
     them, or of the same kind. Or boxes so far apart that their sums with Q touch."""
     if dice.random() < 0.25:
@@ -102,7 +94,8 @@ def _corner_to_corner(dice: random.Random, count: int) -> Shape:
     return shape
 
 
-def _cells(dice: random.Random, size: int) -> tuple[Shape, Shape]:
+@family("cells")
+def cells_pair(dice: random.Random, size: int) -> tuple[Shape, Shape]:
     """Unions of random cells of a grid, their holes and corners as they come."""
     side = 3 if size < 14 else 4 if size < 28 else 5
     P = cells(dice, side, dice.choice((0.6, 0.75, 0.85)))

@@ -13,7 +13,8 @@ from typing import Any
 import pytest
 from minkref import _core
 from minkref.degeneracies import lint
-from minkref.degeneracies.case_document import Degenerate, canonical_text, content_of
+from minkref.degeneracies.case_document import Degenerate, content_of
+from minkref.degeneracies.case_texts import canonical_text
 from minkref.degeneracies.catalogue import FAMILIES, SPACE_FAMILIES
 from minkref.degeneracies.files import write_member
 from minkref.degeneracies.flags import FLAGS, explained

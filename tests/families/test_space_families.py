@@ -18,7 +18,7 @@ from typing import Any
 import jsonschema
 import pytest
 from minkref.degeneracies import lint
-from minkref.degeneracies.case_document import canonical_text
+from minkref.degeneracies.case_texts import canonical_text
 from minkref.degeneracies.catalogue import FAMILIES, SPACE_FAMILIES
 from minkref.degeneracies.files import write_member
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, INVALID_MESH_FAMILIES
