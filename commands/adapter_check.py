@@ -3,27 +3,27 @@
 from __future__ import annotations
 
 import json as texts
-import sys
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Annotated, Any
 
 import typer
 from minkref.commands.line.options import Json, Schema
+from minkref.commands.line.output import give, plain_table
 from minkref.commands.line.target_options import (
     CallMemory,
     CallProcesses,
     CallSeconds,
     IsolationKind,
     PassedVariables,
+    walls_and_limits,
 )
-from minkref.commands.verify_limits import check_numbers
-from minkref.documents import Stopwatch, as_text, document
+from minkref.documents import Stopwatch, document
 from minkref.exits import ExitCode
-from minkref.fuzz.isolation.isolation import AUTO, Isolation, choose
+from minkref.fuzz.isolation.isolation import AUTO, Isolation
 from minkref.fuzz.shrink.asker import Asker
 from minkref.fuzz.space.cells import Cell, surface_of
-from minkref.fuzz.targets.answer import PROCESSES, Limits
+from minkref.fuzz.targets.answer import PROCESSES
 from minkref.fuzz.targets.catalogue import select_one
 from minkref.fuzz.targets.declaration import CAPABILITIES, Declaration
 from minkref.fuzz.targets.declared import declarations_of
@@ -31,7 +31,6 @@ from minkref.fuzz.verdicts.verdict import BROKEN, Outcome, Verdict
 from minkref.reports.conformance.run_words import witness_text
 from minkref.signals import ending_in_order
 from minkref.terminal import console, escaped
-from rich.table import Table
 
 EXAMPLES = """Examples:
 
@@ -116,10 +115,7 @@ def command(
     of convex operands, one of an operand that is not convex, and one with a hole. Exits with 1 if a
     sum is proven wrong, 3 if the adapter breaks, and 2 if it does not start."""
     watch = Stopwatch()
-    sizes = (call_seconds, call_memory, 1, None)
-    check_numbers(0, None, None, *sizes, call_processes=call_processes)
-    walls = choose(isolation, tuple(pass_env or ()))
-    limits = Limits(call_seconds, call_memory << 20, processes=call_processes, isolation=walls)
+    walls, limits = walls_and_limits(call_seconds, call_memory, call_processes, isolation, pass_env)
     (entry,), declarations = declarations_of([select_one(target)], limits)
     declared = declarations[entry.name]
     able = declared.capabilities
@@ -136,10 +132,7 @@ def command(
         left_out={word: CAPABILITIES[word] for word in sorted(set(CAPABILITIES) - able)},
         sums=[_row(trying, outcome) for trying, outcome in rows],
     )
-    if json:
-        sys.stdout.write(as_text(value))
-    else:
-        _print(value, rows, walls)
+    give(value, json, lambda value: _print(value, rows, walls))
     if code:
         raise typer.Exit(int(code))
 
@@ -192,9 +185,7 @@ def _print(
     )
     out.print(f"  takes: {', '.join(target['capabilities'])}", soft_wrap=True)
     out.print(escaped(f"  {walls.sentence()}"), soft_wrap=True)
-    table = Table(box=None, pad_edge=False)
-    for heading in ("sum", "verdict", "seconds"):
-        table.add_column(heading)
+    table = plain_table("sum", "verdict", "seconds")
     for row in value["sums"]:
         table.add_row(row["what"], row["verdict"], f"{row['seconds']:.3f}")
     out.print(table)

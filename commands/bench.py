@@ -7,8 +7,9 @@ from typing import Annotated, Any
 
 import typer
 from minkref.commands.line.options import Json, Schema
+from minkref.commands.line.output import give
 from minkref.commands.line.progress import progress
-from minkref.documents import Stopwatch, as_text, document
+from minkref.documents import Stopwatch, document
 from minkref.errors import Refusal, choice
 from minkref.exits import ExitCode
 from minkref.reports.bench import index, table1, table2
@@ -26,7 +27,8 @@ minkref bench --only index
 
 MINKREF_MODELS=folder minkref bench"""
 
-PARTS = ("table1", "table2", "index")
+PRINTED = {"table1": print_polygons, "table2": print_polyhedra, "index": print_index}
+PARTS = tuple(PRINTED)
 
 
 def command(
@@ -49,8 +51,7 @@ def command(
     watch = Stopwatch()
     for name in only or []:
         if name not in PARTS:
-            mend = choice(name, PARTS)
-            raise Refusal(f"there is no part {name!r}", "--only", mend)
+            raise Refusal(f"there is no part {name!r}", "--only", choice(name, PARTS))
     parts = only or PARTS
     flat: table1.Table1 | None = None
     solid: table2.Table2 | None = None
@@ -75,47 +76,32 @@ def command(
         table2=None if solid is None else _table2(solid),
         index=None if all_scales is None else _index(all_scales),
     )
-    if json:
-        sys.stdout.write(as_text(value))
-    else:
-        if flat is not None:
-            print_polygons(value["table1"], seed)
-        if solid is not None:
-            print_polyhedra(value["table2"], seed)
-        if all_scales is not None:
-            print_index(value["index"], seed)
-        sys.stdout.write(lines([("seconds", f"{value['seconds']:.1f}")]))
+    give(value, json, lambda value: _print(value, seed))
     if any(table is not None and table.wrong for table in (flat, solid, all_scales)):
         raise typer.Exit(ExitCode.WRONG)
 
 
 def _table1(table: table1.Table1) -> dict[str, Any]:
-    return {
-        "rescalings": table.rescalings,
-        "pairs": table.pairs,
-        "rows": table.rows,
-        **table1.summary(table),
-        "notes": table.notes,
-        "wrong": table.wrong,
-    }
+    head = {"rescalings": table.rescalings, "pairs": table.pairs}
+    return _part(table, head, table1.summary(table))
 
 
 def _table2(table: table2.Table2) -> dict[str, Any]:
-    return {
-        "rescalings": table.rescalings,
-        "rows": table.rows,
-        **table2.summary(table),
-        "paper": table2.PAPER,
-        "notes": table.notes,
-        "wrong": table.wrong,
-    }
+    summary = {**table2.summary(table), "paper": table2.PAPER}
+    return _part(table, {"rescalings": table.rescalings}, summary)
 
 
 def _index(table: index.IndexTable) -> dict[str, Any]:
-    return {
-        "queries": table.queries,
-        "rows": table.rows,
-        **index.summary(table),
-        "notes": table.notes,
-        "wrong": table.wrong,
-    }
+    return _part(table, {"queries": table.queries}, index.summary(table))
+
+
+def _part(table: Any, head: dict[str, Any], summary: dict[str, Any]) -> dict[str, Any]:
+    """Of the document; the table has rows, notes and what is wrong."""
+    return {**head, "rows": table.rows, **summary, "notes": table.notes, "wrong": table.wrong}
+
+
+def _print(value: dict[str, Any], seed: int) -> None:
+    for name, print_part in PRINTED.items():
+        if value[name] is not None:
+            print_part(value[name], seed)
+    sys.stdout.write(lines([("seconds", f"{value['seconds']:.1f}")]))

@@ -22,9 +22,9 @@ from minkref.commands.line.progress import progress
 from minkref.commands.lists.event_output import FORMATS, document_pieces, print_pieces, write_events
 from minkref.commands.lists.scale_index import (
     IndexFile,
+    chosen_route,
     index_of,
     refuse_overwriting_index,
-    route_with,
 )
 from minkref.documents import Stopwatch, as_text, document, refuse_overwriting
 from minkref.errors import Refusal, choice, refusing
@@ -233,10 +233,7 @@ def _condition(where: str | None, kind: str) -> _core.EventCondition | None:
 def _route(kind: str, route: str | None, index: Path | None) -> str | None:
     """That of boundary and topology events; the others have none."""
     if kind in ROUTED_KINDS:
-        chosen = route_with(index, route, ROUTES[0])
-        if chosen not in ROUTES:
-            raise Refusal(f"there is no route {chosen!r}", "--route", choice(chosen, ROUTES))
-        return chosen
+        return chosen_route(index, route, ROUTES)
     if route is not None or index is not None:
         raise Refusal(
             f"{kind} events come from the arrangement: there is only one route to them",

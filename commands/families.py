@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-import sys
 from typing import Any
 
 from minkref.commands.line.options import Json, Schema
+from minkref.commands.line.output import give, plain_table
 from minkref.degeneracies.catalogue import FAMILIES as DEGENERATE
 from minkref.degeneracies.catalogue import SPACE_FAMILIES as DEGENERATE_IN_SPACE
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, INVALID_MESH_FAMILIES
-from minkref.documents import Stopwatch, as_text, document
+from minkref.documents import Stopwatch, document
 from minkref.fuzz.families.catalogue import FAMILIES
 from minkref.fuzz.space.case import SPACE_FAMILIES
 from minkref.terminal import console
-from rich.table import Table
 
 EXAMPLES = """Examples:
 
@@ -46,16 +45,11 @@ def command(json: Json = False, schema: Schema = False) -> None:
             for name, title in titles.items()
         ]
     value = document("families", watch, families=rows)
-    if json:
-        sys.stdout.write(as_text(value))
-    else:
-        _print(value)
+    give(value, json, _print)
 
 
 def _print(value: dict[str, Any]) -> None:
-    table = Table(box=None, pad_edge=False)
-    for heading in ("family", "dimension", "command", "what it makes"):
-        table.add_column(heading)
+    table = plain_table("family", "dimension", "command", "what it makes")
     for row in value["families"]:
         table.add_row(row["name"], str(row["dimension"]), row["command"], row["title"])
     console().print(table)

@@ -20,6 +20,7 @@ from typing import Annotated
 import typer
 from minkref import _core
 from minkref.commands.line.options import Json, Schema
+from minkref.commands.line.output import plain_table
 from minkref.commands.line.progress import progress
 from minkref.commands.verify_limits import MOST_JOBS
 from minkref.degeneracies.catalogue import FAMILIES, SPACE_FAMILIES
@@ -31,7 +32,6 @@ from minkref.fuzz.run import child
 from minkref.output_folder import folder_to_write
 from minkref.signals import ending_in_order
 from minkref.terminal import console, counted, escaped
-from rich.table import Table
 
 EXAMPLES = """Examples:
 
@@ -275,9 +275,8 @@ def _make(task: Task) -> Made:
 
 
 def _print_table(tallies: dict[str, _Tally]) -> None:
-    table = Table(box=None, pad_edge=False)
-    for heading in ("family", "cases", "different", "bytes"):
-        table.add_column(heading, justify="left" if heading == "family" else "right")
+    counts = ("cases", "different", "bytes")
+    table = plain_table("family", *counts, right=counts)
     for name, tally in tallies.items():
         table.add_row(name, f"{tally.cases:,}", f"{tally.different:,}", f"{tally.bytes:,}")
     console().print(table)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import random
-import sys
 from fractions import Fraction
 from pathlib import Path
 from typing import Annotated, Any
@@ -19,21 +18,15 @@ from minkref.commands.line.options import (
     WindowFrom,
     WindowTo,
 )
+from minkref.commands.line.output import give, print_lines
 from minkref.commands.line.progress import progress
 from minkref.commands.lists.scale_index import build_index, cores
-from minkref.documents import (
-    Stopwatch,
-    as_text,
-    check_writable,
-    document,
-    refuse_overwriting,
-    replacing,
-)
+from minkref.documents import Stopwatch, check_writable, document, refuse_overwriting, replacing
 from minkref.errors import Refusal, refusing
 from minkref.exact import read_window
 from minkref.operand import read_operand
 from minkref.output_target import refuse_stream
-from minkref.terminal import counted, escaped, lines
+from minkref.terminal import counted
 
 EXAMPLES = """Examples:
 
@@ -100,10 +93,7 @@ def command(
         checked=checked,
         statistics=counts,
     )
-    if json:
-        sys.stdout.write(as_text(value))
-    else:
-        _print(value)
+    give(value, json, _print)
 
 
 def _check_numbers(threads: int | None, check: int) -> None:
@@ -170,6 +160,4 @@ def _print(value: dict[str, Any]) -> None:
         ("seconds", f"{value['seconds']:.3f}"),
         ("written", f"{value['output']}, {size:,} bytes"),
     ]
-    sys.stdout.write(lines(rows))
-    for warning in value["warnings"]:
-        sys.stderr.write(f"warning: {escaped(warning)}\n")
+    print_lines(rows, value)

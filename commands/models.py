@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import os
-import sys
 from typing import Any
 
 from minkref.commands.line.options import Json, Schema
-from minkref.documents import Stopwatch, as_text, document
+from minkref.commands.line.output import give, plain_table
+from minkref.documents import Stopwatch, document
 from minkref.errors import Refusal
 from minkref.model_catalogue import (
     PAPER_MODELS,
@@ -56,10 +56,7 @@ def command(json: Json = False, schema: Schema = False) -> None:
         unreadable=unreadable,
         absent=absent,
     )
-    if json:
-        sys.stdout.write(as_text(value))
-    else:
-        _print(value)
+    give(value, json, _print)
 
 
 def _row(model: Model) -> dict[str, Any]:
@@ -103,9 +100,7 @@ def _print(value: dict[str, Any]) -> None:
 
 
 def _table(kind: str, parts: str, rows: list[dict[str, Any]]) -> Table:
-    table = Table(box=None, pad_edge=False)
-    for heading in (kind, "vertices", parts, "from", "what it is"):
-        table.add_column(heading, justify="right" if heading in ("vertices", parts) else "left")
+    table = plain_table(kind, "vertices", parts, "from", "what it is", right=("vertices", parts))
     for row in rows:
         table.add_row(
             escaped(row["name"]),

@@ -2,34 +2,34 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 from minkref.commands.line.options import Json, Schema
+from minkref.commands.line.output import give
 from minkref.commands.line.target_options import (
     CallMemory,
     CallProcesses,
     CallSeconds,
     IsolationKind,
     PassedVariables,
+    walls_and_limits,
 )
 from minkref.commands.verify_cases import refuse_unless_case
-from minkref.commands.verify_limits import check_numbers
 from minkref.commands.verify_output import shrunk_document
-from minkref.documents import Stopwatch, as_text, document
+from minkref.documents import Stopwatch, document
 from minkref.errors import Refusal
 from minkref.exits import ExitCode
 from minkref.fuzz.cases.case_name import CaseName
-from minkref.fuzz.isolation.isolation import AUTO, choose
+from minkref.fuzz.isolation.isolation import AUTO
 from minkref.fuzz.run.runner import Finding
 from minkref.fuzz.shrink.asker import Asker
 from minkref.fuzz.shrink.case_file import case_text, has_case_file
 from minkref.fuzz.shrink.finding import SmallFinding, shrink_finding
 from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.shrink.shrinker import MOST_CALLS
-from minkref.fuzz.targets.answer import PROCESSES, Limits
+from minkref.fuzz.targets.answer import PROCESSES
 from minkref.fuzz.targets.catalogue import select_one
 from minkref.fuzz.targets.declared import declarations_of
 from minkref.fuzz.verdicts.verdict import GOOD, Verdict
@@ -81,11 +81,8 @@ def command(
     scale 1. Exits with 1 if the target is proven wrong on this case, 3 if it breaks, and 2 if
     neither."""
     watch = Stopwatch()
-    sizes = (call_seconds, call_memory, 1, None)
-    check_numbers(0, None, None, *sizes, call_processes=call_processes)
+    walls, limits = walls_and_limits(call_seconds, call_memory, call_processes, isolation, pass_env)
     written = None if output is None else target_of(output, "json", ("json",), "json", json)
-    walls = choose(isolation, tuple(pass_env or ()))
-    limits = Limits(call_seconds, call_memory << 20, processes=call_processes, isolation=walls)
     refuse_unless_case(case)
     (entry,), _ = declarations_of([select_one(target)], limits)
     with ending_in_order():
@@ -123,10 +120,7 @@ def command(
         output=str(output) if output else None,
         isolation=walls.document(),
     )
-    if json:
-        sys.stdout.write(as_text(value))
-    else:
-        _print(small, found, value)
+    give(value, json, lambda value: _print(small, found, value))
     raise typer.Exit(code)
 
 

@@ -14,14 +14,14 @@ from minkref.commands.line.memory import SIMPLER, Memory, memory_wall
 from minkref.commands.line.options import Json, Schema
 from minkref.commands.lists.scale_index import (
     IndexFile,
+    chosen_route,
     index_of,
     refuse_overwriting_index,
-    route_with,
 )
 from minkref.commands.lists.sum_fields import SUM_FIELDS, sum_fields
 from minkref.commands.sum_table import print_table
 from minkref.documents import Stopwatch, as_text, document, refuse_overwriting
-from minkref.errors import Refusal, choice, refusing
+from minkref.errors import Refusal, refusing
 from minkref.exact import read_scale
 from minkref.operand import Operand, read_operand
 from minkref.operand_text import STANDARD_INPUT
@@ -137,8 +137,8 @@ def command(
         raise Refusal("standard input is one operand", "P and Q", "name a file for the other")
     watch = Stopwatch()
     exact_scale = read_scale(scale)
-    route = route_with(index, route, DEFAULT)
-    _check_route(route, arithmetic)
+    route = chosen_route(index, route, ROUTES, DEFAULT)
+    _check_arithmetic(arithmetic, route)
     target = target_of(output, form, OUTPUTS, "wkt", json)
     _check_pictures(plot, only_sum, target, json)
     with memory_wall(memory, f"route {route}", f"{P} and {Q}", INSTEAD[route]):
@@ -292,9 +292,7 @@ def _signs(statistics: dict[str, Any]) -> dict[str, Any]:
     return {**counts, "total": total, "shares": shares}
 
 
-def _check_route(route: str, arithmetic: str) -> None:
-    if route not in ROUTES:
-        raise Refusal(f"there is no route {route!r}", "--route", choice(route, ROUTES))
+def _check_arithmetic(arithmetic: str, route: str) -> None:
     check_arithmetic(arithmetic)
     if arithmetic != "rational" and route != "paper":
         raise Refusal(

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import sys
 from typing import Any
 
-from minkref.exact import scientific
-from minkref.terminal import escaped, lines
+from minkref.commands.line.output import measure, print_lines, written_row
 
 SHOWN = 5  # tight passages that people see
 
@@ -31,12 +29,8 @@ def print_table(value: dict[str, Any]) -> None:
     if signs is not None and signs["total"]:
         rows.append(("signs", f"{signs['total']:,}: {_deciders(signs, value['arithmetic'])}"))
     rows.append(("seconds", f"{value['seconds']:.3f}"))
-    if value["output"]:
-        rounded = "" if value["output_exact"] else " (rounded; .json is exact)"
-        rows.append(("written", value["output"] + rounded))
-    sys.stdout.write(lines(rows))
-    for warning in value["warnings"]:
-        sys.stderr.write(f"warning: {escaped(warning)}\n")
+    rows += written_row(value)
+    print_lines(rows, value)
 
 
 def _passage_rows(passages: list[dict[str, Any]] | None) -> list[tuple[str, str]]:
@@ -75,12 +69,8 @@ def _deciders(signs: dict[str, Any], arithmetic: str) -> str:
 
 
 def _described(value: dict[str, Any]) -> list[tuple[str, str]]:
-    area = value["area"]
-    exactly = area if len(area) <= 60 else f"({len(area):,} characters; --json prints it)"
-    near = value["area_approximate"]
-    rounded = scientific(area) if near is None else f"{near:.10g}"
     return [
-        ("area", f"{rounded} = {exactly}"),
+        ("area", measure(value["area"], value["area_approximate"])),
         ("components, holes", f"{value['components']}, {value['holes']}"),
         ("vertices", f"{value['vertices']:,}"),
         ("digest", value["digest"]),

@@ -11,20 +11,21 @@ import typer
 from minkref import _core
 from minkref.commands.line.memory import SMALLER, Memory, memory_wall
 from minkref.commands.line.options import FirstOperand, Json, Schema, SecondOperand
+from minkref.commands.line.output import plain_table
 from minkref.commands.line.progress import progress
 from minkref.commands.lists.row_spool import Row, RowSpool
-from minkref.commands.lists.scale_index import IndexFile, index_of, route_with
+from minkref.commands.lists.scale_index import IndexFile, chosen_route, index_of
 from minkref.commands.lists.sum_fields import sum_fields
-from minkref.commands.lists.sweep_folder import FORMATS, INDEX, SHOWN, SweepFolder
+from minkref.commands.lists.sweep_folder import FORMATS, INDEX, sweep_folder
+from minkref.commands.lists.sweep_rows import SHOWN, Setting, print_sweep, sweep_rows, write_index
 from minkref.documents import Stopwatch, document, listing
-from minkref.errors import Refusal, choice, refusing
+from minkref.errors import Refusal, refusing
 from minkref.exact import approximate, read_scale
 from minkref.operand import Operand, read_operand
 from minkref.scales import MOST_SCALES, evenly_spaced, read_scales
 from minkref.signals import ending_in_order
 from minkref.space.operand import in_space
-from minkref.terminal import console, counted, escaped, lines
-from rich.table import Table
+from minkref.terminal import counted, escaped
 
 EXAMPLES = """Examples:
 
@@ -41,6 +42,9 @@ minkref sweep gs3 rod --scales scalings.txt -o sums --format off"""
 ROUTES = ("index", "dynamic")
 
 Sums = _core.ScaleIndex | _core.DynamicSum
+PLANE = Setting[str, _core.PolygonSet](
+    lambda scale: escaped(scale)[:20], _core.write, _core.writes_exactly
+)
 
 
 def command(
@@ -105,16 +109,9 @@ def command(
         sweep_in_space(P, Q, scales_file, given, output, form, json, memory)
         return
     watch = Stopwatch()
-    route = route_with(index, route, ROUTES[0])
-    if route not in ROUTES:
-        raise Refusal(f"there is no route {route!r}", "--route", choice(route, ROUTES))
+    route = chosen_route(index, route, ROUTES)
     scales = _scales(from_scale, to_scale, steps, scales_file)
-    if form is not None and output is None:
-        raise Refusal(
-            "there are no files without -o", f"--format {form}", "add -o DIR, or leave out --format"
-        )
-    form = form or "json"
-    folder = _folder(output, form)
+    folder = sweep_folder(output, form, FORMATS)
     first, second = read_operand(P), read_operand(Q)
     if folder is not None:
         folder.refuse_overwriting([first.file, second.file, *([index] if index else [])])
@@ -122,17 +119,7 @@ def command(
     with wall, ending_in_order(), progress(len(scales)) as line:
         line.now("finding all events")
         sums = _sums(first, second, scales, route, index)
-        rows = RowSpool()
-        for number, scale in enumerate(scales, start=1):
-            line.now(f"scale {escaped(scale)[:20]}")
-            row, region = step(sums, scale)
-            row["file"] = row["file_exact"] = None
-            if folder is not None:
-                row["file"] = folder.name(number)
-                row["file_exact"] = _core.writes_exactly(region, form)
-                folder.write(row["file"], _text(region, form, row["file"]))
-            rows.add(row)
-            line.done()
+        rows = sweep_rows(scales, lambda scale: step(sums, scale), PLANE, folder, line)
         value = document(
             "sweep",
             watch,
@@ -140,13 +127,12 @@ def command(
             Q=second.name,
             warnings=first.warnings + second.warnings,
             output=str(output) if output else None,
-            format=form if output else None,
+            format=folder.form if folder else None,
             route=route,
             preprocessing_seconds=sums.seconds,
             statistics=dict(sums.counts()),
         )
-        if folder is not None:
-            folder.write(INDEX, listing(value, "rows", rows))
+        write_index(folder, value, rows)
     if json:
         sys.stdout.writelines(listing(value, "rows", rows))
     else:
@@ -185,10 +171,6 @@ def step(sums: Sums, scale: str) -> tuple[Row, _core.PolygonSet]:
     return row, answer.region
 
 
-def _text(region: _core.PolygonSet, form: str, name: str) -> str:
-    return refusing(name, lambda: _core.write(region, form))
-
-
 def _given(first: str | None, last: str | None, steps: int | None) -> list[str]:
     options = (("--from", first), ("--to", last), ("--steps", steps))
     return [option for option, value in options if value is not None]
@@ -221,17 +203,10 @@ def _scales(first: str | None, last: str | None, steps: int | None, file: Path |
     return evenly_spaced(begin, end, steps)
 
 
-def _folder(output: Path | None, form: str) -> SweepFolder | None:
-    if form not in FORMATS:
-        raise Refusal(f"there is no format {form!r}", "--format", choice(form, FORMATS))
-    return SweepFolder(output, form) if output is not None else None
-
-
 def _print(value: dict[str, Any], rows: RowSpool) -> None:
-    table = Table(box=None, pad_edge=False)
     steps = ("insertions", "deletions", "swaps", "updated") if value["route"] == "dynamic" else ()
-    for heading in ("scale", "area", "components", "holes", "vertices", *steps, "ms"):
-        table.add_column(heading, justify="right", no_wrap=True)
+    headings = ("scale", "area", "components", "holes", "vertices", *steps, "ms")
+    table = plain_table(*headings, right=headings, whole=True)
     for row in rows.first(SHOWN):
         counts = (row[name] for name in ("components", "holes", "vertices"))
         did = (row[name] for name in steps)
@@ -242,21 +217,13 @@ def _print(value: dict[str, Any], rows: RowSpool) -> None:
             *(f"{count:,}" for count in (*counts, *did)),
             f"{seconds * 1000:.3f}",
         )
-    out = console()
-    out.print(table)
-    if len(rows) > SHOWN:
-        sys.stdout.write(f"{len(rows) - SHOWN:,} more: --json or -o DIR gives all\n")
     summary = [
         ("sweep", f"{value['P']} + {value['Q']}, {counted(len(rows), 'scale')}"),
         ("route", value["route"]),
         ("all events", f"{value['preprocessing_seconds']:.3f} s"),
         ("seconds", f"{value['seconds']:.3f}"),
     ]
-    if value["output"]:
-        summary.append(("written", value["output"]))
-    sys.stdout.write("\n" + lines(summary))
-    for warning in value["warnings"]:
-        sys.stderr.write(f"warning: {escaped(warning)}\n")
+    print_sweep(table, rows, summary, value)
 
 
 def _short(number: str) -> str:

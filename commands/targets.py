@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import sys
 from typing import Any
 
 from minkref.commands.line.options import Json, Schema
-from minkref.documents import Stopwatch, as_text, document
+from minkref.commands.line.output import give, plain_table
+from minkref.documents import Stopwatch, document
 from minkref.fuzz.targets.catalogue import TargetEntry, list_targets
 from minkref.terminal import console, escaped
-from rich.table import Table
 
 EXAMPLES = """Examples:
 
@@ -23,10 +22,7 @@ def command(json: Json = False, schema: Schema = False) -> None:
     missing."""
     watch = Stopwatch()
     value = document("targets", watch, targets=[_row(target) for target in list_targets()])
-    if json:
-        sys.stdout.write(as_text(value))
-    else:
-        _print(value)
+    give(value, json, _print)
 
 
 def _row(target: TargetEntry) -> dict[str, Any]:
@@ -34,9 +30,7 @@ def _row(target: TargetEntry) -> dict[str, Any]:
 
 
 def _print(value: dict[str, Any]) -> None:
-    table = Table(box=None, pad_edge=False)
-    for heading in ("target", "version", "what it is", "state"):
-        table.add_column(heading)
+    table = plain_table("target", "version", "what it is", "state")
     absent: dict[str, list[str]] = {}
     for row in value["targets"]:
         table.add_row(

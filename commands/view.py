@@ -13,21 +13,21 @@ import typer
 from minkref import _core
 from minkref.commands.line.memory import SMALLER, Memory, memory_wall
 from minkref.commands.line.options import FirstOperand, Json, Schema, SecondOperand
+from minkref.commands.line.output import give, print_lines
 from minkref.commands.lists.scale_index import (
     IndexFile,
+    chosen_route,
     index_of,
     refuse_overwriting_index,
-    route_with,
 )
 from minkref.commands.pages.plane.picture import Progress, Sums, Window, picture
 from minkref.commands.pages.plane.write_page import page
-from minkref.documents import Stopwatch, as_text, document
-from minkref.errors import Refusal, choice, refusing
+from minkref.documents import Stopwatch, document
+from minkref.errors import Refusal, refusing
 from minkref.exact import approximate, read_scale
 from minkref.operand import read_operand
 from minkref.output_target import Target, target_of
 from minkref.space.operand import in_space
-from minkref.terminal import escaped, lines
 from rich.console import Console
 
 EXAMPLES = """Examples:
@@ -102,9 +102,7 @@ def command(
         from_scale = bounds[0] if from_scale is None else from_scale
         to_scale = bounds[1] if to_scale is None else to_scale
     window = _window(from_scale, to_scale, _given(("--scale", scale), ("--scales", scales)))
-    route = route_with(index, route, ROUTES[0])
-    if route not in ROUTES:
-        raise Refusal(f"there is no route {route!r}", "--route", choice(route, ROUTES))
+    route = chosen_route(index, route, ROUTES)
     target = _page_target(output, json)
     refuse_overwriting_index(output, index)
     first, second = read_operand(P), read_operand(Q)
@@ -136,10 +134,7 @@ def command(
         bytes=count,
         **_counts(data),
     )
-    if json:
-        sys.stdout.write(as_text(value))
-    else:
-        _print(value)
+    give(value, json, _print)
 
 
 def _given(*options: tuple[str, object | None]) -> list[str]:
@@ -217,6 +212,4 @@ def _print(value: dict[str, Any]) -> None:
         ("seconds", f"{value['seconds']:.3f}"),
         ("written", f"{value['output']}, {value['bytes']:,} bytes"),
     ]
-    sys.stdout.write(lines(rows))
-    for warning in value["warnings"]:
-        sys.stderr.write(f"warning: {escaped(warning)}\n")
+    print_lines(rows, value)

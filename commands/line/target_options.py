@@ -5,7 +5,9 @@ from __future__ import annotations
 from typing import Annotated
 
 import typer
-from minkref.fuzz.isolation.isolation import KINDS
+from minkref.commands.verify_limits import check_numbers
+from minkref.fuzz.isolation.isolation import KINDS, Isolation, choose
+from minkref.fuzz.targets.answer import Limits
 
 CallSeconds = Annotated[
     float, typer.Option("--call-seconds", help="Time limit of one call of one target.")
@@ -39,3 +41,12 @@ PassedVariables = Annotated[
         metavar="NAME",
     ),
 ]
+
+
+def walls_and_limits(
+    seconds: float, memory: int, processes: int, isolation: str, passed: list[str] | None
+) -> tuple[Isolation, Limits]:
+    """Of a command that asks one target. `memory` in MiB. Refuses what is out of range."""
+    check_numbers(0, None, None, seconds, memory, 1, None, call_processes=processes)
+    walls = choose(isolation, tuple(passed or ()))
+    return walls, Limits(seconds, memory << 20, processes=processes, isolation=walls)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from pathlib import Path
 from typing import Annotated
@@ -12,7 +12,7 @@ import typer
 from minkref import _core
 from minkref.commands.line.progress import Steps, progress
 from minkref.documents import refuse_overwriting
-from minkref.errors import Refusal, refusing
+from minkref.errors import Refusal, choice, refusing
 from minkref.operand import Operand
 
 IndexFile = Annotated[
@@ -45,17 +45,21 @@ def refuse_overwriting_index(output: Path | None, index: Path | None) -> None:
         refuse_overwriting(output, [index])
 
 
-def route_with(index: Path | None, route: str | None, default: str) -> str:
-    """The route that the options name together."""
-    if index is None:
-        return default if route is None else route
-    if route not in (None, "index"):
+def chosen_route(
+    index: Path | None, route: str | None, routes: Sequence[str], default: str | None = None
+) -> str:
+    """The route that the options name together. `default`: the first of them, or another one."""
+    if index is not None and route not in (None, "index"):
         raise Refusal(
             f"an index is given, but the route {route} does not use it",
             f"--index {index} --route {route}",
             "leave out one of the two options",
         )
-    return "index"
+    if route is None:
+        return "index" if index is not None else default or routes[0]
+    if route not in routes:
+        raise Refusal(f"there is no route {route!r}", "--route", choice(route, routes))
+    return route
 
 
 def build_index(

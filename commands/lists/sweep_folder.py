@@ -9,17 +9,16 @@ from __future__ import annotations
 import json
 import os
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from minkref import _core
 from minkref.documents import TEMPORARY, check_writable, write_atomically
-from minkref.errors import Refusal
+from minkref.errors import Refusal, choice
 from minkref.output_target import refuse_stream
 from minkref.terminal import escaped
 
 INDEX = "index.json"
-SHOWN = 1000  # scales that people see
 UNFINISHED = f"{TEMPORARY}sweep"
 FORMATS = tuple(dict.fromkeys(("json", *_core.SET_FORMATS)))
 SPACE_FORMATS = tuple(dict.fromkeys(("json", *_core.MESH_FORMATS)))
@@ -37,7 +36,7 @@ class SweepFolder:
     def __init__(self, path: Path, form: str) -> None:
         """Refuses a folder that cannot be written, or that holds anything but a sweep."""
         self.path = path
-        self._form = form
+        self.form = form
         self._begun = False
         mend = "name a folder, or leave out -o: --json prints what is found at each scale"
         refuse_stream(path, "a sweep is a folder of files", mend)
@@ -80,7 +79,7 @@ class SweepFolder:
 
     def name(self, number: int) -> str:
         """Of the file of a scale; they are numbered from 1."""
-        return f"sum-{number:04}.{self._form}"
+        return f"sum-{number:04}.{self.form}"
 
     def write(self, name: str, text: str | Iterable[str]) -> None:
         self._begin()
@@ -108,6 +107,19 @@ class SweepFolder:
             what = f"the folder cannot be written: {error.strerror}"
             raise Refusal(what, str(self.path), "choose another place", "cannot-write") from error
         self._begun = True
+
+
+def sweep_folder(
+    output: Path | None, form: str | None, formats: Sequence[str], where: str = ""
+) -> SweepFolder | None:
+    """That of -o and --format. `where`: what to say before the formats that there are."""
+    if form is not None and output is None:
+        raise Refusal(
+            "there are no files without -o", f"--format {form}", "add -o DIR, or leave out --format"
+        )
+    if form is not None and form not in formats:
+        raise Refusal(f"there is no format {form!r}", "--format", where + choice(form, formats))
+    return None if output is None else SweepFolder(output, form or formats[0])
 
 
 def _is_sweep(path: Path) -> bool:

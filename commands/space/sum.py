@@ -3,21 +3,19 @@
 from __future__ import annotations
 
 import json as json_text
-import sys
 from pathlib import Path
 from typing import Any
 
 from minkref import _core
 from minkref.commands.line.memory import SIMPLER, memory_wall
+from minkref.commands.line.output import give, measure, print_lines, written_row
 from minkref.commands.lists.sweep_folder import SPACE_FORMATS
-from minkref.documents import Stopwatch, as_text, document, refuse_overwriting
+from minkref.documents import Stopwatch, document, refuse_overwriting
 from minkref.errors import Refusal, choice, refusing
-from minkref.exact import scientific
 from minkref.output_target import target_of
 from minkref.space.operand import SpaceOperand, read_space_operand
 from minkref.space.scaling import read_scaling, text_of
 from minkref.space.sums import ROUTES, compute, sum_fields
-from minkref.terminal import escaped, lines
 
 
 def sum_in_space(
@@ -68,10 +66,7 @@ def sum_in_space(
             for name, operand in (("P", first), ("Q", second))
         },
     )
-    if json:
-        sys.stdout.write(as_text(value))
-    else:
-        _print(value, text_of(scaling))
+    give(value, json, lambda value: _print(value, text_of(scaling)))
 
 
 def _canonical(operand: SpaceOperand) -> _core.Polyhedron:
@@ -92,21 +87,14 @@ def _checked_route(route: str, arithmetic: str) -> str:
 
 
 def _print(value: dict[str, Any], scaling: str) -> None:
-    volume = value["volume"]
-    exactly = volume if len(volume) <= 60 else f"({len(volume):,} characters; --json prints it)"
-    near = value["volume_approximate"]
     rows = [
         ("sum", f"{scaling} {value['P']} + {value['Q']}"),
         ("route", f"{value['route']}, exact"),
-        ("volume", f"{scientific(volume) if near is None else f'{near:.10g}'} = {exactly}"),
+        ("volume", measure(value["volume"], value["volume_approximate"])),
         ("vertices, edges, facets",
          f"{value['vertices']:,}, {value['edges']:,}, {value['facets']:,}"),
         ("digest", value["digest"]),
         ("seconds", f"{value['seconds']:.3f}"),
     ]  # fmt: skip
-    if value["output"]:
-        rounded = "" if value["output_exact"] else " (rounded; .json is exact)"
-        rows.append(("written", value["output"] + rounded))
-    sys.stdout.write(lines(rows))
-    for warning in value["warnings"]:
-        sys.stderr.write(f"warning: {escaped(warning)}\n")
+    rows += written_row(value)
+    print_lines(rows, value)

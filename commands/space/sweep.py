@@ -10,20 +10,24 @@ from typing import Any
 
 from minkref import _core
 from minkref.commands.line.memory import SIMPLER, memory_wall
+from minkref.commands.line.output import plain_table
 from minkref.commands.line.progress import progress
 from minkref.commands.lists.row_spool import Row, RowSpool
-from minkref.commands.lists.sweep_folder import INDEX, SHOWN, SPACE_FORMATS, SweepFolder
+from minkref.commands.lists.sweep_folder import SPACE_FORMATS, sweep_folder
+from minkref.commands.lists.sweep_rows import SHOWN, Setting, print_sweep, sweep_rows, write_index
 from minkref.documents import Stopwatch, document, listing
-from minkref.errors import Refusal, choice, refusing
+from minkref.errors import Refusal, refusing
 from minkref.exact import approximate
 from minkref.signals import ending_in_order
 from minkref.space.operand import SpaceOperand, read_space_operand
 from minkref.space.scaling import Scaling, read_scalings, text_of
 from minkref.space.space_sum import SpaceSum
 from minkref.space.sums import compute, sum_fields, timed
-from minkref.terminal import console, counted, escaped, lines
-from rich.table import Table
+from minkref.terminal import counted, escaped
 
+SPACE = Setting[Scaling, _core.Polyhedron](
+    lambda scaling: escaped(text_of(scaling))[:30], _core.write_mesh, _core.writes_mesh_exactly
+)
 COUNTS = ("fv_errors", "vf_errors", "ee_errors", "descent_steps", "chains_walked")
 
 
@@ -34,15 +38,7 @@ def sweep_in_space(
     """The command, its options read but not yet checked. `given` are options of the plane."""
     watch = Stopwatch()
     scalings = _scalings(scales, given)
-    if form is not None and output is None:
-        raise Refusal(
-            "there are no files without -o", f"--format {form}", "add -o DIR, or leave out --format"
-        )
-    form = form or "json"
-    if form not in SPACE_FORMATS:
-        mend = f"in space: {choice(form, SPACE_FORMATS)}"
-        raise Refusal(f"there is no format {form!r}", "--format", mend)
-    folder = SweepFolder(output, form) if output is not None else None
+    folder = sweep_folder(output, form, SPACE_FORMATS, "in space: ")
     first, second = read_space_operand(P), read_space_operand(Q)
     if folder is not None:
         folder.refuse_overwriting([first.file, second.file])
@@ -51,17 +47,7 @@ def sweep_in_space(
         start = time.perf_counter()
         step = _steps(first, second, scalings[0])
         first_seconds = time.perf_counter() - start
-        rows = RowSpool()
-        for number, scaling in enumerate(scalings, start=1):
-            line.now(f"scale {escaped(text_of(scaling))[:30]}")
-            row, surface = step(scaling)
-            row["file"] = row["file_exact"] = None
-            if folder is not None:
-                row["file"] = folder.name(number)
-                row["file_exact"] = _core.writes_mesh_exactly(surface, form)
-                folder.write(row["file"], _core.write_mesh(surface, form))
-            rows.add(row)
-            line.done()
+        rows = sweep_rows(scalings, step, SPACE, folder, line)
         value = document(
             "sweep",
             watch,
@@ -70,11 +56,10 @@ def sweep_in_space(
             Q=second.name,
             warnings=first.warnings + second.warnings,
             output=str(output) if output else None,
-            format=form if output else None,
+            format=folder.form if folder else None,
             preprocessing_seconds=first_seconds,
         )
-        if folder is not None:
-            folder.write(INDEX, listing(value, "rows", rows))
+        write_index(folder, value, rows)
     if json:
         sys.stdout.writelines(listing(value, "rows", rows))
     else:
@@ -121,10 +106,9 @@ def _scalings(scales: Path | None, given: list[str]) -> list[Scaling]:
 
 
 def _print(value: dict[str, Any], rows: RowSpool) -> None:
-    table = Table(box=None, pad_edge=False)
-    for heading in ("scale", "volume", "vertices", "facets", "fv", "vf", "ee", "steps", "chains",
-                    "update µs", "sum ms"):  # fmt: skip
-        table.add_column(heading, justify="right", no_wrap=True)
+    headings = ("scale", "volume", "vertices", "facets", "fv", "vf", "ee", "steps", "chains",
+                "update µs", "sum ms")  # fmt: skip
+    table = plain_table(*headings, right=headings, whole=True)
     for row in rows.first(SHOWN):
         table.add_row(
             text_of((row["scale"][0], row["scale"][1], row["scale"][2])),
@@ -135,16 +119,9 @@ def _print(value: dict[str, Any], rows: RowSpool) -> None:
             f"{row['update_seconds'] * 1e6:,.1f}",
             f"{row['sum_seconds'] * 1000:,.2f}",
         )
-    console().print(table)
-    if len(rows) > SHOWN:
-        sys.stdout.write(f"{len(rows) - SHOWN:,} more: --json or -o DIR gives all\n")
     summary = [
         ("sweep", f"{value['P']} + {value['Q']}, {counted(len(rows), 'scaling')}"),
         ("fv, vf, ee", "facets of P and Q whose vertex changed, pairs of edges that are no more"),
         ("seconds", f"{value['seconds']:.3f}"),
     ]
-    if value["output"]:
-        summary.append(("written", value["output"]))
-    sys.stdout.write("\n" + lines(summary))
-    for warning in value["warnings"]:
-        sys.stderr.write(f"warning: {escaped(warning)}\n")
+    print_sweep(table, rows, summary, value)

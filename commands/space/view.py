@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 from typing import Any
 
 from minkref import _core
 from minkref.commands.line.memory import SIMPLER, memory_wall
+from minkref.commands.line.output import give, print_lines
 from minkref.commands.line.progress import progress
 from minkref.commands.pages.space.view_page import (
     KINDS,
@@ -20,7 +20,7 @@ from minkref.commands.pages.space.view_page import (
     viewer,
     viewer_name,
 )
-from minkref.documents import Stopwatch, as_text, document
+from minkref.documents import Stopwatch, document
 from minkref.errors import Refusal, refusing
 from minkref.exact import approximate
 from minkref.output_target import Target
@@ -28,7 +28,7 @@ from minkref.signals import ending_in_order
 from minkref.space.operand import read_space_operand
 from minkref.space.scaling import Scaling, read_scaling, read_scalings, text_of
 from minkref.space.sums import bodies, timed
-from minkref.terminal import counted, escaped, lines
+from minkref.terminal import counted, escaped
 
 
 def view_in_space(
@@ -67,10 +67,7 @@ def view_in_space(
         viewer=viewer_name(),
         frames=rows,
     )
-    if json:
-        sys.stdout.write(as_text(value))
-    else:
-        _print(value)
+    give(value, json, _print)
 
 
 def _frame(
@@ -114,9 +111,7 @@ def _print(value: dict[str, Any]) -> None:
     ]
     if len(frames) == 1:
         rows = [row for row in rows if row[0] != "updates"]
-    sys.stdout.write(lines(rows))
-    for warning in value["warnings"]:
-        sys.stderr.write(f"warning: {escaped(warning)}\n")
+    print_lines(rows, value)
 
 
 def _words(name: str) -> str:
