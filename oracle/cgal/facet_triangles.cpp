@@ -1,25 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "oracle/cgal/facet_triangles.hpp"
 
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
-#include <deque>
-
-#include "oracle/cgal/kernel.hpp"
+#include "oracle/cgal/nesting.hpp"
 
 namespace minkref::cgal_oracle {
 namespace {
 
-struct Nesting {
-  int cycles_around = -1;  ///< unknown
-};
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Kernel>;
-using FaceBase = CGAL::Constrained_triangulation_face_base_2<
-    Kernel, CGAL::Triangulation_face_base_with_info_2<Nesting, Kernel>>;
-using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<
-    Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
+using Triangulation =
+    NestedTriangulation<CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Kernel>>;
 
 /// The plane of two coordinates in which the facet has an area, counter-clockwise as in space.
 Kernel::Point_2 flat(const SpacePoint& p, const SpacePoint& normal) {
@@ -30,27 +20,6 @@ Kernel::Point_2 flat(const SpacePoint& p, const SpacePoint& normal) {
   if (x >= y && x >= z) return point(p.y, p.z, normal.x > 0);
   if (y >= z) return point(p.z, p.x, normal.y > 0);
   return point(p.x, p.y, normal.z > 0);
-}
-
-/// From the outside inwards, one more cycle across each constraint.
-void count_cycles(Triangulation& triangulation) {
-  std::deque<Triangulation::Face_handle> queue{triangulation.infinite_face()};
-  queue.front()->info().cycles_around = 0;
-  while (!queue.empty()) {
-    const auto face = queue.front();
-    queue.pop_front();
-    for (int i = 0; i < 3; ++i) {
-      const auto next = face->neighbor(i);
-      if (next->info().cycles_around >= 0) continue;
-      const bool across = face->is_constrained(i);
-      next->info().cycles_around = face->info().cycles_around + (across ? 1 : 0);
-      if (across) {
-        queue.push_back(next);
-      } else {
-        queue.push_front(next);
-      }
-    }
-  }
 }
 
 }  // namespace
@@ -79,9 +48,9 @@ void triangulate_facet(const std::vector<SpacePoint>& vertices, const std::vecto
     }
   }
   if (triangulation.dimension() < 2) return;
-  count_cycles(triangulation);
+  count_rings(triangulation);
   for (auto f = triangulation.finite_faces_begin(); f != triangulation.finite_faces_end(); ++f) {
-    if (f->info().cycles_around % 2 == 0) continue;
+    if (f->info().rings_around % 2 == 0) continue;
     triangles.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
   }
 }

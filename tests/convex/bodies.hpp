@@ -1,6 +1,8 @@
 // Polyhedra for tests.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <random>
 #include <vector>
 
@@ -8,6 +10,16 @@
 #include "reference/space/convex/static_convex_sum.hpp"
 
 namespace minkref::bodies {
+
+/// Checks with dice of the seeds 1, 2, ..., count; a failure names the seed, a fatal one ends it.
+template <typename Check>
+void for_each_seed(unsigned count, Check&& check) {
+  for (unsigned seed = 1; seed <= count && !::testing::Test::HasFatalFailure(); ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 dice(seed);
+    check(dice);
+  }
+}
 
 /// In canonical form.
 inline Polyhedron canonical(const Polyhedron& surface) {
@@ -20,6 +32,14 @@ inline Polyhedron box(int x, int y, int z) {
   return {{at(0, 0, 0), at(x, 0, 0), at(x, y, 0), at(0, y, 0), at(0, 0, z), at(x, 0, z),
            at(x, y, z), at(0, y, z)},
           {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
+}
+
+/// A box whose top is four triangles that meet in an apex.
+inline Polyhedron with_apex(Polyhedron box, const SpacePoint& apex) {
+  box.vertices.push_back(apex);
+  box.faces.erase(box.faces.begin() + 1);
+  for (std::uint32_t k = 0; k < 4; ++k) box.faces.push_back({4 + k, 4 + (k + 1) % 4, 8});
+  return box;
 }
 
 inline Polyhedron tetrahedron(SpacePoint a, SpacePoint b, SpacePoint c, SpacePoint d) {

@@ -9,6 +9,7 @@ namespace minkref {
 namespace {
 
 using bodies::canonical;
+using bodies::for_each_seed;
 using bodies::random_body;
 using bodies::random_scaling;
 using bodies::sum;
@@ -16,69 +17,55 @@ using bodies::sum;
 constexpr unsigned seeds = 60;
 
 TEST(ConvexSum, IsCommutative) {
-  for (unsigned seed = 1; seed <= seeds; ++seed) {
-    SCOPED_TRACE(seed);
-    std::mt19937 dice(seed);
+  for_each_seed(seeds, [&](std::mt19937& dice) {
     const Polyhedron P = random_body(dice, 3), Q = random_body(dice, 3);
     const Scaling s = random_scaling(dice);
     EXPECT_EQ(sum(P, Q, s).surface, sum(Q, scaled(P, s)).surface);
-  }
+  });
 }
 
 TEST(ConvexSum, OfScaledOperandsIsTheScaledSum) {
-  for (unsigned seed = 1; seed <= seeds; ++seed) {
-    SCOPED_TRACE(seed);
-    std::mt19937 dice(seed);
+  for_each_seed(seeds, [&](std::mt19937& dice) {
     const Polyhedron P = random_body(dice, 3), Q = random_body(dice, 3);
     const Scaling s = random_scaling(dice);
     EXPECT_EQ(sum(P, scaled(Q, s), s).surface, scaled(sum(P, Q).surface, s));
-  }
+  });
 }
 
 TEST(ConvexSum, IsTranslatedWithTheUnscaledOperand) {
-  for (unsigned seed = 1; seed <= seeds; ++seed) {
-    SCOPED_TRACE(seed);
-    std::mt19937 dice(seed);
+  for_each_seed(seeds, [&](std::mt19937& dice) {
     const Polyhedron P = random_body(dice, 3), Q = random_body(dice, 3);
     const Scaling s = random_scaling(dice);
     const SpacePoint by{Rational(1, 3), -7, Rational("123456789123456789123")};
     EXPECT_EQ(sum(P, translated(Q, by), s).surface, translated(sum(P, Q, s).surface, by));
-  }
+  });
 }
 
 TEST(ConvexSum, IsAssociative) {
-  for (unsigned seed = 1; seed <= 20; ++seed) {
-    SCOPED_TRACE(seed);
-    std::mt19937 dice(seed);
+  for_each_seed(20, [&](std::mt19937& dice) {
     const Polyhedron a = random_body(dice, 2), b = random_body(dice, 2), c = random_body(dice, 2);
     EXPECT_EQ(sum(sum(a, b).surface, c).surface, sum(a, sum(b, c).surface).surface);
-  }
+  });
 }
 
 TEST(ConvexSum, WithItselfIsTheBodyTwiceAsLarge) {
-  for (unsigned seed = 1; seed <= seeds; ++seed) {
-    SCOPED_TRACE(seed);
-    std::mt19937 dice(seed);
+  for_each_seed(seeds, [&](std::mt19937& dice) {
     const Polyhedron P = random_body(dice, 3);
     EXPECT_EQ(sum(P, P).surface, scaled(canonical(P), {2, 2, 2}));
-  }
+  });
 }
 
 TEST(ConvexSum, AllRoutesFindTheSamePairs) {
-  for (unsigned seed = 1; seed <= seeds; ++seed) {
-    SCOPED_TRACE(seed);
-    std::mt19937 dice(seed);
+  for_each_seed(seeds, [&](std::mt19937& dice) {
     const ConvexPolyhedron P(random_body(dice, 3)), Q(random_body(dice, 3));
     Contacts contacts(P, Q);
     contacts.rescale(random_scaling(dice));
     EXPECT_EQ(by_traversal(contacts), by_brute_force(contacts));
-  }
+  });
 }
 
 TEST(ConvexSum, UpdatesGiveWhatIsFoundFromScratch) {
-  for (unsigned seed = 1; seed <= seeds; ++seed) {
-    SCOPED_TRACE(seed);
-    std::mt19937 dice(seed);
+  for_each_seed(seeds, [&](std::mt19937& dice) {
     const ConvexPolyhedron P(random_body(dice, 3)), Q(random_body(dice, 3));
     DynamicConvexSum moving(P, Q, random_scaling(dice));
     Contacts contacts(P, Q);
@@ -91,14 +78,12 @@ TEST(ConvexSum, UpdatesGiveWhatIsFoundFromScratch) {
       EXPECT_EQ(moving.vertices().pairs(), SumVertices(P, Q, found).pairs());
       EXPECT_EQ(surface_of(moving).surface, surface_of(P, Q, s, found).surface);
     }
-  }
+  });
 }
 
 /// Where many checks are left out because the scaling has hardly drifted.
 TEST(ConvexSum, ManySmallUpdatesGiveWhatIsFoundFromScratch) {
-  for (unsigned seed = 1; seed <= 10; ++seed) {
-    SCOPED_TRACE(seed);
-    std::mt19937 dice(seed);
+  for_each_seed(10, [&](std::mt19937& dice) {
     const ConvexPolyhedron P(random_body(dice, 9)), Q(random_body(dice, 9));
     Scaling s = bodies::unit;
     DynamicConvexSum moving(P, Q, s);
@@ -112,7 +97,7 @@ TEST(ConvexSum, ManySmallUpdatesGiveWhatIsFoundFromScratch) {
       ASSERT_EQ(moving.compatibility(), by_traversal(contacts)) << "step " << step;
     }
     EXPECT_GT(left_out, 0U);
-  }
+  });
 }
 
 /// A scaling at which a facet of Q is parallel to an edge of P, and at others near it is not.
@@ -134,12 +119,10 @@ std::optional<Scaling> tie(std::mt19937& dice, const ConvexPolyhedron& P,
 /// Just below, at and just above a tie three states are different ones, whichever came before.
 TEST(ConvexSum, UpdatesOntoAndAcrossATieGiveWhatIsFoundFromScratch) {
   int ties = 0;
-  for (unsigned seed = 1; seed <= seeds; ++seed) {
-    SCOPED_TRACE(seed);
-    std::mt19937 dice(seed);
+  for_each_seed(seeds, [&](std::mt19937& dice) {
     const ConvexPolyhedron P(random_body(dice, 3)), Q(random_body(dice, 3));
     const std::optional<Scaling> at = tie(dice, P, Q);
-    if (!at) continue;
+    if (!at) return;
     ++ties;
     Scaling below = *at, above = *at;
     below[2] *= Rational(999, 1000);
@@ -153,7 +136,7 @@ TEST(ConvexSum, UpdatesOntoAndAcrossATieGiveWhatIsFoundFromScratch) {
       ASSERT_EQ(moving.compatibility(), found);
       EXPECT_EQ(surface_of(moving).surface, surface_of(P, Q, s, found).surface);
     }
-  }
+  });
   EXPECT_GT(ties, 30);
 }
 

@@ -47,17 +47,7 @@ TEST(Incompatibility, DescentEndsWithTheCorrectedDegreeAndCirclesWithThePrinted)
   const ConvexPolyhedron P(bodies::box(1, 1, 1));
   // A tower with a flat roof: from under the roof the longest edge goes down, and back up again.
   const ConvexPolyhedron Q(
-      Polyhedron{{at(0, 0, -9), at(2, 0, -9), at(2, 2, -9), at(0, 2, -9), at(0, 0, 0), at(2, 0, 0),
-                  at(2, 2, 0), at(0, 2, 0), at(1, 1, 1)},
-                 {{0, 3, 2, 1},
-                  {0, 1, 5, 4},
-                  {1, 2, 6, 5},
-                  {2, 3, 7, 6},
-                  {3, 0, 4, 7},
-                  {4, 5, 8},
-                  {5, 6, 8},
-                  {6, 7, 8},
-                  {7, 4, 8}}});
+      translated(bodies::with_apex(bodies::box(2, 2, 9), at(1, 1, 10)), at(0, 0, -9)));
   const std::uint32_t top = facet_with_normal(P, 0, 0, 1);
   for (std::uint32_t v = 0; v < Q.vertices(); ++v) {
     EXPECT_EQ(descend(P, top, Q, v, bodies::unit, Form::corrected), vertex_at(Q, 1, 1, 1));
@@ -66,9 +56,7 @@ TEST(Incompatibility, DescentEndsWithTheCorrectedDegreeAndCirclesWithThePrinted)
 }
 
 TEST(Incompatibility, DescentAgreesWithTheUpdate) {
-  for (unsigned seed = 1; seed <= 40; ++seed) {
-    SCOPED_TRACE(seed);
-    std::mt19937 dice(seed);
+  bodies::for_each_seed(40, [&](std::mt19937& dice) {
     const ConvexPolyhedron P(bodies::random_body(dice, 50)), Q(bodies::random_body(dice, 50));
     const Scaling s = bodies::random_scaling(dice);
     Contacts contacts(P, Q);
@@ -81,7 +69,7 @@ TEST(Incompatibility, DescentAgreesWithTheUpdate) {
                 0);
       EXPECT_EQ(incompatibility(P, f, Q, *reached, s, Form::corrected).squared_degree, 0);
     }
-  }
+  });
 }
 
 }  // namespace

@@ -38,6 +38,22 @@ Polyhedron changed(Polyhedron surface, const std::function<void(Polyhedron&)>& c
   return surface;
 }
 
+void expect_code(const std::string& code, const Polyhedron& surface) {
+  const auto fault = refusal(surface);
+  ASSERT_TRUE(fault.has_value()) << code;
+  EXPECT_EQ(fault->code(), code) << fault->what();
+}
+
+/// Two surfaces as one.
+Polyhedron both(Polyhedron one, const Polyhedron& other) {
+  const auto before = static_cast<std::uint32_t>(one.vertices.size());
+  one.vertices.insert(one.vertices.end(), other.vertices.begin(), other.vertices.end());
+  for (const Face& face : other.faces) {
+    for (std::uint32_t& v : one.faces.emplace_back(face)) v += before;
+  }
+  return one;
+}
+
 const Polyhedron cube = box(1, 1, 1);
 
 TEST(RefusedBody, FaceNamesAVertexThatIsNotThere) {
@@ -121,45 +137,18 @@ TEST(RefusedBody, TwoBodiesThatShareAVertex) {
 }
 TEST(RefusedBody, Dent) {
   // The apex of a pyramid pushed in.
-  const Polyhedron dented{{at(0, 0, 0), at(4, 0, 0), at(4, 4, 0), at(0, 4, 0), at(0, 0, 4),
-                           at(4, 0, 4), at(4, 4, 4), at(0, 4, 4), at(2, 2, 3)},
-                          {{0, 3, 2, 1},
-                           {0, 1, 5, 4},
-                           {1, 2, 6, 5},
-                           {2, 3, 7, 6},
-                           {3, 0, 4, 7},
-                           {4, 5, 8},
-                           {5, 6, 8},
-                           {6, 7, 8},
-                           {7, 4, 8}}};
-  const auto fault = refusal(dented);
+  const auto fault = refusal(bodies::with_apex(box(4, 4, 4), at(2, 2, 3)));
   ASSERT_TRUE(fault.has_value());
   EXPECT_EQ(fault->code(), "not-convex");
   EXPECT_TRUE(fault->place().face.has_value());
   EXPECT_EQ(fault->place().vertices.size(), 1U);
 }
 TEST(RefusedBody, TwoBodiesApart) {
-  Polyhedron two = cube;
-  for (const SpacePoint& v : cube.vertices) two.vertices.push_back({v.x + 5, v.y, v.z});
-  for (const Face& face : cube.faces) {
-    Face& moved = two.faces.emplace_back(face);
-    for (std::uint32_t& v : moved) v += 8;
-  }
-  const auto fault = refusal(two);
-  ASSERT_TRUE(fault.has_value());
-  EXPECT_EQ(fault->code(), "not-convex");
+  expect_code("not-convex", both(cube, translated(cube, at(5, 0, 0))));
 }
 /// Convex at every edge, but one body lies in the other: the surface runs around twice.
 TEST(RefusedBody, OneBodyInAnother) {
-  Polyhedron two = box(9, 9, 9);
-  for (const SpacePoint& v : cube.vertices) two.vertices.push_back({v.x + 4, v.y + 4, v.z + 4});
-  for (const Face& face : cube.faces) {
-    Face& moved = two.faces.emplace_back(face);
-    for (std::uint32_t& v : moved) v += 8;
-  }
-  const auto fault = refusal(two);
-  ASSERT_TRUE(fault.has_value());
-  EXPECT_EQ(fault->code(), "not-convex");
+  expect_code("not-convex", both(box(9, 9, 9), translated(cube, at(4, 4, 4))));
 }
 TEST(RefusedBody, NothingAPointAndASegment) {
   EXPECT_EQ(refusal({})->code(), "not-solid");

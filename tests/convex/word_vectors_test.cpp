@@ -12,6 +12,7 @@ namespace minkref {
 namespace {
 
 using bodies::box;
+using bodies::for_each_seed;
 using bodies::random_body;
 using bodies::random_scaling;
 
@@ -90,9 +91,7 @@ TEST(WordVectors, HoldCoordinatesUpToTheirLimitOnly) {
 
 /// Far from the origin the coordinates of the sum need more than words.
 TEST(ConvexSum, IsTheSameSurfaceInWordsAndInIntegers) {
-  for (unsigned seed = 1; seed <= 40; ++seed) {
-    SCOPED_TRACE(seed);
-    std::mt19937 dice(seed);
+  for_each_seed(40, [&](std::mt19937& dice) {
     const Polyhedron P = random_body(dice, 3), Q = random_body(dice, 3);
     const Scaling s = random_scaling(dice);
     const Rational far = Integer(1) << 70;
@@ -101,7 +100,7 @@ TEST(ConvexSum, IsTheSameSurfaceInWordsAndInIntegers) {
     EXPECT_EQ(moved.surface, translated(near.surface, {far, -far, far}));
     EXPECT_EQ(moved.facet_parents, near.facet_parents);
     EXPECT_EQ(moved.vertex_parents, near.vertex_parents);
-  }
+  });
 }
 
 /// More corners than vector areas in words allow.

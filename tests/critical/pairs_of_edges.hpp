@@ -8,6 +8,7 @@
 #include "reference/number/eigen.hpp"
 #include "reference/number/rational.hpp"
 #include "reference/plane/moving/moving_edge.hpp"
+#include "tests/critical/segments_meet.hpp"
 #include "tests/plane/random_polygons.hpp"
 
 namespace minkref::testing {
@@ -56,19 +57,7 @@ inline bool meet_at(const PairOfEdges& pair, const Rational& s) {
   };
   const Vector a0 = end(pair.a, false), a1 = end(pair.a, true);
   const Vector b0 = end(pair.b, false), b1 = end(pair.b, true);
-  const auto side = [](const Vector& from, const Vector& to, const Vector& x) {
-    return sign(Rational((to.x() - from.x()) * (x.y() - from.y()) -
-                         (to.y() - from.y()) * (x.x() - from.x())));
-  };
-  const auto between = [](const Rational& x, const Rational& u, const Rational& v) {
-    return u < v ? u <= x && x <= v : v <= x && x <= u;
-  };
-  const auto on = [&](const Vector& from, const Vector& to, const Vector& x) {
-    return side(from, to, x) == 0 && between(x.x(), from.x(), to.x()) &&
-           between(x.y(), from.y(), to.y());
-  };
-  if (on(a0, a1, b0) || on(a0, a1, b1) || on(b0, b1, a0) || on(b0, b1, a1)) return true;
-  return side(a0, a1, b0) * side(a0, a1, b1) < 0 && side(b0, b1, a0) * side(b0, b1, a1) < 0;
+  return testing::do_segments_meet(a0, a1, b0, b1);
 }
 
 /// Types of pairs, as the kinds of a and b.

@@ -108,9 +108,9 @@ TEST(CaseFile, JsonNumbersOfACaseAreIntegers) {
 }
 
 TEST(CaseFile, ScalesThatAreNotPositiveAreRefused) {
-  EXPECT_EQ(code(case_text(R"("scales":["0"])")), "scale-not-positive");
-  EXPECT_EQ(code(case_text(R"("scales":["1","-1/2"])")), "scale-not-positive");
-  EXPECT_EQ(code(case_text(R"("interval":{"from":"0"})")), "scale-not-positive");
+  expect_code(code, "scale-not-positive",
+              {case_text(R"("scales":["0"])"), case_text(R"("scales":["1","-1/2"])"),
+               case_text(R"("interval":{"from":"0"})")});
   EXPECT_EQ(code(case_text(R"("interval":{"from":"2","to":"1"})")), "empty-interval");
 }
 
@@ -122,12 +122,10 @@ TEST(CaseFile, WhatTheSchemaForbidsIsRefused) {
   EXPECT_EQ(code(case_text(R"("scales":["1"],"tags":"hole")")), "wrong-type");
   EXPECT_EQ(code(case_text(R"("scales":["1"],"tags":[1])")), "wrong-type");
   EXPECT_EQ(code(case_text(R"("scales":["1"],"expected":[{"holes":1}])")), "missing-member");
-  EXPECT_EQ(code(case_text(R"("scales":["1"],"expected":[{"scale":"1","holes":-1}])")),
-            "wrong-type");
-  EXPECT_EQ(code(case_text(R"("scales":["1"],"expected":[{"scale":"1","holes":"1"}])")),
-            "wrong-type");
-  EXPECT_EQ(code(case_text(R"("scales":["1"],"expected":[{"scale":"1","digest":"abc"}])")),
-            "wrong-type");
+  expect_code(code, "wrong-type",
+              {case_text(R"("scales":["1"],"expected":[{"scale":"1","holes":-1}])"),
+               case_text(R"("scales":["1"],"expected":[{"scale":"1","holes":"1"}])"),
+               case_text(R"("scales":["1"],"expected":[{"scale":"1","digest":"abc"}])")});
   EXPECT_EQ(code(R"({"schema":"case-v2"})"), "unsupported-version");
   EXPECT_EQ(code(R"({"id":"a"})"), "missing-member");
   EXPECT_EQ(code(R"({"schema":"case-v1","dimension":3})"), "unsupported-dimension");

@@ -63,10 +63,9 @@ TEST(GeoJson, WhatIsNoOperandIsRefused) {
   EXPECT_EQ(code(R"({"type":"Point","coordinates":[1,2,3]})"), "three-dimensional");
   EXPECT_EQ(code(R"({"coordinates":[1,2]})"), "missing-member");
   EXPECT_EQ(code(R"({"type":"Polygon"})"), "missing-member");
-  EXPECT_EQ(code(R"({"type":7})"), "wrong-type");
-  EXPECT_EQ(code(R"([1,2])"), "wrong-type");
-  EXPECT_EQ(code(R"({"type":"Polygon","coordinates":{"0":1}})"), "wrong-type");
-  EXPECT_EQ(code(R"({"type":"Point","coordinates":[1]})"), "wrong-type");
+  expect_code(code, "wrong-type",
+              {R"({"type":7})", R"([1,2])", R"({"type":"Polygon","coordinates":{"0":1}})",
+               R"({"type":"Point","coordinates":[1]})"});
   EXPECT_EQ(code(R"({"type":"Point","coordinates":["1","2"]})"), "not-a-number");
   EXPECT_EQ(code(R"({"type":"Point","coordinates":[null,2]})"), "not-a-number");
 }

@@ -33,13 +33,12 @@ TEST(MeshJson, WrongStructureIsRefused) {
   EXPECT_EQ(code(R"({"vertices":[],"faces":[],"face":[]})"), "unknown-member");
   EXPECT_EQ(code(R"({"vertices":[],"vertices":[],"faces":[]})"), "duplicate-member");
   EXPECT_EQ(code(R"({"polygons":[]})"), "unknown-member");
-  EXPECT_EQ(code(R"({"vertices":{},"faces":[]})"), "wrong-type");
-  EXPECT_EQ(code(R"({"vertices":[],"faces":{}})"), "wrong-type");
-  EXPECT_EQ(code(R"({"vertices":[[1,2]],"faces":[]})"), "wrong-type");
-  EXPECT_EQ(code(R"({"vertices":[[1,2,3,4]],"faces":[]})"), "wrong-type");
-  EXPECT_EQ(code(R"({"vertices":[[1,2,null]],"faces":[]})"), "not-a-number");
-  EXPECT_EQ(code(R"({"vertices":[[1,2,NaN]],"faces":[]})"), "not-a-number");
-  EXPECT_EQ(code(R"({"vertices":[[1,2,"inf"]],"faces":[]})"), "not-a-number");
+  expect_code(code, "wrong-type",
+              {R"({"vertices":{},"faces":[]})", R"({"vertices":[],"faces":{}})",
+               R"({"vertices":[[1,2]],"faces":[]})", R"({"vertices":[[1,2,3,4]],"faces":[]})"});
+  expect_code(code, "not-a-number",
+              {R"({"vertices":[[1,2,null]],"faces":[]})", R"({"vertices":[[1,2,NaN]],"faces":[]})",
+               R"({"vertices":[[1,2,"inf"]],"faces":[]})"});
   EXPECT_EQ(code(R"({"vertices":[],"faces":[)"), "truncated");
   EXPECT_EQ(code(R"({"vertices":[],"faces":[]} 1)"), "trailing-text");
 }

@@ -56,9 +56,7 @@ TEST(Obj, AFourthCoordinateIsOneOrRefused) {
 
 TEST(Obj, ColoursOfVerticesAreSkipped) {
   EXPECT_EQ(obj("v 1 2 3 0.5 0.5 0.5\n").vertices[0], space_point("1", "2", "3"));
-  EXPECT_EQ(code("v 1 2 3 0.5 0.5\n"), "syntax");
-  EXPECT_EQ(code("v 1 2\n"), "syntax");
-  EXPECT_EQ(code("v\n"), "syntax");
+  expect_code(code, "syntax", {"v 1 2 3 0.5 0.5\n", "v 1 2\n", "v\n"});
 }
 
 TEST(Obj, ABackslashJoinsTheNextLineAndFaultsNameTheFirst) {

@@ -66,12 +66,9 @@ TEST(Off, HeadersOfOtherKindsAreRefused) {
   EXPECT_EQ(code("OFF BINARY\n1 2 3"), "unsupported-encoding");
   EXPECT_EQ(code("4OFF\n0 0 0\n"), "unsupported-geometry");
   EXPECT_EQ(code("nOFF\n3\n0 0 0\n"), "unsupported-geometry");
-  EXPECT_EQ(code("OFF4 4 6\n"), "syntax");
-  EXPECT_EQ(code("4 4 6\n" + vertices + faces), "syntax");
-  EXPECT_EQ(code("OFF\n4\n"), "syntax");
-  EXPECT_EQ(code("OFF\n4 4 6 7\n"), "syntax");
-  EXPECT_EQ(code("OFF\n-4 4 6\n"), "syntax");
-  EXPECT_EQ(code("OFF\n4 4 x\n"), "syntax");
+  expect_code(code, "syntax",
+              {"OFF4 4 6\n", "4 4 6\n" + vertices + faces, "OFF\n4\n", "OFF\n4 4 6 7\n",
+               "OFF\n-4 4 6\n", "OFF\n4 4 x\n"});
   EXPECT_EQ(code("# OFF\n"), "truncated");
 }
 

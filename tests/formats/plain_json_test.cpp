@@ -32,9 +32,7 @@ TEST(PlainJson, AMisspeltMemberDoesNotLoseAHole) {
 
 TEST(PlainJson, WrongStructureIsRefused) {
   EXPECT_EQ(code(R"({})"), "missing-member");
-  EXPECT_EQ(code(R"([])"), "wrong-type");
-  EXPECT_EQ(code(R"({"polygons":{}})"), "wrong-type");
-  EXPECT_EQ(code(R"({"polygons":[[]]})"), "wrong-type");
+  expect_code(code, "wrong-type", {R"([])", R"({"polygons":{}})", R"({"polygons":[[]]})"});
   EXPECT_EQ(code(R"({"polygons":[{"holes":[]}]})"), "missing-member");
   EXPECT_EQ(code(R"({"polygons":[{"outer":[]}]})"), "too-few-vertices");
   EXPECT_EQ(code(R"({"polygons":[{"outer":[[1,2]],"holes":[)" + triangle + "]}]}"),

@@ -128,15 +128,13 @@ TEST(Poly, RefusalsOfValidationNameRingAndVertexOfTheFile) {
 }
 
 TEST(Poly, WrongStructureIsRefused) {
-  EXPECT_EQ(code("one\n3 out\n0 0\n1 0\n0 1\n"), "syntax");
-  EXPECT_EQ(code("1 1\n3 out\n0 0\n1 0\n0 1\n"), "syntax");
-  EXPECT_EQ(code("-1\n"), "syntax");
-  EXPECT_EQ(code("1\n3 outer\n0 0\n1 0\n0 1\n"), "syntax");
+  expect_code(code, "syntax",
+              {"one\n3 out\n0 0\n1 0\n0 1\n", "1 1\n3 out\n0 0\n1 0\n0 1\n", "-1\n",
+               "1\n3 outer\n0 0\n1 0\n0 1\n"});
   EXPECT_EQ(code("1\n3 out\n0 0 0\n1 0 0\n0 1 0\n"), "three-dimensional");
-  EXPECT_EQ(code("1\n3 out\n0 0\n1 0\n0 1\n1 3 3\n"), "syntax");
-  EXPECT_EQ(code("1\n3 out\n0 0\n1 0\n0 1\n0 1 2\n"), "syntax");
-  EXPECT_EQ(code("1\n3 out\n0 0\n1 0\n0 1\n2 3 4\n"), "syntax");
-  EXPECT_EQ(code("1\n3 out\n0 0\n1 0\n0 1\n2 3 -1\n"), "syntax");
+  expect_code(code, "syntax",
+              {"1\n3 out\n0 0\n1 0\n0 1\n1 3 3\n", "1\n3 out\n0 0\n1 0\n0 1\n0 1 2\n",
+               "1\n3 out\n0 0\n1 0\n0 1\n2 3 4\n", "1\n3 out\n0 0\n1 0\n0 1\n2 3 -1\n"});
   EXPECT_EQ(code("1\n3 out\n0 0\n1 0\n0 1\n2 3\n"), "truncated");
   EXPECT_EQ(code("1\n3 out\n0 0\n1 0\n0 1\n1 2 3 4\n"), "syntax");
   EXPECT_EQ(code("2\n3 out\n0 0\n1 0\n0 1\n1 2\n3 in\n"), "syntax");

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -40,6 +41,13 @@ inline BadInput refusal_of_text(std::string_view text, Format format,
 
 inline std::string code_of(std::string_view text, Format format, const ReadLimits& limits = {}) {
   return refusal_of_text(text, format, limits).code();
+}
+
+/// Each of the texts is refused with this code, which `code_of` gives.
+template <class CodeOf>
+void expect_code(CodeOf&& code_of, std::string_view code,
+                 std::initializer_list<std::string> texts) {
+  for (const std::string& text : texts) EXPECT_EQ(code_of(text), code) << text;
 }
 
 inline Point point(const char* x, const char* y) { return {parse_rational(x), parse_rational(y)}; }

@@ -112,10 +112,10 @@ TEST(Stl, WrongStructureIsRefusedWithItsLine) {
   EXPECT_EQ(code("solid\n"), "truncated");
   EXPECT_EQ(code("solid\n" + facet("0 0 0", "0 1 0", "1 0 0")), "truncated");
   EXPECT_EQ(code("solid\nendsolid\nsolid\nendsolid\n"), "trailing-text");
-  EXPECT_EQ(code("solid\nfacet 0 0 1\nendsolid\n"), "syntax");
-  EXPECT_EQ(code("solid\n" + facet("0 0 0", "0 1 0", "1 0") + "endsolid\n"), "syntax");
-  EXPECT_EQ(code("solid\n" + facet("0 0 0", "0 1 0", "1 0 0\nvertex 1 1 0") + "endsolid\n"),
-            "syntax");
+  expect_code(
+      code, "syntax",
+      {"solid\nfacet 0 0 1\nendsolid\n", "solid\n" + facet("0 0 0", "0 1 0", "1 0") + "endsolid\n",
+       "solid\n" + facet("0 0 0", "0 1 0", "1 0 0\nvertex 1 1 0") + "endsolid\n"});
   const BadInput refused =
       refusal_of_mesh("solid\nfacet normal 0 0 1\nouter\nendsolid\n", MeshFormat::stl);
   EXPECT_EQ(refused.code(), "syntax");

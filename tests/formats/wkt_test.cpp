@@ -47,19 +47,16 @@ TEST(Wkt, ACollectionOfPolygonsIsOneSet) {
 }
 
 TEST(Wkt, ZAndMAreRefused) {
-  for (const char* text :
-       {"POINT Z (1 2 3)", "POINTZ (1 2 3)", "POLYGON M ((0 0 1, 1 0 1, 0 1 1, 0 0 1))",
-        "POINT ZM (1 2 3 4)", "POINT (1 2 3)", "POLYGON Z EMPTY"}) {
-    EXPECT_EQ(code(text), "three-dimensional") << text;
-  }
+  expect_code(code, "three-dimensional",
+              {"POINT Z (1 2 3)", "POINTZ (1 2 3)", "POLYGON M ((0 0 1, 1 0 1, 0 1 1, 0 0 1))",
+               "POINT ZM (1 2 3 4)", "POINT (1 2 3)", "POLYGON Z EMPTY"});
 }
 
 TEST(Wkt, OtherGeometriesAreRefused) {
   EXPECT_EQ(code("LINESTRING (0 0, 1 0, 1 1)"), "not-a-segment");
   EXPECT_EQ(code("LINESTRING (0 0)"), "not-a-segment");
-  EXPECT_EQ(code("MULTIPOINT ((0 0))"), "unsupported-geometry");
-  EXPECT_EQ(code("CURVEPOLYGON EMPTY"), "unsupported-geometry");
-  EXPECT_EQ(code("SRID=4326;POINT (0 0)"), "unsupported-geometry");
+  expect_code(code, "unsupported-geometry",
+              {"MULTIPOINT ((0 0))", "CURVEPOLYGON EMPTY", "SRID=4326;POINT (0 0)"});
 }
 
 TEST(Wkt, APointBesideOtherPartsIsRefused) {
@@ -77,9 +74,9 @@ TEST(Wkt, AnOpenRingIsRefusedWithBothEnds) {
 }
 
 TEST(Wkt, ARingOfFewerThanThreeVerticesIsNoSegmentInDisguise) {
-  EXPECT_EQ(code("POLYGON ((0 0, 1 1, 0 0))"), "too-few-vertices");
-  EXPECT_EQ(code("POLYGON ((0 0))"), "too-few-vertices");
-  EXPECT_EQ(code("POLYGON ((0 0, 9 0, 0 9, 0 0), (1 1, 2 2, 1 1))"), "too-few-vertices");
+  expect_code(code, "too-few-vertices",
+              {"POLYGON ((0 0, 1 1, 0 0))", "POLYGON ((0 0))",
+               "POLYGON ((0 0, 9 0, 0 9, 0 0), (1 1, 2 2, 1 1))"});
 }
 
 TEST(Wkt, TextAfterTheGeometryIsRefused) {
@@ -97,10 +94,9 @@ TEST(Wkt, ABadNumberIsRefusedWithRingVertexAndLine) {
 }
 
 TEST(Wkt, WrongGrammarIsRefused) {
-  for (const char* text : {"POLYGON (0 0, 1 0, 1 1, 0 0)", "POLYGON 0", "42", "POINT (1, 2)",
-                           "POLYGON ((0 0, 1 0,, 1 1, 0 0))", "(POINT (1 2))", "POINT ((1 2))"}) {
-    EXPECT_EQ(code(text), "syntax") << text;
-  }
+  expect_code(code, "syntax",
+              {"POLYGON (0 0, 1 0, 1 1, 0 0)", "POLYGON 0", "42", "POINT (1, 2)",
+               "POLYGON ((0 0, 1 0,, 1 1, 0 0))", "(POINT (1 2))", "POINT ((1 2))"});
 }
 
 }  // namespace

@@ -32,10 +32,7 @@ TEST(ConvexOperands, SumIsTheHullOfTheSumsOfVertices) {
 
 TEST(ConvexOperands, ManyParallelEdges) {
   MINKREF_SEEDED(random, 601);
-  const auto make = [](Source& r) {
-    return Case{random_convex_polygon(r, 9, 2), random_convex_polygon(r, 9, 2), random_scale(r)};
-  };
-  expect_law(random, 200, make, not_the_hull);
+  expect_law(random, 200, convex_polygons(9, 2), not_the_hull);
 }
 
 TEST(ConvexOperands, StraightVerticesInParallelEdges) {
@@ -60,10 +57,7 @@ TEST(ConvexOperands, StraightVerticesInParallelEdges) {
 TEST(ConvexOperands, AreaIsThatOfTheMixedVolumes) {
   // |sP + Q| = s^2 |P| + 2 s V(P, Q) + |Q|: three scales determine V, a fourth must agree.
   MINKREF_SEEDED(random, 603);
-  const auto make = [](Source& r) {
-    return Case{random_convex_polygon(r), random_convex_polygon(r), random_scale(r)};
-  };
-  expect_law(random, 50, make, [](const Case& c) -> std::string {
+  expect_law(random, 50, convex_polygons(), [](const Case& c) -> std::string {
     const auto mixed = [&](const Rational& s) {
       return Rational((area(minkowski_sum(c.P, c.Q, s)) - s * s * area(c.P) - area(c.Q)) / s);
     };

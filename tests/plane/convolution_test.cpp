@@ -111,10 +111,7 @@ TEST(Convolution, FullIsAClosedSignedCycle) {
 
 TEST(Convolution, FullOfLatticePiecesIsAClosedSignedCycle) {
   MINKREF_SEEDED(random, 906);
-  const auto make = [](Source& r) {
-    return Case{random_mesh_region(r, 4), random_mesh_region(r, 3), random_scale(r)};
-  };
-  expect_law(random, 100, make, open_cycle);
+  expect_law(random, 100, lattice_pieces(4, 3), open_cycle);
 }
 
 /// The winding number at x of the full convolution, by a ray to the right; none if x lies on it.
@@ -157,10 +154,7 @@ TEST(Convolution, WindingIsZeroExactlyOutsideForSimplePolygons) {
 TEST(Convolution, WindingOfAConvexPairIsOneInside) {
   MINKREF_SEEDED(random, 908);
   Source points(random.seed() + 1);
-  const auto make = [](Source& r) {
-    return Case{random_convex_polygon(r), random_convex_polygon(r), random_scale(r)};
-  };
-  expect_law(random, 60, make, [&](const Case& c) -> std::string {
+  expect_law(random, 60, convex_polygons(), [&](const Case& c) -> std::string {
     for (int i = 0; i < 15; ++i) {
       const Point x = somewhere(points);
       const std::optional<int> number = winding(c, x);
@@ -259,10 +253,7 @@ TEST(Convolution, ParallelEdgesOfTwoBoxesAreTiledOnce) {
 
 TEST(Convolution, ParallelEdgesOfConvexPairsAreTiledOnce) {
   MINKREF_SEEDED(random, 911);
-  const auto make = [](Source& r) {
-    return Case{random_convex_polygon(r, 8, 2), random_convex_polygon(r, 8, 2), random_scale(r)};
-  };
-  expect_law(random, 100, make, [](const Case& c) -> std::string {
+  expect_law(random, 100, convex_polygons(8, 2), [](const Case& c) -> std::string {
     // A convex pair's reduced convolution is the boundary of its sum: one edge for each edge of an
     // operand, and their lengths along each side add up to it.
     const std::vector<ConvolutionEdge> all = reduced_convolution(c.P, c.Q);

@@ -77,24 +77,15 @@ std::string membership_fault(Source& random, const Case& c) {
 
 TEST(Membership, AgreesWithCutEdgesAndWithThePlaceInTheSum) {
   MINKREF_SEEDED(random, 700);
-  const auto make = [](Source& r) {
-    return Case{random_region(r, 2), random_region(r, 2), random_scale(r)};
-  };
   Source points(random.seed() + 1);
-  expect_law(random, 60, make, [&](const Case& c) { return membership_fault(points, c); });
+  expect_law(random, 60, regions, [&](const Case& c) { return membership_fault(points, c); });
 }
 
 TEST(Membership, OfPointsAndSegmentsTheRelativeInteriorCounts) {
   MINKREF_SEEDED(random, 701);
-  const auto make = [](Source& r) {
-    const Point a{r.between(-3, 3), r.between(-3, 3)};
-    const Point b = a + Point{r.between(-3, 3), r.between(1, 3)};
-    const PolygonSet thin = r.coin() ? segment_set(a, b) : point_set(a.x, a.y);
-    const PolygonSet wide = random_region(r, 2);
-    return r.coin() ? Case{thin, wide, random_scale(r)} : Case{wide, thin, random_scale(r)};
-  };
   Source points(random.seed() + 1);
-  expect_law(random, 60, make, [&](const Case& c) { return membership_fault(points, c); });
+  expect_law(random, 60, thin_and_wide(3, 2),
+             [&](const Case& c) { return membership_fault(points, c); });
 }
 
 TEST(Membership, OnePointIsDecidedLikeMany) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdlib>
 #include <functional>
 #include <iterator>
@@ -123,6 +124,48 @@ inline Rational random_scale(Source& random) {
 
 inline Case random_case(Source& random) {
   return {random_region(random), random_region(random, 2), random_scale(random)};
+}
+
+/// Makers of cases. Sets with random boundaries; pieces of lattices; convex polygons of so many
+/// points on a grid.
+inline Case regions(Source& random) {
+  return {random_region(random, 2), random_region(random, 2), random_scale(random)};
+}
+inline auto lattice_pieces(int most_cells_of_P, int most_cells_of_Q) {
+  return [=](Source& random) -> Case {
+    return {random_mesh_region(random, most_cells_of_P),
+            random_mesh_region(random, most_cells_of_Q), random_scale(random)};
+  };
+}
+inline auto convex_polygons(int points = 7, int size = 9) {
+  return [=](Source& random) -> Case {
+    return {random_convex_polygon(random, points, size),
+            random_convex_polygon(random, points, size), random_scale(random)};
+  };
+}
+
+/// A point or a short segment, and a set of at most so many cells, either of them as P.
+inline auto thin_and_wide(int reach, int parts) {
+  return [=](Source& random) -> Case {
+    const Point a{random.between(-3, 3), random.between(-3, 3)};
+    const Point b = a + Point{random.between(-reach, reach), random.between(1, reach)};
+    const PolygonSet thin = random.coin() ? segment_set(a, b) : point_set(a.x, a.y);
+    const PolygonSet wide = random_region(random, parts);
+    return random.coin() ? Case{thin, wide, random_scale(random)}
+                         : Case{wide, thin, random_scale(random)};
+  };
+}
+
+/// Coincidences of lattice pieces missed by a hair: faces far thinner than doubles can tell.
+inline auto shaken_lattice_pieces(Rational (*scale)(Source&)) {
+  return [=](Source& random) -> Case {
+    for (;;) {
+      const int bits = std::array{20, 45, 56, 70, 110}[random.below(5)];
+      const Case c{shaken(random, random_mesh_region(random, 3), bits),
+                   shaken(random, random_mesh_region(random, 2), bits), scale(random)};
+      if (is_valid(c.P) && is_valid(c.Q)) return c;
+    }
+  };
 }
 
 /// Tries the law on `count` cases; stops at the first that breaks it and shows it at its smallest.

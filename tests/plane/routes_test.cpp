@@ -28,36 +28,17 @@ TEST(Routes, AgreeOnRandomPairs) {
 
 TEST(Routes, AgreeOnPiecesOfLattices) {
   MINKREF_SEEDED(random, 201);
-  const auto make = [](Source& r) {
-    return Case{random_mesh_region(r, 3), random_mesh_region(r, 2), random_scale(r)};
-  };
-  expect_law(random, 150, make, disagreement);
+  expect_law(random, 150, lattice_pieces(3, 2), disagreement);
 }
 
 TEST(Routes, AgreeOnPointsAndSegments) {
   MINKREF_SEEDED(random, 202);
-  const auto make = [](Source& r) {
-    const Point a{r.between(-3, 3), r.between(-3, 3)};
-    const Point b = a + Point{r.between(-2, 2), r.between(1, 2)};
-    const PolygonSet thin = r.coin() ? segment_set(a, b) : point_set(a.x, a.y);
-    const PolygonSet wide = random_region(r);
-    return r.coin() ? Case{thin, wide, random_scale(r)} : Case{wide, thin, random_scale(r)};
-  };
-  expect_law(random, 150, make, disagreement);
+  expect_law(random, 150, thin_and_wide(2, 3), disagreement);
 }
 
 TEST(Routes, AgreeOnNearlyDegeneratePairs) {
-  // Coincidences of lattice pieces missed by a hair: faces far thinner than doubles can tell.
   MINKREF_SEEDED(random, 204);
-  const auto make = [](Source& r) {
-    for (;;) {
-      const int bits = std::array{20, 45, 56, 70, 110}[r.below(5)];
-      const Case c{shaken(r, random_mesh_region(r, 3), bits),
-                   shaken(r, random_mesh_region(r, 2), bits), random_scale(r)};
-      if (is_valid(c.P) && is_valid(c.Q)) return c;
-    }
-  };
-  expect_law(random, 120, make, disagreement);
+  expect_law(random, 120, shaken_lattice_pieces(random_scale), disagreement);
 }
 
 TEST(Routes, AgreeAtScalesNextToDegenerateOnes) {
@@ -72,10 +53,7 @@ TEST(Routes, AgreeAtScalesNextToDegenerateOnes) {
 
 TEST(Routes, EveryFaceOfTheArrangementIsDecidedRightly) {
   MINKREF_SEEDED(random, 203);
-  const auto make = [](Source& r) {
-    return Case{random_region(r, 2), random_region(r, 2), random_scale(r)};
-  };
-  expect_law(random, 12, make, [](const Case& c) -> std::string {
+  expect_law(random, 12, regions, [](const Case& c) -> std::string {
     const PolygonSet region = minkowski_sum(c.P, c.Q, c.scale).region;
     for (const FacePoint& face : face_points(c.P, c.Q, c.scale)) {
       const std::string at = " at " + text(face.point);

@@ -151,8 +151,7 @@ TEST(SumLaws, TheEmptySetAbsorbs) {
 
 TEST(SumLaws, Monotonicity) {
   MINKREF_SEEDED(random, 112);
-  const auto make = [](Source& r) { return random_case(r); };
-  expect_law(random, 80, make, [&](const Case& c) {
+  expect_law(random, 80, random_case, [&](const Case& c) {
     // The larger operand: P and something else.
     const PolygonSet larger = united(c.P, box(-1, -2, 2, 1));
     const PolygonSet big = sum(larger, c.Q, c.scale);
@@ -171,10 +170,7 @@ TEST(SumLaws, DistributivityOverUnion) {
 
 TEST(SumLaws, DistributivityOverThePolygonsOfBothOperands) {
   MINKREF_SEEDED(random, 114);
-  const auto make = [](Source& r) {
-    return Case{random_mesh_region(r), random_mesh_region(r, 2), random_scale(r)};
-  };
-  expect_law(random, 80, make, [](const Case& c) {
+  expect_law(random, 80, lattice_pieces(3, 2), [](const Case& c) {
     PolygonSet expected;
     for (const Polygon& p : c.P.polygons) {
       for (const Polygon& q : c.Q.polygons) {
@@ -278,10 +274,7 @@ TEST(SumLaws, AShearIsALinearMapLikeAnyOther) {
 
 TEST(SumLaws, TwoScalesOfAConvexSetAddUp) {
   MINKREF_SEEDED(random, 121);
-  const auto make = [](Source& r) {
-    return Case{random_convex_polygon(r), random_convex_polygon(r), random_scale(r)};
-  };
-  expect_law(random, 150, make, [](const Case& c) {
+  expect_law(random, 150, convex_polygons(), [](const Case& c) {
     return unequal(canonical(stretched(c.Q, c.scale + 1)), sum(c.Q, c.Q, c.scale));
   });
 }

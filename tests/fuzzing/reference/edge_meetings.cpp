@@ -1,6 +1,7 @@
 #include "tests/fuzzing/reference/edge_meetings.hpp"
 
 #include "reference/plane/critical/pair_interval.hpp"
+#include "tests/critical/segments_meet.hpp"
 
 namespace minkref::fuzzing {
 namespace {
@@ -21,19 +22,7 @@ MeetingScales meeting_scales(const RationalEdge& a, const RationalEdge& b) {
 bool do_meet(const RationalEdge& a, const RationalEdge& b, const Rational& s) {
   const Vector a0 = at(start_of(a), s), a1 = at(end_of(a), s);
   const Vector b0 = at(start_of(b), s), b1 = at(end_of(b), s);
-  const auto side = [](const Vector& from, const Vector& to, const Vector& x) {
-    return sign(Rational((to.x() - from.x()) * (x.y() - from.y()) -
-                         (to.y() - from.y()) * (x.x() - from.x())));
-  };
-  const auto between = [](const Rational& x, const Rational& u, const Rational& v) {
-    return u < v ? u <= x && x <= v : v <= x && x <= u;
-  };
-  const auto on = [&](const Vector& from, const Vector& to, const Vector& x) {
-    return side(from, to, x) == 0 && between(x.x(), from.x(), to.x()) &&
-           between(x.y(), from.y(), to.y());
-  };
-  if (on(a0, a1, b0) || on(a0, a1, b1) || on(b0, b1, a0) || on(b0, b1, a1)) return true;
-  return side(a0, a1, b0) * side(a0, a1, b1) < 0 && side(b0, b1, a0) * side(b0, b1, a1) < 0;
+  return testing::do_segments_meet(a0, a1, b0, b1);
 }
 
 std::optional<Rational> concurrent_scale(const RationalEdge& a, const RationalEdge& b,
