@@ -8,13 +8,11 @@ from dataclasses import dataclass, field
 
 from minkref import _core
 from minkref.fuzz.judges.event_comparison import is_degenerate
+from minkref.fuzz.judges.paper_pairs import contact_bounds
 from minkref.fuzz.judges.segment_draws import Row, build, draw_rows
 from minkref.oracle.symbolic.moving import MovingSegment
-from minkref.oracle.symbolic.pairs import contact_set
-from minkref.oracle.symbolic.rational import text
 
 TYPES = ("SS", "ST", "TT")
-Bounds = tuple[str | None, str | None] | None
 
 
 @dataclass
@@ -28,16 +26,6 @@ class IntervalTable:
     cases: Counter[str] = field(default_factory=Counter)
     differences: int = 0
     smallest: dict[str, str] = field(default_factory=dict)
-
-
-def as_bounds(a: MovingSegment, b: MovingSegment) -> Bounds:
-    found = contact_set(a, b)
-    if found is None:
-        return None
-    return (
-        None if found.low is None else text(found.low),
-        None if found.high is None else text(found.high),
-    )
 
 
 def compare_intervals(seed: int, count: int) -> IntervalTable:
@@ -61,10 +49,10 @@ def compare_intervals(seed: int, count: int) -> IntervalTable:
     ):
         table.cases[case] += 1
         theirs = None if empty else (None if low == "0" else low, high)
-        if as_bounds(*pair) != theirs:
+        if contact_bounds(*pair) != theirs:
             table.differences += 1
             table.smallest.setdefault(
-                f"{kinds} {case}", f"{question}: {as_bounds(*pair)}, minkref {theirs}"
+                f"{kinds} {case}", f"{question}: {contact_bounds(*pair)}, minkref {theirs}"
             )
     return table
 

@@ -7,12 +7,18 @@ from minkref.oracle.symbolic.moving import MovingSegment
 from minkref.oracle.symbolic.pairs import contact_set
 from minkref.oracle.symbolic.rational import text
 
+Bounds = tuple[str | None, str | None] | None
 Numbers = tuple[str, tuple[int, ...]]  # (kind, (px, py, qx, qy, dx, dy)): from s p + q along d
 
 
-def contact_interval(a: Numbers, b: Numbers) -> tuple[str | None, str | None] | None:
+def contact_interval(a: Numbers, b: Numbers) -> Bounds:
     """Its bounds, None for 0 and for no end; None where they never meet."""
-    found = contact_set(_segment(a), _segment(b))
+    return contact_bounds(_segment(a), _segment(b))
+
+
+def contact_bounds(a: MovingSegment, b: MovingSegment) -> Bounds:
+    """Those of the scales at which two segments meet."""
+    found = contact_set(a, b)
     if found is None:
         return None
     return (

@@ -22,11 +22,12 @@ class Program:
     note: str = ""
 
 
-def filled(template: str, **fields: str) -> str:
-    """A file of a library with its fields set: `clipper2/curves`, say."""
+def filled(template: str, finding: Finding, name: str, **fields: str) -> str:
+    """A file of a library, `clipper2/curves`, say, with its fields set: those given, what was
+    observed, and the name of the program."""
     folder = resources.files("minkref.fuzz.libraries")
     text = (folder / f"{template}.template").read_text(encoding="utf-8")
-    return Template(text).substitute(fields)
+    return Template(text).substitute(fields, OBSERVED=observed(finding.outcome), NAME=name)
 
 
 def observed(outcome: Outcome) -> str:
@@ -36,14 +37,15 @@ def observed(outcome: Outcome) -> str:
     return re.sub(r"[^\w .,:@+-]", " ", text)
 
 
-def scaled_operands(finding: Finding) -> tuple[str, str] | None:
-    """P scaled, and Q, as JSON texts; None where the finding is of no two operands."""
+def scaled_operands(finding: Finding, dimension: int | None = None) -> tuple[str, str] | None:
+    """P scaled, and Q, as JSON texts; None where the finding is of no two operands, or of another
+    dimension than the one given."""
     from minkref import _core
     from minkref.fuzz.geometry.space import scale_of
     from minkref.fuzz.space.polyhedron import Polyhedron
 
     case = finding.case
-    if case.P is None or case.Q is None:
+    if case.P is None or case.Q is None or dimension not in (None, case.dimension):
         return None
     if case.dimension == 3:
         return Polyhedron.from_json(case.P).scaled(scale_of(case.scale)).to_json(), case.Q

@@ -11,12 +11,18 @@ from minkref.fuzz.adapters.surfaces import triangles_of
 PER_LINE = 6
 
 
-def surface(text: str, number: Callable[[str], str], brackets: str = "[]") -> tuple[str, str]:
-    """The vertices and triangles of a surface (JSON) as two lists in the brackets."""
-    value = json.loads(text)
-    triangles = triangles_of(value["vertices"], value["faces"])
-    vertices = [[number(n) for n in vertex] for vertex in value["vertices"]]
-    return _rows(vertices, brackets), _rows([[str(k) for k in t] for t in triangles], brackets)
+def surfaces(
+    operands: tuple[str, str], number: Callable[[str], str], brackets: str = "[]"
+) -> dict[str, str]:
+    """The vertices and triangles of P and Q (JSON) as lists in the brackets: P_VERTICES, ..."""
+    fields = {}
+    for name, text in zip("PQ", operands, strict=True):
+        value = json.loads(text)
+        vertices = [[number(n) for n in vertex] for vertex in value["vertices"]]
+        triangles = triangles_of(value["vertices"], value["faces"])
+        fields[f"{name}_VERTICES"] = _rows(vertices, brackets)
+        fields[f"{name}_TRIANGLES"] = _rows([[str(k) for k in t] for t in triangles], brackets)
+    return fields
 
 
 def double(number: str) -> str:

@@ -18,7 +18,7 @@ from typing import Any, BinaryIO
 
 from minkref.errors import Refusal
 from minkref.signals import ending_in_order
-from minkref.streams import OutputLost
+from minkref.streams import OutputLost, is_open
 from minkref.version import version
 
 _DESCRIPTOR = re.compile(r"/dev/(stdout|stderr)|(?:/dev|/proc/self)/fd/([0-9]{1,9})", re.ASCII)
@@ -135,7 +135,7 @@ def write_atomically(path: Path, text: str | Iterable[str]) -> None:
 def check_writable(path: Path) -> None:
     """Refuses an output path that cannot be written, before any work is done."""
     number = descriptor_of(path)
-    if number is not None and not _is_open(number):
+    if number is not None and not is_open(number):
         what = f"descriptor {number} is not open"
         raise Refusal(what, str(path), f"open it: minkref ... {number}>FILE", "cannot-write")
     if is_stream(path):
@@ -200,14 +200,6 @@ def is_stream(path: Path) -> bool:
     except OSError:
         return False
     return stat.S_ISFIFO(mode) or stat.S_ISCHR(mode)
-
-
-def _is_open(number: int) -> bool:
-    try:
-        os.fstat(number)
-    except OSError:
-        return False
-    return True
 
 
 def _cannot_write(path: Path, error: OSError) -> Exception:

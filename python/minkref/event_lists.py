@@ -44,24 +44,42 @@ class EventList(Protocol):
 NO_FEATURES: dict[str, Any] = {"holes": None, "components": None}
 
 
-class PairEventList:
-    """Pair or parallel events."""
+class _EventsOfEdges:
+    """Events that are kept in C++, of edges that are written out once."""
 
-    def __init__(self, found: _core.PairEvents) -> None:
-        self.found = found
+    def __init__(
+        self,
+        found: _core.PairEvents | _core.ArrangementEvents,
+        listed: _core.PairEvents | _core.ArrangementList,
+    ) -> None:
         self.seconds = found.seconds
+        self._listed = listed
         self._edges = [parents(row) for row in found.edges()]
         self._edge_texts = [json.dumps(edge) for edge in self._edges]
 
     def __len__(self) -> int:
-        return len(self.found)
+        return len(self._listed)
 
     @property
     def distinct(self) -> int:
-        return self.found.distinct()
+        return self._listed.distinct()
 
     def keep(self, condition: _core.EventCondition) -> None:
-        self.found.keep(condition)
+        self._listed.keep(condition)
+
+    def json(self, first: int, last: int, end: str) -> bytes:
+        return self._listed.json(first, last, self._edge_texts, end)
+
+    def features(self) -> dict[str, Any]:
+        return NO_FEATURES
+
+
+class PairEventList(_EventsOfEdges):
+    """Pair or parallel events."""
+
+    def __init__(self, found: _core.PairEvents) -> None:
+        super().__init__(found, found)
+        self.found = found
 
     def events(self, first: int, last: int) -> list[dict[str, Any]]:
         edges = self._edges
@@ -78,31 +96,13 @@ class PairEventList:
             for scale, rank, change, parallel, a, b, at, to in self.found.rows(first, last)
         ]
 
-    def json(self, first: int, last: int, end: str) -> bytes:
-        return self.found.json(first, last, self._edge_texts, end)
 
-    def features(self) -> dict[str, Any]:
-        return NO_FEATURES
-
-
-class ArrangementEventList:
+class ArrangementEventList(_EventsOfEdges):
     """Triple events, or all arrangement events."""
 
     def __init__(self, found: _core.ArrangementEvents, kind: str) -> None:
-        self.seconds = found.seconds
         self._list = _core.ArrangementList(found, kind)
-        self._edges = [parents(row) for row in found.edges()]
-        self._edge_texts = [json.dumps(edge) for edge in self._edges]
-
-    def __len__(self) -> int:
-        return len(self._list)
-
-    @property
-    def distinct(self) -> int:
-        return self._list.distinct()
-
-    def keep(self, condition: _core.EventCondition) -> None:
-        self._list.keep(condition)
+        super().__init__(found, self._list)
 
     def events(self, first: int, last: int) -> list[dict[str, Any]]:
         edges = self._edges
@@ -118,12 +118,6 @@ class ArrangementEventList:
             }
             for scale, rank, kind, change, which, at, to in self._list.rows(first, last)
         ]
-
-    def json(self, first: int, last: int, end: str) -> bytes:
-        return self._list.json(first, last, self._edge_texts, end)
-
-    def features(self) -> dict[str, Any]:
-        return NO_FEATURES
 
 
 class BoundaryEventList:

@@ -42,7 +42,7 @@ def guard() -> None:
     hold a file of ours by accident; writing to it fails. No name fails to be written for its
     letters."""
     for descriptor, mode in STANDARD:
-        if _is_closed(descriptor):
+        if not is_open(descriptor):
             _point(descriptor, mode)
     sys.stdout = _text(_Output(1, "w", closefd=False), sys.stdout)
     sys.stderr = _text(_Errors(2, "w", closefd=False), sys.stderr)
@@ -54,12 +54,12 @@ def give_up_output() -> None:
     sys.stdout.flush()
 
 
-def _is_closed(descriptor: int) -> bool:
+def is_open(descriptor: int) -> bool:
     try:
         os.fstat(descriptor)
     except OSError:
-        return True
-    return False
+        return False
+    return True
 
 
 def _point(descriptor: int, mode: int) -> None:

@@ -13,6 +13,7 @@ from minkref.reports.evidence.certificates.checkers import in_cpp, in_python
 
 Verdict = tuple[int, str]
 Check = Callable[..., Verdict]
+CheckValue = Callable[[Any, Any], Verdict]
 
 
 def run(command: list[str], *arguments: str) -> Verdict:
@@ -35,7 +36,7 @@ def check() -> Check:
 
 
 @pytest.fixture
-def check_value(check: Check, tmp_path: Path) -> Callable[[Any, Any], Verdict]:
+def check_value(check: Check, tmp_path: Path) -> CheckValue:
     """The verdict on a certificate and a case that are given as values."""
 
     def call(certificate: Any, case: Any) -> Verdict:
@@ -45,3 +46,16 @@ def check_value(check: Check, tmp_path: Path) -> Callable[[Any, Any], Verdict]:
         return check(path)
 
     return call
+
+
+@pytest.fixture
+def expect_refused(check_value: CheckValue) -> Callable[..., None]:
+    """That a certificate, spoilt in a way, is refused with this code, and why is said."""
+
+    def expect(value: Any, case: Any, spoil: Callable[[Any], object], code: int, why: str) -> None:
+        spoil(value)
+        got, said = check_value(value, case)
+        assert got == code, said
+        assert why in said and len(said) < 2000
+
+    return expect

@@ -4,29 +4,18 @@ from __future__ import annotations
 
 import gzip
 import json
-import shutil
-import subprocess
-import sys
 from pathlib import Path
 from typing import Any
 
 import cubes
 import pytest
 import squares
-from minkref.reports.evidence.certificates.checkers import CHECKER
-
-
-def alone(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
-    shutil.copy(CHECKER, folder)
-    command = [sys.executable, "-I", "-S", CHECKER.name, *arguments]
-    return subprocess.run(command, cwd=folder, env={}, capture_output=True, text=True, check=False)
+from file_alone import alone, laid
 
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    (tmp_path / "case.json").write_text(json.dumps(cubes.CASE), encoding="utf-8")
-    (tmp_path / "it.cert.json").write_text(json.dumps(cubes.certificate()), encoding="utf-8")
-    return tmp_path
+    return laid(tmp_path, cubes.CASE, cubes.certificate())
 
 
 def test_it_runs_in_an_empty_folder(folder: Path) -> None:
@@ -38,8 +27,7 @@ def test_it_runs_in_an_empty_folder(folder: Path) -> None:
 def test_both_forms_are_followed_beside_each_other(folder: Path) -> None:
     plane = folder / "plane"
     plane.mkdir()
-    (plane / "case.json").write_text(json.dumps(squares.CASE), encoding="utf-8")
-    (plane / "it.cert.json").write_text(json.dumps(squares.certificate()), encoding="utf-8")
+    laid(plane, squares.CASE, squares.certificate())
     ran = alone(folder, "it.cert.json", "plane/it.cert.json")
     assert (ran.returncode, ran.stderr, ran.stdout.count(": verified")) == (0, "", 2)
 

@@ -7,31 +7,19 @@ import gzip
 import io
 import json
 import random
-import shutil
-import subprocess
-import sys
 import tokenize
 from pathlib import Path
 from typing import Any
 
 import pytest
 import squares
+from file_alone import alone, laid
 from minkref.reports.evidence.certificates.checkers import CHECKER
-
-
-def alone(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
-    """In a folder that holds the file and what is to be checked, without any package."""
-    if not (folder / "check.py").exists():
-        shutil.copy(CHECKER, folder)
-    command = [sys.executable, "-I", "-S", "check.py", *arguments]
-    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
 
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    (tmp_path / "case.json").write_text(json.dumps(squares.CASE), encoding="utf-8")
-    (tmp_path / "it.cert.json").write_text(json.dumps(squares.certificate()), encoding="utf-8")
-    return tmp_path
+    return laid(tmp_path, squares.CASE, squares.certificate())
 
 
 def test_it_runs_in_an_empty_folder(folder: Path) -> None:

@@ -152,14 +152,18 @@ def test_the_name_of_a_program_beside_is_not_looked_for_elsewhere(tmp_path: Path
     assert code == 2 and "exit code 5" in value["error"]["what"]
 
 
-def test_a_library_beside_is_found_with_and_without_its_folder(tmp_path: Path) -> None:
-    source = tmp_path / "empty.c"
+def library(path: Path, hello: str) -> None:
+    """A C library with this text as its hello, and a sum that fails."""
+    source = path.with_suffix(".c")
     source.write_text(
-        'const char *minkref_hello(void) { return "{\\"version\\": \\"7\\"}"; }\n'
+        f'const char *minkref_hello(void) {{ return "{hello}"; }}\n'
         "int sum(void *p, void *q, void *r) { (void)p; (void)q; (void)r; return 1; }\n"
     )
-    words = ["cc", "-shared", "-fPIC", str(source), "-o", str(tmp_path / "libempty.so")]
-    subprocess.run(words, check=True)
+    subprocess.run(["cc", "-shared", "-fPIC", str(source), "-o", str(path)], check=True)
+
+
+def test_a_library_beside_is_found_with_and_without_its_folder(tmp_path: Path) -> None:
+    library(tmp_path / "libempty.so", '{\\"version\\": \\"7\\"}')
     for path in ("./libempty.so", "libempty.so"):
         code, value = check(tmp_path, f"so:{path}:sum")
         assert (code, value["target"]["version"]) == (3, "7")
@@ -191,12 +195,6 @@ def test_a_function_that_declares_space_is_asked_in_space(tmp_path: Path) -> Non
 
 
 def test_a_library_that_declares_space_is_refused(tmp_path: Path) -> None:
-    source = tmp_path / "space.c"
-    source.write_text(
-        'const char *minkref_hello(void) { return "{\\"capabilities\\": [\\"space\\"]}"; }\n'
-        "int sum(void *p, void *q, void *r) { (void)p; (void)q; (void)r; return 1; }\n"
-    )
-    words = ["cc", "-shared", "-fPIC", str(source), "-o", str(tmp_path / "libspace.so")]
-    subprocess.run(words, check=True)
+    library(tmp_path / "libspace.so", '{\\"capabilities\\": [\\"space\\"]}')
     code, value = run(tmp_path, "adapter", "check", "so:./libspace.so:sum")
     assert code == 2 and "a C function is for the plane" in value["error"]["what"]

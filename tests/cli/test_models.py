@@ -8,20 +8,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from model_sizes import SHIPPED
 
 Minkref = Callable[..., Any]
-SHIPPED = {
-    "glyph1204": (1204, 0),
-    "glyph275": (275, 0),
-    "cells1815": (1815, 18),
-    "g1": (30, 0),
-    "g2": (34, 0),
-    "g3": (24, 0),
-    "g4": (43, 0),
-    "dog145": (145, 0),
-    "disc1": (32, 0),
-    "disc5": (32, 0),
-}
 POLYHEDRA = {
     "ellipsoid": (482, 960),
     "gs3": (162, 320),

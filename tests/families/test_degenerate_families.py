@@ -11,10 +11,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from members import faults_of_spoilt
 from minkref import _core
 from minkref.degeneracies import lint
 from minkref.degeneracies.case_document import Degenerate, content_of
-from minkref.degeneracies.case_texts import canonical_text
 from minkref.degeneracies.catalogue import FAMILIES, SPACE_FAMILIES
 from minkref.degeneracies.files import write_member
 from minkref.degeneracies.flags import FLAGS, explained
@@ -160,12 +160,8 @@ def test_flags_hold_where_they_are_given_and_only_there() -> None:
     ],
 )
 def test_lint_finds_what_is_wrong(tmp_path: Path, spoil: Any, fault: str) -> None:
-    row = write_member(FAMILIES["hole-to-segment"], OTHER_SEED, 0, tmp_path)
-    path = Path(row["case"])
-    value = json.loads(path.read_text(encoding="utf-8"))
-    spoil(value)
-    path.write_text(canonical_text(value), encoding="utf-8")
-    assert any(fault in line for line in lint.faults(tmp_path))
+    found = faults_of_spoilt(tmp_path, FAMILIES["hole-to-segment"], OTHER_SEED, spoil)
+    assert any(fault in line for line in found)
 
 
 def test_lint_finds_what_a_certificate_leaves_out(tmp_path: Path) -> None:

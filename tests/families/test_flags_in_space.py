@@ -9,6 +9,7 @@ from itertools import product
 from typing import Any
 
 import pytest
+from members import Vector, cross, dot, minus
 from minkref.degeneracies import lint
 from minkref.degeneracies.catalogue import SPACE_FAMILIES
 from minkref.degeneracies.space.bodies import box
@@ -21,19 +22,6 @@ from minkref.fuzz.space.polyhedron import Polyhedron
 
 SEED, COUNT = 31, 2
 MILLION = 10**6
-Vector = tuple[Fraction, Fraction, Fraction]
-
-
-def minus(a: Vector, b: Vector) -> Vector:
-    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
-
-
-def dot(a: Vector, b: Vector) -> Fraction:
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-
-
-def cross(a: Vector, b: Vector) -> Vector:
-    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
 
 
 class Solid:

@@ -6,9 +6,6 @@ from __future__ import annotations
 
 import hashlib
 import json
-import os
-import subprocess
-import sys
 from fractions import Fraction
 from functools import cache
 from itertools import permutations, product
@@ -17,8 +14,8 @@ from typing import Any
 
 import jsonschema
 import pytest
+from members import Vector, cross, dot, faults_of_spoilt, lines_under_two_hash_seeds, minus
 from minkref.degeneracies import lint
-from minkref.degeneracies.case_texts import canonical_text
 from minkref.degeneracies.catalogue import FAMILIES, SPACE_FAMILIES
 from minkref.degeneracies.files import write_member
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, INVALID_MESH_FAMILIES
@@ -39,7 +36,6 @@ from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, ve
 SEED = 907
 COUNT = 8
 SIBLINGS = 5  # the scaling, and two on each side
-Vector = tuple[Fraction, Fraction, Fraction]
 
 
 @cache
@@ -56,18 +52,6 @@ def points(value: Any, name: str) -> list[Vector]:
 
 def scaling(texts: list[str]) -> Point:
     return vector(*map(Fraction, texts))
-
-
-def minus(a: Vector, b: Vector) -> Vector:
-    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
-
-
-def dot(a: Vector, b: Vector) -> Fraction:
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-
-
-def cross(a: Vector, b: Vector) -> Vector:
-    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
 def scaled(vertices: list[Vector], s: Point) -> list[Vector]:
@@ -154,11 +138,7 @@ def test_the_members_of_the_corpus_are_made_again(name: str) -> None:
     ],
 )
 def test_lint_finds_what_is_wrong_in_space(tmp_path: Path, spoil: Any, fault: str) -> None:
-    path = Path(str(write_member(SPACE_FAMILIES["with-itself"], SEED, 0, tmp_path)["case"]))
-    value = json.loads(path.read_text(encoding="utf-8"))
-    spoil(value)
-    path.write_text(canonical_text(value), encoding="utf-8")
-    found = list(lint.faults(tmp_path))
+    found = faults_of_spoilt(tmp_path, SPACE_FAMILIES["with-itself"], SEED, spoil)
     assert any(fault in line for line in found), found
 
 
@@ -442,21 +422,15 @@ for name, family in reversed(SPACE_FAMILIES.items()):
 
 
 def test_a_member_depends_on_seed_and_number_only() -> None:
-    found = []
-    for hash_seed in "01":
-        env = {**os.environ, "PYTHONHASHSEED": hash_seed}
-        ran = subprocess.run(
-            [sys.executable, "-c", CODE], capture_output=True, text=True, env=env, check=True
-        )
-        found.append(ran.stdout)
-    assert found[0] == found[1] and len(found[0].splitlines()) == len(SPACE_FAMILIES)
+    found = lines_under_two_hash_seeds(CODE)
+    assert len(found) == len(SPACE_FAMILIES)
     one = DegenerateInSpace.of(SPACE_FAMILIES["with-itself"], 5, 1)
     assert one.id != DegenerateInSpace.of(SPACE_FAMILIES["with-itself"], 6, 1).id
     text = "".join(
         made.case_text + made.certificate_text
         for made in (DegenerateInSpace.of(SPACE_FAMILIES["with-itself"], 5, k) for k in range(3))
     )
-    assert f"with-itself {hashlib.sha256(text.encode()).hexdigest()[:16]}\n" in found[0]
+    assert f"with-itself {hashlib.sha256(text.encode()).hexdigest()[:16]}" in found
 
 
 def test_each_family_has_its_page_and_a_name_of_its_own() -> None:
@@ -491,12 +465,7 @@ def test_each_family_has_its_page_and_a_name_of_its_own() -> None:
     ],
 )
 def test_lint_finds_what_is_wrong(tmp_path: Path, spoil: Any, fault: str) -> None:
-    row = write_member(SPACE_FAMILIES["many-sided-facets"], SEED, 0, tmp_path)
-    path = Path(row["case"])
-    value = json.loads(path.read_text(encoding="utf-8"))
-    spoil(value)
-    path.write_text(canonical_text(value), encoding="utf-8")
-    found = list(lint.faults(tmp_path))
+    found = faults_of_spoilt(tmp_path, SPACE_FAMILIES["many-sided-facets"], SEED, spoil)
     assert any(fault in line for line in found), found
 
 

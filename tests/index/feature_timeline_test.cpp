@@ -6,6 +6,7 @@
 
 #include "reference/plane/dynamic/dynamic_sum.hpp"
 #include "reference/plane/index/scale_index.hpp"
+#include "tests/index/windows.hpp"
 #include "tests/plane/random_cases.hpp"
 
 namespace minkref::testing {
@@ -72,12 +73,6 @@ std::vector<std::string> boundary_events(const ScaleIndex& index, const ScaleWin
       account(index.timeline(), window, [&](std::uint32_t event) { return index.event(event); });
   std::erase_if(lines, [](const std::string& line) { return line[0] != 'b'; });
   return lines;
-}
-
-ScaleWindow some_window(const Case& c) {
-  if (c.scale == 1) return {};
-  if (c.scale == 2) return {Rational(1, 3), std::nullopt};
-  return {c.scale / 2, c.scale * 3};
 }
 
 TEST(FeatureTimeline, IsThatOfTheDynamicSum) {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "reference/error.hpp"
+#include "tests/index/windows.hpp"
 #include "tests/plane/random_cases.hpp"
 
 namespace minkref::testing {
@@ -35,23 +36,13 @@ std::vector<Rational> telling_scales(const ScaleIndex& index) {
   return scales;
 }
 
-ScaleWindow some_window(const Case& c) {
-  if (c.scale == 1) return {};
-  if (c.scale == 2) return {Rational(1, 3), std::nullopt};
-  return {c.scale / 2, c.scale * 3};
-}
-
 TEST(ScaleIndex, GivesTheSumAtAndBetweenAllEvents) {
   MINKREF_SEEDED(random, 920);
   expect_law(random, 60, [](const Case& c) -> std::string {
     const ScaleIndex index(c.P, c.Q, some_window(c));
     for (const Rational& scale : telling_scales(index)) {
-      const Sum found = index.sum(scale), expected = minkowski_sum(c.P, c.Q, scale);
-      if (found.region == expected.region && found.components == expected.components &&
-          found.holes == expected.holes) {
-        continue;
-      }
-      return "at scale " + to_string(scale) + ": " + unequal(expected.region, found.region);
+      const std::string fault = fault_of_sum(c.P, c.Q, scale, index.sum(scale));
+      if (!fault.empty()) return fault;
     }
     return "";
   });

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "reference/plane/index/slice.hpp"
+#include "tests/index/windows.hpp"
 #include "tests/plane/random_cases.hpp"
 
 namespace minkref::testing {
@@ -32,12 +33,8 @@ std::vector<Rational> telling_scales(const SweptBoundary& boundary) {
 std::string fault_of_slices(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window) {
   const SweptBoundary boundary = swept_boundary(P, Q, window);
   for (const Rational& scale : telling_scales(boundary)) {
-    const Sum found = slice(boundary, scale), expected = minkowski_sum(P, Q, scale);
-    if (found.region == expected.region && found.components == expected.components &&
-        found.holes == expected.holes) {
-      continue;
-    }
-    return "at scale " + to_string(scale) + ": " + unequal(expected.region, found.region);
+    const std::string fault = fault_of_sum(P, Q, scale, slice(boundary, scale));
+    if (!fault.empty()) return fault;
   }
   return "";
 }

@@ -3,22 +3,19 @@ that needs nothing else."""
 
 from __future__ import annotations
 
-import json
 from collections import Counter
 from collections.abc import Iterator
 from fractions import Fraction
-from importlib import resources
 from typing import Any
 
-from jinja2 import Environment, StrictUndefined
 from minkref import _core
+from minkref.commands.pages.template import json_for_script, page_template
 from minkref.errors import Refusal
 from minkref.exact import in_double_range
 from minkref.space.scaling import Scaling
 from minkref.space.space_sum import SpaceSum
 from minkref.space.sums import sum_fields
 from minkref.terminal import escaped
-from minkref.version import version
 
 KINDS = ("fv", "vf", "ee", "facet+edge", "edge+facet", "facet+facet")
 STEPS = ("fv_errors", "vf_errors", "ee_errors", "descent_steps", "chains_walked")
@@ -81,7 +78,7 @@ def frame_text(row: dict[str, Any], answer: SpaceSum, P: Body, Q: Body) -> str:
     middle = (
         s * p + q for s, p, q in zip(scaling, P.centre, Q.centre, strict=True)
     )  # the box of a sum is the sum of the boxes
-    return _json(
+    return json_for_script(
         {
             **row,
             "P": [float(side / size) for side in scaled],
@@ -140,31 +137,17 @@ def viewer_name() -> str:
 
 def page(P: Body, Q: Body, frames: Frames, library: str) -> Iterator[str]:
     """The pieces of the file."""
-    folder = resources.files("minkref.commands.pages.space") / "page"
-
-    def text(name: str) -> str:
-        return (folder / name).read_text(encoding="utf-8")
-
-    environment = Environment(
-        autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True
-    )
-    pieces: Iterator[str] = environment.from_string(text("page.html.j2")).generate(
+    template, usual = page_template("minkref.commands.pages.space", SCRIPTS)
+    pieces: Iterator[str] = template.generate(
         P=P.data["name"],
         Q=Q.data["name"],
-        operands=_json({"P": P.data, "Q": Q.data}),
+        operands=json_for_script({"P": P.data, "Q": Q.data}),
         frames=frames.texts,
-        version=version(),
         viewer=viewer_name(),
         library=library,
-        style=text("style.css"),
-        script="\n".join(text(f"{name}.js") for name in SCRIPTS),
+        **usual,
     )
     return pieces
-
-
-def _json(value: dict[str, Any]) -> str:
-    """JSON that cannot end the element that it stands in."""
-    return json.dumps(value, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")
 
 
 def _triple(axes: Iterator[Fraction]) -> Triple:

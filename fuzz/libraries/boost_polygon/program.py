@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from minkref.fuzz.libraries.grid import Ring, long_double, polygons_of, shift_of, to_grid
-from minkref.fuzz.libraries.program import Program, filled, observed, scaled_operands
+from minkref.fuzz.libraries.program import Program, filled, scaled_operands
 from minkref.fuzz.run.runner import Finding
 
 BITS = 28
 
 
 def program(finding: Finding, name: str) -> Program | None:
-    operands = scaled_operands(finding)
-    if operands is None or finding.case.dimension != 2:
+    operands = scaled_operands(finding, 2)
+    if operands is None:
         return None
     P, Q = (polygons_of(text) for text in operands)
     shift = shift_of((P, Q), BITS)
@@ -19,8 +19,8 @@ def program(finding: Finding, name: str) -> Program | None:
     x, y = witness.point[:2] if witness else ("0", "0")
     text = filled(
         "boost_polygon/program",
-        OBSERVED=observed(finding.outcome),
-        NAME=name,
+        finding,
+        name,
         SHIFT=str(shift),
         P=_set(P, shift),
         Q=_set(Q, shift),

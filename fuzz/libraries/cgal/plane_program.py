@@ -10,8 +10,8 @@ from minkref.fuzz.run.runner import Finding
 
 def cgal_sum(finding: Finding, name: str) -> Program | None:
     """None where CGAL takes no such operands."""
-    operands = scaled_operands(finding)
-    if operands is None or finding.case.dimension != 2:
+    operands = scaled_operands(finding, 2)
+    if operands is None:
         return None
     method, raw = method_of_target(finding.outcome.target)
     witness = finding.outcome.witness

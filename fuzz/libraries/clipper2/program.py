@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from minkref.fuzz.libraries.grid import Ring, long_double, polygons_of, shift_of, to_grid
-from minkref.fuzz.libraries.program import Program, filled, observed, scaled_operands
+from minkref.fuzz.libraries.program import Program, filled, scaled_operands
 from minkref.fuzz.run.runner import Finding
 
 BITS = 30
@@ -25,9 +25,9 @@ _WHAT = {
 
 def program(finding: Finding, name: str) -> Program | None:
     """None in space, and for operands that the call does not take."""
-    operands = scaled_operands(finding)
+    operands = scaled_operands(finding, 2)
     target = finding.outcome.target
-    if operands is None or finding.case.dimension != 2:
+    if operands is None:
         return None
     P, Q = (polygons_of(text) for text in operands)
     real = target == "clipper2-double"
@@ -39,9 +39,9 @@ def program(finding: Finding, name: str) -> Program | None:
     scale = f"times 2^{shift}, " if shift else ""
     text = filled(
         "clipper2/region" if target == "clipper2-region" else "clipper2/curves",
+        finding,
+        name,
         WHAT=_WHAT[target],
-        OBSERVED=observed(finding.outcome),
-        NAME=name,
         UNIT=f"{scale}rounded" if not real else "as doubles",
         P=_set(P, shift, real),
         Q=_set(Q, shift, real),

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from minkref.fuzz.adapters.surfaces import triangles_of
 from minkref.fuzz.libraries.grid import polygons_of
-from minkref.fuzz.libraries.program import Program, filled, observed, scaled_operands
+from minkref.fuzz.libraries.program import Program, filled, scaled_operands
 from minkref.fuzz.run.runner import Finding
 from minkref.fuzz.verdicts.verdict import Witness
 
@@ -27,15 +27,7 @@ def program(finding: Finding, name: str) -> Program | None:
     P, Q = (_solid(text) if space else _polygons(text) for text in operands)
     witness = finding.outcome.witness
     form = "off" if space else "svg"
-    text = filled(
-        "openscad/program",
-        OBSERVED=observed(finding.outcome),
-        NAME=name,
-        FORM=form,
-        P=P,
-        Q=Q,
-        SCENE=_scene(witness),
-    )
+    text = filled("openscad/program", finding, name, FORM=form, P=P, Q=Q, SCENE=_scene(witness))
     run = f"openscad -o {name}.{form} {name}.scad; echo $?"
     return Program(f"{name}.scad", text, run, NOTE if witness else "")
 

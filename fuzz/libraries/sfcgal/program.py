@@ -6,7 +6,7 @@ import json
 
 from minkref.fuzz.adapters.surfaces import triangles_of
 from minkref.fuzz.libraries.grid import polygons_of
-from minkref.fuzz.libraries.program import Program, filled, observed, scaled_operands
+from minkref.fuzz.libraries.program import Program, filled, scaled_operands
 from minkref.fuzz.run.runner import Finding
 
 
@@ -20,8 +20,8 @@ def program(finding: Finding, name: str) -> Program | None:
     zero = ("0", "0", "0") if space else ("0", "0")
     text = filled(
         "sfcgal/space" if space else "sfcgal/plane",
-        OBSERVED=observed(finding.outcome),
-        NAME=name,
+        finding,
+        name,
         P=P,
         Q=Q,
         X=", ".join(f'"{number}"' for number in (witness.point if witness else zero)),

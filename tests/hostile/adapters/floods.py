@@ -86,20 +86,19 @@ class HalfALine(Adapter):
         text = super().line(request)
         if request["verb"] == "at":
             say(text[: len(text) // 2])
+            self.then()
             linger()
         return text
 
+    def then(self) -> None:
+        pass
 
-class HalfALineAndCloses(Adapter):
+
+class HalfALineAndCloses(HalfALine):
     """Half of an answer, and then no standard output, but still there."""
 
-    def line(self, request: Request) -> bytes:
-        text = super().line(request)
-        if request["verb"] == "at":
-            say(text[: len(text) // 2])
-            os.close(1)
-            linger()
-        return text
+    def then(self) -> None:
+        os.close(1)
 
 
 class ClosesAll(Adapter):

@@ -35,29 +35,24 @@ class EatsMemoryAsATree(Adapter):
     def mischief(self, request: Request) -> None:
         for _ in range(10):
             if fork() == 0:
+                self.get_away()
                 without_pipes()
                 self.eaten = b"x" * (250 * MEGABYTE)
                 linger()
         time.sleep(20)
         os._exit(0)
 
+    def get_away(self) -> None:
+        pass
 
-class EatsMemoryOfDaemons(Adapter):
+
+class EatsMemoryOfDaemons(EatsMemoryAsATree):
     """The same, in sessions of their own."""
 
-    instead = "at"
-
-    def mischief(self, request: Request) -> None:
-        for _ in range(10):
-            if fork() == 0:
-                os.setsid()
-                if fork():
-                    os._exit(0)
-                without_pipes()
-                self.eaten = b"x" * (250 * MEGABYTE)
-                linger()
-        time.sleep(20)
-        os._exit(0)
+    def get_away(self) -> None:
+        os.setsid()
+        if fork():
+            os._exit(0)
 
 
 class EatsSharedMemory(Adapter):
