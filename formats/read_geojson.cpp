@@ -105,13 +105,7 @@ class GeoJsonReader {
   void segment(Json coordinates) {
     TextRing ends = ring(coordinates, "the coordinates of a LineString");
     if (ends.points.empty()) return;
-    if (ends.points.size() != 2) {
-      input_.refuse("not-a-segment",
-                    "a LineString of " + std::to_string(ends.points.size()) +
-                        " positions is not a segment and not a region",
-                    "give two positions, or close the line as a Polygon", ends.place());
-    }
-    set_.segment(std::move(ends));
+    set_.segment(std::move(ends), "LineString", "positions", "Polygon");
   }
 
   SetBuilder& set_;

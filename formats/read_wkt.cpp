@@ -118,16 +118,7 @@ class WktReader {
     set_.point(std::move(ring));
   }
 
-  void segment() {
-    TextRing ring = vertices();
-    if (ring.points.size() != 2) {
-      input_.refuse("not-a-segment",
-                    "a LINESTRING of " + std::to_string(ring.points.size()) +
-                        " points is not a segment and not a region",
-                    "give two points, or close the line as a POLYGON", ring.place());
-    }
-    set_.segment(std::move(ring));
-  }
+  void segment() { set_.segment(vertices(), "LINESTRING", "points", "POLYGON"); }
 
   SetBuilder& set_;
   Input& input_;

@@ -84,7 +84,18 @@ void SetBuilder::close(TextRing& ring) const {
 
 void SetBuilder::point(TextRing vertex) { polygon(std::move(vertex), {}); }
 
-void SetBuilder::segment(TextRing ends) { polygon(std::move(ends), {}); }
+void SetBuilder::segment(TextRing ends, std::string_view line, std::string_view points,
+                         std::string_view polygon_name) {
+  if (ends.points.size() != 2) {
+    input_.refuse(
+        "not-a-segment",
+        "a " + std::string(line) + " of " + std::to_string(ends.points.size()) + " " +
+            std::string(points) + " is not a segment and not a region",
+        "give two " + std::string(points) + ", or close the line as a " + std::string(polygon_name),
+        ends.place());
+  }
+  polygon(std::move(ends), {});
+}
 
 void SetBuilder::polygon(TextRing outer, std::vector<TextRing> holes) {
   std::vector<TextRing> rings;

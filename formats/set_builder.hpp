@@ -35,7 +35,10 @@ class SetBuilder {
   void close(TextRing& ring) const;
 
   void point(TextRing vertex);
-  void segment(TextRing ends);
+  /// Refuses "not-a-segment" where there are not two vertices; the rest is how the format calls
+  /// its lines, what they lead through, and its polygons.
+  void segment(TextRing ends, std::string_view line, std::string_view points,
+               std::string_view polygon);
   /// A polygon; a lone outer ring of one or two vertices is a point or a segment.
   void polygon(TextRing outer, std::vector<TextRing> holes);
 

@@ -1,5 +1,5 @@
-"""What a page is filled into: a template, styles and scripts of one folder, in one file that needs
-nothing else."""
+"""What a page is filled into: a template, styles and scripts of one folder, and the script that all
+pages share, in one file that needs nothing else."""
 
 from __future__ import annotations
 
@@ -16,6 +16,7 @@ def page_template(package: str, scripts: Iterable[str]) -> tuple[Template, dict[
     """The template in the folder `page` of the package, and what it says of every page: the
     version, the style, and the scripts in their order."""
     folder = resources.files(package) / "page"
+    shared = resources.files("minkref.commands.pages") / "page" / "shared.js"
 
     def text(name: str) -> str:
         return (folder / name).read_text(encoding="utf-8")
@@ -23,7 +24,8 @@ def page_template(package: str, scripts: Iterable[str]) -> tuple[Template, dict[
     environment = Environment(
         autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True
     )
-    script = "\n".join(text(f"{name}.js") for name in scripts)
+    own = (text(f"{name}.js") for name in scripts)
+    script = "\n".join([shared.read_text(encoding="utf-8"), *own])
     usual = {"version": version(), "style": text("style.css"), "script": script}
     return environment.from_string(text("page.html.j2")), usual
 

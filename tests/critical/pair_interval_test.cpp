@@ -80,23 +80,28 @@ TEST(Observation1, PrintedParameterIsWrongAndCorrectedIsRight) {
   EXPECT_EQ(observation_1<Rational>(v, w, u, Form::printed), r(1, 2));
 }
 
-TEST(MovingIntersection, IsLinearInTheScale) {
-  MINKREF_SEEDED(random, 3001);
+/// Checks random pairs that are not parallel.
+template <class Check>
+void expect_of_crossing_pairs(Source& random, Check&& check) {
   for (int i = 0; i < repetitions(500); ++i) {
     const PairOfEdges pair = random_pair(random, types[random.below(3)]);
-    if (K::cross(pair.a.d, pair.b.d) == 0) continue;
+    if (K::cross(pair.a.d, pair.b.d) != 0) check(pair);
+  }
+}
+
+TEST(MovingIntersection, IsLinearInTheScale) {
+  MINKREF_SEEDED(random, 3001);
+  expect_of_crossing_pairs(random, [](const PairOfEdges& pair) {
     const auto x = line_intersection<Rational>(pair.a, pair.b);
     for (const Rational& s : {r(1, 3), r(1), r(5, 2), r(7)}) {
       EXPECT_EQ(x.at(s), intersection_at<Rational>(pair.a, pair.b, s)) << text(pair);
     }
-  }
+  });
 }
 
 TEST(ScaleSolve, AlphaAndBetaAreMultiplesOfTheDirectionOfTheEdge) {
   MINKREF_SEEDED(random, 3002);
-  for (int i = 0; i < repetitions(500); ++i) {
-    const PairOfEdges pair = random_pair(random, types[random.below(3)]);
-    if (K::cross(pair.a.d, pair.b.d) == 0) continue;
+  expect_of_crossing_pairs(random, [](const PairOfEdges& pair) {
     const auto conditions = end_conditions<Rational>(pair.a, pair.b);
     for (const auto& [direction, alpha, beta] : conditions) {
       EXPECT_EQ(K::cross(direction, alpha), 0) << text(pair);
@@ -109,7 +114,7 @@ TEST(ScaleSolve, AlphaAndBetaAreMultiplesOfTheDirectionOfTheEdge) {
       EXPECT_EQ(by_consistency[k].kind, along[k].kind) << text(pair);
       EXPECT_EQ(by_consistency[k].scale, along[k].scale) << text(pair);
     }
-  }
+  });
 }
 
 TEST(ScaleSolve, RootInconsistentAndIdentityInTwoAndThreeDimensions) {

@@ -9,6 +9,7 @@ from conversation import Answer, Request
 from minkref import _core
 from plane_adapter import Events, Updating
 from plane_sets import set_of
+from stale_updates import StaysAtLastSum
 
 
 class UpdateDrifts(Updating):
@@ -43,15 +44,8 @@ class SecondUpdateStays(Updating):
         return self.last
 
 
-class UpdateIgnoresScale(Updating):
-    """`update` answers the sum that the last `at` found."""
-
-    def at(self, request: Request) -> Answer:
-        self.last = super().at(request)
-        return self.last
-
-    def update(self, request: Request) -> Answer:
-        return self.last
+class UpdateIgnoresScale(StaysAtLastSum, Updating):
+    pass
 
 
 class UpdateKeepsHoles(Updating):

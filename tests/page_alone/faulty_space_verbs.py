@@ -9,6 +9,7 @@ from space_adapter import Space, UpdatingInSpace, scaling_of
 from space_blocks import prism
 from space_sets import parts_of, shell_of
 from space_sums import sum_in_space
+from stale_updates import StaysAtLastSum
 
 
 class UpdateIsUnitCube(UpdatingInSpace):
@@ -21,15 +22,8 @@ class UpdateIsUnitCube(UpdatingInSpace):
         )
 
 
-class UpdateInSpaceStays(UpdatingInSpace):
-    """`update` answers the sum that the last `at` found."""
-
-    def at(self, request: Request) -> Answer:
-        self.last = super().at(request)
-        return self.last
-
-    def update(self, request: Request) -> Answer:
-        return self.last
+class UpdateInSpaceStays(StaysAtLastSum, UpdatingInSpace):
+    pass
 
 
 class UpdateScalesTwice(UpdatingInSpace):

@@ -1,7 +1,5 @@
 // Scales, holes and events in words.
-const element = (id) => document.getElementById(id);
 const short = (number, digits = 6) => String(Number(Number(number).toPrecision(digits)));
-const several = (count, one, many = `${one}s`) => `${count.toLocaleString("en")} ${count === 1 ? one : many}`;
 const kindNames = { b: "birth", d: "death", s: "swap", t: "touch" };
 
 // A long fraction is cut in running text; it is whole where it is chosen.
@@ -19,16 +17,6 @@ const diedText = (life, whole) => (isInside(life[1]) ? `dies at ${exactAndAbout(
 
 function featureName(feature, id) {
   return feature === "h" && id === 0 ? "the outside" : `${names[feature]} ${id}`;
-}
-
-function tip(text, event) {
-  const box = element("tip");
-  box.hidden = !text;
-  if (!text) return;
-  box.textContent = text;
-  const { width, height } = box.getBoundingClientRect();
-  box.style.left = `${Math.min(event.clientX + 14, innerWidth - width - 6)}px`;
-  box.style.top = `${event.clientY + 18 + height > innerHeight ? event.clientY - height - 10 : event.clientY + 18}px`;
 }
 
 // A number or a fraction; NaN if it is neither.

@@ -1,7 +1,4 @@
 // Frames, facets and vertices in words.
-const element = (id) => document.getElementById(id);
-const counted = (count) => count.toLocaleString("en");
-const several = (count, one, many = `${one}s`) => `${counted(count)} ${count === 1 ? one : many}`;
 const meaning = {
   "fv": "facet of P + vertex of Q", "vf": "vertex of P + facet of Q", "ee": "edge of P + edge of Q",
   "facet+edge": "facet of P + edge of Q", "edge+facet": "edge of P + facet of Q", "facet+facet": "facet of P + facet of Q",
@@ -50,14 +47,4 @@ function tipText(name, picture, frame, what, number) {
 function operandPoint(name, frame, number) {
   const point = operands[name].exact[number];
   return name === "P" ? point.map((axis, i) => times(fraction(frame.scale[i]), axis)) : point;
-}
-
-function tip(text, event) {
-  const box = element("tip");
-  box.hidden = !text;
-  if (!text) return;
-  box.textContent = text;
-  const { width, height } = box.getBoundingClientRect();
-  box.style.left = `${Math.max(Math.min(event.clientX + 14, innerWidth - width - 6), 6)}px`;
-  box.style.top = `${event.clientY + 18 + height > innerHeight ? event.clientY - height - 10 : event.clientY + 18}px`;
 }
