@@ -18,12 +18,6 @@ def folder(tmp_path: Path) -> Path:
     return laid(tmp_path, cubes.CASE, cubes.certificate())
 
 
-def test_it_runs_in_an_empty_folder(folder: Path) -> None:
-    ran = alone(folder, "it.cert.json")
-    assert (ran.returncode, ran.stderr) == (0, "")
-    assert "verified" in ran.stdout and cubes.CLAIM["digest"] in ran.stdout
-
-
 def test_both_forms_are_followed_beside_each_other(folder: Path) -> None:
     plane = folder / "plane"
     plane.mkdir()

@@ -11,6 +11,7 @@ import tokenize
 from pathlib import Path
 from typing import Any
 
+import cubes
 import pytest
 import squares
 from file_alone import alone, laid
@@ -22,10 +23,11 @@ def folder(tmp_path: Path) -> Path:
     return laid(tmp_path, squares.CASE, squares.certificate())
 
 
-def test_it_runs_in_an_empty_folder(folder: Path) -> None:
-    ran = alone(folder, "it.cert.json")
+@pytest.mark.parametrize("given", [squares, cubes], ids=["squares", "cubes"])
+def test_it_runs_in_an_empty_folder(tmp_path: Path, given: Any) -> None:
+    ran = alone(laid(tmp_path, given.CASE, given.certificate()), "it.cert.json")
     assert (ran.returncode, ran.stderr) == (0, "")
-    assert "verified" in ran.stdout and squares.CLAIM["digest"] in ran.stdout
+    assert "verified" in ran.stdout and given.CLAIM["digest"] in ran.stdout
 
 
 @pytest.mark.parametrize("level", [0, 1, 9])

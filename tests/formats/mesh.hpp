@@ -57,6 +57,19 @@ inline std::string mesh_code(std::string_view text, MeshFormat format,
   return refusal_of_mesh(text, format, limits).code();
 }
 
+/// Each of the faces is refused with its code, its number and its line; `refusal` puts it into a
+/// text.
+template <class RefusalOf>
+void expect_faulty_faces(RefusalOf&& refusal, std::size_t number, std::size_t line,
+                         const std::vector<std::pair<std::string, std::string>>& faces) {
+  for (const auto& [face, code] : faces) {
+    const BadInput refused = refusal(face);
+    EXPECT_EQ(refused.code(), code) << face;
+    EXPECT_EQ(refused.place().face, number) << face;
+    EXPECT_EQ(refused.place().line, line) << face;
+  }
+}
+
 /// The bytes of an integer or a float.
 template <class Value>
 std::string bytes_of(Value value, std::endian order = std::endian::little) {

@@ -44,23 +44,20 @@ TEST(MeshJson, WrongStructureIsRefused) {
 }
 
 TEST(MeshJson, AFaultyFaceIsRefusedWithItsNumberAndItsLine) {
-  for (const auto& [face, expected] :
-       std::vector<std::pair<std::string, std::string>>{{"[0,2,4]", "index-out-of-range"},
-                                                        {"[0,2,-1]", "index-out-of-range"},
-                                                        {"[0,2,5000000000]", "index-out-of-range"},
-                                                        {"[0,2]", "too-few-vertices"},
-                                                        {"[]", "too-few-vertices"},
-                                                        {"[0,2,1.0]", "syntax"},
-                                                        {"[0,2,1e0]", "syntax"},
-                                                        {"[0,2,\"3\"]", "wrong-type"},
-                                                        {"3", "wrong-type"},
-                                                        {"[0,2,0]", "repeated-vertex"}}) {
-    const BadInput refused =
-        refusal_of_mesh(with_faces("[0,1,2],\n" + face + ",[0,3,1],[1,3,2]"), MeshFormat::json);
-    EXPECT_EQ(refused.code(), expected) << face;
-    EXPECT_EQ(refused.place().face, 1U) << face;
-    EXPECT_EQ(refused.place().line, 3U) << face;
-  }
+  const auto faulty = [](const std::string& face) {
+    return refusal_of_mesh(with_faces("[0,1,2],\n" + face + ",[0,3,1],[1,3,2]"), MeshFormat::json);
+  };
+  expect_faulty_faces(faulty, 1, 3,
+                      {{"[0,2,4]", "index-out-of-range"},
+                       {"[0,2,-1]", "index-out-of-range"},
+                       {"[0,2,5000000000]", "index-out-of-range"},
+                       {"[0,2]", "too-few-vertices"},
+                       {"[]", "too-few-vertices"},
+                       {"[0,2,1.0]", "syntax"},
+                       {"[0,2,1e0]", "syntax"},
+                       {"[0,2,\"3\"]", "wrong-type"},
+                       {"3", "wrong-type"},
+                       {"[0,2,0]", "repeated-vertex"}});
 }
 
 }  // namespace

@@ -84,21 +84,16 @@ TEST(Off, AFaultyFaceIsRefusedWithItsNumberAndItsLine) {
     return refusal_of_mesh("OFF\n4 4 6\n" + vertices + "3 0 1 2\n3 0 2 3\n" + face + "\n3 1 3 2\n",
                            MeshFormat::off);
   };
-  for (const auto& [face, code] :
-       std::vector<std::pair<std::string, std::string>>{{"3 0 3 4", "index-out-of-range"},
-                                                        {"3 0 3 -1", "index-out-of-range"},
-                                                        {"3 0 3 5000000000", "index-out-of-range"},
-                                                        {"2 0 3", "too-few-vertices"},
-                                                        {"0", "too-few-vertices"},
-                                                        {"4 0 3 1", "syntax"},
-                                                        {"3 0 3 1.0", "syntax"},
-                                                        {"4000000000 0 3 1", "syntax"},
-                                                        {"3 0 3 0", "repeated-vertex"}}) {
-    const BadInput refused = faulty(face);
-    EXPECT_EQ(refused.code(), code) << face;
-    EXPECT_EQ(refused.place().face, 2U) << face;
-    EXPECT_EQ(refused.place().line, 9U) << face;
-  }
+  expect_faulty_faces(faulty, 2, 9,
+                      {{"3 0 3 4", "index-out-of-range"},
+                       {"3 0 3 -1", "index-out-of-range"},
+                       {"3 0 3 5000000000", "index-out-of-range"},
+                       {"2 0 3", "too-few-vertices"},
+                       {"0", "too-few-vertices"},
+                       {"4 0 3 1", "syntax"},
+                       {"3 0 3 1.0", "syntax"},
+                       {"4000000000 0 3 1", "syntax"},
+                       {"3 0 3 0", "repeated-vertex"}});
   EXPECT_EQ(
       std::string(faulty("3 0 3 4").what()),
       "input: line 9: face 2: the face names vertex 4, and the vertices are numbered from 0 to "

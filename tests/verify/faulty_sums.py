@@ -37,11 +37,14 @@ def shifted(P: Set, Q: Set) -> Set:
     return result
 
 
-def invents_a_component(P: Set, Q: Set) -> Set:
+def with_another(P: Set, Q: Set, outer: list[list[str]]) -> Set:
     result = right(P, Q)
-    far = [["1000", "0"], ["1001", "0"], ["1000", "1"]]
-    result["polygons"].append({"outer": far, "holes": []})
+    result["polygons"].append({"outer": outer, "holes": []})
     return result
+
+
+def invents_a_component(P: Set, Q: Set) -> Set:
+    return with_another(P, Q, [["1000", "0"], ["1001", "0"], ["1000", "1"]])
 
 
 def nothing(P: Set, Q: Set) -> Set:
@@ -152,10 +155,7 @@ def runs_the_other_way(P: Set, Q: Set) -> Set:
 
 
 def adds_a_flat_ring(P: Set, Q: Set) -> Set:
-    result = right(P, Q)
-    flat = [["0", "0"], ["1", "1"], ["2", "2"]]
-    result["polygons"].append({"outer": flat, "holes": []})
-    return result
+    return with_another(P, Q, [["0", "0"], ["1", "1"], ["2", "2"]])
 
 
 def answers_in_long_numbers(P: Set, Q: Set) -> Set:

@@ -1,20 +1,15 @@
 """Manifold."""
 
-from minkref.fuzz.libraries.library import Adapter, Library
+from minkref.fuzz.libraries.library import Library, Method
 
 LIBRARY = Library(
     title="Manifold",
     targets="manifold3d",
     place=3,
-    adapters=(
-        Adapter(
-            name="manifold3d",
-            title="Manifold, minkowski_sum in space",
-            kind="python",
-            program="manifold/adapter.py",
-            home="manifold3d",
-            source="manifold3d 3.5.4 (PyPI)",
-            licence="Apache-2.0",
-        ),
-    ),
+    methods=(Method("manifold3d", "Manifold, minkowski_sum in space"),),
+    kind="python",
+    program="manifold/adapter.py",
+    source="manifold3d 3.5.4 (PyPI)",
+    licence="Apache-2.0",
+    home="manifold3d",
 )

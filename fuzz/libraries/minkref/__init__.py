@@ -1,21 +1,18 @@
 """minkref without exactness, as one more library."""
 
-from minkref.fuzz.libraries.library import Adapter, Library
-
-PROGRAM, LICENCE = "minkref/adapter.py", "Apache-2.0"
-
-
-def _adapter(name: str, title: str, arithmetic: str) -> Adapter:
-    return Adapter(name, title, "own", PROGRAM, "this package", LICENCE, (arithmetic,))
-
+from minkref.fuzz.libraries.library import Library, Method
 
 LIBRARY = Library(
     title="minkref",
     targets="minkref",
     place=7,
-    adapters=(
-        _adapter("minkref-double", "minkref in double arithmetic, without exactness", "double"),
-        _adapter("minkref-mpfr53", "minkref in MPFR of 53 bits, without exactness", "mpfr:53"),
+    methods=(
+        Method("minkref-double", "minkref in double arithmetic, without exactness", "double"),
+        Method("minkref-mpfr53", "minkref in MPFR of 53 bits, without exactness", "mpfr:53"),
     ),
+    kind="own",
+    program="minkref/adapter.py",
+    source="this package",
+    licence="Apache-2.0",
     has_program=False,
 )

@@ -1,19 +1,14 @@
 """OpenSCAD."""
 
-from minkref.fuzz.libraries.library import Adapter, Library
+from minkref.fuzz.libraries.library import Library, Method
 
 LIBRARY = Library(
     title="OpenSCAD",
     targets="openscad",
     place=5,
-    adapters=(
-        Adapter(
-            name="openscad",
-            title="OpenSCAD, minkowski() in the plane and in space",
-            kind="debian",
-            program="openscad/adapter.py",
-            source="OpenSCAD of the system (Debian: openscad 2021.01)",
-            licence="GPL-2.0-or-later",
-        ),
-    ),
+    methods=(Method("openscad", "OpenSCAD, minkowski() in the plane and in space"),),
+    kind="debian",
+    program="openscad/adapter.py",
+    source="OpenSCAD of the system (Debian: openscad 2021.01)",
+    licence="GPL-2.0-or-later",
 )

@@ -6,6 +6,7 @@ import fcntl
 import json
 import os
 import time
+from contextlib import suppress
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -78,12 +79,10 @@ class ForgesTheReport(Liar):
 
     def mischief(self, request: Request) -> None:
         report = Path(self.told["work"], "report")
-        try:
+        with suppress(OSError):
             report.mkdir(exist_ok=True)
             (report / "index.html").write_text("minkref-hostile: all is well")
             (report / "report.html").symlink_to(Path(self.told["home"], "canary"))
-        except OSError:
-            return
 
 
 class LinksTheReportElsewhere(Liar):
@@ -91,12 +90,10 @@ class LinksTheReportElsewhere(Liar):
 
     def mischief(self, request: Request) -> None:
         report = Path(self.told["work"], "report")
-        try:
+        with suppress(OSError):
             if report.is_dir():
                 report.rename(report.with_name("minkref-hostile-report"))
             report.symlink_to(self.told["home"])
-        except OSError:
-            return
 
 
 class PrintsADocument(Adapter):

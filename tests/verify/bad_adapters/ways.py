@@ -31,27 +31,24 @@ def way(name: str) -> Callable[[type[Adapter]], type[Adapter]]:
 
 def instead(verb: str, act: Callable[[Adapter, Set], Any]) -> Callable[[], Adapter]:
     """At this verb, something else is done; nothing more is answered to it."""
-
-    class Instead(Adapter):
-        def handle(self, request: Set) -> None:
-            if request["verb"] == verb:
-                act(self, request)
-            else:
-                super().handle(request)
-
-    return Instead
+    return _acting(verb, act, answers=False)
 
 
 def also(verb: str, act: Callable[[Adapter, Set], Any]) -> Callable[[], Adapter]:
     """Before the right answer to this verb, something else is done."""
+    return _acting(verb, act, answers=True)
 
-    class Also(Adapter):
+
+def _acting(verb: str, act: Callable[[Adapter, Set], Any], answers: bool) -> Callable[[], Adapter]:
+    class Acting(Adapter):
         def handle(self, request: Set) -> None:
-            if request["verb"] == verb:
+            acts = request["verb"] == verb
+            if acts:
                 act(self, request)
-            super().handle(request)
+            if answers or not acts:
+                super().handle(request)
 
-    return Also
+    return Acting
 
 
 def says(verb: str, line: Callable[[Adapter, Set], str | bytes]) -> Callable[[], Adapter]:
