@@ -8,6 +8,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from minkref.exact import digest
+from minkref.rings import from_least
 
 
 class Figure(NamedTuple):
@@ -58,13 +59,8 @@ def _place(v: list[Fraction], s: Fraction) -> tuple[Fraction, ...]:
 
 
 def _text(polygons: list[list[list[tuple[Fraction, ...]]]]) -> str:
-    turned = [[_turned(ring) for ring in polygon] for polygon in polygons]
+    turned = [[from_least(ring) for ring in polygon] for polygon in polygons]
     ordered = sorted([polygon[0], *sorted(polygon[1:])] for polygon in turned)
     plain = [[[[str(x) for x in v] for v in ring] for ring in polygon] for polygon in ordered]
     value = {"polygons": [{"holes": polygon[1:], "outer": polygon[0]} for polygon in plain]}
     return json.dumps(value, sort_keys=True, separators=(",", ":"))
-
-
-def _turned(ring: list[tuple[Fraction, ...]]) -> list[tuple[Fraction, ...]]:
-    least = ring.index(min(ring))
-    return ring[least:] + ring[:least]

@@ -17,6 +17,7 @@ from minkref.degeneracies.generate import member
 from minkref.degeneracies.verdict_of_floats import precision
 from minkref.exact import digest
 from minkref.fuzz.geometry.plane import written_rings
+from minkref.rings import from_least
 
 FINE = 60  # bits: a sibling is this near, where neighbouring doubles are 52 or 53 bits apart
 
@@ -85,7 +86,9 @@ class Degenerate(CaseTexts):
                 **self._wound_zero_times(),
                 "below_at_above": [list(counts) for counts in facts.counts],
                 "varies": [VARIES[name] for name in self._varies()],
-                "floats": [precision(facts.P, facts.Q, str(scale), answer) for scale, answer in found],
+                "floats": [
+                    precision(facts.P, facts.Q, str(scale), answer) for scale, answer in found
+                ],
             },
         }
         return self.described(operands, findings)
@@ -144,12 +147,8 @@ def content_of(P: _core.PolygonSet, Q: _core.PolygonSet) -> str:
 
 
 def _content(operand: _core.PolygonSet) -> list[Any]:
-    def turned(ring: list[list[str]]) -> list[list[str]]:
-        first = ring.index(min(ring))
-        return ring[first:] + ring[:first]
-
     polygons = json.loads(operand.to_json())["polygons"]
-    return sorted([turned(p["outer"]), sorted(map(turned, p["holes"]))] for p in polygons)
+    return sorted([from_least(p["outer"]), sorted(map(from_least, p["holes"]))] for p in polygons)
 
 
 def _event(row: dict[str, Any]) -> dict[str, Any]:

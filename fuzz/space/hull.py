@@ -19,6 +19,7 @@ from minkref.fuzz.geometry.space import (
     whole,
 )
 from minkref.fuzz.space.polyhedron import Polyhedron
+from minkref.rings import from_least
 
 Triple = tuple[int, int, int]
 
@@ -34,7 +35,7 @@ def convex_hull(points: Iterable[Point]) -> Polyhedron:
     name = {index: place for place, index in enumerate(used)}
     return Polyhedron(
         tuple(given[index] for index in used),
-        tuple(sorted(tuple(name[index] for index in _from_least(ring)) for ring in rings)),
+        tuple(sorted(tuple(name[index] for index in from_least(ring)) for ring in rings)),
     )
 
 
@@ -132,8 +133,3 @@ def _facets(points: list[Whole], triples: list[Triple]) -> list[list[int]]:
             ring.append(onward[ring[-1]])
         rings.append(ring)
     return rings
-
-
-def _from_least(ring: list[int]) -> list[int]:
-    at = ring.index(min(ring))
-    return ring[at:] + ring[:at]

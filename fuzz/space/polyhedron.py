@@ -22,6 +22,8 @@ from minkref.fuzz.geometry.space import (
     whole,
 )
 from minkref.fuzz.space.face_triangles import face_triangles
+from minkref.fuzz.space.parts import Parts
+from minkref.rings import from_least
 
 _NUMBER = re.compile(r"[+-]?\d+(/\d+)?", re.ASCII)
 Face = tuple[int, ...]
@@ -102,11 +104,11 @@ class Polyhedron:
         gone = set()
         for number, face in enumerate(self.faces):
             points = [self.vertices[index] for index in face]
-            opposite = left.get(_from_least(points[::-1]))
+            opposite = left.get(tuple(from_least(points[::-1])))
             if opposite:
                 gone |= {number, opposite.pop()}
             else:
-                left.setdefault(_from_least(points), []).append(number)
+                left.setdefault(tuple(from_least(points)), []).append(number)
         if not gone:
             return self
         faces = tuple(face for number, face in enumerate(self.faces) if number not in gone)
@@ -156,18 +158,11 @@ class Polyhedron:
     def shells(self) -> tuple[int, ...]:
         """For each face a vertex that stands for its part of the surface; parts hang together by
         vertices."""
-        parent = list(range(len(self.vertices)))
-
-        def root(k: int) -> int:
-            while parent[k] != k:
-                parent[k] = parent[parent[k]]
-                k = parent[k]
-            return k
-
+        parts = Parts(len(self.vertices))
         for face in self.faces:
             for k in face:
-                parent[root(k)] = root(face[0])
-        return tuple(root(face[0]) for face in self.faces)
+                parts.join(k, face[0])
+        return tuple(parts.of(face[0]) for face in self.faces)
 
     def bad_face(self) -> tuple[int, str] | None:
         """A face that is too short, has no area or is not planar, and what is wrong with it."""
@@ -226,12 +221,6 @@ class Polyhedron:
             if seen != len(fan):
                 return vertex
         return None
-
-
-def _from_least(points: list[Point]) -> tuple[Point, ...]:
-    """The ring, beginning with its least point."""
-    first = points.index(min(points))
-    return (*points[first:], *points[:first])
 
 
 def _is_planar(ring: list[Whole]) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from minkref.fuzz.geometry.space import Whole
 from minkref.fuzz.space.closedness import open_stretch
+from minkref.fuzz.space.parts import Parts
 from minkref.fuzz.space.polyhedron import Face, Polyhedron
 
 Faces = tuple[Face, ...]
@@ -33,23 +34,16 @@ def _parted(surface: Polyhedron, groups: list[list[Face]]) -> tuple[list[Faces],
 
 def _by_edges(surface: Polyhedron, faces: list[Face]) -> list[list[Face]]:
     points = surface.wholes
-    parent = list(range(len(faces)))
-
-    def root(k: int) -> int:
-        while parent[k] != k:
-            parent[k] = parent[parent[k]]
-            k = parent[k]
-        return k
-
+    parts = Parts(len(faces))
     waiting: dict[tuple[Whole, Whole], list[int]] = {}
     for number, face in enumerate(faces):
         for i, j in zip(face, face[1:] + face[:1], strict=True):
             a, b = points[i], points[j]
             if opposite := waiting.get((b, a)):
-                parent[root(number)] = root(opposite.pop())
+                parts.join(number, opposite.pop())
             else:
                 waiting.setdefault((a, b), []).append(number)
     groups: dict[int, list[Face]] = {}
     for number, face in enumerate(faces):
-        groups.setdefault(root(number), []).append(face)
+        groups.setdefault(parts.of(number), []).append(face)
     return list(groups.values())

@@ -12,19 +12,11 @@ import pytest
 from minkref import _core
 from minkref.certify.certificate import Certificate, NoProof
 from minkref.exact import digest
-from minkref.fuzz.cases import naming
-from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.families.catalogue import FAMILIES
-from minkref.fuzz.plane.case import Case
 from minkref.reports.evidence.certificates.mutants import mutants
+from named_cases import named
 
 SEED = 7
-
-
-def case_of(name: str) -> Case:
-    case = naming.load(CaseName(name, "test"))
-    assert isinstance(case, Case)
-    return case
 
 
 def written(certificate: Certificate, folder: Path) -> Path:
@@ -37,7 +29,7 @@ def written(certificate: Certificate, folder: Path) -> Path:
 @pytest.mark.parametrize("family", FAMILIES)
 def test_sums_and_their_tight_passages(check: Any, tmp_path: Path, family: str) -> None:
     for index in range(3):
-        case = case_of(f"{family}:{SEED}:{index}")
+        case = named(f"{family}:{SEED}:{index}")
         if not any(o.is_region or o.is_empty for o in (case.P, case.Q)):
             continue
         certificate = Certificate(case.P, case.Q)
@@ -63,7 +55,7 @@ def test_triangles_far_out_on_both_sides(check: Any, tmp_path: Path, flip: str) 
 
 @pytest.mark.parametrize("family", ["random", "holes", "nested", "comb", "touching", "spiral"])
 def test_events(check: Any, tmp_path: Path, family: str) -> None:
-    case = case_of(f"{family}:{SEED}:2")
+    case = named(f"{family}:{SEED}:2")
     dynamic = _core.DynamicSum(case.P, case.Q)
     scales = sorted({Fraction(row[0]) for row in dynamic.boundary_events()})
     for i, scale in enumerate(scales[:2]):
@@ -95,7 +87,7 @@ def test_the_death_of_a_hole(check: Any, tmp_path: Path) -> None:
 @pytest.mark.parametrize("family", ["random", "holes", "comb", "touching", "degenerate", "fit"])
 def test_degeneracies(check: Any, tmp_path: Path, family: str) -> None:
     """What makes each of the first critical scales critical: a zero there, and the signs beside."""
-    case = case_of(f"{family}:{SEED}:2")
+    case = named(f"{family}:{SEED}:2")
     events = _core.ArrangementEvents(case.P, case.Q)
     rows = events.rows(events.of_kind("arrangement"))
     for scale in list(dict.fromkeys(row[0] for row in rows))[:5]:
@@ -143,7 +135,7 @@ def test_what_does_not_hold_has_no_proof() -> None:
 def test_a_changed_sum_is_refused_or_still_proven(check: Any, tmp_path: Path, name: str) -> None:
     """Changed claims and cases are refused; a changed witness may be as good as the old one."""
     print(f"seed {SEED}")
-    case = case_of(name)
+    case = named(name)
     certificate = Certificate(case.P, case.Q)
     certificate.sum(case.scale, passages=True)
     path = written(certificate, tmp_path)

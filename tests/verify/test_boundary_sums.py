@@ -7,8 +7,6 @@ from fractions import Fraction
 
 import pytest
 from minkref import _core
-from minkref.fuzz.cases import naming
-from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.plane.boundary_sum import boundary_sum, decide_boundary
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.judgement import judge
@@ -17,18 +15,13 @@ from minkref.fuzz.targets.answer import answered
 from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.targets.reference import ReferenceTarget
 from minkref.fuzz.verdicts.verdict import Outcome, Verdict
+from named_cases import named
 
 CURVES = Declaration("curves", sum="boundary")
 BIG_AND_SMALL = (
     '{"P":{"polygons":[{"outer":[[0,0],[10,0],[10,10],[0,10]]}]},'
     '"Q":{"polygons":[{"outer":[[0,0],[1,0],[1,1],[0,1]]}]},"scale":"1"}'
 )
-
-
-def named(text: str) -> Case:
-    case = naming.load(CaseName(text, "test"))
-    assert isinstance(case, Case)
-    return case
 
 
 def judged(case: Case, text: str) -> Outcome:

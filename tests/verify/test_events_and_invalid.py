@@ -21,6 +21,7 @@ from minkref.fuzz.plane.witness import holds
 from minkref.fuzz.targets.answer import Answer, answered
 from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.verdicts.verdict import GOOD, Reason, Verdict
+from named_cases import named
 
 EXACT = Declaration("exact")
 FLOATS = Declaration("floats", arithmetic="float64", relative=Fraction(1, 10**9))
@@ -29,12 +30,6 @@ FRAME = (
     '"Q":{"polygons":[{"outer":[[0,0],[2,0],[2,2],[0,2]]}]},"scale":"1"}'
 )
 CLOSES = Fraction(2, 3)  # the hole of 3 s is as wide as Q
-
-
-def named(text: str) -> Case:
-    case = naming.load(CaseName(text, "test"))
-    assert isinstance(case, Case)
-    return case
 
 
 def events_of(case: Case) -> list[Fraction]:

@@ -4,8 +4,6 @@ found."""
 from __future__ import annotations
 
 import pytest
-from minkref.fuzz.cases import naming
-from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.families.drawing import shape_text
 from minkref.fuzz.geometry.plane import moved, read_shape
 from minkref.fuzz.plane.case import Case
@@ -15,15 +13,10 @@ from minkref.fuzz.plane.witness import holds
 from minkref.fuzz.targets.answer import Answer, answered
 from minkref.fuzz.targets.reference import ReferenceTarget
 from minkref.fuzz.verdicts.verdict import Outcome, Verdict
+from named_cases import named
 
 SOUND = ReferenceTarget("minkref:paper", "paper")
 FAMILIES = ("random", "holes", "comb", "touching", "degenerate", "rational", "offset")
-
-
-def named(text: str) -> Case:
-    case = naming.load(CaseName(text, "test"))
-    assert isinstance(case, Case)
-    return case
 
 
 def shifted(case: Case, by: int = 1) -> Answer:

@@ -8,8 +8,6 @@ from fractions import Fraction
 
 import pytest
 from minkref import _core
-from minkref.fuzz.cases import naming
-from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.families.drawing import shape_text
 from minkref.fuzz.geometry.plane import moved
 from minkref.fuzz.plane.case import Case
@@ -21,16 +19,11 @@ from minkref.fuzz.targets.answer import Answer, answered
 from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.targets.reference import ReferenceTarget
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict, Witness
+from named_cases import named
 
 HALF = Fraction(1, 100)
 FLOATS = Declaration("floats", arithmetic="float64", absolute=HALF)
 FAMILIES = ("random", "holes", "comb", "thin", "cells", "touching")
-
-
-def named(text: str) -> Case:
-    case = naming.load(CaseName(text, "test"))
-    assert isinstance(case, Case)
-    return case
 
 
 def truth_of(case: Case) -> Answer:
