@@ -105,31 +105,24 @@ def run(arguments: Sequence[str]) -> int:
 def _usage(error: TyperException, arguments: Sequence[str]) -> dict[str, object]:
     context = getattr(error, "ctx", None)
     path = context.command_path if context else _path_of(arguments)
-    return {
-        "code": "usage",
-        "what": error.format_message(),
-        "where": path,
-        "mend": f"`{path} --help` shows the options and examples",
-    }
+    mend = f"`{path} --help` shows the options and examples"
+    return _error("usage", error.format_message(), path, mend)
 
 
 def _no_memory(arguments: Sequence[str]) -> dict[str, object]:
-    return {
-        "code": "memory-limit",
-        "what": "there is no more memory",
-        "where": _path_of(arguments),
-        "mend": "take simpler or fewer operands, or end what else the machine runs",
-    }
+    mend = "take simpler or fewer operands, or end what else the machine runs"
+    return _error("memory-limit", "there is no more memory", _path_of(arguments), mend)
 
 
 def _long_name(error: OSError, arguments: Sequence[str]) -> dict[str, object]:
     name = str(error.filename or "")
-    return {
-        "code": "cannot-read",
-        "what": f"no file has a name of {len(name):,} characters",
-        "where": f"{_path_of(arguments)}, {name[:60]}...",
-        "mend": "check the path",
-    }
+    what = f"no file has a name of {len(name):,} characters"
+    where = f"{_path_of(arguments)}, {name[:60]}..."
+    return _error("cannot-read", what, where, "check the path")
+
+
+def _error(code: str, what: str, where: str, mend: str) -> dict[str, object]:
+    return {"code": code, "what": what, "where": where, "mend": mend}
 
 
 def _folder_is_gone() -> bool:
@@ -141,12 +134,8 @@ def _folder_is_gone() -> bool:
 
 
 def _no_folder(arguments: Sequence[str]) -> dict[str, object]:
-    return {
-        "code": "no-folder",
-        "what": "the current folder has been removed",
-        "where": _path_of(arguments),
-        "mend": "change to one that is there: cd",
-    }
+    what = "the current folder has been removed"
+    return _error("no-folder", what, _path_of(arguments), "change to one that is there: cd")
 
 
 def _path_of(arguments: Sequence[str]) -> str:

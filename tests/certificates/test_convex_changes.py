@@ -8,6 +8,8 @@ import json
 import random
 from collections.abc import Iterator
 from fractions import Fraction
+from functools import reduce
+from operator import getitem
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +19,7 @@ from minkref.fuzz.space.generators.convex import random_hull
 from minkref.fuzz.space.hull import convex_hull, is_convex
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, verdicts
+from replacing import replaced
 
 Value = dict[str, Any]
 Change = tuple[Value, Value]  # certificate, case
@@ -75,18 +78,10 @@ def others(value: Any) -> Iterator[Any]:
 def changed(value: Value) -> Iterator[Value]:
     """Each place in each way; an integer may stand for the text of it."""
     for path in places(value):
-        parent = value
-        for name in path[:-1]:
-            parent = parent[name]
-        for other in others(parent[path[-1]]):
-            if other == parent[path[-1]]:
-                continue
-            result = copy.deepcopy(value)
-            inside = result
-            for name in path[:-1]:
-                inside = inside[name]
-            inside[path[-1]] = other
-            yield result
+        present = reduce(getitem, path, value)
+        for other in others(present):
+            if other != present:
+                yield replaced(value, path, other)
 
 
 def changes(certificate: Value, case: Value) -> Iterator[Change]:

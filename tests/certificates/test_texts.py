@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copy
 import importlib.util
 import json
 import random
@@ -17,6 +16,7 @@ from minkref import _core
 from minkref.certify.certificate import Certificate
 from minkref.certify.convex_certificate import convex_certificate
 from minkref.reports.evidence.certificates.checkers import CHECKER, in_cpp, in_python, verdicts
+from replacing import replaced
 
 SEED = 12
 TEXTS = (
@@ -49,17 +49,6 @@ def places(value: Any, at: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
             yield from places(each, (*at, k))
 
 
-def changed(value: Any, at: tuple[Any, ...], new: Any) -> Any:
-    if not at:
-        return new
-    made = copy.deepcopy(value)
-    inside = made
-    for key in at[:-1]:
-        inside = inside[key]
-    inside[at[-1]] = new
-    return made
-
-
 def in_the_plane() -> tuple[str, str]:
     frame = _core.PolygonSet.from_json(
         '{"polygons":[{"outer":[[0,0],[4,0],[4,4],[0,4]],"holes":[[[1,1],[1,2],[2,2],[2,1]]]}]}'
@@ -82,9 +71,9 @@ def in_space() -> tuple[str, str]:
 def variants(certificate: Any, dice: random.Random) -> Iterator[Any]:
     for at in places(certificate):
         for new in (*dice.sample(TEXTS, OF_EACH), *dice.sample(VALUES, OF_EACH)):
-            yield changed(certificate, at, new)
+            yield replaced(certificate, at, new)
     for path in PATHS:
-        yield changed(certificate, ("case", "path"), path)
+        yield replaced(certificate, ("case", "path"), path)
 
 
 @pytest.mark.parametrize("made", [in_the_plane, in_space], ids=["plane", "space"])
@@ -114,7 +103,7 @@ def test_a_certificate_without_its_case_is_malformed_to_both(tmp_path: Path) -> 
     (tmp_path / "it.case.json").write_text(case, encoding="utf-8")
     for path in ("it.case.json/", "it.case.json\0y", "it.case.json/.", ""):
         file = tmp_path / "it.cert.json"
-        value = changed(json.loads(certificate), ("case", "path"), path)
+        value = replaced(json.loads(certificate), ("case", "path"), path)
         file.write_text(json.dumps(value), encoding="utf-8")
         for command in (in_python(), in_cpp()):
             assert verdicts(command, [file])[0].code == 2, path

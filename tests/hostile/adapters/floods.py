@@ -7,7 +7,7 @@ import os
 import sys
 import time
 
-from honest import Adapter, Answer, Request, say
+from honest import Adapter, Answer, InTurn, Request, say
 from processes import linger
 
 MEGABYTE = b"x" * (1 << 20)
@@ -134,16 +134,10 @@ class HugeAnswer(Adapter):
         return text
 
 
-class Deep(Adapter):
+class Deep(InTurn):
     """Lists in lists, a million deep, open, closed, and beside a right answer."""
 
-    count = 0
-
-    def line(self, request: Request) -> bytes:
-        text = super().line(request)
-        if request["verb"] != "at":
-            return text
-        self.count += 1
+    def spoilt(self, text: bytes, request: Request) -> bytes:
         depth = 10**6
         nest = (b"[" * depth, b'{"a":' * depth, text[:-1] + b',"x":' + b"[" * depth)
         ends = (b"]" * depth, b"1" + b"}" * depth, b"]" * depth + b"}")
@@ -151,16 +145,10 @@ class Deep(Adapter):
         return nest[kind % 3] + (ends[kind % 3] if kind > 2 else b"")
 
 
-class NoText(Adapter):
+class NoText(InTurn):
     """NUL, letters that are not UTF-8, surrogates, marks of byte order, and carriage returns."""
 
-    count = 0
-
-    def line(self, request: Request) -> bytes:
-        text = super().line(request)
-        if request["verb"] != "at":
-            return text
-        self.count += 1
+    def spoilt(self, text: bytes, request: Request) -> bytes:
         seq = str(request["seq"]).encode()
         errored = b'{"seq": ' + seq + b', "status": "errored", "reason": "'
         lines = [

@@ -78,6 +78,22 @@ class Adapter:
                 say(self.line(request) + b"\n")
 
 
+class InTurn(Adapter):
+    """Spoils each sum in the next of its ways."""
+
+    count = 0
+
+    def line(self, request: Request) -> bytes:
+        text = super().line(request)
+        if request["verb"] != "at":
+            return text
+        self.count += 1
+        return self.spoilt(text, request)
+
+    def spoilt(self, text: bytes, request: Request) -> bytes:
+        raise NotImplementedError
+
+
 def say(text: bytes) -> None:
     """Writes all of it, past every buffer."""
     while text:
