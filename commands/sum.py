@@ -19,6 +19,8 @@ from minkref.commands.lists.scale_index import (
     refuse_overwriting_index,
 )
 from minkref.commands.lists.sum_fields import SUM_FIELDS, sum_fields
+from minkref.commands.paper_update import ROUTE as PAPER_UPDATE
+from minkref.commands.paper_update import Form, PaperWalk, Reading, readings_of, refuse_options
 from minkref.commands.sum_table import print_table
 from minkref.documents import Stopwatch, as_text, document, refuse_overwriting
 from minkref.errors import Refusal, refusing
@@ -47,17 +49,20 @@ cat P.wkt | minkref sum - Q.wkt --scale 7/5 -o - --format geojson
 
 minkref sum g1 g2 --arithmetic mpfr:53
 
+minkref sum g1 g2 --route paper-update --arithmetic mpfr:200 --reading observation=corrected
+
 minkref sum disc1 cells1815 --index cells.index --scale 7/5
 
 minkref sum gs3 rod --scale 2,1/3,5 -o sum.off"""
 
 MOVING = ("dynamic", "index")  # routes that find all scales of a window
-ROUTES = (*_core.ROUTES, *MOVING)
+ROUTES = (*_core.ROUTES, *MOVING, PAPER_UPDATE)
 DEFAULT = "paper"
 INSTEAD = dict.fromkeys(ROUTES, SIMPLER) | {
     "definition": f"{SIMPLER}, or the route paper",
     "dynamic": f"{SIMPLER}, or the route paper",
     "index": f"{SIMPLER}, or the route paper",
+    PAPER_UPDATE: f"{SIMPLER}, or the route paper",
 }
 OUTPUTS = ("wkt", "geojson", "poly", "json", "svg")
 
@@ -94,6 +99,8 @@ def command(
             "their own result next to the true one.",
         ),
     ] = "rational",
+    as_read: Form = None,
+    reading: Reading = None,
     output: Annotated[
         Path | None,
         typer.Option(
@@ -124,6 +131,9 @@ def command(
     """The Minkowski sum of P, scaled by S about the origin, and Q: exact, in canonical form, and
     its tight passages. In space P and Q are convex polyhedra (.off, .obj, .stl, .ply, .json)."""
     if in_space(P, Q):
+        for option, given in (("--form", as_read), ("--reading", reading)):
+            if given:
+                raise Refusal("there are no readings in space", option, "leave it out")
         if index is not None:
             raise Refusal("there is no index in space", f"--index {index}", "leave it out")
         if plot or only_sum:
@@ -139,6 +149,8 @@ def command(
     exact_scale = read_scale(scale)
     route = chosen_route(index, route, ROUTES, DEFAULT)
     _check_arithmetic(arithmetic, route)
+    refuse_options(route, as_read, reading)
+    readings = readings_of(as_read, reading) if route == PAPER_UPDATE else None
     target = target_of(output, form, OUTPUTS, "wkt", json)
     _check_pictures(plot, only_sum, target, json)
     with memory_wall(memory, f"route {route}", f"{P} and {Q}", INSTEAD[route]):
@@ -146,7 +158,7 @@ def command(
         if output is not None:
             refuse_overwriting(output, [first.file, second.file])
             refuse_overwriting_index(output, index)
-        result = compute(first, second, exact_scale, route, arithmetic, index)
+        result = compute(first, second, exact_scale, route, arithmetic, index, readings)
         region = result.pop("region")
     drawn = (first, second, exact_scale, result) if not only_sum else None
     written = _written(region, target, drawn) if target is not None else None
@@ -217,21 +229,33 @@ def _written(
 
 
 def compute(
-    P: Operand, Q: Operand, scale: str, route: str, arithmetic: str, index: Path | None = None
+    P: Operand,
+    Q: Operand,
+    scale: str,
+    route: str,
+    arithmetic: str,
+    index: Path | None = None,
+    readings: dict[str, str] | None = None,
 ) -> dict[str, Any]:
     """The fields of the document that describe the sum, and `region` (None where the arithmetic
     could not decide a sign). For another arithmetic than rational, `exact` says what is true."""
     import json
 
     where = f"{P.name} and {Q.name}"
-    exact = arithmetic == "rational"
+    exact = arithmetic == "rational" and readings is None
     undecided = False
     answer: _core.Sum | None = None
     seconds: float | None = None
     passages: PassageRows | None = None
+    beside: dict[str, Any] | None = None
     try:
         if route == "dynamic":
             answer, passages, seconds = refusing(where, lambda: _dynamic(P, Q, scale))
+        elif readings is not None:
+            walk = PaperWalk(P, Q, scale, arithmetic, readings)
+            answer = refusing(where, walk.sum)
+            seconds = walk.seconds + answer.seconds
+            beside = walk.beside_exact(scale, answer)
         elif route == "index":
             built = index_of(index, P, Q, scale, scale)
             answer = refusing(where, lambda: built.sum(scale, True))
@@ -251,9 +275,11 @@ def compute(
         "compute_seconds": seconds,
         **_description(answer),
         "tight_passages": None if passages is None else passages_of(passages),
-        "signs": _signs(answer.statistics) if answer and route not in MOVING else None,
+        "signs": _signs(answer.statistics) if answer and route in _core.ROUTES else None,
         "statistics": dict(answer.statistics) if answer else None,
         "exact": None,
+        "readings": readings,
+        "comparison": beside,
     }
     if not exact:
         truth = refusing(
@@ -294,7 +320,7 @@ def _signs(statistics: dict[str, Any]) -> dict[str, Any]:
 
 def _check_arithmetic(arithmetic: str, route: str) -> None:
     check_arithmetic(arithmetic)
-    if arithmetic != "rational" and route != "paper":
+    if arithmetic != "rational" and route not in ("paper", PAPER_UPDATE):
         raise Refusal(
             f"the route {route} is exact only",
             f"--route {route} --arithmetic {arithmetic}",

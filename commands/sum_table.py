@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from minkref.commands.line.output import measure, print_lines, written_row
+from minkref.commands.paper_update import in_words
 
 SHOWN = 5  # tight passages that people see
 
@@ -22,9 +23,11 @@ def print_table(value: dict[str, Any]) -> None:
     if exact is not None:
         words = {True: "the same set", False: "another set:", None: "the true sum:"}
         rows.append(("exact", words[exact["equal"]]))
+        if value["comparison"] is not None and not exact["equal"]:
+            rows.append(("", in_words(value["comparison"])))
         if not exact["equal"]:
             rows += [(f"  {name}", text) for name, text in _described(exact)]
-    rows += _passage_rows(value["tight_passages"])
+    rows += _passage_rows(value["tight_passages"], value["readings"] is not None)
     signs = value["signs"]
     if signs is not None and signs["total"]:
         rows.append(("signs", f"{signs['total']:,}: {_deciders(signs, value['arithmetic'])}"))
@@ -33,7 +36,9 @@ def print_table(value: dict[str, Any]) -> None:
     print_lines(rows, value)
 
 
-def _passage_rows(passages: list[dict[str, Any]] | None) -> list[tuple[str, str]]:
+def _passage_rows(passages: list[dict[str, Any]] | None, as_read: bool) -> list[tuple[str, str]]:
+    if as_read:
+        return []
     if passages is None:
         return [("tight passages", "with --arithmetic rational only")]
     if not passages:

@@ -18,6 +18,16 @@ from minkref.commands.lists.scale_index import IndexFile, chosen_route, index_of
 from minkref.commands.lists.sum_fields import sum_fields
 from minkref.commands.lists.sweep_folder import FORMATS, INDEX, sweep_folder
 from minkref.commands.lists.sweep_rows import SHOWN, Setting, print_sweep, sweep_rows, write_index
+from minkref.commands.paper_update import (
+    ROUTE,
+    Form,
+    PaperWalk,
+    Reading,
+    decided,
+    in_words,
+    readings_of,
+    refuse_options,
+)
 from minkref.documents import Stopwatch, document, listing
 from minkref.errors import Refusal, refusing
 from minkref.exact import approximate, read_scale
@@ -37,11 +47,13 @@ minkref sweep P.wkt Q.wkt --scales scales.txt --json
 
 minkref sweep g1 g2 --from 1 --to 2 --steps 9 --route dynamic
 
+minkref sweep g1 g2 --from 1 --to 2 --steps 9 --route paper-update --arithmetic mpfr:200
+
 minkref sweep gs3 rod --scales scalings.txt -o sums --format off"""
 
-ROUTES = ("index", "dynamic")
+ROUTES = ("index", "dynamic", ROUTE)
 
-Sums = _core.ScaleIndex | _core.DynamicSum
+Sums = _core.ScaleIndex | _core.DynamicSum | PaperWalk
 PLANE = Setting[str, _core.PolygonSet](
     lambda scale: escaped(scale)[:20], _core.write, _core.writes_exactly
 )
@@ -79,9 +91,20 @@ def command(
         typer.Option(
             "--route",
             help="How the sums are computed: read off an index of all scales (index, the "
-            "default), or each from the one before by the paper's dynamic update (dynamic).",
+            "default), each from the one before by dynamic update (dynamic), or by the paper's own "
+            "program, formula by formula, with the exact sums beside it (paper-update).",
         ),
     ] = None,
+    arithmetic: Annotated[
+        str,
+        typer.Option(
+            "--arithmetic",
+            help="Of the route paper-update: rational, interval, double or mpfr:BITS.",
+            metavar="A",
+        ),
+    ] = "rational",
+    as_read: Form = None,
+    reading: Reading = None,
     index: IndexFile = None,
     output: Annotated[
         Path | None,
@@ -102,14 +125,19 @@ def command(
     canonical form."""
     if in_space(P, Q):
         given = _given(from_scale, to_scale, steps)
-        for option, named in (("--route", route), ("--index", index)):
-            given += [] if named is None else [option]
+        named = {"--route": route, "--index": index, "--form": as_read, "--reading": reading}
+        given += [option for option, value in named.items() if value is not None]
         from minkref.commands.space.sweep import sweep_in_space
 
         sweep_in_space(P, Q, scales_file, given, output, form, json, memory)
         return
     watch = Stopwatch()
     route = chosen_route(index, route, ROUTES)
+    refuse_options(route, as_read, reading)
+    if arithmetic != "rational" and route != ROUTE:
+        what = f"the route {route} is exact only"
+        raise Refusal(what, f"--arithmetic {arithmetic}", f"add --route {ROUTE}, or leave it out")
+    readings = readings_of(as_read, reading) if route == ROUTE else None
     scales = _scales(from_scale, to_scale, steps, scales_file)
     folder = sweep_folder(output, form, FORMATS)
     first, second = read_operand(P), read_operand(Q)
@@ -118,7 +146,11 @@ def command(
     wall = memory_wall(memory, f"route {route}", f"{P} and {Q}", SMALLER)
     with wall, ending_in_order(), progress(len(scales)) as line:
         line.now("finding all events")
-        sums = _sums(first, second, scales, route, index)
+        sums: Sums
+        if readings is not None:
+            sums = decided(lambda: PaperWalk(first, second, scales[0], arithmetic, readings))
+        else:
+            sums = _sums(first, second, scales, route, index)
         rows = sweep_rows(scales, lambda scale: step(sums, scale), PLANE, folder, line)
         value = document(
             "sweep",
@@ -129,6 +161,8 @@ def command(
             output=str(output) if output else None,
             format=folder.form if folder else None,
             route=route,
+            arithmetic=arithmetic,
+            readings=readings,
             preprocessing_seconds=sums.seconds,
             statistics=dict(sums.counts()),
         )
@@ -151,6 +185,8 @@ def _sums(P: Operand, Q: Operand, scales: list[str], route: str, index: Path | N
 
 def step(sums: Sums, scale: str) -> tuple[Row, _core.PolygonSet]:
     """Goes to a scale: what the step did where there is one, and the sum there."""
+    if isinstance(sums, PaperWalk):
+        return decided(lambda: sums.row(scale))
     if isinstance(sums, _core.DynamicSum):
         did = dict(sums.move_to(scale))
         answer = sums.sum()
@@ -167,6 +203,7 @@ def step(sums: Sums, scale: str) -> tuple[Row, _core.PolygonSet]:
         "event_scales": did.get("groups"),
         "update_seconds": did.get("seconds"),
         "sum_seconds": answer.seconds,
+        "exact": None,
     }
     return row, answer.region
 
@@ -206,7 +243,8 @@ def _scales(first: str | None, last: str | None, steps: int | None, file: Path |
 def _print(value: dict[str, Any], rows: RowSpool) -> None:
     steps = ("insertions", "deletions", "swaps", "updated") if value["route"] == "dynamic" else ()
     headings = ("scale", "area", "components", "holes", "vertices", *steps, "ms")
-    table = plain_table(*headings, right=headings, whole=True)
+    beside = ("exact",) if value["route"] == ROUTE else ()
+    table = plain_table(*headings, *beside, right=headings, whole=True)
     for row in rows.first(SHOWN):
         counts = (row[name] for name in ("components", "holes", "vertices"))
         did = (row[name] for name in steps)
@@ -216,6 +254,7 @@ def _print(value: dict[str, Any], rows: RowSpool) -> None:
             _short(row["area"]),
             *(f"{count:,}" for count in (*counts, *did)),
             f"{seconds * 1000:.3f}",
+            *([in_words(row["exact"])] if beside else []),
         )
     summary = [
         ("sweep", f"{value['P']} + {value['Q']}, {counted(len(rows), 'scale')}"),

@@ -85,12 +85,14 @@ class Update {
   std::unique_ptr<PaperUpdate> update_;
 };
 
-std::vector<std::tuple<std::string, std::vector<std::string>, std::string>> names() {
-  std::vector<std::tuple<std::string, std::vector<std::string>, std::string>> rows;
+using NameRow = std::tuple<std::string, std::vector<std::string>, std::string, std::string>;
+
+std::vector<NameRow> names() {
+  std::vector<NameRow> rows;
   for (const ReadingName& reading : reading_names()) {
     rows.emplace_back(reading.name,
                       std::vector<std::string>(reading.values.begin(), reading.values.end()),
-                      reading.section);
+                      reading.corrected, reading.section);
   }
   return rows;
 }
@@ -118,9 +120,17 @@ void bind_paper_update(nb::module_& module) {
       .def("counts", &Update::counts,
            "Edges, pairs looked at, pairs that meet at some scale, pairs left out for NaN.")
       .def_ro("seconds", &Update::seconds, "That finding the regions took.");
-  module.def("paper_readings", names,
-             "The choices of a PaperUpdate: name, values (the printed one first), section of the "
-             "paper.");
+  module.def(
+      "check_paper_reading",
+      [](const std::string& name, const std::string& value) {
+        Readings readings;
+        set_reading(readings, name, value);
+      },
+      "name"_a, "value"_a, "Raises BadInput where there is no such reading.");
+  module.def(
+      "paper_readings", names,
+      "The choices of a PaperUpdate: name, values (the printed one first), the corrected one, "
+      "section of the paper.");
 }
 
 }  // namespace minkref::python

@@ -36,27 +36,25 @@ double tolerance_of(std::string_view name, std::string_view value) {
 }  // namespace
 
 Readings corrected_readings() {
-  return {.observation = Form::corrected,
-          .solve = Readings::Solve::corrected,
-          .tolerance = 0,
-          .interval = Form::corrected,
-          .no_root = Readings::NoRoot::unbounded,
-          .order = Readings::Order::sorted,
-          .parallel = true,
-          .adjacent = false};
+  Readings result;
+  for (const ReadingName& reading : reading_names()) {
+    set_reading(result, reading.name, reading.corrected);
+  }
+  return result;
 }
 
 const std::vector<ReadingName>& reading_names() {
   static const std::vector<ReadingName> names{
-      {"observation", {"printed", "corrected"}, "Section 4.1, Observation 1"},
+      {"observation", {"printed", "corrected"}, "corrected", "Section 4.1, Observation 1"},
       {"solve",
        {"printed", "tolerance:EPS", "least-squares", "corrected"},
+       "corrected",
        "Sections 4.2.1 and 4.2.2"},
-      {"interval", {"printed", "corrected"}, "Section 4.2.3"},
-      {"no-root", {"unbounded", "never"}, "Section 4.2.1"},
-      {"order", {"kept", "sorted"}, "Section 4.2.4"},
-      {"parallel", {"left-out", "taken"}, "Section 4.2"},
-      {"adjacent", {"left-out", "taken"}, "Section 4.2.3"},
+      {"interval", {"printed", "corrected"}, "corrected", "Section 4.2.3"},
+      {"no-root", {"unbounded", "never"}, "unbounded", "Section 4.2.1"},
+      {"order", {"kept", "sorted"}, "sorted", "Section 4.2.4"},
+      {"parallel", {"left-out", "taken"}, "taken", "Section 4.2"},
+      {"adjacent", {"left-out", "taken"}, "left-out", "Section 4.2.3"},
   };
   return names;
 }

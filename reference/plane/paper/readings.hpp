@@ -59,6 +59,7 @@ void set_reading(Readings& readings, std::string_view name, std::string_view val
 struct ReadingName {
   std::string_view name;
   std::vector<std::string_view> values;  ///< the first is the printed one
+  std::string_view corrected;
   std::string_view section;
 };
 const std::vector<ReadingName>& reading_names();

@@ -1,0 +1,108 @@
+"""A sum in rounded numbers beside the exact one: the same structure with coordinates a little off,
+or another structure."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from minkref import _core
+
+Point = tuple[Fraction, Fraction]
+Ring = list[Point]
+LARGEST = 10**6  # ulps beyond which rings are not the same; half of the digits, if these are fewer
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """`ulps`: the largest distance of a coordinate from the right one, in units in the last place
+    of the largest coordinate of the exact sum; None where the structure is another one. Then
+    `point` is one that only one of the two sets has, and `in_sum` tells which: it is decided by
+    pairs of triangles, from the definition. None where rings differ and the sets do not."""
+
+    same_structure: bool
+    ulps: Fraction | None = None
+    point: tuple[str, str] | None = None
+    in_sum: bool | None = None
+
+
+def compare(
+    P: _core.PolygonSet, Q: _core.PolygonSet, scale: str, got: _core.Sum, bits: int | None
+) -> Comparison:
+    """The sum `got` at this scale, in numbers of so many bits (None: exact ones, which must be
+    equal), beside the exact sum. The same structure is: as many rings, and to each outer ring and
+    each hole one with as many vertices, each near that of the other."""
+    exact = _core.minkowski_sum(P, Q, scale)
+    if got.region == exact.region:
+        return Comparison(True, Fraction(0))
+    off = None if bits is None else largest_difference(exact.region, got.region, bits)
+    if off is not None:
+        return Comparison(True, off)
+    found = _core.difference(exact.region, got.region)
+    if found is None:
+        return Comparison(False)
+    x, y = found["point"]
+    in_sum = _core.decide(P, Q, scale, x, y)["contact"] != "empty"
+    return Comparison(False, None, (x, y), in_sum)
+
+
+def largest_difference(
+    exact: _core.PolygonSet, got: _core.PolygonSet, bits: int
+) -> Fraction | None:
+    """Of a coordinate from its like, in units in the last place; None where the rings do not
+    correspond."""
+    unit = _unit(exact, bits)
+    most = unit * min(LARGEST, 2 ** (bits // 2))
+    wanted, offered = _rings(exact), _rings(got)
+    if len(wanted) != len(offered):
+        return None
+    off = Fraction(0)
+    for kind, ring in wanted:
+        place = next(
+            (
+                (distance, k)
+                for k, (other, candidate) in enumerate(offered)
+                if other == kind and (distance := _distance(ring, candidate, most)) is not None
+            ),
+            None,
+        )
+        if place is None:
+            return None
+        off = max(off, place[0])
+        offered.pop(place[1])
+    return off / unit
+
+
+def _rings(region: _core.PolygonSet) -> list[tuple[bool, Ring]]:
+    """Each with whether it is an outer one."""
+    return [(k == 0, ring) for polygon in region.rings() for k, ring in enumerate(polygon)]
+
+
+def _unit(region: _core.PolygonSet, bits: int) -> Fraction:
+    """The distance of neighbours among numbers of so many bits at the largest coordinate."""
+    largest = max(
+        (abs(x) for _, ring in _rings(region) for point in ring for x in point), default=1
+    )
+    exponent = largest.numerator.bit_length() - largest.denominator.bit_length()
+    if largest < Fraction(2) ** exponent:
+        exponent -= 1
+    return Fraction(2) ** (exponent - bits + 1)
+
+
+def _distance(ring: Ring, other: Ring, most: Fraction) -> Fraction | None:
+    """Of the vertices that differ most, where the rings run alike; None beyond `most`."""
+    if len(ring) != len(other):
+        return None
+    first = ring[0]
+    for shift, start in enumerate(other):
+        if _apart(first, start) > most:
+            continue
+        turned = other[shift:] + other[:shift]
+        off = max(_apart(a, b) for a, b in zip(ring, turned, strict=True))
+        if off <= most:
+            return off
+    return None
+
+
+def _apart(a: Point, b: Point) -> Fraction:
+    return max(abs(a[0] - b[0]), abs(a[1] - b[1]))
