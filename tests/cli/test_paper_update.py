@@ -1,0 +1,82 @@
+"""`minkref sum` and `minkref sweep` by the paper's own update: readings, arithmetics, and what is true
+beside the answers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import jsonschema
+import pytest
+from minkref.commands.schemas import schema
+
+Minkref = Callable[..., Any]
+WINDOW = ("--from", "1", "--to", "2", "--steps", "4")
+ROUTE = ("--route", "paper-update")
+
+
+def test_a_sweep_with_all_formulas_corrected_is_the_exact_one(minkref: Minkref) -> None:
+    value = minkref("sweep", "g1", "g2", *WINDOW, *ROUTE, "--form", "corrected", "--json").json
+    jsonschema.validate(value, schema("sweep"))
+    exact = minkref("sweep", "g1", "g2", *WINDOW, "--json").json
+    assert [row["digest"] for row in value["rows"]] == [row["digest"] for row in exact["rows"]]
+    assert all(row["exact"]["ulps"] == 0 for row in value["rows"])
+    assert value["statistics"]["undecided"] == 0
+
+
+def test_a_sweep_in_doubles_is_a_little_off(minkref: Minkref) -> None:
+    options = ("--form", "corrected", "--arithmetic", "double", "--json")
+    rows = minkref("sweep", "g1", "g2", *WINDOW, *ROUTE, *options).json["rows"]
+    assert all(row["exact"]["same_structure"] for row in rows)
+    assert any(0 < row["exact"]["ulps"] < 10 for row in rows)
+
+
+def test_a_sweep_as_printed_is_refuted_by_points(minkref: Minkref) -> None:
+    value = minkref("sweep", "g1", "g2", *WINDOW, *ROUTE, "--json").json
+    jsonschema.validate(value, schema("sweep"))
+    assert value["readings"]["observation"] == "printed"
+    assert all(row["exact"]["witness"] is not None for row in value["rows"])
+    told = minkref("sweep", "g1", "g2", *WINDOW, *ROUTE).out
+    assert "another structure: (" in told
+
+
+def test_one_reading_beside_a_form(minkref: Minkref) -> None:
+    options = ("--form", "corrected", "--reading", "solve=tolerance:1e-20", "--json")
+    value = minkref("sum", "g1", "g2", *ROUTE, "--arithmetic", "mpfr:100", *options).json
+    jsonschema.validate(value, schema("sum"))
+    assert value["readings"]["solve"] == "tolerance:1e-20"
+    assert value["readings"]["interval"] == "corrected"
+    assert value["comparison"]["same_structure"]
+    assert value["exact"]["equal"] is False  # the coordinates are rounded
+
+
+def test_a_sum_in_rational_numbers_says_what_is_true(minkref: Minkref) -> None:
+    value = minkref("sum", "g1", "g2", *ROUTE, "--json").json
+    jsonschema.validate(value, schema("sum"))
+    assert value["exact"]["equal"] is False
+    assert value["comparison"]["witness"]["in_sum"] in (True, False)
+    assert "another set" in minkref("sum", "g1", "g2", *ROUTE).out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "says"),
+    [
+        (("sum", "g1", "g2", "--form", "printed"), "the route paper has no readings"),
+        (("sweep", "g1", "g2", *WINDOW, "--reading", "solve=printed"), "has no readings"),
+        (("sweep", "g1", "g2", *WINDOW, "--arithmetic", "double"), "exact only"),
+        (("sum", "g1", "g2", *ROUTE, "--form", "right"), "there is no form 'right'"),
+        (("sum", "g1", "g2", *ROUTE, "--reading", "solve"), "--reading solve"),
+        (("sum", "g1", "g2", *ROUTE, "--reading", "slove=printed"), "did you mean solve"),
+        (("sum", "g1", "g2", *ROUTE, "--reading", "solve=tolerance:x"), "tolerance:EPS"),
+        (("sum", "g1", "g2", *ROUTE, "--arithmetic", "mpfr:1"), "out of range"),
+        (
+            ("sweep", "g1", "g2", *WINDOW, *ROUTE, "--arithmetic", "interval"),
+            "could not decide a sign",
+        ),
+    ],
+)
+def test_refusals(minkref: Minkref, arguments: tuple[str, ...], says: str) -> None:
+    answer = minkref(*arguments)
+    assert answer.code == 2
+    assert says in answer.err
+    assert answer.out == ""
