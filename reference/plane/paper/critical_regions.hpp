@@ -39,12 +39,26 @@ ScaleSolution<T> solve_as_read(const EndCondition<T>& end, const Readings& readi
   return solve_along<T, 2>(end.direction, end.alpha, end.beta);
 }
 
+/// The sign of direction . value; 0 too where a tolerance is given and no coordinate is beyond it.
+template <class T>
+int sign_along(const Vector2<T>& direction, const Vector2<T>& value, const Readings& readings,
+               const T& zero) {
+  if (readings.solve == Readings::Solve::tolerance) {
+    const auto is_zero = [&](const T& x) {
+      return sign(T(x - zero)) <= 0 && sign(T(x + zero)) >= 0;
+    };
+    if (is_zero(value.x()) && is_zero(value.y())) return 0;
+  }
+  return sign(T(direction.dot(value)));
+}
+
 /// Whether an end point bounds its pair from below; nothing where it does not bound it at all. As
 /// printed a start is a lower bound and an end an upper one; in truth the sign of a slope tells.
 template <class T>
-std::optional<bool> bounds_from_below(const EndCondition<T>& end, bool is_start, Form interval) {
-  if (interval == Form::printed) return is_start;
-  const int slope = sign(T(end.direction.dot(end.alpha)));
+std::optional<bool> bounds_from_below(const EndCondition<T>& end, bool is_start,
+                                      const Readings& readings, const T& zero) {
+  if (readings.interval == Form::printed) return is_start;
+  const int slope = sign_along<T>(end.direction, end.alpha, readings, zero);
   if (slope == 0) return std::nullopt;
   return (slope < 0) == is_start;
 }
@@ -61,14 +75,14 @@ std::optional<CriticalRegion<T>> critical_region(const MovingEdge<Vector2<T>>& a
   for (std::size_t i = 0; i < ends.size(); ++i) {
     const bool is_start = i % 2 == 0;
     const ScaleSolution<T> solution = solve_as_read(ends[i], readings, zero);
-    const auto below = bounds_from_below(ends[i], is_start, readings.interval);
+    const auto below = bounds_from_below<T>(ends[i], is_start, readings, zero);
     if (solution.kind != Solution::root || !below) {
       if (solution.kind == Solution::inconsistent && readings.no_root == Readings::NoRoot::never) {
         return std::nullopt;
       }
       if (below || readings.interval == Form::printed) continue;  // no solution: it bounds nothing
       // The point keeps its distance from the end: before the edge, on it, or beyond it.
-      const int ahead = sign(T(ends[i].direction.dot(ends[i].beta)));
+      const int ahead = sign_along<T>(ends[i].direction, ends[i].beta, readings, zero);
       if (is_start ? ahead < 0 : ahead > 0) return std::nullopt;
       continue;
     }
