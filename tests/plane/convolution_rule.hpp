@@ -3,6 +3,7 @@
 
 #include <tuple>
 
+#include "reference/plane/convolution/between.hpp"
 #include "reference/plane/convolution/convolution.hpp"
 #include "tests/plane/ray_casting.hpp"
 
@@ -37,25 +38,29 @@ inline bool strictly_between(const Point& a, const Point& d, const Point& b) {
   return sign(cross(a, d)) > 0 && sign(cross(d, b)) > 0;
 }
 
-/// 1 at a strictly convex, -1 at a reflex vertex if d is in the turn, else 0. `first`: the turn
-/// holds its first end and not its last, else the other way round.
-inline int compatible(const Point& d, const Corner& corner, bool first) {
+/// 1 at a strictly convex, -1 at a reflex vertex if d is in the turn, else 0. `first`, `last`:
+/// which of its ends the turn holds.
+inline int compatible(const Point& d, const Corner& corner, bool first, bool last) {
   const int turn = sign(cross(corner.in, corner.out));
   if (turn == 0) return 0;
   const Point& from = turn > 0 ? corner.in : corner.out;
   const Point& to = turn > 0 ? corner.out : corner.in;
-  return strictly_between(from, d, to) || same_direction(d, first ? from : to) ? turn : 0;
+  const bool in_turn = strictly_between(from, d, to) || (first && same_direction(d, from)) ||
+                       (last && same_direction(d, to));
+  return in_turn ? turn : 0;
 }
 
 /// All edges of the convolution, S-edges first; `full` with the reflex vertices.
-inline std::vector<ConvolutionEdge> convolution_by_definition(const PolygonSet& P,
-                                                              const PolygonSet& Q, bool full) {
+inline std::vector<ConvolutionEdge> convolution_by_definition(
+    const PolygonSet& P, const PolygonSet& Q, bool full, Between between = Between::half_open) {
   using Kind = ConvolutionEdge::Kind;
   std::vector<ConvolutionEdge> all;
   for (const Kind kind : {Kind::S, Kind::T}) {
     for (const Corner& edge : corners(kind == Kind::S ? P : Q)) {
       for (const Corner& vertex : corners(kind == Kind::S ? Q : P)) {
-        const int sign = compatible(edge.out, vertex, kind == Kind::S);
+        const bool both = between == Between::closed, half = between == Between::half_open;
+        const int sign = compatible(edge.out, vertex, both || (half && kind == Kind::S),
+                                    both || (half && kind == Kind::T));
         if (sign > 0 || (full && sign < 0)) {
           all.push_back({kind, static_cast<std::int8_t>(sign), edge.id, vertex.id});
         }

@@ -1,16 +1,11 @@
 #include "reference/plane/convolution/convolution.hpp"
 
+#include "reference/plane/convolution/between.hpp"
 #include "reference/plane/convolution/convolution_rule.hpp"
 #include "reference/plane/kernel/exact_frame.hpp"
 
 namespace minkref::inline plane {
 namespace {
-
-std::vector<ConvolutionEdge> convolution(const PolygonSet& P, const PolygonSet& Q, bool full) {
-  return on_exact_frame(P, Q, [&](const auto& frame) {
-    return convolution_edges(frame.kernel, frame.P, frame.Q, full);
-  });
-}
 
 const Point& vertex(const PolygonSet& set, VertexId id, std::uint32_t step) {
   std::uint32_t ring = 0;
@@ -26,12 +21,19 @@ const Point& vertex(const PolygonSet& set, VertexId id, std::uint32_t step) {
 
 }  // namespace
 
+std::vector<ConvolutionEdge> convolution(const PolygonSet& P, const PolygonSet& Q, bool full,
+                                         Between between) {
+  return on_exact_frame(P, Q, [&](const auto& frame) {
+    return convolution_edges(frame.kernel, frame.P, frame.Q, full, between);
+  });
+}
+
 std::vector<ConvolutionEdge> reduced_convolution(const PolygonSet& P, const PolygonSet& Q) {
-  return convolution(P, Q, false);
+  return convolution(P, Q, false, Between::half_open);
 }
 
 std::vector<ConvolutionEdge> full_convolution(const PolygonSet& P, const PolygonSet& Q) {
-  return convolution(P, Q, true);
+  return convolution(P, Q, true, Between::half_open);
 }
 
 Segment at_scale(const ConvolutionEdge& edge, const PolygonSet& P, const PolygonSet& Q,

@@ -7,16 +7,28 @@
 
 #include "reference/fault.hpp"
 #include "reference/interrupt.hpp"
+#include "reference/plane/convolution/between.hpp"
 #include "reference/plane/convolution/convolution.hpp"
 #include "reference/plane/kernel/direction_order.hpp"
 #include "reference/plane/kernel/operand.hpp"
 
 namespace minkref::inline plane {
 
-/// Which end of a turn belongs to it: [in, out) or (in, out]. The two sides of a convolution must
-/// use different ones: it is then the exact rule for operands turned against each other by a
-/// vanishing angle, and nothing on the boundary is missed (docs/definitions.md, "Compatibility").
-enum class TurnEnds { first_included, last_included };
+/// Which ends of a turn belong to it: [in, out), (in, out], none or both. The two sides of a
+/// convolution must use the two half-open ones: it is then the exact rule for operands turned
+/// against each other by a vanishing angle, and nothing on the boundary is missed
+/// (docs/definitions.md, "Compatibility"). The other two are other readings of the paper.
+enum class TurnEnds { first_included, last_included, none_included, both_included };
+
+/// What a reading says at the vertices of Q, where S-edges are, and at those of P.
+inline TurnEnds ends_for_s_edges(Between between) {
+  if (between == Between::open) return TurnEnds::none_included;
+  return between == Between::closed ? TurnEnds::both_included : TurnEnds::first_included;
+}
+inline TurnEnds ends_for_t_edges(Between between) {
+  if (between != Between::half_open) return ends_for_s_edges(between);
+  return planted(Fault::turn_ends_alike) ? TurnEnds::first_included : TurnEnds::last_included;
+}
 
 namespace detail {
 
@@ -49,17 +61,20 @@ template <class K, class Report>
 void edges_in_turn(const K& kernel, const std::vector<DirectedEdge<K>>& edges,
                    const typename K::Vector& in, const typename K::Vector& out, TurnEnds ends,
                    Report&& report) {
-  const auto position = [&](const typename K::Vector& d) {
-    if (ends == TurnEnds::first_included) {
-      return std::lower_bound(edges.begin(), edges.end(), d, [&](const auto& edge, const auto& v) {
-        return angle_less(kernel, edge.direction, v);
-      });
-    }
+  const auto before = [&](const typename K::Vector& d) {
+    return std::lower_bound(edges.begin(), edges.end(), d, [&](const auto& edge, const auto& v) {
+      return angle_less(kernel, edge.direction, v);
+    });
+  };
+  const auto behind = [&](const typename K::Vector& d) {
     return std::upper_bound(edges.begin(), edges.end(), d, [&](const auto& v, const auto& edge) {
       return angle_less(kernel, v, edge.direction);
     });
   };
-  const auto first = position(in), last = position(out);
+  const bool with_in = ends == TurnEnds::first_included || ends == TurnEnds::both_included;
+  const bool with_out = ends == TurnEnds::last_included || ends == TurnEnds::both_included;
+  const auto first = with_in ? before(in) : behind(in);
+  const auto last = with_out ? behind(out) : before(out);
   if (angle_less(kernel, in, out)) {
     for (auto edge = first; edge < last; ++edge) report(*edge);
   } else {  // the turn passes the angle of 180 degrees
@@ -113,19 +128,18 @@ void compatible_pairs(const K& kernel, const std::vector<detail::DirectedEdge<K>
 template <class K>
 std::vector<ConvolutionEdge> convolution_edges(const K& kernel,
                                                const Operand<typename K::Vector>& P,
-                                               const Operand<typename K::Vector>& Q, bool full) {
+                                               const Operand<typename K::Vector>& Q, bool full,
+                                               Between between = Between::half_open) {
   std::vector<ConvolutionEdge> result;
   const auto add = [&](ConvolutionEdge::Kind kind) {
     return [&result, kind](VertexId edge, VertexId vertex, int sign) {
       result.push_back({kind, static_cast<std::int8_t>(sign), edge, vertex});
     };
   };
-  compatible_pairs(kernel, detail::edges_by_angle(kernel, P), Q, TurnEnds::first_included, full,
+  compatible_pairs(kernel, detail::edges_by_angle(kernel, P), Q, ends_for_s_edges(between), full,
                    add(ConvolutionEdge::Kind::S));
-  compatible_pairs(
-      kernel, detail::edges_by_angle(kernel, Q), P,
-      planted(Fault::turn_ends_alike) ? TurnEnds::first_included : TurnEnds::last_included, full,
-      add(ConvolutionEdge::Kind::T));
+  compatible_pairs(kernel, detail::edges_by_angle(kernel, Q), P, ends_for_t_edges(between), full,
+                   add(ConvolutionEdge::Kind::T));
   return result;
 }
 

@@ -5,14 +5,15 @@
 
 namespace minkref::inline plane {
 
-std::uint64_t convolution_size(const PolygonSet& P, const PolygonSet& Q, bool full) {
+std::uint64_t convolution_size(const PolygonSet& P, const PolygonSet& Q, bool full,
+                               Between between) {
   return on_exact_frame(P, Q, [&](const auto& frame) {
     std::uint64_t size = 0;
     const auto count = [&](VertexId, VertexId, int) { ++size; };
     compatible_pairs(frame.kernel, detail::edges_by_angle(frame.kernel, frame.P), frame.Q,
-                     TurnEnds::first_included, full, count);
+                     ends_for_s_edges(between), full, count);
     compatible_pairs(frame.kernel, detail::edges_by_angle(frame.kernel, frame.Q), frame.P,
-                     TurnEnds::last_included, full, count);
+                     ends_for_t_edges(between), full, count);
     return size;
   });
 }
