@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "python/core_convolution.hpp"
 #include "reference/error.hpp"
 #include "reference/memory.hpp"
 #include "reference/plane/convolution/convolution_size.hpp"
@@ -64,9 +65,14 @@ void require_room(std::uint64_t count, const std::string& what) {
 }  // namespace
 
 void refuse_large_convolution(const PolygonSet& P, const PolygonSet& Q, bool full) {
+  refuse_large_convolution(P, Q, full, Between::half_open);
+}
+
+void refuse_large_convolution(const PolygonSet& P, const PolygonSet& Q, bool full,
+                              Between between) {
   constexpr std::uint64_t few = 1 << 20;
   if (std::uint64_t{2} * P.vertices() * Q.vertices() < few) return;
-  require_room(convolution_size(P, Q, full), "edges of the convolution");
+  require_room(convolution_size(P, Q, full, between), "edges of the convolution");
 }
 
 void refuse_large_definition(const PolygonSet& P, const PolygonSet& Q) {

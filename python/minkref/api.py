@@ -27,6 +27,9 @@ from minkref.argument_types import (
 from minkref.certify.certificate import Certificate as Certificate
 from minkref.certify.certificate import NoProof as NoProof
 from minkref.certify.convex_certificate import ConvexCertificate as ConvexCertificate
+from minkref.convolution_values import Convolution as Convolution
+from minkref.convolution_values import ConvolutionEdge as ConvolutionEdge
+from minkref.convolution_values import convolution as convolution
 from minkref.errors import Refusal as Refusal
 from minkref.event_values import Event as Event
 from minkref.event_values import Events as Events
