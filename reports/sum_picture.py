@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
 
 from minkref import _core
-from minkref.exact_frame import Frame, Polygons, box_of, box_text, exact_polygons, fitted
+from minkref.exact_frame import ExactBox, Frame, box_of, box_text, exact_polygons, fitted
 from minkref.operand import Operand
 from minkref.reports.drawing import Box, Layer, bounds, height_of, picture
 from minkref.reports.side_by_side import side_by_side
@@ -14,9 +15,9 @@ from minkref.terminal import counted
 PANE = 340
 LONGEST_NAME = 40  # letters of an operand that are shown
 SPECK = 3.0  # what is less wide and less high gets a mark
+OPERANDS = ".first{fill:#9cc3e6;stroke:#1f5f99}.second{fill:#f2c18d;stroke:#9a5410}"
 STYLE = (
-    ".first{fill:#9cc3e6;stroke:#1f5f99}.second{fill:#f2c18d;stroke:#9a5410}"
-    ".sum{fill:#b9dcbb;stroke:#2a6e30}path{stroke-width:1;stroke-linejoin:round}"
+    OPERANDS + ".sum{fill:#b9dcbb;stroke:#2a6e30}path{stroke-width:1;stroke-linejoin:round}"
     "text{font:13px sans-serif;fill:#333}"
 )
 
@@ -27,36 +28,43 @@ def sum_picture(
     """An SVG document. P is not scaled yet. All three are drawn to one scale, and above each stands
     where it lies. Numbers are exact until they are in the frame, so that sets of any size are
     drawn."""
-    first = f"P: {_short(P.name)}" + ("" if scale == "1" else f", scaled by {scale}")
+    first = f"P: {short_name(P.name)}" + ("" if scale == "1" else f", scaled by {scale}")
     counts = f"{counted(components, 'component')}, {counted(holes, 'hole')}"
     panes = [
         ("first", first, exact_polygons(P.set.scaled(scale))),
-        ("second", f"Q: {_short(Q.name)}", exact_polygons(Q.set)),
+        ("second", f"Q: {short_name(Q.name)}", exact_polygons(Q.set)),
         ("sum", f"sum: {counts}", exact_polygons(region)),
     ]
     boxes = [box_of(exact) for *_, exact in panes]
-    sides = [(box[2] - box[0], box[3] - box[1]) for box in boxes if box is not None]
-    wide, high = (max((side[k] for side in sides), default=Fraction(0)) for k in (0, 1))
-    factor = fitted((Fraction(0), Fraction(0), wide, high), PANE, PANE).factor
-    room = (float(wide * factor), float(high * factor))
+    factor, room = common_frame(boxes)
     drawn = []
     for (style, title, exact), box in zip(panes, boxes, strict=True):
-        polygons = Frame(box[0], box[1], factor).polygons(exact) if box is not None else []
+        layers = []
+        if box is not None:
+            layers.append(Layer(style, Frame(box[0], box[1], factor).polygons(exact)))
         caption = [title, "the empty set" if box is None else box_text(box)]
-        drawn.append((caption, _pane(style, polygons, room, title)))
+        drawn.append((caption, pane(layers, room, title)))
     return side_by_side(drawn, STYLE, PANE, round(height_of((0.0, 0.0, *room), PANE)))
 
 
-def _pane(style: str, polygons: Polygons, room: tuple[float, float], caption: str) -> str:
-    """The set in the middle of the room."""
-    layers = [Layer(style, polygons)] if polygons else []
+def common_frame(boxes: Sequence[ExactBox | None]) -> tuple[Fraction, tuple[float, float]]:
+    """The factor by which sets with these boxes fit into panes, and the room that all of them
+    need."""
+    sides = [(box[2] - box[0], box[3] - box[1]) for box in boxes if box is not None]
+    wide, high = (max((side[k] for side in sides), default=Fraction(0)) for k in (0, 1))
+    factor = fitted((Fraction(0), Fraction(0), wide, high), PANE, PANE).factor
+    return factor, (float(wide * factor), float(high * factor))
+
+
+def pane(layers: list[Layer], room: tuple[float, float], caption: str) -> str:
+    """What is drawn in the middle of the room; a speck gets a mark."""
     left, bottom, right, top = bounds(layers)
     x, y = (left + right) / 2, (bottom + top) / 2
-    if polygons and max(right - left, top - bottom) < SPECK:
-        layers.append(Layer(style, point=(x, y)))
+    if layers and max(right - left, top - bottom) < SPECK:
+        layers = [*layers, Layer(layers[0].style, point=(x, y))]
     box: Box = (x - room[0] / 2, y - room[1] / 2, x + room[0] / 2, y + room[1] / 2)
     return picture(layers, caption, PANE, box)
 
 
-def _short(name: str) -> str:
+def short_name(name: str) -> str:
     return name if len(name) <= LONGEST_NAME else f"{name[: LONGEST_NAME - 3]}..."

@@ -12,6 +12,7 @@ from typer.core import TyperCommand, TyperGroup
 #: In the order of the help: the module in `minkref.commands` has the name of the command.
 COMMANDS = {
     "sum": "The exact sum of sP and Q, in canonical form.",
+    "convolution": "The edges of P and Q at each other's vertices, with their parents.",
     "index": "The sums at all scales of a window, found once and written to a file.",
     "sweep": "The exact sums at many scales.",
     "events": "The scales at which something changes, exact and sorted.",

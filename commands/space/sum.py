@@ -13,7 +13,7 @@ from minkref.commands.lists.sweep_folder import SPACE_FORMATS
 from minkref.documents import Stopwatch, document, refuse_overwriting
 from minkref.errors import Refusal, choice, refusing
 from minkref.output_target import target_of
-from minkref.space.operand import SpaceOperand, read_space_operand
+from minkref.space.operand import read_space_operand
 from minkref.space.scaling import read_scaling, text_of
 from minkref.space.sums import ROUTES, compute, sum_fields
 
@@ -62,15 +62,11 @@ def sum_in_space(
         vertex_parents=answer.vertex_parents,
         facet_parents=[{"P": list(p), "Q": list(q)} for p, q in answer.facet_parents],
         operands={
-            name: json_text.loads(_canonical(operand).canonical_json())
+            name: json_text.loads(operand.canonical().canonical_json())
             for name, operand in (("P", first), ("Q", second))
         },
     )
     give(value, json, lambda value: _print(value, text_of(scaling)))
-
-
-def _canonical(operand: SpaceOperand) -> _core.Polyhedron:
-    return operand.surface if operand.body is None else operand.body.surface()
 
 
 def _checked_route(route: str, arithmetic: str) -> str:

@@ -9,6 +9,7 @@ from minkref.degeneracies.invalid.member import Invalid
 # P, Q: the operands; S: the scale; it: the output. The member is P or Q, and beside it a triangle.
 COMMANDS: dict[str, tuple[str, ...]] = {
     "sum": ("sum", "P", "Q", "--scale=S", "-o", "it.json"),
+    "convolution": ("convolution", "P", "Q", "--scale=S", "-o", "it.json"),
     "events": ("events", "P", "Q", "--from=S", "-o", "it.json"),
     "sweep": ("sweep", "P", "Q", "--from=S", "--to=2", "--steps=2", "-o", "it"),
     "view": ("view", "P", "Q", "--from=S", "--to=2", "-o", "it.html"),

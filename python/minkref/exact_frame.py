@@ -60,9 +60,9 @@ class Frame:
 
     def polygons(self, exact: ExactPolygons) -> Polygons:
         """The rings, each number rounded once."""
-        return [[self._ring(ring) for ring in polygon] for polygon in exact]
+        return [[self.ring(ring) for ring in polygon] for polygon in exact]
 
-    def _ring(self, ring: Sequence[Exact]) -> Ring:
+    def ring(self, ring: Sequence[Exact]) -> Ring:
         return [
             (float((x - self.left) * self.factor), float((y - self.bottom) * self.factor))
             for x, y in ring

@@ -55,9 +55,13 @@ class Target:
         is rounded, and no picture, a warning says so."""
         ended = text.endswith("\n") or not self.is_standard_output
         self.write_pieces([text] if ended else [text, "\n"])
+        self.tell_rounding(exact)
+        return self.is_standard_output
+
+    def tell_rounding(self, exact: bool) -> None:
+        """A warning where standard output took what is rounded, and no picture."""
         if self.is_standard_output and not exact and self.form != "svg":
             sys.stderr.write("warning: standard output is rounded; json is exact\n")
-        return self.is_standard_output
 
 
 def refuse_stream(output: Path, what: str, mend: str) -> None:

@@ -76,6 +76,8 @@ def test_completion_in_bash(tmp_path: Path) -> None:
             ("sweep", "g1", "g2", "--scales", "s", "-o", "x", "--format", "jsn"),
             "did you mean json?",
         ),
+        (("convolution", "g1", "g2", "--compatible", "half-opn"), "did you mean half-open?"),
+        (("convolution", "g1", "g2", "-o", "-", "--format", "geojsn"), "did you mean geojson?"),
         (("events", "g1", "g2", "--kind", "pairs"), "did you mean pair?"),
         (("events", "g1", "g2", "--form", "printd"), "did you mean printed?"),
         (("adapter", "new", "x", "--language", "pyton"), "did you mean python?"),

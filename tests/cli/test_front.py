@@ -19,6 +19,7 @@ from rich.text import Text
 Minkref = Callable[..., Any]
 COMMANDS = (
     "sum",
+    "convolution",
     "sweep",
     "events",
     "index",

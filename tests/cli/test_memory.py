@@ -18,6 +18,7 @@ COMMANDS = {
     "sum": ("sum", *LARGE, "-o", "out.json"),
     "sum by definition": ("sum", *LARGE, "--route", "definition", "-o", "out.json"),
     "sum by dynamic update": ("sum", *LARGE, "--route", "dynamic", "-o", "out.json"),
+    "convolution": ("convolution", *LARGE, "--full", "-o", "out.json"),
     "sweep": ("sweep", *LARGE, "--from", "1/2", "--to", "2", "--steps", "3", "-o", "out"),
     "events": ("events", *LARGE, "-o", "out.json"),
     "boundary events": ("events", *LARGE, "--kind", "boundary", "-o", "out.json"),

@@ -14,6 +14,8 @@ MINKREF = f"{sys.executable} -m minkref"
 TEXTS = {
     "sum": "sum g1 g2",
     "sum in space": "sum gs3 rod",
+    "convolution": "convolution g1 g2",
+    "convolution in space": "convolution gs3 rod --format ply",
     "events": "events g1 g2 --limit 5",
     "view": "view g1 g2 --from 1 --to 9/8",
 }

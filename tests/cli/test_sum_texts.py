@@ -82,7 +82,7 @@ def test_a_long_text_is_no_name_of_a_file(tmp_path: Path) -> None:
     assert ran.returncode == 0 and json.loads(ran.stdout)["vertices"] == 2000
 
 
-@pytest.mark.parametrize("command", ["events", "index", "sweep", "view", "certify"])
+@pytest.mark.parametrize("command", ["convolution", "events", "index", "sweep", "view", "certify"])
 def test_standard_input_is_one_operand_of_every_command(tmp_path: Path, command: str) -> None:
     more = {"sweep": ["--from", "1", "--to", "2", "--steps", "2"], "index": ["-o", "x.index"]}
     more["certify"] = ["-o", "x.cert.json"]

@@ -31,6 +31,7 @@ FEW = 3  # for each of the commands
 DOCUMENTED = Path(__file__).parents[2] / "docs" / "formats.md"
 COMMANDS = {
     "sum": ("sum", "P", "Q", "-o", "it.json"),
+    "convolution": ("convolution", "P", "Q", "-o", "it.json"),
     "sweep": ("sweep", "P", "Q", "--scales", "scales.txt", "-o", "it"),
 }
 FEW_FORMS = {"empty-file": 3, "too-deep": 3}  # different members

@@ -28,6 +28,10 @@ class SpaceOperand:
     body: _core.ConvexPolyhedron | None
     warnings: list[str] = field(default_factory=list)
 
+    def canonical(self) -> _core.Polyhedron:
+        """In canonical form where it has volume."""
+        return self.surface if self.body is None else self.body.surface()
+
 
 def in_space(P: str, Q: str) -> bool:
     """Whether two names mean polyhedra. Refuses one of the plane beside one in space."""
