@@ -1,6 +1,6 @@
 """The formulas of Behar & Lien 2012, Section 4, by computer algebra: where two edges of a
-convolution intersect, when that is at an end of one of them, and for which scales they meet. Each as
-printed and in its right form."""
+convolution intersect, when that is at an end of one of them, and for which scales they meet. Each
+as printed and in its right form."""
 
 from __future__ import annotations
 
