@@ -79,7 +79,8 @@ def region(
     4.2.3): its bounds, None for one that is not there. As printed the starts bound it from below
     and the ends from above."""
     x = intersection(a, b, observation == "printed")
-    lower, upper = [], []
+    lower: list[sympy.Rational] = []
+    upper: list[sympy.Rational] = []
     for edge in (a, b):
         along = edge.at(1).end - edge.at(1).start
         for end, is_start in ((edge.start, True), (edge.end, False)):
