@@ -148,10 +148,19 @@ def _table(rows: list[Row]) -> dict[str, dict[str, str]]:
             right[row.variant, row.arithmetic, k] += is_right
     return {
         variant: {
-            arithmetic: f"{', '.join(str(right[variant, arithmetic, k]) for k in range(len(AFTER)))}"
-            f" of {asked[variant, arithmetic]} pairs"
+            arithmetic: _counts(right, asked, variant, arithmetic)
             for arithmetic in ("rational", *ROUNDING)
             if asked[variant, arithmetic]
         }
         for variant in VARIANTS
     }
+
+
+def _counts(
+    right: Counter[tuple[str, str, int]],
+    asked: Counter[tuple[str, str]],
+    variant: str,
+    arithmetic: str,
+) -> str:
+    numbers = ", ".join(str(right[variant, arithmetic, k]) for k in range(len(AFTER)))
+    return f"{numbers} of {asked[variant, arithmetic]} pairs"

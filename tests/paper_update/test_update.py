@@ -102,7 +102,7 @@ def test_consistency_fails_in_rounding_arithmetic_of_any_precision(bits: int) ->
 def test_a_hole_born_at_a_triple_event_is_missed_where_the_order_is_kept() -> None:
     """The hole is there below 541/186. Coming from above the kept order has a loop in its place
     that runs the wrong way; coming from below the loop that should have gone does too,
-    and collision detection mends it."""
+    and collision detection leaves it out."""
     P, Q = _core.PolygonSet(HOLE_P), _core.PolygonSet(HOLE_Q)
     for order, first, last, right in (
         ("sorted", "3", "5/2", True),
