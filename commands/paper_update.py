@@ -13,7 +13,8 @@ from minkref.commands.line.arithmetic import check_arithmetic
 from minkref.commands.lists.row_spool import Row
 from minkref.commands.lists.sum_fields import sum_fields
 from minkref.errors import Refusal, choice, refusing
-from minkref.exact import in_double_range
+from minkref.exact import approximate, in_double_range
+from minkref.fuzz.judges.paper_events import Edge, Event, compare_events
 from minkref.fuzz.judges.rounded_sums import Comparison, compare
 from minkref.operand import Operand
 
@@ -85,6 +86,7 @@ class PaperWalk:
         check_arithmetic(arithmetic)
         self._P, self._Q = P.set, Q.set
         self._bits = bits_of(arithmetic)
+        self._adjacent = readings["adjacent"]
         self._update = refusing(
             f"{P.name} and {Q.name}",
             lambda: _core.PaperUpdate(P.set, Q.set, scale, arithmetic, readings),
@@ -96,6 +98,17 @@ class PaperWalk:
 
     def counts(self) -> dict[str, Any]:
         return dict(self._update.counts())
+
+    def events(self) -> dict[str, Any]:
+        """Of the array of events, how many are right, and what is missed and invented."""
+        found = compare_events(self._P, self._Q, self._update, self._adjacent)
+        return {
+            "right": found.right,
+            "missed": found.missed,
+            "invented": found.invented,
+            "first_missed": event_fields(found.first_missed),
+            "first_invented": event_fields(found.first_invented),
+        }
 
     def move_to(self, scale: str) -> dict[str, Any]:
         return dict(self._update.move_to(scale))
@@ -152,6 +165,42 @@ def comparison_fields(found: Comparison) -> dict[str, Any]:
         if found.point is None
         else {"point": list(found.point), "in_sum": found.in_sum},
     }
+
+
+def event_fields(event: Event | None) -> dict[str, Any] | None:
+    if event is None:
+        return None
+    change = "birth" if event.begins else "death"
+    return {
+        "scale": event.scale,
+        "change": change,
+        "a": parent_of(event.a),
+        "b": parent_of(event.b),
+    }
+
+
+def parent_of(edge: Edge) -> str:
+    """An edge of the convolution as `--where` names it: `S 0.4 at 0.7`."""
+    kind, _, ring, index, other, vertex = edge
+    return f"{kind} {ring}.{index} at {other}.{vertex}"
+
+
+def events_in_words(events: dict[str, Any]) -> list[tuple[str, str]]:
+    """Rows of what people read of the events."""
+    rows = [
+        (
+            "events",
+            f"{events['right']:,} right, {events['missed']:,} missed, "
+            f"{events['invented']:,} invented",
+        )
+    ]
+    for what in ("missed", "invented"):
+        event = events[f"first_{what}"]
+        if event is not None:
+            scale = f"{approximate(event['scale']):.10g}"
+            told = f"at {scale}, {event['change']}: {event['a']} and {event['b']}"
+            rows.append((f"first {what}", told))
+    return rows
 
 
 def in_words(found: dict[str, Any]) -> str:

@@ -24,6 +24,7 @@ from minkref.commands.paper_update import (
     PaperWalk,
     Reading,
     decided,
+    events_in_words,
     in_words,
     readings_of,
     refuse_options,
@@ -163,6 +164,8 @@ def command(
             route=route,
             arithmetic=arithmetic,
             readings=readings,
+            first_wrong=_first_wrong(rows),
+            events=sums.events() if isinstance(sums, PaperWalk) else None,
             preprocessing_seconds=sums.seconds,
             statistics=dict(sums.counts()),
         )
@@ -259,10 +262,18 @@ def _print(value: dict[str, Any], rows: RowSpool) -> None:
     summary = [
         ("sweep", f"{value['P']} + {value['Q']}, {counted(len(rows), 'scale')}"),
         ("route", value["route"]),
+        *([("first wrong", value["first_wrong"] or "nowhere")] if beside else []),
+        *(events_in_words(value["events"]) if beside else []),
         ("all events", f"{value['preprocessing_seconds']:.3f} s"),
         ("seconds", f"{value['seconds']:.3f}"),
     ]
     print_sweep(table, rows, summary, value)
+
+
+def _first_wrong(rows: RowSpool) -> str | None:
+    """The first scale of the sweep at which the paper's program has another structure."""
+    wrong = (row["scale"] for row in rows if row["exact"] and not row["exact"]["same_structure"])
+    return next(wrong, None)
 
 
 def _short(number: str) -> str:

@@ -22,6 +22,9 @@ def test_a_sweep_with_all_formulas_corrected_is_the_exact_one(minkref: Minkref) 
     assert [row["digest"] for row in value["rows"]] == [row["digest"] for row in exact["rows"]]
     assert all(row["exact"]["ulps"] == 0 for row in value["rows"])
     assert value["statistics"]["undecided"] == 0
+    assert (value["first_wrong"], value["events"]["missed"], value["events"]["invented"]) == (
+        None, 0, 0
+    )  # fmt: skip
 
 
 def test_a_sweep_in_doubles_is_a_little_off(minkref: Minkref) -> None:
@@ -38,6 +41,24 @@ def test_a_sweep_as_printed_is_refuted_by_points(minkref: Minkref) -> None:
     assert all(row["exact"]["witness"] is not None for row in value["rows"])
     told = minkref("sweep", "g1", "g2", *WINDOW, *ROUTE).out
     assert "another structure: (" in told
+
+
+def test_events_that_consistency_misses_and_invents_are_named(minkref: Minkref) -> None:
+    """In rational numbers the same program misses none."""
+    options = ("--form", "corrected", "--reading", "solve=printed", "--json")
+    window = ("--from", "1", "--steps", "1")
+    for arithmetic, right in (("rational", True), ("mpfr:100", False)):
+        value = minkref(
+            "sweep", "g1", "g2", *window, *ROUTE, "--arithmetic", arithmetic, *options
+        ).json
+        jsonschema.validate(value, schema("sweep"))
+        assert (value["first_wrong"] is None) is right
+        for what in ("missed", "invented"):
+            first = value["events"][f"first_{what}"]
+            assert (value["events"][what] == 0) is right
+            assert (first is None) is right
+            if first is not None:
+                assert first["a"] != first["b"]
 
 
 def test_one_reading_beside_a_form(minkref: Minkref) -> None:

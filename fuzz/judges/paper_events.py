@@ -1,0 +1,63 @@
+"""The array of events of the paper's program beside the exact one: what is missed and what is
+invented."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from minkref import _core
+
+CORRECTED = {name: corrected for name, _, corrected, _ in _core.paper_readings()}
+Pair = tuple[int, int, bool]  # two edges, and whether they begin to meet
+Edge = tuple[str, int, int, int, int, int]
+
+
+@dataclass(frozen=True)
+class Event:
+    """Two edges of the reduced convolution, by their parents, that begin or cease to meet."""
+
+    scale: str
+    begins: bool
+    a: Edge
+    b: Edge
+
+
+@dataclass(frozen=True)
+class Events:
+    """Of all scales; the first of each kind is that of the least scale."""
+
+    right: int
+    missed: int
+    invented: int
+    first_missed: Event | None
+    first_invented: Event | None
+
+
+def compare_events(
+    P: _core.PolygonSet, Q: _core.PolygonSet, program: _core.PaperUpdate, adjacent: str
+) -> Events:
+    """The events of a program by their edges, wherever their scales are. `adjacent`: the reading of
+    the program, which says whether edges that share a vertex are asked. O(N^2) for N edges."""
+    exact = _core.PaperUpdate(P, Q, "1", "rational", CORRECTED | {"adjacent": adjacent})
+    wanted, found = _by_pair(exact), _by_pair(program)
+    edges = _core.reduced_convolution(P, Q)
+    return Events(
+        len(wanted.keys() & found.keys()),
+        len(wanted.keys() - found.keys()),
+        len(found.keys() - wanted.keys()),
+        _first(wanted, found, edges),
+        _first(found, wanted, edges),
+    )
+
+
+def _by_pair(program: _core.PaperUpdate) -> dict[Pair, str]:
+    return {(a, b, begins): scale for scale, a, b, begins in program.events()}
+
+
+def _first(of: dict[Pair, str], without: dict[Pair, str], edges: list[Edge]) -> Event | None:
+    alone = [(Fraction(scale), scale, pair) for pair, scale in of.items() if pair not in without]
+    if not alone:
+        return None
+    _, scale, (a, b, begins) = min(alone)
+    return Event(scale, begins, edges[a], edges[b])
