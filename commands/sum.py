@@ -159,8 +159,8 @@ def command(
             refuse_overwriting(output, [first.file, second.file])
             refuse_overwriting_index(output, index)
         result = compute(first, second, exact_scale, route, arithmetic, index, readings)
-        region = result.pop("region")
-    drawn = (first, second, exact_scale, result) if not only_sum else None
+        region, truth = result.pop("region"), result.pop("truth")
+    drawn = (first, second, exact_scale, result, truth) if not only_sum else None
     written = _written(region, target, drawn) if target is not None else None
     if target is not None and written is not None:
         if target.write(*written):
@@ -208,7 +208,7 @@ def _plot(region: _core.PolygonSet | None) -> None:
 def _written(
     region: _core.PolygonSet | None,
     target: Target,
-    drawn: tuple[Operand, Operand, str, dict[str, Any]] | None,
+    drawn: tuple[Operand, Operand, str, dict[str, Any], _core.PolygonSet | None] | None,
 ) -> tuple[str, bool]:
     """The text of the output, and whether it is exact. `drawn`: what an SVG shows beside the
     sum."""
@@ -220,10 +220,11 @@ def _written(
             "undecided-sign",
         )
     if target.form == "svg" and drawn is not None:
-        P, Q, scale, found = drawn
+        P, Q, scale, found, truth = drawn
         from minkref.reports.sum_picture import sum_picture
 
-        return sum_picture(P, Q, scale, region, found["components"], found["holes"]), False
+        counts = (found["components"], found["holes"])
+        return sum_picture(P, Q, scale, region, *counts, truth), False
     text = refusing(target.name, lambda: _core.write(region, target.form))
     return text, _core.writes_exactly(region, target.form)
 
@@ -238,7 +239,8 @@ def compute(
     readings: dict[str, str] | None = None,
 ) -> dict[str, Any]:
     """The fields of the document that describe the sum, and `region` (None where the arithmetic
-    could not decide a sign). For another arithmetic than rational, `exact` says what is true."""
+    could not decide a sign), and `truth`, the exact sum where the paper's program has answered. For
+    another arithmetic than rational, `exact` says what is true."""
     import json
 
     where = f"{P.name} and {Q.name}"
@@ -292,6 +294,7 @@ def compute(
     canonical = answer.region.canonical_json() if answer else None
     fields["result"] = json.loads(canonical) if canonical else None
     fields["region"] = answer.region if answer else None
+    fields["truth"] = truth.region if readings is not None else None
     return fields
 
 

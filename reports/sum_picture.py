@@ -17,17 +17,25 @@ LONGEST_NAME = 40  # letters of an operand that are shown
 SPECK = 3.0  # what is less wide and less high gets a mark
 OPERANDS = ".first{fill:#9cc3e6;stroke:#1f5f99}.second{fill:#f2c18d;stroke:#9a5410}"
 STYLE = (
-    OPERANDS + ".sum{fill:#b9dcbb;stroke:#2a6e30}path{stroke-width:1;stroke-linejoin:round}"
+    OPERANDS + ".sum{fill:#b9dcbb;stroke:#2a6e30}.lost{fill:#e58a8a;stroke:#a11d1d}"
+    ".added{fill:#c9a6e0;stroke:#66308f}path{stroke-width:1;stroke-linejoin:round}"
     "text{font:13px sans-serif;fill:#333}"
 )
 
 
 def sum_picture(
-    P: Operand, Q: Operand, scale: str, region: _core.PolygonSet, components: int, holes: int
+    P: Operand,
+    Q: Operand,
+    scale: str,
+    region: _core.PolygonSet,
+    components: int,
+    holes: int,
+    exact: _core.PolygonSet | None = None,
 ) -> str:
-    """An SVG document. P is not scaled yet. All three are drawn to one scale, and above each stands
+    """An SVG document. P is not scaled yet. All are drawn to one scale, and above each stands
     where it lies. Numbers are exact until they are in the frame, so that sets of any size are
-    drawn."""
+    drawn. With the `exact` sum of an answer that may be wrong it is drawn too, and what the answer
+    has lost and added."""
     first = f"P: {short_name(P.name)}" + ("" if scale == "1" else f", scaled by {scale}")
     counts = f"{counted(components, 'component')}, {counted(holes, 'hole')}"
     panes = [
@@ -35,13 +43,19 @@ def sum_picture(
         ("second", f"Q: {short_name(Q.name)}", exact_polygons(Q.set)),
         ("sum", f"sum: {counts}", exact_polygons(region)),
     ]
-    boxes = [box_of(exact) for *_, exact in panes]
+    if exact is not None:
+        panes += [
+            ("sum", "the exact sum", exact_polygons(exact)),
+            ("lost", "lost", exact_polygons(_core.minus(exact, region))),
+            ("added", "added", exact_polygons(_core.minus(region, exact))),
+        ]
+    boxes = [box_of(polygons) for *_, polygons in panes]
     factor, room = common_frame(boxes)
     drawn = []
-    for (style, title, exact), box in zip(panes, boxes, strict=True):
+    for (style, title, polygons), box in zip(panes, boxes, strict=True):
         layers = []
         if box is not None:
-            layers.append(Layer(style, Frame(box[0], box[1], factor).polygons(exact)))
+            layers.append(Layer(style, Frame(box[0], box[1], factor).polygons(polygons)))
         caption = [title, "the empty set" if box is None else box_text(box)]
         drawn.append((caption, pane(layers, room, title)))
     return side_by_side(drawn, STYLE, PANE, round(height_of((0.0, 0.0, *room), PANE)))

@@ -4,6 +4,7 @@ true beside the answers."""
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import jsonschema
@@ -101,3 +102,12 @@ def test_refusals(minkref: Minkref, arguments: tuple[str, ...], says: str) -> No
     assert answer.code == 2
     assert says in answer.err
     assert answer.out == ""
+
+
+def test_the_picture_shows_what_is_lost_and_added(minkref: Minkref, tmp_path: Path) -> None:
+    file = tmp_path / "sum.svg"
+    options = ("--form", "corrected", "--reading", "solve=printed", "--arithmetic", "mpfr:100")
+    minkref("sum", "g1", "g2", *ROUTE, *options, "-o", file)
+    text = file.read_text(encoding="utf-8")
+    assert all(title in text for title in ("the exact sum", "lost", "added"))
+    assert 'class="lost"' in text
