@@ -1,5 +1,6 @@
 // The paper's own update in Python.
 #include <nanobind/stl/map.h>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/unique_ptr.h>
@@ -21,6 +22,8 @@ using namespace nb::literals;
 namespace minkref::python {
 namespace {
 
+/// How many, and the seconds that it took.
+using Found = std::pair<std::size_t, double>;
 using Words = std::map<std::string, std::string>;
 
 Readings readings_of(const Words& words) {
@@ -52,6 +55,19 @@ class Update {
     fields["updated"] = step.updated;
     fields["seconds"] = taken;
     return fields;
+  }
+
+  Found place_intersections() {
+    const Stopwatch watch;
+    const std::size_t count = update_->place_intersections();
+    return {count, watch.seconds()};
+  }
+
+  Found search_intersections(const std::string& scale) const {
+    const Rational at = parse_rational(scale);
+    const Stopwatch watch;
+    const std::size_t count = update_->search_intersections(at);
+    return {count, watch.seconds()};
   }
 
   TimedSum sum() {
@@ -112,6 +128,11 @@ void bind_paper_update(nb::module_& module) {
       .def("move_to", &Update::move_to, "scale"_a, Released(),
            "Steps through the events to this scale: insertions, deletions, intersections updated, "
            "seconds.")
+      .def("place_intersections", &Update::place_intersections, Released(),
+           "Places all intersections on the list where the walk stands: how many, seconds.")
+      .def("search_intersections", &Update::search_intersections, "scale"_a, Released(),
+           "Finds the intersections at a scale without the list, from all pairs of edges in the "
+           "same arithmetic: how many, those of edges with a common vertex included, and seconds.")
       .def("sum", &Update::sum, Released(),
            "The sum where it stands, as this arithmetic answers, in canonical form.")
       .def("events", &Update::events, Released(),

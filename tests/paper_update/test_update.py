@@ -153,3 +153,28 @@ def test_points_segments_and_nothing_as_operands() -> None:
             for scale in ("2", "1/3"):
                 update.move_to(scale)
                 assert update.sum().region == _core.minkowski_sum(P, Q, scale).region
+
+
+@pytest.mark.parametrize("arithmetic", ["rational", "double", "mpfr:100"])
+def test_the_list_has_the_intersections_that_a_search_of_all_pairs_finds(arithmetic: str) -> None:
+    """Where edges with a common vertex are taken and parallel ones left out, as many of them; with
+    small integers no arithmetic errs at these scales."""
+    readings = CORRECTED | {"adjacent": "taken", "parallel": "left-out"}
+    for index in (30, 300, 900):
+        pair = random_pair(SEED, index)
+        P, Q = (_core.PolygonSet.from_json(text) for text in (pair.P, pair.Q))
+        exact = _core.PaperUpdate(P, Q, "1", "rational", readings)
+        update = _core.PaperUpdate(P, Q, "1", arithmetic, readings)
+        for scale in ("3", "1/4", "7/4"):
+            listed = update.move_to(scale)["updated"]
+            found = update.search_intersections(scale)[0]
+            assert update.place_intersections()[0] == listed
+            assert exact.search_intersections(scale)[0] == exact.move_to(scale)["updated"]
+            assert found == exact.search_intersections(scale)[0] > 0
+
+
+def test_a_search_of_all_pairs_refuses_a_scale_that_is_not_positive() -> None:
+    update = _core.PaperUpdate(_core.PolygonSet(HOLE_P), _core.PolygonSet(HOLE_Q))
+    for scale in ("0", "-1"):
+        with pytest.raises(_core.BadInput, match="not positive"):
+            update.search_intersections(scale)

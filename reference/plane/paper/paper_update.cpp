@@ -8,6 +8,7 @@
 #include "reference/plane/boundary/canonical.hpp"
 #include "reference/plane/kernel/arithmetic_name.hpp"
 #include "reference/plane/paper/intersection_lists.hpp"
+#include "reference/plane/paper/intersections_afresh.hpp"
 #include "reference/plane/paper/listed_intersections.hpp"
 #include "reference/plane/routes/boundary_rings.hpp"
 #include "reference/plane/routes/convolution_arrangement.hpp"
@@ -66,6 +67,23 @@ class UpdateIn : public PaperUpdate {
     scale_ = scale;
     step.updated = active_;
     return step;
+  }
+
+  std::size_t place_intersections() override {
+    places_.clear();
+    for (std::uint32_t edge = 0; edge < edges_.size(); ++edge) {
+      for (const std::uint32_t i : lists_.along(edge)) {
+        if (regions_[i].a == edge && !regions_[i].parallel) {
+          places_.push_back(regions_[i].x.at(scale_));
+        }
+      }
+    }
+    return places_.size();
+  }
+
+  std::size_t search_intersections(const Rational& scale) const override {
+    refuse_scale(scale);
+    return intersections_afresh<T>(edges_, arithmetic_(scale)).size();
   }
 
   Sum sum() override {
@@ -237,6 +255,7 @@ class UpdateIn : public PaperUpdate {
   std::size_t next_ = 0;
   std::uint64_t active_ = 0;
   T scale_{};
+  std::vector<Vector> places_;
   Counts counts_;
 };
 

@@ -2,6 +2,7 @@
 // another in one arithmetic, each formula as read.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -35,6 +36,17 @@ class PaperUpdate {
   /// for other scales. O(events crossed); with intersections kept in order, times the logarithm and
   /// the length of an edge's list.
   virtual Step move_to(const Rational& scale) = 0;
+
+  /// Gives each intersection on the list its place, x0 + (s - 1) sigma, where the walk stands
+  /// ("we update all of the remaining nodes"), and says how many they are; those of parallel edges
+  /// have none. O(N + k).
+  virtual std::size_t place_intersections() = 0;
+
+  /// What the update saves: the intersections at a scale s > 0 by Observation 1 for all pairs of
+  /// edges, in the same arithmetic, without the list; how many they are. Unlike the list it has the
+  /// common vertices of edges, once for each pair. Throws BadInput for other scales, UndecidedSign.
+  /// O(N^2).
+  virtual std::size_t search_intersections(const Rational& scale) const = 0;
 
   /// Loops, nesting and collision detection (Sec. 3) in the list of intersections where it stands:
   /// what the arithmetic answers, in canonical form. O((N + k) log N).
