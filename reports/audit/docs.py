@@ -3,12 +3,11 @@ checks show, and those of the models at hand, is left to the report."""
 
 from __future__ import annotations
 
-from collections import Counter
 from pathlib import Path
 
 from minkref.documents import write_atomically
 from minkref.reports.audit.catalogue import CHAPTERS, ENTRIES
-from minkref.reports.audit.entry import Chapter, Entry, Status
+from minkref.reports.audit.entry import Chapter, Entry, counted, formulas
 from minkref.reports.audit.page import ROOT
 
 FOLDER = ROOT / "docs" / "audit"
@@ -25,6 +24,11 @@ These pages are written by `python -m minkref.reports.audit.docs` from `reports/
 and a test holds them to it. What is printed in the paper is told in our words and formulas.
 """
 
+COUNTED = """Formulas and sentences are counted, not entries: where several entries are about one, the
+gravest counts. "False as read literally" is what does not hold with words and symbols as the paper
+defines them, and holds in another reading, which the entry names; "false" is what holds in no
+reading that we know. These formulas have several entries:"""
+
 
 def pages() -> dict[str, str]:
     """The text of each file."""
@@ -32,15 +36,27 @@ def pages() -> dict[str, str]:
 
 
 def _index() -> str:
-    counts = Counter(entry.status for entry in ENTRIES.values())
-    told = ", ".join(f"{counts[status]} {status}" for status in Status if counts[status])
+    counts = counted(ENTRIES.values())
+    told = ", ".join(f"{count} {status}" for status, count in counts.items())
     rows = [
         f"| [{entry.title}]({chapter.name}.md#{entry.name}) | {entry.place} | {entry.status} |"
         for chapter in CHAPTERS
         for entry in chapter.entries
     ]
     table = ["| entry | place in the paper | status |", "|---|---|---|", *rows]
-    return f"{HEAD}\n{len(ENTRIES)} entries: {told}.\n\n" + "\n".join(table) + "\n"
+    about = f"{sum(counts.values())} formulas and sentences: {told}."
+    shared = [
+        f"- {formula}: {', '.join(f'[{e.title}]({_file(e)}#{e.name})' for e in group)}"
+        for formula, group in formulas(ENTRIES.values()).items()
+        if len(group) > 1
+    ]
+    return "\n".join([
+        HEAD, about, "", COUNTED, "", *shared, "", f"{len(ENTRIES)} entries:", "", *table, ""
+    ])  # fmt: skip
+
+
+def _file(entry: Entry) -> str:
+    return next(f"{chapter.name}.md" for chapter in CHAPTERS if entry in chapter.entries)
 
 
 def _chapter(chapter: Chapter) -> str:
@@ -57,6 +73,7 @@ def _entry(entry: Entry) -> str:
         "",
         f"**Right.** {entry.right}",
         "",
+        *([f"**Holds if read so.** {entry.reading}", ""] if entry.reading else []),
         f"**Check.** {entry.how}",
         "",
     ]

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections import Counter
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from decimal import Decimal
 from enum import StrEnum
@@ -13,10 +14,15 @@ import sympy
 
 
 class Status(StrEnum):
+    """FALSE: no reading is known under which the words or the formula hold. LITERAL: with the words
+    and symbols as defined it does not hold; there is a reading under which it does, which the entry
+    names."""
+
     HOLDS = "holds"
     CONDITION = "holds under a condition"
     MISPRINT = "misprint"
     FALSE = "false"
+    LITERAL = "false as read literally"
     INCOMPLETE = "incomplete"
     NOT_REPRODUCIBLE = "not reproducible"
 
@@ -94,8 +100,10 @@ Check = Callable[[Shown], None]
 @dataclass(frozen=True)
 class Entry:
     """`place`: where in the paper. `printed`: what it says, in our words and formulas; `right`:
-    what holds. Both are Markdown, with formulas between dollars. `code`: files of the project that
-    have it. `how`: what the check does, its docstring."""
+    what holds. `reading`: how to read it so that it holds, where it does not as read literally. All
+    are Markdown, with formulas between dollars. `formula`: the formula or sentence that it is
+    about, which several entries may share. `code`: files of the project that have it. `how`: what
+    the check does, its docstring."""
 
     name: str
     title: str
@@ -103,6 +111,8 @@ class Entry:
     status: Status
     printed: str
     right: str
+    reading: str
+    formula: str
     code: tuple[str, ...]
     slow: bool  # left out of a quick report
     of_models: bool  # what it shows depends on the models at hand (MINKREF_MODELS)
@@ -136,17 +146,46 @@ class Chapter:
         status: Status,
         printed: str,
         right: str,
+        reading: str = "",
+        formula: str = "",
         code: tuple[str, ...] = (),
         slow: bool = False,
         of_models: bool = False,
     ) -> Callable[[Check], Check]:
-        """Adds the entry whose check is the function that follows."""
+        """Adds the entry whose check is the function that follows. Without `formula` its title
+        stands for what it is about."""
 
         def add(check: Check) -> Check:
-            told, holds = (" ".join(part.split()) for part in (printed, right))
+            told, holds, read = (" ".join(part.split()) for part in (printed, right, reading))
+            about = formula or title
             self.entries.append(
-                Entry(name, title, place, status, told, holds, code, slow, of_models, check)
-            )
+                Entry(name, title, place, status, told, holds, read, about, code, slow, of_models,
+                      check)
+            )  # fmt: skip
             return check
 
         return add
+
+
+#: Of several entries about one formula, the first of these is what is said of the formula.
+GRAVEST = (Status.FALSE, Status.LITERAL, Status.MISPRINT, Status.INCOMPLETE,
+           Status.NOT_REPRODUCIBLE, Status.CONDITION, Status.HOLDS)  # fmt: skip
+
+
+def formulas(entries: Iterable[Entry]) -> dict[str, list[Entry]]:
+    """The entries about each formula or sentence, in their order."""
+    found: dict[str, list[Entry]] = {}
+    for entry in entries:
+        found.setdefault(entry.formula, []).append(entry)
+    return found
+
+
+def status_of(entries: Iterable[Entry]) -> Status:
+    """Of the formula that they are all about: that of the gravest entry."""
+    return min((entry.status for entry in entries), key=GRAVEST.index)
+
+
+def counted(entries: Iterable[Entry]) -> dict[Status, int]:
+    """How many formulas or sentences of each status, not entries."""
+    counts = Counter(status_of(group) for group in formulas(entries).values())
+    return {status: counts[status] for status in Status if counts[status]}

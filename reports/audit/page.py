@@ -13,7 +13,7 @@ from typing import Any
 
 from minkref.documents import write_atomically
 from minkref.reports.audit.catalogue import CHAPTERS, ENTRIES
-from minkref.reports.audit.entry import CheckFailed, Entry, Shown
+from minkref.reports.audit.entry import CheckFailed, Entry, Shown, counted
 from minkref.reports.pages import environment
 from minkref.reports.typeset import typeset_line
 
@@ -61,7 +61,7 @@ def write_audit(folder: Path, quick: bool, tell: Tell, done: Callable[[], None])
         .render(
             chapters=CHAPTERS,
             outcomes={one.entry.name: one for one in outcomes},
-            counts=Counter(str(one.entry.status) for one in outcomes),
+            counts=counted(one.entry for one in outcomes),
             passed=words["passed"],
             failed=words["failed"],
             left_out=words["left out"],
@@ -92,6 +92,8 @@ def row_of(one: Outcome) -> dict[str, Any]:
         "status": str(entry.status),
         "printed": entry.printed,
         "right": entry.right,
+        "reading": entry.reading,
+        "formula": entry.formula,
         "check": entry.how,
         "outcome": one.word,
         "failure": one.failure,

@@ -8,7 +8,16 @@ import pytest
 import sympy
 from minkref.reports.audit import docs
 from minkref.reports.audit.catalogue import CHAPTERS, ENTRIES
-from minkref.reports.audit.entry import Chapter, CheckFailed, Shown, Status
+from minkref.reports.audit.entry import (
+    GRAVEST,
+    Chapter,
+    CheckFailed,
+    Shown,
+    Status,
+    counted,
+    formulas,
+    status_of,
+)
 from minkref.reports.audit.page import ROOT, outcome
 from minkref.reports.typeset import typeset_line
 
@@ -32,9 +41,36 @@ def test_entries_say_where_what_and_how() -> None:
     assert {entry.status for entry in ENTRIES.values()} == set(Status)
 
 
+def test_what_is_false_as_read_literally_has_a_reading_and_what_is_false_has_none() -> None:
+    for entry in ENTRIES.values():
+        assert bool(entry.reading) == (entry.status == Status.LITERAL), entry.name
+
+
+def test_formulas_are_counted_once() -> None:
+    groups = formulas(ENTRIES.values())
+    assert sum(counted(ENTRIES.values()).values()) == len(groups) < len(ENTRIES)
+    assert sum(map(len, groups.values())) == len(ENTRIES)
+    shared = [group for group in groups.values() if len(group) > 1]
+    assert max(map(len, shared)) == 5
+    assert sorted(GRAVEST) == sorted(Status)
+    for group in shared:
+        assert status_of(group) in {entry.status for entry in group}
+
+
+def test_of_entries_about_one_formula_the_gravest_counts() -> None:
+    chapter = Chapter("none", "none")
+    for name, status, formula in (
+        ("one", Status.HOLDS, "f"), ("two", Status.FALSE, "f"), ("three", Status.HOLDS, ""),
+    ):  # fmt: skip
+        chapter.entry(name, name, place="p", status=status, printed="a", right="b",
+                      formula=formula)(lambda shown: None)  # fmt: skip
+    assert counted(chapter.entries) == {Status.HOLDS: 1, Status.FALSE: 1}
+    assert list(formulas(chapter.entries)) == ["f", "three"]
+
+
 def test_all_formulas_are_typeset() -> None:
     for entry in ENTRIES.values():
-        for text in (entry.printed, entry.right, entry.how):
+        for text in (entry.printed, entry.right, entry.reading, entry.how):
             html = typeset_line(text)
             assert "$" not in html and html.count("<math") == text.count("$") / 2, entry.name
             assert "\\" not in re.sub(r"<[^>]*>", "", html), entry.name

@@ -79,7 +79,7 @@ def _(shown: Shown) -> None:
     "sum-in-convolution",
     "The convolution is called a superset of the sum",
     place="Section 3",
-    status=Status.FALSE,
+    status=Status.LITERAL,
     printed=r"""$P \oplus Q \subseteq P \otimes Q$, and $\partial(P \oplus Q) = \partial(P \otimes
     Q)$.""",
     right=r"""The convolution is a set of curves, which no region is a part of. What holds is
@@ -87,6 +87,8 @@ def _(shown: Shown) -> None:
     $\subseteq P \oplus Q$. Read of the region that the curves enclose, the first statement is true,
     and the second is true of the outer boundaries: the region has no holes, and the sum may have
     some.""",
+    reading=r"""Read of the region that the curves enclose, the first statement is true, and the
+    second is true of the outer boundaries.""",
     code=("reference/plane/convolution/convolution.hpp",),
 )
 def _(shown: Shown) -> None:

@@ -346,7 +346,7 @@ INTERVALS: tuple[tuple[str, Edge, Edge, str, str], ...] = (
     "interval-of-a-pair",
     "The interval in which two edges meet",
     place="Section 4.2.3",
-    status=Status.FALSE,
+    status=Status.LITERAL,
     printed=r"""$[\max\{B_{a_0}, B_{b_0}\}, \min\{B_{a_1}, B_{b_1}\}]$, where $B_u$ is the scale at
     which $x(s)$ is the end $u$.""",
     right=r"""With $c = d_a \times d_b$, $A(s) = \pm (s \Delta p + \Delta q) \times d_b$ and
@@ -356,6 +356,10 @@ INTERVALS: tuple[tuple[str, Edge, Edge, str, str], ...] = (
     its slope is, or holds at all scales or at none if that is zero. The interval may be empty, a
     point, or have no end. The printed form takes each start for a lower bound and each end for an
     upper one.""",
+    reading=r"""Take $B_{a_0}$ and $B_{b_0}$ for the lower bounds of the intervals of the two edges,
+    and $B_{a_1}$ and $B_{b_1}$ for the upper ones, whichever end each belongs to: then it is the
+    intersection of the intervals, as the sentence before it says.""",
+    formula="The interval in which two edges meet (Section 4.2.3)",
     code=("reference/plane/critical/scale_interval.hpp",
           "reference/plane/critical/pair_interval.hpp"),
 )  # fmt: skip
@@ -393,9 +397,11 @@ def _agree(shown: Shown, kinds: str, found: Answers) -> None:
     "interval-invented",
     "The printed interval is also given to edges that never meet",
     place="Section 4.2.3",
-    status=Status.FALSE,
+    status=Status.LITERAL,
     printed=r"""$[\max\{B_{a_0}, B_{b_0}\}, \min\{B_{a_1}, B_{b_1}\}]$.""",
     right=r"""A pair of S-edges that meets at no scale gets $[20/49, 40/53]$.""",
+    reading=r"""With lower and upper bounds for starts and ends the interval is empty.""",
+    formula="The interval in which two edges meet (Section 4.2.3)",
     code=("reference/plane/critical/pair_interval.hpp",),
 )
 def _(shown: Shown) -> None:
@@ -412,7 +418,7 @@ def _(shown: Shown) -> None:
     "interval-sorted",
     "Sorting the scales of each edge does not correct the interval",
     place="Section 4.2.3",
-    status=Status.FALSE,
+    status=Status.CONDITION,
     printed=r"""Not printed so; but one might read $[\max\{B_{a_0}, B_{b_0}\}, \min\{B_{a_1},
     B_{b_1}\}]$ generously as the intersection of the intervals between the two scales of each edge,
     in the right order.""",
@@ -420,6 +426,7 @@ def _(shown: Shown) -> None:
     \ge 0$ have opposite slopes, $c > 0$ being $|d_a \times d_b|$. But both ends of an S-edge may
     bound $s$ from below: of $A(s) \ge 0$ and $c s - A(s) \ge 0$ the slopes add up to $c$, so that
     none or one of them is negative.""",
+    formula="The interval in which two edges meet (Section 4.2.3)",
     code=("reference/plane/critical/scale_interval.hpp",),
 )
 def _(shown: Shown) -> None:
@@ -474,7 +481,7 @@ def _edges_of(P: _core.PolygonSet, Q: _core.PolygonSet) -> list[Edge]:
     "interval-for-convex-p",
     "For convex P there is a rule of this form, another one",
     place="Section 4.2.3",
-    status=Status.FALSE,
+    status=Status.LITERAL,
     printed=r"""$[\max\{B_{a_0}, B_{b_0}\}, \min\{B_{a_1}, B_{b_1}\}]$, for all operands.""",
     right=r"""If the operand that is scaled, $P$, is convex and edges run with it on the left, the
     interval of two edges that meet is
@@ -483,6 +490,8 @@ def _edges_of(P: _core.PolygonSet, Q: _core.PolygonSet) -> list[Edge]:
     pairs with the end of $b$, never with its start, as printed. For every vertex $p$ of $P$ lies
     on the left of each edge or on its line, which gives every slope its sign. (Where a scale does
     not exist, its slope being zero, it is left out.)""",
+    reading=r"""With lower and upper bounds for starts and ends it is the rule on the right.""",
+    formula="The interval in which two edges meet (Section 4.2.3)",
     code=("reference/plane/critical/pair_interval.hpp",),
 )
 def _(shown: Shown) -> None:
@@ -535,12 +544,14 @@ def _convex_rule(a: Edge, b: Edge, found: Answers) -> Interval:
     "share-of-right-intervals",
     "How often the printed interval is right on the paper's pairs",
     place="Section 4.2.3, Fig. 7 and 8",
-    status=Status.FALSE,
+    status=Status.LITERAL,
     printed=r"""The interval $[\max\{B_{a_0}, B_{b_0}\}, \min\{B_{a_1}, B_{b_1}\}]$ is computed for
     all pairs of edges.""",
     right=r"""Of the pairs of edges of monkey and bird that meet on an interval, the printed form,
     with exact scales, is right on about a fifth; of disc and neuron, the scaled operand being
     convex, on none.""",
+    reading=r"""With lower and upper bounds for starts and ends it is right for all pairs.""",
+    formula="The interval in which two edges meet (Section 4.2.3)",
     code=("reference/plane/critical/pair_interval.hpp",),
     slow=True,
     of_models=True,
@@ -567,6 +578,7 @@ def _(shown: Shown) -> None:
     printed=r"""From $s_0$ the events are stepped through until one has $s_{event} > s_{final}$.""",
     right=r"""That is for $s_{final} > s_0$. Downwards the same events are passed in the other
     order, with insertions and deletions exchanged.""",
+    formula="Stepping through the array of events (Section 4.2.4)",
     code=("reference/plane/dynamic/dynamic_arrangement.hpp",),
 )
 def _(shown: Shown) -> None:
@@ -601,6 +613,7 @@ def _(shown: Shown) -> None:
     other at the same scale. At a final scale that is itself an event the lists have to be divided,
     of which the text does not speak: edges that start to meet there do so, and those that stop
     still do, since edges are closed.""",
+    formula="Stepping through the array of events (Section 4.2.4)",
     code=("reference/plane/dynamic/dynamic_arrangement.hpp",),
 )
 def _(shown: Shown) -> None:

@@ -381,6 +381,7 @@ def _(shown: Shown) -> None:
     ends where the disc touches a third feature: its centre is a vertex of the Voronoi diagram of
     the exterior, and three curves of the convolution pass through it. There a hole of $P \oplus D$
     may end with all its bridges, and no two curves start or stop meeting.""",
+    formula="Events of two arcs or segments are all events (Section 8.2, Appendix)",
     code=("oracle/symbolic/disc_contact.py",),
 )
 def _(shown: Shown) -> None:
@@ -427,7 +428,7 @@ def _bridges_of_pocket(t: Fraction) -> int:
     "persistence-of-bridges",
     "Persistence is not the length of Voronoi segments",
     place="Section 8.2",
-    status=Status.FALSE,
+    status=Status.LITERAL,
     printed=r"""The intersections trace out the Voronoi diagram of the exterior; thus the analysis
     of the persistence of bridges, their life in $\alpha$, corresponds to measuring the length of
     its segments.""",
@@ -437,6 +438,7 @@ def _bridges_of_pocket(t: Fraction) -> int:
     distance $D$, $\rho = \sqrt{h^2 + D^2/4}$ at the height $h$ above the middle; between parallel
     walls $\rho$ is constant; between walls at the angle $2 \theta$ it is $\sin \theta$ times the
     distance from their corner.""",
+    reading=r"""Measure the segments by the change of clearance along them, in $\alpha$.""",
     code=("oracle/symbolic/disc_contact.py",),
 )
 def _(shown: Shown) -> None:

@@ -79,7 +79,7 @@ def _(shown: Shown) -> None:
     "disc-crossing-of-circles",
     "Where two circles cross",
     place="Appendix, arcs with arcs",
-    status=Status.FALSE,
+    status=Status.LITERAL,
     printed=r"""$I(s) = M(s) (\pm \perp (c_1, c_2))$, where $M(s)$ is the root above plus
     $y_{c_1}$.""",
     right=r"""$I(s) = \frac{c_1 + c_2}{2} \pm r \sqrt{s^2 - s_0^2} \, n$, $n$ a unit vector
@@ -87,6 +87,8 @@ def _(shown: Shown) -> None:
     the derivation, with both centres level, and not to the length; for $r$ and the radical see
     above. (Read as the way from the midpoint, $I(s)$ has $y_{c_1}$ too much. But the text sets
     $I(s)$ equal to the ends of arcs, which are places.)""",
+    reading=r"""Put the origin in the middle of the two centres, and both on the $x$-axis: then
+    $y_{c_1} = 0$, and $I(s) = M(s) (\pm \perp (c_1, c_2))$ is the place.""",
     code=ORACLE,
 )
 def _(shown: Shown) -> None:

@@ -164,6 +164,7 @@ WELL = [(-6, -3), (14, -3), (14, 5), (5, 5), (10, 0), (-2, 0), (0, 4), (-6, 4)]
     curves pass through one point. For three lines the scale is of degree up to 8; for three circles
     $s^2$ is the squared circumradius over $r^2$, a rational; two circles and a line, or a circle
     and two lines, give a quadratic equation over the field of the lengths.""",
+    formula="Events of two arcs or segments are all events (Section 8.2, Appendix)",
     code=ORACLE,
 )
 def _(shown: Shown) -> None:

@@ -95,7 +95,7 @@ def _drawn_side(dice: random.Random) -> Side:
     "disc-two-events",
     "Two offset edges have exactly two events, or never meet",
     place="Appendix, segments with segments",
-    status=Status.FALSE,
+    status=Status.LITERAL,
     printed=r"""Since the segments do not grow there are exactly two events, both at an end of a
     segment, or else the segments do not intersect at all.""",
     right=r"""The scales $s > 0$ at which two offset edges that are not parallel meet are a bounded
@@ -103,6 +103,7 @@ def _drawn_side(dice: random.Random) -> Side:
     from 0 on, or if the interval is a single scale; there is none at a convex vertex, whose edges
     share a point at $s = 0$ only. (With scales of zero and below there would always be two, which
     may coincide; but the Appendix has $s > 0$.)""",
+    reading=r"""Of all real scales, and a scale counted twice at which the edges only touch.""",
     code=("reference/plane/critical/pair_interval.hpp", *ORACLE),
 )
 def _(shown: Shown) -> None:

@@ -95,12 +95,14 @@ def _(shown: Shown) -> None:
     "vertex-events-of-parallel-faces",
     "Vertex events of parallel faces need no special case",
     place="Section 5.2",
-    status=Status.FALSE,
+    status=Status.LITERAL,
     printed=r"""The detection of vertex events is robust enough for parallel faces, and gives the
     scale at which they are coplanar.""",
     right=r"""As printed in Section 5.1 it starts with $x(1)$ and $x(2)$, the points in which the
     line of an edge meets the plane of the face, and for parallel faces there are none. The one
     equation $n \cdot (e_i(s) - t_a(s)) = 0$ does need no special case.""",
+    reading=r"""Take the path of the vertex itself to the plane of the other face, without $x(1)$
+    and $x(2)$: then parallel faces are no special case.""",
     code=ORACLE,
 )
 def _(shown: Shown) -> None:

@@ -89,6 +89,7 @@ def _chain(Q: Body, e: Edge, ee: frozenset[tuple[Edge, Edge]], start: int, end: 
     edges, ignoring the one just found; at the end all compatible vertices have been enumerated.""",
     right=r"""All compatible edges have been. The walk is right where no facet has several vertices:
     the vertices on the way are those of the regions that $g(e)$ runs through.""",
+    formula="The chain of compatible edges (Section 6)",
 )
 def _(shown: Shown) -> None:
     """All edges of $P$ in 200 random pairs of bodies: at each vertex of the walk one edge leads on,
@@ -118,6 +119,7 @@ def _(shown: Shown) -> None:
     right=r"""Where $g(e)$ passes through the normal of a facet $f$ of $Q$, so that $e$ and $f$ are
     farthest in one direction, there is none in the strict sense, and two with ties. The sum has the
     face $e \oplus f$ there, which is neither an fv-facet nor an ee-facet.""",
+    formula="The chain of compatible edges (Section 6)",
 )
 def _(shown: Shown) -> None:
     """A tetrahedron with a level edge on top, across a cube: compatible edges of the cube at the
@@ -227,13 +229,15 @@ def _faces_of_pairs(P: Body, Q: Body, pairs: Pairs) -> set[frozenset[Vector]]:
     "uniform-scaling-of-convex-bodies",
     "Uniform scaling of convex bodies",
     place="Section 7.2.2",
-    status=Status.FALSE,
+    status=Status.LITERAL,
     printed=r"""Scaling convex models uniformly makes their sums scale uniformly.""",
     right=r"""That is true where both models are scaled by one factor, and then of all sets. But the
     method scales one of them, and $s P \oplus Q$ is not $s (P \oplus Q)$: $2 [0, 1] \oplus [0, 1] =
     [0, 3]$, not $[0, 4]$. What stays is the structure: normals do not turn, so that the compatible
     pairs are the same at all scales, and there are no events; but areas grow by $s^2$ for
     fv-facets, by $s$ for ee-facets, and not at all for vf-facets.""",
+    reading=r"""Of both models scaled by one factor; or of the structure of the sum alone, which is
+    what the argument needs: there are no events.""",
 )
 def _(shown: Shown) -> None:
     """The intervals. For sixty random pairs of bodies the compatible pairs at scale 7 are those at

@@ -71,7 +71,7 @@ def _walk(points: list[Whole] | tuple[Whole, ...], near: list[list[int]], v: int
     "degree-of-incompatibility",
     "The degree of incompatibility",
     place="Section 6",
-    status=Status.FALSE,
+    status=Status.LITERAL,
     printed=r"""All edges at a compatible vertex are below or on the half-plane of $f$. For a vertex
     that is not compatible $IC(f, v)$ is the longest Euclidean distance of a point on an edge at $v$
     from $f$, and the edge that has it is the witness; descent goes on until the pair is
@@ -83,6 +83,8 @@ def _walk(points: list[Whole] | tuple[Whole, ...], near: list[list[int]], v: int
     over the neighbours $w$ of $v$. (A half-space is meant, bounded by the plane through $v$ that is
     parallel to $f$.) Only signs and the order of heights are needed, so that $n_f$ may have any
     length.""",
+    reading=r"""Take $d(e, f)$ with a sign, positive above the plane of $f$ through $v$: then the
+    witness leads upwards, and descent ends at a compatible vertex.""",
 )
 def _(shown: Shown) -> None:
     """A body with five vertices and a level facet, for which the printed descent goes to and fro

@@ -106,6 +106,7 @@ def _draw_pair(shown: Shown, words: str, P: Body, Q: Body, s: Whole) -> None:
     face of $P$ is paired with a vertex of $Q$ "and vice-versa".)""",
     right=r"""Facets of $Q$ have to be counted: with the facets of $P$ only the theorem is false,
     for an ee-error may come with an error of a facet of $Q$ alone.""",
+    formula="Theorem 1, first half",
 )
 def _(shown: Shown) -> None:
     """Two tetrahedra and a scaling by (9, 3, 4), by supports: an edge pair is lost, all facets of
@@ -154,6 +155,7 @@ def _(shown: Shown) -> None:
     and no pair of edges changes. For other scalings it is checked on random pairs, not proved: no
     counterexample is known. Scaling along one axis after the other, with a repair after each, needs
     the proved case only.""",
+    formula="Theorem 1, first half",
 )
 def _(shown: Shown) -> None:
     """The heights by computer algebra. Random pairs of bodies with 4 to 6 vertices, four scalings
