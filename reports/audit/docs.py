@@ -24,10 +24,10 @@ These pages are written by `python -m minkref.reports.audit.docs` from `reports/
 and a test holds them to it. What is printed in the paper is told in our words and formulas.
 """
 
-COUNTED = """Formulas and sentences are counted, not entries: where several entries are about one, the
-gravest counts. "False as read literally" is what does not hold with words and symbols as the paper
-defines them, and holds in another reading, which the entry names; "false" is what holds in no
-reading that we know. These formulas have several entries:"""
+COUNTED = """Formulas and sentences are counted, not entries: where several entries are about one,
+the gravest counts. "False as read literally" is what does not hold with words and symbols as the
+paper defines them, and holds in another reading, which the entry names; "false" is what holds in
+no reading that we know. These formulas have several entries:"""
 
 
 def pages() -> dict[str, str]:

@@ -12,7 +12,7 @@ from minkref.reports.bench.pairs import Pair
 PAIRWISE, CONTACTS, STATIC, CGAL = "pairwise", "contacts", "static", "cgal-reduced"
 INTERSECTIONS, SUM = "intersections", "sum"
 ABOUT = {
-    PAIRWISE: "all pairs of convolution edges in plain doubles, boxes first: the paper's yardstick",
+    PAIRWISE: "all pairs of convolution edges in plain doubles, boxes first (the paper's: in MPFR)",
     CONTACTS: "our exact static search for intersections, by a tree of boxes",
     STATIC: "our static sum, route paper",
     CGAL: "CGAL's reduced convolution",

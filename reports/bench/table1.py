@@ -44,10 +44,17 @@ class Table1:
     wrong: list[str] = field(default_factory=list)  # sums that differ from the static ones
 
     def mean_ratio(self, baseline: str) -> float | None:
-        """Over the small pairs, all of which must have been timed."""
-        ratios = [r["ratio"] for r in self.rows if r["small"] and r["baseline"] == baseline]
+        """Of the ratios of mean times, over the small pairs, all of which must have been timed."""
+        return self._mean(baseline, lambda row: float(row["ratio"]))
+
+    def mean_of_ratios(self, baseline: str) -> float | None:
+        """The same of the mean ratios of single re-scalings."""
+        return self._mean(baseline, lambda row: float(row["ratios"]["mean"]))
+
+    def _mean(self, baseline: str, value: Callable[[Row], float]) -> float | None:
+        values = [value(r) for r in self.rows if r["small"] and r["baseline"] == baseline]
         small = sum(pair["small"] for pair in self.pairs)
-        return fmean(ratios) if ratios and len(ratios) == small else None
+        return fmean(values) if values and len(values) == small else None
 
 
 @dataclass(frozen=True)
@@ -208,6 +215,7 @@ def summary(table: Table1) -> dict[str, Any]:
     small = [row["ratio"] for row in table.rows if row["small"] and row["baseline"] == PAIRWISE]
     return {
         "mean_ratios": {name: table.mean_ratio(name) for name in names},
+        "means_of_ratios": {name: table.mean_of_ratios(name) for name in names},
         "median_ratio": median(small) if small else None,
         "paper_mean_ratio": PAPER_MEAN,
     }

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+import json
+from itertools import pairwise
+
 from minkref import _core
 from minkref.operand import read_operand
 from minkref.reports.bench.pairs import Pair
 from minkref.reports.drawing import Layer, picture
-from minkref.reports.paper.entry import Picture
+from minkref.reports.paper.entry import Claim, Picture
 
-# Fig. 2: small polygons of which one is reflex, as in the paper's figure.
-FIGURE_2 = (
-    '{"polygons":[{"outer":[["0","0"],["4","0"],["4","3"],["0","3"]]}]}',
-    '{"polygons":[{"outer":[["0","0"],["6","0"],["6","4"],["3","1"],["0","4"]]}]}',
-)
+# Fig. 2: four and five vertices, of which one is reflex, as in the paper's figure.
+P_OF_FIGURE_2 = (("0", "0"), ("4", "-1"), ("5", "2"), ("1", "3"))
+Q_OF_FIGURE_2 = (("0", "0"), ("6", "0"), ("6", "4"), ("3", "1"), ("0", "4"))
+AT_Q0 = (0.0, 0.0, 4.0, -1.0)  # the edge p0 p1 at q0
+REFLEX = (3.0, 1.0)
 
 
 def figure_1(pair: Pair) -> list[Picture]:
@@ -27,21 +30,38 @@ def figure_1(pair: Pair) -> list[Picture]:
     return found
 
 
-def figure_2() -> list[Picture]:
-    P, Q = (_core.PolygonSet.from_json(text) for text in FIGURE_2)
+def figure_2() -> tuple[list[Picture], list[Claim]]:
+    P, Q = (_core.PolygonSet.from_json(json.dumps({"polygons": [{"outer": ring}]}))
+            for ring in (P_OF_FIGURE_2, Q_OF_FIGURE_2))  # fmt: skip
     shapes = [
         Layer("first", P.approximate_rings()),
         Layer("second", Q.translated("6", "0").approximate_rings()),
     ]
-    found = [Picture("P and Q", picture(shapes, "P and Q", 300))]
+    pictures = [Picture("P and Q", picture(shapes, "P and Q", 300))]
+    found = {}
+    total = _core.minkowski_sum(P, Q, "1").region.approximate_rings()
     for reduced, what in ((False, "convolution"), (True, "reduced convolution")):
-        segments = _core.convolution_segments(P, Q, "1", reduced)
-        layers = [
-            Layer("sum", _core.minkowski_sum(P, Q, "1").region.approximate_rings()),
-            Layer("first-edge", segments=segments),
-        ]
-        found.append(Picture(f"{what}: {len(segments)} edges", picture(layers, what, 300)))
-    return found
+        found[reduced] = segments = _core.convolution_segments(P, Q, "1", reduced)
+        layers = [Layer("sum", total), Layer("first-edge", segments=segments)]
+        pictures.append(Picture(f"{what}: {len(segments)} edges", picture(layers, what, 300)))
+    left_out = set(found[False]) - set(found[True])
+    shared = set(found[True]) <= set(found[False])
+    of_reflex = {
+        (x0 - REFLEX[0], y0 - REFLEX[1], x1 - REFLEX[0], y1 - REFLEX[1])
+        for x0, y0, x1, y1 in left_out
+    }
+    sides = set()
+    for (x0, y0), (x1, y1) in pairwise([*P_OF_FIGURE_2, P_OF_FIGURE_2[0]]):
+        side = (float(x0), float(y0), float(x1), float(y1))
+        sides |= {side, (*side[2:], *side[:2])}
+    return pictures, [
+        Claim("the edge p0 p1 is compatible with q0: its direction is on the counter-clockwise "
+              "turn at q0", "it is in the convolution" if AT_Q0 in found[False] else "it is not",
+              AT_Q0 in found[False]),
+        Claim("the reduced convolution is the convolution without what reflex vertices contribute",
+              f"edges left out: {len(left_out)}, at the reflex vertex of Q",
+              bool(left_out) and shared and of_reflex <= sides),
+    ]  # fmt: skip
 
 
 def figure_6() -> list[Picture]:

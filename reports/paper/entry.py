@@ -1,4 +1,5 @@
-"""One entry for each table, figure and stated time of the paper."""
+"""One entry for each table, figure and stated time of the paper, and the rule by which it counts as
+reproduced."""
 
 from __future__ import annotations
 
@@ -10,8 +11,17 @@ from typing import Any
 
 class Verdict(StrEnum):
     REPRODUCED = "reproduced"
+    IN_KIND = "reproduced in kind"
     NOT_REPRODUCED = "not reproduced"
     NOT_ATTEMPTED = "not attempted"
+
+
+RULE = (
+    "An entry lists what the paper states there that can be measured or counted and is no time of "
+    "its machine. Reproduced: all of it comes out, with the paper's own input. Reproduced in kind: "
+    "all of it comes out, with input of ours, because the paper's is not published or not at hand. "
+    "Not reproduced: some of it does not come out. Not attempted: nothing of it was measured."
+)
 
 
 @dataclass(frozen=True)
@@ -29,15 +39,39 @@ class Table:
     rows: Sequence[Sequence[Any]]
 
 
+@dataclass(frozen=True)
+class Claim:
+    """Something that the paper states, in its words or ours, what was found, and whether that is
+    so."""
+
+    stated: str
+    found: str
+    holds: bool
+
+
+def verdict_of(claims: Sequence[Claim], their_input: bool) -> Verdict:
+    """By RULE."""
+    if not claims:
+        return Verdict.NOT_ATTEMPTED
+    if not all(claim.holds for claim in claims):
+        return Verdict.NOT_REPRODUCED
+    return Verdict.REPRODUCED if their_input else Verdict.IN_KIND
+
+
 @dataclass
 class Entry:
-    """`place`: what the paper calls it. `verdict` and `why`: how far ours is the same. `command`:
-    what makes it."""
+    """`place`: what the paper calls it. `why`: what was run, and what to bear in mind. `command`:
+    what makes it. `their_input`: whether all input is the paper's own."""
 
     place: str
     title: str
-    verdict: Verdict
     why: str
     command: str
+    claims: Sequence[Claim] = ()
+    their_input: bool = False
     pictures: list[Picture] = field(default_factory=list)
     tables: list[Table] = field(default_factory=list)
+
+    @property
+    def verdict(self) -> Verdict:
+        return verdict_of(self.claims, self.their_input)

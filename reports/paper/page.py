@@ -12,7 +12,7 @@ from pathlib import Path
 from minkref.documents import write_atomically
 from minkref.reports.pages import environment
 from minkref.reports.paper.entries import entries
-from minkref.reports.paper.entry import Table
+from minkref.reports.paper.entry import RULE, Table
 
 PAGE = "paper.html"
 
@@ -27,6 +27,7 @@ def write_paper(
         .get_template("paper.html.j2")
         .render(
             entries=found,
+            rule=RULE,
             counts=Counter(str(one.verdict) for one in found),
             command="minkref report paper" + " --quick" * quick,
         )

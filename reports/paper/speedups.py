@@ -1,27 +1,30 @@
-"""Speed-ups of single re-scalings, against the events that they process and the intersections that
-they update (Fig. 7 and 8 of the paper)."""
+"""Single re-scalings by the paper's own program, against the events that they process, the
+intersections that they update, and how far the scale changes (Fig. 7 and 8 of the paper). Events of
+pairs alone, no lists stored in between, and both sides of each ratio in one arithmetic."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from itertools import pairwise
 from statistics import correlation, median
-from typing import Any
 
 from minkref import _core
 from minkref.reports.bench.pairs import Pair
-from minkref.reports.bench.rescalings import WINDOW, rescalings
+from minkref.reports.bench.rescalings import rescalings
 
 REPETITIONS = 5
 SEED = 1
+#: All formulas in their right form: printed ones lose most of the intersections.
+READINGS = {name: corrected for name, _, corrected, _ in _core.paper_readings()}
 
 
 @dataclass(frozen=True)
 class Rescaling:
-    """From a scale to another. `events`: insertions, deletions and swaps of nodes on the way.
-    `updated`: intersections at the end of it, which get a new place. `ours` and `theirs`: seconds
-    of the update, and of a search among all pairs of edges, in each repetition."""
+    """From a scale to another. `events`: insertions and deletions on the way. `updated`:
+    intersections at the end of it, which get a new place. `ours` and `theirs`: seconds of the
+    update, and of a search among all pairs of edges, in each repetition."""
 
     start: str
     scale: str
@@ -29,6 +32,21 @@ class Rescaling:
     updated: int
     ours: tuple[float, ...]
     theirs: tuple[float, ...]
+
+    @property
+    def factor(self) -> float:
+        """By how much the scale changes, up or down; at least 1."""
+        factor = Fraction(self.scale) / Fraction(self.start)
+        return float(max(factor, 1 / factor))
+
+    @property
+    def seconds(self) -> list[float]:
+        """Of the update in each repetition, sorted."""
+        return sorted(self.ours)
+
+    @property
+    def update_seconds(self) -> float:
+        return median(self.ours)
 
     @property
     def ratios(self) -> list[float]:
@@ -42,64 +60,71 @@ class Rescaling:
 
 @dataclass(frozen=True)
 class Speedups:
-    """Of one pair. `preprocessing`: seconds in which all events in the window are found."""
+    """Of one pair in one arithmetic. `pairs` of edges are looked at for `events`. `preprocessing`:
+    seconds in which the critical regions of all pairs are found and their events sorted."""
 
     pair: str
+    arithmetic: str
+    pairs: int
+    events: int
     preprocessing: float
-    rescalings: list[Rescaling]
+    rescalings: Sequence[Rescaling]
 
-    def correlation_with(self, what: Callable[[Rescaling], float]) -> float:
-        """Of the ranks of the speed-up and of something else (Spearman)."""
-        xs = _ranks([what(one) for one in self.rescalings])
-        ys = _ranks([one.speedup for one in self.rescalings])
-        return correlation(xs, ys)
+    def correlation_of(
+        self, value: Callable[[Rescaling], float], other: Callable[[Rescaling], float]
+    ) -> float:
+        """Of the ranks of two things (Spearman)."""
+        return correlation(*(_ranks([what(one) for one in self.rescalings])
+                             for what in (value, other)))  # fmt: skip
+
+    @property
+    def search(self) -> float:
+        """Seconds of one search, the median."""
+        return median(t for one in self.rescalings for t in one.theirs)
+
+    @property
+    def update(self) -> float:
+        return median(t for one in self.rescalings for t in one.ours)
 
     @property
     def break_even(self) -> float:
         """From how many queries on it pays to have found all events: the pre-processing over what a
         re-scaling saves, both medians."""
-        ours = median(t for one in self.rescalings for t in one.ours)
-        theirs = median(t for one in self.rescalings for t in one.theirs)
-        return self.preprocessing / (theirs - ours)
+        return self.preprocessing / (self.search - self.update)
 
 
-def speedups(pair: Pair, count: int, tell: Callable[[str], None]) -> Speedups:
-    """`count` random re-scalings, each timed in every repetition: ours and the search in turn, so
-    that a slow moment of the machine meets both."""
-    tell(f"{pair.name}: all events")
-    moving = _core.DynamicSum(pair.P.set, pair.Q.set, *WINDOW)
-    search = _core.PairwiseSearch(pair.P.set, pair.Q.set)
-    contacts = _core.ContactSearch(pair.P.set, pair.Q.set)
+def speedups(pair: Pair, arithmetic: str, count: int, tell: Callable[[str], None]) -> Speedups:
+    """`count` random re-scalings, each timed in every repetition: the update and the search in
+    turn, so that a slow moment of the machine meets both."""
+    about = f"{pair.name}, {arithmetic}"
+    tell(f"{about}: all events of pairs")
     scales = rescalings(SEED, count + 1)
+    walk = _core.PaperUpdate(pair.P.set, pair.Q.set, scales[0], arithmetic, READINGS)
     steps = list(pairwise(scales))
-    moving.move_to(scales[0])
-    crossed = [dict(moving.move_to(scale)) for scale in scales[1:]]
+    events, updated = [0] * count, [0] * count
     ours: list[list[float]] = [[] for _ in steps]
     theirs: list[list[float]] = [[] for _ in steps]
     for repetition in range(REPETITIONS):
-        tell(f"{pair.name}: repetition {repetition + 1} of {REPETITIONS}")
-        moving.update(scales[0])
+        tell(f"{about}: repetition {repetition + 1} of {REPETITIONS}")
+        walk.move_to(scales[0])
         for i, (_, scale) in enumerate(steps):
-            ours[i].append(moving.update(scale))
-            theirs[i].append(search.run(scale)[1])
+            did = walk.move_to(scale)
+            updated[i], seconds = walk.place_intersections()
+            events[i] = did["insertions"] + did["deletions"]
+            ours[i].append(did["seconds"] + seconds)
+            theirs[i].append(walk.search_intersections(scale)[1])
+    counts = walk.counts()
     return Speedups(
         pair.name,
-        moving.seconds,
+        arithmetic,
+        counts["pairs"],
+        len(walk.events()),
+        walk.seconds,
         [
-            Rescaling(
-                *steps[i],
-                _events(crossed[i]),
-                contacts.run(steps[i][1])[0],
-                tuple(ours[i]),
-                tuple(theirs[i]),
-            )
-            for i in range(len(steps))
+            Rescaling(*steps[i], events[i], updated[i], tuple(ours[i]), tuple(theirs[i]))
+            for i in range(count)
         ],
     )
-
-
-def _events(crossed: dict[str, Any]) -> int:
-    return int(crossed["insertions"] + crossed["deletions"] + crossed["swaps"])
 
 
 def _ranks(values: list[float]) -> list[float]:

@@ -1,0 +1,203 @@
+"""Each equation, observation, theorem, table and figure of Sections 1 to 4, 6 and 7 of the paper:
+where it is in the project, in which form, and the command that shows it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+EXACT = "rational"
+FOUR = "rational, interval, double, MPFR"
+TWO = "double, MPFR"
+NONE = "-"
+PRINTED, CORRECTED, BOTH = "printed", "corrected", "printed, corrected"
+
+AUDIT = "minkref report audit"
+PAPER = "minkref report paper"
+SWEEP = "minkref sweep g3 g1 --from 1 --to 2 --steps 3 --route paper-update"
+SUM = "minkref sum g3 g1 --scale 7/5 --route paper-update"
+IN_SPACE = "minkref sum gs3 rod --scale 2,1/2,1 --route dynamic"
+
+CRITICAL, PLANE = "reference/plane/critical", "reference/plane"
+CONVEX = "reference/space/convex"
+REPORT, BENCH = "reports/paper", "reports/bench"
+
+
+@dataclass(frozen=True)
+class Statement:
+    """`files`: of reference/, or of reports/ what measures and draws. `judge`: what it is held
+    against. `entries`: those of the audit about it."""
+
+    place: str
+    what: str
+    files: tuple[str, ...]
+    form: str
+    arithmetics: str
+    command: str
+    judge: str
+    entries: tuple[str, ...] = ()
+
+
+ALGEBRA = "computer algebra"
+SLOW = "the sum from the definition (`oracle/slow`)"
+SYMBOLIC = "events by computer algebra (`oracle/symbolic`)"
+EXACT_SUM = "the exact sum, a point where they differ"
+COUNT = "a count from the rule"
+SUPPORTS = "compatible pairs by supports alone"
+OWN_NUMBERS = "the printed numbers"
+SAME_RUN = "both sides timed in one run"
+CLAIMS = "what the paper states of it, by the rule on the page"
+
+SECTION_1 = (
+    Statement("1", r"$P \oplus Q = \{p + q\}$", (f"{PLANE}/sum.hpp",), PRINTED, FOUR,
+              "minkref sum g3 g1", SLOW),
+    Statement("1", r"$v' = (s_1 v_1, \ldots, s_d v_d)$, $s_i \in (0, \infty)$",
+              (f"{PLANE}/polygon_set.hpp", f"{CONVEX}/convex_polyhedron.hpp"), CORRECTED, EXACT,
+              "minkref sum gs3 rod --scale 2,1/3,5", SLOW, ("range-of-scales",)),
+    Statement("1", "intersections change only at finitely many scales, the critical events",
+              (f"{CRITICAL}/pair_events.hpp", f"{PLANE}/dynamic/triple_events.hpp"), CORRECTED,
+              EXACT, "minkref events g3 g1 --kind arrangement", SYMBOLIC, ("events-of-pairs",)),
+    Statement("Fig. 1", "sums and convolutions of neuron and disc at two scales",
+              (f"{REPORT}/drawings.py",), CORRECTED, EXACT, PAPER, CLAIMS, ("orientation",)),
+)  # fmt: skip
+
+SECTION_3 = (
+    Statement("3", r"$P \oplus Q \subseteq P \otimes Q$, $\partial (P \oplus Q) = \partial (P "
+              r"\otimes Q)$", (f"{PLANE}/convolution/convolution.hpp",), CORRECTED, EXACT,
+              "minkref convolution g3 g1 --full", SLOW, ("sum-in-convolution",)),
+    Statement("3", "an edge and a vertex are compatible: its direction is on the turn at it",
+              (f"{PLANE}/convolution/convolution_rule.hpp", f"{PLANE}/convolution/between.hpp"),
+              BOTH, EXACT, "minkref convolution g3 g1 --compatible closed", COUNT, ("between",)),
+    Statement("3", "a facet and a vertex, or two edges, are compatible: their Gaussian maps meet",
+              (f"{CONVEX}/compatibility.hpp",), CORRECTED, EXACT, "minkref convolution gs3 rod",
+              SUPPORTS, ("reflex-edges",)),
+    Statement("3", "the reduced convolution leaves out reflex vertices",
+              (f"{PLANE}/convolution/convolution.hpp",), CORRECTED, EXACT,
+              "minkref convolution g3 g1", SLOW, ("reflex-vertices", "straight-vertices")),
+    Statement("3", "cells with winding numbers that are not zero (earlier work)",
+              (f"{PLANE}/routes/routes.hpp",), CORRECTED, EXACT,
+              "minkref sum g3 g1 --route winding", SLOW,
+              ("winding-numbers", "reduced-is-no-cycle")),
+    Statement("3", "nested orientable loops, and collision detection",
+              (f"{PLANE}/routes/paper_route.hpp", f"{PLANE}/routes/collision.hpp"), CORRECTED,
+              FOUR, "minkref sum g3 g1 --route paper", SLOW, ("orientable-loops",)),
+    Statement("3", "$O(m^d n^d)$ in the worst case", (f"{PLANE}/convolution/convolution_size.hpp",),
+              PRINTED, EXACT, AUDIT, "a family that has as many holes", ("worst-case",)),
+    Statement("Fig. 2", "two polygons, their convolution and reduced convolution",
+              (f"{REPORT}/drawings.py",), CORRECTED, EXACT, PAPER, CLAIMS),
+)  # fmt: skip
+
+SECTION_4 = (
+    Statement("4", "the combinatorial structure is the same at all scales",
+              (f"{PLANE}/convolution/convolution.hpp",), PRINTED, EXACT,
+              "minkref convolution g3 g1 --scale 7/5", COUNT, ("constant-convolution",)),
+    Statement("4.1", r"$a(s) = s e_p + v_q$ (S-edges), $a(s) = e_q + s v_p$ (T-edges)",
+              (f"{PLANE}/moving/moving_edge.hpp",), PRINTED, FOUR,
+              "minkref convolution g3 g1 --scale 2", ALGEBRA, ("constant-convolution",)),
+    Statement("Fig. 3", "a T-edge and an S-edge, and how their intersections move",
+              (f"{REPORT}/moving_edges_drawn.py",), PRINTED, EXACT, PAPER, CLAIMS),
+    Statement("4.1, Observation 1", r"$r_I = \frac{v_y u_x - v_x u_x}{v_x w_y - v_y w_x}$, $x = "
+              r"a_0 + r_I v$", (f"{CRITICAL}/line_intersection.hpp",), BOTH, FOUR,
+              f"{SUM} --form corrected --reading observation=printed", f"{ALGEBRA}; {EXACT_SUM}",
+              ("intersection-parameter", "parallel-lines")),
+    Statement("4.2", r"$x(s) = x_0 + (s - 1) \sigma$, $\sigma = x(2) - x(1)$",
+              (f"{CRITICAL}/line_intersection.hpp",), PRINTED, FOUR, f"{SWEEP} --form corrected",
+              f"{ALGEBRA}; {EXACT_SUM}", ("moving-intersection",)),
+    Statement("4.2", "first and last contact are at an end of an edge",
+              (f"{CRITICAL}/pair_events.hpp",), PRINTED, EXACT, "minkref events g3 g1", SYMBOLIC,
+              ("contact-at-an-end",)),
+    Statement("4.2.1", r"S-edge: $s \alpha = \beta$ with $\alpha = e_{p_0} - \sigma$, $\beta = x_0 "
+              r"- \sigma - v_q$", (f"{CRITICAL}/pair_conditions.hpp",), PRINTED, FOUR,
+              f"{SWEEP} --form corrected --arithmetic double", f"{ALGEBRA}; {EXACT_SUM}",
+              ("conditions-of-ends",)),
+    Statement("4.2.1", "the system is overdetermined: no solution if it is inconsistent",
+              (f"{CRITICAL}/scale_solve.hpp",), "printed, tolerance, least squares, corrected",
+              FOUR, f"{SUM} --form corrected --reading solve=printed --arithmetic mpfr:100",
+              EXACT_SUM, ("overdetermined",)),
+    Statement("4.2.2", "T-edge: $x_0 + (s - 1) \\sigma = e_{q_i} + s v_p$",
+              (f"{CRITICAL}/pair_conditions.hpp",), PRINTED, FOUR,
+              f"{SWEEP} --form corrected --arithmetic mpfr:53", f"{ALGEBRA}; {EXACT_SUM}",
+              ("conditions-of-ends",)),
+    Statement("4.2.3", r"$[\max\{B_{a_0}, B_{b_0}\}, \min\{B_{a_1}, B_{b_1}\}]$",
+              (f"{CRITICAL}/pair_interval.hpp", f"{PLANE}/paper/critical_regions.hpp"), BOTH, FOUR,
+              "minkref events g3 g1 --form printed", SYMBOLIC,
+              ("interval-of-a-pair", "interval-invented", "interval-sorted",
+               "interval-for-convex-p", "share-of-right-intervals")),
+    Statement("4.2.3", "all intervals in $O(n^2)$", (f"{PLANE}/paper/paper_update.hpp",), PRINTED,
+              FOUR, f"{SUM} --form corrected --json", "the pairs that it counts",
+              ("size-of-preprocessing",)),
+    Statement("4.2.4", "stepping through the array of events, then updating all nodes",
+              (f"{PLANE}/paper/paper_update.hpp", f"{PLANE}/paper/intersection_lists.hpp"),
+              "intersections kept in order, or sorted", FOUR,
+              f"{SWEEP} --form corrected --reading order=kept", EXACT_SUM,
+              ("upwards-only", "simultaneous-events")),
+)  # fmt: skip
+
+SECTION_6 = (
+    Statement("6", "$O(m^4 n^4)$ events", (f"{CRITICAL}/pair_events.hpp",), PRINTED, EXACT, AUDIT,
+              "a count", ("event-space",)),
+    Statement("6", "a facet and a vertex are compatible: its edges are below the facet",
+              (f"{CONVEX}/facet_contact.hpp",), CORRECTED, EXACT, "minkref convolution gs3 rod",
+              SUPPORTS, ("normals-after-scaling",)),
+    Statement("6", r"$IC(f, v) = \max\{d(e, f)\}$, and descent on it",
+              (f"{CONVEX}/incompatibility.hpp",), BOTH, EXACT, AUDIT, SUPPORTS,
+              ("degree-of-incompatibility", "descent")),
+    Statement("6", "fv-errors are repaired by descent, ee-errors by chains",
+              (f"{CONVEX}/dynamic_convex_sum.hpp",), CORRECTED, EXACT, IN_SPACE,
+              "the static pairs, and CGAL's hull", ("chain-of-edges", "chain-through-a-normal")),
+    Statement("6", "$O(m + n)$ facets of one kind, $O(m n)$ of the other",
+              (f"{CONVEX}/sum_vertices.hpp",), PRINTED, EXACT, AUDIT, COUNT,
+              ("facets-of-convex-sums",)),
+    Statement("6", "each face is paired with precisely one vertex",
+              (f"{CONVEX}/compatibility.hpp",), CORRECTED, EXACT, "minkref convolution gs3 ti",
+              SUPPORTS, ("one-vertex-for-each-face",)),
+    Statement("6, Theorem 1", "fv-errors and ee-errors coexist",
+              (f"{CONVEX}/dynamic_convex_sum.hpp",), CORRECTED, EXACT, AUDIT, SUPPORTS,
+              ("theorem-1-one-kind", "theorem-1-edge-errors", "theorem-1-facet-errors",
+               "theorem-1-proof")),
+    Statement("Fig. 4", "six contacts of parallel faces, none of a vertex",
+              (f"{REPORT}/space_drawn.py",), PRINTED, EXACT, PAPER, CLAIMS, ("parallel-faces",)),
+    Statement("Fig. 5", "the degree of incompatibility, and the chain of an edge",
+              (f"{REPORT}/space_drawn.py",), CORRECTED, EXACT, PAPER, CLAIMS),
+)  # fmt: skip
+
+SECTION_7 = (
+    Statement("7", "exact algorithms, in MPFR", (f"{PLANE}/paper/paper_update.hpp",), PRINTED, FOUR,
+              f"{SUM} --form corrected --arithmetic mpfr:100", EXACT_SUM, ("exact-arithmetic",)),
+    Statement("Fig. 6", "five small polygons", (f"{REPORT}/drawings.py",), "ours", EXACT, PAPER,
+              CLAIMS),
+    Statement("Table 1", "average speed-ups of 25 pairs",
+              (f"{PLANE}/paper/intersections_afresh.hpp", f"{BENCH}/table1.py"), CORRECTED, TWO,
+              "minkref bench --only table1", SAME_RUN,
+              ("table-1-mean", "table-1-largest", "table-1-symmetry", "orders-of-magnitude")),
+    Statement("7.1", "16,425 and 3,196 edges", (f"{PLANE}/convolution/convolution_size.hpp",),
+              CORRECTED, EXACT, AUDIT, COUNT,
+              ("edges-of-monkey-and-bird", "edges-of-neuron-and-disc")),
+    Statement("7.1", "56,996,430 and 56,238 events", (f"{CRITICAL}/pair_events.hpp",), CORRECTED,
+              EXACT, AUDIT, SYMBOLIC, ("events-of-both-pairs",)),
+    Statement("Fig. 7", "speed-up of monkey and bird against events and intersections",
+              (f"{PLANE}/paper/paper_update.hpp", f"{REPORT}/speedups.py"), CORRECTED, "double",
+              PAPER, SAME_RUN, ("captions",)),
+    Statement("Fig. 8", "the same of neuron and disc",
+              (f"{PLANE}/paper/paper_update.hpp", f"{REPORT}/speedups.py"), CORRECTED, TWO, PAPER,
+              SAME_RUN, ("figure-8-axis",)),
+    Statement("7.1", r"$\Theta(n \log n)$ at best for the static intersections",
+              (f"{PLANE}/arrangement/segment_contacts.hpp",), PRINTED, EXACT, AUDIT, "an argument",
+              ("static-bound",)),
+    Statement("7.1", "140 s and 28.7 s, 5.3 s and 1.25 s for nodes and events",
+              (f"{PLANE}/paper/intersections_afresh.hpp", f"{CRITICAL}/pair_events.hpp"),
+              CORRECTED, TWO, PAPER, SAME_RUN, ("repeated-paragraph",)),
+    Statement("Fig. 9", "knot and clutch: the models are not published",
+              ("reports/audit/paper_numbers.py",), NONE, NONE, AUDIT, OWN_NUMBERS,
+              ("captions", "events-in-space")),
+    Statement("Fig. 10", "five convex polyhedra", (f"{CONVEX}/convex_polyhedron.hpp",), "ours",
+              EXACT, "minkref models", COUNT, ("facets-of-models",)),
+    Statement("7.2.2", "uniform scaling of convex models scales their sums",
+              (f"{CONVEX}/static_convex_sum.hpp",), CORRECTED, EXACT,
+              "minkref sum gs3 rod --scale 2", SUPPORTS,
+              ("uniform-scaling-of-convex-bodies", "boundary-of-convex-sums")),
+    Statement("Table 2", "average speed-ups of 25 pairs of convex polyhedra",
+              (f"{CONVEX}/dynamic_convex_sum.hpp", f"{BENCH}/table2.py"), CORRECTED, EXACT,
+              "minkref bench --only table2", SAME_RUN, ("table-2-range",)),
+)  # fmt: skip
+
+STATEMENTS: tuple[Statement, ...] = (*SECTION_1, *SECTION_3, *SECTION_4, *SECTION_6, *SECTION_7)

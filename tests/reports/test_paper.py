@@ -1,0 +1,82 @@
+"""The tables and figures of the paper beside ours: the rule by which they are reproduced, what is
+drawn, and what is timed."""
+
+from __future__ import annotations
+
+import csv
+import io
+
+import pytest
+from minkref.operand import read_operand
+from minkref.reports.bench.pairs import Pair
+from minkref.reports.paper import drawings, moving_edges_drawn, space_drawn
+from minkref.reports.paper.entry import Claim, Entry, Verdict, verdict_of
+from minkref.reports.paper.page import _csv
+from minkref.reports.paper.speedup_entries import figure, times
+from minkref.reports.paper.speedups import REPETITIONS, Rescaling, speedups
+
+SO, NOT_SO = Claim("stated", "found", True), Claim("stated", "found", False)
+SMALL = Pair(read_operand("g3"), read_operand("g1"), small=True)
+
+
+@pytest.mark.parametrize(
+    ("claims", "their_input", "verdict"),
+    [
+        ([], True, Verdict.NOT_ATTEMPTED),
+        ([], False, Verdict.NOT_ATTEMPTED),
+        ([SO], True, Verdict.REPRODUCED),
+        ([SO], False, Verdict.IN_KIND),
+        ([SO, NOT_SO], True, Verdict.NOT_REPRODUCED),
+        ([NOT_SO], False, Verdict.NOT_REPRODUCED),
+    ],
+)
+def test_one_rule_tells_what_is_reproduced(
+    claims: list[Claim], their_input: bool, verdict: Verdict
+) -> None:
+    assert verdict_of(claims, their_input) == verdict
+    assert Entry("p", "t", "w", "c", claims, their_input).verdict == verdict
+
+
+@pytest.mark.parametrize(
+    "draw",
+    [drawings.figure_2, moving_edges_drawn.figure_3, space_drawn.figure_4, space_drawn.figure_5],
+)
+def test_what_the_paper_draws_is_so_in_our_drawings(draw: object) -> None:
+    assert callable(draw)
+    pictures, claims = draw()
+    assert len(pictures) >= 1 and len(claims) >= 2
+    assert all(one.svg.startswith("<svg") and one.svg.count("<path") >= 1 for one in pictures)
+    assert [claim for claim in claims if not claim.holds] == []
+
+
+@pytest.mark.parametrize("arithmetic", ["double", "mpfr:53"])
+def test_both_sides_of_a_speed_up_are_of_one_arithmetic(arithmetic: str) -> None:
+    """The same pairs and scales in each; each re-scaling has all its repetitions."""
+    found = speedups(SMALL, arithmetic, 4, lambda text: None)
+    exact = speedups(SMALL, "rational", 4, lambda text: None)
+    assert (found.arithmetic, found.pairs) == (arithmetic, exact.pairs)
+    assert len(found.rescalings) == 4 and found.preprocessing > 0
+    for one, other in zip(found.rescalings, exact.rescalings, strict=True):
+        assert (one.start, one.scale) == (other.start, other.scale)
+        assert len(one.ours) == len(one.theirs) == REPETITIONS
+        assert one.updated > 0 and other.updated > 0
+        assert one.factor > 1 and one.speedup == one.ratios[REPETITIONS // 2]
+
+
+def test_a_rescaling_tells_how_far_it_goes() -> None:
+    assert Rescaling("2", "1/2", 1, 1, (1.0,), (3.0,)).factor == 4
+    assert Rescaling("1/2", "2", 1, 1, (1.0,), (3.0,)).factor == 4
+
+
+def test_a_figure_states_what_was_run() -> None:
+    found = speedups(SMALL, "double", 12, lambda text: None)
+    entry = figure(SMALL, [found], "")
+    assert "in the same arithmetic" in entry.why and "In MPFR" in entry.why
+    assert len(entry.claims) == 3 and len(entry.pictures) == 2 + 4
+    assert all("<svg" in one.svg for one in entry.pictures)
+    rows = list(csv.DictReader(io.StringIO(_csv(entry.tables[0]))))
+    assert [int(row["events"]) for row in rows] == [one.events for one in found.rescalings]
+    table = times([found], [(SMALL, 0.5)]).tables[0]
+    assert [row[1] for row in table.rows] == [
+        "the paper, MPFR", "the paper's program in double", "our exact events of pairs",
+    ]  # fmt: skip
