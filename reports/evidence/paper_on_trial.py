@@ -58,6 +58,10 @@ def run(findings: Findings, quick: bool) -> None:
             status: sum(row["status"] == status for row in rows)
             for status in dict.fromkeys(row["status"] for row in rows)
         }
+        entries = json.loads((folder / "paper.json").read_text(encoding="utf-8"))
+        findings.figures["verdicts"] = {
+            f"{one['place']}: {one['title']}": one["verdict"] for one in entries
+        }
         reason = absent()
         if reason is not None:
             findings.target("pages drawn by a browser", False, 2, reason)

@@ -7,12 +7,14 @@ import io
 import json
 from collections import Counter
 from collections.abc import Callable
+from dataclasses import asdict
 from pathlib import Path
+from typing import Any
 
 from minkref.documents import write_atomically
 from minkref.reports.pages import environment
 from minkref.reports.paper.entries import entries
-from minkref.reports.paper.entry import RULE, Table
+from minkref.reports.paper.entry import RULE, Entry, Table
 
 PAGE = "paper.html"
 
@@ -20,7 +22,8 @@ PAGE = "paper.html"
 def write_paper(
     folder: Path, quick: bool, seed: int, tell: Callable[[str], None], done: Callable[[], None]
 ) -> Path:
-    """Times what is timed; writes `paper.html`, and NAME.csv and NAME.json for each table."""
+    """Times what is timed; writes `paper.html`, `paper.json` with what the paper states and what was
+    found, and NAME.csv and NAME.json for each table."""
     found = entries(quick, seed, tell, done)
     page = (
         environment("paper")
@@ -37,8 +40,22 @@ def write_paper(
         for table in one.tables:
             write_atomically(folder / f"{table.name}.csv", _csv(table))
             write_atomically(folder / f"{table.name}.json", _json(table))
+    told = json.dumps([_told(one) for one in found], indent=1) + "\n"
+    write_atomically(folder / "paper.json", told)
     write_atomically(folder / PAGE, page)
     return folder / PAGE
+
+
+def _told(entry: Entry) -> dict[str, Any]:
+    return {
+        "place": entry.place,
+        "title": entry.title,
+        "verdict": str(entry.verdict),
+        "their_input": entry.their_input,
+        "claims": [asdict(claim) for claim in entry.claims],
+        "why": entry.why,
+        "command": entry.command,
+    }
 
 
 def _csv(table: Table) -> str:
