@@ -127,4 +127,5 @@ NB_MODULE(_core, module) {
   minkref::python::bind_space(module);
   minkref::python::bind_mesh_files(module);
   minkref::python::bind_convex(module);
+  minkref::python::bind_paper_repair(module);
 }

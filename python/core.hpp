@@ -94,5 +94,6 @@ void bind_certify(nanobind::module_& module);
 void bind_space(nanobind::module_& module);
 void bind_mesh_files(nanobind::module_& module);
 void bind_convex(nanobind::module_& module);
+void bind_paper_repair(nanobind::module_& module);
 
 }  // namespace minkref::python

@@ -5,12 +5,12 @@
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/unique_ptr.h>
 
-#include <map>
 #include <memory>
 #include <tuple>
 #include <utility>
 
 #include "python/core.hpp"
+#include "python/core_readings.hpp"
 #include "python/core_timed_sum.hpp"
 #include "python/stopwatch.hpp"
 #include "python/vector_caster.hpp"
@@ -24,13 +24,6 @@ namespace {
 
 /// How many, and the seconds that it took.
 using Found = std::pair<std::size_t, double>;
-using Words = std::map<std::string, std::string>;
-
-Readings readings_of(const Words& words) {
-  Readings readings;
-  for (const auto& [name, value] : words) set_reading(readings, name, value);
-  return readings;
-}
 
 class Update {
  public:
@@ -39,7 +32,7 @@ class Update {
     refuse_large_convolution(P.value, Q.value);
     const Stopwatch watch;
     update_ = PaperUpdate::make(P.value, Q.value, parse_rational(scale), arithmetic,
-                                readings_of(readings), memory_limit());
+                                readings_of<Readings>(readings), memory_limit());
     seconds = watch.seconds();
   }
 
@@ -101,18 +94,6 @@ class Update {
   std::unique_ptr<PaperUpdate> update_;
 };
 
-using NameRow = std::tuple<std::string, std::vector<std::string>, std::string, std::string>;
-
-std::vector<NameRow> names() {
-  std::vector<NameRow> rows;
-  for (const ReadingName& reading : reading_names()) {
-    rows.emplace_back(reading.name,
-                      std::vector<std::string>(reading.values.begin(), reading.values.end()),
-                      reading.corrected, reading.section);
-  }
-  return rows;
-}
-
 }  // namespace
 
 void bind_paper_update(nb::module_& module) {
@@ -149,7 +130,7 @@ void bind_paper_update(nb::module_& module) {
       },
       "name"_a, "value"_a, "Raises BadInput where there is no such reading.");
   module.def(
-      "paper_readings", names,
+      "paper_readings", [] { return rows_of(reading_names()); },
       "The choices of a PaperUpdate: name, values (the printed one first), the corrected one, "
       "section of the paper.");
 }

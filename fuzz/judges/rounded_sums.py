@@ -79,10 +79,16 @@ def _rings(region: _core.PolygonSet) -> list[tuple[bool, Ring]]:
 
 
 def _unit(region: _core.PolygonSet, bits: int) -> Fraction:
-    """The distance of neighbours among numbers of so many bits at the largest coordinate."""
-    largest = max(
-        (abs(x) for _, ring in _rings(region) for point in ring for x in point), default=1
+    """Of the largest coordinate."""
+    return last_place(
+        max((abs(x) for _, ring in _rings(region) for point in ring for x in point), default=1),
+        bits,
     )
+
+
+def last_place(largest: Fraction | int, bits: int) -> Fraction:
+    """The distance of neighbours among numbers of so many bits, at this one; at 0 as at 1."""
+    largest = abs(Fraction(largest)) or Fraction(1)
     exponent = largest.numerator.bit_length() - largest.denominator.bit_length()
     if largest < Fraction(2) ** exponent:
         exponent -= 1

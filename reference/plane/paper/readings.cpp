@@ -2,33 +2,19 @@
 
 #include <cmath>
 #include <cstdlib>
-
-#include "reference/error.hpp"
+#include <string>
 
 namespace minkref::inline plane {
 namespace {
 
 constexpr std::string_view tolerance_prefix = "tolerance:";
 
-[[noreturn]] void refuse_reading(std::string_view name, std::string_view value) {
-  std::string known;
-  for (const ReadingName& reading : reading_names()) {
-    known += (known.empty() ? "" : "; ") + std::string(reading.name) + ": ";
-    for (std::size_t i = 0; i < reading.values.size(); ++i) {
-      known += (i == 0 ? "" : ", ") + std::string(reading.values[i]);
-    }
-  }
-  throw BadInput("unknown-reading",
-                 "there is no reading " + std::string(name) + " = " + std::string(value),
-                 "give one of these: " + known);
-}
-
 double tolerance_of(std::string_view name, std::string_view value) {
   const std::string text(value.substr(tolerance_prefix.size()));
   char* end = nullptr;
   const double tolerance = std::strtod(text.c_str(), &end);
   if (text.empty() || *end != '\0' || !std::isfinite(tolerance) || tolerance < 0) {
-    refuse_reading(name, value);
+    refuse_reading(reading_names(), name, value);
   }
   return tolerance;
 }
@@ -67,7 +53,7 @@ void set_reading(Readings& readings, std::string_view name, std::string_view val
         return;
       }
     }
-    refuse_reading(name, value);
+    refuse_reading(reading_names(), name, value);
   };
   using Word = std::string_view;
   using Forms = std::vector<std::pair<Word, Form>>;
@@ -100,7 +86,7 @@ void set_reading(Readings& readings, std::string_view name, std::string_view val
   } else if (name == "adjacent") {
     choose(readings.adjacent, Taken{{"left-out", false}, {"taken", true}});
   } else {
-    refuse_reading(name, value);
+    refuse_reading(reading_names(), name, value);
   }
 }
 

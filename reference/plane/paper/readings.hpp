@@ -2,11 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <string_view>
 #include <vector>
 
 #include "reference/form.hpp"
+#include "reference/reading_name.hpp"
 
 namespace minkref::inline plane {
 
@@ -55,13 +55,7 @@ Readings corrected_readings();
 /// is.
 void set_reading(Readings& readings, std::string_view name, std::string_view value);
 
-/// What set_reading takes: each name with its values, and where in the paper it is.
-struct ReadingName {
-  std::string_view name;
-  std::vector<std::string_view> values;  ///< the first is the printed one
-  std::string_view corrected;
-  std::string_view section;
-};
+/// What set_reading takes.
 const std::vector<ReadingName>& reading_names();
 
 }  // namespace minkref::inline plane

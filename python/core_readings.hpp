@@ -1,0 +1,36 @@
+// How the paper is read, across the border of Python.
+#pragma once
+
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "reference/reading_name.hpp"
+
+namespace minkref::python {
+
+/// By name. Those left out are the printed ones.
+using Words = std::map<std::string, std::string>;
+
+template <class Readings>
+Readings readings_of(const Words& words) {
+  Readings readings;
+  for (const auto& [name, value] : words) set_reading(readings, name, value);
+  return readings;
+}
+
+/// Name, values, the corrected one, section of the paper.
+using NameRow = std::tuple<std::string, std::vector<std::string>, std::string, std::string>;
+
+inline std::vector<NameRow> rows_of(const std::vector<ReadingName>& names) {
+  std::vector<NameRow> rows;
+  for (const ReadingName& reading : names) {
+    rows.emplace_back(reading.name,
+                      std::vector<std::string>(reading.values.begin(), reading.values.end()),
+                      reading.corrected, reading.section);
+  }
+  return rows;
+}
+
+}  // namespace minkref::python
