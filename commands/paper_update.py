@@ -4,6 +4,7 @@ answers beside the exact ones."""
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from functools import partial
 from typing import Annotated, Any, TypeVar
 
@@ -21,7 +22,21 @@ from minkref.operand import Operand
 T = TypeVar("T")
 ROUTE = "paper-update"
 FORMS = ("printed", "corrected")
-NAMES = ", ".join(f"{name} ({'|'.join(values)})" for name, values, *_ in _core.paper_readings())
+
+
+@dataclass(frozen=True)
+class Choices:
+    """How a section of the paper may be read. `rows`: name, values (the printed one first), the
+    corrected one, section. `check` refuses a value that is none."""
+
+    rows: list[tuple[str, list[str], str, str]]
+    check: Callable[[str, str], None]
+
+    def names(self) -> str:
+        return ", ".join(f"{name} ({'|'.join(values)})" for name, values, *_ in self.rows)
+
+
+PLANE_CHOICES = Choices(_core.paper_readings(), _core.check_paper_reading)
 
 Form = Annotated[
     str | None,
@@ -36,20 +51,22 @@ Reading = Annotated[
     typer.Option(
         "--reading",
         help=f"With --route {ROUTE}: one formula or sentence of the paper as read, whatever --form "
-        f"says; may be repeated. {NAMES}.",
+        f"says; may be repeated. {PLANE_CHOICES.names()}.",
         metavar="NAME=VALUE",
     ),
 ]
 
 
-def readings_of(form: str | None, chosen: Sequence[str] | None) -> dict[str, str]:
+def readings_of(
+    form: str | None, chosen: Sequence[str] | None, choices: Choices = PLANE_CHOICES
+) -> dict[str, str]:
     """By name, all of them. The last of a name counts."""
     form = form or FORMS[0]
     if form not in FORMS:
         raise Refusal(f"there is no form {form!r}", "--form", choice(form, FORMS))
     readings = {
         name: values[0] if form == "printed" else corrected
-        for name, values, corrected, _ in _core.paper_readings()
+        for name, values, corrected, _ in choices.rows
     }
     for text in chosen or ():
         name, equals, value = text.partition("=")
@@ -58,7 +75,7 @@ def readings_of(form: str | None, chosen: Sequence[str] | None) -> dict[str, str
             raise Refusal(
                 f"there is no reading {name[:40]!r}", where, choice(name, tuple(readings))
             )
-        refusing(where, partial(_core.check_paper_reading, name, value))
+        refusing(where, partial(choices.check, name, value))
         readings[name] = value
     return readings
 

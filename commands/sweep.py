@@ -19,16 +19,17 @@ from minkref.commands.lists.sum_fields import sum_fields
 from minkref.commands.lists.sweep_folder import FORMATS, INDEX, sweep_folder
 from minkref.commands.lists.sweep_rows import SHOWN, Setting, print_sweep, sweep_rows, write_index
 from minkref.commands.paper_update import (
+    FORMS,
+    PLANE_CHOICES,
     ROUTE,
-    Form,
     PaperWalk,
-    Reading,
     decided,
     events_in_words,
     in_words,
     readings_of,
     refuse_options,
 )
+from minkref.commands.repair_options import REPAIRS, SPACE_CHOICES, asked_repair
 from minkref.documents import Stopwatch, document, listing
 from minkref.errors import Refusal, refusing
 from minkref.exact import approximate, read_scale
@@ -50,7 +51,9 @@ minkref sweep g1 g2 --from 1 --to 2 --steps 9 --route dynamic
 
 minkref sweep g1 g2 --from 1 --to 2 --steps 9 --route paper-update --arithmetic mpfr:200
 
-minkref sweep gs3 rod --scales scalings.txt -o sums --format off"""
+minkref sweep gs3 rod --scales scalings.txt -o sums --format off
+
+minkref sweep gs3 rod --scales scalings.txt --repair literal --arithmetic mpfr:200"""
 
 ROUTES = ("index", "dynamic", ROUTE)
 
@@ -100,12 +103,47 @@ def command(
         str,
         typer.Option(
             "--arithmetic",
-            help="Of the route paper-update: rational, interval, double or mpfr:BITS.",
+            help="Of the route paper-update and of --repair literal: rational, interval, double or "
+            "mpfr:BITS.",
             metavar="A",
         ),
     ] = "rational",
-    as_read: Form = None,
-    reading: Reading = None,
+    as_read: Annotated[
+        str | None,
+        typer.Option(
+            "--form",
+            help=f"With --route {ROUTE} and with --repair literal: all sentences of the paper as "
+            "printed (the default) or corrected.",
+            metavar="|".join(FORMS),
+        ),
+    ] = None,
+    reading: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--reading",
+            help=f"One formula or sentence of the paper as read, whatever --form says; may be "
+            f"repeated. With --route {ROUTE}: {PLANE_CHOICES.names()}. With --repair literal: "
+            f"{SPACE_CHOICES.names()}.",
+            metavar="NAME=VALUE",
+        ),
+    ] = None,
+    repair: Annotated[
+        str | None,
+        typer.Option(
+            "--repair",
+            help="In space: how the sum is repaired after a scaling, by the proven update (proven, "
+            "the default), or by the paper's own text with the exact sums beside it (literal).",
+            metavar="|".join(REPAIRS),
+        ),
+    ] = None,
+    trace: Annotated[
+        bool,
+        typer.Option(
+            "--trace",
+            help="With --repair literal: the errors, their degrees and witnesses, and the steps of "
+            "each descent.",
+        ),
+    ] = False,
     index: IndexFile = None,
     output: Annotated[
         Path | None,
@@ -126,12 +164,19 @@ def command(
     canonical form."""
     if in_space(P, Q):
         given = _given(from_scale, to_scale, steps)
-        named = {"--route": route, "--index": index, "--form": as_read, "--reading": reading}
+        named = {"--route": route, "--index": index}
         given += [option for option, value in named.items() if value is not None]
         from minkref.commands.space.sweep import sweep_in_space
 
-        sweep_in_space(P, Q, scales_file, given, output, form, json, memory)
+        asked = asked_repair(repair, arithmetic, as_read, reading, trace)
+        sweep_in_space(P, Q, scales_file, given, output, form, json, memory, asked)
         return
+    if repair is not None or trace:
+        option = "--trace" if repair is None else "--repair"
+        what = "a sum in the plane has no repair"
+        raise Refusal(
+            what, option, f"leave it out, or give polyhedra; here there is --route {ROUTE}"
+        )
     watch = Stopwatch()
     route = chosen_route(index, route, ROUTES)
     refuse_options(route, as_read, reading)

@@ -15,6 +15,8 @@ from minkref.commands.line.progress import progress
 from minkref.commands.lists.row_spool import Row, RowSpool
 from minkref.commands.lists.sweep_folder import SPACE_FORMATS, sweep_folder
 from minkref.commands.lists.sweep_rows import SHOWN, Setting, print_sweep, sweep_rows, write_index
+from minkref.commands.repair_options import Repair
+from minkref.commands.space.paper_repair import RepairWalk, print_repair
 from minkref.documents import Stopwatch, document, listing
 from minkref.errors import Refusal, refusing
 from minkref.exact import approximate
@@ -33,9 +35,10 @@ COUNTS = ("fv_errors", "vf_errors", "ee_errors", "descent_steps", "chains_walked
 
 def sweep_in_space(
     P: str, Q: str, scales: Path | None, given: list[str], output: Path | None, form: str | None,
-    json: bool, memory: int | None = None,
+    json: bool, memory: int | None = None, repair: Repair | None = None,
 ) -> None:  # fmt: skip
-    """The command, its options read but not yet checked. `given` are options of the plane."""
+    """The command, its options read but not yet checked. `given` are options of the plane;
+    `repair` is the paper's, None the proven one."""
     watch = Stopwatch()
     scalings = _scalings(scales, given)
     folder = sweep_folder(output, form, SPACE_FORMATS, "in space: ")
@@ -45,7 +48,11 @@ def sweep_in_space(
     wall = memory_wall(memory, "the update", f"{P} and {Q}", SIMPLER)
     with wall, ending_in_order(), progress(len(scalings)) as line:
         start = time.perf_counter()
-        step = _steps(first, second, scalings[0])
+        step = (
+            _steps(first, second, scalings[0])
+            if repair is None
+            else RepairWalk(first, second, scalings[0], repair).row
+        )
         first_seconds = time.perf_counter() - start
         rows = sweep_rows(scalings, step, SPACE, folder, line)
         value = document(
@@ -58,10 +65,13 @@ def sweep_in_space(
             output=str(output) if output else None,
             format=folder.form if folder else None,
             preprocessing_seconds=first_seconds,
+            **({} if repair is None else repair.fields()),
         )
         write_index(folder, value, rows)
     if json:
         sys.stdout.writelines(listing(value, "rows", rows))
+    elif repair is not None:
+        print_repair(value, rows)
     else:
         _print(value, rows)
 
