@@ -25,7 +25,7 @@ SUBJECT = (
     "sentence: 1,000 random pairs, and boxes, prisms and bodies with parallel facets; all in their "
     "right form, all but one, all but one as printed; in rational numbers, doubles and MPFR."
 )
-MINUTES = (6, 0.3)
+MINUTES = (3, 0.3)
 DEPENDS = (*REFERENCE, *READERS, *COMPARISON)
 
 SEED = 6
