@@ -60,13 +60,12 @@ class Rescaling:
 
 @dataclass(frozen=True)
 class Speedups:
-    """Of one pair in one arithmetic. `pairs` of edges are looked at for `events`. `preprocessing`:
-    seconds in which the critical regions of all pairs are found and their events sorted."""
+    """Of one pair in one arithmetic. `pairs` of edges are looked at. `preprocessing`: seconds in
+    which the critical regions of all pairs are found and their events sorted."""
 
     pair: str
     arithmetic: str
     pairs: int
-    events: int
     preprocessing: float
     rescalings: Sequence[Rescaling]
 
@@ -113,12 +112,10 @@ def speedups(pair: Pair, arithmetic: str, count: int, tell: Callable[[str], None
             events[i] = did["insertions"] + did["deletions"]
             ours[i].append(did["seconds"] + seconds)
             theirs[i].append(walk.search_intersections(scale)[1])
-    counts = walk.counts()
     return Speedups(
         pair.name,
         arithmetic,
-        counts["pairs"],
-        len(walk.events()),
+        walk.counts()["pairs"],
         walk.seconds,
         [
             Rescaling(*steps[i], events[i], updated[i], tuple(ours[i]), tuple(theirs[i]))
