@@ -135,6 +135,8 @@ def in_words(found: dict[str, Any]) -> str:
     """What people read of a comparison."""
     if found["same_facets"]:
         off = found["ulps"]
+        if off is None:
+            return "the same facets; how far off is beyond the range of doubles"
         return "the same facets" if off == 0 else f"the same facets, up to {off:.3g} ulp off"
     ring = ", ".join(_pair(pair) for pair in found["facet"]["ring"])
     kind = found["facet"]["kind"]

@@ -81,6 +81,20 @@ def test_rounded_coordinates_are_a_little_off(minkref: Minkref, operands: Any) -
     assert 0 < value["rows"][-1]["exact"]["ulps"] < 2
 
 
+def test_scalings_beyond_doubles(minkref: Minkref, operands: Any, tmp_path: Path) -> None:
+    """In doubles coordinates overflow, in MPFR no more than a place far behind the last is lost."""
+    scalings = tmp_path / "far.txt"
+    scalings.write_text("1e400,1,1\n1e-400,1,3\n", encoding="utf-8")
+    line = ("sweep", *operands[:2], "--scales", scalings, "--repair", "literal", "--form")
+    ran = minkref(*line, "corrected", "--arithmetic", "double", "--json")
+    assert (ran.code, ran.json["error"]["code"]) == (2, "not-a-number")
+    ran = minkref(*line, "corrected", "--arithmetic", "mpfr:53", "--json")
+    jsonschema.validate(ran.json, schema("sweep"))
+    assert all(row["exact"]["same_facets"] for row in ran.json["rows"])
+    told = minkref(*line, "corrected", "--arithmetic", "mpfr:53").out
+    assert "the same facets" in told
+
+
 def test_claimed_facets_are_written(minkref: Minkref, operands: Any, tmp_path: Path) -> None:
     folder = tmp_path / "sums"
     words = ("--repair", "literal", "-o", folder, "--format", "off", "--json")
