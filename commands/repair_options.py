@@ -8,7 +8,7 @@ from typing import Any
 
 from minkref import _core
 from minkref.commands.line.arithmetic import check_arithmetic
-from minkref.commands.paper_update import Choices, readings_of
+from minkref.commands.line.readings import Choices, readings_of
 from minkref.errors import Refusal, choice
 
 REPAIRS = ("proven", "literal")

@@ -12,6 +12,8 @@ from minkref import _core
 from minkref.commands.line.arithmetic import check_arithmetic
 from minkref.commands.line.memory import SIMPLER, Memory, memory_wall
 from minkref.commands.line.options import Json, Schema
+from minkref.commands.line.readings import ROUTE as PAPER_UPDATE
+from minkref.commands.line.readings import Form, Reading, readings_of, refuse_options
 from minkref.commands.lists.scale_index import (
     IndexFile,
     chosen_route,
@@ -19,8 +21,6 @@ from minkref.commands.lists.scale_index import (
     refuse_overwriting_index,
 )
 from minkref.commands.lists.sum_fields import SUM_FIELDS, sum_fields
-from minkref.commands.paper_update import ROUTE as PAPER_UPDATE
-from minkref.commands.paper_update import Form, PaperWalk, Reading, readings_of, refuse_options
 from minkref.commands.sum_table import print_table
 from minkref.documents import Stopwatch, as_text, document, refuse_overwriting
 from minkref.errors import Refusal, refusing
@@ -254,6 +254,8 @@ def compute(
         if route == "dynamic":
             answer, passages, seconds = refusing(where, lambda: _dynamic(P, Q, scale))
         elif readings is not None:
+            from minkref.commands.paper_update import PaperWalk
+
             walk = PaperWalk(P, Q, scale, arithmetic, readings)
             answer = refusing(where, walk.sum)
             seconds = walk.seconds + answer.seconds

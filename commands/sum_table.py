@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from minkref.commands.line.output import measure, print_lines, written_row
-from minkref.commands.paper_update import in_words
+from minkref.commands.lists.paper_words import in_words
 
 SHOWN = 5  # tight passages that people see
 

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Callable
 from fractions import Fraction
+from functools import partial
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 from minkref import _core
@@ -13,22 +15,13 @@ from minkref.commands.line.memory import SMALLER, Memory, memory_wall
 from minkref.commands.line.options import FirstOperand, Json, Schema, SecondOperand
 from minkref.commands.line.output import plain_table
 from minkref.commands.line.progress import progress
+from minkref.commands.line.readings import FORMS, PLANE_CHOICES, ROUTE, readings_of, refuse_options
+from minkref.commands.lists.paper_words import events_in_words, in_words
 from minkref.commands.lists.row_spool import Row, RowSpool
 from minkref.commands.lists.scale_index import IndexFile, chosen_route, index_of
 from minkref.commands.lists.sum_fields import sum_fields
 from minkref.commands.lists.sweep_folder import FORMATS, INDEX, sweep_folder
 from minkref.commands.lists.sweep_rows import SHOWN, Setting, print_sweep, sweep_rows, write_index
-from minkref.commands.paper_update import (
-    FORMS,
-    PLANE_CHOICES,
-    ROUTE,
-    PaperWalk,
-    decided,
-    events_in_words,
-    in_words,
-    readings_of,
-    refuse_options,
-)
 from minkref.commands.repair_options import REPAIRS, SPACE_CHOICES, asked_repair
 from minkref.documents import Stopwatch, document, listing
 from minkref.errors import Refusal, refusing
@@ -38,6 +31,9 @@ from minkref.scales import MOST_SCALES, evenly_spaced, read_scales
 from minkref.signals import ending_in_order
 from minkref.space.operand import in_space
 from minkref.terminal import counted, escaped
+
+if TYPE_CHECKING:
+    from minkref.commands.paper_update import PaperWalk
 
 EXAMPLES = """Examples:
 
@@ -57,7 +53,7 @@ minkref sweep gs3 rod --scales scalings.txt --repair literal --arithmetic mpfr:2
 
 ROUTES = ("index", "dynamic", ROUTE)
 
-Sums = _core.ScaleIndex | _core.DynamicSum | PaperWalk
+Sums = _core.ScaleIndex | _core.DynamicSum
 PLANE = Setting[str, _core.PolygonSet](
     lambda scale: escaped(scale)[:20], _core.write, _core.writes_exactly
 )
@@ -192,12 +188,18 @@ def command(
     wall = memory_wall(memory, f"route {route}", f"{P} and {Q}", SMALLER)
     with wall, ending_in_order(), progress(len(scales)) as line:
         line.now("finding all events")
-        sums: Sums
+        sums: Sums | PaperWalk
+        walk: PaperWalk | None = None
+        one: Callable[[str], tuple[Row, _core.PolygonSet]]
         if readings is not None:
-            sums = decided(lambda: PaperWalk(first, second, scales[0], arithmetic, readings))
+            from minkref.commands.paper_update import paper_walk
+
+            sums = walk = paper_walk(first, second, scales[0], arithmetic, readings)
+            one = walk.row
         else:
-            sums = _sums(first, second, scales, route, index)
-        rows = sweep_rows(scales, lambda scale: step(sums, scale), PLANE, folder, line)
+            sums = exact = _sums(first, second, scales, route, index)
+            one = partial(step, exact)
+        rows = sweep_rows(scales, one, PLANE, folder, line)
         value = document(
             "sweep",
             watch,
@@ -210,7 +212,7 @@ def command(
             arithmetic=arithmetic,
             readings=readings,
             first_wrong=_first_wrong(rows),
-            events=sums.events() if isinstance(sums, PaperWalk) else None,
+            events=walk.events() if walk is not None else None,
             preprocessing_seconds=sums.seconds,
             statistics=dict(sums.counts()),
         )
@@ -233,8 +235,6 @@ def _sums(P: Operand, Q: Operand, scales: list[str], route: str, index: Path | N
 
 def step(sums: Sums, scale: str) -> tuple[Row, _core.PolygonSet]:
     """Goes to a scale: what the step did where there is one, and the sum there."""
-    if isinstance(sums, PaperWalk):
-        return decided(lambda: sums.row(scale))
     if isinstance(sums, _core.DynamicSum):
         did = dict(sums.move_to(scale))
         answer = sums.sum()

@@ -10,9 +10,10 @@ from typing import Any
 
 from minkref import _core
 from minkref.commands.line.output import plain_table
+from minkref.commands.line.readings import bits_of
 from minkref.commands.lists.row_spool import Row, RowSpool
 from minkref.commands.lists.sweep_rows import SHOWN, print_sweep
-from minkref.commands.paper_update import bits_of, decided
+from minkref.commands.paper_update import decided
 from minkref.commands.repair_options import Repair
 from minkref.errors import refusing
 from minkref.exact import approximate, in_double_range
