@@ -45,8 +45,8 @@ def entries(quick: bool, seed: int, tell: Tell, done: Callable[[], None]) -> lis
     return [
         *drawn_entries(large[0], absent),
         first_table(table, walks),
-        *(speedup_entries.figure(pair, runs, absent)
-          for pair, runs in zip(large, figures, strict=True)),
+        *sorted((speedup_entries.figure(pair, runs, absent)
+                 for pair, runs in zip(large, figures, strict=True)), key=lambda one: one.place),
         *(entry(pair, absent) for pair in large
           for entry in (speedup_entries.sizes, speedup_entries.events)),
         speedup_entries.times([run for runs in figures for run in runs], exact),

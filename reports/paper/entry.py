@@ -18,7 +18,8 @@ class Verdict(StrEnum):
 
 RULE = (
     "An entry lists what the paper states there that can be measured or counted and is no time of "
-    "its machine. Reproduced: all of it comes out, with the paper's own input. Reproduced in kind: "
+    "its machine; speed-ups are compared by what is said of them, and by their order of magnitude. "
+    "Reproduced: all of it comes out, with the paper's own input. Reproduced in kind: "
     "all of it comes out, with input of ours, because the paper's is not published or not at hand. "
     "Not reproduced: some of it does not come out. Not attempted: nothing of it was measured."
 )

@@ -34,13 +34,13 @@ def _names(pair: str) -> tuple[str, str]:
 def figure(pair: Pair, runs: Sequence[Speedups], absent: str) -> Entry:
     """Of one pair in one or several arithmetics."""
     of_disc = is_disc(pair.name)
-    about = "; ".join(_told(found) for found in runs)
+    about = ". ".join(_told(found) for found in runs)
     why = (
         f"The paper's own program, each formula in its right form, with events of pairs of edges "
         f"alone: stepping through them and placing all intersections, against finding the "
         f"intersections of all pairs of edges afresh in the same arithmetic, at random re-scalings "
         f"out of 0.1, 0.2, ..., 10, each timed {REPETITIONS} times (bars: least to greatest). "
-        f"{about}. {_left_out(runs)} Counts of events and intersections are not the paper's (see "
+        f"{about}.{_left_out(runs)} Counts of events and intersections are not the paper's (see "
         f"the audit), nor is the machine, so the points are not those of its figure, "
         f"whose speed-ups go up to some {250 if of_disc else 140}. {absent}"
     )
@@ -69,7 +69,7 @@ def _left_out(runs: Sequence[Speedups]) -> str:
     if any(found.arithmetic != "double" for found in runs):
         return ""
     pairs = runs[0].pairs
-    return f"In MPFR, as the paper has it, {pairs:,} pairs of edges would take too long here."
+    return f" In MPFR, as the paper has it, {pairs:,} pairs of edges would take too long here."
 
 
 def _claims(found: Speedups) -> list[Claim]:

@@ -15,10 +15,10 @@ AUDIT = "minkref report audit"
 PAPER = "minkref report paper"
 SWEEP = "minkref sweep g3 g1 --from 1 --to 2 --steps 3 --route paper-update"
 SUM = "minkref sum g3 g1 --scale 7/5 --route paper-update"
-IN_SPACE = "minkref sum gs3 rod --scale 2,1/2,1 --route dynamic"
+REPAIR = "minkref sweep gs3 rod --scales scalings.txt --repair literal"
 
 CRITICAL, PLANE = "reference/plane/critical", "reference/plane"
-CONVEX = "reference/space/convex"
+CONVEX, LITERAL = "reference/space/convex", "reference/space/paper"
 REPORT, BENCH = "reports/paper", "reports/bench"
 
 
@@ -41,6 +41,7 @@ ALGEBRA = "computer algebra"
 SLOW = "the sum from the definition (`oracle/slow`)"
 SYMBOLIC = "events by computer algebra (`oracle/symbolic`)"
 EXACT_SUM = "the exact sum, a point where they differ"
+EXACT_FACETS = "the facets of the exact sum"
 COUNT = "a count from the rule"
 SUPPORTS = "compatible pairs by supports alone"
 OWN_NUMBERS = "the printed numbers"
@@ -139,11 +140,12 @@ SECTION_6 = (
               (f"{CONVEX}/facet_contact.hpp",), CORRECTED, EXACT, "minkref convolution gs3 rod",
               SUPPORTS, ("normals-after-scaling",)),
     Statement("6", r"$IC(f, v) = \max\{d(e, f)\}$, and descent on it",
-              (f"{CONVEX}/incompatibility.hpp",), BOTH, EXACT, AUDIT, SUPPORTS,
+              (f"{CONVEX}/incompatibility.hpp", f"{LITERAL}/normals_and_edges.hpp"), BOTH, FOUR,
+              f"{REPAIR} --form corrected --reading degree=printed --trace", EXACT_FACETS,
               ("degree-of-incompatibility", "descent")),
     Statement("6", "fv-errors are repaired by descent, ee-errors by chains",
-              (f"{CONVEX}/dynamic_convex_sum.hpp",), CORRECTED, EXACT, IN_SPACE,
-              "the static pairs, and CGAL's hull", ("chain-of-edges", "chain-through-a-normal")),
+              (f"{LITERAL}/paper_repair.hpp", f"{CONVEX}/dynamic_convex_sum.hpp"), BOTH, FOUR,
+              REPAIR, EXACT_FACETS, ("chain-of-edges", "chain-through-a-normal")),
     Statement("6", "$O(m + n)$ facets of one kind, $O(m n)$ of the other",
               (f"{CONVEX}/sum_vertices.hpp",), PRINTED, EXACT, AUDIT, COUNT,
               ("facets-of-convex-sums",)),
@@ -151,7 +153,9 @@ SECTION_6 = (
               (f"{CONVEX}/compatibility.hpp",), CORRECTED, EXACT, "minkref convolution gs3 ti",
               SUPPORTS, ("one-vertex-for-each-face",)),
     Statement("6, Theorem 1", "fv-errors and ee-errors coexist",
-              (f"{CONVEX}/dynamic_convex_sum.hpp",), CORRECTED, EXACT, AUDIT, SUPPORTS,
+              (f"{LITERAL}/repair_readings.hpp", f"{CONVEX}/dynamic_convex_sum.hpp"),
+              "facets of P alone, or of both", FOUR,
+              f"{REPAIR} --form corrected --reading errors=facets-of-P", EXACT_FACETS,
               ("theorem-1-one-kind", "theorem-1-edge-errors", "theorem-1-facet-errors",
                "theorem-1-proof")),
     Statement("Fig. 4", "six contacts of parallel faces, none of a vertex",

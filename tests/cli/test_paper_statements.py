@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import shlex
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -48,7 +49,11 @@ def test_no_place_and_no_entry_of_the_audit_is_missed() -> None:
 
 
 @pytest.mark.parametrize("command", COMMANDS)
-def test_the_command_of_a_row_runs(minkref: Callable[..., Any], command: str) -> None:
+def test_the_command_of_a_row_runs(
+    minkref: Callable[..., Any], command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "scalings.txt").write_text("1\n2,1/2,1\n", encoding="utf-8")
     name, *words = shlex.split(command)[1:]
     if name in TAKE_LONG:
         assert words[-1] in (SUBJECTS if name == "report" else PARTS)

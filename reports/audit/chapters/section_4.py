@@ -358,7 +358,7 @@ INTERVALS: tuple[tuple[str, Edge, Edge, str, str], ...] = (
     upper one.""",
     reading=r"""Take $B_{a_0}$ and $B_{b_0}$ for the lower bounds of the intervals of the two edges,
     and $B_{a_1}$ and $B_{b_1}$ for the upper ones, whichever end each belongs to: then it is the
-    intersection of the intervals, as the sentence before it says.""",
+    intersection of the intervals, as the same sentence says.""",
     formula="The interval in which two edges meet (Section 4.2.3)",
     code=("reference/plane/critical/scale_interval.hpp",
           "reference/plane/critical/pair_interval.hpp"),
