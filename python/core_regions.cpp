@@ -43,6 +43,30 @@ PolygonSet minus(const PolygonSet& first, const PolygonSet& second) {
   return canonicalize(rings).region;
 }
 
+/// Throws LimitExceeded for coordinates beyond the limit on digits of what is read: sets of others
+/// may have crossings of any length.
+void refuse_long_numbers(const PolygonSet& set) {
+  const std::size_t most = ReadLimits{}.number.digits;
+  const auto is_long = [&](const Rational& value) {
+    return mpz_sizeinbase(mpq_numref(value.backend().data()), 10) +
+               mpz_sizeinbase(mpq_denref(value.backend().data()), 10) >
+           most + 2;
+  };
+  const auto look = [&](const Ring& ring) {
+    for (const Point& point : ring) {
+      if (is_long(point.x) || is_long(point.y)) {
+        throw LimitExceeded("number-too-long",
+                            "a coordinate has more than " + std::to_string(most) + " digits",
+                            "round the input, or raise the limit on digits");
+      }
+    }
+  };
+  for (const Polygon& polygon : set.polygons) {
+    look(polygon.outer);
+    for (const Ring& hole : polygon.holes) look(hole);
+  }
+}
+
 std::optional<ExactPoint> inner_point(const PolygonSet& set) {
   const auto found = difference(set, {});
   return found ? std::optional(to_strings(found->point)) : std::nullopt;
@@ -172,9 +196,13 @@ void bind_regions(nb::module_& module) {
   module.def(
       "minus",
       [](const Set& first, const Set& second) {
+        refuse_long_numbers(first.value);
+        refuse_long_numbers(second.value);
         return Set{minus(first.value, second.value), true};
       },
-      "first"_a, "second"_a, Released(), "The closure of `first` without `second`, canonical.");
+      "first"_a, "second"_a, Released(),
+      "The closure of `first` without `second`, canonical. Raises LimitExceeded for coordinates of "
+      "more digits than are read.");
   module.def(
       "inner_point", [](const Set& set) { return inner_point(set.value); }, "set"_a, Released(),
       "A point in the interior of the set, of few digits; None where it is empty.");
