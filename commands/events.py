@@ -19,7 +19,9 @@ from minkref.commands.line.options import (
     WindowTo,
 )
 from minkref.commands.line.progress import progress
+from minkref.commands.line.readings import PLANE_CHOICES, readings_of
 from minkref.commands.lists.event_output import FORMATS, document_pieces, print_pieces, write_events
+from minkref.commands.lists.paper_words import events_in_words, print_literal
 from minkref.commands.lists.scale_index import (
     IndexFile,
     chosen_route,
@@ -63,6 +65,7 @@ MEANINGS = {  # of the changes, under the table
     "topology": "before, after: the features that take part, by number; `outside` is no hole.",
 }
 SHOWN = 10  # events that people see
+LISTED = 1000  # of the paper's program, where no limit is given
 PAIR_COUNTS = (
     "pairs", "filtered_pairs", "intersecting_pairs", "always_meeting_pairs", "touching_pairs",
     "parallel_pairs", "kernel", "by_float", "by_integer", "by_rational",
@@ -95,10 +98,20 @@ def command(
         str,
         typer.Option(
             "--arithmetic",
-            help="rational (exact), interval, double or mpfr:BITS. All but the first report how "
-            "the paper's method fares in them, next to the truth.",
+            help="rational (exact), interval, double or mpfr:BITS. With all but the first, and "
+            "with --reading, the paper's program is followed: its events are listed with the exact "
+            "scales beside them, and how its method fares is counted.",
         ),
     ] = "rational",
+    reading: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--reading",
+            help="Follow the paper's program, with one formula as read whatever --form says; may "
+            f"be repeated. {PLANE_CHOICES.names()}.",
+            metavar="NAME=VALUE",
+        ),
+    ] = None,
     least: Annotated[
         bool,
         typer.Option(
@@ -154,6 +167,11 @@ def command(
     """All scales at which edges of the reduced convolution start or stop meeting: exact, sorted."""
     watch = Stopwatch()
     _check(kind, form, arithmetic, least, limit)
+    if reading and kind != "pair":
+        what = "the paper's program has pair events only"
+        raise Refusal(what, f"--kind {kind} --reading {reading[0]}", "leave out one of the two")
+    as_read = arithmetic != "rational" or reading
+    readings = readings_of(form, reading) if as_read else None
     condition = _condition(where, kind)
     target = target_of(output, file_format, FORMATS, "json", json)
     _check_parquet(target, kind)
@@ -178,7 +196,14 @@ def command(
                 )
         counts = _counts(found, first, second, window)
         trial: dict[str, Any] | None = None
-        if arithmetic != "rational":
+        literal: dict[str, Any] | None = None
+        if readings is not None:
+            from minkref.commands.paper_update import paper_walk
+
+            walk = paper_walk(first, second, "1", arithmetic, readings)
+            most = LISTED if limit is None else limit
+            literal = {"readings": readings, **walk.events(most)}
+        if arithmetic != "rational" or readings is not None:
             trial = dict(
                 refusing(
                     operands, lambda: _core.precision_trial(first.set, second.set, arithmetic, form)
@@ -206,6 +231,7 @@ def command(
             "kernel": counts.pop("kernel"),
             **counts,
             "trial": trial,
+            "literal": literal,
             "least_precision": _least(first, second, form) if least else None,
             **found.features(),
         }
@@ -343,6 +369,8 @@ def _print(value: dict[str, Any], found: EventList, count: int) -> None:
     sys.stdout.write(lines(rows))
     if value["trial"] is not None:
         sys.stdout.write("\n" + lines(_trial_rows(value["arithmetic"], value["trial"])))
+        sys.stdout.write("\n" + lines(events_in_words(value["literal"])))
+        print_literal(value["literal"]["rows"][:count])
     if value["output"] is None and value["trial"] is None:
         _print_first(found, count)
     for warning in value["warnings"]:

@@ -43,16 +43,25 @@ class PaperWalk:
     def counts(self) -> dict[str, Any]:
         return dict(self._update.counts())
 
-    def events(self) -> dict[str, Any]:
-        """Of the array of events, how many are right, and what is missed and invented."""
-        found = compare_events(self._P, self._Q, self._update, self._adjacent)
-        return {
+    def events(self, most: int | None = None) -> dict[str, Any]:
+        """Of the array of events, how many are right, and what is missed and invented; with `most`
+        the first so many, each with the exact scale of the same event."""
+        found = compare_events(
+            self._P, self._Q, self._update, self._adjacent, self._bits, most or 0
+        )
+        fields: dict[str, Any] = {
             "right": found.right,
+            "misplaced": found.misplaced,
             "missed": found.missed,
             "invented": found.invented,
             "first_missed": event_fields(found.first_missed),
             "first_invented": event_fields(found.first_invented),
         }
+        if most is not None:
+            fields["rows"] = [
+                {**_event_fields(event), "exact": exact} for event, exact in found.listed
+            ]
+        return fields
 
     def move_to(self, scale: str) -> dict[str, Any]:
         return dict(self._update.move_to(scale))
@@ -113,12 +122,13 @@ def comparison_fields(found: Comparison) -> dict[str, Any]:
 
 
 def event_fields(event: Event | None) -> dict[str, Any] | None:
-    if event is None:
-        return None
-    change = "birth" if event.begins else "death"
+    return None if event is None else _event_fields(event)
+
+
+def _event_fields(event: Event) -> dict[str, Any]:
     return {
         "scale": event.scale,
-        "change": change,
+        "change": "birth" if event.begins else "death",
         "a": parent_of(event.a),
         "b": parent_of(event.b),
     }

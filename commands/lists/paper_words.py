@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from minkref.exact import approximate
+from minkref.terminal import console
 
 
 def in_words(found: dict[str, Any]) -> str:
@@ -25,8 +26,8 @@ def events_in_words(events: dict[str, Any]) -> list[tuple[str, str]]:
     rows = [
         (
             "events",
-            f"{events['right']:,} right, {events['missed']:,} missed, "
-            f"{events['invented']:,} invented",
+            f"{events['right']:,} right, {events['misplaced']:,} at another scale, "
+            f"{events['missed']:,} missed, {events['invented']:,} invented",
         )
     ]
     for what in ("missed", "invented"):
@@ -36,3 +37,23 @@ def events_in_words(events: dict[str, Any]) -> list[tuple[str, str]]:
             told = f"at {scale}, {event['change']}: {event['a']} and {event['b']}"
             rows.append((f"first {what}", told))
     return rows
+
+
+def print_literal(rows: list[dict[str, Any]]) -> None:
+    """A table of events of the program, with the exact scales."""
+    from rich.table import Table
+
+    if not rows:
+        return
+    table = Table(box=None, pad_edge=False)
+    for heading in ("its scale", "exact", "change", "edges"):
+        table.add_column(heading, no_wrap=True)
+    for row in rows:
+        exact = row["exact"]
+        table.add_row(
+            f"{approximate(row['scale']):.17g}",
+            "invented" if exact is None else f"{approximate(exact):.17g}",
+            row["change"],
+            f"{row['a']}, {row['b']}",
+        )
+    console().print(table)

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import islice
 
 from minkref import _core
 
@@ -28,31 +29,52 @@ class Events:
     """Of all scales; the first of each kind is that of the least scale."""
 
     right: int
+    misplaced: int  # the same edges begin or cease to meet, at another scale
     missed: int
     invented: int
     first_missed: Event | None
     first_invented: Event | None
+    listed: list[tuple[Event, str | None]]  # with the exact scale, where there is such an event
 
 
 def compare_events(
-    P: _core.PolygonSet, Q: _core.PolygonSet, program: _core.PaperUpdate, adjacent: str
+    P: _core.PolygonSet,
+    Q: _core.PolygonSet,
+    program: _core.PaperUpdate,
+    adjacent: str,
+    bits: int | None,
+    most: int = 0,
 ) -> Events:
-    """The events of a program by their edges, wherever their scales are. `adjacent`: the reading of
-    the program, which says whether edges that share a vertex are asked. O(N^2) for N edges."""
+    """The events of a program, in numbers of so many bits (None: exact ones), by their edges. A
+    scale is right if half of its digits are, or all of them in exact numbers. The first `most` are
+    listed. `adjacent`: the reading of the program, which says whether edges that share a vertex are
+    asked. O(N^2) for N edges."""
     exact = _core.PaperUpdate(P, Q, "1", "rational", CORRECTED | {"adjacent": adjacent})
     wanted, found = _by_pair(exact), _by_pair(program)
     edges = _core.reduced_convolution(P, Q)
+    off = Fraction(0) if bits is None else Fraction(1, 2 ** (bits // 2))
+    both = wanted.keys() & found.keys()
+    right = sum(_near(wanted[pair], found[pair], off) for pair in both)
     return Events(
-        len(wanted.keys() & found.keys()),
+        right,
+        len(both) - right,
         len(wanted.keys() - found.keys()),
         len(found.keys() - wanted.keys()),
         _first(wanted, found, edges),
         _first(found, wanted, edges),
+        [
+            (Event(scale, pair[2], edges[pair[0]], edges[pair[1]]), wanted.get(pair))
+            for pair, scale in islice(found.items(), most)
+        ],
     )
 
 
 def _by_pair(program: _core.PaperUpdate) -> dict[Pair, str]:
     return {(a, b, begins): scale for scale, a, b, begins in program.events()}
+
+
+def _near(exact: str, scale: str, off: Fraction) -> bool:
+    return abs(Fraction(scale) - Fraction(exact)) <= off * Fraction(exact)
 
 
 def _first(of: dict[Pair, str], without: dict[Pair, str], edges: list[Edge]) -> Event | None:

@@ -4,6 +4,7 @@ true beside the answers."""
 from __future__ import annotations
 
 from collections.abc import Callable
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -62,6 +63,28 @@ def test_events_that_consistency_misses_and_invents_are_named(minkref: Minkref) 
                 assert first["a"] != first["b"]
 
 
+def test_events_of_the_program_stand_beside_the_exact_ones(minkref: Minkref) -> None:
+    window = ("events", "g1", "g2", "--limit", "200", "--json")
+    value = minkref(*window, "--arithmetic", "mpfr:200").json
+    jsonschema.validate(value, schema("events"))
+    literal = value["literal"]
+    assert len(literal["rows"]) == 200
+    found = [row for row in literal["rows"] if row["exact"] is not None]
+    assert len(found) > 100
+    for row in found:
+        off = abs(Fraction(row["scale"]) - Fraction(row["exact"])) / Fraction(row["exact"])
+        assert off < Fraction(1, 2**170)
+    assert any(row["scale"] != row["exact"] for row in found)
+    # Edges that touch at one scale are missed, conditions without a slope have one by rounding.
+    assert 0 < literal["missed"] < 20 < literal["invented"] < 200 < literal["right"]
+
+    rational = minkref(*window, "--reading", "interval=printed").json
+    assert rational["literal"]["missed"] > 0
+    assert rational["literal"]["misplaced"] > 0  # an end bounds from the other side
+    assert rational["trial"]["false_inconsistent"] == 0
+    assert minkref(*window).json["literal"] is None
+
+
 def test_one_reading_beside_a_form(minkref: Minkref) -> None:
     options = ("--form", "corrected", "--reading", "solve=least-squares", "--json")
     value = minkref("sum", "g1", "g2", *ROUTE, "--arithmetic", "mpfr:100", *options).json
@@ -84,6 +107,7 @@ def test_a_sum_in_rational_numbers_says_what_is_true(minkref: Minkref) -> None:
     ("arguments", "says"),
     [
         (("sum", "g1", "g2", "--form", "printed"), "the route paper has no readings"),
+        (("events", "g1", "g2", "--kind", "triple", "--reading", "order=kept"), "pair events only"),
         (("sweep", "g1", "g2", *WINDOW, "--reading", "solve=printed"), "has no readings"),
         (("sweep", "g1", "g2", *WINDOW, "--arithmetic", "double"), "exact only"),
         (("sum", "g1", "g2", *ROUTE, "--form", "right"), "there is no form 'right'"),
