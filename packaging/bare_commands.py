@@ -57,6 +57,8 @@ STEPS = (
     step("sum g1 g2 --scale 7/5 --plot -o sum.svg", "\u286a", files=("sum.svg",)),
     step("sum g1 g2 --arithmetic mpfr:64", "mpfr"),
     step("sum gs3 gs4 --scale 2,1/3,5 -o sum.off", files=("sum.off",)),
+    step("sum g1 g2 --route paper-update --arithmetic mpfr:64", "another structure"),
+    step("convolution g1 g2 -o convolution.svg", files=("convolution.svg",)),
     step("index g1 g2 --from 1/2 --to 2 -o pair.index", files=("pair.index",)),
     step("sum g1 g2 --index pair.index --scale 7/5"),
     step("sweep g1 g2 --from 1/2 --to 2 --steps 5 -o sums", files=("sums/index.json",)),
