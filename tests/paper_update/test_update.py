@@ -10,6 +10,7 @@ import pytest
 from minkref import _core
 from minkref.fuzz.families.catalogue import FAMILIES
 from minkref.fuzz.families.random_pairs import random_pair
+from minkref.fuzz.judges.rounded_sums import compare
 
 SEED = 27
 SCALES = 25  # of each pair: 1,000 in all
@@ -97,6 +98,19 @@ def test_consistency_fails_in_rounding_arithmetic_of_any_precision(bits: int) ->
     assert exact == _core.PaperUpdate(P, Q, "1", "rational", CORRECTED).events()
     rounded = _core.PaperUpdate(P, Q, "1", f"mpfr:{bits}", printed).events()
     assert len(rounded) < len(exact)
+
+
+@pytest.mark.parametrize("arithmetic", ["double", "mpfr:53", "mpfr:200", "mpfr:1000"])
+def test_consistency_loses_a_corner_of_the_sum_of_two_triangles(arithmetic: str) -> None:
+    P = _core.PolygonSet([(2, 0), (3, 3), (1, 2)])
+    Q = _core.PolygonSet([(0, 1), (1, 0), (1, 2)])
+    expected = _core.minkowski_sum(P, Q, "1").region
+    printed = CORRECTED | {"solve": "printed"}
+    assert _core.PaperUpdate(P, Q, "1", "rational", printed).sum().region == expected
+    for solve, right in (("printed", False), ("least-squares", True), ("corrected", True)):
+        program = _core.PaperUpdate(P, Q, "1", arithmetic, CORRECTED | {"solve": solve})
+        bits = 53 if arithmetic == "double" else int(arithmetic.removeprefix("mpfr:"))
+        assert compare(P, Q, "1", program.sum(), bits).same_structure is right
 
 
 def test_a_hole_born_at_a_triple_event_is_missed_where_the_order_is_kept() -> None:
