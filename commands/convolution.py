@@ -11,7 +11,7 @@ from typing import Annotated, Any
 import typer
 from minkref import _core
 from minkref.commands.line.memory import SIMPLER, Memory, memory_wall
-from minkref.commands.line.options import FirstOperand, Json, Schema, SecondOperand
+from minkref.commands.line.options import FirstOperand, Json, Scale, Schema, SecondOperand
 from minkref.commands.lists.convolution_output import (
     edge_documents,
     geojson_pieces,
@@ -48,12 +48,7 @@ MOST_DRAWN = 100_000  # edges in one picture
 def command(
     P: FirstOperand,
     Q: SecondOperand,
-    scale: Annotated[
-        str,
-        typer.Option(
-            "--scale", help="Scale of P, exact: 3, 7/5, 0.25; in space also SX,SY,SZ.", metavar="S"
-        ),
-    ] = "1",
+    scale: Scale = "1",
     full: Annotated[
         bool,
         typer.Option(

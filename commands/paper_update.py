@@ -8,13 +8,12 @@ from typing import Any, TypeVar
 
 from minkref import _core
 from minkref.commands.line.arithmetic import check_arithmetic
-from minkref.commands.line.readings import bits_of
 from minkref.commands.lists.row_spool import Row
 from minkref.commands.lists.sum_fields import sum_fields
 from minkref.errors import Refusal, refusing
 from minkref.exact import in_double_range
 from minkref.fuzz.judges.paper_events import Edge, Event, compare_events
-from minkref.fuzz.judges.rounded_sums import Comparison, compare
+from minkref.fuzz.judges.rounded_sums import Comparison, compare, significant_bits
 from minkref.operand import Operand
 
 T = TypeVar("T")
@@ -29,7 +28,7 @@ class PaperWalk:
     ) -> None:
         check_arithmetic(arithmetic)
         self._P, self._Q = P.set, Q.set
-        self._bits = bits_of(arithmetic)
+        self._bits = significant_bits(arithmetic)
         self._adjacent = readings["adjacent"]
         self._update = refusing(
             f"{P.name} and {Q.name}",
@@ -69,8 +68,10 @@ class PaperWalk:
     def sum(self) -> _core.Sum:
         return self._update.sum()
 
-    def beside_exact(self, scale: str, answer: _core.Sum) -> dict[str, Any]:
-        return comparison_fields(compare(self._P, self._Q, scale, answer, self._bits))
+    def beside_exact(
+        self, scale: str, answer: _core.Sum, exact: _core.Sum | None = None
+    ) -> dict[str, Any]:
+        return comparison_fields(compare(self._P, self._Q, scale, answer, self._bits, exact))
 
     def row(self, scale: str) -> tuple[Row, _core.PolygonSet]:
         """Of a sweep, at its next scale. Refuses what the arithmetic cannot decide."""

@@ -5,13 +5,13 @@ from __future__ import annotations
 import sys
 import time
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 from minkref import _core
 from minkref.commands.line.arithmetic import check_arithmetic
 from minkref.commands.line.memory import SIMPLER, Memory, memory_wall
-from minkref.commands.line.options import Json, Schema
+from minkref.commands.line.options import Json, Scale, Schema
 from minkref.commands.line.readings import ROUTE as PAPER_UPDATE
 from minkref.commands.line.readings import Form, Reading, readings_of, refuse_options
 from minkref.commands.lists.scale_index import (
@@ -32,6 +32,9 @@ from minkref.parents import PassageRows, passages_of
 from minkref.space.operand import in_space
 from minkref.space.sums import ROUTES as SPACE_ROUTES
 from minkref.terminal import console
+
+if TYPE_CHECKING:
+    from minkref.commands.paper_update import PaperWalk
 
 EXAMPLES = """Examples:
 
@@ -76,12 +79,7 @@ def command(
         ),
     ],
     Q: Annotated[str, typer.Argument(help="Second operand: given in the same ways.")],
-    scale: Annotated[
-        str,
-        typer.Option(
-            "--scale", help="Scale of P, exact: 3, 7/5, 0.25; in space also SX,SY,SZ.", metavar="S"
-        ),
-    ] = "1",
+    scale: Scale = "1",
     route: Annotated[
         str | None,
         typer.Option(
@@ -129,7 +127,9 @@ def command(
     schema: Schema = False,
 ) -> None:
     """The Minkowski sum of P, scaled by S about the origin, and Q: exact, in canonical form, and
-    its tight passages. In space P and Q are convex polyhedra (.off, .obj, .stl, .ply, .json)."""
+    its tight passages. In space P and Q are convex polyhedra (.off, .obj, .stl, .ply, .json). In
+    another arithmetic, or by the paper's own program (--route paper-update), what these answer,
+    with the exact sum beside it."""
     if in_space(P, Q):
         for option, given in (("--form", as_read), ("--reading", reading)):
             if given:
@@ -249,7 +249,7 @@ def compute(
     answer: _core.Sum | None = None
     seconds: float | None = None
     passages: PassageRows | None = None
-    beside: dict[str, Any] | None = None
+    walk: PaperWalk | None = None
     try:
         if route == "dynamic":
             answer, passages, seconds = refusing(where, lambda: _dynamic(P, Q, scale))
@@ -259,7 +259,6 @@ def compute(
             walk = PaperWalk(P, Q, scale, arithmetic, readings)
             answer = refusing(where, walk.sum)
             seconds = walk.seconds + answer.seconds
-            beside = walk.beside_exact(scale, answer)
         elif route == "index":
             built = index_of(index, P, Q, scale, scale)
             answer = refusing(where, lambda: built.sum(scale, True))
@@ -283,7 +282,7 @@ def compute(
         "statistics": dict(answer.statistics) if answer else None,
         "exact": None,
         "readings": readings,
-        "comparison": beside,
+        "comparison": None,
     }
     if not exact:
         truth = refusing(
@@ -293,6 +292,8 @@ def compute(
         equal = described["digest"] == fields["digest"] if answer else None
         fields["exact"] = {**described, "equal": equal}
         del fields["exact"]["result"]
+        if walk is not None and answer is not None:
+            fields["comparison"] = walk.beside_exact(scale, answer, truth)
     canonical = answer.region.canonical_json() if answer else None
     fields["result"] = json.loads(canonical) if canonical else None
     fields["region"] = answer.region if answer else None

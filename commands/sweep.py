@@ -157,7 +157,8 @@ def command(
 ) -> None:
     """The sums at many scales: everything between the smallest and the largest scale is found once;
     then each sum is read off, or computed from the one before by dynamic update. Exact, in
-    canonical form."""
+    canonical form; by the paper's own program (--route paper-update, in space --repair literal)
+    what that answers, with the exact sums beside it."""
     if in_space(P, Q):
         given = _given(from_scale, to_scale, steps)
         named = {"--route": route, "--index": index}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -22,23 +23,23 @@ class Provable(Protocol):
 
 
 @dataclass(frozen=True)
-class CaseTexts:
+class CaseTexts(ABC):
     """Of a case, in the plane or in space. They depend on what it is made of alone."""
 
     subject: Subject
     source: str
 
     @property
-    def id(self) -> str:
-        raise NotImplementedError
+    @abstractmethod
+    def id(self) -> str: ...
 
     @property
-    def document(self) -> dict[str, Any]:
-        raise NotImplementedError
+    @abstractmethod
+    def document(self) -> dict[str, Any]: ...
 
     @property
-    def certificate(self) -> Provable:
-        raise NotImplementedError
+    @abstractmethod
+    def certificate(self) -> Provable: ...
 
     @cached_property
     def case_text(self) -> str:

@@ -1,6 +1,7 @@
 // How a sentence of the paper may be read: names and values, as the command line spells them.
 #pragma once
 
+#include <initializer_list>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -18,5 +19,21 @@ struct ReadingName {
 /// Throws BadInput ("unknown-reading") that lists what there is.
 [[noreturn]] void refuse_reading(const std::vector<ReadingName>& known, std::string_view name,
                                  std::string_view value);
+
+/// The values of a choice, each with what it means.
+template <class Value>
+using Words = std::initializer_list<std::pair<std::string_view, Value>>;
+
+/// Sets the field to what the value means; throws as refuse_reading does where it means nothing.
+template <class Value>
+void choose_reading(const std::vector<ReadingName>& known, std::string_view name,
+                    std::string_view value, Value& field, Words<Value> words) {
+  for (const auto& [word, meaning] : words) {
+    if (value != word) continue;
+    field = meaning;
+    return;
+  }
+  refuse_reading(known, name, value);
+}
 
 }  // namespace minkref

@@ -30,6 +30,12 @@ WindowFrom = Annotated[
 WindowTo = Annotated[
     str | None, typer.Option("--to", help="Largest scale, included. Default: no end.", metavar="B")
 ]
+Scale = Annotated[
+    str,
+    typer.Option(
+        "--scale", help="Scale of P, exact: 3, 7/5, 0.25; in space also SX,SY,SZ.", metavar="S"
+    ),
+]
 Json = Annotated[
     bool,
     typer.Option("--json", help="Print one JSON document, and nothing else, on standard output."),

@@ -82,10 +82,3 @@ def refuse_options(route: str, form: str | None, chosen: Sequence[str] | None) -
                 option,
                 f"add --route {ROUTE}, or leave it out",
             )
-
-
-def bits_of(arithmetic: str) -> int | None:
-    """Of a rounding arithmetic."""
-    if arithmetic.startswith("mpfr:"):
-        return int(arithmetic.removeprefix("mpfr:"))
-    return None if arithmetic == "rational" else 53

@@ -10,7 +10,6 @@ from typing import Any
 
 from minkref import _core
 from minkref.commands.line.output import plain_table
-from minkref.commands.line.readings import bits_of
 from minkref.commands.lists.row_spool import Row, RowSpool
 from minkref.commands.lists.sweep_rows import SHOWN, print_sweep
 from minkref.commands.paper_update import decided
@@ -18,6 +17,7 @@ from minkref.commands.repair_options import Repair
 from minkref.errors import refusing
 from minkref.exact import approximate, in_double_range
 from minkref.fuzz.judges.convex_claims import compare_claims, largest_distance
+from minkref.fuzz.judges.rounded_sums import significant_bits
 from minkref.space.operand import SpaceOperand, solid
 from minkref.space.scaling import Scaling, text_of
 from minkref.terminal import counted
@@ -34,7 +34,7 @@ class RepairWalk:
         bodies = solid(P), solid(Q)
         self._P, self._Q = bodies
         self._where = f"{P.name} and {Q.name}"
-        self._bits = bits_of(repair.arithmetic) or 53
+        self._bits = significant_bits(repair.arithmetic) or 53
         self._trace = repair.trace
         self._repair = refusing(
             self._where,

@@ -13,6 +13,13 @@ Ring = list[Point]
 LARGEST = 10**6  # ulps beyond which rings are not the same; half of the digits, if these are fewer
 
 
+def significant_bits(arithmetic: str) -> int | None:
+    """Of the numbers of an arithmetic; None of exact ones."""
+    if arithmetic.startswith("mpfr:"):
+        return int(arithmetic.removeprefix("mpfr:"))
+    return None if arithmetic == "rational" else 53
+
+
 @dataclass(frozen=True)
 class Comparison:
     """`ulps`: the largest distance of a coordinate from the right one, in units in the last place
@@ -27,12 +34,18 @@ class Comparison:
 
 
 def compare(
-    P: _core.PolygonSet, Q: _core.PolygonSet, scale: str, got: _core.Sum, bits: int | None
+    P: _core.PolygonSet,
+    Q: _core.PolygonSet,
+    scale: str,
+    got: _core.Sum,
+    bits: int | None,
+    exact: _core.Sum | None = None,
 ) -> Comparison:
     """The sum `got` at this scale, in numbers of so many bits (None: exact ones, which must be
-    equal), beside the exact sum. The same structure is: as many rings, and to each outer ring and
-    each hole one with as many vertices, each near that of the other."""
-    exact = _core.minkowski_sum(P, Q, scale)
+    equal), beside the `exact` sum, which is computed where it is not given. The same structure is:
+    as many rings, and to each outer ring and each hole one with as many vertices, each near that of
+    the other."""
+    exact = exact or _core.minkowski_sum(P, Q, scale)
     if got.region == exact.region:
         return Comparison(True, Fraction(0))
     off = None if bits is None else largest_difference(exact.region, got.region, bits)

@@ -8,7 +8,7 @@ from collections import Counter
 from dataclasses import dataclass
 
 from minkref import _core
-from minkref.fuzz.judges.rounded_sums import compare
+from minkref.fuzz.judges.rounded_sums import compare, significant_bits
 from minkref.reports.bench.pairs import Pair, pairs
 from minkref.reports.bench.rescalings import rescalings
 from minkref.reports.evidence.framework.in_processes import in_processes
@@ -73,9 +73,7 @@ def follow(task: Task) -> Row:
     since = time.process_time()
     program = _core.PaperUpdate(P, Q, "1", task.arithmetic, VARIANTS[task.variant])
     seconds = time.process_time() - since
-    bits = None if task.arithmetic == "rational" else 53
-    if task.arithmetic.startswith("mpfr:"):
-        bits = int(task.arithmetic.removeprefix("mpfr:"))
+    bits = significant_bits(task.arithmetic)
     right, same, most = [], [], 0.0
     there = dict(zip(AFTER, task.intersections, strict=True))
     for number, scale in enumerate(scales, start=1):

@@ -26,9 +26,20 @@ Rational value_of(const T& number) {
 
 void refuse_scale(const Rational& scale) {
   if (sign(scale) <= 0) {
-    throw BadInput("scale-not-positive", "the scale " + to_string(scale) + " is not positive",
+    throw BadInput("bad-scale", "the scale " + to_string(scale) + " is not greater than zero",
                    "give a scale above zero");
   }
+}
+
+/// The largest absolute value of a coordinate.
+Rational largest(const PolygonSet& set) {
+  Rational most = 0;
+  for (const Polygon& polygon : set.polygons) {  // holes lie within
+    for (const Point& point : polygon.outer) {
+      most = std::max({most, Rational(abs(point.x)), Rational(abs(point.y))});
+    }
+  }
+  return most;
 }
 
 template <class T>
@@ -47,7 +58,7 @@ class UpdateIn : public PaperUpdate {
         convolution_(convolution_segments<K>(reduced_convolution(P, Q), P_, Q_)),
         edges_(moving_edges(convolution_.edges, P_, Q_)),
         lists_(edges_, regions_, readings.order) {
-    find_regions(memory);
+    find_regions(arithmetic(readings.tolerance * (largest(P) + largest(Q))), memory);
     sort_events();
     start(arithmetic_(first_scale));
   }
@@ -173,9 +184,9 @@ class UpdateIn : public PaperUpdate {
     }
   }
 
-  void find_regions(std::uint64_t memory) {
+  /// `zero`: what counts as zero with a tolerance.
+  void find_regions(const T& zero, std::uint64_t memory) {
     const K kernel;
-    const T zero = tolerance();
     counts_.edges = edges_.size();
     for (std::uint32_t a = 0; a < edges_.size(); ++a) {
       look_for_interrupt_now();
@@ -208,26 +219,6 @@ class UpdateIn : public PaperUpdate {
   bool share_vertex(std::uint32_t a, std::uint32_t b) const {
     const IndexedSegment &s = convolution_.segments[a], &t = convolution_.segments[b];
     return s.from == t.from || s.from == t.to || s.to == t.from || s.to == t.to;
-  }
-
-  /// What counts as zero with a tolerance.
-  T tolerance() const {
-    Rational largest = 0;
-    const auto look = [&](const Operand<Vector>& operand) {
-      Rational most = 0;
-      for (const auto& ring : operand.rings) {
-        for (const Vector& v : ring) {
-          for (const T* coordinate : {&v.x(), &v.y()}) {
-            const Rational size = abs(value_of(*coordinate));
-            if (size > most) most = size;
-          }
-        }
-      }
-      largest += most;
-    };
-    look(P_);
-    look(Q_);
-    return arithmetic_(Rational(exact_value(readings_.tolerance) * largest));
   }
 
   /// Ascending; at one scale insertions come first, for regions are closed.

@@ -1,22 +1,19 @@
 #include "reference/plane/paper/readings.hpp"
 
-#include <cmath>
-#include <cstdlib>
-#include <string>
+#include "reference/error.hpp"
 
 namespace minkref::inline plane {
 namespace {
 
 constexpr std::string_view tolerance_prefix = "tolerance:";
 
-double tolerance_of(std::string_view name, std::string_view value) {
-  const std::string text(value.substr(tolerance_prefix.size()));
-  char* end = nullptr;
-  const double tolerance = std::strtod(text.c_str(), &end);
-  if (text.empty() || *end != '\0' || !std::isfinite(tolerance) || tolerance < 0) {
-    refuse_reading(reading_names(), name, value);
+Rational tolerance_of(std::string_view name, std::string_view value) {
+  try {
+    Rational tolerance = parse_rational(value.substr(tolerance_prefix.size()));
+    if (sign(tolerance) >= 0) return tolerance;
+  } catch (const BadInput&) {  // no number: refused as a reading
   }
-  return tolerance;
+  refuse_reading(reading_names(), name, value);
 }
 
 }  // namespace
@@ -46,45 +43,31 @@ const std::vector<ReadingName>& reading_names() {
 }
 
 void set_reading(Readings& readings, std::string_view name, std::string_view value) {
-  const auto choose = [&](auto& field, auto&& words) {
-    for (const auto& [word, meaning] : words) {
-      if (value == word) {
-        field = meaning;
-        return;
-      }
-    }
-    refuse_reading(reading_names(), name, value);
+  using Solve = Readings::Solve;
+  using NoRoot = Readings::NoRoot;
+  using Order = Readings::Order;
+  const auto choose = [&]<class Value>(Value& field, Words<Value> words) {
+    choose_reading(reading_names(), name, value, field, words);
   };
-  using Word = std::string_view;
-  using Forms = std::vector<std::pair<Word, Form>>;
-  using Taken = std::vector<std::pair<Word, bool>>;
   if (name == "observation") {
-    choose(readings.observation, Forms{{"printed", Form::printed}, {"corrected", Form::corrected}});
+    choose(readings.observation, {{"printed", Form::printed}, {"corrected", Form::corrected}});
   } else if (name == "interval") {
-    choose(readings.interval, Forms{{"printed", Form::printed}, {"corrected", Form::corrected}});
+    choose(readings.interval, {{"printed", Form::printed}, {"corrected", Form::corrected}});
+  } else if (name == "solve" && value.starts_with(tolerance_prefix)) {
+    readings.tolerance = tolerance_of(name, value);
+    readings.solve = Solve::tolerance;
   } else if (name == "solve") {
-    using Solve = Readings::Solve;
-    if (value.starts_with(tolerance_prefix)) {
-      readings.tolerance = tolerance_of(name, value);
-      readings.solve = Solve::tolerance;
-      return;
-    }
-    choose(readings.solve,
-           std::vector<std::pair<Word, Solve>>{{"printed", Solve::printed},
-                                               {"least-squares", Solve::least_squares},
-                                               {"corrected", Solve::corrected}});
+    choose(readings.solve, {{"printed", Solve::printed},
+                            {"least-squares", Solve::least_squares},
+                            {"corrected", Solve::corrected}});
   } else if (name == "no-root") {
-    choose(readings.no_root,
-           std::vector<std::pair<Word, Readings::NoRoot>>{
-               {"unbounded", Readings::NoRoot::unbounded}, {"never", Readings::NoRoot::never}});
+    choose(readings.no_root, {{"unbounded", NoRoot::unbounded}, {"never", NoRoot::never}});
   } else if (name == "order") {
-    choose(readings.order,
-           std::vector<std::pair<Word, Readings::Order>>{{"kept", Readings::Order::kept},
-                                                         {"sorted", Readings::Order::sorted}});
+    choose(readings.order, {{"kept", Order::kept}, {"sorted", Order::sorted}});
   } else if (name == "parallel") {
-    choose(readings.parallel, Taken{{"left-out", false}, {"taken", true}});
+    choose(readings.parallel, {{"left-out", false}, {"taken", true}});
   } else if (name == "adjacent") {
-    choose(readings.adjacent, Taken{{"left-out", false}, {"taken", true}});
+    choose(readings.adjacent, {{"left-out", false}, {"taken", true}});
   } else {
     refuse_reading(reading_names(), name, value);
   }

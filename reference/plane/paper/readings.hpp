@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "reference/form.hpp"
+#include "reference/number/rational.hpp"
 #include "reference/reading_name.hpp"
 
 namespace minkref::inline plane {
@@ -21,8 +22,9 @@ struct Readings {
   /// `least_squares` solves any system; `corrected` solves the one equation along the edge.
   enum class Solve : std::uint8_t { printed, tolerance, least_squares, corrected };
   Solve solve = Solve::printed;
-  /// Of Solve::tolerance, times the largest coordinate of sP + Q at s = 1.
-  double tolerance = 1e-9;
+  /// Of Solve::tolerance, which has none of its own: times the largest coordinate of P plus that of
+  /// Q.
+  Rational tolerance = 0;
 
   /// Sec. 4.2.3: which end points bound the interval from below, and which from above.
   Form interval = Form::printed;

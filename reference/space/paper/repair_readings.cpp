@@ -1,8 +1,5 @@
 #include "reference/space/paper/repair_readings.hpp"
 
-#include <initializer_list>
-#include <utility>
-
 namespace minkref::inline space {
 
 RepairReadings corrected_repair_readings() {
@@ -28,16 +25,8 @@ const std::vector<ReadingName>& repair_reading_names() {
 }
 
 void set_reading(RepairReadings& readings, std::string_view name, std::string_view value) {
-  const auto choose = [&]<class Value>(
-                          Value& field,
-                          std::initializer_list<std::pair<std::string_view, Value>> words) {
-    for (const auto& [word, meaning] : words) {
-      if (value == word) {
-        field = meaning;
-        return;
-      }
-    }
-    refuse_reading(repair_reading_names(), name, value);
+  const auto choose = [&]<class Value>(Value& field, Words<Value> words) {
+    choose_reading(repair_reading_names(), name, value, field, words);
   };
   using Test = RepairReadings::Test;
   using Errors = RepairReadings::Errors;

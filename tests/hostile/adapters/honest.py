@@ -6,6 +6,7 @@ from __future__ import annotations
 import json
 import os
 import sys
+from abc import ABC, abstractmethod
 from fractions import Fraction
 from typing import Any, ClassVar
 
@@ -78,7 +79,7 @@ class Adapter:
                 say(self.line(request) + b"\n")
 
 
-class InTurn(Adapter):
+class InTurn(Adapter, ABC):
     """Spoils each sum in the next of its ways."""
 
     count = 0
@@ -90,8 +91,8 @@ class InTurn(Adapter):
         self.count += 1
         return self.spoilt(text, request)
 
-    def spoilt(self, text: bytes, request: Request) -> bytes:
-        raise NotImplementedError
+    @abstractmethod
+    def spoilt(self, text: bytes, request: Request) -> bytes: ...
 
 
 def say(text: bytes) -> None:
