@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace minkref::inline plane {
 
 struct Box {
+  static constexpr std::size_t dimensions = 2;
   double xmin = std::numeric_limits<double>::infinity();
   double ymin = std::numeric_limits<double>::infinity();
   double xmax = -std::numeric_limits<double>::infinity();
@@ -16,6 +18,9 @@ struct Box {
   /// Closed boxes: boxes that only touch overlap.
   bool overlaps(const Box& other) const {
     return xmin <= other.xmax && other.xmin <= xmax && ymin <= other.ymax && other.ymin <= ymax;
+  }
+  double centre(std::size_t axis) const {
+    return axis == 0 ? xmin / 2 + xmax / 2 : ymin / 2 + ymax / 2;
   }
   void add(const Box& other) {
     xmin = std::min(xmin, other.xmin);

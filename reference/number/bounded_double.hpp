@@ -1,0 +1,68 @@
+// Doubles that carry a bound of their error: the filter before exact integers.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "reference/number/rational.hpp"
+
+namespace minkref {
+
+/// A real number within `error` of `value`. Where the error is 0 the number is exact and an integer
+/// of at most 53 bits: sums and products of such are exact as long as they are that short, so that
+/// a zero among small integers is certain too. Bounds that overflow are infinite or NaN, and then
+/// decide nothing.
+struct BoundedDouble {
+  double value = 0, error = 0;
+
+  BoundedDouble() = default;
+  BoundedDouble(double value_, double error_) : value(value_), error(error_) {}
+  /// An integer of at most 53 bits.
+  BoundedDouble(int integer) : value(integer) {}  // NOLINT: implicit, since it is exact
+  explicit BoundedDouble(const Integer& integer)
+      : value(integer.convert_to<double>()),
+        error(std::abs(value) <= most_exact ? 0 : std::abs(value) * 0x1p-51) {}
+
+  /// What certain_sign returns where the sign is not certain.
+  static constexpr int undecided = 2;
+  int certain_sign() const {
+    if (value > error) return 1;
+    if (value < -error) return -1;
+    return value == 0 && error == 0 ? 0 : undecided;
+  }
+
+  friend BoundedDouble operator-(const BoundedDouble& a) { return {-a.value, a.error}; }
+  friend BoundedDouble operator+(const BoundedDouble& a, const BoundedDouble& b) {
+    return rounded(a.value + b.value, a.error + b.error);
+  }
+  friend BoundedDouble operator-(const BoundedDouble& a, const BoundedDouble& b) {
+    return rounded(a.value - b.value, a.error + b.error);
+  }
+  friend BoundedDouble operator*(const BoundedDouble& a, const BoundedDouble& b) {
+    return rounded(a.value * b.value, std::abs(a.value) * b.error + std::abs(b.value) * a.error +
+                                          a.error * b.error);
+  }
+  /// Never exact. Unbounded where the divisor may be 0.
+  friend BoundedDouble operator/(const BoundedDouble& a, const BoundedDouble& b) {
+    const double divisor = std::abs(b.value) - b.error;
+    if (!(divisor > 0)) return {0, std::numeric_limits<double>::infinity()};
+    const double quotient = a.value / b.value;
+    const double inherited = (a.error + std::abs(quotient) * b.error) / (divisor * (1 - 0x1p-50));
+    return {quotient, enlarged(inherited + std::abs(quotient) * unit)};
+  }
+
+ private:
+  static constexpr double most_exact = 0x1p53, unit = 0x1p-53;
+
+  /// The few roundings of the bound itself, and underflow.
+  static double enlarged(double error) {
+    return error * (1 + 0x1p-49) + std::numeric_limits<double>::min();
+  }
+  static BoundedDouble rounded(double value, double inherited) {
+    const double magnitude = std::abs(value);
+    if (inherited == 0 && magnitude <= most_exact) return {value, 0};
+    return {value, enlarged(inherited + magnitude * unit)};
+  }
+};
+
+}  // namespace minkref

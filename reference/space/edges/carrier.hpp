@@ -1,0 +1,90 @@
+// A carrier cut into pieces: a side of facets, or the crossing of two, with what lies along it.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "reference/space/edges/line.hpp"
+
+namespace minkref::inline space {
+
+/// Where a line is cut. The ends of a side have parameters 0 and 1 and no plane.
+struct Cut {
+  CutterPlane plane;
+  int end = 0;  ///< of a side: the parameter there
+  BoundedDouble t;
+};
+
+/// A facet along a piece lies on one side of its line or, where the line runs inside of it, on both.
+/// A half-plane of a facet with the normal n is on the side of direction x n (`ahead`), or on the
+/// other, for the direction of the line.
+struct AlongFacet {
+  std::uint32_t facet;
+  bool ahead, behind;
+};
+
+/// An open segment of a line in which nothing changes: between two cuts that follow each other.
+struct CarrierPiece {
+  Cut from, to;
+  std::vector<AlongFacet> facets;  ///< that contain it, ascending
+};
+
+/// Cuts one carrier after another; for the next the pieces of the last one are gone.
+class CarrierCutting {
+ public:
+  /// `near`: of each facet those that may touch it, ascending.
+  CarrierCutting(const Convolution& convolution,
+                 const std::vector<std::vector<std::uint32_t>>& near)
+      : convolution_(convolution), facets_(convolution.facets), near_(near) {}
+
+  /// The pieces of a side that belong to no lesser side, and that do not lie below a facet next to
+  /// one of their ends. Exact.
+  const std::vector<CarrierPiece>& cut_side(std::uint32_t side);
+  /// The same of the crossing of two facets, of the pieces that lie in no side and belong to no
+  /// lesser pair. Facets that are parallel, or do not cross, have none.
+  const std::vector<CarrierPiece>& cut_crossing(std::uint32_t a, std::uint32_t b);
+
+  /// Of the carrier last cut.
+  const CarrierLine& line() const { return *line_; }
+
+  SignCounts signs;
+
+ private:
+  static constexpr std::uint32_t start = UINT32_MAX - 1, end = UINT32_MAX;
+  struct MarkedCut {
+    Cut cut;
+    bool covers_before = false, covers_after = false;  ///< what is next to it is in the sum
+    std::uint32_t position = 0;
+  };
+  struct Cover {
+    AlongFacet along;
+    std::uint32_t from, to;  ///< of cuts_, or start, end
+  };
+
+  void begin(CarrierLine line);
+  bool clip(const ConvolutionFacet& facet, Cut& from, Cut& to, int& border);
+  bool spans_crossing(std::uint32_t a, std::uint32_t b);
+  void add_transversal(std::uint32_t facet, int slope);
+  void add_flat(std::uint32_t facet);
+  void look_at(std::uint32_t facet);
+  int within(const ConvolutionFacet& facet, int slope);
+  int compare(const Cut& a, const Cut& b);
+  Cut cut_at(const ConvolutionFacet& facet, int side);
+  AlongFacet along_border(std::uint32_t facet, std::size_t side);
+  void make_pieces();
+  void sort_cuts();
+
+  const Convolution& convolution_;
+  const std::vector<ConvolutionFacet>& facets_;
+  const std::vector<std::vector<std::uint32_t>>& near_;
+  std::optional<CarrierLine> line_;
+  Cut from_, to_;  ///< the ends of the carrier
+  bool start_covered_ = false, end_covered_ = false;
+  std::vector<MarkedCut> cuts_;
+  std::vector<Cover> covers_;
+  std::vector<CarrierPiece> pieces_;
+  std::vector<std::uint32_t> candidates_;
+};
+
+}  // namespace minkref::inline space

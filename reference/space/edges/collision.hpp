@@ -1,0 +1,48 @@
+// Whether P meets x - Q, for a point x in general position: x is in the sum iff it does.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "reference/space/edges/near_point.hpp"
+
+namespace minkref::inline space {
+
+/// What all tests of one sum share.
+class CollisionTrees {
+ public:
+  CollisionTrees(const SpaceOperand& P, const SpaceOperand& Q);
+  const SpaceOperand &P, &Q;
+  SpaceBoxTree tree_P, tree_Q;  ///< of triangles, or of the segment
+  SpaceBox box_P, box_Q;
+};
+
+/// Of one thread: it tries first what was in contact last.
+class Collision {
+ public:
+  explicit Collision(const CollisionTrees& trees) : trees_(trees), P_(trees.P), Q_(trees.Q) {}
+
+  /// Whether x is in P ⊕ Q. Exact. O(n) at worst; the trees leave few pairs of triangles.
+  bool contains(const NearPoint& x);
+
+  SignCounts signs;
+  std::uint64_t tests = 0;
+
+ private:
+  struct Pair {
+    std::uint32_t of_P, of_Q;
+  };
+
+  bool surfaces_cross(const NearPoint& x);
+  bool meet(const NearPoint& x, std::uint32_t of_P, std::uint32_t of_Q);
+  bool vertex_inside(const NearPoint& x, const SpaceOperand& body, const SpaceBox& box,
+                     const SpaceOperand& other);
+  bool inside(const NearPoint& x, const SpaceOperand& body, const FilteredVector& vertex);
+
+  const CollisionTrees& trees_;
+  const SpaceOperand &P_, &Q_;
+  std::array<Pair, 4> recent_{};
+  std::size_t known_ = 0, next_ = 0;
+};
+
+}  // namespace minkref::inline space

@@ -1,0 +1,162 @@
+#include "reference/space/edges/convolution_facets.hpp"
+
+#include <algorithm>
+#include <tuple>
+#include <unordered_map>
+
+#include "reference/interrupt.hpp"
+
+namespace minkref::inline space {
+namespace {
+
+class ConvolutionBuild {
+ public:
+  ConvolutionBuild(const SpaceOperand& P, const SpaceOperand& Q) : P_(P), Q_(Q) {}
+
+  Convolution run() {
+    triangles_at_vertices(P_, Q_, true);
+    triangles_at_vertices(Q_, P_, false);
+    edges_at_edges();
+    return std::move(result_);
+  }
+
+ private:
+  using Corner = ConvolutionFacet::Corner;
+
+  /// The sign of normal · direction, both of them moved with P: the normal is of P or the direction
+  /// is.
+  int rises(const FilteredVector& normal, const FilteredVector& direction, bool normal_of_P) {
+    const int sign = filtered_sign(result_.signs, [&]<class T>(std::type_identity<T>) {
+      return dot(normal.as<T>(), direction.as<T>());
+    });
+    if (sign != 0) return sign;
+    for (const Integer& n : normal.exact) {
+      for (const Integer& d : direction.exact) {
+        const int tie = n.sign() * d.sign();
+        if (tie != 0) return normal_of_P ? -tie : tie;
+      }
+    }
+    return 0;
+  }
+
+  void triangles_at_vertices(const SpaceOperand& flat, const SpaceOperand& other, bool flat_is_P) {
+    const auto is_farthest = [&](std::uint32_t v, const FilteredVector& normal) {
+      for (const std::uint32_t e : other.edges_at[v]) {
+        const SpaceOperand::Edge& edge = other.edges[e];
+        const int rise = rises(normal, edge.direction, flat_is_P);
+        if ((edge.from == v ? rise : -rise) >= 0) return false;
+      }
+      return true;
+    };
+    for (std::uint32_t t = 0; t < flat.triangles.size(); ++t) {
+      look_for_interrupt_now();
+      const SpaceOperand::Triangle& triangle = flat.triangles[t];
+      for (std::uint32_t v = 0; v < other.points.size(); ++v) {
+        if (!is_farthest(v, triangle.normal)) continue;
+        ConvolutionFacet facet;
+        facet.kind = flat_is_P ? FacetKind::fv : FacetKind::vf;
+        facet.size = 3;
+        facet.of_P = flat_is_P ? t : v;
+        facet.of_Q = flat_is_P ? v : t;
+        facet.normal = triangle.normal;
+        for (std::size_t k = 0; k < 3; ++k) {
+          const std::uint32_t corner = triangle.corners[k];
+          facet.names[k] = flat_is_P ? Corner{corner, v} : Corner{v, corner};
+          facet.sides[k] = side(flat_is_P, triangle.edges[k], v);
+        }
+        add(std::move(facet));
+      }
+    }
+  }
+
+  void edges_at_edges() {
+    for (std::uint32_t e = 0; e < P_.edges.size(); ++e) {
+      look_for_interrupt_now();
+      if (!P_.edges[e].convex) continue;
+      for (std::uint32_t f = 0; f < Q_.edges.size(); ++f) {
+        if (Q_.edges[f].convex) add_parallelogram(e, f);
+      }
+    }
+  }
+
+  /// The arcs of the two edges on the Gaussian map cross: with P's edge going from left to right,
+  /// Q's comes from the left or from the right.
+  void add_parallelogram(std::uint32_t e, std::uint32_t f) {
+    const SpaceOperand::Edge& p = P_.edges[e];
+    const SpaceOperand::Edge& q = Q_.edges[f];
+    int side = 0;  // of the normal: that of cross(p, q), or its reverse
+    const auto agrees = [&](int sign) {
+      if (side == 0) side = sign;
+      return sign != 0 && sign == side;
+    };
+    if (p.left != none) {
+      if (!agrees(rises(P_.triangles[p.left].normal, q.direction, true))) return;
+      if (!agrees(-rises(P_.triangles[p.right].normal, q.direction, true))) return;
+    }
+    if (q.left != none) {
+      if (!agrees(-rises(Q_.triangles[q.left].normal, p.direction, false))) return;
+      if (!agrees(rises(Q_.triangles[q.right].normal, p.direction, false))) return;
+    }
+    ConvolutionFacet facet;
+    facet.kind = FacetKind::ee;
+    facet.size = 4;
+    facet.of_P = e;
+    facet.of_Q = f;
+    const IntegerVector across = cross(p.direction.exact, q.direction.exact);
+    if (is_zero(across)) return;
+    facet.normal = FilteredVector(side > 0 ? across : IntegerVector{} - across);
+    const Corner start{p.from, q.from}, end{p.to, q.to};
+    const Corner along_P{p.to, q.from}, along_Q{p.from, q.to};
+    const std::uint32_t P_first = this->side(true, e, q.from), P_last = this->side(true, e, q.to);
+    const std::uint32_t Q_first = this->side(false, f, p.from), Q_last = this->side(false, f, p.to);
+    if (side > 0) {
+      facet.names = {start, along_P, end, along_Q};
+      facet.sides = {P_first, Q_last, P_last, Q_first};
+    } else {
+      facet.names = {start, along_Q, end, along_P};
+      facet.sides = {Q_first, P_last, Q_last, P_first};
+    }
+    add(std::move(facet));
+  }
+
+  std::uint32_t side(bool edge_of_P, std::uint32_t edge, std::uint32_t vertex) {
+    const std::uint64_t key =
+        (std::uint64_t{edge} << 33) | (std::uint64_t{vertex} << 1) | std::uint64_t{edge_of_P};
+    const auto [found, fresh] =
+        numbers_.emplace(key, static_cast<std::uint32_t>(result_.sides.size()));
+    if (fresh) {
+      const SpaceOperand::Edge& e = (edge_of_P ? P_ : Q_).edges[edge];
+      if (edge_of_P) {
+        result_.sides.push_back({{e.from, vertex}, {e.to, vertex}, {}});
+      } else {
+        result_.sides.push_back({{vertex, e.from}, {vertex, e.to}, {}});
+      }
+    }
+    return found->second;
+  }
+
+  void add(ConvolutionFacet facet) {
+    const auto number = static_cast<std::uint32_t>(result_.facets.size());
+    for (std::uint8_t k = 0; k < facet.size; ++k) {
+      const Corner& name = facet.names[k];
+      facet.corners[k] =
+          FilteredVector(P_.points[name.of_P].exact + Q_.points[name.of_Q].exact);
+      facet.box.add(box_around(facet.corners[k].rounded));
+      result_.sides[facet.sides[k]].uses.push_back({number, k});
+    }
+    facet.offset = FilteredInteger(dot(facet.normal.exact, facet.corners[0].exact));
+    result_.facets.push_back(std::move(facet));
+  }
+
+  const SpaceOperand &P_, &Q_;
+  std::unordered_map<std::uint64_t, std::uint32_t> numbers_;
+  Convolution result_;
+};
+
+}  // namespace
+
+Convolution convolution_facets(const SpaceOperand& P, const SpaceOperand& Q) {
+  return ConvolutionBuild(P, Q).run();
+}
+
+}  // namespace minkref::inline space

@@ -1,0 +1,99 @@
+#include "reference/space/edges/edge_sum.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "reference/error.hpp"
+#include "reference/plane/index/in_parallel.hpp"
+#include "reference/space/edges/faces_from_edges.hpp"
+
+namespace minkref::inline space {
+namespace {
+
+using NearLists = std::vector<std::vector<std::uint32_t>>;
+
+/// Whether the plane of one facet certainly keeps the other off.
+bool certainly_apart(const ConvolutionFacet& flat, const ConvolutionFacet& other) {
+  int side = 0;
+  for (std::size_t k = 0; k < other.size; ++k) {
+    const int at =
+        (dot(flat.normal.rounded, other.corners[k].rounded) - flat.offset.rounded).certain_sign();
+    if (at == 0 || at == BoundedDouble::undecided || (side != 0 && at != side)) return false;
+    side = at;
+  }
+  return true;
+}
+
+NearLists near_lists(const std::vector<ConvolutionFacet>& facets) {
+  NearLists near(facets.size());
+  std::vector<SpaceBox> boxes;
+  boxes.reserve(facets.size());
+  for (const ConvolutionFacet& facet : facets) boxes.push_back(facet.box);
+  SpaceBoxTree(std::move(boxes)).pairs([&](std::uint32_t a, std::uint32_t b) {
+    if (certainly_apart(facets[a], facets[b]) || certainly_apart(facets[b], facets[a])) return;
+    near[a].push_back(b);
+    near[b].push_back(a);
+  });
+  for (auto& list : near) std::sort(list.begin(), list.end());
+  return near;
+}
+
+}  // namespace
+
+EdgeSum edge_sum(const Polyhedron& P, const Polyhedron& Q, const Scaling& scaling,
+                 const BuildOptions& options) {
+  require_positive(scaling);
+  EdgeSum result;
+  if (P.empty() || Q.empty()) return result;
+  if (P.faces.size() < 2 && Q.faces.size() < 2) {
+    throw BadInput("not-solid", "neither operand has a volume", "give a solid as one of them");
+  }
+  std::vector<SpacePoint> vertices = scaled(P, scaling).vertices;
+  vertices.insert(vertices.end(), Q.vertices.begin(), Q.vertices.end());
+  const IntegerPoints integers = integer_points(vertices);
+  const auto split = integers.points.begin() + static_cast<std::ptrdiff_t>(P.vertices.size());
+  const SpaceOperand first(P, {integers.points.begin(), split});
+  const SpaceOperand second(Q, {split, integers.points.end()});
+  const Convolution convolution = convolution_facets(first, second);
+  const NearLists near = near_lists(convolution.facets);
+  const CollisionTrees trees(first, second);
+
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  for (std::uint32_t a = 0; a < near.size(); ++a) {
+    for (const std::uint32_t b : near[a]) {
+      if (a < b) pairs.emplace_back(a, b);
+    }
+  }
+  const std::size_t sides = convolution.sides.size();
+  const BuildControl control(options);
+  std::vector<std::unique_ptr<BoundaryEdgeSearch>> searches(control.threads());
+  in_parallel(sides + pairs.size(), control, BuildProgress::Stage::patches, [&](unsigned thread) {
+    searches[thread] = std::make_unique<BoundaryEdgeSearch>(convolution, near, trees);
+    return [&search = *searches[thread], &pairs, sides](std::size_t k) {
+      if (k < sides) {
+        search.look_along_side(static_cast<std::uint32_t>(k));
+      } else {
+        search.look_along_crossing(pairs[k - sides].first, pairs[k - sides].second);
+      }
+    };
+  });
+  std::vector<BoundaryEdge> edges;
+  result.statistics.signs = convolution.signs;
+  for (const auto& search : searches) {
+    if (!search) continue;
+    edges.insert(edges.end(), search->edges.begin(), search->edges.end());
+    const EdgeStatistics part = search->statistics();
+    result.statistics.signs.add(part.signs);
+    result.statistics.pieces += part.pieces;
+    result.statistics.candidates += part.candidates;
+    result.statistics.tests += part.tests;
+  }
+  result.facets = convolution.facets.size();
+  result.near_pairs = pairs.size();
+  result.edges = edges.size();
+  result.set = faces_from_edges(edges, convolution.facets, integers.denominator);
+  return result;
+}
+
+}  // namespace minkref::inline space

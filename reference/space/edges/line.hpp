@@ -1,0 +1,88 @@
+// A line that carries edges of the boundary, in bounded doubles and, where they fail, in integers.
+#pragma once
+
+#include <optional>
+
+#include "reference/space/edges/convolution_facets.hpp"
+
+namespace minkref::inline space {
+
+/// The points (origin + t direction) / weight, weight > 0.
+template <class T>
+struct LineIn {
+  std::array<T, 3> origin, direction;
+  T weight;
+};
+
+/// A plane as linear form: normal · x = offset.
+template <class T>
+struct FormIn {
+  std::array<T, 3> normal;
+  T offset;
+};
+
+/// The plane of a facet, or through one of its sides across it, with the inside above.
+struct CutterPlane {
+  static constexpr int own = -1;
+  const ConvolutionFacet* facet = nullptr;
+  int side = own;
+
+  template <class T>
+  FormIn<T> form() const {
+    const std::array<T, 3>& normal = facet->normal.as<T>();
+    if (side == own) return {normal, facet->offset.as<T>()};
+    const auto k = static_cast<std::size_t>(side);
+    const std::array<T, 3>& start = facet->corners[k].as<T>();
+    const std::array<T, 3>& end = facet->corners[(k + 1) % facet->size].as<T>();
+    const std::array<T, 3> inwards = cross(normal, end - start);
+    return {inwards, dot(inwards, start)};
+  }
+};
+
+class CarrierLine {
+ public:
+  /// Through a side, t from 0 to 1 along it.
+  CarrierLine(const ConvolutionFacet& facet, std::size_t side);
+  /// Along which the planes of two facets cross; they must not be parallel. t is a coordinate, up to
+  /// an integer and the sign.
+  CarrierLine(const ConvolutionFacet& a, const ConvolutionFacet& b);
+
+  /// Whether the planes of two facets are parallel.
+  static bool parallel(const ConvolutionFacet& a, const ConvolutionFacet& b, SignCounts& signs);
+
+  template <class T>
+  const LineIn<T>& as() const {
+    if constexpr (std::is_same_v<T, BoundedDouble>) {
+      return rounded_;
+    } else {
+      if (!exact_) exact_ = made<Integer>();
+      return *exact_;
+    }
+  }
+
+  /// A parameter is a quotient of these two; undefined where the line lies along the plane.
+  template <class T>
+  std::pair<T, T> parameter(const CutterPlane& plane) const {
+    const LineIn<T>& line = as<T>();
+    const FormIn<T> form = plane.form<T>();
+    return {form.offset * line.weight - dot(form.normal, line.origin),
+            dot(form.normal, line.direction)};
+  }
+
+  /// The sign of normal · direction for the plane of a facet.
+  int slope(const ConvolutionFacet& facet, SignCounts& signs) const;
+
+ private:
+  template <class T>
+  LineIn<T> made() const;
+
+  const ConvolutionFacet &a_, &b_;
+  int side_ = CutterPlane::own;
+  std::size_t axis_ = 0;
+  int level_ = 0;      ///< of the axis coordinate, at t = 0
+  int direction_ = 1;  ///< the sign that makes the weight positive
+  LineIn<BoundedDouble> rounded_;
+  mutable std::optional<LineIn<Integer>> exact_;
+};
+
+}  // namespace minkref::inline space

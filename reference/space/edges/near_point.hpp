@@ -1,0 +1,55 @@
+// A point next to a carrier: along it, then into a sector, by vanishing amounts.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "reference/space/edges/line.hpp"
+
+namespace minkref::inline space {
+
+/// x + ε along + ε² into + ε³ across, for ε small enough; the three directions are independent, so
+/// that it lies in no plane of integers.
+class NearPoint {
+ public:
+  struct Exact {
+    IntegerVector point;
+    Integer weight;  ///< positive; x is point / weight
+    IntegerVector along, into;
+  };
+  /// `exact` is called once at most.
+  NearPoint(BoundedVector rounded, std::function<Exact()> exact)
+      : rounded_(rounded), make_exact_(std::move(exact)) {}
+
+  const BoundedVector& rounded() const { return rounded_; }
+
+  /// On which side of a plane it is, 1 or -1. `form` makes a FormIn<T> whose normal is not zero; 0
+  /// where it is.
+  template <class Form>
+  int side(SignCounts& signs, Form&& form) const {
+    const FormIn<BoundedDouble> near = form(std::type_identity<BoundedDouble>{});
+    const int certain = (dot(near.normal, rounded_) - near.offset).certain_sign();
+    if (certain == 1 || certain == -1) {
+      ++signs.by_float;
+      return certain;
+    }
+    ++signs.by_integer;
+    return exact_side(form(std::type_identity<Integer>{}));
+  }
+
+ private:
+  int exact_side(const FormIn<Integer>& form) const {
+    if (!exact_) exact_ = make_exact_();
+    const int sign = Integer(dot(form.normal, exact_->point) - form.offset * exact_->weight).sign();
+    if (sign != 0) return sign;
+    if (const int step = dot(form.normal, exact_->along).sign(); step != 0) return step;
+    if (const int step = dot(form.normal, exact_->into).sign(); step != 0) return step;
+    return dot(form.normal, cross(exact_->along, exact_->into)).sign();
+  }
+
+  BoundedVector rounded_;
+  std::function<Exact()> make_exact_;
+  mutable std::optional<Exact> exact_;
+};
+
+}  // namespace minkref::inline space

@@ -1,0 +1,48 @@
+// An operand as triangles over integers: what the convolution and the collision test look at.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "reference/space/box.hpp"
+#include "reference/space/edges/vectors.hpp"
+#include "reference/space/polyhedron.hpp"
+
+namespace minkref::inline space {
+
+inline constexpr std::uint32_t none = UINT32_MAX;
+
+/// A solid, a plane polygon (one face: a solid of no thickness, both of whose sides are faces), a
+/// segment or a point. Cutting faces into triangles adds flat edges, which have no part in the
+/// convolution.
+struct SpaceOperand {
+  struct Triangle {
+    std::array<std::uint32_t, 3> corners;  ///< counter-clockwise seen from outside
+    std::array<std::uint32_t, 3> edges;    ///< from each corner to the next
+    FilteredVector normal;                 ///< twice the vector area
+  };
+  struct Edge {
+    std::uint32_t from, to;
+    std::uint32_t left, right;  ///< triangles; none for a segment
+    bool convex;  ///< the solid angle is less than a half-space; so is the edge of a segment
+    FilteredVector direction;
+  };
+
+  std::vector<FilteredVector> points;
+  std::vector<Triangle> triangles;
+  std::vector<Edge> edges;
+  std::vector<std::vector<std::uint32_t>> edges_at;  ///< by vertex
+  std::vector<std::uint32_t> shell_vertices;         ///< one vertex of each connected surface
+
+  /// `points` are the vertices over one denominator.
+  SpaceOperand(const Polyhedron& body, const std::vector<IntegerVector>& points);
+
+  bool is_segment() const { return triangles.empty() && edges.size() == 1; }
+  SpaceBox box_of(std::uint32_t triangle) const;
+};
+
+/// The least box of doubles around points.
+SpaceBox box_around(const BoundedVector& point);
+
+}  // namespace minkref::inline space
