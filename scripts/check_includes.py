@@ -42,6 +42,9 @@ APART = {
     "reference/plane/history": _AFTER_CRITICAL[1:],
     "reference/plane/dynamic": ("reference/plane/index/",),
     "reference/plane/index": ("reference/plane/dynamic/",),
+    "reference/space/definition": tuple(
+        f"reference/space/{room}/" for room in ("convex", "edges", "paper")
+    ),
 }
 # Folder: what its Python may not import. "standard library" lets nothing else through but itself.
 NO_IMPORT = {"oracle": ("minkref", "fuzz", "reports")}
