@@ -35,15 +35,22 @@ struct Polyhedron {
 /// One factor for each axis, each positive.
 using Scaling = std::array<Rational, 3>;
 
-/// Refuses what is no closed 2-manifold of planar simple faces: the first fault in this order.
-/// Throws BadInput that names face, vertices and coordinates, and LimitExceeded as integer_points
-/// does. Codes: "index-out-of-range", "too-few-vertices", "too-few-faces", "repeated-vertex" (a
-/// face visits a vertex twice), "unused-vertex", "zero-length-edge", "zero-area",
-/// "non-planar-face", "face-not-simple", "wrong-orientation" (two faces run along an edge the same
-/// way; or the surface bounds a negative volume), "open-mesh" (an edge with one face),
-/// "non-manifold-edge" (more than two), "non-manifold-vertex" (its faces are no single fan). That
-/// faces do not cross each other is not looked at. Exact. O(n log n).
+/// Refuses what is no polyhedron (docs/definitions.md): the first fault in this order. Throws
+/// BadInput that names face, vertices and coordinates, or two faces and a point, and LimitExceeded
+/// as integer_points does. Codes: those of `validate_mesh`, then "self-intersection" (the surface
+/// passes through itself), "overlapping-faces" (two faces share an area), "wrong-orientation" (the
+/// volume is negative, or a shell inside out hollows out nothing) and "shell-nesting" (a shell in
+/// the material of another). Exact. O(n log n) where few boxes around triangles of the faces
+/// overlap, O(n^2) at worst, beside cutting the faces into triangles (face_triangles.hpp).
 void validate(const Polyhedron& polyhedron);
+
+/// Of `validate` all but how faces lie to each other: refuses what is no closed 2-manifold of
+/// planar simple faces. Codes: "index-out-of-range", "too-few-vertices", "too-few-faces",
+/// "repeated-vertex" (a face visits a vertex twice), "unused-vertex", "zero-length-edge",
+/// "zero-area", "non-planar-face", "face-not-simple", "wrong-orientation" (two faces run along an
+/// edge the same way), "open-mesh" (an edge with one face), "non-manifold-edge" (more than two),
+/// "non-manifold-vertex" (its faces are no single fan). Exact. O(n log n).
+void validate_mesh(const Polyhedron& polyhedron);
 
 /// Of `validate` what all other functions take for granted: refuses a face that names no vertex of
 /// the polyhedron, or has fewer than three. Linear.

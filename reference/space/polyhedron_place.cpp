@@ -10,7 +10,9 @@ std::string shortened(const Rational& coordinate) {
   return text.size() <= 60 ? text : text.substr(0, 57) + "...";
 }
 
-std::string text(const SpacePoint& p) {
+}  // namespace
+
+std::string short_text(const SpacePoint& p) {
   std::string result = "(";
   return result.append(shortened(p.x))
       .append(", ")
@@ -20,15 +22,14 @@ std::string text(const SpacePoint& p) {
       .append(")");
 }
 
-}  // namespace
-
 Place place_in(const Polyhedron& polyhedron, std::optional<std::uint32_t> face,
                const std::vector<std::uint32_t>& vertices) {
   Place result;
   if (face) result.face = *face;
   for (const std::uint32_t v : vertices) {
     result.vertices.push_back(v);
-    if (v < polyhedron.vertices.size()) result.coordinates.push_back(text(polyhedron.vertices[v]));
+    if (v < polyhedron.vertices.size())
+      result.coordinates.push_back(short_text(polyhedron.vertices[v]));
   }
   return result;
 }

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "reference/error.hpp"
@@ -10,8 +11,10 @@
 
 namespace minkref::inline space {
 
-/// Names a face and vertices, with the coordinates of those that exist; a coordinate of thousands
-/// of digits, which would drown the message, is shortened.
+/// "(x, y, z)"; a coordinate of thousands of digits, which would drown a message, is shortened.
+std::string short_text(const SpacePoint& point);
+
+/// Names a face and vertices, with the coordinates of those that exist, shortened.
 Place place_in(const Polyhedron& polyhedron, std::optional<std::uint32_t> face,
                const std::vector<std::uint32_t>& vertices);
 

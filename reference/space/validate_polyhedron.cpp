@@ -11,6 +11,7 @@
 #include "reference/space/integer_points.hpp"
 #include "reference/space/polyhedron.hpp"
 #include "reference/space/polyhedron_place.hpp"
+#include "reference/space/self_crossing.hpp"
 
 namespace minkref::inline space {
 namespace {
@@ -20,6 +21,19 @@ class PolyhedronValidator {
   explicit PolyhedronValidator(const Polyhedron& polyhedron) : polyhedron_(polyhedron) {}
 
   void run() {
+    run_on_mesh();
+    if (!polyhedron_.is_solid()) return;
+    VertexSigns signs(integers_.points);
+    std::vector<SurfaceTriangle> triangles = surface_triangles(faces(), signs);
+    SpaceBoxTree tree = box_tree(triangles, signs);
+    const SearchedSurface surface{polyhedron_, integers_.denominator, std::move(signs),
+                                  std::move(triangles), std::move(tree)};
+    refuse_crossing_faces(surface);
+    check_side();
+    refuse_wrong_nesting(surface);
+  }
+
+  void run_on_mesh() {
     validate_faces(polyhedron_);
     check_repetitions();
     if (!polyhedron_.is_solid()) return check_degenerate();
@@ -28,7 +42,6 @@ class PolyhedronValidator {
     for (std::uint32_t f = 0; f < faces().size(); ++f) check_face(f);
     check_edges();
     check_fans();
-    check_side();
   }
 
  private:
@@ -218,6 +231,8 @@ void validate_faces(const Polyhedron& polyhedron) {
     }
   }
 }
+
+void validate_mesh(const Polyhedron& polyhedron) { PolyhedronValidator(polyhedron).run_on_mesh(); }
 
 void validate(const Polyhedron& polyhedron) { PolyhedronValidator(polyhedron).run(); }
 

@@ -47,6 +47,17 @@ std::vector<DoubleVector> rounded(const std::vector<IntegerVector>& vectors, lon
   return result;
 }
 
+/// A convex surface does not cross itself. Of one that is not, what is worse is said first.
+std::vector<Face> convex_facets(const Polyhedron& surface,
+                                const std::vector<IntegerVector>& points) {
+  try {
+    return certified_convex_facets(surface, points);
+  } catch (const BadInput&) {
+    validate(surface);
+    throw;
+  }
+}
+
 }  // namespace
 
 ConvexPolyhedron::ConvexPolyhedron(const Polyhedron& surface) {
@@ -54,9 +65,9 @@ ConvexPolyhedron::ConvexPolyhedron(const Polyhedron& surface) {
     throw BadInput("not-solid", "the operand has no volume",
                    "give a convex polyhedron by its faces");
   }
-  validate(surface);
+  validate_mesh(surface);
   IntegerPoints given = integer_points(surface.vertices);
-  const std::vector<Face> facets = certified_convex_facets(surface, given.points);
+  const std::vector<Face> facets = convex_facets(surface, given.points);
 
   // Vertices in lexicographic order, facets by their rings, which start at their least vertex.
   std::vector<bool> kept(given.points.size());

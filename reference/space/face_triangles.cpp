@@ -1,0 +1,104 @@
+#include "reference/space/face_triangles.hpp"
+
+#include <cstddef>
+
+#include "reference/interrupt.hpp"
+#include "reference/space/area_vector.hpp"
+
+namespace minkref::inline space {
+namespace {
+
+/// A face seen along the axis in which its normal is longest, on its own side.
+class FlatFace {
+ public:
+  FlatFace(const Face& face, const VertexSigns& signs) : signs_(signs) {
+    const IntegerVector normal = area_vector(signs.points(), face);
+    axis_ = longest_axis(normal);
+    side_ = normal[axis_].sign();
+  }
+
+  /// 1 where the three vertices turn as the face does.
+  int turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+    return signs_.turn(a, b, c, axis_) * side_;
+  }
+
+  bool contains(const TriangleCorners& triangle, std::uint32_t vertex) const {
+    return turn(triangle[0], triangle[1], vertex) >= 0 &&
+           turn(triangle[1], triangle[2], vertex) >= 0 &&
+           turn(triangle[2], triangle[0], vertex) >= 0;
+  }
+
+ private:
+  const VertexSigns& signs_;
+  std::size_t axis_ = 0;
+  int side_ = 0;
+};
+
+class EarCutter {
+ public:
+  EarCutter(const Face& face, const VertexSigns& signs) : flat_(face, signs), left_(face) {
+    for (std::size_t k = 0; k < left_.size(); ++k) convex_.push_back(is_convex(k));
+  }
+
+  std::optional<std::vector<TriangleCorners>> run() {
+    std::vector<TriangleCorners> triangles;
+    // The ear about the second vertex first: what is convex is cut as a fan from its first vertex.
+    std::size_t at = 1;
+    while (left_.size() > 3) {
+      std::size_t tried = 0;
+      while (tried < left_.size() && !is_ear(at % left_.size())) ++tried, ++at;
+      if (tried == left_.size()) return std::nullopt;
+      at %= left_.size();
+      triangles.push_back(corner(at));
+      remove(at);
+    }
+    if (flat_.turn(left_[0], left_[1], left_[2]) <= 0) return std::nullopt;
+    triangles.push_back({left_[0], left_[1], left_[2]});
+    return triangles;
+  }
+
+ private:
+  std::size_t before(std::size_t k) const { return (k + left_.size() - 1) % left_.size(); }
+  std::size_t after(std::size_t k) const { return (k + 1) % left_.size(); }
+  TriangleCorners corner(std::size_t k) const {
+    return {left_[before(k)], left_[k], left_[after(k)]};
+  }
+  bool is_convex(std::size_t k) const {
+    return flat_.turn(left_[before(k)], left_[k], left_[after(k)]) > 0;
+  }
+
+  /// An ear holds no other vertex. Of those it might hold, the one farthest from its diagonal is
+  /// not convex: only such have to be looked at.
+  bool is_ear(std::size_t k) const {
+    if (!convex_[k]) return false;
+    const TriangleCorners triangle = corner(k);
+    for (std::size_t j = 0; j < left_.size(); ++j) {
+      if (convex_[j] || j == before(k) || j == after(k)) continue;
+      look_for_interrupt();
+      if (flat_.contains(triangle, left_[j])) return false;
+    }
+    return true;
+  }
+
+  void remove(std::size_t k) {
+    left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(k));
+    convex_.erase(convex_.begin() + static_cast<std::ptrdiff_t>(k));
+    for (const std::size_t neighbour : {before(k % left_.size()), k % left_.size()}) {
+      convex_[neighbour] = is_convex(neighbour);
+    }
+  }
+
+  FlatFace flat_;
+  Face left_;
+  std::vector<bool> convex_;
+};
+
+}  // namespace
+
+std::optional<std::vector<TriangleCorners>> face_triangles(const Face& face,
+                                                           const VertexSigns& signs) {
+  if (face.size() == 3) return std::vector<TriangleCorners>{{face[0], face[1], face[2]}};
+  return EarCutter(face, signs).run();
+}
+
+}  // namespace minkref::inline space

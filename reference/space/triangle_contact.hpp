@@ -1,0 +1,31 @@
+// How two triangles of a closed surface meet: whether the surface crosses or covers itself there.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "reference/space/surface_triangles.hpp"
+#include "reference/space/vertex_signs.hpp"
+
+namespace minkref::inline space {
+
+enum class TriangleContact {
+  none,      ///< disjoint, or touching at points and along lines
+  crossing,  ///< the surface passes through itself along a segment
+  overlap,   ///< they share an area
+};
+
+/// Of two triangles of different faces. The surface crosses itself along a line of contact where
+/// the half-planes at which one sheet meets the line lie on different sides of the other sheet: a
+/// sheet is the inside of a triangle, or two triangles at their common edge. Where one of them
+/// coincides with one of the other sheet, that pair overlaps, and this one may be called none.
+/// Exact. O(1).
+TriangleContact contact_of(const std::vector<SurfaceTriangle>& triangles, const VertexSigns& signs,
+                           std::uint32_t first, std::uint32_t second);
+
+/// A point inside of what two triangles have in common: the middle of a segment, say. They have to
+/// meet. Exact; in the unit of the points of `signs`.
+std::array<Rational, 3> common_point(const SurfaceTriangle& first, const SurfaceTriangle& second,
+                                     const VertexSigns& signs);
+
+}  // namespace minkref::inline space
