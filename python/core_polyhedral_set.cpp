@@ -1,20 +1,35 @@
 // Sums in space of polyhedra of any shape.
+#include <nanobind/stl/map.h>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <string>
+#include <utility>
 
 #include "python/core.hpp"
 #include "python/core_space.hpp"
 #include "python/vector_caster.hpp"
 #include "reference/space/definition/convex_pieces.hpp"
 #include "reference/space/definition/definition_sum.hpp"
+#include "reference/space/edges/edge_sum.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
 
 namespace minkref::python {
+namespace {
+
+BuildOptions on(unsigned threads) {
+  BuildOptions options;
+  options.threads = threads;
+  return options;
+}
+
+}  // namespace
 
 void bind_polyhedral_set(nb::module_& module) {
   unchanging(nb::class_<PolyhedralSet>(
@@ -50,6 +65,29 @@ void bind_polyhedral_set(nb::module_& module) {
       "P"_a, "Q"_a, "scaling"_a, Released(),
       "S P ⊕ Q, the union of the sums of all pairs of convex pieces, of valid polyhedra that do "
       "not cross themselves. Raises LimitExceeded for too many pairs. Exact.");
+  module.def(
+      "edge_sum_in_space",
+      [](const Surface& P, const Surface& Q, const ExactSpacePoint& scaling, unsigned threads) {
+        return edge_sum(P.value(), Q.value(), to_scaling(scaling), on(threads)).set;
+      },
+      "P"_a, "Q"_a, "scaling"_a, "threads"_a = 1, Released(),
+      "S P ⊕ Q, its boundary built from the edges of the reduced convolution (Sec. 3), of valid "
+      "polyhedra that do not cross themselves; one may be a plane polygon (a single face), a "
+      "segment or a point. Exact.");
+  module.def(
+      "edge_sum_with_statistics",
+      [](const Surface& P, const Surface& Q, const ExactSpacePoint& scaling, unsigned threads) {
+        const EdgeSum sum = edge_sum(P.value(), Q.value(), to_scaling(scaling), on(threads));
+        const EdgeStatistics& statistics = sum.statistics;
+        const std::map<std::string, std::uint64_t> counts{
+            {"convolution_facets", sum.facets},      {"near_pairs", sum.near_pairs},
+            {"pieces", statistics.pieces},           {"candidates", statistics.candidates},
+            {"boundary_pieces", sum.edges},          {"collision_tests", statistics.tests},
+            {"by_float", statistics.signs.by_float}, {"by_integer", statistics.signs.by_integer}};
+        return std::pair(sum.set, counts);
+      },
+      "P"_a, "Q"_a, "scaling"_a, "threads"_a = 1, Released(),
+      "The same with what was counted on the way.");
   module.def(
       "convex_pieces",
       [](const Surface& surface) {

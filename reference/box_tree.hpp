@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -11,15 +12,14 @@
 
 namespace minkref {
 
-/// Over closed boxes: `Box{}` is empty, `add` makes it enclose another, `overlaps` tells whether two
-/// meet, `centre(axis)` is somewhere about the middle, for each axis below Box::dimensions.
+/// Over closed boxes: `Box{}` is empty, `add` makes it enclose another, `overlaps` tells whether
+/// two meet, `centre(axis)` is somewhere about the middle, for each axis below Box::dimensions.
 template <class Box>
 class BasicBoxTree {
  public:
   BasicBoxTree() = default;
   /// Median splits along the longest side of the centres' extent. O(n log n).
-  explicit BasicBoxTree(std::vector<Box> boxes)
-      : items_(boxes.size()), sorted_(std::move(boxes)) {
+  explicit BasicBoxTree(std::vector<Box> boxes) : items_(boxes.size()), sorted_(std::move(boxes)) {
     std::iota(items_.begin(), items_.end(), 0U);
     if (items_.empty()) return;
     nodes_.reserve(items_.size());
@@ -39,10 +39,11 @@ class BasicBoxTree {
     return !nodes_.empty() && query_node(0, box, report);
   }
 
-  /// Calls report(i, j), i and j different, once for every pair of boxes that overlap.
+  /// Calls report(i, j), i and j different, once for every pair of boxes that overlap. Where report
+  /// returns a bool, stops when it is true, and then returns true.
   template <class Report>
-  void pairs(Report&& report) const {
-    if (!nodes_.empty()) self_pairs(0, report);
+  bool pairs(Report&& report) const {
+    return !nodes_.empty() && self_pairs(0, report);
   }
 
   /// Calls report(i, j) for every box i of this tree and j of `other` with overlap(box_i, box_j),
@@ -116,42 +117,50 @@ class BasicBoxTree {
   }
 
   template <class Report>
-  void self_pairs(std::uint32_t at, Report& report) const {
+  static bool stops(Report& report, std::uint32_t i, std::uint32_t j) {
+    if constexpr (std::is_void_v<std::invoke_result_t<Report&, std::uint32_t, std::uint32_t>>) {
+      report(i, j);
+      return false;
+    } else {
+      return report(i, j);
+    }
+  }
+
+  template <class Report>
+  bool self_pairs(std::uint32_t at, Report& report) const {
     look_for_interrupt();
     const Node& node = nodes_[at];
     if (leaf(node)) {
       for (std::uint32_t i = node.begin; i < node.end; ++i) {
         for (std::uint32_t j = i + 1; j < node.end; ++j) {
-          if (sorted_[i].overlaps(sorted_[j])) report(items_[i], items_[j]);
+          if (sorted_[i].overlaps(sorted_[j]) && stops(report, items_[i], items_[j])) return true;
         }
       }
-      return;
+      return false;
     }
-    self_pairs(at + 1, report);
-    self_pairs(node.right, report);
-    disjoint_pairs(at + 1, node.right, report);
+    return self_pairs(at + 1, report) || self_pairs(node.right, report) ||
+           disjoint_pairs(at + 1, node.right, report);
   }
 
   template <class Report>
-  void disjoint_pairs(std::uint32_t first, std::uint32_t second, Report& report) const {
+  bool disjoint_pairs(std::uint32_t first, std::uint32_t second, Report& report) const {
     look_for_interrupt();
     const Node& a = nodes_[first];
     const Node& b = nodes_[second];
-    if (!a.box.overlaps(b.box)) return;
+    if (!a.box.overlaps(b.box)) return false;
     if (leaf(a) && leaf(b)) {
       for (std::uint32_t i = a.begin; i < a.end; ++i) {
         if (!sorted_[i].overlaps(b.box)) continue;
         for (std::uint32_t j = b.begin; j < b.end; ++j) {
-          if (sorted_[i].overlaps(sorted_[j])) report(items_[i], items_[j]);
+          if (sorted_[i].overlaps(sorted_[j]) && stops(report, items_[i], items_[j])) return true;
         }
       }
-    } else if (leaf(b) || (!leaf(a) && a.end - a.begin >= b.end - b.begin)) {
-      disjoint_pairs(first + 1, second, report);
-      disjoint_pairs(a.right, second, report);
-    } else {
-      disjoint_pairs(first, second + 1, report);
-      disjoint_pairs(first, b.right, report);
+      return false;
     }
+    if (leaf(b) || (!leaf(a) && a.end - a.begin >= b.end - b.begin)) {
+      return disjoint_pairs(first + 1, second, report) || disjoint_pairs(a.right, second, report);
+    }
+    return disjoint_pairs(first, second + 1, report) || disjoint_pairs(first, b.right, report);
   }
 
   template <class Overlap, class Report>

@@ -39,8 +39,8 @@ struct BoundedDouble {
     return rounded(a.value - b.value, a.error + b.error);
   }
   friend BoundedDouble operator*(const BoundedDouble& a, const BoundedDouble& b) {
-    return rounded(a.value * b.value, std::abs(a.value) * b.error + std::abs(b.value) * a.error +
-                                          a.error * b.error);
+    return rounded(a.value * b.value,
+                   std::abs(a.value) * b.error + std::abs(b.value) * a.error + a.error * b.error);
   }
   /// Never exact. Unbounded where the divisor may be 0.
   friend BoundedDouble operator/(const BoundedDouble& a, const BoundedDouble& b) {

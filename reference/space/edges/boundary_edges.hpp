@@ -14,7 +14,7 @@ namespace minkref::inline space {
 /// first face has the edge from `from` to `to` on its border, counter-clockwise, and the second the
 /// edge back.
 struct BoundaryEdge {
-  SpacePoint from, to;  ///< over the denominator of the operands
+  SpacePoint from, to;          ///< over the denominator of the operands
   std::uint32_t first, second;  ///< facets in whose planes the faces lie
 };
 

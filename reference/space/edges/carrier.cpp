@@ -46,13 +46,11 @@ bool CarrierCutting::clip(const ConvolutionFacet& facet, Cut& from, Cut& to, int
   bool has_from = false, has_to = false;
   for (int k = 0; k < facet.size; ++k) {
     const CutterPlane plane{&facet, k};
-    const int slope = filtered_sign(signs, [&]<class T>(std::type_identity<T>) {
-      return line_->parameter<T>(plane).second;
-    });
+    const int slope = filtered_sign(
+        signs, [&]<class T>(std::type_identity<T>) { return line_->parameter<T>(plane).second; });
     if (slope == 0) {
-      const int depth = filtered_sign(signs, [&]<class T>(std::type_identity<T>) {
-        return line_->parameter<T>(plane).first;
-      });
+      const int depth = filtered_sign(
+          signs, [&]<class T>(std::type_identity<T>) { return line_->parameter<T>(plane).first; });
       if (depth > 0) return false;
       if (depth == 0) border = k;
       continue;
@@ -65,7 +63,8 @@ bool CarrierCutting::clip(const ConvolutionFacet& facet, Cut& from, Cut& to, int
   return compare(from, to) <= 0;
 }
 
-/// Of a side of a facet along the line, counter-clockwise seen from above: the facet is on its left.
+/// Of a side of a facet along the line, counter-clockwise seen from above: the facet is on its
+/// left.
 AlongFacet CarrierCutting::along_border(std::uint32_t facet, std::size_t side) {
   const ConvolutionFacet& f = facets_[facet];
   const int same = filtered_sign(signs, [&]<class T>(std::type_identity<T>) {
@@ -84,9 +83,8 @@ const std::vector<CarrierPiece>& CarrierCutting::cut_side(std::uint32_t number) 
   for (const auto& [facet, k] : side.uses) covers_.push_back({along_border(facet, k), start, end});
   // What touches the side touches each of its facets.
   const auto fewest = std::min_element(
-      side.uses.begin(), side.uses.end(), [&](const auto& a, const auto& b) {
-        return near_[a.facet].size() < near_[b.facet].size();
-      });
+      side.uses.begin(), side.uses.end(),
+      [&](const auto& a, const auto& b) { return near_[a.facet].size() < near_[b.facet].size(); });
   for (const std::uint32_t c : near_[fewest->facet]) {
     const bool used = std::any_of(side.uses.begin(), side.uses.end(),
                                   [&](const auto& u) { return u.facet == c; });
@@ -100,9 +98,10 @@ const std::vector<CarrierPiece>& CarrierCutting::cut_side(std::uint32_t number) 
       for (std::size_t k = 0; k < facet.size; ++k) {
         if (facet.sides[k] >= number) continue;
         const CutterPlane plane{&facet, static_cast<int>(k)};
-        const bool holds = filtered_sign(signs, [&]<class T>(std::type_identity<T>) {
-                             return line_->parameter<T>(plane).second;
-                           }) == 0 &&
+        const bool holds = filtered_sign(signs,
+                                         [&]<class T>(std::type_identity<T>) {
+                                           return line_->parameter<T>(plane).second;
+                                         }) == 0 &&
                            filtered_sign(signs, [&]<class T>(std::type_identity<T>) {
                              return line_->parameter<T>(plane).first;
                            }) == 0;
@@ -155,9 +154,10 @@ const std::vector<CarrierPiece>& CarrierCutting::cut_crossing(std::uint32_t a, s
       return true;
     }
     const std::uint32_t first = piece.facets.front().facet;
-    const auto second = std::find_if(piece.facets.begin() + 1, piece.facets.end(), [&](auto& along) {
-      return !CarrierLine::parallel(facets_[first], facets_[along.facet], signs);
-    });
+    const auto second =
+        std::find_if(piece.facets.begin() + 1, piece.facets.end(), [&](auto& along) {
+          return !CarrierLine::parallel(facets_[first], facets_[along.facet], signs);
+        });
     return first != std::min(a, b) || second->facet != std::max(a, b);
   });
   return pieces_;

@@ -16,9 +16,9 @@ struct Cut {
   BoundedDouble t;
 };
 
-/// A facet along a piece lies on one side of its line or, where the line runs inside of it, on both.
-/// A half-plane of a facet with the normal n is on the side of direction x n (`ahead`), or on the
-/// other, for the direction of the line.
+/// A facet along a piece lies on one side of its line or, where the line runs inside of it, on
+/// both. A half-plane of a facet with the normal n is on the side of direction x n (`ahead`), or on
+/// the other, for the direction of the line.
 struct AlongFacet {
   std::uint32_t facet;
   bool ahead, behind;

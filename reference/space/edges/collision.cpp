@@ -38,8 +38,8 @@ class Element {
   std::uint32_t number_;
 };
 
-/// The plane of the points x for which x - q lies in the plane of a triangle with a corner p, and so
-/// on: through p + q.
+/// The plane of the points x for which x - q lies in the plane of a triangle with a corner p, and
+/// so on: through p + q.
 template <class T>
 FormIn<T> form_through(const std::array<T, 3>& normal, const FilteredVector& p,
                        const FilteredVector& q) {
@@ -68,10 +68,10 @@ bool Collision::surfaces_cross(const NearPoint& x) {
   const auto overlap = [&](const SpaceBox& p, const SpaceBox& q) {
     for (std::size_t k = 0; k < 3; ++k) {
       // Each side after one rounding: what is as large as both cannot tell them apart.
-      const double least = p.least[k] + q.least[k], most = p.most[k] + q.most[k];
-      const double slack = 0x1p-51 * (std::abs(p.least[k]) + std::abs(q.least[k]) +
-                                      std::abs(p.most[k]) + std::abs(q.most[k]));
-      if (at.most[k] < least - slack || at.least[k] > most + slack) return false;
+      const double least = p.low[k] + q.low[k], most = p.high[k] + q.high[k];
+      const double slack = 0x1p-51 * (std::abs(p.low[k]) + std::abs(q.low[k]) +
+                                      std::abs(p.high[k]) + std::abs(q.high[k]));
+      if (at.high[k] < least - slack || at.low[k] > most + slack) return false;
     }
     return true;
   };
@@ -161,8 +161,8 @@ bool Collision::inside(const NearPoint& x, const SpaceOperand& body, const Filte
     const int facing = triangle.normal.exact[2].sign();
     if (facing == 0) continue;
     SpaceBox shadow = body.box_of(t);
-    if (shadow.most[2] < at.least[2]) continue;
-    shadow.least[2] = -SpaceBox::infinity;
+    if (shadow.high[2] < at.low[2]) continue;
+    shadow.low[2] = -SpaceBox::infinity;
     if (!shadow.overlaps(at)) continue;
     const auto corner = [&](std::size_t k) -> const FilteredVector& {
       return body.points[triangle.corners[k % 3]];

@@ -139,8 +139,7 @@ class ConvolutionBuild {
     const auto number = static_cast<std::uint32_t>(result_.facets.size());
     for (std::uint8_t k = 0; k < facet.size; ++k) {
       const Corner& name = facet.names[k];
-      facet.corners[k] =
-          FilteredVector(P_.points[name.of_P].exact + Q_.points[name.of_Q].exact);
+      facet.corners[k] = FilteredVector(P_.points[name.of_P].exact + Q_.points[name.of_Q].exact);
       facet.box.add(box_around(facet.corners[k].rounded));
       result_.sides[facet.sides[k]].uses.push_back({number, k});
     }

@@ -9,8 +9,8 @@
 
 namespace minkref::inline space {
 
-/// fv: a triangle of P at a vertex of Q. vf: a vertex of P at a triangle of Q. ee: the parallelogram
-/// of an edge of P and an edge of Q (docs/definitions.md, "In space").
+/// fv: a triangle of P at a vertex of Q. vf: a vertex of P at a triangle of Q. ee: the
+/// parallelogram of an edge of P and an edge of Q (docs/definitions.md, "In space").
 enum class FacetKind : std::uint8_t { fv, vf, ee };
 
 /// A convex facet with the sum below it, that is, on the side away from its normal.

@@ -47,7 +47,8 @@ EdgeSum edge_sum(const Polyhedron& P, const Polyhedron& Q, const Scaling& scalin
   EdgeSum result;
   if (P.empty() || Q.empty()) return result;
   if (P.faces.size() < 2 && Q.faces.size() < 2) {
-    throw BadInput("not-solid", "neither operand has a volume", "give a solid as one of them");
+    throw BadInput("degenerate-operands", "neither operand has a volume",
+                   "give a solid as one of them");
   }
   std::vector<SpacePoint> vertices = scaled(P, scaling).vertices;
   vertices.insert(vertices.end(), Q.vertices.begin(), Q.vertices.end());

@@ -19,9 +19,9 @@ struct EdgeSum {
 };
 
 /// S P ⊕ Q for a factor for each axis. Operands must have passed `validate`; at least one is a
-/// solid (BadInput "not-solid" otherwise); the other may be a plane polygon, a segment or a point.
-/// Exact. O(n log n + k) for k pairs and triples of facets of the convolution that meet, beside the
-/// search for compatible pairs, which looks at all pairs.
+/// solid (BadInput "degenerate-operands" otherwise); the other may be a plane polygon, a segment or
+/// a point. Exact. O(n log n + k) for k pairs and triples of facets of the convolution that meet,
+/// beside the search for compatible pairs, which looks at all pairs.
 EdgeSum edge_sum(const Polyhedron& P, const Polyhedron& Q, const Scaling& scaling,
                  const BuildOptions& options = {});
 

@@ -8,8 +8,8 @@ namespace {
 
 /// An integer near the middle of both boxes along an axis, if it is of moderate size.
 int level_between(const SpaceBox& a, const SpaceBox& b, std::size_t axis) {
-  const double low = std::max(a.least[axis], b.least[axis]);
-  const double high = std::min(a.most[axis], b.most[axis]);
+  const double low = std::max(a.low[axis], b.low[axis]);
+  const double high = std::min(a.high[axis], b.high[axis]);
   const double middle = std::round(low / 2 + high / 2);
   return std::abs(middle) < 1e9 ? static_cast<int>(middle) : 0;
 }

@@ -43,8 +43,8 @@ class CarrierLine {
  public:
   /// Through a side, t from 0 to 1 along it.
   CarrierLine(const ConvolutionFacet& facet, std::size_t side);
-  /// Along which the planes of two facets cross; they must not be parallel. t is a coordinate, up to
-  /// an integer and the sign.
+  /// Along which the planes of two facets cross; they must not be parallel. t is a coordinate, up
+  /// to an integer and the sign.
   CarrierLine(const ConvolutionFacet& a, const ConvolutionFacet& b);
 
   /// Whether the planes of two facets are parallel.

@@ -5,19 +5,20 @@
 #include <stdexcept>
 
 #include "reference/interrupt.hpp"
-#include "reference/space/cut_face.hpp"
 #include "reference/space/face_edges.hpp"
+#include "reference/space/face_triangles.hpp"
 
 namespace minkref::inline space {
 namespace {
 
-std::vector<Face> cut_faces(const Polyhedron& body) {
+std::vector<Face> cut_faces(const Polyhedron& body, const std::vector<IntegerVector>& points) {
+  const VertexSigns signs(points);
   std::vector<Face> triangles;
   for (const Face& face : body.faces) {
     look_for_interrupt();
-    const auto cut = triangles_of(face, body.vertices);
+    const auto cut = face_triangles(face, signs);
     if (!cut) throw std::logic_error("a face that is not simple");
-    triangles.insert(triangles.end(), cut->begin(), cut->end());
+    for (const TriangleCorners& t : *cut) triangles.push_back({t[0], t[1], t[2]});
   }
   return triangles;
 }
@@ -81,9 +82,8 @@ class OperandBuild {
   bool is_convex(const FaceEdge& side, std::uint32_t left, std::uint32_t right) const {
     const SpaceOperand::Triangle& other = operand_.triangles[right];
     const IntegerVector& normal = operand_.triangles[left].normal.exact;
-    const auto apex = std::find_if(other.corners.begin(), other.corners.end(), [&](auto v) {
-      return v != side.from && v != side.to;
-    });
+    const auto apex = std::find_if(other.corners.begin(), other.corners.end(),
+                                   [&](auto v) { return v != side.from && v != side.to; });
     const int height =
         dot(normal, operand_.points[*apex].exact - operand_.points[side.from].exact).sign();
     if (height != 0) return height < 0;
@@ -98,7 +98,7 @@ class OperandBuild {
 SpaceOperand::SpaceOperand(const Polyhedron& body, const std::vector<IntegerVector>& at)
     : points(at.begin(), at.end()), edges_at(at.size()) {
   OperandBuild build(*this);
-  std::vector<Face> cut = cut_faces(body);
+  std::vector<Face> cut = cut_faces(body, at);
   if (body.faces.size() == 1) {
     for (std::size_t k = 0, count = cut.size(); k < count; ++k) {
       cut.push_back({cut[k][0], cut[k][2], cut[k][1]});
@@ -114,8 +114,8 @@ SpaceBox box_around(const BoundedVector& point) {
   SpaceBox box;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto [value, error] = point[k];
-    box.least[k] = error == 0 ? value : std::nextafter(value - error, -SpaceBox::infinity);
-    box.most[k] = error == 0 ? value : std::nextafter(value + error, SpaceBox::infinity);
+    box.low[k] = error == 0 ? value : std::nextafter(value - error, -SpaceBox::infinity);
+    box.high[k] = error == 0 ? value : std::nextafter(value + error, SpaceBox::infinity);
   }
   return box;
 }

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "reference/space/box.hpp"
+#include "reference/space/box_tree.hpp"
 #include "reference/space/edges/vectors.hpp"
 #include "reference/space/polyhedron.hpp"
 

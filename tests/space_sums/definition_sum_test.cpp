@@ -6,7 +6,7 @@
 #include "reference/error.hpp"
 #include "reference/space/convex/segment_sum.hpp"
 #include "tests/convex/bodies.hpp"
-#include "tests/space_definition/polycubes.hpp"
+#include "tests/space_sums/polycubes.hpp"
 
 namespace minkref {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "reference/error.hpp"
 #include "tests/convex/bodies.hpp"
-#include "tests/space_definition/polycubes.hpp"
+#include "tests/space_sums/polycubes.hpp"
 
 namespace minkref {
 namespace {
