@@ -113,8 +113,9 @@ void bind_space(nb::module_& module) {
             validate_as_read(self.reading, source);
           },
           "source"_a = "", Released(),
-          "Refuses what is no closed 2-manifold of planar simple faces (BadInput). That faces do "
-          "not cross each other is not looked at. Exact.")
+          "Refuses what is no closed 2-manifold of planar simple faces, crosses or covers itself, "
+          "or "
+          "has a shell in the material of another (BadInput). Exact.")
       .def(
           "sextuple_volume",
           [](const Surface& self) { return to_string(sextuple_volume(self.value())); },

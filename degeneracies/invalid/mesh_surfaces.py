@@ -18,7 +18,7 @@ from minkref.degeneracies.invalid.mesh_sheet import (
     vertex_text,
 )
 from minkref.fuzz.families.drawing import convex
-from minkref.fuzz.geometry.space import Point
+from minkref.fuzz.geometry.space import Point, dot, normal
 from minkref.fuzz.space.polyhedron import Face, Polyhedron
 
 FAMILIES = Families(MESH)
@@ -270,23 +270,57 @@ def two_bodies(dice: Random) -> Invalid:
     return refused(page, "two-bodies", "not-convex", "face ")
 
 
-@FAMILIES.add("a body inside another", "not-convex")
-def body_in_another(dice: Random) -> Invalid:
-    """A small one inside of a larger one, its faces as they were, or turned, which makes a
-    cavity."""
-    mesh = body(dice)
+def _small_inside(mesh: Polyhedron) -> Polyhedron:
     x, y, z = _centre(mesh)
-    small = Polyhedron(
-        tuple((x + (a - x) / 4, y + (b - y) / 4, z + (c - z) / 4) for a, b, c in mesh.vertices),
-        mesh.faces,
+    vertices = tuple(
+        (x + (a - x) / 4, y + (b - y) / 4, z + (c - z) / 4) for a, b, c in mesh.vertices
     )
-    if dice.random() < 0.5:
-        small = small.turned_inside_out()
-    page = sheet(dice, shuffled(dice, mesh.with_faces_of(small)))
-    return refused(page, "body-in-another", "not-convex", "face ")
+    return Polyhedron(vertices, mesh.faces)
 
 
-@FAMILIES.add("a surface that goes around twice", "not-convex")
+@FAMILIES.add("a body with a cavity", "not-convex")
+def cavity(dice: Random) -> Invalid:
+    """A small one inside of a larger one, its faces turned: a good polyhedron, and not convex."""
+    mesh = body(dice)
+    both = mesh.with_faces_of(_small_inside(mesh).turned_inside_out())
+    return refused(sheet(dice, shuffled(dice, both)), "cavity", "not-convex", "face ")
+
+
+@FAMILIES.add("a body inside another", "shell-nesting")
+def body_in_another(dice: Random) -> Invalid:
+    """A small one inside of a larger one, its faces as they were."""
+    mesh = body(dice)
+    page = sheet(dice, shuffled(dice, mesh.with_faces_of(_small_inside(mesh))))
+    return refused(page, "body-in-another", "shell-nesting", "face ", "and face ")
+
+
+@FAMILIES.add("two bodies that pass through each other", "self-intersection")
+def crossing_bodies(dice: Random) -> Invalid:
+    """A body and the same a little further, in no direction along a facet."""
+    while True:
+        mesh = body(dice)
+        x, y, z = (
+            (a - b) / 3 for a, b in zip(_centre(mesh), dice.choice(mesh.vertices), strict=True)
+        )
+        corners = ([mesh.vertices[k] for k in face[:3]] for face in mesh.faces)
+        if all(dot(normal(a, b, c), (x, y, z)) != 0 for a, b, c in corners):
+            break
+    page = sheet(dice, shuffled(dice, mesh.with_faces_of(mesh.translated((x, y, z)))))
+    place = "face ", "and face ", "passes through itself at ("
+    return refused(page, "crossing-bodies", "self-intersection", *place)
+
+
+@FAMILIES.add("two bodies on one facet", "overlapping-faces")
+def common_facet(dice: Random) -> Invalid:
+    """A body and its reflection in a point of a facet, which both have, one from each side."""
+    mesh = body(dice)
+    at = tuple(2 * c for c in middle(mesh, dice.choice(mesh.faces)))
+    both = mesh.with_faces_of(mesh.reflected((at[0], at[1], at[2])))
+    place = "face ", "and face ", "the same part of a plane at ("
+    return refused(sheet(dice, shuffled(dice, both)), "common-facet", "overlapping-faces", *place)
+
+
+@FAMILIES.add("a surface that goes around twice", "self-intersection")
 def wound_twice(dice: Random) -> Invalid:
     """Over a pentagram: convex at each edge, and twice around."""
     while True:
@@ -299,14 +333,14 @@ def wound_twice(dice: Random) -> Invalid:
     ends = [(x, y, Fraction(dice.randint(3, 9))), (x, y, -Fraction(dice.randint(3, 9)))]
     faces = [(k, (k + 1) % 5, 5) for k in range(5)] + [((k + 1) % 5, k, 6) for k in range(5)]
     page = sheet(dice, shuffled(dice, Polyhedron((*vertices, *ends), tuple(faces))))
-    return refused(page, "wound-twice", "not-convex", "face ")
+    return refused(page, "wound-twice", "self-intersection", "face ", "and face ")
 
 
-@FAMILIES.add("a polygon from both sides, with nothing inside", "not-convex")
+@FAMILIES.add("a polygon from both sides, with nothing inside", "overlapping-faces")
 def flat(dice: Random) -> Invalid:
     """A polygon from both sides: closed, and there is nothing inside."""
     ring = convex(dice, dice.randint(3, 8), 12)
     face = tuple(range(len(ring)))
     vertices = tuple((Fraction(x), Fraction(y), Fraction(x - 2 * y)) for x, y in ring)
     page = sheet(dice, shuffled(dice, Polyhedron(vertices, (face, face[::-1]))))
-    return refused(page, "flat", "not-convex", "face ")
+    return refused(page, "flat", "overlapping-faces", "face 0", "and face 1")

@@ -17,6 +17,7 @@ DEPENDS = (*REFERENCE, *READERS, *COMPARISON, "python/minkref/**/*.py", "command
 CORNERS = ["0 0 0", "1 0 0", "1 1 0", "0 1 0", "0 0 1", "1 0 1", "1 1 1", "0 1 1"]
 CUBE = ["0 3 2 1", "4 5 6 7", "0 1 5 4", "1 2 6 5", "2 3 7 6", "3 0 4 7"]
 PLACE = ("face", "vert", "(")
+BOTH = ("face", "and face")
 
 
 def _off(corners: list[str], faces: list[str]) -> str:
@@ -40,6 +41,8 @@ def _moved(shift: int, scale: int = 1) -> tuple[list[str], list[str]]:
 
 OTHER, OTHER_FACES = _moved(5)
 LARGE, LARGE_FACES = _moved(-4, 9)
+HALF = [f"{x}/2 {y}/2 {z}/2" for x, y, z in (c.split() for c in _moved(1, 2)[0])]
+ABOVE = [f"{x} {y} {int(z) + 1}" for x, y, z in (c.split() for c in CORNERS)]
 TURNED = {k: " ".join(reversed(face.split())) for k, face in enumerate(CUBE)}
 
 
@@ -83,7 +86,11 @@ BAD = [
         ("two bodies", "o.off", _off([*CORNERS, *OTHER], [*CUBE, *OTHER_FACES]), ("not-convex",),
          ("face",)),
         ("a body in another", "p.off", _off([*CORNERS, *LARGE], [*CUBE, *LARGE_FACES]),
-         ("not-convex",), ("face",)),
+         ("shell-nesting",), BOTH),
+        ("two bodies that cross", "cross.off", _off([*CORNERS, *HALF], [*CUBE, *OTHER_FACES]),
+         ("self-intersection",), BOTH),
+        ("two bodies on one face", "abut.off", _off([*CORNERS, *ABOVE], [*CUBE, *OTHER_FACES]),
+         ("overlapping-faces",), BOTH),
         ("vertices without faces", "q.off", "OFF\n3 0 0\n1 2 3\n0 0 0\n0 0 1\n",
          ("too-few-faces",), ()),
         ("NaN", "r.off", _cube({3: "0 NaN 0"}), ("not-a-number",), ("line",)),
