@@ -45,6 +45,9 @@ APART = {
     "reference/space/definition": tuple(
         f"reference/space/{room}/" for room in ("convex", "edges", "paper")
     ),
+    "reference/space/edges": tuple(
+        f"reference/space/{room}/" for room in ("convex", "definition", "paper")
+    ),
 }
 # Folder: what its Python may not import. "standard library" lets nothing else through but itself.
 NO_IMPORT = {"oracle": ("minkref", "fuzz", "reports")}
