@@ -7,27 +7,48 @@ Start with README.md. The entry points, each exact and on rational coordinates:
 - `minkowski_sum` is the sum at one scale, with digest, holes, components and tight passages.
 - `topology` is the sum at, just below and just above a scale.
 - `witness` says how `sP` and `x - Q` meet; `check_claim` whether a given set is the sum.
+- In space `SolidSum` answers for points, `whole_sum` gives a small sum whole, `solid_faults` holds
+  a claim against points, and `CellSum` is the sum of polycubes under a matrix.
 """
 
 from .claim import Claim, check_claim
+from .exposed import Exposed, exposed_from_json, of_faces
 from .minkowski import Sum, minkowski_sum
 from .operand import InputError, Operand, Polygon, operand_from_json
 from .reader import read_operand
+from .solid import Solid, solid_from_json
+from .solid_cells import CellSum
+from .solid_claim import Fault, open_lines
+from .solid_claim import faults as solid_faults
+from .solid_sum import SolidSum, uniform
+from .solid_whole import whole_sum
 from .topology import Topology, topology
 from .witness import Meeting, witness
 
 __all__ = [
+    "CellSum",
     "Claim",
+    "Exposed",
+    "Fault",
     "InputError",
     "Meeting",
     "Operand",
     "Polygon",
+    "Solid",
+    "SolidSum",
     "Sum",
     "Topology",
     "check_claim",
+    "exposed_from_json",
     "minkowski_sum",
+    "of_faces",
+    "open_lines",
     "operand_from_json",
     "read_operand",
+    "solid_faults",
+    "solid_from_json",
     "topology",
+    "uniform",
+    "whole_sum",
     "witness",
 ]

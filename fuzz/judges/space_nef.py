@@ -1,0 +1,53 @@
+"""CGAL's sum of Nef polyhedra in the canonical form of a sum in space, to be compared as text."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import Any
+
+from minkref.fuzz.libraries.catalogue import absence, command
+from minkref.fuzz.space.polyhedron import Polyhedron
+from minkref.fuzz.targets.adapter_process import AdapterProcess, Failure
+from minkref.fuzz.targets.answer import Limits, load_limit
+from minkref.oracle.slow import of_faces
+
+NEF = "cgal-nef"
+
+
+class NefJudge:
+    """One child process for many sums, started anew after one that took too long. Close it, or use
+    it in a `with`."""
+
+    def __init__(self, seconds: float) -> None:
+        self._limits = Limits(seconds=seconds)
+        line = command(NEF)
+        self.absence = absence(NEF)
+        self._process = None if line is None else AdapterProcess(NEF, line, self._limits)
+
+    def __enter__(self) -> NefJudge:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        if self._process is not None:
+            self._process.close()
+
+    def sum(self, sP: Polyhedron, Q: Polyhedron) -> str | None:
+        """Canonical JSON; None where there is no answer within the time. CGAL's faces, which are
+        exact, are put together plane by plane by the slow engine's code; InputError where they
+        overlap."""
+        if self._process is None:
+            return None
+        try:
+            self._process.start()
+            self._process.ask("load", load_limit(self._limits), dimension=3, Q=Q.document())
+            answer = self._process.ask("at", self._limits.seconds, sP=sP.document())
+        except Failure:
+            self._process.close()
+            return None
+        return _text(answer) if answer["status"] == "result" else None
+
+
+def _text(answer: dict[str, Any]) -> str:
+    points = [tuple(Fraction(number) for number in row) for row in answer["vertices"]]
+    corners = [(x, y, z) for x, y, z in points]
+    return of_faces([corners[k] for k in face] for face in answer["faces"]).text()
