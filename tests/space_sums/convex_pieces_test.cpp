@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "reference/error.hpp"
+#include "reference/space/definition/merged_pieces.hpp"
 #include "tests/convex/bodies.hpp"
 #include "tests/space_sums/polycubes.hpp"
 
@@ -81,16 +82,36 @@ TEST(ConvexPieces, APointAndASegmentAreTheirOwn) {
   EXPECT_TRUE(convex_pieces({}).empty());
 }
 
-TEST(ConvexPieces, RefusesASurfaceThatCoversItself) {
-  Polyhedron twice = bodies::box(1, 1, 1);
-  const auto first = static_cast<std::uint32_t>(twice.vertices.size());
-  const Polyhedron beside = translated(bodies::box(1, 1, 1), {1, 0, 0});
-  twice.vertices.insert(twice.vertices.end(), beside.vertices.begin(), beside.vertices.end());
-  for (Face face : beside.faces) {
-    for (std::uint32_t& v : face) v += first;
-    twice.faces.push_back(face);
+Polyhedron both(Polyhedron first, const Polyhedron& second) {
+  const auto count = static_cast<std::uint32_t>(first.vertices.size());
+  first.vertices.insert(first.vertices.end(), second.vertices.begin(), second.vertices.end());
+  for (Face face : second.faces) {
+    for (std::uint32_t& v : face) v += count;
+    first.faces.push_back(face);
   }
-  EXPECT_THROW(convex_pieces(twice), BadInput);
+  return first;
+}
+
+TEST(ConvexPieces, RefusesASurfaceThatCoversItselfOrCrossesItself) {
+  const Polyhedron cube = bodies::box(1, 1, 1);
+  EXPECT_THROW(convex_pieces(both(cube, translated(cube, {1, 0, 0}))), BadInput);
+  EXPECT_THROW(convex_pieces(both(cube, cube)), BadInput);
+  const Rational half(1, 2);
+  EXPECT_THROW(convex_pieces(both(cube, translated(cube, {half, half, half}))), BadInput);
+  EXPECT_EQ(checked_count(both(cube, translated(cube, {2, half, half}))), 2U);
+}
+
+TEST(MergedPieces, JoinsThoseWhoseUnionIsConvex) {
+  const Polyhedron cube = bodies::box(1, 1, 1), next = translated(cube, {1, 0, 0});
+  const std::vector<Polyhedron> one = merged_pieces({cube, next});
+  ASSERT_EQ(one.size(), 1U);
+  EXPECT_EQ(bodies::canonical(one[0]), bodies::canonical(bodies::box(2, 1, 1)));
+  EXPECT_EQ(merged_pieces({cube, translated(cube, {2, 0, 0})}).size(), 2U);
+  EXPECT_EQ(merged_pieces({cube, translated(cube, {1, Rational(1, 2), 0})}).size(), 2U);
+  EXPECT_EQ(merged_pieces({cube, next, translated(cube, {0, 1, 0})}).size(), 2U);
+  EXPECT_EQ(
+      merged_pieces({cube, next, translated(cube, {0, 1, 0}), translated(cube, {1, 1, 0})}).size(),
+      1U);
 }
 
 }  // namespace

@@ -7,12 +7,35 @@
 #include "reference/interrupt.hpp"
 #include "reference/space/definition/convex_cell.hpp"
 #include "reference/space/definition/face_walls.hpp"
+#include "reference/space/definition/merged_pieces.hpp"
 
 namespace minkref::inline space {
 namespace {
 
 constexpr std::size_t most_cells = 10 * most_convex_pieces;
 constexpr std::size_t most_cuts_tried = 48;  // of those that a cell could be cut by
+
+[[noreturn]] void refuse_crossing_faces() {
+  throw BadInput(
+      "crossing-faces",
+      "faces of the surface cross or cover each other: it is not the boundary of a solid",
+      "give the boundary of the solid only");
+}
+
+/// Summed two by two, so that only the last sums have long denominators.
+Rational sextuple_volume_of_all(const std::vector<Polyhedron>& pieces) {
+  std::vector<Rational> volumes;
+  for (const Polyhedron& piece : pieces) volumes.push_back(sextuple_volume(piece));
+  while (volumes.size() > 1) {
+    std::vector<Rational> sums;
+    for (std::size_t k = 0; k < volumes.size(); k += 2) {
+      look_for_interrupt();
+      sums.push_back(k + 1 < volumes.size() ? volumes[k] + volumes[k + 1] : volumes[k]);
+    }
+    volumes = std::move(sums);
+  }
+  return volumes.empty() ? Rational(0) : volumes[0];
+}
 
 /// What is left of the surface inside a convex cell, which is what lies below its cuts.
 struct SurfaceCell {
@@ -153,9 +176,7 @@ class SolidPartition {
       return;
     }
     if (inside && outside) {
-      throw BadInput("crossing-faces",
-                     "faces of the surface cross or cover each other: it has no inside",
-                     "give the boundary of the solid only");
+      refuse_crossing_faces();
     }
     if (inside) keep(cell.cuts);
   }
@@ -180,7 +201,9 @@ class SolidPartition {
 std::vector<Polyhedron> convex_pieces(const Polyhedron& surface) {
   if (surface.empty()) return {};
   if (!surface.is_solid()) return {surface};
-  return SolidPartition(surface).pieces();
+  std::vector<Polyhedron> pieces = SolidPartition(surface).pieces();
+  if (sextuple_volume_of_all(pieces) != sextuple_volume(surface)) refuse_crossing_faces();
+  return merged_pieces(pieces);
 }
 
 }  // namespace minkref::inline space

@@ -68,6 +68,11 @@ SpacePoint exact_point(const SolidCorner& corner) {
   return {Rational(point[0], weight), Rational(point[1], weight), Rational(point[2], weight)};
 }
 
+OrientedPlane reversed(const OrientedPlane& plane) {
+  const IntegerVector& n = plane.normal;
+  return {{-n[0], -n[1], -n[2]}, -plane.offset};
+}
+
 CuttingPlane::CuttingPlane(OrientedPlane plane) : plane_(std::move(plane)) {
   const Integer unit = denominator(plane_.offset);
   offset_ = numerator(plane_.offset);

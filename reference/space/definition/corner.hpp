@@ -29,6 +29,8 @@ SolidCorner solid_corner(const IntegerVector& point, const Integer& weight);
 SolidCorner solid_corner(const SpacePoint& point);
 SpacePoint exact_point(const SolidCorner& corner);
 
+OrientedPlane reversed(const OrientedPlane& plane);
+
 /// A plane that cuts: what is below it is kept.
 class CuttingPlane {
  public:

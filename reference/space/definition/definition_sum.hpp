@@ -19,7 +19,7 @@ namespace minkref::inline space {
 /// polygons are left, which are united plane by plane.
 ///
 /// Exact. For k pairs of pieces, with f facets each: O(k f) facets against those of the k bodies
-/// whose boxes they meet. Some 20 KiB for each pair.
+/// whose boxes they meet. Some 50 KiB for each pair.
 PolyhedralSet definition_sum(const Polyhedron& P, const Polyhedron& Q, const Scaling& scaling);
 
 constexpr std::size_t most_pairs_of_pieces = 65'536;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <list>
 #include <map>
 #include <utility>
 
@@ -37,38 +39,51 @@ double distance(const RingBox& ring, const SumBody& body) {
          std::abs(ring.bottom + ring.top - body.bottom - body.top);
 }
 
-/// Takes from a convex polygon in `plane` what `body` covers just above it; the body covers its own
-/// facets in the same plane where `comes_before`. What is left goes to `rest`.
-void take_covered(const CornerRing& ring, const OrientedPlane& plane, const SumBody& body,
-                  bool comes_before, std::vector<CornerRing>& rest) {
-  std::vector<const CuttingPlane*> cutters;
+enum class Cover { none, some, all };
+
+/// How much of a convex polygon in `plane` the body covers just above it, as far as its planes one
+/// by one say; it covers its own facets in the same plane where `comes_before`.
+Cover cover_of(const CornerRing& ring, const OrientedPlane& plane, const SumBody& body,
+               bool comes_before) {
+  Cover cover = Cover::all;
   for (const SumFacet& facet : body.facets) {
-    const RingSides sides = sides_of(ring, facet.plane);
-    if (sides.below) {
-      if (sides.above) cutters.push_back(&facet.plane);
-      continue;
+    bool above = false, below = false;
+    for (auto corner = ring.begin(); corner != ring.end() && !(above && below); ++corner) {
+      const int side = facet.plane.side(*corner);
+      above = above || side > 0;
+      below = below || side < 0;
     }
-    const bool same_plane = !sides.above;
-    const bool covers = same_plane && (comes_before || facet.plane.plane().normal != plane.normal);
-    if (covers) continue;
-    rest.push_back(ring);
-    return;
+    if (above && !below) return Cover::none;
+    if (above) cover = Cover::some;
+    const bool same_plane = !above && !below;
+    if (same_plane && !comes_before && facet.plane.plane().normal == plane.normal) {
+      return Cover::none;
+    }
   }
-  std::vector<CornerRing> left;
+  return cover;
+}
+
+/// Convex parts of a convex polygon, of which the body covers some: what is outside of each of its
+/// planes in turn. Only the polygon itself where nothing of it is inside of all of them.
+std::vector<CornerRing> parts_outside(const CornerRing& ring, const SumBody& body) {
+  std::vector<CornerRing> parts;
   CornerRing inner = ring;
-  for (const CuttingPlane* cutter : cutters) {
-    const RingSides sides = sides_of(inner, *cutter);
-    if (!sides.below) {  // the body does not meet the polygon at all
-      rest.push_back(ring);
-      return;
-    }
+  for (const SumFacet& facet : body.facets) {
+    const RingSides sides = sides_of(inner, facet.plane);
     if (!sides.above) continue;
-    auto [below, above] = halves(inner, sides, *cutter);
-    left.push_back(std::move(above));
+    if (!sides.below) return {ring};
+    auto [below, above] = halves(inner, sides, facet.plane);
+    parts.push_back(std::move(above));
     inner = std::move(below);
   }
-  std::move(left.begin(), left.end(), std::back_inserter(rest));
+  return parts;
 }
+
+/// A part of a facet, and the bodies that may cover some of it, where one is likely to cover much.
+struct FacetPart {
+  CornerRing ring;
+  std::vector<std::uint32_t> bodies;
+};
 
 class UnionBoundary {
  public:
@@ -105,28 +120,73 @@ class UnionBoundary {
   /// What no other body covers of a facet of body `own`.
   std::vector<CornerRing> exposed(std::size_t own, const SumFacet& facet) {
     const RingBox box(facet.ring);
+    if (covered_as_others_were(own, facet, box)) return {};
     near_.clear();
     tree_.query(box.flat, [&](std::uint32_t b) {
       if (b != own && box.overlaps(bodies_[b])) near_.emplace_back(distance(box, bodies_[b]), b);
       return false;
     });
-    std::sort(near_.begin(), near_.end());
-    std::vector<CornerRing> parts{facet.ring};
-    for (const auto& [apart, b] : near_) {
-      if (parts.empty()) break;
-      std::vector<CornerRing> rest;
-      for (CornerRing& part : parts) {
-        look_for_interrupt();
-        take_covered(part, facet.plane.plane(), bodies_[b], b < own, rest);
+    std::partial_sort(near_.begin(),
+                      near_.begin() + std::min<std::ptrdiff_t>(16, std::ssize(near_)), near_.end());
+    std::vector<FacetPart> open{{facet.ring, {}}};
+    for (const auto& [apart, b] : near_) open[0].bodies.push_back(b);
+    std::vector<CornerRing> found;
+    while (!open.empty()) {
+      FacetPart part = std::move(open.back());
+      open.pop_back();
+      if (!keep_cutters(part, own, facet.plane.plane())) continue;
+      if (part.bodies.empty()) {
+        found.push_back(std::move(part.ring));
+        continue;
       }
-      parts = std::move(rest);
+      const SumBody& first = bodies_[part.bodies[0]];
+      part.bodies.erase(part.bodies.begin());
+      for (CornerRing& outer : parts_outside(part.ring, first)) {
+        open.push_back({std::move(outer), part.bodies});
+      }
     }
-    return parts;
+    return found;
+  }
+
+  /// Whether one of a few bodies covers the facet: those as far on in the list from its own as were
+  /// those that covered facets before. They often share a piece in the same way.
+  bool covered_as_others_were(std::size_t own, const SumFacet& facet, const RingBox& box) {
+    for (auto step = steps_.begin(); step != steps_.end(); ++step) {
+      const auto at = static_cast<std::ptrdiff_t>(own) + *step;
+      if (at < 0 || at >= std::ssize(bodies_)) continue;
+      const auto b = static_cast<std::size_t>(at);
+      if (!box.overlaps(bodies_[b])) continue;
+      if (cover_of(facet.ring, facet.plane.plane(), bodies_[b], b < own) != Cover::all) continue;
+      steps_.splice(steps_.begin(), steps_, step);
+      return true;
+    }
+    return false;
+  }
+
+  /// Drops the bodies that cover nothing; false where one covers it all.
+  bool keep_cutters(FacetPart& part, std::size_t own, const OrientedPlane& plane) {
+    const RingBox box(part.ring);
+    std::vector<std::uint32_t> cutters;
+    for (const std::uint32_t b : part.bodies) {
+      look_for_interrupt();
+      if (!box.overlaps(bodies_[b])) continue;
+      const Cover cover = cover_of(part.ring, plane, bodies_[b], b < own);
+      if (cover == Cover::all) {
+        steps_.push_front(static_cast<std::ptrdiff_t>(b) - static_cast<std::ptrdiff_t>(own));
+        if (steps_.size() > most_steps) steps_.pop_back();
+        return false;
+      }
+      if (cover == Cover::some) cutters.push_back(b);
+    }
+    part.bodies = std::move(cutters);
+    return true;
   }
 
   const std::vector<SumBody>& bodies_;
   BoxTree tree_;
   std::vector<std::pair<double, std::uint32_t>> near_;
+  static constexpr std::size_t most_steps = 24;
+  std::list<std::ptrdiff_t> steps_;  ///< the last ones first
 };
 
 }  // namespace

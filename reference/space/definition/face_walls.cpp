@@ -21,11 +21,6 @@ bool is_convex_ring(const Ring& ring) {
   return true;
 }
 
-OrientedPlane reversed(const OrientedPlane& plane) {
-  const IntegerVector& n = plane.normal;
-  return {{-n[0], -n[1], -n[2]}, -plane.offset};
-}
-
 }  // namespace
 
 FaceWalls face_walls(const Polyhedron& surface) {
