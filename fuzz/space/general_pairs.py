@@ -11,16 +11,15 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 
-from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.cells import Cell, surface_of
 from minkref.fuzz.space.generators import assembled, machined, tube
+from minkref.fuzz.space.generators.any_solid import ORIGIN, any_of_one, any_solid, any_torus, walls
 from minkref.fuzz.space.generators.convex import random_hull
 from minkref.fuzz.space.generators.mapped import IDENTITY, Matrix, mapped, random_matrix, unimodular
 from minkref.fuzz.space.generators.polycube import bodies_apart, frame, hollow_box, random_polycube
 from minkref.fuzz.space.polyhedron import Polyhedron
 
 SCALES = tuple(Fraction(text) for text in ("1", "1", "1", "2", "1/2", "3/2", "2/3", "5/7"))
-ORIGIN: Point = (Fraction(0), Fraction(0), Fraction(0))
 
 
 @dataclass(frozen=True)
@@ -71,61 +70,6 @@ def _whole(dice: random.Random, most: int) -> Fraction:
     return Fraction(dice.randint(-most, most))
 
 
-def _walls(dice: random.Random, most: int = 3) -> tuple[int, int, int, int]:
-    return (
-        dice.randint(1, most),
-        dice.randint(1, most),
-        dice.randint(1, most),
-        dice.randint(1, most),
-    )
-
-
-def any_solid(dice: random.Random) -> Polyhedron:
-    """Of any kind; small integers."""
-    return dice.choice(SOLIDS)(dice)
-
-
-def _square_ring(dice: random.Random) -> Polyhedron:
-    return machined.square_ring(
-        dice.randint(1, 4), dice.randint(1, 4), _walls(dice), dice.randint(1, 3)
-    )
-
-
-def _cup(dice: random.Random) -> Polyhedron:
-    width, depth, height = (dice.randint(1, 3) for _ in range(3))
-    return machined.cup(width, depth, height, _walls(dice, 2), dice.randint(1, 2))
-
-
-def _spiked(dice: random.Random) -> Polyhedron:
-    return assembled.spiked(dice, assembled.big_tetrahedron(dice, 2), 0.6)
-
-
-def _lattice_torus(dice: random.Random) -> Polyhedron:
-    return tube.lattice_torus(dice.randint(3, 6), dice.choice((3, 4)), dice.randint(2, 4))
-
-
-def _two(dice: random.Random) -> Polyhedron:
-    one, other = machined.l_solid(dice, 3), random_hull(dice, 4, 3)
-    gap = Fraction(dice.randint(1, 3))
-    return assembled.side_by_side(one, other, dice.randrange(3), gap, ORIGIN)
-
-
-SOLIDS: tuple[Callable[[random.Random], Polyhedron], ...] = (
-    lambda dice: machined.l_solid(dice, 5),
-    lambda dice: machined.u_solid(dice, dice.randint(1, 4), 3),
-    lambda dice: machined.dented_prism(dice, dice.randint(5, 9), 6),
-    _square_ring,
-    _cup,
-    lambda dice: assembled.hollow_box(dice, 3)[0],
-    lambda dice: machined.bracket(dice, dice.randint(1, 2), 4),
-    lambda dice: machined.gear(dice, dice.randint(3, 5), 10, dice.randint(1, 6)),
-    _spiked,
-    _lattice_torus,
-    _two,
-    lambda dice: random_hull(dice, dice.randint(4, 8), 4),
-)
-
-
 def _mixed(dice: random.Random) -> Drawn:
     """Any two, one of them under a matrix of its own: little is parallel."""
     P, Q = any_solid(dice), any_solid(dice)
@@ -163,7 +107,7 @@ def _slot(dice: random.Random) -> Drawn:
 def _ring_and_bar(dice: random.Random) -> Drawn:
     """A bar that fills the hole of a ring, across one way or both."""
     width, depth = dice.randint(1, 4), dice.randint(1, 4)
-    ring = machined.square_ring(width, depth, _walls(dice), dice.randint(1, 3))
+    ring = machined.square_ring(width, depth, walls(dice), dice.randint(1, 3))
     other = dice.choice((depth, dice.randint(1, depth)))
     P, scale = _fitted(dice, [width, other, dice.randint(1, 6)])
     return P, ring, scale
@@ -173,7 +117,7 @@ def _cup_and_lid(dice: random.Random) -> Drawn:
     """A box that fills the pocket of a cup, or a plate that closes it: inside out, the sum has a
     cavity or a pocket."""
     width, depth, height = (dice.randint(1, 3) for _ in range(3))
-    body = machined.cup(width, depth, height, _walls(dice, 2), dice.randint(1, 2))
+    body = machined.cup(width, depth, height, walls(dice, 2), dice.randint(1, 2))
     high = dice.choice((height, 1, 2))
     P, scale = _fitted(dice, [width, depth, high])
     if dice.random() < 0.5:
@@ -213,8 +157,8 @@ def _spikes(dice: random.Random) -> Drawn:
 
 def _ring_of_rings(dice: random.Random) -> Drawn:
     """A torus and a torus, or a small solid."""
-    Q = _lattice_torus(dice) if dice.random() < 0.4 else random_hull(dice, dice.randint(4, 6), 2)
-    return _lattice_torus(dice), Q, dice.choice(SCALES)
+    Q = any_torus(dice) if dice.random() < 0.4 else random_hull(dice, dice.randint(4, 6), 2)
+    return any_torus(dice), Q, dice.choice(SCALES)
 
 
 def _knot(dice: random.Random) -> Drawn:
@@ -289,11 +233,6 @@ def _apart(dice: random.Random, name: str) -> GeneralPair:
     count = len(one.faces)
     second = Polyhedron(both.vertices, both.faces[count:]).without_unused_vertices()
     return GeneralPair(name, both, Q, scale, parts=(one, second))
-
-
-def any_of_one(dice: random.Random) -> Polyhedron:
-    """A solid of one component, without cavities."""
-    return dice.choice((SOLIDS[0], SOLIDS[1], SOLIDS[3], SOLIDS[9], SOLIDS[11]))(dice)
 
 
 OF_PARTS: dict[str, Callable[[random.Random, str], GeneralPair]] = {

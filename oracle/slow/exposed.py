@@ -20,7 +20,7 @@ from .canonical import document
 from .exact import InputError, Point, Vector, number, primitive
 from .operand import Polygon
 from .plane import Edge, Plane
-from .solid import Place, Whole, height, plane_of
+from .solid import Place, Whole, height, inner, outer, plane_of
 from .solid_pieces import Plane as SpacePlane
 from .walks import components, corners
 
@@ -49,6 +49,29 @@ class Exposed:
             for plane, polygons in self.planes.items()
             for segments in ([edge for ring in rings_of(polygons) for edge in sides(ring)],)
         )
+
+    def mapped(self, rows: tuple[Whole, Whole, Whole], shift: Place) -> Exposed:
+        """Under an integer matrix, not singular, and a translation; canonical again. Exact."""
+        mirrors = inner(rows[0], outer(rows[1], rows[2])) < 0
+
+        def image(ring: list[Point], plane: SpacePlane) -> list[Place]:
+            found = []
+            for point in ring if is_mirrored(plane[0]) == mirrors else ring[::-1]:
+                place = lifted(point, plane)
+                x, y, z = (height(row, place) + s for row, s in zip(rows, shift, strict=True))
+                found.append((x, y, z))
+            return found
+
+        def images() -> Iterable[tuple[SpacePlane, list[Segment]]]:
+            for plane, polygons in self.planes.items():
+                for part in polygons:
+                    there = plane_of(image(part.outer, plane))
+                    axis = viewing_axis(there[0])
+                    for ring in rings_of([part]):
+                        flat = [seen(point, axis) for point in image(ring, plane)]
+                        yield there, sides(flat[::-1] if is_mirrored(there[0]) else flat)
+
+        return exposed(images())
 
     def volume(self) -> Fraction:
         """By cones from the origin."""

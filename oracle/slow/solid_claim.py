@@ -60,6 +60,36 @@ def of_plane(truth: SolidSum, plane: Plane, x: Place) -> Iterator[Fault]:
         yield Fault("just below a face is not in the sum", x, down, False)
 
 
+def place_of(truth: SolidSum, claim: Exposed, fault: Fault, dice: random.Random) -> Place | None:
+    """A point near that of the fault, that the claim has and the sum has not, or the other way
+    round. None where there is none within 2^-60 of it, as beside a face that bounds nothing."""
+    for power in range(60):
+        t = Fraction(1, 1 << power)
+        x, y, z = (p + t * d for p, d in zip(fault.point, fault.way, strict=True))
+        winds = winding(claim, (x, y, z), dice)
+        if winds is not None and winds != truth.holds((x, y, z)):
+            return x, y, z
+    return None
+
+
+def told_apart(one: Exposed, other: Exposed, dice: random.Random, tries: int = 4) -> Place | None:
+    """A point around which two closed surfaces do not wind alike, next to a face of one that the
+    other has not. None where none is found, as among equals."""
+    for mine, theirs in ((one, other), (other, one)):
+        for plane, polygons in mine.planes.items():
+            if theirs.planes.get(plane) == polygons:
+                continue
+            for part in polygons * tries:
+                x = lifted(inner_point(part, dice), plane)
+                for power in (1, 4, 10, 30):
+                    t = Fraction(dice.choice((-1, 1)), 1 << power)
+                    a, b, c = (p + t * n for p, n in zip(x, plane[0], strict=True))
+                    found = winding(one, (a, b, c), dice), winding(other, (a, b, c), dice)
+                    if None not in found and found[0] != found[1]:
+                        return a, b, c
+    return None
+
+
 def _in_box(truth: SolidSum, dice: random.Random, count: int) -> Iterator[Place]:
     low = [min(box[k] for box in truth.boxes) for k in range(3)]
     high = [max(box[k + 3] for box in truth.boxes) for k in range(3)]
