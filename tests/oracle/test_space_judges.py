@@ -127,7 +127,7 @@ def test_a_set_moved_is_the_set_of_the_moved_solid() -> None:
     dice = random.Random(SEED)
     for index in range(12):
         solid = general_pair(SEED, index).P
-        if solid.is_thin:
+        if solid.is_thin or len(solid.faces) > 20:
             continue
         matrix = unimodular(dice, 2)
         image = truth(solid, Polyhedron(((ONE, ONE, ONE),), ()), ONE)
