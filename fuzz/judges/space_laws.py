@@ -62,9 +62,9 @@ def refinement(pair: GeneralPair, route: Route, text: str, dice: random.Random) 
 def hull(pair: GeneralPair, route: Route, text: str, dice: random.Random) -> Iterator[bool]:
     """The hull of the sum is the sum of the hulls, and contains it."""
     corners = _corners(exposed_from_json(json.loads(text)))
-    whole = true_sum(pair.P, pair.Q, pair.scale)
-    yield convex_hull(corners).volume == whole.volume
     P, Q = (solid if solid.is_thin else convex_hull(solid.vertices) for solid in (pair.P, pair.Q))
+    whole = true_sum(P, Q, pair.scale)
+    yield convex_hull(corners).volume == whole.volume
     convex = exposed_from_json(json.loads(route(P, Q, pair.scale)))
     yield convex.volume() == whole.volume
     yield set(_corners(convex)) <= set(corners)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import cached_property
 
 from .exact import InputError
 from .solid import Place, Solid, Whole, height, inner, plane_of, shortest, vector_area, wholes
@@ -45,6 +46,10 @@ class Part:
 
     plane: Plane
     ring: Ring
+
+    @cached_property
+    def wholes(self) -> tuple[int, list[Whole]]:
+        return wholes(self.ring)
 
 
 def convex_pieces(solid: Solid) -> list[Piece]:
@@ -85,8 +90,10 @@ def best_plane(parts: list[Part]) -> Plane:
         n, offset = plane
         cut = balance = 0
         for part in parts:
-            levels = [height(n, point) for point in part.ring]
-            above, below = max(levels) > offset, min(levels) < offset
+            unit, points = part.wholes
+            levels = [inner(n, point) * offset.denominator for point in points]
+            level = offset.numerator * unit
+            above, below = max(levels) > level, min(levels) < level
             cut += above and below
             balance += above - below
         return cut, abs(balance)

@@ -6,7 +6,6 @@ from __future__ import annotations
 import json
 import random
 from fractions import Fraction
-from itertools import combinations
 from math import cos, pi, sin
 
 from minkref import _core
@@ -137,10 +136,19 @@ def bracket(dice: random.Random, bores: int, most: int) -> Polyhedron:
             u < side and v < side and (len(outer) == 4 or u < side // 2 or v < side // 2)
             for u, v in hole
         )
-        rings = [outer, *holes, hole]
-        if inside and not any(rings_meet(a, b) for a, b in combinations(rings, 2)):
+        apart = all(_beside(hole, other) for other in holes)
+        if inside and apart and not rings_meet(outer, hole):
             holes.append(hole)
     return prism_over(outer, holes, 0, dice.randint(1, most))
+
+
+def _beside(one: Ring, other: Ring) -> bool:
+    """The boxes around the rings have no point in common."""
+    return any(
+        max(a[k] for a in first) < min(b[k] for b in second)
+        for k in (0, 1)
+        for first, second in ((one, other), (other, one))
+    )
 
 
 def gear(dice: random.Random, teeth: int, radius: int, high: int, bore: bool = False) -> Polyhedron:
