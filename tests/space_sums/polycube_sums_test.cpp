@@ -1,6 +1,8 @@
 // Sums of solids of unit cells, whose sums are found by counting cells.
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "reference/error.hpp"
 #include "reference/space/definition/definition_sum.hpp"
 #include "tests/convex/bodies.hpp"
@@ -86,6 +88,32 @@ TEST(PolycubeSum, OfScaledOperandsIsTheScaledSum) {
     EXPECT_EQ(canonical_json(definition_sum(solid(a), scaled(solid(b), s), s)),
               canonical_json(polyhedral_set(scaled(solid(sum_of_cells(a, b)), s))));
   });
+}
+
+TEST(PolycubeSum, OfCoordinatesBeyondTheDoubles) {
+  const Rational huge("1" + std::string(320, '0')), tiny = 1 / huge, third(1, 3);
+  for (const Scaling& s : {Scaling{huge, tiny, third}, Scaling{tiny, tiny, tiny},
+                           Scaling{huge, huge, huge}, Scaling{tiny, 1, huge}}) {
+    const Cells a = with(block({0, 0, 0}, {3, 1, 1}), block({0, 1, 0}, {1, 3, 2}));
+    const Cells b = without(block({0, 0, 0}, {3, 3, 1}), block({1, 1, 0}, {2, 2, 1}));
+    const Matrix m{{{1, 2, 0}, {-1, 1, 1}, {0, 1, 3}}};
+    const SpacePoint far{huge, 1, -huge};
+    const Polyhedron P = scaled(solid(a, m), s), Q = translated(scaled(solid(b, m), s), far);
+    const Polyhedron expected = translated(scaled(solid(sum_of_cells(a, b), m), s), far);
+    EXPECT_EQ(canonical_json(definition_sum(P, Q, bodies::unit)),
+              canonical_json(polyhedral_set(expected)));
+  }
+}
+
+TEST(PolycubeSum, OfAFitThatIsAlmostTight) {
+  const Cells shell = without(block({0, 0, 0}, {3, 3, 3}), block({1, 1, 1}, {2, 2, 2}));
+  const Polyhedron cube = solid(block({0, 0, 0}, {1, 1, 1}));
+  const Rational little("1/1" + std::string(40, '0'));
+  for (const Rational& s : {Rational(1 - little), Rational(1 + little)}) {
+    const Rational edge = 3 * s + 1, hollow = s > 1 ? Rational(s - 1) : Rational(0);
+    EXPECT_EQ(volume(definition_sum(solid(shell), cube, {s, s, s})),
+              edge * edge * edge - hollow * hollow * hollow);
+  }
 }
 
 TEST(PolycubeSum, OfRandomCellsUnderAMatrix) {

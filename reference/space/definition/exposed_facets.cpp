@@ -35,8 +35,10 @@ struct RingBox {
 /// How far apart the middles of two boxes are; only to look first where there is most to be taken.
 double distance(const RingBox& ring, const SumBody& body) {
   const Box &a = ring.flat, &b = body.flat_box;
-  return std::abs(a.xmin + a.xmax - b.xmin - b.xmax) + std::abs(a.ymin + a.ymax - b.ymin - b.ymax) +
-         std::abs(ring.bottom + ring.top - body.bottom - body.top);
+  const double apart = std::abs(a.xmin + a.xmax - b.xmin - b.xmax) +
+                       std::abs(a.ymin + a.ymax - b.ymin - b.ymax) +
+                       std::abs(ring.bottom + ring.top - body.bottom - body.top);
+  return std::isnan(apart) ? 0 : apart;  // beyond the doubles
 }
 
 enum class Cover { none, some, all };
