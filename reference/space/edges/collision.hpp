@@ -41,7 +41,7 @@ class Collision {
 
   const CollisionTrees& trees_;
   const SpaceOperand &P_, &Q_;
-  std::array<Pair, 4> recent_{};
+  std::array<Pair, 12> recent_{};
   std::size_t known_ = 0, next_ = 0;
 };
 
