@@ -12,7 +12,8 @@ namespace minkref::inline plane {
 
 /// Directed straight edges with the interior of the set on their left and its exterior on their
 /// right. Edges meet only at points; two edges that leave a point have different directions; no two
-/// points are equal.
+/// points are equal. An edge there and back is a slit, with the interior on both sides; it makes
+/// Walks::holes meaningless.
 struct BoundaryGraph {
   std::vector<Point> points;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;  ///< from, to

@@ -82,7 +82,9 @@ class WalkFinder {
       std::stable_sort(rays_.begin() + first_ray_[p], rays_.begin() + first_ray_[p + 1],
                        [&](const Ray& a, const Ray& b) {
                          const int ha = half(a), hb = half(b);
-                         return ha != hb ? ha < hb : orientation(at, far_end(a), far_end(b)) > 0;
+                         if (ha != hb) return ha < hb;
+                         const int turn = orientation(at, far_end(a), far_end(b));
+                         return turn != 0 ? turn > 0 : !a.leaving && b.leaving;  // of a slit
                        });
     }
   }

@@ -11,6 +11,7 @@ namespace minkref::inline plane {
 namespace {
 
 using Indices = std::vector<std::uint32_t>;
+using IndexTriangle = std::array<std::uint32_t, 3>;
 
 /// Joins the walks of one component, the outer one first.
 class Cutter {
@@ -107,7 +108,8 @@ class Cutter {
 
   static void splice(Indices& ring, std::size_t at, const Indices& hole, std::size_t from) {
     Indices detour;
-    for (std::size_t k = 0; k <= hole.size(); ++k) detour.push_back(hole[(from + k) % hole.size()]);
+    const std::size_t steps = hole.size() == 1 ? 0 : hole.size();
+    for (std::size_t k = 0; k <= steps; ++k) detour.push_back(hole[(from + k) % hole.size()]);
     detour.push_back(ring[at]);
     ring.insert(ring.begin() + static_cast<std::ptrdiff_t>(at) + 1, detour.begin(), detour.end());
   }
@@ -120,7 +122,7 @@ class EarClipper {
  public:
   explicit EarClipper(const std::vector<FilteredPoint>& points) : points_(points) {}
 
-  void clip(Indices ring, std::vector<Triangle>& triangles) const {
+  void clip(Indices ring, std::vector<IndexTriangle>& triangles) const {
     std::size_t i = 0, misses = 0;
     while (ring.size() > 3) {
       const std::size_t n = ring.size();
@@ -129,7 +131,7 @@ class EarClipper {
       i %= n;
       const std::uint32_t a = ring[(i + n - 1) % n], b = ring[i], c = ring[(i + 1) % n];
       if (is_ear(ring, a, b, c)) {
-        triangles.push_back({points_[a].exact(), points_[b].exact(), points_[c].exact()});
+        triangles.push_back({a, b, c});
         ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(i));
         misses = 0;
       } else {
@@ -137,8 +139,7 @@ class EarClipper {
         ++i;
       }
     }
-    triangles.push_back(
-        {points_[ring[0]].exact(), points_[ring[1]].exact(), points_[ring[2]].exact()});
+    triangles.push_back({ring[0], ring[1], ring[2]});
   }
 
  private:
@@ -208,7 +209,11 @@ std::vector<Triangle> triangulate(const PolygonSet& set) {
   if (!set.is_region()) return triangles;
   const BoundaryGraph graph = set_boundary(set).graph;
   const auto points = filtered(graph);
-  for (const Indices& ring : cut_rings(graph, points)) EarClipper(points).clip(ring, triangles);
+  std::vector<IndexTriangle> indices;
+  for (const Indices& ring : cut_rings(graph, points)) EarClipper(points).clip(ring, indices);
+  for (const auto& [a, b, c] : indices) {
+    triangles.push_back({points[a].exact(), points[b].exact(), points[c].exact()});
+  }
   Rational total = 0;
   for (const Triangle& t : triangles) {
     const Rational doubled = doubled_area(Ring(t.begin(), t.end()));
@@ -216,6 +221,13 @@ std::vector<Triangle> triangulate(const PolygonSet& set) {
     total += doubled;
   }
   if (total != area(set) * 2) throw std::logic_error("triangulate: areas do not add up");
+  return triangles;
+}
+
+std::vector<IndexTriangle> triangulate(const std::vector<FilteredPoint>& points,
+                                       const Indices& outer, const std::vector<Indices>& holes) {
+  std::vector<IndexTriangle> triangles;
+  EarClipper(points).clip(Cutter(points).join(outer, holes), triangles);
   return triangles;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "reference/plane/boundary/boundary_graph.hpp"
+#include "reference/plane/point_predicates.hpp"
 #include "reference/plane/polygon_set.hpp"
 
 namespace minkref::inline plane {
@@ -20,5 +21,13 @@ using Triangle = std::array<Point, 3>;
 /// A triangulation of the set by diagonals between vertices, counter-clockwise triangles. Throws
 /// std::logic_error if the areas do not add up (never seen). Exact. O(n^2).
 std::vector<Triangle> triangulate(const PolygonSet& set);
+
+/// The same of one connected region, given by the walks along its border (boundary_walks), by the
+/// numbers of points: every vertex of the walks is one of some triangle, also where the border is
+/// straight. Walks may run along slits; a hole may be a single point. Areas are not checked. Exact.
+/// O(n^2).
+std::vector<std::array<std::uint32_t, 3>> triangulate(
+    const std::vector<FilteredPoint>& points, const std::vector<std::uint32_t>& outer,
+    const std::vector<std::vector<std::uint32_t>>& holes);
 
 }  // namespace minkref::inline plane
