@@ -36,6 +36,12 @@ Point seen(const SpacePoint& point, std::size_t axis) {
   return {point.x, point.y};
 }
 
+bool is_mirrored(const OrientedPlane& plane) {
+  // Seen from its positive end the second axis is mirrored.
+  const std::size_t axis = viewing_axis(plane.normal);
+  return (plane.normal[axis].sign() > 0) == (axis == 1);
+}
+
 SpacePoint lifted(const Point& point, const OrientedPlane& plane) {
   const IntegerVector& n = plane.normal;
   const std::size_t axis = viewing_axis(n);

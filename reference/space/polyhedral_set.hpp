@@ -24,6 +24,8 @@ bool operator<(const OrientedPlane& a, const OrientedPlane& b);
 std::size_t viewing_axis(const IntegerVector& normal);
 /// The two other coordinates, in the order of their axes.
 Point seen(const SpacePoint& point, std::size_t axis);
+/// Whether what turns counter-clockwise seen from outside turns clockwise as it is seen here.
+bool is_mirrored(const OrientedPlane& plane);
 /// The point of the plane that is seen there.
 SpacePoint lifted(const Point& point, const OrientedPlane& plane);
 

@@ -86,10 +86,8 @@ PolyhedralSet faces_from_edges(const std::vector<BoundaryEdge>& edges,
     const auto add = [&](std::uint32_t facet, const SpacePoint& start, const SpacePoint& end) {
       auto& [plane, list] = *plane_at(facet);
       const std::size_t axis = viewing_axis(plane.normal);
-      // Seen from its positive end the second axis is mirrored.
-      const bool mirrored = (plane.normal[axis].sign() > 0) == (axis == 1);
       const Point a = seen(start, axis), b = seen(end, axis);
-      list.push_back(mirrored ? PlaneEdge{b, a} : PlaneEdge{a, b});
+      list.push_back(is_mirrored(plane) ? PlaneEdge{b, a} : PlaneEdge{a, b});
     };
     add(edge.first, from, to);
     add(edge.second, to, from);

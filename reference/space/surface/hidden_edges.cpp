@@ -1,0 +1,83 @@
+#include "reference/space/surface/hidden_edges.hpp"
+
+#include <algorithm>
+
+#include "reference/interrupt.hpp"
+
+namespace minkref::inline space {
+namespace {
+
+class CrossingSearch {
+ public:
+  explicit CrossingSearch(const LiftedRegions& regions) : regions_(regions), location_(regions) {}
+
+  std::vector<std::pair<SpaceVertex, SpaceVertex>> run() {
+    std::vector<SpaceBox> boxes;
+    for (const LiftedPolygon& polygon : regions_.polygons) boxes.push_back(polygon.box);
+    SpaceBoxTree(std::move(boxes)).pairs([&](std::uint32_t a, std::uint32_t b) {
+      look_for_interrupt();
+      if (corners_of(a) > corners_of(b)) std::swap(a, b);
+      if (straddles(a, b) && straddles(b, a)) look_along_crossing(a, b);
+    });
+    return std::move(found_);
+  }
+
+ private:
+  std::size_t corners_of(std::uint32_t polygon) const {
+    return regions_.polygons[polygon].rings[0].size();
+  }
+
+  /// Whether a polygon has corners on both sides of the plane of another one.
+  bool straddles(std::uint32_t polygon, std::uint32_t other) const {
+    const FilteredPlane& plane = regions_.plane_of(other);
+    bool above = false, below = false;
+    for (const std::uint32_t corner : regions_.polygons[polygon].rings[0]) {
+      const int side = plane.side(regions_.points[corner]);
+      above = above || side > 0;
+      below = below || side < 0;
+      if (above && below) return true;
+    }
+    return false;
+  }
+
+  void look_along_crossing(std::uint32_t a, std::uint32_t b) {
+    std::vector<SpaceVertex> stops;
+    add_stops(a, regions_.plane_of(b), stops);
+    add_stops(b, regions_.plane_of(a), stops);
+    const std::vector<SpaceVertex> along = shared_points(std::move(stops)).points;
+    for (std::size_t k = 1; k < along.size(); ++k) {
+      const SpacePoint &from = along[k - 1].exact, &to = along[k].exact;
+      if (location_.locate(a, from, to) == Location::inside &&
+          location_.locate(b, from, to) == Location::inside) {
+        found_.emplace_back(along[k - 1], along[k]);
+      }
+    }
+  }
+
+  /// The points of the border of a polygon on a plane.
+  void add_stops(std::uint32_t polygon, const FilteredPlane& plane,
+                 std::vector<SpaceVertex>& stops) const {
+    for (const auto& ring : regions_.polygons[polygon].rings) {
+      std::vector<int> sides;
+      for (const std::uint32_t corner : ring) sides.push_back(plane.side(regions_.points[corner]));
+      for (std::size_t k = 0; k < ring.size(); ++k) {
+        const std::size_t next = (k + 1) % ring.size();
+        const SpaceVertex &p = regions_.points[ring[k]], &q = regions_.points[ring[next]];
+        if (sides[k] == 0) stops.push_back(p);
+        if (sides[k] * sides[next] < 0) stops.emplace_back(plane.crossing(p.exact, q.exact));
+      }
+    }
+  }
+
+  const LiftedRegions& regions_;
+  PolygonLocation location_;
+  std::vector<std::pair<SpaceVertex, SpaceVertex>> found_;
+};
+
+}  // namespace
+
+std::vector<std::pair<SpaceVertex, SpaceVertex>> hidden_edges(const LiftedRegions& regions) {
+  return CrossingSearch(regions).run();
+}
+
+}  // namespace minkref::inline space
