@@ -4,6 +4,7 @@ the exact ones."""
 from __future__ import annotations
 
 from collections.abc import Callable
+from fractions import Fraction
 from typing import Any, TypeVar
 
 from minkref import _core
@@ -42,11 +43,14 @@ class PaperWalk:
     def counts(self) -> dict[str, Any]:
         return dict(self._update.counts())
 
-    def events(self, most: int | None = None) -> dict[str, Any]:
+    def events(
+        self, most: int | None = None, window: tuple[Fraction, Fraction] | None = None
+    ) -> dict[str, Any]:
         """Of the array of events, how many are right, and what is missed and invented; with `most`
-        the first so many, each with the exact scale of the same event."""
+        the first so many, each with the exact scale of the same event, or the first so many of a
+        window that are missed and invented."""
         found = compare_events(
-            self._P, self._Q, self._update, self._adjacent, self._bits, most or 0
+            self._P, self._Q, self._update, self._adjacent, self._bits, most or 0, window
         )
         fields: dict[str, Any] = {
             "right": found.right,
@@ -56,7 +60,10 @@ class PaperWalk:
             "first_missed": event_fields(found.first_missed),
             "first_invented": event_fields(found.first_invented),
         }
-        if most is not None:
+        if window is not None:
+            fields["missed_within"] = [_event_fields(event) for event in found.missed_within]
+            fields["invented_within"] = [_event_fields(event) for event in found.invented_within]
+        elif most is not None:
             fields["rows"] = [
                 {**_event_fields(event), "exact": exact} for event, exact in found.listed
             ]

@@ -6,14 +6,17 @@ import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from fractions import Fraction
+from functools import cache
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated
 
 import typer
 from minkref import _core
 from minkref.commands.line.memory import SMALLER, Memory, memory_wall
 from minkref.commands.line.options import FirstOperand, Json, Schema, SecondOperand
-from minkref.commands.line.output import give, print_lines
+from minkref.commands.line.output import give
+from minkref.commands.line.readings import ROUTE as PAPER_UPDATE
+from minkref.commands.line.readings import Form, Reading
 from minkref.commands.lists.scale_index import (
     IndexFile,
     chosen_route,
@@ -22,9 +25,11 @@ from minkref.commands.lists.scale_index import (
 )
 from minkref.commands.pages.plane.picture import Progress, Sums, Window, picture
 from minkref.commands.pages.plane.write_page import page
+from minkref.commands.paper_options import MOST_STEPS, STEPS, asked_program, told
+from minkref.commands.view_table import counts, print_view
 from minkref.documents import Stopwatch, document
 from minkref.errors import Refusal, refusing
-from minkref.exact import approximate, read_scale
+from minkref.exact import read_scale
 from minkref.operand import read_operand
 from minkref.output_target import Target, target_of
 from minkref.space.operand import in_space
@@ -36,11 +41,13 @@ minkref view disc1 cells1815
 
 minkref view g1 g2 --from 1/2 --to 2 -o g1-g2.html
 
+minkref view g1 g2 --route paper-update --arithmetic double -o paper.html
+
 minkref view gs3 rod --scale 2,1/3,5 -o gs3-rod.html
 
 minkref view gs3 rod --scales scales.txt -o gs3-rod.html"""
 
-ROUTES = ("index", "dynamic")
+ROUTES = ("index", "dynamic", PAPER_UPDATE)
 FROM, TO = "1/10", "10"
 ENDINGS = ("html", "htm")
 
@@ -73,7 +80,28 @@ def command(
         typer.Option(
             "--route",
             help="How the sums are computed: read off an index of all scales (index, the "
-            "default), or by the paper's dynamic update (dynamic).",
+            "default), or by the paper's dynamic update (dynamic). paper-update: read off, and "
+            "beside them what the paper's own program answers, formula by formula.",
+        ),
+    ] = None,
+    arithmetic: Annotated[
+        str | None,
+        typer.Option(
+            "--arithmetic",
+            help=f"With --route {PAPER_UPDATE}: rational (the default), interval, double or "
+            "mpfr:BITS.",
+            metavar="A",
+        ),
+    ] = None,
+    as_read: Form = None,
+    reading: Reading = None,
+    steps: Annotated[
+        int | None,
+        typer.Option(
+            "--steps",
+            help=f"With --route {PAPER_UPDATE}: how many scales of the slider the program goes "
+            f"through, at most {MOST_STEPS}. Default: {STEPS}.",
+            metavar="N",
         ),
     ] = None,
     index: IndexFile = None,
@@ -90,8 +118,10 @@ def command(
     at each scale, lets you turn it, and names the parents of its facets and vertices."""
     if in_space(P, Q):
         given = _given(
-            ("--from", from_scale), ("--to", to_scale), ("--route", route), ("--index", index)
-        )
+            ("--from", from_scale), ("--to", to_scale), ("--route", route), ("--index", index),
+            ("--arithmetic", arithmetic), ("--form", as_read), ("--reading", reading or None),
+            ("--steps", steps),
+        )  # fmt: skip
         from minkref.commands.space.view import view_in_space
 
         view_in_space(P, Q, scale, scales, given, _page_target(output, json), json, memory)
@@ -103,21 +133,29 @@ def command(
         to_scale = bounds[1] if to_scale is None else to_scale
     window = _window(from_scale, to_scale, _given(("--scale", scale), ("--scales", scales)))
     route = chosen_route(index, route, ROUTES)
+    program = asked_program(route, arithmetic, as_read, reading, steps)
     target = _page_target(output, json)
     refuse_overwriting_index(output, index)
     first, second = read_operand(P), read_operand(Q)
 
+    @cache
     def sums() -> Sums:
-        if route == "index":
-            return index_of(index, first, second, window.first, window.last)
-        return _core.DynamicSum(first.set, second.set, window.first, window.last)
+        if route == "dynamic":
+            return _core.DynamicSum(first.set, second.set, window.first, window.last)
+        return index_of(index, first, second, window.first, window.last)
 
-    wall = memory_wall(memory, f"route {route}", f"{P} and {Q}", SMALLER)
-    with wall, _progress() as progress:
-        data = refusing(
-            f"{first.name} and {second.name}",
-            lambda: picture(first.set, second.set, window, sums, progress),
-        )
+    with memory_wall(memory, f"route {route}", f"{P} and {Q}", SMALLER):
+        with _progress() as progress:
+            data = refusing(
+                f"{first.name} and {second.name}",
+                lambda: picture(first.set, second.set, window, sums, progress),
+            )
+        if program is not None:
+            from minkref.commands.pages.plane.paper_run import paper_run
+
+            exact = sums()
+            assert isinstance(exact, _core.ScaleIndex)
+            data["paper"] = paper_run(first, second, window, program, exact.sum)
         text = page(first.name, second.name, data)
     count = target.write_pieces([text])
     if target.is_standard_output:
@@ -132,9 +170,10 @@ def command(
         warnings=first.warnings + second.warnings,
         output=str(output),
         bytes=count,
-        **_counts(data),
+        **counts(data),
+        **told(data.get("paper")),
     )
-    give(value, json, _print)
+    give(value, json, print_view)
 
 
 def _given(*options: tuple[str, object | None]) -> list[str]:
@@ -179,37 +218,3 @@ def _progress() -> Iterator[Progress]:
             bar.update(task, description="rings", completed=done, total=total)
 
         yield progress
-
-
-def _counts(data: dict[str, Any]) -> dict[str, Any]:
-    changes = [state for state in data["states"] if state]
-    return {
-        "segments": {kind: len(data[kind]) // 2 for kind in ("S", "T")},
-        "boundary_events": len(data["scales"]),
-        "topology_events": len(data["topology"]),
-        "holes": sum(life is not None for life in data["holes"][1:]),
-        "components": sum(life is not None for life in data["components"]),
-        "tracks": len(data["tracks"]) // 4,
-        "splices": sum(len(ring) - 4 for state in changes for ring in state[1:]),
-    }
-
-
-def _print(value: dict[str, Any]) -> None:
-    window = f"[{value['from']}, {value['to']}]"
-    if Fraction(value["from"]).denominator > 10**6 or Fraction(value["to"]).denominator > 10**6:
-        window += f", about [{approximate(value['from']):.6g}, {approximate(value['to']):.6g}]"
-    segments = value["segments"]
-    rows = [
-        ("sP + Q", f"{value['P']} + {value['Q']}"),
-        ("window", window),
-        ("route", value["route"]),
-        ("edges", f"{segments['S']:,} S, {segments['T']:,} T"),
-        ("boundary events", f"{value['boundary_events']:,}"),
-        ("topology events", f"{value['topology_events']:,}"),
-        ("holes ever", f"{value['holes']:,}"),
-        ("components ever", f"{value['components']:,}"),
-        ("vertices ever", f"{value['tracks']:,}"),
-        ("seconds", f"{value['seconds']:.3f}"),
-        ("written", f"{value['output']}, {value['bytes']:,} bytes"),
-    ]
-    print_lines(rows, value)

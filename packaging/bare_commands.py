@@ -65,6 +65,7 @@ STEPS = (
     step("events g1 g2 --kind topology"),
     step("events g1 g2 -o events.parquet", "parquet", extra="parquet", files=("events.parquet",)),
     step("view g1 g2", "view.html", files=("view.html",)),
+    step("view g1 g2 --route paper-update --steps 3 -o paper.html", files=("paper.html",)),
     step("view gs3 gs4 -o space.html", extra="view", files=("space.html",)),
     step("certify g1 g2 -o sum.cert.json", files=("sum.cert.json",)),
     step("check sum.cert.json"),

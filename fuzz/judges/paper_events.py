@@ -12,6 +12,7 @@ from minkref import _core
 CORRECTED = {name: corrected for name, _, corrected, _ in _core.paper_readings()}
 Pair = tuple[int, int, bool]  # two edges, and whether they begin to meet
 Edge = tuple[str, int, int, int, int, int]
+Found = tuple[Fraction, str, Pair]
 
 
 @dataclass(frozen=True)
@@ -35,6 +36,8 @@ class Events:
     first_missed: Event | None
     first_invented: Event | None
     listed: list[tuple[Event, str | None]]  # with the exact scale, where there is such an event
+    missed_within: list[Event]  # of the window that is asked for, ascending
+    invented_within: list[Event]
 
 
 def compare_events(
@@ -44,28 +47,33 @@ def compare_events(
     adjacent: str,
     bits: int | None,
     most: int = 0,
+    window: tuple[Fraction, Fraction] | None = None,
 ) -> Events:
     """The events of a program, in numbers of so many bits (None: exact ones), by their edges. A
     scale is right if half of its digits are, or all of them in exact numbers. The first `most` are
-    listed. `adjacent`: the reading of the program, which says whether edges that share a vertex are
-    asked. O(N^2) for N edges."""
+    listed, and the first `most` of a closed `window` that are missed and invented. `adjacent`: the
+    reading of the program, which says whether edges that share a vertex are asked. O(N^2) for N
+    edges."""
     exact = _core.PaperUpdate(P, Q, "1", "rational", CORRECTED | {"adjacent": adjacent})
     wanted, found = _by_pair(exact), _by_pair(program)
     edges = _core.reduced_convolution(P, Q)
     off = Fraction(0) if bits is None else Fraction(1, 2 ** (bits // 2))
     both = wanted.keys() & found.keys()
+    missed, invented = _alone(wanted, found), _alone(found, wanted)
     right = sum(_near(wanted[pair], found[pair], off) for pair in both)
     return Events(
         right,
         len(both) - right,
-        len(wanted.keys() - found.keys()),
-        len(found.keys() - wanted.keys()),
-        _first(wanted, found, edges),
-        _first(found, wanted, edges),
+        len(missed),
+        len(invented),
+        _event(missed[0], edges) if missed else None,
+        _event(invented[0], edges) if invented else None,
         [
-            (Event(scale, pair[2], edges[pair[0]], edges[pair[1]]), wanted.get(pair))
+            (_event((Fraction(scale), scale, pair), edges), wanted.get(pair))
             for pair, scale in islice(found.items(), most)
         ],
+        _within(missed, window, most, edges),
+        _within(invented, window, most, edges),
     )
 
 
@@ -77,9 +85,22 @@ def _near(exact: str, scale: str, off: Fraction) -> bool:
     return abs(Fraction(scale) - Fraction(exact)) <= off * Fraction(exact)
 
 
-def _first(of: dict[Pair, str], without: dict[Pair, str], edges: list[Edge]) -> Event | None:
-    alone = [(Fraction(scale), scale, pair) for pair, scale in of.items() if pair not in without]
-    if not alone:
-        return None
-    _, scale, (a, b, begins) = min(alone)
+def _alone(of: dict[Pair, str], without: dict[Pair, str]) -> list[Found]:
+    """Ascending."""
+    return sorted(
+        (Fraction(scale), scale, pair) for pair, scale in of.items() if pair not in without
+    )
+
+
+def _event(found: Found, edges: list[Edge]) -> Event:
+    _, scale, (a, b, begins) = found
     return Event(scale, begins, edges[a], edges[b])
+
+
+def _within(
+    found: list[Found], window: tuple[Fraction, Fraction] | None, most: int, edges: list[Edge]
+) -> list[Event]:
+    if window is None:
+        return []
+    inside = (one for one in found if window[0] <= one[0] <= window[1])
+    return [_event(one, edges) for one in islice(inside, most)]

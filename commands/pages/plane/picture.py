@@ -60,8 +60,8 @@ def picture(
     at = {scale: index for index, scale in enumerate(states.scales)}
     return {
         "window": [[window.first, first], [window.last, last]],
-        "P": _rings(P),
-        "Q": _rings(Q),
+        "P": rings_of(P),
+        "Q": rings_of(Q),
         **_convolution(sums, _offsets(P), _offsets(Q)),
         **_tracks(sums, states, Fraction(window.last), _reach(P, Q, window)),
         "scales": states.scales,
@@ -100,7 +100,7 @@ def _states(sums: Sums, window: Window, progress: Progress) -> States:
     return states
 
 
-def _rings(operand: _core.PolygonSet) -> list[list[list[float]]]:
+def rings_of(operand: _core.PolygonSet) -> list[list[list[float]]]:
     """Of each polygon its rings, x, y, x, y, ..."""
     rings = [
         [[axis for point in ring for axis in point] for ring in polygon]

@@ -9,7 +9,7 @@ from minkref.terminal import escaped
 
 SCRIPTS = (
     "timeline", "canonical", "axis", "texts", "colours", "canvas", "drawing", "inputs", "strip",
-    "barcode", "events", "main",
+    "paper", "barcode", "events", "main",
 )  # fmt: skip
 
 

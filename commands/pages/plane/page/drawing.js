@@ -25,6 +25,7 @@ const drawing = {
     for (const { isHole, vertices: ring } of timeline.at(s).values()) {
       if (!isHole) for (const track of ring) box.add(xOf(track, s), yOf(track, s));
     }
+    paper.widen(box, s);
     return box;
   },
 
@@ -59,6 +60,7 @@ const drawing = {
       context.lineWidth = chosen && chosen.feature === "c" && chosen.id === id ? 3 : 1.1;
       context.stroke(path);
     }
+    paper.draw(context, s, X, Y);
     for (const kind of ["T", "S"]) if (element(`show-${kind}`).checked) this.drawEdges(context, kind, s, X, Y);
     if (dimmed) {
       context.strokeStyle = colour("ink");

@@ -1,12 +1,12 @@
 // The page: one scale, and what follows from it.
-let scale = clampScale(windowFirst < 1 && windowLast > 1 ? 1 : Math.sqrt(windowFirst * windowLast));
+let scale = paper.scaleNear(clampScale(windowFirst < 1 && windowLast > 1 ? 1 : Math.sqrt(windowFirst * windowLast)));
 let atEvent = -1;    // the boundary event at whose scale the page stands
 let chosen = null;   // {feature, id}
 let asked = false;
 
 function moveTo(s, event = -1, place = null) {
   if (!Number.isFinite(s)) return;
-  scale = clampScale(s);
+  scale = event >= 0 ? clampScale(s) : paper.scaleNear(clampScale(s));
   atEvent = event;
   drawing.place = place;
   if (!asked) { asked = true; requestAnimationFrame(() => { asked = false; show(); }); }
@@ -73,6 +73,7 @@ function show() {
   strip.show(scale);
   barcode.show(scale, chosen);
   eventList.show(scale, atEvent);
+  paper.show(scale);
   element("slider").value = shareOf(scale);
   const field = element("scale");
   if (document.activeElement !== field || !field.classList.contains("bad")) {
@@ -106,7 +107,9 @@ function layOut() {
   show();
 }
 
-function step(share) { moveTo(scaleAt(shareOf(scale) + share)); }
+function step(share) {
+  moveTo(paper.run ? paper.scaleAfter(scale, Math.sign(share)) : scaleAt(shareOf(scale) + share));
+}
 
 const keys = {
   ArrowLeft: (event) => step(event.shiftKey ? -0.0005 : -0.005),
@@ -235,6 +238,7 @@ element("counts").textContent = [
   several(data.components.filter(Boolean).length, "component"),
 ].join(" · ");
 eventList.fill(goToTopology);
+paper.fill((s) => moveTo(s));
 showChosen();
 listen();
 layOut();
@@ -244,5 +248,6 @@ window.minkref = {
   rings: canonicalPolygons,
   moveTo,
   get scale() { return scale; },
+  get step() { return paper.stepAt(scale); },
   events: data.scales,
 };

@@ -26,7 +26,7 @@ const strip = {
         d: events.map((event) => mark(event, 12)).join(""),
       }));
     }
-    this.svg.replaceChildren(axisTicks(stripMargin, inner, 46, 51, 63), ...paths, this.cursor);
+    this.svg.replaceChildren(axisTicks(stripMargin, inner, 46, 51, 63), ...paths, ...paper.bars((s) => this.x(s)), this.cursor);
     this.svg.setAttribute("viewBox", `0 0 ${this.width} 66`);
   },
 
