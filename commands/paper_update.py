@@ -10,6 +10,7 @@ from typing import Any, TypeVar
 from minkref import _core
 from minkref.commands.line.arithmetic import check_arithmetic
 from minkref.commands.lists.row_spool import Row
+from minkref.commands.lists.scale_index import cores
 from minkref.commands.lists.sum_fields import sum_fields
 from minkref.errors import Refusal, refusing
 from minkref.exact import in_double_range
@@ -33,7 +34,7 @@ class PaperWalk:
         self._adjacent = readings["adjacent"]
         self._update = refusing(
             f"{P.name} and {Q.name}",
-            lambda: _core.PaperUpdate(P.set, Q.set, scale, arithmetic, readings),
+            lambda: _core.PaperUpdate(P.set, Q.set, scale, arithmetic, readings, cores()),
         )
 
     @property

@@ -28,11 +28,11 @@ using Found = std::pair<std::size_t, double>;
 class Update {
  public:
   Update(const Set& P, const Set& Q, const std::string& scale, const std::string& arithmetic,
-         const Words& readings) {
+         const Words& readings, unsigned threads) {
     refuse_large_convolution(P.value, Q.value);
     const Stopwatch watch;
     update_ = PaperUpdate::make(P.value, Q.value, parse_rational(scale), arithmetic,
-                                readings_of<Readings>(readings), memory_limit());
+                                readings_of<Readings>(readings), memory_limit(), threads);
     seconds = watch.seconds();
   }
 
@@ -100,12 +100,14 @@ void bind_paper_update(nb::module_& module) {
   nb::class_<Update>(module, "PaperUpdate",
                      "The paper's program of Section 4: sP + Q followed from one scale to another "
                      "in one arithmetic, each formula as read.")
-      .def(nb::init<const Set&, const Set&, const std::string&, const std::string&, const Words&>(),
+      .def(nb::init<const Set&, const Set&, const std::string&, const std::string&, const Words&,
+                    unsigned>(),
            "P"_a, "Q"_a, "scale"_a = "1", "arithmetic"_a = "rational", "readings"_a = Words{},
-           Released(),
+           "threads"_a = 1, Released(),
            "Finds the critical regions of all pairs of edges, and the arrangement at the first "
            "scale. `arithmetic`: rational, interval, double, mpfr:BITS. `readings`: as "
-           "`paper_readings` lists them; those left out are the printed ones. O(N^2) for N edges.")
+           "`paper_readings` lists them; those left out are the printed ones. `threads`: that look "
+           "for the regions; the answers do not depend on it. O(N^2) for N edges.")
       .def("move_to", &Update::move_to, "scale"_a, Released(),
            "Steps through the events to this scale: insertions, deletions, intersections updated, "
            "seconds.")

@@ -43,22 +43,27 @@ Mpfr::Mpfr(const Rational& value, long precision) : Mpfr(Bits{checked(precision)
   mpfr_set_q(value_, value.backend().data(), MPFR_RNDN);
 }
 
-Mpfr::Mpfr(const Mpfr& other) : Mpfr(Bits{other.precision()}) {
-  mpfr_set(value_, other.value_, MPFR_RNDN);
-}
-
-Mpfr::Mpfr(Mpfr&& other) noexcept : Mpfr() { mpfr_swap(value_, other.value_); }
-
-Mpfr& Mpfr::operator=(const Mpfr& other) {
-  if (this != &other) {
-    if (precision() != other.precision()) mpfr_set_prec(value_, other.precision());
+Mpfr::Mpfr(const Mpfr& other) {
+  if (other.is_short()) {
+    *value_ = *other.value_;
+    limbs_ = other.limbs_;
+    mpfr_custom_move(value_, limbs_.data());
+  } else {
+    begin(other.precision());
     mpfr_set(value_, other.value_, MPFR_RNDN);
   }
+}
+
+Mpfr& Mpfr::operator=(const Mpfr& other) {
+  if (this != &other) *this = Mpfr(other);
   return *this;
 }
 
 Mpfr& Mpfr::operator=(Mpfr&& other) noexcept {
-  mpfr_swap(value_, other.value_);
+  if (this != &other) {
+    end();
+    take(other);
+  }
   return *this;
 }
 

@@ -10,6 +10,7 @@
 
 #include <mpfr.h>
 
+#include <array>
 #include <compare>
 #include <concepts>
 #include <cstdint>
@@ -42,10 +43,10 @@ class Mpfr {
   Mpfr(const Rational& value, long precision);
 
   Mpfr(const Mpfr& other);
-  Mpfr(Mpfr&& other) noexcept;
+  Mpfr(Mpfr&& other) noexcept { take(other); }
   Mpfr& operator=(const Mpfr& other);  ///< takes over the precision too
   Mpfr& operator=(Mpfr&& other) noexcept;
-  ~Mpfr() { mpfr_clear(value_); }
+  ~Mpfr() { end(); }
 
   long precision() const { return mpfr_get_prec(value_); }
 
@@ -69,6 +70,8 @@ class Mpfr {
 
   /// The sign of the rounded value; throws UndecidedSign for NaN.
   friend int sign(const Mpfr& value);
+  /// Neither NaN nor an infinity.
+  friend bool is_finite(const Mpfr& value) { return mpfr_number_p(value.value_) != 0; }
 
   /// The nearest double.
   friend double approximate(const Mpfr& value) { return mpfr_get_d(value.value_, MPFR_RNDN); }
@@ -86,9 +89,39 @@ class Mpfr {
     std::uint64_t magnitude;
   };
   explicit Mpfr(Integral value);
-  explicit Mpfr(Bits precision) { mpfr_init2(value_, precision.count); }
+  explicit Mpfr(Bits precision) { begin(precision.count); }
+
+  // The digits of short numbers stand in the object itself, for which MPFR has its custom
+  // interface: taking memory for each result costs more than the arithmetic.
+  static constexpr int short_limbs = 4;
+  static constexpr long short_precision = static_cast<long>(short_limbs) * GMP_NUMB_BITS;
+
+  bool is_short() const { return precision() <= short_precision; }
+  /// Not a number yet.
+  void begin(long precision) {
+    if (precision <= short_precision) {
+      mpfr_custom_init_set(value_, MPFR_NAN_KIND, 0, precision, limbs_.data());
+    } else {
+      mpfr_init2(value_, precision);
+    }
+  }
+  void end() {
+    if (!is_short()) mpfr_clear(value_);
+  }
+  /// The value of another one, which has none after this but zero if it was long. There is none
+  /// here yet.
+  void take(Mpfr& other) noexcept {
+    *value_ = *other.value_;
+    if (is_short()) {
+      limbs_ = other.limbs_;
+      mpfr_custom_move(value_, limbs_.data());
+    } else {
+      mpfr_custom_init_set(other.value_, MPFR_ZERO_KIND, 0, MPFR_PREC_MIN, other.limbs_.data());
+    }
+  }
 
   mpfr_t value_;
+  std::array<mp_limb_t, short_limbs> limbs_{};
 };
 
 Mpfr operator-(const Mpfr& a);
@@ -97,6 +130,7 @@ Mpfr operator-(const Mpfr& a, const Mpfr& b);
 Mpfr operator*(const Mpfr& a, const Mpfr& b);
 Mpfr operator/(const Mpfr& a, const Mpfr& b);
 std::partial_ordering operator<=>(const Mpfr& a, const Mpfr& b);
+bool is_finite(const Mpfr& value);
 int sign(const Mpfr& value);
 Rational exact(const Mpfr& value);
 

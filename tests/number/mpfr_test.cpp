@@ -93,6 +93,40 @@ TEST(MpfrPrecision, ConversionFromRationalIsNearestWithTiesToEven) {
   EXPECT_EQ(approximate(Mpfr(7.0, 2)), 8);
 }
 
+TEST(MpfrPrecision, ValuesKeepTheirDigitsWhereverTheyAreMoved) {
+  const Rational third = Rational(1) / 3;
+  for (const long before : {1L, 53L, 64L, 65L, 256L, 257L, 1000L}) {
+    for (const long after : {2L, 200L, 256L, 257L, 5000L}) {
+      const Mpfr first(third, before), second(-third, after);
+      const Rational x = exact(first), y = exact(second);
+      Mpfr a = first, b = second;
+      std::swap(a, b);
+      EXPECT_TRUE(exact(a) == y && exact(b) == x) << before << ' ' << after;
+      EXPECT_TRUE(a.precision() == after && b.precision() == before);
+      a = b;  // of another precision
+      EXPECT_TRUE(exact(a) == x && a.precision() == before);
+      a = std::move(b);
+      b = second;  // one that was moved from takes a value again
+      EXPECT_TRUE(exact(a) == x && exact(b) == y);
+      Mpfr& same = a;
+      a = same;
+      a = std::move(same);
+      EXPECT_EQ(exact(a), x);
+      std::vector<Mpfr> grown;
+      for (int i = 0; i < 9; ++i) grown.push_back(i % 2 == 0 ? first : second);
+      for (int i = 0; i < 9; ++i) EXPECT_EQ(exact(grown[i]), i % 2 == 0 ? x : y);
+    }
+  }
+}
+
+TEST(MpfrPrecision, OnlyNumbersAreFinite) {
+  for (const long precision : {53L, 300L}) {
+    const Mpfr zero(0.0, precision), one(1.0, precision);
+    EXPECT_TRUE(is_finite(zero) && is_finite(one));
+    EXPECT_FALSE(is_finite(one / zero) || is_finite(zero / zero));
+  }
+}
+
 TEST(MpfrPrecision, BinaryOperationsTakeTheLargerPrecisionOfTheTwo) {
   const Rational third = Rational(1) / 3;
   const Mpfr coarse(third, 24), fine(third, 100);

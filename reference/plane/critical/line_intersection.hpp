@@ -29,24 +29,57 @@ struct MovingPoint {
   Vector2<T> at(const T& scale) const { return Vector2<T>(x0 + sigma * T(scale - T(1))); }
 };
 
-/// The intersection of the lines of a and b at a scale, by Observation 1 in one of its forms. As
-/// exact as T.
+/// The line of an edge at one scale: its start, and its end minus its start.
+template <class T>
+struct EdgeLine {
+  Vector2<T> start, along;
+};
+
+template <class T>
+EdgeLine<T> line_at(const MovingEdge<Vector2<T>>& edge, const T& scale) {
+  const Vector2<T> start = at(start_of(edge), scale);
+  return {start, Vector2<T>(at(end_of(edge), scale) - start)};
+}
+
+/// The intersection of two lines by Observation 1 in one of its forms. As exact as T.
+template <class T>
+Vector2<T> intersection_of(const EdgeLine<T>& a, const EdgeLine<T>& b, Form form) {
+  const T r = observation_1<T>(a.along, b.along, Vector2<T>(a.start - b.start), form);
+  return Vector2<T>(T(a.start.x() + a.along.x() * r), T(a.start.y() + a.along.y() * r));
+}
+
+/// The same of the lines of a and b at a scale.
 template <class T>
 Vector2<T> intersection_at(const MovingEdge<Vector2<T>>& a, const MovingEdge<Vector2<T>>& b,
                            const T& scale, Form form = Form::corrected) {
-  const Vector2<T> a0 = at(start_of(a), scale), b0 = at(start_of(b), scale);
-  const Vector2<T> v(at(end_of(a), scale) - a0), w(at(end_of(b), scale) - b0);
-  const T r = observation_1<T>(v, w, Vector2<T>(a0 - b0), form);
-  return Vector2<T>(a0 + v * r);
+  return intersection_of<T>(line_at(a, scale), line_at(b, scale), form);
 }
 
-/// The same for all scales, from x0 = x(1) and sigma = x(2) - x(1) (Behar & Lien 2012, Sec. 4.2):
-/// exact in exact arithmetic, since both lines move parallel to themselves, linearly in s.
+/// The lines of an edge at the scales 1 and 2.
+template <class T>
+struct EdgeLines {
+  EdgeLine<T> first, second;
+};
+
+template <class T>
+EdgeLines<T> edge_lines(const MovingEdge<Vector2<T>>& edge) {
+  return {line_at(edge, T(1)), line_at(edge, T(2))};
+}
+
+/// The intersection for all scales, from x0 = x(1) and sigma = x(2) - x(1) (Behar & Lien 2012,
+/// Sec. 4.2): exact in exact arithmetic, since both lines move parallel to themselves, linearly in
+/// s.
+template <class T>
+MovingPoint<T> line_intersection(const EdgeLines<T>& a, const EdgeLines<T>& b,
+                                 Form form = Form::corrected) {
+  const Vector2<T> x0 = intersection_of<T>(a.first, b.first, form);
+  return {x0, Vector2<T>(intersection_of<T>(a.second, b.second, form) - x0)};
+}
+
 template <class T>
 MovingPoint<T> line_intersection(const MovingEdge<Vector2<T>>& a, const MovingEdge<Vector2<T>>& b,
                                  Form form = Form::corrected) {
-  const Vector2<T> x0 = intersection_at<T>(a, b, T(1), form);
-  return {x0, Vector2<T>(intersection_at<T>(a, b, T(2), form) - x0)};
+  return line_intersection<T>(edge_lines(a), edge_lines(b), form);
 }
 
 }  // namespace minkref::inline plane

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <utility>
 
-#include "reference/memory.hpp"
 #include "reference/number/exact_value.hpp"
 #include "reference/plane/boundary/canonical.hpp"
 #include "reference/plane/kernel/arithmetic_name.hpp"
 #include "reference/plane/paper/intersection_lists.hpp"
 #include "reference/plane/paper/intersections_afresh.hpp"
 #include "reference/plane/paper/listed_intersections.hpp"
+#include "reference/plane/paper/region_search.hpp"
 #include "reference/plane/routes/boundary_rings.hpp"
 #include "reference/plane/routes/convolution_arrangement.hpp"
 #include "reference/plane/routes/paper_route.hpp"
@@ -49,7 +49,8 @@ class UpdateIn : public PaperUpdate {
   using Vector = Vector2<T>;
 
   UpdateIn(const PolygonSet& P, const PolygonSet& Q, const Rational& first_scale,
-           const Arithmetic<T>& arithmetic, const Readings& readings, std::uint64_t memory)
+           const Arithmetic<T>& arithmetic, const Readings& readings, unsigned threads,
+           std::uint64_t memory)
       : arithmetic_(arithmetic),
         readings_(readings),
         connected_(connected(P) && connected(Q)),
@@ -58,7 +59,10 @@ class UpdateIn : public PaperUpdate {
         convolution_(convolution_segments<K>(reduced_convolution(P, Q), P_, Q_)),
         edges_(moving_edges(convolution_.edges, P_, Q_)),
         lists_(edges_, regions_, readings.order) {
-    find_regions(arithmetic(readings.tolerance * (largest(P) + largest(Q))), memory);
+    const T zero = arithmetic(readings.tolerance * (largest(P) + largest(Q)));
+    auto found = find_regions<T>(edges_, convolution_.segments, readings_, zero, threads, memory);
+    regions_ = std::move(found.regions);
+    counts_ = {edges_.size(), found.pairs, regions_.size(), found.undecided};
     sort_events();
     start(arithmetic_(first_scale));
   }
@@ -184,43 +188,6 @@ class UpdateIn : public PaperUpdate {
     }
   }
 
-  /// `zero`: what counts as zero with a tolerance.
-  void find_regions(const T& zero, std::uint64_t memory) {
-    const K kernel;
-    counts_.edges = edges_.size();
-    for (std::uint32_t a = 0; a < edges_.size(); ++a) {
-      look_for_interrupt_now();
-      if (memory != 0) check_memory(memory, "the list of critical regions");
-      for (std::uint32_t b = a + 1; b < edges_.size(); ++b) {
-        if (!readings_.adjacent && share_vertex(a, b)) continue;
-        ++counts_.pairs;
-        try {
-          add(kernel, a, b, zero);
-        } catch (const UndecidedSign&) {
-          if constexpr (std::is_same_v<T, Interval>) throw;
-          ++counts_.undecided;
-        }
-      }
-    }
-    counts_.regions = regions_.size();
-  }
-
-  void add(const K& kernel, std::uint32_t a, std::uint32_t b, const T& zero) {
-    const bool parallel = kernel.turn(edges_[a].d, edges_[b].d) == 0;
-    if (parallel && !readings_.parallel) return;
-    auto region = parallel ? parallel_region(kernel, edges_[a], edges_[b])
-                           : critical_region<T>(edges_[a], edges_[b], readings_, zero);
-    if (!region) return;
-    region->a = a;
-    region->b = b;
-    regions_.push_back(std::move(*region));
-  }
-
-  bool share_vertex(std::uint32_t a, std::uint32_t b) const {
-    const IndexedSegment &s = convolution_.segments[a], &t = convolution_.segments[b];
-    return s.from == t.from || s.from == t.to || s.to == t.from || s.to == t.to;
-  }
-
   /// Ascending; at one scale insertions come first, for regions are closed.
   void sort_events() {
     for (std::uint32_t i = 0; i < regions_.size(); ++i) {
@@ -255,12 +222,14 @@ class UpdateIn : public PaperUpdate {
 std::unique_ptr<PaperUpdate> PaperUpdate::make(const PolygonSet& P, const PolygonSet& Q,
                                                const Rational& first_scale,
                                                const std::string& arithmetic,
-                                               const Readings& readings, std::uint64_t memory) {
+                                               const Readings& readings, std::uint64_t memory,
+                                               unsigned threads) {
   refuse_bad_operands(P, Q, first_scale);
-  return with_arithmetic(
-      arithmetic, [&]<class T>(const Arithmetic<T>& in) -> std::unique_ptr<PaperUpdate> {
-        return std::make_unique<UpdateIn<T>>(P, Q, first_scale, in, readings, memory);
-      });
+  return with_arithmetic(arithmetic,
+                         [&]<class T>(const Arithmetic<T>& in) -> std::unique_ptr<PaperUpdate> {
+                           return std::make_unique<UpdateIn<T>>(P, Q, first_scale, in, readings,
+                                                                std::max(threads, 1U), memory);
+                         });
 }
 
 }  // namespace minkref::inline plane

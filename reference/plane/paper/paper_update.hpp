@@ -21,11 +21,12 @@ class PaperUpdate {
   /// Exact if the arithmetic is and the readings are the corrected ones; otherwise what the paper's
   /// formulas give. Throws BadInput for bad operands, scales and arithmetics, LimitExceeded where
   /// the regions take more than `memory` bytes (0: no limit), UndecidedSign where "interval" cannot
-  /// tell a sign. O(N^2 + k log k) for N edges and k regions.
+  /// tell a sign. The same whatever the number of threads. O(N^2 + k log k) for N edges and k
+  /// regions.
   static std::unique_ptr<PaperUpdate> make(const PolygonSet& P, const PolygonSet& Q,
                                            const Rational& first_scale,
                                            const std::string& arithmetic, const Readings& readings,
-                                           std::uint64_t memory = 0);
+                                           std::uint64_t memory = 0, unsigned threads = 1);
   virtual ~PaperUpdate() = default;
 
   struct Step {
