@@ -20,61 +20,61 @@ DIGESTS = {
         "b677a2c7521cf456bcb0dbdf",
         "73e0a44845ae58700715be90",
         "5a5fcd3a11a07b4f802ac593",
-    ),  # fmt: skip
+    ),
     ("g1", "g2", "printed"): (
         "46e28155a15354c53a20f867",
         "46e28155a15354c53a20f867",
         "f5c44be2aacdae7e8df90ab0",
         "36eb7ecf93b25eb60d985227",
-    ),  # fmt: skip
+    ),
     ("g3", "g1", "corrected"): (
         "4d7818972b119d10df3073f7",
         "4d7818972b119d10df3073f7",
         "1f3a64643526ff4e23703101",
         "532ad67ef0d904a8743591ef",
-    ),  # fmt: skip
+    ),
     ("g3", "g1", "printed"): (
         "9fed3d2843db2d34367c20b9",
         "9fed3d2843db2d34367c20b9",
         "55c0c0c272d58113c3715d41",
         "0525fb6cc4e1d93419496caf",
-    ),  # fmt: skip
+    ),
     ("disc1", "g1", "corrected"): (
         "3540dd1299a3aee5a51e1209",
         "3540dd1299a3aee5a51e1209",
         "cabbb27daef7ede082115302",
         "07a637c29111133cb58f0c77",
-    ),  # fmt: skip
+    ),
     ("disc1", "g1", "printed"): (
         "2ab6602d5a25e36cb4e4d167",
         "2ab6602d5a25e36cb4e4d167",
         "0ce11e377763dabcf9b2f169",
         "b783efae2a7749c21253cd1e",
-    ),  # fmt: skip
+    ),
     ("g2", "g4", "corrected"): (
         "6d2133cb28d1a16e49fc017c",
         "6d2133cb28d1a16e49fc017c",
         "91b365549e2f091e7e4d81a1",
         "f2c92e096fb3ccb20661502e",
-    ),  # fmt: skip
+    ),
     ("g2", "g4", "printed"): (
         "9cb48b1fb4e5b79adc5a5924",
         "9cb48b1fb4e5b79adc5a5924",
         "4432ee4832e5bd73ce798ff4",
         "24590a14da45fde2972ffac2",
-    ),  # fmt: skip
+    ),
     ("g3", "g2", "corrected"): (
         "baa2b5561f75791954fb36bc",
         "baa2b5561f75791954fb36bc",
         "c3abd90a7f84a62155610451",
         "6f25c7e4a095fd724c8879ba",
-    ),  # fmt: skip
+    ),
     ("g3", "g2", "printed"): (
         "85b5f9117ab81af6b47e7f00",
         "85b5f9117ab81af6b47e7f00",
         "f73493ad0b69f086dae00f94",
         "ff6ff71b27a4c150b587f9a5",
-    ),  # fmt: skip
+    ),
 }
 
 
