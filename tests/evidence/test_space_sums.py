@@ -32,8 +32,7 @@ def test_laws_are_asked_of_all_families() -> None:
 @pytest.mark.parametrize("route", ROUTES)
 def test_a_route_keeps_the_laws(route: str) -> None:
     """Of a pair whose two components give all laws something to say."""
-    if route not in routes():
-        pytest.skip(f"the module has no function {ROUTES[route]}")
+    assert route in routes()
     row = judge((13, True))
     assert row["messages"] == []
     assert route in row["answers"]
