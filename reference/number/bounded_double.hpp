@@ -21,7 +21,7 @@ struct BoundedDouble {
   BoundedDouble(int integer) : value(integer) {}  // NOLINT: implicit, since it is exact
   explicit BoundedDouble(const Integer& integer)
       : value(integer.convert_to<double>()),
-        error(std::abs(value) <= most_exact ? 0 : std::abs(value) * 0x1p-51) {}
+        error(std::abs(value) < most_exact ? 0 : std::abs(value) * 0x1p-51) {}
 
   /// What certain_sign returns where the sign is not certain.
   static constexpr int undecided = 2;
@@ -60,7 +60,7 @@ struct BoundedDouble {
   }
   static BoundedDouble rounded(double value, double inherited) {
     const double magnitude = std::abs(value);
-    if (inherited == 0 && magnitude <= most_exact) return {value, 0};
+    if (inherited == 0 && magnitude < most_exact) return {value, 0};
     return {value, enlarged(inherited + magnitude * unit)};
   }
 };

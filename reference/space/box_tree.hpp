@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 
@@ -27,7 +28,11 @@ struct SpaceBox {
     return low[0] <= other.high[0] && other.low[0] <= high[0] && low[1] <= other.high[1] &&
            other.low[1] <= high[1] && low[2] <= other.high[2] && other.low[2] <= high[2];
   }
-  double centre(std::size_t axis) const { return low[axis] / 2 + high[axis] / 2; }
+  /// 0 where it is unbounded both ways.
+  double centre(std::size_t axis) const {
+    const double middle = low[axis] / 2 + high[axis] / 2;
+    return std::isnan(middle) ? 0 : middle;
+  }
 };
 
 using SpaceBoxTree = BasicBoxTree<SpaceBox>;

@@ -1,6 +1,7 @@
 #include "reference/space/edges/operand.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <stdexcept>
 
@@ -111,11 +112,14 @@ SpaceOperand::SpaceOperand(const Polyhedron& body, const std::vector<IntegerVect
 }
 
 SpaceBox box_around(const BoundedVector& point) {
+  constexpr double infinity = SpaceBox::infinity;
   SpaceBox box;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto [value, error] = point[k];
-    box.low[k] = error == 0 ? value : std::nextafter(value - error, -SpaceBox::infinity);
-    box.high[k] = error == 0 ? value : std::nextafter(value + error, SpaceBox::infinity);
+    const double low = error == 0 ? value : std::nextafter(value - error, -infinity);
+    const double high = error == 0 ? value : std::nextafter(value + error, infinity);
+    box.low[k] = std::isnan(low) ? -infinity : low;
+    box.high[k] = std::isnan(high) ? infinity : high;
   }
   return box;
 }
