@@ -12,6 +12,7 @@
 
 #include "python/core.hpp"
 #include "python/core_space.hpp"
+#include "python/core_space_surface.hpp"
 #include "python/vector_caster.hpp"
 #include "reference/space/definition/convex_pieces.hpp"
 #include "reference/space/definition/definition_sum.hpp"
@@ -32,10 +33,11 @@ BuildOptions on(unsigned threads) {
 }  // namespace
 
 void bind_polyhedral_set(nb::module_& module) {
-  unchanging(nb::class_<PolyhedralSet>(
-                 module, "PolyhedralSet",
-                 "A regular closed set in space, exact: what is exposed in each of its planes. A "
-                 "value: never changed, equal to each set of the same points."))
+  auto bound = nb::class_<PolyhedralSet>(
+      module, "PolyhedralSet",
+      "A regular closed set in space, exact: what is exposed in each of its planes. A value: never "
+      "changed, equal to each set of the same points.");
+  unchanging(nb::class_<PolyhedralSet>(bound))
       .def(
           "__eq__", [](const PolyhedralSet& a, const PolyhedralSet& b) { return a == b; },
           nb::is_operator(), nb::sig("def __eq__(self, other: object, /) -> bool"))
@@ -57,6 +59,7 @@ void bind_polyhedral_set(nb::module_& module) {
           "planes", [](const PolyhedralSet& set) { return set.faces.size(); },
           "In how many oriented planes its faces lie.")
       .def_prop_ro("is_empty", [](const PolyhedralSet& set) { return set.empty(); });
+  bind_space_surface(module, bound);
   module.def(
       "definition_sum_in_space",
       [](const Surface& P, const Surface& Q, const ExactSpacePoint& scaling) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "reference/space/edges/edge_sum.hpp"
+#include "reference/space/surface/space_vertex.hpp"
 
 namespace minkref {
 namespace {
@@ -77,6 +78,29 @@ TEST(Parents, CoverEachFaceOfASum) {
       covered += abs(doubled_area(ring)) / 2;
     }
     EXPECT_GE(covered, area(sum.set.faces[r].region));
+  }
+}
+
+TEST(Parents, AreNamedByTheVerticesOfTheOperands) {
+  const Polyhedron P = bar(), Q = tetrahedron();
+  const PolyhedralSet set = edge_sum(P, Q, {2, 1, 1}).set;
+  const auto found = parents(set, P, Q, {2, 1, 1});
+  ASSERT_EQ(found.size(), set.faces.size());
+  for (std::size_t r = 0; r < found.size(); ++r) {
+    EXPECT_FALSE(found[r].empty());
+    const FilteredPlane plane(set.faces[r].plane);
+    for (const Parent& parent : found[r]) {
+      EXPECT_EQ(parent.of_P.size(), parent.kind == FacetKind::fv   ? 3U
+                                    : parent.kind == FacetKind::vf ? 1U
+                                                                   : 2U);
+      EXPECT_EQ(parent.of_P.size() + parent.of_Q.size(), 4U);
+      for (const std::uint32_t p : parent.of_P) {
+        for (const std::uint32_t q : parent.of_Q) {
+          const SpacePoint &a = P.vertices[p], &b = Q.vertices[q];
+          EXPECT_EQ(plane.side(SpaceVertex({2 * a.x + b.x, a.y + b.y, a.z + b.z})), 0);
+        }
+      }
+    }
   }
 }
 
