@@ -1,6 +1,7 @@
 // Doubles that carry a bound of their error: the filter before exact integers.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -19,9 +20,15 @@ struct BoundedDouble {
   BoundedDouble(double value_, double error_) : value(value_), error(error_) {}
   /// An integer of at most 53 bits.
   BoundedDouble(int integer) : value(integer) {}  // NOLINT: implicit, since it is exact
-  explicit BoundedDouble(const Integer& integer)
-      : value(integer.convert_to<double>()),
-        error(std::abs(value) < most_exact ? 0 : std::abs(value) * 0x1p-51) {}
+  /// integer * 2^-shift, shift >= 0.
+  explicit BoundedDouble(const Integer& integer, long shift = 0) {
+    long exponent = 0;
+    value = mpz_get_d_2exp(&exponent, integer.backend().data());
+    exponent = std::clamp(exponent - shift, -longest_exponent, longest_exponent);
+    value = std::ldexp(value, static_cast<int>(exponent));
+    const bool exact = integer.is_zero() || (shift == 0 && std::abs(value) < most_exact);
+    if (!exact) error = enlarged(std::abs(value) * 0x1p-52);
+  }
 
   /// What certain_sign returns where the sign is not certain.
   static constexpr int undecided = 2;
@@ -53,6 +60,7 @@ struct BoundedDouble {
 
  private:
   static constexpr double most_exact = 0x1p53, unit = 0x1p-53;
+  static constexpr long longest_exponent = 5000;
 
   /// The few roundings of the bound itself, and underflow.
   static double enlarged(double error) {

@@ -128,7 +128,7 @@ bool CarrierCutting::spans_crossing(std::uint32_t a, std::uint32_t b) {
   };
   const ConvolutionFacet &f = facets_[a], &g = facets_[b];
   if (!on_both_sides(f, g) || !on_both_sides(g, f)) return false;
-  begin(CarrierLine(f, g));
+  begin(CarrierLine(f, g, convolution_.shift));
   Cut from, to, other_from, other_to;
   int border = CutterPlane::own;
   if (!clip(f, from, to, border) || border != CutterPlane::own) return false;

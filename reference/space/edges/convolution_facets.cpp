@@ -11,7 +11,9 @@ namespace {
 
 class ConvolutionBuild {
  public:
-  ConvolutionBuild(const SpaceOperand& P, const SpaceOperand& Q) : P_(P), Q_(Q) {}
+  ConvolutionBuild(const SpaceOperand& P, const SpaceOperand& Q) : P_(P), Q_(Q) {
+    result_.shift = P.shift;
+  }
 
   Convolution run() {
     triangles_at_vertices(P_, Q_, true);
@@ -104,7 +106,7 @@ class ConvolutionBuild {
     facet.of_Q = f;
     const IntegerVector across = cross(p.direction.exact, q.direction.exact);
     if (is_zero(across)) return;
-    facet.normal = FilteredVector(side > 0 ? across : IntegerVector{} - across);
+    facet.normal = FilteredVector(side > 0 ? across : IntegerVector{} - across, 2 * P_.shift);
     const Corner start{p.from, q.from}, end{p.to, q.to};
     const Corner along_P{p.to, q.from}, along_Q{p.from, q.to};
     const std::uint32_t P_first = this->side(true, e, q.from), P_last = this->side(true, e, q.to);
@@ -139,11 +141,12 @@ class ConvolutionBuild {
     const auto number = static_cast<std::uint32_t>(result_.facets.size());
     for (std::uint8_t k = 0; k < facet.size; ++k) {
       const Corner& name = facet.names[k];
-      facet.corners[k] = FilteredVector(P_.points[name.of_P].exact + Q_.points[name.of_Q].exact);
+      facet.corners[k] =
+          FilteredVector(P_.points[name.of_P].exact + Q_.points[name.of_Q].exact, P_.shift);
       facet.box.add(box_around(facet.corners[k].rounded));
       result_.sides[facet.sides[k]].uses.push_back({number, k});
     }
-    facet.offset = FilteredInteger(dot(facet.normal.exact, facet.corners[0].exact));
+    facet.offset = FilteredInteger(dot(facet.normal.exact, facet.corners[0].exact), 3 * P_.shift);
     result_.facets.push_back(std::move(facet));
   }
 

@@ -49,6 +49,7 @@ struct FacetSide {
 };
 
 struct Convolution {
+  long shift = 0;  ///< of the doubles of coordinates
   std::vector<ConvolutionFacet> facets;
   std::vector<FacetSide> sides;
   SignCounts signs;

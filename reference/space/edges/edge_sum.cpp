@@ -50,12 +50,8 @@ EdgeSum edge_sum(const Polyhedron& P, const Polyhedron& Q, const Scaling& scalin
     throw BadInput("degenerate-operands", "neither operand has a volume",
                    "give a solid as one of them");
   }
-  std::vector<SpacePoint> vertices = scaled(P, scaling).vertices;
-  vertices.insert(vertices.end(), Q.vertices.begin(), Q.vertices.end());
-  const IntegerPoints integers = integer_points(vertices);
-  const auto split = integers.points.begin() + static_cast<std::ptrdiff_t>(P.vertices.size());
-  const SpaceOperand first(P, {integers.points.begin(), split});
-  const SpaceOperand second(Q, {split, integers.points.end()});
+  const SpaceOperands operands = space_operands(P, Q, scaling);
+  const SpaceOperand &first = operands.P, &second = operands.Q;
   const Convolution convolution = convolution_facets(first, second);
   const NearLists near = near_lists(convolution.facets);
   const CollisionTrees trees(first, second);
@@ -93,7 +89,7 @@ EdgeSum edge_sum(const Polyhedron& P, const Polyhedron& Q, const Scaling& scalin
   result.facets = convolution.facets.size();
   result.near_pairs = pairs.size();
   result.edges = edges.size();
-  result.set = faces_from_edges(edges, convolution.facets, integers.denominator);
+  result.set = faces_from_edges(edges, convolution.facets, operands.denominator);
   return result;
 }
 

@@ -32,7 +32,8 @@ std::size_t widest_certain_axis(const BoundedVector& vector) {
 CarrierLine::CarrierLine(const ConvolutionFacet& facet, std::size_t side)
     : a_(facet), b_(facet), side_(static_cast<int>(side)), rounded_(made<BoundedDouble>()) {}
 
-CarrierLine::CarrierLine(const ConvolutionFacet& a, const ConvolutionFacet& b) : a_(a), b_(b) {
+CarrierLine::CarrierLine(const ConvolutionFacet& a, const ConvolutionFacet& b, long shift)
+    : a_(a), b_(b), shift_(shift) {
   const BoundedVector along = cross(a.normal.rounded, b.normal.rounded);
   axis_ = widest_certain_axis(along);
   int sign = along[axis_].certain_sign();
@@ -56,7 +57,8 @@ LineIn<T> CarrierLine::made() const {
   const std::array<T, 3>&n = a_.normal.as<T>(), &m = b_.normal.as<T>();
   const std::array<T, 3> along = cross(n, m);
   const std::size_t i = (axis_ + 1) % 3, j = (axis_ + 2) % 3;
-  const T level(level_);
+  T level(level_);
+  if constexpr (std::is_same_v<T, Integer>) level <<= static_cast<unsigned long>(shift_);
   const T c = a_.offset.as<T>() - n[axis_] * level, d = b_.offset.as<T>() - m[axis_] * level;
   LineIn<T> line;
   line.weight = along[axis_];

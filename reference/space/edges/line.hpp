@@ -45,7 +45,7 @@ class CarrierLine {
   CarrierLine(const ConvolutionFacet& facet, std::size_t side);
   /// Along which the planes of two facets cross; they must not be parallel. t is a coordinate, up
   /// to an integer and the sign.
-  CarrierLine(const ConvolutionFacet& a, const ConvolutionFacet& b);
+  CarrierLine(const ConvolutionFacet& a, const ConvolutionFacet& b, long shift);
 
   /// Whether the planes of two facets are parallel.
   static bool parallel(const ConvolutionFacet& a, const ConvolutionFacet& b, SignCounts& signs);
@@ -79,7 +79,8 @@ class CarrierLine {
   const ConvolutionFacet &a_, &b_;
   int side_ = CutterPlane::own;
   std::size_t axis_ = 0;
-  int level_ = 0;      ///< of the axis coordinate, at t = 0
+  int level_ = 0;      ///< of the axis coordinate, at t = 0, times 2^-shift
+  long shift_ = 0;     ///< of the doubles of coordinates
   int direction_ = 1;  ///< the sign that makes the weight positive
   LineIn<BoundedDouble> rounded_;
   mutable std::optional<LineIn<Integer>> exact_;

@@ -24,15 +24,26 @@ std::vector<Face> cut_faces(const Polyhedron& body, const std::vector<IntegerVec
   return triangles;
 }
 
+/// That after which doubles have the precision of coordinates, or coordinates that of doubles.
+long shift_of(const std::vector<IntegerVector>& points) {
+  constexpr long most_bits = 50;
+  long longest = 0;
+  for (const IntegerVector& point : points) {
+    for (const Integer& coordinate : point) longest = std::max(longest, bits(coordinate));
+  }
+  return std::max(0L, longest - most_bits);
+}
+
 class OperandBuild {
  public:
   explicit OperandBuild(SpaceOperand& operand) : operand_(operand) {}
 
   void add_triangle(const Face& face) {
     const auto at = [&](std::size_t k) { return operand_.points[face[k]].exact; };
-    operand_.triangles.push_back({{face[0], face[1], face[2]},
-                                  {none, none, none},
-                                  FilteredVector(cross(at(1) - at(0), at(2) - at(0)))});
+    operand_.triangles.push_back(
+        {{face[0], face[1], face[2]},
+         {none, none, none},
+         FilteredVector(cross(at(1) - at(0), at(2) - at(0)), 2 * operand_.shift)});
   }
 
   void add_edge(std::uint32_t from, std::uint32_t to, std::uint32_t left, std::uint32_t right,
@@ -40,7 +51,7 @@ class OperandBuild {
     const auto number = static_cast<std::uint32_t>(operand_.edges.size());
     operand_.edges.push_back(
         {from, to, left, right, convex,
-         FilteredVector(operand_.points[to].exact - operand_.points[from].exact)});
+         FilteredVector(operand_.points[to].exact - operand_.points[from].exact, operand_.shift)});
     operand_.edges_at[from].push_back(number);
     operand_.edges_at[to].push_back(number);
   }
@@ -96,8 +107,10 @@ class OperandBuild {
 
 }  // namespace
 
-SpaceOperand::SpaceOperand(const Polyhedron& body, const std::vector<IntegerVector>& at)
-    : points(at.begin(), at.end()), edges_at(at.size()) {
+SpaceOperand::SpaceOperand(const Polyhedron& body, const std::vector<IntegerVector>& at,
+                           long shift_)
+    : shift(shift_), edges_at(at.size()) {
+  for (const IntegerVector& point : at) points.emplace_back(point, shift);
   OperandBuild build(*this);
   std::vector<Face> cut = cut_faces(body, at);
   if (body.faces.size() == 1) {
@@ -109,6 +122,17 @@ SpaceOperand::SpaceOperand(const Polyhedron& body, const std::vector<IntegerVect
   build.join(cut);
   if (body.is_segment()) build.add_edge(0, 1, none, none, true);
   build.find_shells();
+}
+
+SpaceOperands space_operands(const Polyhedron& P, const Polyhedron& Q, const Scaling& scaling) {
+  require_positive(scaling);
+  std::vector<SpacePoint> vertices = scaled(P, scaling).vertices;
+  vertices.insert(vertices.end(), Q.vertices.begin(), Q.vertices.end());
+  const IntegerPoints integers = integer_points(vertices);
+  const auto split = integers.points.begin() + static_cast<std::ptrdiff_t>(P.vertices.size());
+  const long shift = shift_of(integers.points);
+  return {SpaceOperand(P, {integers.points.begin(), split}, shift),
+          SpaceOperand(Q, {split, integers.points.end()}, shift), integers.denominator};
 }
 
 SpaceBox box_around(const BoundedVector& point) {

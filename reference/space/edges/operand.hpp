@@ -29,6 +29,7 @@ struct SpaceOperand {
     FilteredVector direction;
   };
 
+  long shift = 0;  ///< of the doubles of coordinates
   std::vector<FilteredVector> points;
   std::vector<Triangle> triangles;
   std::vector<Edge> edges;
@@ -36,11 +37,19 @@ struct SpaceOperand {
   std::vector<std::uint32_t> shell_vertices;         ///< one vertex of each connected surface
 
   /// `points` are the vertices over one denominator.
-  SpaceOperand(const Polyhedron& body, const std::vector<IntegerVector>& points);
+  SpaceOperand(const Polyhedron& body, const std::vector<IntegerVector>& points, long shift);
 
   bool is_segment() const { return triangles.empty() && edges.size() == 1; }
   SpaceBox box_of(std::uint32_t triangle) const;
 };
+
+/// S P and Q over one denominator.
+struct SpaceOperands {
+  SpaceOperand P, Q;
+  Integer denominator;
+};
+/// Throws BadInput ("bad-scale") for a factor that is not positive. Exact.
+SpaceOperands space_operands(const Polyhedron& P, const Polyhedron& Q, const Scaling& scaling);
 
 /// The least box of doubles around points.
 SpaceBox box_around(const BoundedVector& point);

@@ -33,12 +33,14 @@ std::array<T, 3> cross(const std::array<T, 3>& a, const std::array<T, 3>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// An integer and the double beside it.
+/// An integer and the double beside it, times 2^-shift. Where coordinates are longer than doubles
+/// their shift is such that their doubles are not; that of products of them is the sum of theirs,
+/// so that all doubles in a sign are those of the same coordinates in another unit.
 struct FilteredInteger {
   Integer exact;
   BoundedDouble rounded;
   FilteredInteger() = default;
-  explicit FilteredInteger(Integer value) : exact(std::move(value)), rounded(exact) {}
+  FilteredInteger(Integer value, long shift) : exact(std::move(value)), rounded(exact, shift) {}
   template <class T>
   const T& as() const {
     if constexpr (std::is_same_v<T, Integer>) {
@@ -53,9 +55,10 @@ struct FilteredVector {
   IntegerVector exact;
   BoundedVector rounded;
   FilteredVector() = default;
-  explicit FilteredVector(IntegerVector vector)
+  FilteredVector(IntegerVector vector, long shift)
       : exact(std::move(vector)),
-        rounded{BoundedDouble(exact[0]), BoundedDouble(exact[1]), BoundedDouble(exact[2])} {}
+        rounded{BoundedDouble(exact[0], shift), BoundedDouble(exact[1], shift),
+                BoundedDouble(exact[2], shift)} {}
   template <class T>
   const std::array<T, 3>& as() const {
     if constexpr (std::is_same_v<T, Integer>) {

@@ -99,13 +99,7 @@ std::vector<std::vector<std::uint32_t>> parents(const PolyhedralSet& set,
 
 std::vector<std::vector<Parent>> parents(const PolyhedralSet& sum, const Polyhedron& P,
                                          const Polyhedron& Q, const Scaling& scaling) {
-  require_positive(scaling);
-  std::vector<SpacePoint> vertices = scaled(P, scaling).vertices;
-  vertices.insert(vertices.end(), Q.vertices.begin(), Q.vertices.end());
-  const IntegerPoints integers = integer_points(vertices);
-  const auto split = integers.points.begin() + static_cast<std::ptrdiff_t>(P.vertices.size());
-  const SpaceOperand first(P, {integers.points.begin(), split});
-  const SpaceOperand second(Q, {split, integers.points.end()});
+  const auto [first, second, denominator] = space_operands(P, Q, scaling);
   const std::vector<ConvolutionFacet> facets = convolution_facets(first, second).facets;
   const auto vertices_of = [](const SpaceOperand& operand, std::uint32_t feature, bool triangle,
                               bool edge) -> std::vector<std::uint32_t> {
@@ -117,7 +111,7 @@ std::vector<std::vector<Parent>> parents(const PolyhedralSet& sum, const Polyhed
     return {feature};
   };
   std::vector<std::vector<Parent>> result;
-  for (const auto& list : parents(sum, facets, integers.denominator)) {
+  for (const auto& list : parents(sum, facets, denominator)) {
     auto& named = result.emplace_back();
     for (const std::uint32_t f : list) {
       const ConvolutionFacet& facet = facets[f];
