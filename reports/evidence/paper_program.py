@@ -3,6 +3,7 @@ right sum, and which formula is to blame."""
 
 from __future__ import annotations
 
+import datetime
 import time
 from collections import Counter
 from dataclasses import dataclass
@@ -13,26 +14,35 @@ from minkref.reports.bench.pairs import Pair, pairs
 from minkref.reports.bench.rescalings import rescalings
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.part import COMPARISON, MODELS, READERS, REFERENCE, Findings
+from minkref.reports.evidence.framework.store import ROOT
+from minkref.reports.paper.program_runs import CORRECTED as ALL_CORRECTED
+from minkref.reports.paper.program_runs import FILE, Run, Runs, as_text
 
 SUBJECT = (
     "The paper's update (Behar & Lien 2012, Section 4) formula by formula on the pairs of Table 1: "
     "all formulas corrected, all but one, and as printed; in rational numbers, doubles and MPFR of "
-    "53 to 1,000 bits; after 1, 10 and 100 re-scalings."
+    "53 to 1,000 bits; after 1, 10 and 100 re-scalings; and all corrected on the two large pairs."
 )
 MINUTES = (40, 0.3)
-DEPENDS = (*REFERENCE, *READERS, *MODELS, *COMPARISON, "reports/bench/*.py")
+DEPENDS = (
+    *REFERENCE, *READERS, *MODELS, *COMPARISON, "reports/bench/*.py",
+    "reports/paper/program_runs.py",
+)  # fmt: skip
 
 SEED = 1
 AFTER = (1, 10, 100)  # re-scalings
 ROUNDING = ("double", "mpfr:53", "mpfr:100", "mpfr:200", "mpfr:1000")
-FEW = ("double", "mpfr:200")  # of pairs with many edges
+FEW = ("double", "mpfr:200")  # of pairs with many edges, by programs that invent events
+LARGE = ("double", "mpfr:53", "mpfr:200")  # of the solve as printed on large pairs
+LARGEST = ("double", "mpfr:53")
 MANY = 60_000  # pairs of edges
 MOST = 600_000
+HUGE = 60_000_000
 TOO_MANY = 10  # times as many intersections as there are: no sum is asked for, it is another one
 CORRECTED = {name: corrected for name, _, corrected, _ in _core.paper_readings()}
 PRINTED = {name: values[0] for name, values, *_ in _core.paper_readings()}
 VARIANTS = {
-    "all corrected": CORRECTED,
+    ALL_CORRECTED: CORRECTED,
     **{
         f"{name} as printed": CORRECTED | {name: PRINTED[name]}
         for name in CORRECTED
@@ -42,6 +52,9 @@ VARIANTS = {
     "solve by least squares": CORRECTED | {"solve": "least-squares"},
     "all as printed": PRINTED,
 }
+
+
+SOLVE = "solve as printed"
 
 
 @dataclass(frozen=True)
@@ -56,15 +69,8 @@ class Task:
 
 @dataclass(frozen=True)
 class Row:
-    """One program on one pair. `right`: after each of AFTER, whether the structure is right."""
-
-    arithmetic: str
-    variant: str
-    name: str
-    right: tuple[bool, ...]
-    same: tuple[bool, ...]  # the same set of points, exactly
-    most_ulps: float
-    seconds: float
+    run: Run
+    same: tuple[bool, ...]  # after each of AFTER, the same set of points, exactly
 
 
 def follow(task: Task) -> Row:
@@ -88,36 +94,45 @@ def follow(task: Task) -> Row:
         right.append(found.same_structure)
         same.append(found.ulps == 0)
         most = max(most, float(found.ulps or 0))
-    return Row(
-        task.arithmetic, task.variant, task.pair.name, tuple(right), tuple(same), most, seconds
-    )
+    pairs = int(program.counts()["pairs"])
+    run = Run(task.pair.name, task.arithmetic, task.variant, tuple(right), most, pairs, seconds)
+    return Row(run, tuple(same))
 
 
-def intersections(pair: Pair) -> tuple[int, ...]:
+def intersections(pair: Pair, arithmetic: str) -> tuple[int, ...]:
     scales = rescalings(SEED, AFTER[-1])
-    exact = _core.PaperUpdate(pair.P.set, pair.Q.set, "1", "rational", CORRECTED)
+    exact = _core.PaperUpdate(pair.P.set, pair.Q.set, "1", arithmetic, CORRECTED)
     return tuple(exact.move_to(scales[number - 1])["updated"] for number in AFTER)
 
 
 def tasks(quick: bool) -> tuple[list[Task], list[str]]:
-    chosen, notes = pairs(quick=True)
-    found, left_out = [], []
+    """Those that take longest first."""
+    chosen, notes = pairs(quick)
+    found = []
     for pair in chosen:
         edges = len(_core.reduced_convolution(pair.P.set, pair.Q.set))
         count = edges * (edges - 1) // 2
         if quick and count > 12_000:
             continue
+        there = intersections(pair, "double" if count > MOST else "rational")
+        plan = _plan(count, quick)
+        found += [(count, Task(pair, a, v, there)) for v, names in plan.items() for a in names]
         if count > MOST:
-            left_out.append(f"{pair.name}, {count:,} pairs of edges")
-            arithmetics, variants = ["double"], ["all corrected", "solve as printed"]
-        else:
-            arithmetics = ["rational", *(FEW if quick or count > MANY else ROUNDING)]
-            variants = list(VARIANTS)
-        there = intersections(pair)
-        found += [Task(pair, a, v, there) for a in arithmetics for v in variants]
-    if left_out:
-        notes.append(f"in doubles only, and by two programs only: {'; '.join(left_out)}")
-    return found, notes
+            notes.append(f"{pair.name}, {count:,} pairs of edges: " + "; ".join(
+                f"{variant} in {', '.join(names)}" for variant, names in plan.items()))  # fmt: skip
+    return [task for _, task in sorted(found, key=lambda one: -one[0])], notes
+
+
+def _plan(count: int, quick: bool) -> dict[str, tuple[str, ...]]:
+    """Of each program the arithmetics that are tried where there are so many pairs of edges."""
+    if count > HUGE:
+        return {ALL_CORRECTED: LARGEST}
+    if count > MOST:
+        return {ALL_CORRECTED: ROUNDING, SOLVE: LARGE}
+    few = ("rational", *(FEW if quick or count > MANY else ROUNDING))
+    return dict.fromkeys(VARIANTS, few) | (
+        {} if quick else dict.fromkeys((ALL_CORRECTED, SOLVE), ("rational", *ROUNDING))
+    )
 
 
 def run(findings: Findings, quick: bool) -> None:
@@ -125,28 +140,44 @@ def run(findings: Findings, quick: bool) -> None:
     for note in notes:
         findings.note(note)
     rows = list(in_processes(follow, chosen))
-    wrong = [r.name for r in rows if (r.arithmetic, r.variant) == ("rational", "all corrected")
-             and not all(r.same)]  # fmt: skip
+    runs = [row.run for row in rows]
+    exact = [row for row in rows if row.run.arithmetic == "rational"]
+    wrong = [row.run.name for row in exact
+             if row.run.variant == ALL_CORRECTED and not all(row.same)]  # fmt: skip
     findings.none("all corrected, rational: sums that are not the exact ones", wrong)
-    harmless = ("solve as printed", "solve by least squares")
-    wrong = [f"{r.name}: {r.variant}" for r in rows if r.arithmetic == "rational"
-             and r.variant in harmless and not all(r.same)]  # fmt: skip
+    harmless = (SOLVE, "solve by least squares")
+    wrong = [f"{row.run.name}: {row.run.variant}" for row in exact
+             if row.run.variant in harmless and not all(row.same)]  # fmt: skip
     findings.none("the solve alone as printed, rational: sums that are not the exact ones", wrong)
-    findings.figures["right after 1, 10 and 100 re-scalings"] = _table(rows)
+    findings.figures["right after 1, 10 and 100 re-scalings"] = _table(runs)
+    right = [run for run in runs if run.variant == ALL_CORRECTED]
     findings.figures["largest distance in ulps where the structure is right"] = {
-        arithmetic: max(
-            (r.most_ulps for r in rows
-             if r.arithmetic == arithmetic and r.variant == "all corrected"), default=0.0)
+        arithmetic: max((r.most_ulps for r in right if r.arithmetic == arithmetic), default=0.0)
         for arithmetic in ROUNDING
-    }  # fmt: skip
-    findings.figures["seconds of processor time to find the regions, all corrected"] = {
-        arithmetic: round(sum(r.seconds for r in rows
-                              if r.arithmetic == arithmetic and r.variant == "all corrected"), 2)
+    }
+    findings.figures["microseconds of processor time for a pair of edges, all corrected"] = {
+        arithmetic: _microseconds([r for r in right if r.arithmetic == arithmetic])
         for arithmetic in ("rational", *ROUNDING)
-    }  # fmt: skip
+    }
+    for variant, shares in findings.figures["right after 1, 10 and 100 re-scalings"].items():
+        told = "; ".join(f"{arithmetic} {share}" for arithmetic, share in shares.items())
+        findings.note(f"{variant}: right after 1, 10 and 100 re-scalings: {told}")
+    times = findings.figures["microseconds of processor time for a pair of edges, all corrected"]
+    findings.note("microseconds for a pair of edges, all corrected: " + ", ".join(
+        f"{arithmetic} {time}" for arithmetic, time in times.items()))  # fmt: skip
+    if not quick:
+        today = datetime.datetime.now(datetime.UTC).strftime("%Y-%m-%d")
+        text = as_text(Runs(today, not any("stands for" in note for note in notes), AFTER,
+                            tuple(VARIANTS), tuple(runs)))  # fmt: skip
+        (ROOT / "reports" / "paper" / FILE).write_text(text, encoding="utf-8")
 
 
-def _table(rows: list[Row]) -> dict[str, dict[str, str]]:
+def _microseconds(runs: list[Run]) -> float:
+    pairs = sum(run.pairs for run in runs)
+    return round(1e6 * sum(run.seconds for run in runs) / pairs, 2) if pairs else 0.0
+
+
+def _table(rows: list[Run]) -> dict[str, dict[str, str]]:
     """For each program and arithmetic the share of pairs with the right structure."""
     right: Counter[tuple[str, str, int]] = Counter()
     asked: Counter[tuple[str, str]] = Counter()

@@ -39,10 +39,10 @@ def _plot(rescalings: Sequence[Rescaling], against: str, label: str, what: str, 
         axes.set_ylabel(name)
         axes.set_yscale("log")
         axes.grid(alpha=0.3)
-        return _svg(figure)
+        return svg_element(figure)
 
 
-def _svg(figure: Figure) -> str:
+def svg_element(figure: Figure) -> str:
     """An element to be put into a page, the same bytes for the same data."""
     buffer = io.StringIO()
     figure.savefig(buffer, format="svg", metadata={"Date": None})
