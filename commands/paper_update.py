@@ -51,7 +51,7 @@ class PaperWalk:
         the first so many, each with the exact scale of the same event, or the first so many of a
         window that are missed and invented."""
         found = compare_events(
-            self._P, self._Q, self._update, self._adjacent, self._bits, most or 0, window
+            self._P, self._Q, self._update, self._adjacent, self._bits, most or 0, window, cores()
         )
         fields: dict[str, Any] = {
             "right": found.right,

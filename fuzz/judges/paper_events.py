@@ -48,13 +48,14 @@ def compare_events(
     bits: int | None,
     most: int = 0,
     window: tuple[Fraction, Fraction] | None = None,
+    threads: int = 1,
 ) -> Events:
     """The events of a program, in numbers of so many bits (None: exact ones), by their edges. A
     scale is right if half of its digits are, or all of them in exact numbers. The first `most` are
     listed, and the first `most` of a closed `window` that are missed and invented. `adjacent`: the
     reading of the program, which says whether edges that share a vertex are asked. O(N^2) for N
     edges."""
-    exact = _core.PaperUpdate(P, Q, "1", "rational", CORRECTED | {"adjacent": adjacent})
+    exact = _core.PaperUpdate(P, Q, "1", "rational", CORRECTED | {"adjacent": adjacent}, threads)
     wanted, found = _by_pair(exact), _by_pair(program)
     edges = _core.reduced_convolution(P, Q)
     off = Fraction(0) if bits is None else Fraction(1, 2 ** (bits // 2))

@@ -123,7 +123,7 @@ SECTION_4 = (
               "minkref events g3 g1 --form printed", SYMBOLIC,
               ("interval-of-a-pair", "interval-invented", "interval-sorted",
                "interval-for-convex-p", "share-of-right-intervals")),
-    Statement("4.2.3", "all intervals in $O(n^2)$", (f"{PLANE}/paper/paper_update.hpp",), PRINTED,
+    Statement("4.2.3", "all intervals in $O(n^2)$", (f"{PLANE}/paper/region_search.hpp",), PRINTED,
               FOUR, f"{SUM} --form corrected --json", "the pairs that it counts",
               ("size-of-preprocessing",)),
     Statement("4.2.4", "stepping through the array of events, then updating all nodes",
