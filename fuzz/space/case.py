@@ -202,9 +202,9 @@ def known_pair(P: Polyhedron, Q: Polyhedron, scale: Scale) -> SpacePair:
         try:
             cells = (cells_of(P), cells_of(Q))
         except ValueError:
-            return SpacePair(P, Q, scale, "named", Truth.POINTS)
+            return SpacePair(P, Q, scale, "named")
         return SpacePair(P, Q, scale, "named", Truth.CELLS, P_cells=cells[0], Q_cells=cells[1])
-    return SpacePair(P, Q, scale, "named", Truth.POINTS)
+    return SpacePair(P, Q, scale, "named")
 
 
 def _extent(solid: Polyhedron) -> Fraction:

@@ -2,22 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Literal
 
-from minkref.fuzz.geometry.space import Point, Whole, dot
+from minkref.fuzz.geometry.space import Point
+from minkref.fuzz.space.boundary_faces import boundary_test
 from minkref.fuzz.space.cells import grid_cells
 from minkref.fuzz.space.closedness import open_edge
 from minkref.fuzz.space.cross_section import cross_sections, differing_points, sections_agree
 from minkref.fuzz.space.differing_cells import cell_reasons
 from minkref.fuzz.space.fault_search import FaultSearch, decided
-from minkref.fuzz.space.membership import Surface
 from minkref.fuzz.space.pair import SpacePair, Truth
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.sampling import points_near, sums_of_points
 from minkref.fuzz.space.stray_faces import TooMany, changes
+from minkref.fuzz.space.sum_faces import SumFaces
+from minkref.fuzz.space.sum_sides import beside_faces, sides_agree
 from minkref.fuzz.space.witness import holds
 from minkref.fuzz.verdicts.verdict import Reason, Witness
 
@@ -64,10 +65,16 @@ def compare(
         return Comparison("wrong", tuple(search.reasons), "", search.witness, points=search.points)
     if proven:
         return Comparison("pass", proven=True, points=search.points)
+    if pair.judged_by is Truth.SUM and search.unproven is not None:
+        where = ", ".join(str(number) for number in search.unproven)
+        message = f"({where}) is missing by our sum, but there is no witness"
+        return Comparison("undecided", message=message, points=search.points)
+    text = f"no fault at {search.points} points" if pair.judged_by is Truth.POINTS else ""
+    if pair.absence:
+        text += f"; {pair.absence}"
     if not exact:
-        return Comparison("pass-within", points=search.points)
-    if pair.truth is Truth.POINTS:
-        text = f"no fault at {search.points} points"
+        return Comparison("pass-within", message=text, points=search.points)
+    if pair.judged_by is Truth.POINTS:
         return Comparison("pass", message=text, points=search.points)
     return Comparison("undecided", message=message, points=search.points)
 
@@ -98,10 +105,12 @@ def _examine(search: FaultSearch, exact: bool) -> tuple[bool, str]:
         message = _test_sections(search)
     if search.reasons:
         return False, ""
-    if pair.truth is not Truth.POINTS and not message:
+    if pair.judged_by is not Truth.POINTS and not message:
         proven, message = _prove(search, exact)
     if proven or search.reasons:
         return proven, message
+    if pair.judged_by is Truth.SUM and not exact:
+        beside_faces(search)
     for p, q in sums_of_points(pair, search.tolerance):
         if search.test_inside(p, q) or search.refuted:
             break
@@ -161,16 +170,24 @@ def _test_sections(search: FaultSearch) -> str:
 
 def _prove(search: FaultSearch, exact: bool) -> tuple[bool, str]:
     """Where all triangles that bound the result lie in the boundary of the sum, or for cells and
-    prisms in planes that part space into cells of which each was tested, the result is the sum.
-    The others are tested on both sides."""
-    on_boundary = _boundary_test(search)
-    surface = search.surface
+    prisms in planes that part space into cells of which each was tested, the result is the sum;
+    of an exact sum every connected part beside the faces is tested. The other triangles are tested
+    on both sides."""
+    surface, faces = search.surface, None
+    if search.pair.judged_by is Truth.SUM:
+        faces = SumFaces(search.pair.exact.polyhedron, surface.denominator)
+    on_boundary = boundary_test(search.pair, surface, faces)
     stray = [k for k in range(len(surface.triangles)) if not on_boundary(k)]
     if stray and not exact:
         return False, ""
+    if faces is not None and not sides_agree(search):
+        return False, "the result differs beside a face of the sum"
     changed = False
     try:
-        for outer, inner in changes(search.whole, search.result, surface, stray, MOST_STRAY):
+        off_boundary = None if faces is None else faces.left
+        for outer, inner in changes(
+            search.whole, search.result, surface, stray, MOST_STRAY, off_boundary
+        ):
             changed = True
             search.test(outer)
             search.test(inner)
@@ -187,62 +204,6 @@ def _prove(search: FaultSearch, exact: bool) -> tuple[bool, str]:
         vertices = search.pair.hull.vertices
         return _middle_is_inside(search, vertices), "the middle of the hull is on the surface"
     return True, ""
-
-
-def _boundary_test(search: FaultSearch) -> Callable[[int], bool]:
-    surface, pair = search.surface, search.pair
-    if pair.truth is Truth.CELLS:
-        return _on_grid(surface, pair.cell_sum.unit)
-    if pair.truth is Truth.PRISM:
-        return lambda number: _is_upright_or_level(surface.normals[number])
-    return _on_hull(surface, pair.hull)
-
-
-def _on_grid(surface: Surface, unit: Point) -> Callable[[int], bool]:
-    steps = [number * surface.denominator for number in unit]
-
-    def test(number: int) -> bool:
-        n, corner = surface.normals[number], surface.triangles[number][0]
-        axes = [k for k in range(3) if n[k]]
-        return len(axes) == 1 and (corner[axes[0]] / steps[axes[0]]).denominator == 1
-
-    return test
-
-
-def _is_upright_or_level(n: Whole) -> bool:
-    return n[2] == 0 or (n[0] == 0 and n[1] == 0)
-
-
-def _on_hull(surface: Surface, hull: Polyhedron) -> Callable[[int], bool]:
-    """The triangle lies in a face of the hull: its corners are in the hull, and all of them in one
-    plane of it."""
-    planes = []
-    for face in hull.faces:
-        a, b, c = (hull.wholes[index] for index in face[:3])
-        n = (
-            (b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]),
-            (b[2] - a[2]) * (c[0] - a[0]) - (b[0] - a[0]) * (c[2] - a[2]),
-            (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]),
-        )
-        planes.append((n, dot(n, a) * surface.denominator))
-    sets: dict[Whole, frozenset[int] | None] = {}
-
-    def of_corner(corner: Whole) -> frozenset[int] | None:
-        """The planes that hold it; None outside of the hull."""
-        if corner not in sets:
-            sides = [dot(n, corner) * hull.denominator - height for n, height in planes]
-            inside = max(sides) <= 0
-            sets[corner] = frozenset(k for k, s in enumerate(sides) if s == 0) if inside else None
-        return sets[corner]
-
-    def test(number: int) -> bool:
-        found = [of_corner(corner) for corner in surface.triangles[number]]
-        first, second, third = found
-        if first is None or second is None or third is None:
-            return False
-        return bool(first & second & third)
-
-    return test
 
 
 def _middle_is_inside(search: FaultSearch, vertices: tuple[Point, ...]) -> bool:

@@ -27,6 +27,7 @@ class FaultSearch:
     witness: Witness | None = None
     points: int = 0
     refuted: str | None = None
+    unproven: Point | None = None  # the sum has the cube around it, but no p and q were found
 
     def __post_init__(self) -> None:
         self.surface = Surface(self.result)
@@ -77,6 +78,7 @@ class FaultSearch:
                 return None
             found = self.pair.meeting.deep(x, self.tolerance)
             if found is None:
+                self.unproven = x
                 return None
             decision = found
         assert decision.p is not None and decision.q is not None

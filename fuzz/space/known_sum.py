@@ -9,7 +9,8 @@ from typing import Protocol
 
 from minkref.fuzz.geometry.space import Point, Whole, normal, whole
 from minkref.fuzz.space.cells import CellSum
-from minkref.fuzz.space.meeting import Meeting
+from minkref.fuzz.space.meeting import Meeting, cube_inside
+from minkref.fuzz.space.membership import Surface
 from minkref.fuzz.space.pair import SpacePair, Truth
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.prism import Prism
@@ -29,6 +30,8 @@ class KnownSum(Protocol):
 
 
 def known_sum(pair: SpacePair) -> KnownSum:
+    if pair.judged_by is Truth.SUM:
+        return KnownSurface(pair.exact.surface)
     if pair.truth is Truth.CELLS:
         return KnownCells(pair.cell_sum)
     if pair.truth is Truth.HULL:
@@ -103,6 +106,23 @@ class KnownHull:
         """In integers, over the first number times the denominator of the hull."""
         v = lcm(*(number.denominator for number in (*point, distance)))
         return v, whole(point, v * self._unit), int(distance * v * self._unit)
+
+
+class KnownSurface:
+    """By the surface of the sum, exact but for cubes that touch it: they neither may be covered nor
+    are clear."""
+
+    def __init__(self, surface: Surface) -> None:
+        self._surface = surface
+
+    def contains(self, point: Point) -> bool:
+        return self._surface.contains(point)
+
+    def may_cover(self, point: Point, distance: Fraction) -> bool:
+        return self.contains(point) and cube_inside(self._surface, point, distance)
+
+    def clear_of(self, point: Point, distance: Fraction) -> bool:
+        return not self.contains(point) and cube_inside(self._surface, point, distance)
 
 
 class KnownPoints:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import random
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 
 from minkref.fuzz.geometry.space import Point, Whole
 from minkref.fuzz.space.covered_faces import CoveredFaces
-from minkref.fuzz.space.face_pieces import inside, pieces
+from minkref.fuzz.space.face_pieces import Polygon, Triangle, inside, pieces
 from minkref.fuzz.space.membership import Surface
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.sides import both_sides
@@ -23,16 +23,24 @@ class TooMany(Exception):
 
 
 def changes(
-    whole: Polyhedron, result: Polyhedron, surface: Surface, stray: Sequence[int], most: int
+    whole: Polyhedron,
+    result: Polyhedron,
+    surface: Surface,
+    stray: Sequence[int],
+    most: int,
+    off_boundary: Callable[[Triangle, list[Polygon]], list[Polygon]] | None = None,
 ) -> Iterator[tuple[Point, Point]]:
     """Pairs of points on both sides of these triangles of `result`, one in the set of positive
     winding number and one not, some for each piece of a triangle that parts the set from the rest.
     If there are none, none of the triangles bounds the set anywhere. `whole` is the result with
-    its opposite faces. TooMany where more than `most` triangles would have to be cut."""
+    its opposite faces; `off_boundary` leaves of a triangle and parts of it what has to be looked
+    at. TooMany where more than `most` triangles would have to be cut."""
     covered = CoveredFaces(whole)
     left = {}
     for number in stray:
         parts = covered.left(result.triangles[number])
+        if off_boundary is not None:
+            parts = off_boundary(surface.triangles[number], parts)
         if parts:
             left[number] = parts
     unit = surface.denominator

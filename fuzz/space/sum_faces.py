@@ -1,0 +1,84 @@
+"""Which part of a face lies in the boundary of an exact sum."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from dataclasses import dataclass
+from fractions import Fraction
+
+from minkref.fuzz.geometry.space import (
+    Whole,
+    cross,
+    denominator_of,
+    dot,
+    minus,
+    normal,
+    primitive,
+    whole,
+)
+from minkref.fuzz.space.face_pieces import Plane, Polygon, Triangle, halves, heights, polygon_of
+from minkref.fuzz.space.polyhedron import Face, Polyhedron
+
+
+@dataclass(frozen=True)
+class Patch:
+    """A convex face of the sum in a plane of it: the points of the plane below all `sides`."""
+
+    sides: tuple[Plane, ...]
+
+
+class SumFaces:
+    """`left` says what of polygons in one plane lies off the boundary of the sum. Lengths are in
+    parts of a unit, `unit` of them. Exact."""
+
+    def __init__(self, sum: Polyhedron, unit: int) -> None:
+        self._unit = unit
+        self._patches: dict[tuple[Whole, Fraction], list[Patch]] = defaultdict(list)
+        for face in sum.faces:
+            n, offset, patch = self._patch(sum, face)
+            self._patches[n, offset].append(patch)
+
+    def left(self, triangle: Triangle, parts: list[Polygon]) -> list[Polygon]:
+        """Of parts of a triangle whose corners are in the unit: those off the boundary."""
+        n = primitive(normal(*triangle))
+        offset = Fraction(dot(n, triangle[0]), self._unit)
+        opposite = (-n[0], -n[1], -n[2])
+        for patch in (*self._at(n, offset), *self._at(opposite, -offset)):
+            parts = [piece for part in parts for piece in _less(part, patch)]
+            if not parts:
+                break
+        return parts
+
+    def hold(self, triangle: Triangle) -> bool:
+        """All of the triangle lies in the boundary."""
+        return not self.left(triangle, [polygon_of(triangle)])
+
+    def _at(self, n: Whole, offset: Fraction) -> list[Patch]:
+        return self._patches.get((n, offset), [])
+
+    def _patch(self, sum: Polyhedron, face: Face) -> tuple[Whole, Fraction, Patch]:
+        ring = [sum.vertices[k] for k in face]
+        unit = denominator_of(ring)
+        corners = [whole(point, unit) for point in ring]
+        n = primitive(normal(*corners[:3]))
+        sides = []
+        for a, b in zip(corners, corners[1:] + corners[:1], strict=True):
+            outward = cross(minus(b, a), n)
+            # outward x = d for x in lengths of 1 / unit: both sides times what clears the units.
+            m = (outward[0] * unit, outward[1] * unit, outward[2] * unit)
+            sides.append((m, dot(outward, a) * self._unit))
+        return n, Fraction(dot(n, corners[0]), unit), Patch(tuple(sides))
+
+
+def _less(part: Polygon, patch: Patch) -> list[Polygon]:
+    """A convex polygon without the patch, in convex pieces."""
+    whole_part, gone = part, []
+    for side in patch.sides:
+        above = heights(part, side)
+        if max(above) <= 0:
+            continue
+        if min(above) >= 0:
+            return [whole_part]
+        part, outside = halves(part, above)
+        gone.append(outside)
+    return gone

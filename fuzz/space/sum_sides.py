@@ -1,0 +1,74 @@
+"""A result beside the faces of an exact sum: inside of it and outside, and how far off with a
+tolerance."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+
+from minkref.fuzz.geometry.space import Point, Whole, dot, middle
+from minkref.fuzz.space.fault_search import FaultSearch
+from minkref.fuzz.space.membership import Surface
+from minkref.fuzz.space.sides import both_sides
+
+MOST_FACES = 400  # of the sum, and triangles of a result, beside which a rounded one is tested
+BEYOND = Fraction(17, 16)  # of the tolerance: the least distance of such a test
+FARTHER = (4, 64)  # times the tolerance
+SHARES = (Fraction(1, 4096), Fraction(1, 64))  # of the size of the sum
+NEAR_CORNER = 12  # weight of a corner, beside those of the others
+
+
+def sides_agree(search: FaultSearch) -> bool:
+    """Next to every connected part of the inside and the outside of the sum the result is right.
+    Where no face bounds it off the boundary of the sum, it then is the sum. Points at which it is
+    wrong are tested."""
+    truth = search.pair.exact
+    both = Surface(search.result.with_faces_of(truth.polyhedron))
+    agree = True
+    for n, place in truth.sites:
+        for point, is_in in zip(both_sides(both, place, n), (False, True), strict=True):
+            if ((search.surface.winding(point) or 0) > 0) != is_in:
+                agree = False
+                search.test(point)
+        if len(search.reasons) == 2 or search.refuted:
+            break
+    search.points += 2 * len(truth.sites)
+    return agree
+
+
+def beside_faces(search: FaultSearch) -> None:
+    """Tests points beyond the tolerance on both sides of the faces of the sum and of the result,
+    where the result and the sum differ."""
+    truth = search.pair.exact
+    known, found = truth.surface, search.surface
+    for point in (*_beside(known, search.tolerance), *_beside(found, search.tolerance)):
+        search.points += 1
+        there, right = found.winding(point), known.winding(point)
+        if there is None or right is None or (there > 0) == (right > 0):
+            continue
+        search.test(point)
+        if len(search.reasons) == 2 or search.refuted:
+            return
+
+
+def _beside(surface: Surface, tolerance: Fraction) -> Iterator[Point]:
+    numbers = range(0, len(surface.triangles), 1 + len(surface.triangles) // MOST_FACES)
+    size = max((max(box[1::2]) - min(box[::2]) for box in surface.boxes), default=0)
+    steps = [tolerance * BEYOND, *(tolerance * times for times in FARTHER)]
+    steps += [share * size / surface.denominator for share in SHARES]
+    for number in numbers:
+        n = surface.normals[number]
+        # As far along the normal as the plane moves where a cube of this half side touches it.
+        unit = Fraction(sum(map(abs, n)), dot(n, n))
+        for place in _places(surface.triangles[number], surface.denominator):
+            for step in steps:
+                for t in (step * unit, -step * unit):
+                    yield (place[0] + t * n[0], place[1] + t * n[1], place[2] + t * n[2])
+
+
+def _places(triangle: Sequence[Whole], unit: int) -> list[Point]:
+    """Its middle, and places near its corners."""
+    corners: list[Point] = [
+        (Fraction(x, unit), Fraction(y, unit), Fraction(z, unit)) for x, y, z in triangle
+    ]
+    return [middle(corners), *(middle([*([c] * NEAR_CORNER), *corners]) for c in corners)]
