@@ -15,7 +15,7 @@ from minkref.fuzz.cases.verbs import EVENTS, UPDATE
 from minkref.fuzz.families.catalogue import FAMILIES
 from minkref.fuzz.plane.laws import LAWS
 from minkref.fuzz.settings import SETTINGS
-from minkref.fuzz.space.case import SPACE_FAMILIES
+from minkref.fuzz.space.families import SPACE_FAMILIES
 from minkref.fuzz.targets.declaration import Declaration
 
 SUITES = ("fuzz", "corpus", "all")

@@ -11,6 +11,6 @@ def targets(incomplete: str) -> list[str]:
 
 def families(incomplete: str) -> list[str]:
     from minkref.fuzz.families.catalogue import FAMILIES
-    from minkref.fuzz.space.case import SPACE_FAMILIES
+    from minkref.fuzz.space.families import SPACE_FAMILIES
 
     return [name for name in (*FAMILIES, *SPACE_FAMILIES) if name.startswith(incomplete)]

@@ -17,15 +17,14 @@ from minkref.fuzz.cases.needs import is_double
 from minkref.fuzz.cases.no_case import NoCase
 from minkref.fuzz.geometry.space import Scale
 from minkref.fuzz.space.cells import cells_of
+from minkref.fuzz.space.families import drawn_pair
 from minkref.fuzz.space.fault_search import decided
 from minkref.fuzz.space.hull import is_convex
 from minkref.fuzz.space.laws import transformed_pairs
 from minkref.fuzz.space.pair import SpacePair, Truth
-from minkref.fuzz.space.pairs import space_pair
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.verdicts.verdict import Witness
 
-PREFIX = "space-"
 OTHER_FACTORS = (Fraction(1, 2), Fraction(3, 4), Fraction(1), Fraction(3, 2), Fraction(4))
 MOST_GRID = 24  # cells across, for a literal to be looked at as a polycube
 LAWS_IN_SPACE = (
@@ -37,21 +36,6 @@ LAWS_IN_SPACE = (
     "quarter-turn",
     "swap",
 )
-SPACE_FAMILIES = {
-    "space-polycube": "polycubes",
-    "space-hollow": "boxes with a cavity and polycubes",
-    "space-apart": "several polycubes apart, and another",
-    "space-frame": "frames of unit cells and polycubes",
-    "space-l-prism": "L-shaped prisms and cubes",
-    "space-prism": "prisms over polygons with holes",
-    "space-convex": "random convex polyhedra on a grid",
-    "space-sphere": "hulls of rational points of the unit sphere",
-    "space-round": "hulls of many of them: sums of a hundred vertices and more",
-    "space-thin": "points and segments beside convex polyhedra",
-    "space-offset": "boxes and L-shaped prisms far from the origin",
-    "space-torus": "polygonal tori",
-    "space-star": "star-shaped polyhedra",
-}
 
 
 def _same(result: Polyhedron) -> Polyhedron:
@@ -194,8 +178,8 @@ class SpaceCase:
 
 
 def known_pair(P: Polyhedron, Q: Polyhedron, scale: Scale) -> SpacePair:
-    """The pair with what can be known of its sum: of convex operands the hull, of polycubes the
-    cells."""
+    """The pair with what is known of its sum: of convex operands the hull, of polycubes the cells,
+    of others the exact sum."""
     if is_convex(P) and is_convex(Q):
         return SpacePair(P, Q, scale, "named", Truth.HULL)
     if not any(solid.is_thin or _extent(solid) > MOST_GRID for solid in (P, Q)):
@@ -248,5 +232,5 @@ def _scale(text: str, where: str) -> Scale:
 
 
 def load_space(name: CaseName, family: str, seed: int, index: int) -> SpaceCase:
-    pair = space_pair(family.removeprefix(PREFIX), seed, index)
+    pair = drawn_pair(family, seed, index)
     return SpaceCase(name, pair, pair, family)

@@ -50,7 +50,11 @@ Draw = Callable[[random.Random], Drawn]
 def general_pair(seed: int, index: int) -> GeneralPair:
     """Pair `index`, of the families in turn; depends on nothing but the arguments."""
     families = list(FAMILIES) + list(OF_PARTS)
-    family = families[index % len(families)]
+    return pair_of_family(families[index % len(families)], seed, index)
+
+
+def pair_of_family(family: str, seed: int, index: int) -> GeneralPair:
+    """Pair `index` of one family."""
     name = f"{family}:{seed}:{index}"
     dice = random.Random(f"minkref general {name}")
     if family in OF_PARTS:

@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from minkref.errors import cut
 from minkref.fuzz.plane.judgement import without_answer
 from minkref.fuzz.space.case import SpaceCase
 from minkref.fuzz.space.comparison import compare
+from minkref.fuzz.space.exact_sum import DEFINITION, EDGES
 from minkref.fuzz.targets.answer import Answer
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict
 
+BY_EDGES = f"minkref:{EDGES}"
+
 
 def judge_in_space(case: SpaceCase, name: str, answer: Answer) -> Outcome:
-    """Cells, hulls and prisms are held against the exact sum, others against points of it."""
+    """Against the exact sum, or points of it where that is beyond a limit; the route that gives the
+    exact sum, against the other."""
     if answer.verdict is Verdict.WRONG:
         witness = case.some_point()
         return Outcome(
@@ -26,7 +32,8 @@ def judge_in_space(case: SpaceCase, name: str, answer: Answer) -> Outcome:
         return without_answer(name, answer)
     declared = answer.declaration
     half = declared.tolerance(case.magnitude)
-    found = compare(case.pair, case.back(answer.solid), declared.exact, half)
+    pair = replace(case.pair, route=DEFINITION) if name == BY_EDGES else case.pair
+    found = compare(pair, case.back(answer.solid), declared.exact, half)
     return Outcome(
         name,
         Verdict(found.verdict),

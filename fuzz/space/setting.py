@@ -12,8 +12,9 @@ from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.no_case import NoCase
 from minkref.fuzz.cases.verbs import UPDATE
 from minkref.fuzz.setting import Setting
-from minkref.fuzz.space.case import LAWS_IN_SPACE, SPACE_FAMILIES, SpaceCase, load_space
+from minkref.fuzz.space.case import LAWS_IN_SPACE, SpaceCase, load_space
 from minkref.fuzz.space.case_file import DIMENSION, is_in_space, read_space_case, scalings_in
+from minkref.fuzz.space.families import SPACE_FAMILIES
 from minkref.fuzz.space.hull import is_convex
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.protocol import sent_scale, sent_solid, solid_answer

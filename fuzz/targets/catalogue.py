@@ -24,6 +24,7 @@ from minkref.fuzz.targets.cgal_method import SLOW_LIMIT, CgalMethod, is_fast
 from minkref.fuzz.targets.convex_reference import CONVEX_ROUTES, ConvexReferenceTarget
 from minkref.fuzz.targets.function import FunctionTarget, host_command
 from minkref.fuzz.targets.reference import ROUTES, ReferenceTarget
+from minkref.fuzz.targets.space_reference import SPACE_ROUTES, SpaceReferenceTarget
 from minkref.version import version
 
 REFERENCE = "minkref:"
@@ -46,7 +47,7 @@ def list_targets() -> list[TargetEntry]:
     refuse_wrong_folder()
     ours = [
         TargetEntry(f"{REFERENCE}{route}", version(), about, True)
-        for route, about in (ROUTES | CONVEX_ROUTES).items()
+        for route, about in (ROUTES | CONVEX_ROUTES | SPACE_ROUTES).items()
     ]
     judged = [TargetEntry(checks.ALL, version(), "the reference before every judge", True)]
     for name, (_, about) in checks.MODULES.items():
@@ -136,7 +137,7 @@ def _named_adapter(name: str) -> TargetEntry:
 
 def is_default(name: str) -> bool:
     """Whether a run without names takes the target: in the plane all of CGAL, and our routes."""
-    if name.removeprefix(REFERENCE) in CONVEX_ROUTES:
+    if name.removeprefix(REFERENCE) in CONVEX_ROUTES | SPACE_ROUTES:
         return False
     return name.startswith((REFERENCE, "cgal-")) and name not in adapters.ADAPTERS
 
@@ -163,6 +164,8 @@ def make_target(name: str, limits: Limits) -> Target:
         route = name.removeprefix(REFERENCE)
         if route in CONVEX_ROUTES:
             return ConvexReferenceTarget(name, route)
+        if route in SPACE_ROUTES:
+            return SpaceReferenceTarget(name, route)
         return ReferenceTarget(name, route)
     if is_function(name):
         return FunctionTarget(name, host_command(name), limits)

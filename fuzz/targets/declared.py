@@ -14,8 +14,13 @@ from minkref.fuzz.targets.convex_reference import CONVEX_DECLARATIONS
 from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.targets.function import mend_of
 from minkref.fuzz.targets.reference import UPDATING
+from minkref.fuzz.targets.space_reference import SPACE_DECLARATIONS
 
-_OURS = {one.name: one for one in (*UPDATING.values(), *CONVEX_DECLARATIONS.values())}
+_OURS = {
+    one.name: one
+    for group in (UPDATING, CONVEX_DECLARATIONS, SPACE_DECLARATIONS)
+    for one in group.values()
+}
 
 
 def declarations_of(

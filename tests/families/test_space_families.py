@@ -28,7 +28,7 @@ from minkref.degeneracies.space.vectors import vector
 from minkref.exact import digest
 from minkref.fuzz.families.catalogue import FAMILIES as FUZZED
 from minkref.fuzz.geometry.space import Point
-from minkref.fuzz.space.case import SPACE_FAMILIES as FUZZED_IN_SPACE
+from minkref.fuzz.space.families import SPACE_FAMILIES as FUZZED_IN_SPACE
 from minkref.fuzz.space.hull import convex_hull, sum_of_convex
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, verdicts
