@@ -16,6 +16,7 @@ from minkref.fuzz.space.cells import Cell, cells_of, is_manifold, surface_of
 from minkref.fuzz.space.hull import convex_hull, is_convex
 from minkref.fuzz.space.laws import ONE
 from minkref.fuzz.space.polyhedron import Polyhedron
+from minkref.fuzz.space.smaller_solids import convex_parts, drawn_together, fewer_shells, is_valid
 
 MOST_CELLS = 400
 ORIGIN = (Fraction(0), Fraction(0), Fraction(0))
@@ -63,7 +64,10 @@ class SolidCase:
 def smaller_in_space(case: SolidCase) -> Iterator[SolidCase]:
     """Valid candidates, the boldest first."""
     for candidate in _candidates(case):
-        if candidate.size < case.size and not any(s.fault() for s in candidate.operands):
+        if candidate.size < case.size and all(
+            new is old or is_valid(new)
+            for new, old in zip(candidate.operands, case.operands, strict=True)
+        ):
             yield candidate
 
 
@@ -72,8 +76,9 @@ def _candidates(case: SolidCase) -> Iterator[SolidCase]:
         yield SolidCase(case.P, case.Q, Fraction(1))
         yield SolidCase(case.P.scaled(case.scale), case.Q, Fraction(1))
     for which, solid in enumerate(case.operands):
-        for simpler in (*_simpler_solids(solid), *_fewer_cells(solid), *_fewer_corners(solid)):
-            yield case.with_operand(which, simpler)
+        for steps in (_simpler_solids, _fewer_cells, _fewer_corners, _cut_down):
+            for simpler in steps(solid):
+                yield case.with_operand(which, simpler)
     yield from _simpler_numbers(case)
 
 
@@ -142,6 +147,13 @@ def _fewer_corners(solid: Polyhedron) -> Iterator[Polyhedron]:
             yield convex_hull(group)
         except ValueError:
             continue
+
+
+def _cut_down(solid: Polyhedron) -> Iterator[Polyhedron]:
+    """Of one of any shape, the boldest steps first."""
+    yield from fewer_shells(solid)
+    yield from convex_parts(solid)
+    yield from drawn_together(solid)
 
 
 def _simpler_numbers(case: SolidCase) -> Iterator[SolidCase]:

@@ -1,0 +1,86 @@
+"""Smaller solids made of one of any shape: fewer shells, a convex piece, an edge drawn together."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from minkref import _core
+from minkref.fuzz.geometry.space import area_vector, dot
+from minkref.fuzz.space.convex_sum import polyhedron_of
+from minkref.fuzz.space.exact_sum import core_polyhedron
+from minkref.fuzz.space.hull import convex_hull, is_convex
+from minkref.fuzz.space.polyhedron import Face, Polyhedron
+
+MOST_PIECES = 16
+
+
+def is_valid(solid: Polyhedron) -> bool:
+    """An operand as a target may expect it: it does not cross or cover itself either."""
+    if solid.fault() is not None:
+        return False
+    if solid.is_thin:
+        return True
+    try:
+        core_polyhedron(solid).validate()
+    except _core.BadInput:
+        return False
+    return True
+
+
+def fewer_shells(solid: Polyhedron) -> Iterator[Polyhedron]:
+    """Each shell alone, and all but one."""
+    shells = solid.shells
+    names = sorted(set(shells))
+    if len(names) < 2:
+        return
+    for keep in (True, False):
+        for name in names:
+            faces = [f for f, s in zip(solid.faces, shells, strict=True) if (s == name) == keep]
+            yield Polyhedron(solid.vertices, tuple(faces)).without_unused_vertices()
+
+
+def convex_parts(solid: Polyhedron) -> Iterator[Polyhedron]:
+    """Some of the convex pieces that it consists of."""
+    if solid.is_thin or is_convex(solid):
+        return
+    try:
+        pieces = _core.convex_pieces(core_polyhedron(solid))
+    except (_core.BadInput, RuntimeError):
+        return
+    for piece in pieces[:MOST_PIECES]:
+        yield convex_hull(polyhedron_of(piece).vertices)
+
+
+def drawn_together(solid: Polyhedron) -> Iterator[Polyhedron]:
+    """One end of each edge moved to the other. A face that is no longer planar is cut into the
+    triangles that it was made of. What comes out may cross itself, or close no more."""
+    if solid.is_thin:
+        return
+    edges = {
+        (a, b) for face in solid.faces for a, b in zip(face, (*face[1:], face[0]), strict=True)
+    }
+    for gone, kept in sorted(edges):
+        faces: list[Face] = []
+        for face in solid.faces:
+            if gone not in face:
+                faces.append(face)
+                continue
+            moved = _moved(face, gone, kept)
+            if len(moved) < 3 or _is_planar(solid, moved):
+                faces.append(moved)
+            else:
+                faces += [_moved(triple, gone, kept) for triple in solid.triangles_of(face)]
+        left = tuple(face for face in faces if len(face) >= 3)
+        yield Polyhedron(solid.vertices, left).without_unused_vertices()
+
+
+def _moved(face: Face, gone: int, kept: int) -> Face:
+    ring = [kept if vertex == gone else vertex for vertex in face]
+    return tuple(vertex for k, vertex in enumerate(ring) if vertex != ring[k - 1])
+
+
+def _is_planar(solid: Polyhedron, face: Face) -> bool:
+    ring = [solid.wholes[k] for k in face]
+    n = area_vector(ring)
+    level = dot(n, ring[0])
+    return n != (0, 0, 0) and all(dot(n, point) == level for point in ring)
