@@ -31,7 +31,7 @@ from minkref.fuzz.isolation.isolation import AUTO, choose
 from minkref.fuzz.run.ledger import Ledger
 from minkref.fuzz.run.pool import InternalError
 from minkref.fuzz.run.runner import Run, run
-from minkref.fuzz.run.unasked import not_asked, resting_notes
+from minkref.fuzz.run.unasked import not_asked, resting_notes, unproven_notes
 from minkref.fuzz.shrink.groups import shrunk_groups
 from minkref.fuzz.shrink.shrinker import MOST_CALLS
 from minkref.fuzz.targets.answer import JUDGING_BYTES, PROCESSES, Limits
@@ -279,6 +279,7 @@ def command(
         done, {name: declared[name] for name in names if declares_itself(name)}
     )
     cases.notes += resting_notes(done, names, cases.count)
+    cases.notes += unproven_notes(done)
     cases.notes += [
         f"{group.example.case.name.text}: shrinking it failed, which is a fault of ours: "
         f"{group.unshrunk}"

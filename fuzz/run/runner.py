@@ -64,6 +64,7 @@ class Run:
     absent: int = 0  # derived cases that do not exist, as probes of a pair without events
     untaken: Counter[str] = field(default_factory=Counter)  # why no target takes a generated case
     resting: dict[str, str] = field(default_factory=dict)  # target: the case it last did not answer
+    remarks: dict[str, list[tuple[int, str]]] = field(default_factory=dict)  # what a pass rests on
 
     def smallest(self) -> list[tuple[Finding, int]]:
         """The smallest finding of each kind, with how many there are; the most serious first."""
@@ -240,5 +241,8 @@ def _take(
             cell.skips[judged.message] += 1
         elif judged.verdict not in GOOD:
             done.findings.append(Finding(judged, result))
+        elif judged.message:
+            remark = (result.number, f"{result.name.text}: {judged.message}")
+            done.remarks.setdefault(outcome.target, []).append(remark)
         if outcome.target not in done.targets:
             done.targets.append(outcome.target)

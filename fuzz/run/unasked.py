@@ -1,4 +1,4 @@
-"""What a run did not ask its targets, in sentences."""
+"""What a run did not ask its targets or could not prove of them, in sentences."""
 
 from __future__ import annotations
 
@@ -72,3 +72,11 @@ def resting_notes(done: Run, targets: Iterable[str], count: int | None) -> list[
             f"was not asked again; {left}"
         )
     return notes
+
+
+def unproven_notes(done: Run) -> list[str]:
+    """A sentence for each target some of whose answers pass without a proof."""
+    return [
+        f"{name}: {len(remarks):,} answers pass without a proof, the first {min(remarks)[1]}"
+        for name, remarks in sorted(done.remarks.items())
+    ]

@@ -69,9 +69,10 @@ def compare(
         where = ", ".join(str(number) for number in search.unproven)
         message = f"({where}) is missing by our sum, but there is no witness"
         return Comparison("undecided", message=message, points=search.points)
-    text = f"no fault at {search.points} points" if pair.judged_by is Truth.POINTS else ""
-    if pair.absence:
-        text += f"; {pair.absence}"
+    text = ""
+    if pair.judged_by is Truth.POINTS:
+        why = f", as there is no exact sum: {pair.absence}" if pair.absence else ""
+        text = f"no fault at {search.points} points{why}"
     if not exact:
         return Comparison("pass-within", message=text, points=search.points)
     if pair.judged_by is Truth.POINTS:

@@ -53,9 +53,9 @@ def exact_sum(P: Polyhedron, Q: Polyhedron, scale: Scale, route: str) -> ExactSu
         with _limited(SECONDS):
             return ExactSum(polyhedron_of_planes(exposed_sum(P, Q, scale, route)))
     except OutOfTime:
-        return f"the exact sum takes more than {SECONDS:g} seconds"
+        return f"it takes more than {SECONDS:g} seconds"
     except REFUSALS as error:
-        return f"there is no exact sum: {message_of(error)}"
+        return message_of(error)
 
 
 def exposed_sum(P: Polyhedron, Q: Polyhedron, scale: Scale, route: str) -> Exposed:
