@@ -44,14 +44,9 @@ struct Sum {
   Integer denominator;
 
   Sum(const Polyhedron& P, const Polyhedron& Q) : set(edge_sum(P, Q, {1, 1, 1}).set) {
-    std::vector<SpacePoint> vertices = P.vertices;
-    vertices.insert(vertices.end(), Q.vertices.begin(), Q.vertices.end());
-    const IntegerPoints integers = integer_points(vertices);
-    denominator = integers.denominator;
-    const auto split = integers.points.begin() + static_cast<std::ptrdiff_t>(P.vertices.size());
-    facets = convolution_facets({P, {integers.points.begin(), split}},
-                                {Q, {split, integers.points.end()}})
-                 .facets;
+    const SpaceOperands operands = space_operands(P, Q, {1, 1, 1});
+    denominator = operands.denominator;
+    facets = convolution_facets(operands.P, operands.Q).facets;
   }
 };
 
@@ -109,9 +104,9 @@ TEST(Parents, WhatOnlyTouchesIsNoParent) {
   ConvolutionFacet facet{};
   facet.kind = FacetKind::fv;
   facet.size = 3;
-  facet.corners = {FilteredVector({0, 0, 1}), FilteredVector({2, 0, 1}), FilteredVector({0, 2, 1}),
-                   FilteredVector()};
-  facet.normal = FilteredVector({0, 0, 4});
+  facet.corners = {FilteredVector({0, 0, 1}, 0), FilteredVector({2, 0, 1}, 0),
+                   FilteredVector({0, 2, 1}, 0), FilteredVector()};
+  facet.normal = FilteredVector({0, 0, 4}, 0);
   const auto overlaps = [&](const PolygonSet& region, int side = 1, int height = 1) {
     const PolyhedralSet set{{{{{0, 0, side}, side * height}, region}}};
     return parents(set, {facet}, 1)[0].size() == 1;
