@@ -40,14 +40,15 @@ struct BoundedDouble {
 
   friend BoundedDouble operator-(const BoundedDouble& a) { return {-a.value, a.error}; }
   friend BoundedDouble operator+(const BoundedDouble& a, const BoundedDouble& b) {
-    return rounded(a.value + b.value, a.error + b.error);
+    return rounded(a.value + b.value, a.error + b.error, both_exact(a, b));
   }
   friend BoundedDouble operator-(const BoundedDouble& a, const BoundedDouble& b) {
-    return rounded(a.value - b.value, a.error + b.error);
+    return rounded(a.value - b.value, a.error + b.error, both_exact(a, b));
   }
   friend BoundedDouble operator*(const BoundedDouble& a, const BoundedDouble& b) {
-    return rounded(a.value * b.value,
-                   std::abs(a.value) * b.error + std::abs(b.value) * a.error + a.error * b.error);
+    const double inherited =
+        std::abs(a.value) * b.error + std::abs(b.value) * a.error + a.error * b.error;
+    return rounded(a.value * b.value, inherited, both_exact(a, b));
   }
   /// Never exact. Unbounded where the divisor may be 0.
   friend BoundedDouble operator/(const BoundedDouble& a, const BoundedDouble& b) {
@@ -66,9 +67,13 @@ struct BoundedDouble {
   static double enlarged(double error) {
     return error * (1 + 0x1p-49) + std::numeric_limits<double>::min();
   }
-  static BoundedDouble rounded(double value, double inherited) {
+  /// Not whether the inherited error is 0: products of errors may underflow.
+  static bool both_exact(const BoundedDouble& a, const BoundedDouble& b) {
+    return a.error == 0 && b.error == 0;
+  }
+  static BoundedDouble rounded(double value, double inherited, bool exact) {
     const double magnitude = std::abs(value);
-    if (inherited == 0 && magnitude < most_exact) return {value, 0};
+    if (exact && magnitude < most_exact) return {value, 0};
     return {value, enlarged(inherited + magnitude * unit)};
   }
 };

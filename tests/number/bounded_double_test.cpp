@@ -36,6 +36,10 @@ TEST(BoundedDouble, HoldsSumsProductsAndQuotients) {
                   c = random_integer(dice, most), d = random_integer(dice, most);
     const BoundedDouble x(a), y(b), z(c), w(d);
     expect_bounds(x, Rational(a));
+    const long shift = std::uniform_int_distribution<long>(0, 1100)(dice);
+    const Rational unit(Integer(1), Integer(1) << static_cast<unsigned long>(shift));
+    const BoundedDouble short_x(a, shift), short_y(b, shift);
+    expect_bounds(short_x * short_y - short_y, Rational(a * b) * unit * unit - Rational(b) * unit);
     expect_bounds(x + y, Rational(a + b));
     expect_bounds(x * y - z * w, Rational(a * b - c * d));
     expect_bounds((x - y) * (z + w) * x, Rational((a - b) * (c + d) * a));
@@ -53,6 +57,14 @@ TEST(BoundedDouble, IsCertainOfAZeroAmongShortIntegers) {
 TEST(BoundedDouble, IsNotExactAtTheEndOfTheShortIntegers) {
   const BoundedDouble most(Integer("9007199254740992")), one(1);  // 2^53
   EXPECT_EQ((most + one - most).certain_sign(), BoundedDouble::undecided);
+}
+
+TEST(BoundedDouble, IsNotCertainOfAZeroThatUnderflowMade) {
+  const BoundedDouble tiny(Integer(3), 1200);
+  EXPECT_EQ(tiny.certain_sign(), BoundedDouble::undecided);
+  EXPECT_EQ((tiny * tiny).certain_sign(), BoundedDouble::undecided);
+  EXPECT_EQ((tiny * tiny * BoundedDouble(5) - tiny).certain_sign(), BoundedDouble::undecided);
+  EXPECT_EQ(BoundedDouble(Integer(0), 1200).certain_sign(), 0);
 }
 
 TEST(BoundedDouble, DecidesNothingBeyondTheRange) {
