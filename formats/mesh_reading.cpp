@@ -25,4 +25,8 @@ void validate_as_read(const MeshReading& reading, const std::string& source) {
   refuse_as_read(reading, source, [&] { validate(reading.polyhedron); });
 }
 
+void validate_summand_as_read(const MeshReading& reading, const std::string& source) {
+  refuse_as_read(reading, source, [&] { validate_summand(reading.polyhedron); });
+}
+
 }  // namespace minkref

@@ -25,5 +25,7 @@ void refuse_as_read(const MeshReading& reading, const std::string& source,
 /// `validate(reading.polyhedron)`; a refusal names `source`, and the line of the face, or else that
 /// of the first vertex.
 void validate_as_read(const MeshReading& reading, const std::string& source);
+/// The same with `validate_summand`, which takes a plane polygon.
+void validate_summand_as_read(const MeshReading& reading, const std::string& source);
 
 }  // namespace minkref

@@ -1,5 +1,7 @@
 // Sums in space of polyhedra of any shape.
+#include <nanobind/stl/function.h>
 #include <nanobind/stl/map.h>
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
@@ -7,13 +9,19 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "python/core.hpp"
+#include "python/core_convex.hpp"
+#include "python/core_polyhedral_state.hpp"
 #include "python/core_space.hpp"
 #include "python/core_space_surface.hpp"
+#include "python/core_sum_surface.hpp"
 #include "python/vector_caster.hpp"
+#include "reference/space/convex/convex_set.hpp"
 #include "reference/space/definition/convex_pieces.hpp"
 #include "reference/space/definition/definition_sum.hpp"
 #include "reference/space/edges/edge_sum.hpp"
@@ -24,10 +32,25 @@ using namespace nb::literals;
 namespace minkref::python {
 namespace {
 
-BuildOptions on(unsigned threads) {
+using Progress = std::function<void(std::size_t, std::size_t)>;
+
+BuildOptions on(unsigned threads, const std::optional<Progress>& progress = std::nullopt) {
   BuildOptions options;
   options.threads = threads;
+  options.memory_limit = memory_limit();
+  if (progress) {
+    options.progress = [&progress](const BuildProgress& now) {
+      const nb::gil_scoped_acquire held;
+      (*progress)(now.done, now.total);
+    };
+  }
   return options;
+}
+
+std::optional<ConvexBody> convex_body(const PolyhedralSet& set) {
+  std::optional<ConvexPolyhedron> found = convex_polyhedron(set);
+  if (!found) return std::nullopt;
+  return ConvexBody{std::make_shared<const ConvexPolyhedron>(std::move(*found))};
 }
 
 }  // namespace
@@ -39,8 +62,21 @@ void bind_polyhedral_set(nb::module_& module) {
       "changed, equal to each set of the same points.");
   unchanging(nb::class_<PolyhedralSet>(bound))
       .def(
+          "__init__",
+          [](PolyhedralSet* self, const Surface& surface, const std::string& source) {
+            validate_as_read(surface.reading, source);
+            new (self) PolyhedralSet(polyhedral_set(surface.value()));
+          },
+          "surface"_a, "source"_a = "",
+          "The set that a polyhedron bounds. Refuses (BadInput) what is not valid. Exact.")
+      .def(
           "__eq__", [](const PolyhedralSet& a, const PolyhedralSet& b) { return a == b; },
           nb::is_operator(), nb::sig("def __eq__(self, other: object, /) -> bool"))
+      .def("__getstate__", &state_of)
+      .def("__setstate__",
+           [](PolyhedralSet& self, const std::vector<PlaneRow>& state) {
+             new (&self) PolyhedralSet(set_of_state(state));
+           })
       .def("__hash__",
            [](const PolyhedralSet& set) {
              return std::hash<std::string>()(canonical_json(set)) >> 1;
@@ -52,6 +88,14 @@ void bind_polyhedral_set(nb::module_& module) {
       .def(
           "canonical_json", [](const PolyhedralSet& set) { return canonical_json(set); },
           Released(), "The text of which the digest is taken.")
+      .def("convex", &convex_body, Released(),
+           "The set as a ConvexPolyhedron; None where it is not convex, or empty. Exact.")
+      .def(
+          "surface",
+          [](const PolyhedralSet& set) {
+            return SumSurface{std::make_shared<const SurfaceEdges>(surface_edges(set))};
+          },
+          Released(), "The boundary: facets, meshes, topology. Exact.")
       .def(
           "volume", [](const PolyhedralSet& set) { return to_string(volume(set)); }, Released(),
           "The exact volume.")
@@ -79,8 +123,10 @@ void bind_polyhedral_set(nb::module_& module) {
       "segment or a point. Exact.");
   module.def(
       "edge_sum_with_statistics",
-      [](const Surface& P, const Surface& Q, const ExactSpacePoint& scaling, unsigned threads) {
-        const EdgeSum sum = edge_sum(P.value(), Q.value(), to_scaling(scaling), on(threads));
+      [](const Surface& P, const Surface& Q, const ExactSpacePoint& scaling, unsigned threads,
+         const std::optional<Progress>& progress) {
+        const EdgeSum sum =
+            edge_sum(P.value(), Q.value(), to_scaling(scaling), on(threads, progress));
         const EdgeStatistics& statistics = sum.statistics;
         const std::map<std::string, std::uint64_t> counts{
             {"convolution_facets", sum.facets},      {"near_pairs", sum.near_pairs},
@@ -89,8 +135,10 @@ void bind_polyhedral_set(nb::module_& module) {
             {"by_float", statistics.signs.by_float}, {"by_integer", statistics.signs.by_integer}};
         return std::pair(sum.set, counts);
       },
-      "P"_a, "Q"_a, "scaling"_a, "threads"_a = 1, Released(),
-      "The same with what was counted on the way.");
+      "P"_a, "Q"_a, "scaling"_a, "threads"_a = 1, "progress"_a = nb::none(), Released(),
+      "The same with what was counted on the way. `progress` is told how many of how many steps "
+      "are "
+      "done.");
   module.def(
       "convex_pieces",
       [](const Surface& surface) {

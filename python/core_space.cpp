@@ -14,7 +14,11 @@
 #include "python/core_shapes.hpp"
 #include "python/vector_caster.hpp"
 #include "reference/error.hpp"
+#include "reference/space/area_vector.hpp"
 #include "reference/space/canonical_polyhedron.hpp"
+#include "reference/space/face_triangles.hpp"
+#include "reference/space/integer_points.hpp"
+#include "reference/space/polyhedron_place.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -67,6 +71,35 @@ std::vector<std::array<double, 3>> approximate_points(const Polyhedron& polyhedr
   return result;
 }
 
+/// Of all faces together, of their projections along the axes.
+ExactSpacePoint projected_areas(const Polyhedron& polyhedron) {
+  const IntegerPoints integers = integer_points(polyhedron.vertices);
+  IntegerVector twice{0, 0, 0};
+  for (const Face& face : polyhedron.faces) {
+    const IntegerVector area = area_vector(integers.points, face);
+    for (std::size_t k = 0; k < 3; ++k) twice[k] += abs(area[k]);
+  }
+  const Rational unit(Integer(1), 2 * integers.denominator * integers.denominator);
+  return to_strings({twice[0] * unit, twice[1] * unit, twice[2] * unit});
+}
+
+/// Of each face the triangles into which it is cut.
+std::vector<std::vector<TriangleCorners>> triangles(const Polyhedron& polyhedron) {
+  const IntegerPoints integers = integer_points(polyhedron.vertices);
+  const VertexSigns signs(integers.points);
+  std::vector<std::vector<TriangleCorners>> result;
+  for (std::uint32_t f = 0; f < polyhedron.faces.size(); ++f) {
+    const auto cut = face_triangles(polyhedron.faces[f], signs);
+    if (!cut) {
+      throw BadInput("face-not-simple", "a face cannot be cut into triangles",
+                     "split the face where it meets itself",
+                     place_in(polyhedron, f, polyhedron.faces[f]));
+    }
+    result.push_back(*cut);
+  }
+  return result;
+}
+
 }  // namespace
 
 void bind_space(nb::module_& module) {
@@ -105,6 +138,10 @@ void bind_space(nb::module_& module) {
       .def(
           "rings", [](const Surface& self) { return self.value().faces; },
           "For each face the numbers of its vertices.")
+      .def(
+          "triangles", [](const Surface& self) { return triangles(self.value()); }, Released(),
+          "Of each face, planar and simple, the triangles into which diagonals cut it, by the "
+          "numbers of their vertices. Exact.")
       .def_prop_ro("vertices", [](const Surface& self) { return self.value().vertices.size(); })
       .def_prop_ro("faces", [](const Surface& self) { return self.value().faces.size(); })
       .def(
@@ -114,12 +151,23 @@ void bind_space(nb::module_& module) {
           },
           "source"_a = "", Released(),
           "Refuses what is no closed 2-manifold of planar simple faces, crosses or covers itself, "
-          "or "
-          "has a shell in the material of another (BadInput). Exact.")
+          "or has a shell in the material of another (BadInput). Exact.")
+      .def(
+          "validate_summand",
+          [](const Surface& self, const std::string& source) {
+            validate_summand_as_read(self.reading, source);
+          },
+          "source"_a = "", Released(),
+          "The same, but takes a plane polygon as well: a single face. Exact.")
       .def(
           "sextuple_volume",
           [](const Surface& self) { return to_string(sextuple_volume(self.value())); },
           "Six times the volume. Exact.")
+      .def(
+          "projected_areas", [](const Surface& self) { return projected_areas(self.value()); },
+          Released(),
+          "The areas of the projections of all faces along x, y and z, added up, whether they hide "
+          "each other or not. Exact.")
       .def(
           "scaled",
           [](const Surface& self, const ExactSpacePoint& by) {

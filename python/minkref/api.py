@@ -20,7 +20,9 @@ from minkref.argument_types import (
     expect_bodies,
     expect_sets,
     expect_surfaces,
+    factors,
     number,
+    surface_of,
     text_of,
     whole,
 )
@@ -42,6 +44,7 @@ ConvexPolyhedron = _core.ConvexPolyhedron
 ConvexSum = _core.ConvexSum
 LimitExceeded = _core.LimitExceeded
 PolygonSet = _core.PolygonSet
+PolyhedralSet = _core.PolyhedralSet
 Polyhedron = _core.Polyhedron
 ScaleIndex = _core.ScaleIndex
 Sum = _core.Sum
@@ -83,9 +86,35 @@ def convex_sum(
     one positive factor, or one for each axis. The routes `traversal` and `brute-force` give the
     same. Raises BadInput. Behar & Lien 2012, Sec. 6; docs/convex-polyhedra.md."""
     expect_bodies(P=P, Q=Q)
-    axes = scaling if isinstance(scaling, tuple | list) and len(scaling) == 3 else [scaling] * 3
-    x, y, z = (number("scaling", factor) for factor in axes)
-    return _core.convex_sum(P, Q, (x, y, z), text_of("route", route))
+    return _core.convex_sum(P, Q, factors("scaling", scaling), text_of("route", route))
+
+
+def polyhedral_sum(
+    P: Polyhedron | ConvexPolyhedron,
+    Q: Polyhedron | ConvexPolyhedron,
+    scaling: Number | Sequence[Number] = 1,
+    route: str = "edges",
+    threads: int = 1,
+) -> PolyhedralSet:
+    """The Minkowski sum of polyhedra of any shape, P scaled about the origin and Q, exact and in
+    canonical form. `scaling`: one positive factor, or one for each axis. One of the two may be a
+    plane polygon (a single face), a segment or a point; of the empty set the sum is empty. The
+    routes `edges` and `definition`, which takes no plane polygon, give the same set; the first runs
+    on `threads`. Both operands are validated first. Raises BadInput, LimitExceeded. Behar & Lien
+    2012, Sec. 3 and 5; docs/space-sums.md."""
+    surfaces = surface_of("P", P), surface_of("Q", Q)
+    by, chosen = factors("scaling", scaling), text_of("route", route)
+    count = max(1, whole("threads", threads))
+    for name, surface in zip("PQ", surfaces, strict=True):
+        surface.validate_summand(name)
+    if chosen == "definition":
+        for name, surface in zip("PQ", surfaces, strict=True):
+            if surface.faces == 1:
+                surface.validate(name)
+        return _core.definition_sum_in_space(*surfaces, by)
+    if chosen != "edges":
+        raise Refusal(f"there is no route {chosen!r}", "route", "choose edges or definition")
+    return _core.edge_sum_in_space(*surfaces, by, count)
 
 
 def build_index(
@@ -116,8 +145,9 @@ def open_index(path: str | os.PathLike[str]) -> ScaleIndex:
 
 def read_mesh(path: str | os.PathLike[str]) -> Polyhedron:
     """The polyhedron in a file, exactly as its text says; the format by the ending (`.off`,
-    `.obj`, `.stl`, `.ply`, `.json`). Not validated: ConvexPolyhedron(...) does that and certifies
-    that it is convex. Linear. Raises BadInput. docs/formats.md."""
+    `.obj`, `.stl`, `.ply`, `.json`). Not validated: PolyhedralSet(...) does that, and
+    ConvexPolyhedron(...), which certifies that it is convex. Linear. Raises BadInput.
+    docs/formats.md."""
     return _core.read_mesh_file(os.fsdecode(path))[0]
 
 

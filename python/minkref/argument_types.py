@@ -14,10 +14,9 @@ from minkref import _core
 SET = "a PolygonSet; minkref.PolygonSet(...) makes one"
 TEXT = "a str"
 NUMBER = "an exact number: a str as '7/5' or '0.1', an int or a Fraction"
-
-
 BODY = "a ConvexPolyhedron; minkref.ConvexPolyhedron(minkref.read_mesh(...)) makes one"
 SURFACE = "a Polyhedron, as minkref.read_mesh gives"
+SUMMAND = "a Polyhedron, as minkref.read_mesh gives, or a ConvexPolyhedron"
 
 
 def expect_sets(**given: Any) -> None:
@@ -30,6 +29,14 @@ def expect_bodies(**given: Any) -> None:
 
 def expect_surfaces(**given: Any) -> None:
     _expect(_core.Polyhedron, SURFACE, given)
+
+
+def surface_of(name: str, value: Any) -> _core.Polyhedron:
+    if isinstance(value, _core.ConvexPolyhedron):
+        return value.surface()
+    if not isinstance(value, _core.Polyhedron):
+        raise _wrong(name, SUMMAND, value)
+    return value
 
 
 def _expect(kind: type, expected: str, given: dict[str, Any]) -> None:
@@ -51,6 +58,13 @@ def number(name: str, value: Any) -> str:
     if isinstance(value, bool) or not isinstance(value, Rational):
         raise _wrong(name, NUMBER, value)
     return f"{int(value.numerator)}/{int(value.denominator)}"
+
+
+def factors(name: str, value: Any) -> tuple[str, str, str]:
+    """Of the three axes: one number for all of them, or three."""
+    axes = value if isinstance(value, tuple | list) and len(value) == 3 else [value] * 3
+    x, y, z = (number(name, factor) for factor in axes)
+    return x, y, z
 
 
 def whole(name: str, value: Any) -> int:

@@ -52,6 +52,10 @@ void validate(const Polyhedron& polyhedron);
 /// "non-manifold-vertex" (its faces are no single fan). Exact. O(n log n).
 void validate_mesh(const Polyhedron& polyhedron);
 
+/// As `validate`, but takes a plane polygon as well: a single face, planar and simple, that has all
+/// vertices. Exact. O(n log n) for a polygon.
+void validate_summand(const Polyhedron& polyhedron);
+
 /// Of `validate` what all other functions take for granted: refuses a face that names no vertex of
 /// the polyhedron, or has fewer than three. Linear.
 void validate_faces(const Polyhedron& polyhedron);

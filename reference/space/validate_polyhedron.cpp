@@ -33,6 +33,14 @@ class PolyhedronValidator {
     refuse_wrong_nesting(surface);
   }
 
+  void run_on_polygon() {
+    validate_faces(polyhedron_);
+    check_repetitions();
+    check_all_used();
+    integers_ = integer_points(polyhedron_.vertices);
+    check_face(0);
+  }
+
   void run_on_mesh() {
     validate_faces(polyhedron_);
     check_repetitions();
@@ -235,5 +243,11 @@ void validate_faces(const Polyhedron& polyhedron) {
 void validate_mesh(const Polyhedron& polyhedron) { PolyhedronValidator(polyhedron).run_on_mesh(); }
 
 void validate(const Polyhedron& polyhedron) { PolyhedronValidator(polyhedron).run(); }
+
+void validate_summand(const Polyhedron& polyhedron) {
+  PolyhedronValidator validator(polyhedron);
+  if (polyhedron.faces.size() == 1) return validator.run_on_polygon();
+  validator.run();
+}
 
 }  // namespace minkref::inline space

@@ -14,6 +14,7 @@ import pytest
 SQUARE = minkref.read_text("POLYGON((0 0,1 0,1 1,0 1,0 0))", "wkt")
 WRONG: list[Any] = [None, 3.5, float("nan"), b"1", [], {}, object(), True, "text", 7, SQUARE]
 NUMBERS = (str, int, Fraction)
+SURFACES = (minkref.Polyhedron, minkref.ConvexPolyhedron)
 
 SIMPLEX = minkref.Polyhedron(
     [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)], [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]
@@ -51,6 +52,11 @@ CALLS: dict[str, tuple[Callable[[Any], Any], tuple[type, ...]]] = {
     "convex_sum Q": (lambda x: minkref.convex_sum(BODY, x), (minkref.ConvexPolyhedron,)),
     "convex_sum scaling": (lambda x: minkref.convex_sum(BODY, BODY, x), NUMBERS),
     "convex_sum route": (lambda x: minkref.convex_sum(BODY, BODY, 1, x), (str,)),
+    "polyhedral_sum P": (lambda x: minkref.polyhedral_sum(x, BODY), SURFACES),
+    "polyhedral_sum Q": (lambda x: minkref.polyhedral_sum(SIMPLEX, x), SURFACES),
+    "polyhedral_sum scaling": (lambda x: minkref.polyhedral_sum(SIMPLEX, BODY, x), NUMBERS),
+    "polyhedral_sum route": (lambda x: minkref.polyhedral_sum(SIMPLEX, BODY, 1, x), (str,)),
+    "polyhedral_sum threads": (lambda x: minkref.polyhedral_sum(SIMPLEX, BODY, threads=x), (int,)),
     "read_mesh path": (minkref.read_mesh, (str, bytes, Path)),
     "write_mesh surface": (lambda x: minkref.write_mesh(x, "off"), (minkref.Polyhedron,)),
     "write_mesh format": (lambda x: minkref.write_mesh(SIMPLEX, x), (str,)),

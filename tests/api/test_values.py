@@ -23,8 +23,16 @@ BOW = _core.PolygonSet.from_json('{"polygons":[{"outer":[[0,0],[1,1],[1,0],[0,1]
 EMPTY = _core.PolygonSet.from_json('{"polygons":[]}')
 CORNERS = [("0", "0", "0"), ("1/3", "0", "0"), ("0", "1", "0"), ("0", "0", "1")]
 FACES = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]
+BOX = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
 SOLID = _core.Polyhedron(CORNERS, FACES)
 CONVEX = _core.ConvexPolyhedron(SOLID)
+HOLLOW = minkref.polyhedral_sum(
+    _core.Polyhedron(
+        [(x, y, z) for at in ((0, 5), (1, 4)) for x in at for y in at for z in at],
+        [[k + v for v in (ring[::-1] if k else ring)] for k in (0, 8) for ring in BOX],
+    ),
+    SOLID,
+)
 LONG = FRAME.scaled("1" * 9000).scaled("3" * 9000)  # longer than any reader takes
 ROUND = [
     copy.copy,
@@ -36,12 +44,14 @@ ROUND = [
 def of(value: Any) -> Any:
     if isinstance(value, _core.PolygonSet):
         return value.to_json(), value.vertices
+    if isinstance(value, _core.PolyhedralSet):
+        return value.canonical_json()
     surface = value.surface() if isinstance(value, _core.ConvexPolyhedron) else value
     return type(value), surface.points(), surface.rings()
 
 
 @pytest.mark.parametrize(
-    "value", [FRAME, BOW, EMPTY, LONG, SOLID, CONVEX, _core.Polyhedron([], [])]
+    "value", [FRAME, BOW, EMPTY, LONG, SOLID, CONVEX, HOLLOW, _core.Polyhedron([], [])]
 )
 def test_a_value_is_copied_and_pickled_by_value(value: Any) -> None:
     for again in ROUND:
@@ -84,10 +94,29 @@ def test_what_is_no_value_is_neither_copied_nor_pickled(make: Any) -> None:
 
 @pytest.mark.parametrize("state", [None, (), ("x", True), ("{}", True), (1, 2)])
 def test_a_damaged_pickle_is_refused(state: Any) -> None:
-    for kind in (_core.PolygonSet, _core.Polyhedron, _core.ConvexPolyhedron):
+    kinds: list[type] = [_core.PolygonSet, _core.Polyhedron, _core.ConvexPolyhedron]
+    if state != ():  # no plane: the empty set
+        kinds.append(_core.PolyhedralSet)
+    for kind in kinds:
         made = kind.__new__(kind)
         with pytest.raises((TypeError, minkref.BadInput)):
             made.__setstate__(state)
+
+
+def test_a_pickle_of_no_canonical_set_in_space_is_refused() -> None:
+    state = HOLLOW.__getstate__()
+    normal, offset, polygons = state[0]
+    double = (tuple(str(2 * int(axis)) for axis in normal), offset, polygons)
+    turned = [[ring[::-1] for ring in rings] for rings in polygons]
+    for damaged in (
+        state[::-1], [state[0], state[0]], [double], [(("0", "0", "0"), offset, polygons)],
+        [(("1/2", "0", "0"), offset, polygons)], [(normal, offset, turned)],
+        [(normal, offset, [])], [(normal, offset, [[]])], [(normal, offset, [[[("0", "0")]]])],
+        [(normal, "x", polygons)],
+    ):  # fmt: skip
+        made = _core.PolyhedralSet.__new__(_core.PolyhedralSet)
+        with pytest.raises(minkref.BadInput):
+            made.__setstate__(damaged)
 
 
 @pytest.mark.parametrize("error", [minkref.BadInput, minkref.Refusal])

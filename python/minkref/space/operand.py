@@ -1,5 +1,4 @@
-"""A polyhedron of the command line: a file, or the name of a model, read exactly and certified
-convex."""
+"""A polyhedron of the command line: a file, or the name of a model, read exactly and validated."""
 
 from __future__ import annotations
 
@@ -9,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from minkref import _core
-from minkref.errors import Refusal, refusing
+from minkref.errors import Refusal, refusal_of, refusing
 from minkref.file_text import LONGEST, bytes_of_file
 from minkref.model_catalogue import shipped_polyhedra
 from minkref.operand import LONGEST_NAME, is_utf8
@@ -18,9 +17,13 @@ from minkref.terminal import escaped
 FORMATS = tuple(f".{name}" for name in _core.MESH_FORMATS if name != "json")
 
 
+CONVEX_ONLY = "give a convex polyhedron; `minkref sum` and `minkref view` take any other"
+
+
 @dataclass(frozen=True)
 class SpaceOperand:
-    """`body` is None of the empty set, a point and a segment."""
+    """`body` is None of what is not convex, and of the empty set, a point, a segment and a plane
+    polygon, which have no volume."""
 
     name: str
     file: Path
@@ -28,8 +31,18 @@ class SpaceOperand:
     body: _core.ConvexPolyhedron | None
     warnings: list[str] = field(default_factory=list)
 
+    @property
+    def is_solid(self) -> bool:
+        """It has a volume."""
+        return self.surface.faces > 1
+
+    @property
+    def is_thin(self) -> bool:
+        """The empty set, a point or a segment."""
+        return self.surface.faces == 0
+
     def canonical(self) -> _core.Polyhedron:
-        """In canonical form where it has volume."""
+        """In canonical form where it is convex and has a volume, else as it was given."""
         return self.surface if self.body is None else self.body.surface()
 
 
@@ -50,6 +63,16 @@ def in_space(P: str, Q: str) -> bool:
 def read_space_operand(name: str) -> SpaceOperand:
     """A file wins over a model of the same name. Refuses what does not exist, is not valid, or is
     not convex."""
+    operand = read_summand(name, convex=True)
+    if operand.surface.faces == 1:
+        source = escaped(str(operand.file))
+        refusing(source, lambda: operand.surface.validate(source))
+    return operand
+
+
+def read_summand(name: str, convex: bool = False) -> SpaceOperand:
+    """The same, but a polyhedron of any shape, and a plane polygon as well. `convex`: refuses a
+    polyhedron that is not."""
     path = Path(name)
     if not path.is_file():
         path = _models().get(name, path)
@@ -60,15 +83,34 @@ def read_space_operand(name: str) -> SpaceOperand:
         raise Refusal("this is not a regular file", name, mend, "not-a-file")
     source = escaped(str(path))
     surface, warnings = _read(path, source)
-    if surface.faces == 0:
-        refusing(source, lambda: surface.validate(source))
+    if surface.faces < 2:
+        refusing(source, lambda: surface.validate_summand(source))
         return SpaceOperand(name, path, surface, None, warnings)
-    body = refusing(source, lambda: _core.ConvexPolyhedron(surface, source))
-    return SpaceOperand(name, path, surface, body, warnings)
+    return SpaceOperand(name, path, surface, _body(surface, source, convex), warnings)
+
+
+def _body(surface: _core.Polyhedron, source: str, convex: bool) -> _core.ConvexPolyhedron | None:
+    """Refuses what is not valid; None where it is not convex, which `convex` refuses too."""
+    try:
+        return _core.ConvexPolyhedron(surface, source)
+    except _core.BadInput as error:
+        refusal = refusal_of(error, source)
+        if refusal.code != "not-convex":
+            raise refusal from error
+        if convex:
+            raise Refusal(refusal.what, refusal.where, CONVEX_ONLY, refusal.code) from error
+        return None
+
+
+def refuse_thin(operand: SpaceOperand) -> None:
+    """Refuses the empty set, a point and a segment."""
+    if operand.is_thin:
+        mend = "give a polyhedron by its faces, or a plane polygon"
+        raise Refusal("the operand has no volume", operand.name, mend, "not-solid")
 
 
 def solid(operand: SpaceOperand) -> _core.ConvexPolyhedron:
-    """Refuses the empty set, a point and a segment."""
+    """Refuses what is not convex or has no volume."""
     if operand.body is None:
         raise Refusal(
             "the operand has no volume",

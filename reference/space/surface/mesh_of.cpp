@@ -73,13 +73,21 @@ class FaceCutting {
 
 }  // namespace
 
+std::vector<std::vector<Face>> mesh_faces(const SurfaceEdges& surface, MeshFaces faces) {
+  const FaceCutting cutting(surface);
+  std::vector<std::vector<Face>> result;
+  for (const SurfaceFace& face : surface.faces) {
+    look_for_interrupt();
+    result.push_back(cutting.cut(face, faces));
+  }
+  return result;
+}
+
 Polyhedron mesh_of(const SurfaceEdges& surface, MeshFaces faces) {
   Polyhedron mesh;
   for (const SpaceVertex& point : surface.points) mesh.vertices.push_back(point.exact);
-  const FaceCutting cutting(surface);
-  for (const SurfaceFace& face : surface.faces) {
-    look_for_interrupt();
-    for (Face& part : cutting.cut(face, faces)) mesh.faces.push_back(std::move(part));
+  for (auto& parts : mesh_faces(surface, faces)) {
+    for (Face& part : parts) mesh.faces.push_back(std::move(part));
   }
   return mesh;
 }

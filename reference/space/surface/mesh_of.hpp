@@ -12,6 +12,10 @@ enum class MeshFaces : std::uint8_t {
   triangles
 };
 
+/// Of each face of the surface the faces of its mesh.
+std::vector<std::vector<Face>> mesh_faces(const SurfaceEdges& surface,
+                                          MeshFaces faces = MeshFaces::polygons);
+
 /// The boundary as faces with common vertices, turned outwards. It is closed: of the faces at an
 /// edge as many run along it one way as the other. It conforms: two edges are the same or meet at
 /// common vertices only, and neither edges nor vertices lie in the inside of a face. Angles of

@@ -86,12 +86,15 @@ std::vector<std::vector<std::uint32_t>> parents(const PolyhedralSet& set,
     const IntegerVector normal = primitive(facets[f].normal.exact);
     const OrientedPlane plane{normal,
                               Rational(dot(normal, facets[f].corners[0].exact), denominator)};
-    const auto at = std::lower_bound(
+    auto at = std::lower_bound(
         set.faces.begin(), set.faces.end(), plane,
         [](const PlaneRegion& face, const OrientedPlane& sought) { return face.plane < sought; });
     if (at == set.faces.end() || !(at->plane == plane)) continue;
-    if (overlap(at->region, seen_ring(facets[f], plane, unit))) {
-      result[static_cast<std::size_t>(at - set.faces.begin())].push_back(f);
+    const Ring ring = seen_ring(facets[f], plane, unit);
+    for (; at != set.faces.end() && at->plane == plane; ++at) {
+      if (overlap(at->region, ring)) {
+        result[static_cast<std::size_t>(at - set.faces.begin())].push_back(f);
+      }
     }
   }
   return result;

@@ -1,0 +1,110 @@
+"""Sums in space of which an operand is not convex, or which are asked of a route for such."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+
+from minkref import _core
+from minkref.errors import Refusal, choice, refusing
+from minkref.exact import digest
+from minkref.space.operand import SpaceOperand
+from minkref.space.scaling import Scaling
+from minkref.space.sum_surface import SumSurface, sum_surface
+
+#: docs/space-sums.md. Those of convex polyhedra are in sums.py.
+GENERAL_ROUTES = ("edges", "definition")
+Progress = Callable[[int, int], None]
+
+
+@dataclass(frozen=True)
+class GeneralSum:
+    """`convex` is the set where it is convex, else None; `statistics`, what the route counted."""
+
+    P: SpaceOperand
+    Q: SpaceOperand
+    scaling: Scaling
+    set: _core.PolyhedralSet
+    convex: _core.ConvexPolyhedron | None
+    statistics: dict[str, int] | None
+    seconds: float
+
+    def canonical_json(self) -> str:
+        """A convex set has the form of a convex polyhedron (docs/definitions.md)."""
+        if self.convex is not None:
+            return self.convex.surface().canonical_json()
+        return self.set.canonical_json()
+
+    @property
+    def digest(self) -> str:
+        return digest(self.canonical_json())
+
+    def mesh(self) -> _core.Polyhedron:
+        """Closed; not manifold where the set touches itself."""
+        return self.surface.boundary.mesh() if self.convex is None else self.convex.surface()
+
+    @cached_property
+    def surface(self) -> SumSurface:
+        return sum_surface(self.set, self.P, self.Q, self.scaling)
+
+
+def chosen_space_route(
+    P: SpaceOperand, Q: SpaceOperand, route: str | None, of_convex: tuple[str, ...]
+) -> str:
+    """`route`, or where there is none the first of those that the operands allow. Refuses one that
+    is none, and one for convex operands where one is not."""
+    if route is not None and route not in (*of_convex, *GENERAL_ROUTES):
+        mend = f"in space: {choice(route, (*of_convex, *GENERAL_ROUTES))}"
+        raise Refusal(f"there is no route {route!r} in space", "--route", mend)
+    general = [o for o in (P, Q) if o.body is None and not o.is_thin]
+    if not general or any(o.surface.vertices == 0 for o in (P, Q)):
+        return route or of_convex[0]
+    if route in of_convex:
+        raise Refusal(
+            f"{general[0].name} is no convex polyhedron, and the route {route} is for these",
+            f"--route {route}",
+            f"choose one of {', '.join(GENERAL_ROUTES)}",
+            "not-convex",
+        )
+    return route or GENERAL_ROUTES[0]
+
+
+def general_sum(
+    P: SpaceOperand,
+    Q: SpaceOperand,
+    scaling: Scaling,
+    route: str,
+    threads: int = 1,
+    progress: Progress | None = None,
+) -> GeneralSum:
+    """S P ⊕ Q, exact. Refuses two operands without a volume; the route `definition`, a plane
+    polygon."""
+    where = f"{P.name} and {Q.name}"
+    if not (P.is_solid or Q.is_solid):
+        mend = "beside a plane polygon, a segment or a point give a polyhedron"
+        raise Refusal("neither operand has volume", where, mend, "not-solid")
+    first, second = P.surface, Q.surface
+    start = time.perf_counter()
+    statistics: dict[str, int] | None = None
+    if route == "definition":
+        _refuse_polygon(P, Q)
+        found = refusing(where, lambda: _core.definition_sum_in_space(first, second, scaling))
+    else:
+        found, statistics = refusing(
+            where, lambda: _core.edge_sum_with_statistics(first, second, scaling, threads, progress)
+        )
+    seconds = time.perf_counter() - start
+    return GeneralSum(P, Q, scaling, found, found.convex(), statistics, seconds)
+
+
+def _refuse_polygon(P: SpaceOperand, Q: SpaceOperand) -> None:
+    for operand in (P, Q):
+        if operand.surface.faces == 1:
+            raise Refusal(
+                "the route definition takes no plane polygon",
+                operand.name,
+                "choose the route edges",
+                "not-solid",
+            )

@@ -1,0 +1,25 @@
+// Which faces of the operands the faces of a sum come from.
+#pragma once
+
+#include <vector>
+
+#include "reference/space/polyhedron.hpp"
+#include "reference/space/surface/surface_edges.hpp"
+
+namespace minkref::inline space {
+
+/// A vertex, an edge or a face of each operand by its vertices, as they are numbered there.
+struct FacePair {
+  Face of_P, of_Q;
+  friend bool operator==(const FacePair&, const FacePair&) = default;
+  friend auto operator<=>(const FacePair&, const FacePair&) = default;
+};
+
+/// Of each face of `surface`, that of S P ⊕ Q, the pairs whose sum, a facet of the reduced
+/// convolution or a part of one, has area in common with it: a face and a vertex, a vertex and a
+/// face, or two edges; ascending. Of parallel features those count that the convolution takes.
+/// Operands as for `edge_sum`. Exact. The time of the convolution and of `parents`.
+std::vector<std::vector<FacePair>> parent_faces(const SurfaceEdges& surface, const Polyhedron& P,
+                                                const Polyhedron& Q, const Scaling& scaling);
+
+}  // namespace minkref::inline space
