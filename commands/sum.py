@@ -29,6 +29,7 @@ from minkref.operand import Operand, read_operand
 from minkref.operand_text import STANDARD_INPUT
 from minkref.output_target import Target, target_of
 from minkref.parents import PassageRows, passages_of
+from minkref.space.general_sum import GENERAL_ROUTES
 from minkref.space.operand import in_space
 from minkref.space.sums import ROUTES as SPACE_ROUTES
 from minkref.terminal import console
@@ -56,7 +57,9 @@ minkref sum g1 g2 --route paper-update --arithmetic mpfr:200 --reading observati
 
 minkref sum disc1 cells1815 --index cells.index --scale 7/5
 
-minkref sum gs3 rod --scale 2,1/3,5 -o sum.off"""
+minkref sum gs3 rod --scale 2,1/3,5 -o sum.off
+
+minkref sum cup.stl plate.stl --scale 3/2 -o sum.stl"""
 
 MOVING = ("dynamic", "index")  # routes that find all scales of a window
 ROUTES = (*_core.ROUTES, *MOVING, PAPER_UPDATE)
@@ -85,7 +88,9 @@ def command(
         typer.Option(
             "--route",
             help=f"How it is computed: {', '.join(ROUTES)}. Default: {DEFAULT}, or index with "
-            f"--index. In space: {', '.join(SPACE_ROUTES)}. Default: {SPACE_ROUTES[0]}.",
+            f"--index. In space: {', '.join(GENERAL_ROUTES)}, and of convex polyhedra also "
+            f"{', '.join(SPACE_ROUTES)}. Default: {SPACE_ROUTES[0]} for these, else "
+            f"{GENERAL_ROUTES[0]}.",
         ),
     ] = None,
     index: IndexFile = None,
@@ -127,9 +132,9 @@ def command(
     schema: Schema = False,
 ) -> None:
     """The Minkowski sum of P, scaled by S about the origin, and Q: exact, in canonical form, and
-    its tight passages. In space P and Q are convex polyhedra (.off, .obj, .stl, .ply, .json). In
-    another arithmetic, or by the paper's own program (--route paper-update), what these answer,
-    with the exact sum beside it."""
+    its tight passages. In space P and Q are polyhedra of any shape (.off, .obj, .stl, .ply, .json);
+    one may be a plane polygon, a segment or a point. In another arithmetic, or by the paper's own
+    program (--route paper-update), what these answer, with the exact sum beside it."""
     if in_space(P, Q):
         for option, given in (("--form", as_read), ("--reading", reading)):
             if given:

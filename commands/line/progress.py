@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
@@ -47,3 +47,20 @@ def progress(total: int) -> Iterator[Steps]:
     )
     with line:
         yield Steps(line, total)
+
+
+@contextmanager
+def told_of(work: str) -> Iterator[Callable[[int, int], None]]:
+    """A line for a call that says itself how many of how many steps are done."""
+    whole = 100
+    with progress(whole) as line:
+        line.now(work)
+        before = 0
+
+        def tell(done: int, total: int) -> None:
+            nonlocal before
+            now = whole * done // total if total else whole
+            line.done(max(now - before, 0))
+            before = max(now, before)
+
+        yield tell

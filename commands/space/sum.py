@@ -1,21 +1,27 @@
-"""`minkref sum` of convex polyhedra."""
+"""`minkref sum` of polyhedra."""
 
 from __future__ import annotations
 
-import json as json_text
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 from minkref import _core
 from minkref.commands.line.memory import SIMPLER, memory_wall
 from minkref.commands.line.output import give, measure, print_lines, written_row
+from minkref.commands.line.progress import told_of
+from minkref.commands.lists.scale_index import cores
 from minkref.commands.lists.sweep_folder import SPACE_FORMATS
+from minkref.commands.space.sum_document import of_convex_sum, of_general_sum
 from minkref.documents import Stopwatch, document, refuse_overwriting
 from minkref.errors import Refusal, choice, refusing
 from minkref.output_target import target_of
-from minkref.space.operand import read_space_operand
-from minkref.space.scaling import read_scaling, text_of
-from minkref.space.sums import ROUTES, compute, sum_fields
+from minkref.space.general_sum import GENERAL_ROUTES, chosen_space_route, general_sum
+from minkref.space.operand import SpaceOperand, read_summand
+from minkref.space.scaling import Scaling, read_scaling, text_of
+from minkref.space.sums import ROUTES, compute
+
+ALL_ROUTES = (*ROUTES, *GENERAL_ROUTES)
 
 
 def sum_in_space(
@@ -32,17 +38,21 @@ def sum_in_space(
     """The command, its options read but not yet checked."""
     watch = Stopwatch()
     scaling = read_scaling(scale)
-    route = _checked_route(route, arithmetic)
+    wanted = _checked_route(route, arithmetic)
     target = target_of(output, form, SPACE_FORMATS, "off", json)
-    with memory_wall(memory, f"route {route}", f"{P} and {Q}", SIMPLER):
-        first, second = read_space_operand(P), read_space_operand(Q)
+    work = "the sum" if wanted is None else f"route {wanted}"
+    instead = f"{SIMPLER}, or the route edges" if wanted == "definition" else SIMPLER
+    with memory_wall(memory, work, f"{P} and {Q}", instead):
+        first, second = read_summand(P), read_summand(Q)
         if output is not None:
             refuse_overwriting(output, [first.file, second.file])
-        answer = compute(first, second, scaling, route)
+        chosen = chosen_space_route(first, second, wanted, ROUTES)
+        mesh, fields = summed(first, second, scaling, chosen)
     exact = None
     if target is not None:
-        text = refusing(target.name, lambda: _core.write_mesh(answer.surface, target.form))
-        exact = _core.writes_mesh_exactly(answer.surface, target.form)
+        surface = mesh()
+        text = refusing(target.name, lambda: _core.write_mesh(surface, target.form))
+        exact = _core.writes_mesh_exactly(surface, target.form)
         if target.write(text, exact):
             return
     value = document(
@@ -55,31 +65,36 @@ def sum_in_space(
         warnings=first.warnings + second.warnings,
         output=str(output) if output else None,
         output_exact=exact,
-        route=route,
-        compute_seconds=answer.seconds,
-        **sum_fields(answer),
-        result=json_text.loads(answer.surface.canonical_json()),
-        vertex_parents=answer.vertex_parents,
-        facet_parents=[{"P": list(p), "Q": list(q)} for p, q in answer.facet_parents],
-        operands={
-            name: json_text.loads(operand.canonical().canonical_json())
-            for name, operand in (("P", first), ("Q", second))
-        },
+        route=chosen,
+        **fields,
     )
     give(value, json, lambda value: _print(value, text_of(scaling)))
 
 
-def _checked_route(route: str, arithmetic: str) -> str:
-    """`paper`, the default, is the traversal of the Gaussian maps: there is nothing to cull."""
+def summed(
+    P: SpaceOperand, Q: SpaceOperand, scaling: Scaling, route: str
+) -> tuple[Callable[[], _core.Polyhedron], dict[str, Any]]:
+    """What makes the mesh that is written, and what the document says of the sum."""
+    if route in ROUTES or 0 in (P.surface.vertices, Q.surface.vertices):
+        answer = compute(P, Q, scaling, route)
+        return lambda: answer.surface, of_convex_sum(answer, P, Q)
+    with told_of(f"route {route}") as tell:
+        found = general_sum(P, Q, scaling, route, cores(), tell)
+    return found.mesh, of_general_sum(found, P, Q)
+
+
+def _checked_route(route: str, arithmetic: str) -> str | None:
+    """`paper`, the default in the plane, leaves the choice to the operands: None."""
     if arithmetic != "rational":
         raise Refusal(
             "sums in space are exact only", f"--arithmetic {arithmetic}", "leave the option out"
         )
-    chosen = "traversal" if route == "paper" else route
-    if chosen not in ROUTES:
-        mend = f"in space: {choice(route, ROUTES)}"
+    if route == "paper":
+        return None
+    if route not in ALL_ROUTES:
+        mend = f"in space: {choice(route, ALL_ROUTES)}"
         raise Refusal(f"there is no route {route!r} in space", "--route", mend)
-    return chosen
+    return route
 
 
 def _print(value: dict[str, Any], scaling: str) -> None:
@@ -89,8 +104,14 @@ def _print(value: dict[str, Any], scaling: str) -> None:
         ("volume", measure(value["volume"], value["volume_approximate"])),
         ("vertices, edges, facets",
          f"{value['vertices']:,}, {value['edges']:,}, {value['facets']:,}"),
-        ("digest", value["digest"]),
-        ("seconds", f"{value['seconds']:.3f}"),
     ]  # fmt: skip
+    if not value["convex"]:
+        shape = f"{value['components']:,}, {value['cavities']:,}, {value['tunnels']:,}"
+        rows.append(("components, cavities, tunnels", shape))
+    if value["signs"]:
+        total, shares = value["signs"]["total"], value["signs"]["shares"]
+        told = ", ".join(f"{share:.2%} {name.replace('_', ' ')}" for name, share in shares.items())
+        rows.append(("signs", f"{total:,}: {told}"))
+    rows += [("digest", value["digest"]), ("seconds", f"{value['seconds']:.3f}")]
     rows += written_row(value)
     print_lines(rows, value)

@@ -155,7 +155,7 @@ def test_a_dent_is_refused_with_face_vertex_and_line(minkref: Minkref, tmp_path:
         "3 0 2 4\n3 2 1 4\n3 1 3 4\n3 3 0 4\n3 2 0 5\n3 1 2 5\n3 3 1 5\n3 0 3 5\n",
         encoding="utf-8",
     )
-    ran = minkref("sum", path, "gs3", "--json")
+    ran = minkref("convolution", path, "gs3", "--json")  # `sum` takes polyhedra of any shape
     assert ran.code == 2
     error = ran.json["error"]
     assert error["code"] == "not-convex"

@@ -95,6 +95,10 @@ def test_every_command_refuses_and_writes_nothing(
         code = run([*words, "--json"])
         out, err = capsys.readouterr()
         where = f"{name}:{SEED}:{k} {words} {err}"
+        if command == "sum" and member.code == "not-convex":  # it takes polyhedra of any shape
+            assert code == 0 and json.loads(out)["facets"] > 0, where
+            (tmp_path / "it.json").unlink()
+            continue
         assert code == 2, where
         # a damaged JSON may not be known for a mesh
         if not member.file_name.endswith(".json"):

@@ -25,10 +25,11 @@ class Bad:
     places: tuple[str, ...] = ()
     scale: str = "1"
     beside: str = "g3"  # the other operand
+    command: str = "sum"
 
 
 def attempt(bad: Bad, folder: Path) -> dict[str, Any]:
-    """Runs `minkref sum` on the bad input; what is wrong with its refusal, if anything."""
+    """Runs the command on the bad input; what is wrong with its refusal, if anything."""
     path, out = folder / bad.file, folder / f"{bad.file}.out.json"
     text = bad.text.encode() if isinstance(bad.text, str) else bad.text
     path.write_bytes(text)
@@ -36,7 +37,7 @@ def attempt(bad: Bad, folder: Path) -> dict[str, Any]:
         sys.executable,
         "-m",
         "minkref",
-        "sum",
+        bad.command,
         str(path),
         bad.beside,
         f"--scale={bad.scale}",
