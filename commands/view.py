@@ -114,8 +114,9 @@ def command(
     schema: Schema = False,
 ) -> None:
     """Write one self-contained HTML page with a slider over the scale: the sum, its convolution,
-    and the holes from birth to death. In space P and Q are convex polyhedra: the page shows the sum
-    at each scale, lets you turn it, and names the parents of its facets and vertices."""
+    and the holes from birth to death. In space P and Q are polyhedra: the page shows the sum at
+    each scale, lets you turn it and cut it open, and names the parents of its facets and
+    vertices."""
     if in_space(P, Q):
         given = _given(
             ("--from", from_scale), ("--to", to_scale), ("--route", route), ("--index", index),
@@ -189,7 +190,7 @@ def _page_target(output: Path, json: bool) -> Target:
 def _window(from_scale: str | None, to_scale: str | None, given: list[str]) -> Window:
     """`given` are options of space."""
     if given:
-        mend = "give a window, --from A --to B, or convex polyhedra"
+        mend = "give a window, --from A --to B, or polyhedra"
         raise Refusal("these options are for polyhedra in space", ", ".join(given), mend)
     window = Window(
         read_scale(FROM if from_scale is None else from_scale, "--from"),

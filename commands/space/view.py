@@ -1,7 +1,8 @@
-"""`minkref view` of convex polyhedra: a page with a picture in space for each scale."""
+"""`minkref view` of polyhedra: a page with a picture in space for each scale."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -9,8 +10,9 @@ from minkref import _core
 from minkref.commands.line.memory import SIMPLER, memory_wall
 from minkref.commands.line.output import give, print_lines
 from minkref.commands.line.progress import progress
+from minkref.commands.lists.scale_index import cores
+from minkref.commands.pages.space.general_frames import general_row, general_text
 from minkref.commands.pages.space.view_page import (
-    KINDS,
     STEPS,
     Body,
     Frames,
@@ -25,10 +27,13 @@ from minkref.errors import Refusal, refusing
 from minkref.exact import approximate
 from minkref.output_target import Target
 from minkref.signals import ending_in_order
-from minkref.space.operand import read_space_operand
+from minkref.space.general_sum import GENERAL_ROUTES, general_sum
+from minkref.space.operand import SpaceOperand, read_summand, refuse_thin
 from minkref.space.scaling import Scaling, read_scaling, read_scalings, text_of
-from minkref.space.sums import bodies, timed
+from minkref.space.sums import timed
 from minkref.terminal import counted, escaped
+
+Maker = Callable[[Scaling], tuple[dict[str, Any], str]]
 
 
 def view_in_space(
@@ -39,18 +44,20 @@ def view_in_space(
     watch = Stopwatch()
     scalings = _scalings(scale, scales, given)
     library = viewer()
-    first, second = read_space_operand(P), read_space_operand(Q)
-    operands = bodies(first, second)
-    shapes = Body(first.name, operands[0]), Body(second.name, operands[1])
+    first, second = read_summand(P), read_summand(Q)
+    for operand in (first, second):
+        refuse_thin(operand)
+    shapes = Body(first), Body(second)
     frames = Frames(len(scalings))
     rows: list[dict[str, Any]] = []
     wall = memory_wall(memory, "the page", f"{P} and {Q}", SIMPLER)
     with wall, ending_in_order(), progress(len(scalings)) as line:
-        where = f"{first.name} and {second.name}"
-        moving = refusing(where, lambda: _core.DynamicConvexSum(*operands, scalings[0]))
+        make = _maker(first, second, scalings[0], shapes)
         for scaling in scalings:
             line.now(f"scale {escaped(text_of(scaling))[:30]}")
-            rows.append(_frame(moving, scaling, where, shapes, frames))
+            row, text = make(scaling)
+            frames.add(text)
+            rows.append(row)
             line.done()
         count = target.write_pieces(page(*shapes, frames, library))
     if target.is_standard_output:
@@ -70,16 +77,28 @@ def view_in_space(
     give(value, json, _print)
 
 
-def _frame(
-    moving: _core.DynamicConvexSum, scaling: Scaling, where: str, shapes: tuple[Body, Body],
-    frames: Frames,
-) -> dict[str, Any]:  # fmt: skip
-    """Adds a frame to the page; what the document says of it."""
-    did = dict(refusing(where, lambda: moving.update(scaling)))
-    answer = timed(where, moving.sum)
-    row = frame_row(scaling, answer, did)
-    frames.add(frame_text(row, answer, *shapes))
-    return row
+def _maker(P: SpaceOperand, Q: SpaceOperand, first: Scaling, shapes: tuple[Body, Body]) -> Maker:
+    """What makes a frame: what the document says of it, and the text in the page. Convex sums are
+    got each from the one before."""
+    where = f"{P.name} and {Q.name}"
+    if P.body is None or Q.body is None:
+
+        def scratch(scaling: Scaling) -> tuple[dict[str, Any], str]:
+            answer = general_sum(P, Q, scaling, GENERAL_ROUTES[0], cores())
+            row = general_row(answer)
+            return row, general_text(row, answer, *shapes)
+
+        return scratch
+    operands = P.body, Q.body
+    moving = refusing(where, lambda: _core.DynamicConvexSum(*operands, first))
+
+    def update(scaling: Scaling) -> tuple[dict[str, Any], str]:
+        did = dict(refusing(where, lambda: moving.update(scaling)))
+        answer = timed(where, moving.sum)
+        row = frame_row(scaling, answer, did)
+        return row, frame_text(row, answer, *shapes)
+
+    return update
 
 
 def _scalings(scale: str | None, scales: Path | None, given: list[str]) -> list[Scaling]:
@@ -96,8 +115,10 @@ def _scalings(scale: str | None, scales: Path | None, given: list[str]) -> list[
 def _print(value: dict[str, Any]) -> None:
     frames = value["frames"]
     last = frames[-1]
-    kinds = ", ".join(f"{last['kinds'][kind]:,} {kind}" for kind in KINDS if last["kinds"][kind])
-    steps = {name: sum(frame[name] for frame in frames) for name in STEPS}
+    kinds = ", ".join(
+        f"{last['kinds'][kind]:,} {kind}" for kind in last["kinds"] if last["kinds"][kind]
+    )
+    steps = {name: sum(frame[name] or 0 for frame in frames) for name in STEPS}
     rows = [
         ("S P + Q", f"{value['P']} + {value['Q']}"),
         ("frames", counted(len(frames), "scale")),
@@ -109,7 +130,7 @@ def _print(value: dict[str, Any]) -> None:
         ("seconds", f"{value['seconds']:.3f}"),
         ("written", f"{value['output']}, {value['bytes']:,} bytes"),
     ]
-    if len(frames) == 1:
+    if len(frames) == 1 or last[STEPS[0]] is None:
         rows = [row for row in rows if row[0] != "updates"]
     print_lines(rows, value)
 

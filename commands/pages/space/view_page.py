@@ -8,10 +8,10 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import Any
 
-from minkref import _core
 from minkref.commands.pages.template import json_for_script, page_template
 from minkref.errors import Refusal
 from minkref.exact import in_double_range
+from minkref.space.operand import SpaceOperand
 from minkref.space.scaling import Scaling
 from minkref.space.space_sum import SpaceSum
 from minkref.space.sums import sum_fields
@@ -20,7 +20,7 @@ from minkref.terminal import escaped
 KINDS = ("fv", "vf", "ee", "facet+edge", "edge+facet", "facet+facet")
 STEPS = ("fv_errors", "vf_errors", "ee_errors", "descent_steps", "chains_walked")
 MOST_BYTES = 100_000_000  # of the frames in a page
-SCRIPTS = ("exact", "solid", "texts", "scene", "panel", "main")
+SCRIPTS = ("exact", "solid", "texts", "cut", "scene", "panel", "main")
 
 Triple = tuple[Fraction, Fraction, Fraction]
 _FACES = {
@@ -32,24 +32,45 @@ _FACES = {
 class Body:
     """An operand: `data` is what the page has of it."""
 
-    def __init__(self, name: str, body: _core.ConvexPolyhedron) -> None:
-        surface = body.surface()
+    def __init__(self, operand: SpaceOperand) -> None:
+        surface = operand.canonical()
         exact = surface.points()
         points = [tuple(Fraction(axis) for axis in point) for point in exact]
         low, high = ([end(axis) for axis in zip(*points, strict=True)] for end in (min, max))
         self.centre = _triple((b + a) / 2 for a, b in zip(low, high, strict=True))
         self.sides = _triple(b - a for a, b in zip(low, high, strict=True))
         self.data = {
-            "name": escaped(name),
+            "name": escaped(operand.name),
             "points": exact,
             "near": [
                 [
-                    float((axis - middle) / side)
+                    float((axis - middle) / (side or 1))
                     for axis, middle, side in zip(point, self.centre, self.sides, strict=True)
                 ]
                 for point in points
             ],
             "faces": surface.rings(),
+        }
+        if operand.body is None:  # no fan of triangles fills a face that is not convex
+            self.data["triangles"] = surface.triangles()
+
+
+class FrameBox:
+    """The box of a sum, which is the sum of the boxes; `data` is what a frame has of it."""
+
+    def __init__(self, scale: list[str], P: Body, Q: Body) -> None:
+        scaling = [Fraction(factor) for factor in scale]
+        scaled = _triple(s * side for s, side in zip(scaling, P.sides, strict=True))
+        sides = _triple(p + q for p, q in zip(scaled, Q.sides, strict=True))
+        self.size = max(sides)
+        self.centre = _triple(
+            s * p + q for s, p, q in zip(scaling, P.centre, Q.centre, strict=True)
+        )
+        self.data = {
+            "P": [float(side / self.size) for side in scaled],
+            "Q": [float(side / self.size) for side in Q.sides],
+            "size": in_double_range(str(self.size)),
+            "centre": [in_double_range(str(axis)) for axis in self.centre],
         }
 
 
@@ -71,20 +92,10 @@ def kind_of(P: list[int], Q: list[int]) -> str:
 
 def frame_text(row: dict[str, Any], answer: SpaceSum, P: Body, Q: Body) -> str:
     """A frame of the page: its row, and what is drawn."""
-    scaling = [Fraction(factor) for factor in row["scale"]]
-    scaled = _triple(s * side for s, side in zip(scaling, P.sides, strict=True))
-    sides = _triple(p + q for p, q in zip(scaled, Q.sides, strict=True))
-    size = max(sides)
-    middle = (
-        s * p + q for s, p, q in zip(scaling, P.centre, Q.centre, strict=True)
-    )  # the box of a sum is the sum of the boxes
     return json_for_script(
         {
             **row,
-            "P": [float(side / size) for side in scaled],
-            "Q": [float(side / size) for side in Q.sides],
-            "size": in_double_range(str(size)),
-            "centre": [in_double_range(str(axis)) for axis in middle],
+            **FrameBox(row["scale"], P, Q).data,
             "pairs": [number for pair in answer.vertex_parents for number in pair],
             "rings": answer.surface.rings(),
         }

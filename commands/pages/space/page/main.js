@@ -1,7 +1,7 @@
 // The controls, and the three pictures that follow them.
 const names = ["sum", "P", "Q"];
 const plots = Object.fromEntries(names.map((name) => [name, element(`plot-${name}`)]));
-const state = { index: 0, chosen: null, camera: home };
+const state = { index: 0, chosen: null, camera: home, cut: null };
 const margin = 1.06;
 let pictures = null, pending = null, turning = false, wanted = null, held = null;  // held: the picture under the pointer
 
@@ -26,22 +26,28 @@ function halvesOf(name, frame) {
 }
 
 function marked(name) {
-  if (!state.chosen) return null;
-  const { what, number } = state.chosen, frame = frames[state.index];
-  if (what === "vertex") return name === "sum" ? [number] : [frame.pairs[2 * number + (name === "P" ? 0 : 1)]];
-  if (name === "sum") return frame.rings[number];
-  const vertices = pictures.sum.parents[number][name];
-  return vertices.length > 2 ? operands[name].faces[operands[name].numbers.get(vertices.join())] : vertices;
+  if (!state.chosen) return [];
+  const { what, number } = state.chosen, { pairs } = frames[state.index];
+  if (what === "vertex") {
+    if (name === "sum") return [[number]];
+    return pairs ? [[pairs[2 * number + (name === "P" ? 0 : 1)]]] : [];
+  }
+  if (name === "sum") return pictures.sum.outlines[number];
+  const found = new Map(pictures.sum.parents[number].map((pair) => [pair[name].join(), pair[name]]));
+  return [...found].map(([text, vertices]) =>
+    (vertices.length > 2 ? operands[name].faces[operands[name].numbers.get(text)] : vertices));
 }
 
 function traces(name, halves, share) {
   const body = pictures[name];
   const drawn = name === "sum" ? present : [name === "P" ? "fv" : "vf"];
-  const shown = (id) => element(id).checked;
+  const shown = (id) => element(id).checked, cut = name === "sum" ? state.cut : null;
   const pixels = Math.max((plots[name].clientHeight * 0.5 * drawnLength(halves, share)) / seenHeight, 1);
   return [
-    ...drawn.map((kind) => facets(body, kind, name !== "sum" || isShown(kind))),
-    edgeLines(body, pixels, shown("show-edges")), vertexMarks(body, pixels, shown("show-vertices")), chosenMark(body, pixels, marked(name)),
+    ...drawn.map((kind) => facets(body, kind, name !== "sum" || isShown(kind), cut)),
+    ...(name === "sum" ? section(body, cut, pixels) : []),
+    edgeLines(body, pixels, shown("show-edges"), cut), vertexMarks(body, pixels, shown("show-vertices"), cut),
+    chosenMark(body, pixels, marked(name)),
   ];
 }
 
@@ -81,6 +87,7 @@ function show(index) {
     pictures = { sum: sumSolid(frame), P: operandSolid(frame, "P"), Q: operandSolid(frame, "Q") };
   }
   tip("");
+  state.cut = wantedCut(frames[next], pictures.sum);
   tellFrame(state.index);
   tellChosen(frames[state.index], pictures.sum, state.chosen);
   return redraw();
@@ -168,8 +175,9 @@ function listen(name) {
 
 buildLegend(redraw);
 document.body.classList.toggle("still", frames.length === 1);
-element("counts").textContent = frames.length === 1 ? "Minkowski sum of convex polyhedra, exact"
-  : `Minkowski sums of convex polyhedra, exact, at ${several(frames.length, "scale")}, each got from the one before`;
+const sort = frames[0].pairs ? "convex polyhedra" : "polyhedra";
+element("counts").textContent = frames.length === 1 ? `Minkowski sum of ${sort}, exact`
+  : `Minkowski sums of ${sort}, exact, at ${several(frames.length, "scale")}${frames[0].pairs ? ", each got from the one before" : ""}`;
 element("slider").max = frames.length - 1;
 element("fitted").disabled = frames.some(({ size }) => size === null);
 element("slider").addEventListener("input", (event) => show(Number(event.target.value)));
@@ -179,6 +187,12 @@ for (const id of ["show-edges", "show-vertices", "show-axes", "fitted", "one-uni
 for (const what of ["facet", "vertex"]) {
   element(what).addEventListener("change", (event) => {
     choose(what, event.target.value === "" ? NaN : Number(event.target.value)).then(face);
+  });
+}
+for (const id of ["cut-axis", "cut", "cut-flip"]) {
+  element(id).addEventListener("input", () => {
+    state.cut = wantedCut(frames[state.index], pictures.sum);
+    redraw();
   });
 }
 element("clear").addEventListener("click", () => choose("facet", NaN));

@@ -43,18 +43,23 @@ function tellFrame(index) {
   facts(element("facts"), [
     ["volume", cut(exact), exact],
     ...(exact.length > 10 ? [["", `≈ ${about(volume)}`]] : []),
+    ...(frame.pairs ? [] : [["shape", shapeText(frame)]]),
     ["SHA-256", frame.digest, frame.digest],
   ]);
   tellStep(index);
   for (const [which, scaled] of [["P", true], ["Q", false]]) {
     const body = operands[which];
     element(`told-${which}`).textContent = `${which} = ${body.name.split("/").pop()}${scaled ? ", scaled" : ""}: ` +
-      `${counted(body.points.length)} vertices, ${counted(body.faces.length)} facets`;
+      `${counted(body.points.length)} vertices, ${several(body.faces.length, "facet")}`;
   }
 }
 
 function tellStep(index) {
   const frame = frames[index], box = element("step");
+  if (!frame.pairs) {
+    box.replaceChildren(node("p", {}, "Nothing: each frame is found from scratch."));
+    return;
+  }
   if (index === 0) {
     box.replaceChildren(node("p", {}, "Nothing: the first frame is found from scratch."));
     return;
@@ -81,6 +86,12 @@ function tellChosen(frame, picture, chosen) {
     return;
   }
   const { what, number } = chosen;
+  if (what === "vertex" && !frame.pairs) {
+    const point = exactPoint(frame, number);
+    box.replaceChildren(node("p", {}, node("b", {}, `vertex ${number}`)), node("p", {}, exactly(point)),
+      node("p", { class: "faint" }, `≈ (${point.map(about).join(", ")})`));
+    return;
+  }
   if (what === "vertex") {
     const [p, q] = frame.pairs.slice(2 * number, 2 * number + 2);
     const point = exactPoint(frame, number);
@@ -89,12 +100,12 @@ function tellChosen(frame, picture, chosen) {
       node("p", { class: "faint" }, `≈ (${point.map(about).join(", ")})`));
     return;
   }
-  const ring = frame.rings[number], parents = picture.parents[number], kind = picture.kinds[number];
+  const ring = picture.outlines[number].flat(), parents = picture.parents[number], kind = picture.kinds[number];
   const corners = ring.slice(0, cornersTold).map((vertex) =>
-    node("li", {}, node("span", { class: "faint" }, `vertex ${vertex} = ${frame.pairs[2 * vertex]} + ${frame.pairs[2 * vertex + 1]} `),
+    node("li", {}, node("span", { class: "faint" }, `vertex ${vertex} ${frame.pairs ? `= ${frame.pairs[2 * vertex]} + ${frame.pairs[2 * vertex + 1]} ` : ""}`),
       exactly(exactPoint(frame, vertex))));
   if (ring.length > cornersTold) corners.push(node("li", {}, `and ${ring.length - cornersTold} more`));
   box.replaceChildren(
-    node("p", {}, node("b", {}, `facet ${number}: ${kind}`), ` = ${parentsText(parents)}`),
-    node("p", { class: "faint" }, `${several(ring.length, "corner")}, as vertices of the sum = of P + of Q:`), node("ol", {}, ...corners));
+    node("p", {}, node("b", {}, `facet ${number}: ${kind}`), `${parents.length > 1 ? " in the plane of" : " ="} ${parentsText(parents, cornersTold, ", ")}`),
+    node("p", { class: "faint" }, `${several(ring.length, "corner")}, as vertices of the sum${frame.pairs ? " = of P + of Q" : ""}:`), node("ol", {}, ...corners));
 }

@@ -18,22 +18,25 @@ const off = (body, vertex, direction, distance = standOff) =>
   body.points[vertex].map((axis, i) => axis + distance * direction[i]);
 const columns = (points) => ({ x: points.map((p) => p?.[0] ?? null), y: points.map((p) => p?.[1] ?? null), z: points.map((p) => p?.[2] ?? null) });
 
-// Facets of one kind as fans of triangles, the vertices of each facet its own: a point of the mesh tells the facet.
-function facets(body, kind, visible) {
+// Facets of one kind, as far as the cut leaves them, the vertices of each triangle its own: a point of the mesh tells the facet.
+function facets(body, kind, visible, cut) {
   const points = [], facetOf = [], facecolor = [], i = [], j = [], k = [];
   const tint = colour(kind);
-  body.rings.forEach((ring, facet) => {
+  body.triangles.forEach((triangles, facet) => {
     if (body.kinds[facet] !== kind) return;
-    const first = points.length, shade = shaded(tint, body.normals[facet]);
-    for (const vertex of ring) {
-      points.push(body.points[vertex]);
-      facetOf.push(facet);
-    }
-    for (let corner = 1; corner + 1 < ring.length; ++corner) {
-      i.push(first);
-      j.push(first + corner);
-      k.push(first + corner + 1);
-      facecolor.push(shade);
+    const shade = shaded(tint, body.normals[facet]);
+    for (const triangle of triangles) {
+      const first = points.length, kept = leftOf(body.points, triangle, cut);
+      for (const point of kept) {
+        points.push(point);
+        facetOf.push(facet);
+      }
+      for (let corner = 1; corner + 1 < kept.length; ++corner) {
+        i.push(first);
+        j.push(first + corner);
+        k.push(first + corner + 1);
+        facecolor.push(shade);
+      }
     }
   });
   return {
@@ -53,14 +56,15 @@ function roominess(body, pixels) {
 }
 
 // They stand off a third of their width, so that a slanting facet does not cut them in two.
-function edgeLines(body, pixels, visible) {
+function edgeLines(body, pixels, visible, cut) {
   const points = [], width = Math.min(Math.max(roominess(body, pixels) / 9, 0.35), 3);
   const distance = Math.max((0.2 * width) / pixels, standOff / 1.2);
   for (const [a, b, one, other] of body.edges) {
     const direction = body.normals[one].map((axis, i) => axis + body.normals[other][i]);
     const length = Math.hypot(...direction) || 1;
     const unit = direction.map((axis) => axis / length);
-    points.push(off(body, a, unit, distance), off(body, b, unit, distance), null);
+    const ends = partLeft([off(body, a, unit, distance), off(body, b, unit, distance)], cut);
+    if (ends) points.push(...ends, null);
   }
   return {
     type: "scatter3d", mode: "lines", name: "edges", ...columns(points), visible, hoverinfo: "skip",
@@ -68,22 +72,23 @@ function edgeLines(body, pixels, visible) {
   };
 }
 
-function vertexMarks(body, pixels, visible) {
+function vertexMarks(body, pixels, visible, cut) {
+  const numbers = body.points.map((_, v) => v).filter((v) => isLeft(body.points[v], cut));
   const size = Math.min(Math.max(roominess(body, pixels) / 4.5, 0.5), 5);
   return {
-    type: "scatter3d", mode: "markers", name: "vertices", ...columns(body.points.map((_, v) => off(body, v, body.outward[v]))),
+    type: "scatter3d", mode: "markers", name: "vertices", ...columns(numbers.map((v) => off(body, v, body.outward[v]))),
     visible, hoverinfo: "none", marker: { size, color: colour("vertex"), opacity: 1, line: { width: 0 } },
-    meta: { what: "vertex", numbers: body.points.map((_, v) => v) },
+    meta: { what: "vertex", numbers },
   };
 }
 
-// `vertices`: of a vertex, an edge or a ring; null for nothing.
-function chosenMark(body, pixels, vertices) {
-  const ring = vertices ?? [];
-  const closed = ring.length > 2 ? [...ring, ring[0]] : ring;
+// `marks`: lists of the vertices of a vertex, an edge or a ring.
+function chosenMark(body, pixels, marks) {
+  const distance = Math.max(3 * standOff, 0.9 / pixels);
+  const closed = marks.flatMap((ring) => [...ring, ...(ring.length > 2 ? [ring[0]] : []), null]).slice(0, -1);
   return {
     type: "scatter3d", mode: "lines+markers", name: "chosen", hoverinfo: "skip", visible: closed.length > 0,
-    ...columns(closed.map((v) => off(body, v, body.outward[v], Math.max(3 * standOff, 0.9 / pixels)))),
+    ...columns(closed.map((v) => (v === null ? null : off(body, v, body.outward[v], distance)))),
     line: { color: colour("chosen"), width: pixels < 40 ? 3 : 6 }, marker: { size: pixels < 40 ? 3 : closed.length === 1 ? 8 : 4, color: colour("chosen") },
   };
 }
