@@ -56,6 +56,37 @@ def knot_tube(
     raise ValueError(f"a ({p}, {q}) knot of {around} stretches crosses itself")
 
 
+def wide_knot(p: int, q: int, around: int, section: int, size: int) -> Polyhedron:
+    """A tube of `around` stretches about the (p, q) knot on a torus of radii 3 and 1.2 `size`, of
+    thickness 0.35, in 2 `around` `section` triangles. Its section keeps to one direction in space,
+    so it turns about the knot. ValueError where it crosses itself."""
+    vertices: list[Point] = []
+
+    def knot(at: float) -> list[float]:
+        rim = 3 + 1.2 * cos(q * at)
+        return [rim * cos(p * at), rim * sin(p * at), 1.2 * sin(q * at)]
+
+    for k in range(around):
+        t = 2 * pi * k / around
+        here, after, before = knot(t), knot(t + 1e-4), knot(t - 1e-4)
+        along = _unit([a - b for a, b in zip(after, before, strict=True)])
+        u = _unit(_across(along, [0.1, 0.2, 1.0]))
+        v = _across(along, u)
+        for j in range(section):
+            angle = 2 * pi * j / section
+            x, y, z = (
+                Fraction(round(size * (a + 0.35 * (cos(angle) * b + sin(angle) * c))))
+                for a, b, c in zip(here, u, v, strict=True)
+            )
+            vertices.append((x, y, z))
+    faces = [part for a, b, c, d in _quads(around, section) for part in ((a, b, c), (a, c, d))]
+    tube = Polyhedron(tuple(vertices), tuple(faces))
+    tube = tube if tube.volume > 0 else tube.turned_inside_out()
+    if tube.fault() is not None or self_crossing(tube) is not None:
+        raise ValueError(f"a wide ({p}, {q}) knot of {around} stretches crosses itself")
+    return tube
+
+
 def _on_tube(p: int, q: int, t: float, angle: float, r: float) -> tuple[float, float, float]:
     """A corner of the section at t. Floats: they only choose points of a grid. The section lies
     between a way that is radial to the torus and the normal of both the knot and it."""
@@ -70,15 +101,16 @@ def _on_tube(p: int, q: int, t: float, angle: float, r: float) -> tuple[float, f
     up = [cos(q * t) * cos(p * t), cos(q * t) * sin(p * t), -sin(q * t)]
     lift = sum(a * b for a, b in zip(up, along, strict=True))
     u = _unit([a - lift * b for a, b in zip(up, along, strict=True)])
-    v = [
-        u[1] * along[2] - u[2] * along[1],
-        u[2] * along[0] - u[0] * along[2],
-        u[0] * along[1] - u[1] * along[0],
-    ]
+    v = _across(u, along)
     x, y, z = (
         a + r * (cos(angle) * b + sin(angle) * c) for a, b, c in zip(here, u, v, strict=True)
     )
     return x, y, z
+
+
+def _across(u: list[float], v: list[float]) -> list[float]:
+    """The cross product."""
+    return [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
 
 
 def _unit(v: list[float]) -> list[float]:
