@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
@@ -12,14 +13,26 @@ from minkref.fuzz.targets.answer import Limits, load_limit
 from minkref.oracle.slow import of_faces
 
 NEF = "cgal-nef"
+NO_LIMITS = Limits()
+
+
+@dataclass(frozen=True)
+class NefAnswer:
+    """`text` is canonical JSON, None where there is no answer: `why` says what became of it.
+    `seconds` are those of CGAL's minkowski_sum_3 alone, from Nef polyhedra to a Nef polyhedron
+    whose exact coordinates may not be evaluated yet."""
+
+    text: str | None
+    seconds: float | None = None
+    why: str = ""
 
 
 class NefJudge:
     """One child process for many sums, started anew after one that took too long. Close it, or use
     it in a `with`."""
 
-    def __init__(self, seconds: float) -> None:
-        self._limits = Limits(seconds=seconds)
+    def __init__(self, seconds: float, limits: Limits = NO_LIMITS) -> None:
+        self._limits = replace(limits, seconds=seconds)
         line = command(NEF)
         self.absence = absence(NEF)
         self._process = None if line is None else AdapterProcess(NEF, line, self._limits)
@@ -28,6 +41,9 @@ class NefJudge:
         return self
 
     def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def close(self) -> None:
         if self._process is not None:
             self._process.close()
 
@@ -35,16 +51,22 @@ class NefJudge:
         """Canonical JSON; None where there is no answer within the time. CGAL's faces, which are
         exact, are put together plane by plane by the slow engine's code; InputError where they
         overlap."""
+        return self.timed_sum(sP, Q).text
+
+    def timed_sum(self, sP: Polyhedron, Q: Polyhedron) -> NefAnswer:
+        """The same with its time, or with what keeps it."""
         if self._process is None:
-            return None
+            return NefAnswer(None, why=str(self.absence))
         try:
             self._process.start()
             self._process.ask("load", load_limit(self._limits), dimension=3, Q=Q.document())
-            answer = self._process.ask("at", self._limits.seconds, sP=sP.document())
-        except Failure:
+            answer = self._process.ask("at", self._limits.seconds, sP=sP.document(), timed=True)
+        except Failure as failure:
             self._process.close()
-            return None
-        return _text(answer) if answer["status"] == "result" else None
+            return NefAnswer(None, why=failure.message)
+        if answer["status"] != "result":
+            return NefAnswer(None, why=str(answer.get("reason") or answer["status"]))
+        return NefAnswer(_text(answer), answer.get("cgal_seconds"))
 
 
 def _text(answer: dict[str, Any]) -> str:

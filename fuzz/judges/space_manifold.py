@@ -1,0 +1,73 @@
+"""The volume of a sum as Manifold finds it, in doubles."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import Any
+
+from minkref.fuzz.libraries.catalogue import absence, command
+from minkref.fuzz.space.polyhedron import Polyhedron
+from minkref.fuzz.targets.adapter_process import AdapterProcess, Failure
+from minkref.fuzz.targets.answer import Limits, load_limit
+
+MANIFOLD = "manifold3d"
+NEAREST = 1e-9  # relative difference of volumes that is put down to doubles
+NO_LIMITS = Limits()
+
+
+@dataclass(frozen=True)
+class VolumeAnswer:
+    """`volume` is None where there is no answer: `why` says what became of it. `seconds` are those
+    of Manifold's minkowski_sum alone."""
+
+    volume: float | None
+    seconds: float | None = None
+    why: str = ""
+
+    def difference(self, exact: Fraction) -> float | None:
+        """Relative, from the exact volume; None without an answer."""
+        if self.volume is None:
+            return None
+        return float(abs(Fraction(self.volume) - exact) / exact)
+
+
+class ManifoldJudge:
+    """One child process for many sums, started anew after one that took too long. Close it, or use
+    it in a `with`. Its sums are wrong where the origin is outside of Q."""
+
+    def __init__(self, seconds: float, limits: Limits = NO_LIMITS) -> None:
+        self._limits = replace(limits, seconds=seconds)
+        line = command(MANIFOLD)
+        self.absence = absence(MANIFOLD)
+        self._process = None if line is None else AdapterProcess(MANIFOLD, line, self._limits)
+
+    def __enter__(self) -> ManifoldJudge:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        if self._process is not None:
+            self._process.close()
+
+    def volume(self, sP: Polyhedron, Q: Polyhedron) -> VolumeAnswer:
+        """Of solids whose coordinates doubles hold."""
+        if self._process is None:
+            return VolumeAnswer(None, why=str(self.absence))
+        try:
+            self._process.start()
+            self._process.ask("load", load_limit(self._limits), dimension=3, Q=_in_doubles(Q))
+            answer = self._process.ask("at", self._limits.seconds, sP=_in_doubles(sP))
+        except Failure as failure:
+            self._process.close()
+            return VolumeAnswer(None, why=failure.message)
+        if answer["status"] != "result":
+            return VolumeAnswer(None, why=str(answer.get("reason") or answer["status"]))
+        return VolumeAnswer(answer["library_volume"], answer["library_seconds"])
+
+
+def _in_doubles(solid: Polyhedron) -> dict[str, Any]:
+    vertices = [[float(number) for number in vertex] for vertex in solid.vertices]
+    return {"vertices": vertices, "faces": [list(face) for face in solid.faces]}
