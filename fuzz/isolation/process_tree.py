@@ -1,4 +1,4 @@
-"""Processes as /proc tells of them: children, and the memory of a tree."""
+"""Processes as /proc tells of them: children, and the memory and processor time of a tree."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import os
 from pathlib import Path
 
 PAGE = os.sysconf("SC_PAGE_SIZE")
+TICKS = os.sysconf("SC_CLK_TCK")  # a second
 PROC = Path("/proc")
 
 
@@ -28,6 +29,12 @@ def resident_bytes(root: int) -> int:
     return sum(_resident(process) for process in descendants(root))
 
 
+def tree_seconds(root: int) -> float:
+    """The processor time of all processes below `root`, with that of their children that have
+    ended; of children of `root` itself that have ended resource.getrusage tells."""
+    return sum(_seconds_of(process) for process in descendants(root))
+
+
 def descendants(root: int) -> list[int]:
     """All processes below `root`."""
     parents = _parents()
@@ -48,6 +55,14 @@ def _parents() -> dict[int, int]:
             except (OSError, IndexError):
                 continue
     return found
+
+
+def _seconds_of(process: int) -> float:
+    try:
+        text = (PROC / f"{process}/stat").read_bytes()
+        return sum(int(word) for word in text.rpartition(b")")[2].split()[11:15]) / TICKS
+    except (OSError, ValueError):
+        return 0.0
 
 
 def _resident(process: int) -> int:
