@@ -44,6 +44,7 @@ from minkref.reports.conformance.lines import json_lines
 from minkref.reports.conformance.markdown import markdown
 from minkref.reports.conformance.page import write_report
 from minkref.reports.conformance.sarif import sarif
+from minkref.reports.conformance.space_showcase import space_showcases, told
 from minkref.signals import ending_in_order
 
 EXAMPLES = """Examples:
@@ -288,6 +289,12 @@ def command(
     ]
     cases.notes += unused(listed, [finding.outcome for finding in done.findings], versions)
     code = done.exit_code(strict)
+    solids = []
+    if report is not None and not targets and not case and done.ended is None:
+        solids = space_showcases()
+        cases.notes.append(told(solids))
+        if any(show.differ for show in solids):
+            code = code or ExitCode.WRONG
     if done.ended is not None:
         cases.notes.append(_ended(done, ledger))
     if done.failed is not None:
@@ -296,7 +303,7 @@ def command(
     if report is not None:
         said = {**locals(), "settings": None, "no_settings": settings is not None}
         again = command_line("verify", command, said)
-        value["report"] = str(write_report(report, done, groups, value, limits, again))
+        value["report"] = str(write_report(report, done, groups, value, limits, again, solids))
         value["seconds"] = watch.seconds()
     if junit_file is not None:
         write_atomically(junit_file, junit(done, groups, walls))

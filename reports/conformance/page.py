@@ -3,6 +3,7 @@ stand-alone programs."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +15,7 @@ from minkref.fuzz.verdicts.verdict import Verdict
 from minkref.reports.conformance.finding_page import FindingPage, finding_pages
 from minkref.reports.conformance.run_words import conclusion, left_out
 from minkref.reports.conformance.showcase import showcases
+from minkref.reports.conformance.space_showcase import SpaceShowcase
 from minkref.reports.conformance.target_page import TargetPage, target_pages
 from minkref.reports.conformance.words import SIGNS, VERDICTS, ending
 from minkref.reports.pages import environment
@@ -31,14 +33,16 @@ def write_report(
     value: dict[str, Any],
     limits: Limits = NO_LIMITS,
     again: str = "",
+    solids: Sequence[SpaceShowcase] = (),
 ) -> Path:
     """Writes `index.html`, a page for each target and for each kind of finding, `report.html` with
     all of it, and a program for each case where there is one. `value` is the JSON document of the
-    run, `again` the command that makes the report again. Returns the path of the front page."""
+    run, `again` the command that makes the report again, `solids` sums in space that are shown.
+    Returns the path of the front page."""
     findings = finding_pages(groups, value, limits)
     targets = target_pages(run, value, findings)
     files = _programs(findings)
-    shared = _shared(run, value, targets, findings, again)
+    shared = {**_shared(run, value, targets, findings, again), "solids": solids}
     templates = environment("conformance")
 
     def page(template: str, **more: Any) -> str:
