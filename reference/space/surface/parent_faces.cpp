@@ -77,12 +77,7 @@ std::vector<std::vector<FacePair>> parent_faces(const SurfaceEdges& surface, con
                                                 const Polyhedron& Q, const Scaling& scaling) {
   std::vector<std::vector<FacePair>> result(surface.faces.size());
   if (surface.faces.empty()) return result;
-  std::vector<SpacePoint> vertices = scaled(P, scaling).vertices;
-  vertices.insert(vertices.end(), Q.vertices.begin(), Q.vertices.end());
-  const IntegerPoints integers = integer_points(vertices);
-  const auto split = integers.points.begin() + static_cast<std::ptrdiff_t>(P.vertices.size());
-  const SpaceOperand first(P, {integers.points.begin(), split});
-  const SpaceOperand second(Q, {split, integers.points.end()});
+  const auto [first, second, denominator] = space_operands(P, Q, scaling);
   const Convolution convolution = convolution_facets(first, second);
 
   std::vector<std::uint32_t> order(surface.faces.size());
@@ -92,7 +87,7 @@ std::vector<std::vector<FacePair>> parent_faces(const SurfaceEdges& surface, con
   });
   PolyhedralSet regions;
   for (const std::uint32_t f : order) regions.faces.push_back(region_of(surface, surface.faces[f]));
-  const auto found = parents(regions, convolution.facets, integers.denominator);
+  const auto found = parents(regions, convolution.facets, denominator);
   const NamedFaces of_P(P, first), of_Q(Q, second);
   for (std::size_t k = 0; k < order.size(); ++k) {
     std::vector<FacePair>& pairs = result[order[k]];
