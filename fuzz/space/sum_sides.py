@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
+from itertools import chain
 
 from minkref.fuzz.geometry.space import Point, Whole, dot, middle
 from minkref.fuzz.space.fault_search import FaultSearch
@@ -13,8 +14,8 @@ from minkref.fuzz.space.sides import both_sides
 
 MOST_FACES = 400  # of the sum, and triangles of a result, beside which a rounded one is tested
 BEYOND = Fraction(17, 16)  # of the tolerance: the least distance of such a test
-FARTHER = (4, 64)  # times the tolerance
-SHARES = (Fraction(1, 4096), Fraction(1, 64))  # of the size of the sum
+FARTHER = 16  # times the tolerance
+SHARE = Fraction(1, 4096)  # of the size of the sum
 NEAR_CORNER = 12  # weight of a corner, beside those of the others
 
 
@@ -38,29 +39,30 @@ def sides_agree(search: FaultSearch) -> bool:
 
 def beside_faces(search: FaultSearch) -> None:
     """Tests points beyond the tolerance on both sides of the faces of the sum and of the result,
-    where the result and the sum differ."""
+    where the result and the sum differ, until it is found wrong."""
     truth = search.pair.exact
     known, found = truth.surface, search.surface
-    for point in (*_beside(known, search.tolerance), *_beside(found, search.tolerance)):
+    for point in chain(_beside(known, search.tolerance), _beside(found, search.tolerance)):
         search.points += 1
         there, right = found.winding(point), known.winding(point)
         if there is None or right is None or (there > 0) == (right > 0):
             continue
         search.test(point)
-        if len(search.reasons) == 2 or search.refuted:
+        if search.reasons or search.refuted:
             return
 
 
 def _beside(surface: Surface, tolerance: Fraction) -> Iterator[Point]:
     numbers = range(0, len(surface.triangles), 1 + len(surface.triangles) // MOST_FACES)
     size = max((max(box[1::2]) - min(box[::2]) for box in surface.boxes), default=0)
-    steps = [tolerance * BEYOND, *(tolerance * times for times in FARTHER)]
-    steps += [share * size / surface.denominator for share in SHARES]
+    near = tolerance * BEYOND
+    far = (tolerance * FARTHER, SHARE * size / surface.denominator)
     for number in numbers:
         n = surface.normals[number]
         # As far along the normal as the plane moves where a cube of this half side touches it.
         unit = Fraction(sum(map(abs, n)), dot(n, n))
-        for place in _places(surface.triangles[number], surface.denominator):
+        centre, *others = _places(surface.triangles[number], surface.denominator)
+        for place, steps in ((centre, (near, *far)), *((other, (near,)) for other in others)):
             for step in steps:
                 for t in (step * unit, -step * unit):
                     yield (place[0] + t * n[0], place[1] + t * n[1], place[2] + t * n[2])
