@@ -23,6 +23,7 @@ from minkref.fuzz.space.hull import is_convex
 from minkref.fuzz.space.laws import transformed_pairs
 from minkref.fuzz.space.pair import SpacePair, Truth
 from minkref.fuzz.space.polyhedron import Polyhedron
+from minkref.fuzz.space.self_crossing import self_crossing
 from minkref.fuzz.verdicts.verdict import Witness
 
 OTHER_FACTORS = (Fraction(1, 2), Fraction(3, 4), Fraction(1), Fraction(3, 2), Fraction(4))
@@ -136,6 +137,8 @@ class SpaceCase:
             if not is_convex(solid):
                 needs.add("non-convex")
                 needs |= _topology(solid)
+                if self_crossing(solid) is not None:
+                    needs.add("touching")
         if not all(is_double(number) for number in self.sent):
             needs.add("rational")
         if isinstance(self.asked.scale, tuple):

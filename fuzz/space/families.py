@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from minkref.fuzz.space.found import FAMILY as FOUND
+from minkref.fuzz.space.found import found_pair
 from minkref.fuzz.space.general_pairs import pair_of_family
 from minkref.fuzz.space.pair import SpacePair
 from minkref.fuzz.space.pairs import space_pair
@@ -22,8 +24,7 @@ GROWING = {
     "space-torus": "polygonal tori",
     "space-star": "star-shaped polyhedra",
 }
-# By the name of a family of general pairs: what is left when a family of that name is there
-# already, or the name says too little, is another.
+# By the name of a family of general pairs; some have another name here, as theirs is taken.
 GENERAL = {
     "mixed": ("space-mixed", "any two solids, one of them under a matrix of its own"),
     "parallel": ("space-parallel", "any two solids with many faces parallel to axes"),
@@ -40,12 +41,17 @@ GENERAL = {
     "polycubes": ("space-sheared", "polycubes under a matrix"),
     "apart": ("space-bridge", "two solids apart, and one that bridges the gap, or just does not"),
 }
-SPACE_FAMILIES = GROWING | dict(GENERAL.values())
+SPACE_FAMILIES = (
+    {FOUND: "small pairs on which libraries were found wrong"} | GROWING | dict(GENERAL.values())
+)
 _OF_GENERAL = {name: family for family, (name, _) in GENERAL.items()}
 
 
 def drawn_pair(family: str, seed: int, index: int) -> SpacePair:
-    """Pair `index` of one of SPACE_FAMILIES; depends on nothing but the arguments."""
+    """Pair `index` of one of SPACE_FAMILIES; depends on nothing but the arguments. NoCase where a
+    family has an end."""
+    if family == FOUND:
+        return found_pair(index)
     if family not in _OF_GENERAL:
         return space_pair(family.removeprefix(PREFIX), seed, index)
     drawn = pair_of_family(_OF_GENERAL[family], seed, index)

@@ -10,16 +10,19 @@ from minkref.fuzz.space.convex_sum import polyhedron_of
 from minkref.fuzz.space.exact_sum import core_polyhedron
 from minkref.fuzz.space.hull import convex_hull, is_convex
 from minkref.fuzz.space.polyhedron import Face, Polyhedron
+from minkref.fuzz.space.self_crossing import self_crossing
 
 MOST_PIECES = 16
 
 
 def is_valid(solid: Polyhedron) -> bool:
-    """An operand as a target may expect it: it does not cross or cover itself either."""
+    """An operand as any target may expect it: it does not cross, cover or touch itself either."""
     if solid.fault() is not None:
         return False
     if solid.is_thin:
         return True
+    if self_crossing(solid) is not None:
+        return False
     try:
         core_polyhedron(solid).validate()
     except _core.BadInput:

@@ -18,7 +18,7 @@ CAPABILITIES = {
     "non-convex": "an operand that is not convex",
     "holes": "an operand with holes; in space, with tunnels or cavities",
     "components": "an operand of several polygons or shells",
-    "touching": "rings of an operand that touch each other",
+    "touching": "rings of an operand that touch; in space, a surface that touches itself",
     "empty": "the empty set as an operand",
     "point": "a point as an operand",
     "segment": "a segment as an operand",

@@ -21,8 +21,8 @@ SPACE_ROUTES = {
 }
 _BY_NAME = {"edges": EDGES, SPACE_DEFINITION: DEFINITION}
 _TAKES = frozenset(
-    ("space", "non-convex", "holes", "components", "point", "segment", "rational", "non-uniform")
-)
+    ("space", "non-convex", "holes", "components", "touching", "point", "segment", "rational")
+) | {"non-uniform"}
 SPACE_DECLARATIONS = {
     route: Declaration(f"minkref:{route}", capabilities=_TAKES) for route in SPACE_ROUTES
 }

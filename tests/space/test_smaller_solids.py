@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import json
 from fractions import Fraction
 
 import pytest
 from minkref import _core
+from minkref.fuzz.cases import naming
+from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.shrink.shrinker import shrink
 from minkref.fuzz.space.exact_sum import core_polyhedron
@@ -82,3 +85,18 @@ def test_a_fault_of_dents_ends_at_a_tetrahedron_and_few_vertices() -> None:
 def test_a_segment_stays_valid() -> None:
     assert is_valid(Polyhedron((point(0, 0, 0), point(1, 0, 0)), ()))
     assert not is_valid(Polyhedron((point(0, 0, 0), point(0, 0, 0)), ()))
+
+
+def test_a_surface_that_touches_itself_is_no_candidate_and_needs_a_target_that_takes_it() -> None:
+    """An edge of a notch lies along the diagonal of a side: how that side is cut in triangles
+    decides whether the mesh is a manifold."""
+    vertices = ((2, 2, 0), (0, 2, 0), (2, 0, 1), (2, 2, 1), (0, 2, 1), (1, 1, 1))
+    faces = ((1, 0, 2), (0, 3, 2), (5, 1, 3), (2, 3, 1), (0, 1, 4, 3), (4, 1, 5), (4, 5, 3))
+    solid = Polyhedron(tuple(point(*vertex) for vertex in vertices), faces)
+    assert solid.fault() is None and not is_valid(solid)
+    document = {"P": solid.document(), "Q": cube(point(0, 0, 0), Fraction(1)).document()}
+    case = naming.load(CaseName(json.dumps(document), "named"))
+    assert "touching" in case.needs
+    pair = drawn_pair("space-cup", SEED, 1)
+    plain = {"P": pair.P.document(), "Q": pair.Q.document()}
+    assert "touching" not in naming.load(CaseName(json.dumps(plain), "named")).needs
