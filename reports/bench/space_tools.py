@@ -6,6 +6,7 @@ from __future__ import annotations
 import multiprocessing
 import os
 import resource
+import sys
 import time
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -26,14 +27,15 @@ THREADS = 2
 LIMITS = Limits(bytes=8 << 30, output=1 << 30)
 AGAIN = 1.0  # seconds below which a call is made three times, and the median taken
 START_SECONDS = 60.0
+VOLUME_BITS = 200  # that are kept
 
 
 @dataclass(frozen=True)
 class Timed:
     """`seconds` is None where there is no answer: `why` says what became of it. `processor` is
     the processor time of all threads, of another tool with all that it does to take operands and to
-    give a result; `text` the canonical JSON, `volume` exact, or of doubles: each where it is
-    known."""
+    give a result; `text` the canonical JSON, `volume` within 2^-200 of the exact one,
+    relatively, or of doubles: each where it is known."""
 
     seconds: float | None = None
     why: str = ""
@@ -109,6 +111,12 @@ def _processor_seconds() -> float:
     return tree_seconds(os.getpid()) + ended.ru_utime + ended.ru_stime
 
 
+def _rounded(volume: Fraction) -> Fraction:
+    """To some hundred bits, which are enough for doubles; exact ones have thousands of digits."""
+    shift = max(0, VOLUME_BITS - volume.numerator.bit_length() + volume.denominator.bit_length())
+    return Fraction(round(volume * 2**shift), 2**shift)
+
+
 class _Exact:
     """minkref in a child process, ended where it takes too long."""
 
@@ -149,6 +157,7 @@ class _Exact:
 
 def _serve(ends: Connection) -> None:
     """Sums until the pipe is closed; says first that it is there."""
+    sys.set_int_max_str_digits(0)  # exact volumes have as many digits as they need
     ends.send(None)
     while True:
         try:
@@ -163,4 +172,5 @@ def _serve(ends: Connection) -> None:
             ends.send(Timed(why=f"{type(error).__name__}: {error}"))
             continue
         seconds, processor = time.perf_counter() - start, time.process_time() - processor
-        ends.send(Timed(seconds, "", found.canonical_json(), Fraction(found.volume()), processor))
+        volume = _rounded(Fraction(found.volume()))
+        ends.send(Timed(seconds, "", found.canonical_json(), volume, processor))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 import time
 from collections import Counter
 from fractions import Fraction
@@ -37,6 +38,7 @@ _judges: dict[bool, tuple[NefJudge, ManifoldJudge]] = {}  # of this process, whi
 
 def judge(task: Task) -> dict[str, Any]:
     """All answers on one pair."""
+    sys.set_int_max_str_digits(0)  # exact volumes have as many digits as they need
     index, quick = task
     if quick not in _judges:
         seconds = QUICK_SECONDS if quick else SECONDS
