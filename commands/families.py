@@ -7,6 +7,7 @@ from typing import Any
 from minkref.commands.line.options import Json, Schema
 from minkref.commands.line.output import give, plain_table
 from minkref.degeneracies.catalogue import FAMILIES as DEGENERATE
+from minkref.degeneracies.catalogue import SOLID_FAMILIES
 from minkref.degeneracies.catalogue import SPACE_FAMILIES as DEGENERATE_IN_SPACE
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, INVALID_MESH_FAMILIES
 from minkref.documents import Stopwatch, document
@@ -25,7 +26,7 @@ minkref generate fits-hole --count 5 -o cases"""
 
 def command(json: Json = False, schema: Schema = False) -> None:
     """The families of generated cases: those that `minkref verify` draws from (a case is named
-    FAMILY:SEED:INDEX), and those that `minkref generate` makes, with certificates or invalid."""
+    FAMILY:SEED:INDEX), and those that `minkref generate` makes, degenerate or invalid."""
     watch = Stopwatch()
     rows = [
         {"name": name, "dimension": 2, "title": family.title, "command": "verify"}
@@ -37,7 +38,7 @@ def command(json: Json = False, schema: Schema = False) -> None:
     ]
     for dimension, groups in (
         (2, (DEGENERATE, INVALID_FAMILIES)),
-        (3, (DEGENERATE_IN_SPACE, INVALID_MESH_FAMILIES)),
+        (3, (DEGENERATE_IN_SPACE, SOLID_FAMILIES, INVALID_MESH_FAMILIES)),
     ):
         titles = {name: family.title for group in groups for name, family in group.items()}
         rows += [

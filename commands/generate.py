@@ -23,7 +23,7 @@ from minkref.commands.line.options import Json, Schema
 from minkref.commands.line.output import plain_table
 from minkref.commands.line.progress import progress
 from minkref.commands.verify_limits import MOST_JOBS
-from minkref.degeneracies.catalogue import FAMILIES, SPACE_FAMILIES
+from minkref.degeneracies.catalogue import ALL_FAMILIES, FAMILIES, SOLID_FAMILIES, SPACE_FAMILIES
 from minkref.degeneracies.files import FileRow, Made, made_invalid, made_member
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, INVALID_MESH_FAMILIES
 from minkref.documents import Stopwatch, document, listing
@@ -45,11 +45,13 @@ minkref generate all --seed 7 -o cases && minkref check cases
 
 minkref generate space --count 3 -o bodies && minkref check bodies
 
+minkref generate solids --count 2 -o solids
+
 minkref generate invalid --count 3 -o bad
 
 minkref verify cgal-reduced --suite corpus --corpus cases"""
 
-ALL, SPACE, INVALID, INVALID_MESH = "all", "space", "invalid", "invalid-mesh"
+ALL, SPACE, SOLIDS, INVALID, INVALID_MESH = "all", "space", "solids", "invalid", "invalid-mesh"
 REFUSED = INVALID_FAMILIES | INVALID_MESH_FAMILIES
 DEFAULT_FOLDER = "degenerate-cases"
 DEFAULT_COUNT = 10
@@ -64,9 +66,9 @@ def command(
         list[str],
         typer.Argument(
             help="Families (`minkref families`). all: the families in the plane with "
-            "certificates; space: those in space; invalid, invalid-mesh: input that must be "
-            "refused.",
-            metavar="FAMILY|all|space|invalid|invalid-mesh",
+            "certificates; space: those of convex bodies in space; solids: of polyhedra of any "
+            "shape, without certificates; invalid, invalid-mesh: input that must be refused.",
+            metavar="FAMILY|all|space|solids|invalid|invalid-mesh",
         ),
     ],
     count: Annotated[
@@ -102,7 +104,9 @@ def command(
     output: Annotated[
         str,
         typer.Option(
-            "-o", help="Folder for FAMILY/ID.json and FAMILY/ID.cert.json.", metavar="DIR"
+            "-o",
+            help="Folder for FAMILY/ID.json and its certificate, FAMILY/ID.cert.json.",
+            metavar="DIR",
         ),
     ] = DEFAULT_FOLDER,
     jobs: Annotated[
@@ -112,8 +116,9 @@ def command(
     schema: Schema = False,
 ) -> None:
     """Make hundreds of degenerate cases (docs/degeneracies.md): files with operands, scales, the
-    expected result at each, and why good code gets it wrong, each with a certificate. The same
-    family, seed, number and size give the same bytes on every machine."""
+    expected result at each, and why good code gets it wrong, each with a certificate, but those of
+    polyhedra of any shape. The same family, seed, number and size give the same bytes on every
+    machine."""
     watch = Stopwatch()
     names = _chosen(families)
     numbers = _numbers(count, index)
@@ -184,6 +189,7 @@ def _chosen(families: list[str]) -> list[str]:
     known = {
         ALL: list(FAMILIES),
         SPACE: list(SPACE_FAMILIES),
+        SOLIDS: list(SOLID_FAMILIES),
         INVALID: list(INVALID_FAMILIES),
         INVALID_MESH: list(INVALID_MESH_FAMILIES),
     }
@@ -192,7 +198,7 @@ def _chosen(families: list[str]) -> list[str]:
     if unknown:
         mend = (
             f"{nearest(unknown[0], known)}`minkref families` lists all families: name some that it "
-            f"says `generate` makes, {ALL}, {SPACE}, {INVALID} or {INVALID_MESH}"
+            f"says `generate` makes, {ALL}, {SPACE}, {SOLIDS}, {INVALID} or {INVALID_MESH}"
         )
         raise Refusal("there is no such family", escaped(unknown[0]), mend, "unknown-family")
     return list(dict.fromkeys(name for word in families for name in known[word]))
@@ -263,9 +269,7 @@ def _make(task: Task) -> Made:
     try:
         if name in REFUSED:
             return made_invalid(REFUSED[name], seed, index)
-        if name in SPACE_FAMILIES:
-            return made_member(SPACE_FAMILIES[name], seed, index, size)
-        return made_member(FAMILIES[name], seed, index, size)
+        return made_member(ALL_FAMILIES[name], seed, index, size)
     except Refusal:
         raise
     except Exception as error:

@@ -44,6 +44,11 @@ def of_certificate(
     for expected in value["expected"]:
         if [expected.get(name) for name in names] not in claimed:
             yield f"{path}: what is expected at {_text(expected['scale'])} is not certified"
+    yield from of_scales(path, value)
+
+
+def of_scales(path: Path, value: dict[str, Any]) -> Iterator[str]:
+    """Something is expected at each of the scales, and at no other."""
     told = [_text(expected["scale"]) for expected in value["expected"]]
     if set(told) != set(map(_text, value["scales"])):
         yield f"{path}: not each scale has its expected result"

@@ -39,7 +39,7 @@ class CaseTexts(ABC):
 
     @property
     @abstractmethod
-    def certificate(self) -> Provable: ...
+    def certificate(self) -> Provable | None: ...
 
     @cached_property
     def case_text(self) -> str:
@@ -47,8 +47,10 @@ class CaseTexts(ABC):
         return canonical_text(self.document)
 
     @cached_property
-    def certificate_text(self) -> str:
-        return self.certificate.text(f"{self.id}.json", self.id, "minkref")
+    def certificate_text(self) -> str | None:
+        """None where there is no certificate."""
+        made = self.certificate
+        return None if made is None else made.text(f"{self.id}.json", self.id, "minkref")
 
     def described(self, operands: dict[str, Any], findings: dict[str, Any]) -> dict[str, Any]:
         """case-v1. `operands`: dimension, P, Q, scales; `findings`: flags, expected, degeneracy."""

@@ -1,4 +1,5 @@
-"""The families by name, in the order of their subjects: those of the plane, and those in space."""
+"""The families by name, in the order of their subjects: those of the plane, those of convex bodies
+in space, and those of polyhedra of any shape."""
 
 from __future__ import annotations
 
@@ -13,6 +14,9 @@ from minkref.degeneracies.plane import (
     parallel_edges,
     touches,
 )
+from minkref.degeneracies.solids import always as always_of_solids
+from minkref.degeneracies.solids import corners, fits, numbers, same
+from minkref.degeneracies.solids.draft import SolidFamily
 from minkref.degeneracies.space import always, at_a_scaling, shapes, updates
 from minkref.degeneracies.space import magnitudes as magnitudes_in_space
 from minkref.degeneracies.space.draft import SpaceFamily
@@ -36,4 +40,16 @@ SPACE_FAMILIES: dict[str, SpaceFamily] = {
     family.name: family
     for module in (always, at_a_scaling, shapes, magnitudes_in_space, updates)
     for family in module.FAMILIES
+}
+
+SOLID_FAMILIES: dict[str, SolidFamily] = {
+    family.name: family
+    for module in (always_of_solids, same, fits, corners, numbers)
+    for family in module.FAMILIES
+}
+
+ALL_FAMILIES: dict[str, Family | SpaceFamily | SolidFamily] = {
+    **FAMILIES,
+    **SPACE_FAMILIES,
+    **SOLID_FAMILIES,
 }

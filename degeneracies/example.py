@@ -34,7 +34,7 @@ def minkowski_sum(P, Q, s):
 corpus = Path(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).parent / "corpus")
 cases = [json.loads(path.read_text()) for path in sorted(corpus.glob("*/*.json"))]
 cases = [case for case in cases if case.get("schema") == "case-v1"]
-in_space = sum(case["dimension"] == 3 for case in cases)  # of convex bodies
+in_space = sum(case["dimension"] == 3 for case in cases)
 cases = [case for case in cases if case["dimension"] == 2]
 wrong = {}
 for case in cases:

@@ -13,6 +13,8 @@ from minkref.degeneracies.draft import Family
 from minkref.degeneracies.found import Story
 from minkref.degeneracies.invalid.catalogue import invalid_member
 from minkref.degeneracies.invalid.member import InvalidFamily
+from minkref.degeneracies.solids.case_document import DegenerateSolids
+from minkref.degeneracies.solids.draft import SolidFamily
 from minkref.degeneracies.space.case_document import DegenerateInSpace
 from minkref.degeneracies.space.draft import SpaceFamily
 from minkref.documents import replacing
@@ -30,26 +32,27 @@ class FileRow(TypedDict):
 
 @dataclass(frozen=True)
 class Made:
-    """The two files of a member, by name, before they are written. `beside`: the certificate of a
-    case, what a message should say of an invalid input."""
+    """The files of a member, by name, before they are written. `beside`: the certificate of a
+    case, what a message should say of an invalid input; None where a case has no certificate."""
 
     family: str
     index: int
     id: str
     case: tuple[str, bytes]
-    beside: tuple[str, bytes]
+    beside: tuple[str, bytes] | None
     certified: bool = True
 
     def row(self, folder: Path) -> FileRow:
         """Of the files as they are in FOLDER/FAMILY."""
-        (case, content), (beside, more) = self.case, self.beside
+        case, content = self.case
+        beside, more = self.beside or ("", b"")
         where = folder / self.family
         return {
             "family": self.family,
             "index": self.index,
             "id": self.id,
             "case": str(where / case),
-            "certificate": str(where / beside) if self.certified else None,
+            "certificate": str(where / beside) if self.certified and beside else None,
             "bytes": len(content) + len(more),
         }
 
@@ -57,26 +60,29 @@ class Made:
         """Both or none: a case that is there has its certificate, which takes its place first."""
         where = folder / self.family
         make_folder(where)
-        (case, content), (beside, more) = self.case, self.beside
+        case, content = self.case
         with replacing(where / case) as part:
             part.write_bytes(content)
-            with replacing(where / beside) as other:
-                other.write_bytes(more)
+            if self.beside is not None:
+                beside, more = self.beside
+                with replacing(where / beside) as other:
+                    other.write_bytes(more)
         return self.row(folder)
 
 
-AnyFamily = Family | SpaceFamily
+AnyFamily = Family | SpaceFamily | SolidFamily
+AnyDegenerate = Degenerate | DegenerateInSpace | DegenerateSolids
 
 
 def made_member(family: AnyFamily, seed: int, index: int, size: int | None = None) -> Made:
-    """ID.json and ID.cert.json."""
+    """ID.json, and ID.cert.json where it has a certificate."""
     return _made(member_of(family, seed, index, size), index)
 
 
-def member_of(
-    family: AnyFamily, seed: int, index: int, size: int | None = None
-) -> Degenerate | DegenerateInSpace:
+def member_of(family: AnyFamily, seed: int, index: int, size: int | None = None) -> AnyDegenerate:
     """In the plane or in space."""
+    if isinstance(family, SolidFamily):
+        return DegenerateSolids.of(family, seed, index, size)
     if isinstance(family, SpaceFamily):
         return DegenerateInSpace.of(family, seed, index, size)
     return Degenerate.of(family, seed, index, size)
@@ -105,7 +111,7 @@ def made_invalid(family: InvalidFamily, seed: int, index: int) -> Made:
 def write_member(
     family: AnyFamily, seed: int, index: int, folder: Path, size: int | None = None
 ) -> FileRow:
-    """FOLDER/FAMILY/ID.json and FOLDER/FAMILY/ID.cert.json."""
+    """FOLDER/FAMILY/ID.json, and FOLDER/FAMILY/ID.cert.json where it has a certificate."""
     return made_member(family, seed, index, size).write(folder)
 
 
@@ -113,7 +119,8 @@ def write_found(story: Story, folder: Path) -> FileRow:
     return _made(Degenerate(story, story.value["source"], story.facts), 0).write(folder)
 
 
-def _made(made: Degenerate | DegenerateInSpace, index: int) -> Made:
+def _made(made: AnyDegenerate, index: int) -> Made:
     case = f"{made.id}.json", made.case_text.encode()
-    certificate = f"{made.id}.cert.json", made.certificate_text.encode()
+    text = made.certificate_text
+    certificate = None if text is None else (f"{made.id}.cert.json", text.encode())
     return Made(made.subject.name, index, made.id, case, certificate)

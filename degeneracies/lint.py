@@ -6,7 +6,8 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -16,12 +17,13 @@ from minkref.certify.case_text import case_digest
 from minkref.degeneracies.case_document import Degenerate, content_of
 from minkref.degeneracies.case_faults import of_certificate, of_place
 from minkref.degeneracies.case_texts import canonical_text
-from minkref.degeneracies.catalogue import FAMILIES, SPACE_FAMILIES
-from minkref.degeneracies.files import member_of
+from minkref.degeneracies.catalogue import ALL_FAMILIES
+from minkref.degeneracies.files import AnyDegenerate, member_of
 from minkref.degeneracies.flags import FLAGS, explained
 from minkref.degeneracies.found import FOUND
 from minkref.degeneracies.found import NAME as FOUND_NAME
-from minkref.degeneracies.space.case_document import DegenerateInSpace
+from minkref.degeneracies.solids.case_faults import case_faults as case_faults_of_solids
+from minkref.degeneracies.solids.flags import FLAGS_OF_SOLIDS
 from minkref.degeneracies.space.case_faults import case_faults as case_faults_in_space
 from minkref.degeneracies.space.flags import FLAGS_IN_SPACE
 
@@ -30,7 +32,7 @@ CORPUS = ROOM / "corpus"
 ENDING = ".cert.json"
 GENERATE = "minkref generate"
 CERTIFIED = ("scale", "components", "holes", "digest")
-WANTED = {"tags", "flags", "expected", "degeneracy", "certificate"}
+WANTED = {"tags", "flags", "expected", "degeneracy"}
 
 
 def case_paths(folder: Path) -> list[Path]:
@@ -52,17 +54,17 @@ def faults(folder: Path = CORPUS, again: bool = True) -> Iterator[str]:
             yield f"{path}: {error}"
             continue
         errors = [f"{e.json_path}: {e.message}" for e in validator.iter_errors(value)]
-        spatial = isinstance(value, dict) and value.get("dimension") == 3
-        absent = sorted(WANTED - set(value))
+        kind = _kind(value)
+        absent = sorted((WANTED | kind.certified) - set(value))
         errors += [f"the member {name} is missing" for name in absent]
         if errors:
             yield from (f"{path}: {error}" for error in errors)
             continue
         if text != canonical_text(value):
             yield f"{path}: not in canonical form"
-        for flag in sorted(set(value["flags"]) - set(FLAGS_IN_SPACE if spatial else FLAGS)):
+        for flag in sorted(set(value["flags"]) - kind.flags):
             yield f"{path}: the flag {flag} is not explained"
-        yield from (case_faults_in_space if spatial else _case_faults)(path, value, seen)
+        yield from kind.faults(path, value, seen)
         if again:
             yield from _differences(path, value)
     for path in sorted(folder.rglob(f"*{ENDING}")):
@@ -79,8 +81,26 @@ def corpus_faults(folder: Path = CORPUS) -> Iterator[str]:
     }
     for flag in sorted(set(explained()) - used):
         yield f"flags.json: no case has the flag {flag}"
-    for flag in sorted(set(explained()) ^ (set(FLAGS) | set(FLAGS_IN_SPACE))):
+    for flag in sorted(set(explained()) ^ {*FLAGS, *FLAGS_IN_SPACE, *FLAGS_OF_SOLIDS}):
         yield f"flags.json: {flag} is explained and never given, or given and not explained"
+
+
+@dataclass(frozen=True)
+class _Kind:
+    """Of cases: in the plane, of convex bodies in space, of polyhedra of any shape."""
+
+    flags: frozenset[str]
+    faults: Callable[[Path, dict[str, Any], dict[str, Path]], Iterator[str]]
+    certified: frozenset[str] = frozenset({"certificate"})
+
+
+def _kind(value: Any) -> _Kind:
+    if not isinstance(value, dict) or value.get("dimension") != 3:
+        return _Kind(frozenset(FLAGS), _case_faults)
+    told = value.get("degeneracy")
+    if isinstance(told, dict) and "ties" in told:
+        return _Kind(frozenset(FLAGS_OF_SOLIDS), case_faults_of_solids, frozenset())
+    return _Kind(frozenset(FLAGS_IN_SPACE), case_faults_in_space)
 
 
 def _case_faults(path: Path, value: dict[str, Any], seen: dict[str, Path]) -> Iterator[str]:
@@ -112,12 +132,14 @@ def _differences(path: Path, value: dict[str, Any]) -> Iterator[str]:
     for name in sorted(set(parts) | set(others)):
         if parts.get(name) != others.get(name):
             yield f"{path}: {name} of degeneracy is not what the source makes"
+    if made.certificate_text is None:
+        return
     file = path.with_name(value["certificate"])
     if file.exists() and file.read_text(encoding="utf-8") != made.certificate_text:
         yield f"{file}: not the certificate that the source makes"
 
 
-def _made_again(value: dict[str, Any]) -> Degenerate | DegenerateInSpace | None:
+def _made_again(value: dict[str, Any]) -> AnyDegenerate | None:
     if value["tags"][0] == FOUND_NAME:
         return next(
             (
@@ -129,7 +151,7 @@ def _made_again(value: dict[str, Any]) -> Degenerate | DegenerateInSpace | None:
         )
     words = str(value.get("source", "")).removeprefix(GENERATE).split()
     try:
-        family = (FAMILIES | SPACE_FAMILIES)[words[0]]
+        family = ALL_FAMILIES[words[0]]
         options = {words[i]: int(words[i + 1]) for i in range(1, len(words), 2)}
         made = (options["--seed"], options["--index"], options.get("--size"))
     except (IndexError, KeyError, ValueError):

@@ -6,13 +6,14 @@ import argparse
 import multiprocessing
 from pathlib import Path
 
-from minkref.degeneracies.catalogue import FAMILIES, SPACE_FAMILIES
+from minkref.degeneracies.catalogue import ALL_FAMILIES, FAMILIES, SOLID_FAMILIES, SPACE_FAMILIES
 from minkref.degeneracies.files import write_found, write_member
 from minkref.degeneracies.found import FOUND
 
 SEED = 1
 COUNT = 11  # of each family in the plane
-COUNT_IN_SPACE = 3
+COUNT_IN_SPACE = 3  # of each of convex bodies
+COUNT_OF_SOLIDS = 2  # of each of polyhedra of any shape
 CORPUS = Path(__file__).parent / "corpus"
 
 
@@ -22,6 +23,9 @@ def make(folder: Path) -> None:
     tasks += [
         (family, index, folder) for family in SPACE_FAMILIES for index in range(COUNT_IN_SPACE)
     ]
+    tasks += [
+        (family, index, folder) for family in SOLID_FAMILIES for index in range(COUNT_OF_SOLIDS)
+    ]
     with multiprocessing.Pool() as pool:
         pool.starmap(_make, tasks, chunksize=4)
     for found in FOUND:
@@ -29,7 +33,7 @@ def make(folder: Path) -> None:
 
 
 def _make(family: str, index: int, folder: Path) -> None:
-    write_member((FAMILIES | SPACE_FAMILIES)[family], SEED, index, folder)
+    write_member(ALL_FAMILIES[family], SEED, index, folder)
 
 
 if __name__ == "__main__":

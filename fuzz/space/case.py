@@ -15,7 +15,7 @@ from minkref.exact import read_scale
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.needs import is_double
 from minkref.fuzz.cases.no_case import NoCase
-from minkref.fuzz.geometry.space import Scale
+from minkref.fuzz.geometry.space import Scale, factors
 from minkref.fuzz.space.cells import cells_of
 from minkref.fuzz.space.families import drawn_pair
 from minkref.fuzz.space.fault_search import decided
@@ -28,6 +28,7 @@ from minkref.fuzz.verdicts.verdict import Witness
 
 OTHER_FACTORS = (Fraction(1, 2), Fraction(3, 4), Fraction(1), Fraction(3, 2), Fraction(4))
 MOST_GRID = 24  # cells across, for a literal to be looked at as a polycube
+MOST_IN_SUM = 500_000  # cells that the sum of two polycubes is made of, before cells are not taken
 LAWS_IN_SPACE = (
     "translate-P",
     "translate-Q",
@@ -190,8 +191,16 @@ def known_pair(P: Polyhedron, Q: Polyhedron, scale: Scale) -> SpacePair:
             cells = (cells_of(P), cells_of(Q))
         except ValueError:
             return SpacePair(P, Q, scale, "named")
+        if cells_in_sum(len(cells[0]) * len(cells[1]), scale) > MOST_IN_SUM:
+            return SpacePair(P, Q, scale, "named")
         return SpacePair(P, Q, scale, "named", Truth.CELLS, P_cells=cells[0], Q_cells=cells[1])
     return SpacePair(P, Q, scale, "named")
+
+
+def cells_in_sum(pairs: int, scale: Scale) -> int:
+    """At most, of so many pairs of cells: at n/d each has n + d cells of the grid to a side."""
+    sides = [factor.numerator + factor.denominator for factor in factors(scale)]
+    return pairs * sides[0] * sides[1] * sides[2]
 
 
 def _extent(solid: Polyhedron) -> Fraction:

@@ -1,0 +1,1 @@
+"""Degenerate families of polyhedra of any shape in space."""

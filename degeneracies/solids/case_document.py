@@ -1,0 +1,123 @@
+"""A member of a family of polyhedra of any shape as a case file. It has no certificate: what shows
+that it is degenerate stands in the case, and two routes agree on its sums."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+from minkref import _core
+from minkref.degeneracies.case_texts import CaseTexts, Provable, id_of, source_of
+from minkref.degeneracies.solids.draft import Probe, SolidDraft, SolidFacts, SolidFamily
+from minkref.degeneracies.solids.flags import flags_of_solids
+from minkref.degeneracies.solids.generate import drawn_solids
+from minkref.degeneracies.solids.ties import Tie
+from minkref.degeneracies.space.case_document import content_in_space
+from minkref.exact import digest
+from minkref.fuzz.geometry.space import Point
+
+SHOWN = 12  # ties of many
+
+VARIES = (
+    "Faces come in any order and in any pieces, and vertices inside faces and edges may be kept: "
+    "compare sets, or canonical forms. The set is regular and closed: points at which sP and x - Q "
+    "only touch belong to it where they are next to its interior.",
+)
+
+
+class RoutesDiffer(Exception):
+    """Two routes to one sum do not agree: a fault of ours."""
+
+
+@dataclass(frozen=True)
+class DegenerateSolids(CaseTexts):
+    """A case of two polyhedra of any shape."""
+
+    draft: SolidDraft
+    facts: SolidFacts
+    shown: list[Tie]
+
+    @classmethod
+    def of(
+        cls, family: SolidFamily, seed: int, index: int, size: int | None = None
+    ) -> DegenerateSolids:
+        """The member of this number; of about so many vertices, where a size is given."""
+        source = source_of(family.name, seed, index, size)
+        return cls(family, source, *drawn_solids(family, seed, index, size))
+
+    @cached_property
+    def id(self) -> str:
+        content = content_in_space(self.facts.P.given, self.facts.Q.given)
+        return id_of(self.subject.name, content, [_commas(s) for s in self.facts.scales])
+
+    @cached_property
+    def document(self) -> dict[str, Any]:
+        """case-v1, of dimension 3, without a certificate."""
+        facts = self.facts
+        operands = {
+            "dimension": 3,
+            "P": facts.P.given.document(),
+            "Q": facts.Q.given.document(),
+            "scales": [_factors(s) for s in facts.scales],
+        }
+        findings = {
+            "flags": flags_of_solids(facts),
+            "expected": [self._expected(s) for s in facts.scales],
+            "degeneracy": {
+                "at": _factors(facts.scale),
+                "why": self.subject.why,
+                "ties": [self._row(tie) for tie in self.shown[:SHOWN]],
+                "points": [self._point(probe) for probe in facts.probes],
+                "varies": list(VARIES),
+            },
+        }
+        found = self.described(operands, findings)
+        del found["certificate"]
+        return found
+
+    @property
+    def certificate(self) -> Provable | None:
+        """None: a sum of this kind has no certificate."""
+        return None
+
+    def _expected(self, s: Fraction) -> dict[str, Any]:
+        """Refuses what two routes do not agree on."""
+        facts = self.facts
+        found = facts.sum(s)
+        again = _core.definition_sum_in_space(facts.P.surface, facts.Q.surface, (str(s),) * 3)
+        if found != again:
+            raise RoutesDiffer(f"{self.id} at {s}: edges and definition differ")
+        return {
+            "scale": _factors(s),
+            "digest": digest(found.canonical_json()),
+            "planes": found.planes,
+            "volume": found.volume(),
+        }
+
+    def _row(self, tie: Tie) -> dict[str, Any]:
+        """With what the predicate is at each of the scales."""
+        features = [[list(p), list(q)] for p, q in tie.features]
+        return {"what": tie.what, "features": features, "signs": self.facts.signs(tie)}
+
+    def _point(self, probe: Probe) -> dict[str, Any]:
+        row: dict[str, Any] = {
+            "p": _texts(probe.p),
+            "q": _texts(probe.q),
+            "contact": self.facts.contacts(probe),
+        }
+        euler = self.facts.euler(probe)
+        return row if euler is None else {**row, "euler": euler}
+
+
+def _texts(point: Point) -> list[str]:
+    return [str(number) for number in point]
+
+
+def _factors(s: Fraction) -> list[str]:
+    return [str(s)] * 3
+
+
+def _commas(s: Fraction) -> str:
+    return ",".join(_factors(s))

@@ -1,0 +1,30 @@
+"""What must hold of a case of polyhedra of any shape; what it says is made again from its source by
+the lint."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from minkref import _core
+from minkref.degeneracies.case_faults import of_place, of_scales
+from minkref.degeneracies.solids.mesh import Mesh
+from minkref.degeneracies.space.case_document import content_in_space
+from minkref.fuzz.space.polyhedron import Polyhedron
+
+
+def case_faults(path: Path, value: dict[str, Any], seen: dict[str, Path]) -> Iterator[str]:
+    """A line for each fault."""
+    try:
+        P, Q = (Polyhedron.from_document(value[name]) for name in "PQ")
+        for name, solid in (("P", P), ("Q", Q)):
+            Mesh(solid).certify(name)
+    except (ValueError, _core.BadInput) as error:
+        yield f"{path}: {error}"
+        return
+    scales = [",".join(scale) for scale in value["scales"]]
+    yield from of_place(path, value, content_in_space(P, Q), scales, seen)
+    yield from of_scales(path, value)
+    if "certificate" in value:
+        yield f"{path}: sums of polyhedra of any shape have no certificates"

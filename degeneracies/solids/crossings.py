@@ -1,0 +1,62 @@
+"""Points in which three facets of the convolution at scale 1 cross, by whole numbers alone."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+from itertools import combinations
+
+from minkref.degeneracies.solids.convolution import Convolution, ConvolutionFacet
+from minkref.degeneracies.solids.overlaps import triangles_of
+from minkref.fuzz.geometry.space import Whole, cross, dot, longest_axis
+
+ONE = Fraction(1)
+Three = tuple[ConvolutionFacet, ConvolutionFacet, ConvolutionFacet]
+
+
+class _Seen:
+    """A facet of whole corners, as it is seen along an axis."""
+
+    def __init__(self, convolution: Convolution, facet: ConvolutionFacet) -> None:
+        self.facet = facet
+        self.offset = int(facet.offset(ONE))
+        self.axis = longest_axis(facet.normal)
+        self.triangles = [
+            [(int(x), int(y)) for x, y in triangle]
+            for triangle in triangles_of(convolution, facet, ONE, self.axis)
+        ]
+
+    def has_inside(self, point: Whole, unit: int) -> bool:
+        """The point, divided by a positive number, is inside of one of the triangles."""
+        x = point[(self.axis + 1) % 3], point[(self.axis + 2) % 3]
+        return any(
+            all(
+                (b[0] - a[0]) * (x[1] - a[1] * unit) > (b[1] - a[1]) * (x[0] - a[0] * unit)
+                for a, b in ((u, v), (v, w), (w, u))
+            )
+            for u, v, w in self.triangles
+        )
+
+
+def crossings(convolution: Convolution, facets: list[ConvolutionFacet]) -> Iterator[Three]:
+    """Threes of facets with a point inside of each, of a pair with whole coordinates; in the order
+    of the list. Exact. Cubic."""
+    seen = [_Seen(convolution, facet) for facet in facets]
+    for a, b in combinations(range(len(seen)), 2):
+        one, other = seen[a], seen[b]
+        across = cross(one.facet.normal, other.facet.normal)
+        if not any(across):
+            continue
+        for third in seen[b + 1 :]:
+            n = third.facet.normal
+            unit = dot(n, across)
+            if unit:
+                parts = (
+                    (across, third.offset),
+                    (cross(other.facet.normal, n), one.offset),
+                    (cross(n, one.facet.normal), other.offset),
+                )
+                x, y, z = (sum(d * part[k] for part, d in parts) for k in range(3))
+                point = (x, y, z) if unit > 0 else (-x, -y, -z)
+                if all(each.has_inside(point, abs(unit)) for each in (one, other, third)):
+                    yield one.facet, other.facet, third.facet

@@ -1,0 +1,112 @@
+"""What a generator of polyhedra of any shape draws, and what is found out about it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import cached_property
+from random import Random
+
+from minkref import _core
+from minkref.degeneracies.draft import Subject
+from minkref.degeneracies.solids.convolution import Convolution, sum_at
+from minkref.degeneracies.solids.euler import euler_of_meeting
+from minkref.degeneracies.solids.mesh import Mesh
+from minkref.degeneracies.solids.ties import Predicates, Tie
+from minkref.fuzz.geometry.space import Point
+from minkref.fuzz.space.meeting import Contact, Meeting
+from minkref.fuzz.space.polyhedron import Polyhedron
+from minkref.fuzz.space.thin_meeting import ThinMeeting
+
+WIDE = Fraction(1, 4)  # of the scale: the siblings beside it
+FINE = Fraction(1, 2**60)  # and those that are nearest
+ONE = Fraction(1)
+
+
+@dataclass(frozen=True)
+class Probe:
+    """The point `s p + q`, at every scale s."""
+
+    p: Point
+    q: Point
+
+    def at(self, s: Fraction) -> Point:
+        return sum_at(self.p, self.q, s)
+
+
+@dataclass(frozen=True)
+class SolidDraft:
+    """Two polyhedra, the scale at which they are degenerate, and points that show it. `plain`: the
+    same two without what changes no sum, where that is what the family is about."""
+
+    P: Polyhedron
+    Q: Polyhedron
+    scale: Fraction = ONE
+    probes: tuple[Probe, ...] = ()
+    plain: tuple[Polyhedron, Polyhedron] | None = None
+
+
+@dataclass(frozen=True)
+class SolidFacts:
+    """A draft as the reference sees it. All exact, computed when asked for."""
+
+    P: Mesh
+    Q: Mesh
+    scale: Fraction
+    probes: tuple[Probe, ...]
+    _sums: dict[Fraction, _core.PolyhedralSet] = field(default_factory=dict, compare=False)
+
+    @classmethod
+    def of(cls, draft: SolidDraft) -> SolidFacts:
+        """Raises _core.BadInput where an operand is none."""
+        P, Q = Mesh(draft.P), Mesh(draft.Q)
+        P.certify("P")
+        Q.certify("Q")
+        return cls(P, Q, draft.scale, draft.probes)
+
+    @cached_property
+    def scales(self) -> list[Fraction]:
+        """The scale; two below it, and two above."""
+        steps = (-WIDE, -FINE, WIDE, FINE)
+        return [self.scale, *(self.scale * (1 + step) for step in steps)]
+
+    @cached_property
+    def convolution(self) -> Convolution:
+        return Convolution(self.P, self.Q)
+
+    @cached_property
+    def predicates(self) -> Predicates:
+        return Predicates(self.P, self.Q, self.convolution)
+
+    def signs(self, tie: Tie) -> list[int]:
+        """At each of the scales."""
+        return [self.predicates.value(tie, s) for s in self.scales]
+
+    def contacts(self, probe: Probe) -> list[Contact]:
+        """At each of the scales, how sP meets `x - Q`."""
+        thin = self.P.given.is_thin or self.Q.given.is_thin
+        kind = ThinMeeting if thin else Meeting
+        return [
+            kind(self.P.given, self.Q.given, s).decide(probe.at(s)).contact for s in self.scales
+        ]
+
+    def euler(self, probe: Probe) -> int | None:
+        """The Euler characteristic of what sP and `x - Q` have in common at the scale, where both
+        are polycubes: as often the full convolution winds around x. None for other solids."""
+        return euler_of_meeting(self.P.given, self.Q.given, self.scale, probe.at(self.scale))
+
+    def sum(self, s: Fraction) -> _core.PolyhedralSet:
+        """By edges."""
+        if s not in self._sums:
+            self._sums[s] = _core.edge_sum_in_space(self.P.surface, self.Q.surface, (str(s),) * 3)
+        return self._sums[s]
+
+
+@dataclass(frozen=True)
+class SolidFamily(Subject):
+    """`draw` draws a candidate of about `size` vertices, where the family can be large. `proof`:
+    the ties that show that it belongs to the family, some of them; none where it does not."""
+
+    draw: Callable[[Random, int], SolidDraft]
+    proof: Callable[[SolidFacts], list[Tie]]

@@ -1,0 +1,31 @@
+"""Members of families of polyhedra of any shape: drawn until one belongs."""
+
+from __future__ import annotations
+
+from random import Random
+
+from minkref import _core
+from minkref.degeneracies.draft import NothingDrawn
+from minkref.degeneracies.generate import FEWEST, MOST, PATIENCE, nothing_drawn
+from minkref.degeneracies.solids.draft import SolidDraft, SolidFacts, SolidFamily
+from minkref.degeneracies.solids.ties import Tie
+
+
+def drawn_solids(
+    family: SolidFamily, seed: int, index: int, size: int | None = None
+) -> tuple[SolidDraft, SolidFacts, list[Tie]]:
+    """The member of this number, of about `size` vertices where the family can be large, and what
+    shows that it is one. It depends on nothing else, on any machine. Refuses a size that no draw
+    has come to."""
+    dice = Random(f"minkref degeneracy {family.name} {seed} {index}")
+    for _ in range(PATIENCE):
+        wanted = dice.randint(FEWEST, MOST) if size is None else size
+        try:
+            draft = family.draw(dice, wanted)
+            facts = SolidFacts.of(draft)
+        except (NothingDrawn, _core.BadInput):
+            continue
+        shown = family.proof(facts)
+        if shown:
+            return draft, facts, shown
+    raise nothing_drawn(family.name, seed, index, size)
