@@ -11,7 +11,7 @@ from typing import Any
 
 from minkref import _core
 from minkref.degeneracies import found, lint
-from minkref.degeneracies.catalogue import FAMILIES, SPACE_FAMILIES
+from minkref.degeneracies.catalogue import ALL_FAMILIES
 from minkref.degeneracies.flags import explained
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, invalid_member
 from minkref.documents import check_writable, write_atomically
@@ -20,6 +20,8 @@ from minkref.fuzz.space.case_file import is_in_space
 from minkref.output_folder import make_folder
 from minkref.reports.degeneracies.cases import cases_in, space_case, unfit
 from minkref.reports.degeneracies.pictures import Drawn, case_pictures
+from minkref.reports.degeneracies.solid_pictures import solid_pictures
+from minkref.reports.degeneracies.solid_row import SolidRow, solid_row
 from minkref.reports.degeneracies.space_pictures import space_case_pictures
 from minkref.reports.pages import environment
 from minkref.space.scaling import read_scaling, text_of
@@ -64,14 +66,17 @@ class SpaceRow:
     why: str
 
 
+AnyRow = Row | SpaceRow | SolidRow
+
+
 @dataclass(frozen=True)
 class FamilyPage:
     name: str
     title: str
     why: str
     flags: list[tuple[str, dict[str, Any] | None]]  # None: it is not explained
-    rows: list[Row | SpaceRow]
-    drawings: list[tuple[Row | SpaceRow, list[Drawn]]]
+    rows: list[AnyRow]
+    drawings: list[tuple[AnyRow, list[Drawn]]]
 
     @property
     def in_the_plane(self) -> list[Row]:
@@ -82,8 +87,12 @@ class FamilyPage:
         return [row for row in self.rows if isinstance(row, SpaceRow)]
 
     @property
+    def of_solids(self) -> list[SolidRow]:
+        return [row for row in self.rows if isinstance(row, SolidRow)]
+
+    @property
     def is_generated(self) -> bool:
-        return self.name in FAMILIES or self.name in SPACE_FAMILIES
+        return self.name in ALL_FAMILIES
 
     @property
     def has_stories(self) -> bool:
@@ -131,19 +140,19 @@ def write_report(
 
 def _family(name: str, paths: list[Path], reading: Callable[[str], None]) -> FamilyPage:
     title, why, drawn = f"cases of the folder {name}", "", DRAWN
-    if name in FAMILIES or name in SPACE_FAMILIES:
-        family = (FAMILIES | SPACE_FAMILIES)[name]
+    if name in ALL_FAMILIES:
+        family = ALL_FAMILIES[name]
         title, why = family.title, family.why
     elif name == found.NAME:
         title = "cases on which libraries were found wrong"
         why = "Found by verification and shrunk, or published; each with its story."
         drawn = len(paths)
-    rows: list[Row | SpaceRow] = []
-    drawings: list[tuple[Row | SpaceRow, list[Drawn]]] = []
+    rows: list[AnyRow] = []
+    drawings: list[tuple[AnyRow, list[Drawn]]] = []
     used: set[str] = set()
     for path, value in cases_in(paths):
         reading(name)
-        rows.append((_space_row if is_in_space(value) else _row)(path, value))
+        rows.append(_row_of(path, value))
         used |= set(value.get("flags", []))
         if len(drawings) < drawn:
             drawings.append((rows[-1], _pictures(path, value)))
@@ -156,12 +165,20 @@ def _pictures(path: Path, value: dict[str, Any]) -> list[Drawn]:
     try:
         if is_in_space(value):
             case = space_case(path)
+            if "ties" in value["degeneracy"]:
+                return solid_pictures(case.pair.P, case.pair.Q)
             return space_case_pictures(case.pair.P, case.pair.Q, value)
         for points in value["degeneracy"]["tight_passages"]:  # their numbers have a sane length
             _core.PolygonSet.from_json(json.dumps({"polygons": [{"outer": points}]}))
         return case_pictures(value)
     except (_core.BadInput, ArithmeticError, IndexError) as error:
         raise unfit(path, f"it cannot be drawn: {message_of(error)}", "not-drawable") from error
+
+
+def _row_of(path: Path, value: dict[str, Any]) -> AnyRow:
+    if not is_in_space(value):
+        return _row(path, value)
+    return (solid_row if "ties" in value["degeneracy"] else _space_row)(path, value)
 
 
 def _row(path: Path, value: dict[str, Any]) -> Row:

@@ -23,7 +23,10 @@ CONVEX = (
     "models/*.off", "python/minkref/space/*.py", "commands/space/*.py", "reports/bench/*.py",
 )  # fmt: skip
 CERTIFY = ("certify/*", "oracle/checker/*", "reports/evidence/certificates/*.py")
-DEGENERACIES = ("degeneracies/*.py", "degeneracies/plane/*.py", "degeneracies/space/*.py")
+DEGENERACIES = (
+    "degeneracies/*.py", "degeneracies/plane/*.py", "degeneracies/space/*.py",
+    "degeneracies/solids/*.py",
+)  # fmt: skip
 
 
 class Status(StrEnum):
