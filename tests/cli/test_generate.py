@@ -205,7 +205,7 @@ def test_a_size_that_nothing_drawn_has_is_refused(
         raise NothingDrawn
 
     family = replace(generate.FAMILIES["fits-hole"], draw=nothing)
-    monkeypatch.setitem(generate.FAMILIES, "fits-hole", family)
+    monkeypatch.setitem(generate.ALL_FAMILIES, "fits-hole", family)
     words = ("generate", "fits-hole", "--count", "1", "-o", tmp_path / "out")
     ran = minkref(*words, "--size", "2000", "--json")
     assert (ran.code, ran.json["error"]["code"]) == (2, "nothing-drawn")
