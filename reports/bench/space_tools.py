@@ -12,6 +12,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from multiprocessing.connection import Connection
+from pathlib import Path
 from statistics import median
 
 from minkref import _core
@@ -35,13 +36,15 @@ class Timed:
     """`seconds` is None where there is no answer: `why` says what became of it. `processor` is
     the processor time of all threads, of another tool with all that it does to take operands and to
     give a result; `text` the canonical JSON, `volume` within 2^-200 of the exact one,
-    relatively, or of doubles: each where it is known."""
+    relatively, or of doubles: each where it is known. `others` is the share of the machine that
+    other programs took meanwhile."""
 
     seconds: float | None = None
     why: str = ""
     text: str | None = None
     volume: Fraction | float | None = None
     processor: float | None = None
+    others: float = 0.0
 
 
 Call = Callable[[Polyhedron, Polyhedron], Timed]
@@ -83,14 +86,14 @@ class Tools:
         if name not in self._warm:
             call(plate(2, 3, 4), plate(1, 1, 2))
             self._warm.add(name)
-        first = call(P, Q)
+        first = _watched(call, P, Q)
         if first.seconds is None:
             self._warm.discard(name)
         if first.seconds is None or first.seconds >= AGAIN:
             return first
-        others = [call(P, Q) for _ in range(2)]
-        times = [each.seconds for each in (first, *others) if each.seconds is not None]
-        return replace(first, seconds=median(times))
+        calls = [first, *(_watched(call, P, Q) for _ in range(2))]
+        times = [each.seconds for each in calls if each.seconds is not None]
+        return replace(first, seconds=median(times), others=max(each.others for each in calls))
 
     def _ask_nef(self, P: Polyhedron, Q: Polyhedron) -> Timed:
         start = _processor_seconds()
@@ -103,6 +106,20 @@ class Tools:
         answer = self._manifold.volume(P, Q)
         processor = _processor_seconds() - start
         return Timed(answer.seconds, answer.why, volume=answer.volume, processor=processor)
+
+
+def _watched(call: Call, P: Polyhedron, Q: Polyhedron) -> Timed:
+    start, before = time.perf_counter(), _seconds_of_others()
+    answer = call(P, Q)
+    spent = (time.perf_counter() - start) * (os.cpu_count() or 1)
+    return replace(answer, others=max(0.0, (_seconds_of_others() - before) / spent))
+
+
+def _seconds_of_others() -> float:
+    """The processor time of all programs of the machine but this one and its children."""
+    words = Path("/proc/stat").read_text().split("\n", 1)[0].split()[1:]
+    busy = sum(int(word) for word in (*words[:3], *words[5:8])) / os.sysconf("SC_CLK_TCK")
+    return busy - _processor_seconds() - time.process_time()
 
 
 def _processor_seconds() -> float:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import math
-import os
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -32,19 +31,19 @@ DEPENDS = (
 NEF_LIMIT = 300.0  # seconds of a call, where Nef's time is a target
 LIMIT, QUICK_LIMIT = 60.0, 20.0  # of any other
 LONGEST = 20.0  # seconds of ours, after which a family ends
-BUSY = 2.5  # a load beyond which processor time counts
+BUSY = 0.1  # the share of the machine that others take beyond which processor time counts
 
 PLOT = Path("reports/evidence/space_speed.svg")
 
 
-def look(
-    pair: TimedPair, tools: Tools, limit: float, busy: bool, findings: Findings
-) -> dict[str, Any]:
+def look(pair: TimedPair, tools: Tools, limit: float, findings: Findings) -> dict[str, Any]:
     """All tools on one pair, one after the other, and what is to be said of it. `limit` is that of
-    Nef. Where the machine is busy half of the processor time of our two threads stands for
-    seconds, and Nef's for Nef's."""
+    Nef. Where others take much of the machine half of the processor time of our two threads stands
+    for seconds, and Nef's for Nef's."""
     P, Q = pair.solids()
     ours, nef, manifold = tools.exact(P, Q), tools.nef(P, Q), tools.manifold(P, Q)
+    others = max(ours.others, nef.others)
+    busy = others > BUSY
     ratio, bound = ratio_of(ours, nef, limit, busy)
     row = {
         "name": pair.name,
@@ -53,6 +52,8 @@ def look(
         NEF: nef.seconds,
         MANIFOLD: manifold.seconds,
         "processor": {"minkref": ours.processor, NEF: nef.processor, MANIFOLD: manifold.processor},
+        "others": {"minkref": ours.others, NEF: nef.others, MANIFOLD: manifold.others},
+        "by_processor_time": busy,
         "ratio": ratio,
         "ratio_is_a_bound": bound,
         "volume_difference": difference(ours, manifold),
@@ -114,7 +115,8 @@ def told(row: dict[str, Any]) -> str:
         parts.append(f"{tool} {what}" + (f" ({spent:.2f} of processor)" if spent else ""))
     if row["ratio"] is not None:
         more = "more than " if row["ratio_is_a_bound"] else ""
-        parts.append(f"Nef's time to ours {more}{row['ratio']:,.1f}")
+        how = "half of our processor time" if row["by_processor_time"] else "ours"
+        parts.append(f"Nef's time to {how} {more}{row['ratio']:,.1f}")
     if row["equal"] is not None:
         parts.append("the same as Nef's" if row["equal"] else "NOT the same as Nef's")
     if row["volume_difference"] is not None:
@@ -123,7 +125,7 @@ def told(row: dict[str, Any]) -> str:
     return f"{row['name']} ({p:,} and {q:,} triangles): {', '.join(parts)}"
 
 
-def grow(family: str, sizes: tuple[int, ...], tools: Tools, busy: bool) -> list[dict[str, Any]]:
+def grow(family: str, sizes: tuple[int, ...], tools: Tools) -> list[dict[str, Any]]:
     """Until ours takes too long; another tool is not asked again after its limit."""
     rows = []
     over: set[str] = set()
@@ -138,7 +140,9 @@ def grow(family: str, sizes: tuple[int, ...], tools: Tools, busy: bool) -> list[
         answers = {name: call(P, Q) for name, call in calls.items() if name not in over}
         for name in calls:
             threads = THREADS if name == "minkref" else 1
-            row[name] = spent(answers[name], busy, threads) if name in answers else None
+            answer = answers.get(name, Timed())
+            row[name] = spent(answer, answer.others > BUSY, threads)
+            row[f"{name}_others"] = answer.others
         over |= {name for name in calls if row[name] is None}
         ours = answers["minkref"] if "minkref" in answers else Timed()
         nef = answers.get(NEF, Timed())
@@ -167,8 +171,6 @@ def grown(rows: list[dict[str, Any]], findings: Findings) -> None:
 
 
 def run(findings: Findings, quick: bool) -> None:
-    load = os.getloadavg()[0]
-    busy = load > BUSY
     rows: list[dict[str, Any]] = []
     grows: list[dict[str, Any]] = []
     limit = QUICK_LIMIT if quick else LIMIT
@@ -177,12 +179,12 @@ def run(findings: Findings, quick: bool) -> None:
         with Tools(limit, nef_limit) as tools:
             for pair in PAIRS:
                 if (pair.ratio is not None) == has_ratio and (pair.quick or not quick):
-                    rows.append(look(pair, tools, nef_limit, busy, findings))
+                    rows.append(look(pair, tools, nef_limit, findings))
     with Tools(limit) as tools:
         for name, why in tools.absent.items():
             findings.note(f"{name} is not installed: {why}")
         for family, sizes in SIZES.items():
-            grows += grow(family, sizes[:2] if quick else sizes, tools, busy)
+            grows += grow(family, sizes[:2] if quick else sizes, tools)
     every = [*rows, *({"name": f"{row['family']} {row['size']}", **row} for row in grows)]
     findings.none("no sum of ours", [row["name"] for row in every if row["minkref"] is None])
     findings.none(
@@ -207,13 +209,15 @@ def run(findings: Findings, quick: bool) -> None:
         "tool to its result: ours with the canonical form, Nef's lazy numbers not evaluated; the "
         "median of three calls below a second"
     )
-    if busy:
+    by_processor = [row["name"] for row in rows if row["by_processor_time"]]
+    if by_processor:
         findings.note(
-            f"the machine was busy, a load of {load:.1f} before: half of the processor time of our "
-            "two threads stands for our seconds, and for those of another tool all of its own, "
-            "with what it does to take operands and to give a result; in the plot too"
+            f"others took more than {BUSY:.0%} of the machine during {len(by_processor)} of "
+            f"{len(rows)} pairs, and of points of the plot: there half of the processor time of "
+            "our two threads stands for our seconds, and for those of another tool all of its own, "
+            "with what it does to take operands and to give a result"
         )
-    findings.figures = {"rows": rows, "growth": grows, "load": load}
+    findings.figures = {"rows": rows, "growth": grows}
     if not quick:
         with replacing(PLOT) as temporary:
             draw(grows, temporary)
