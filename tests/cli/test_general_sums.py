@@ -12,7 +12,19 @@ from typing import Any
 import jsonschema
 import pytest
 from minkref.commands.schemas import schema
-from solids import SQUARE, L, cube, cubed, frame, hollow_cube, moved, off, polygon, prism, together
+from written_solids import (
+    SQUARE,
+    L,
+    cube,
+    cubed,
+    frame,
+    hollow_cube,
+    moved,
+    off,
+    polygon,
+    prism,
+    together,
+)
 
 Minkref = Callable[..., Any]
 GENERAL = ("edges", "definition")

@@ -49,7 +49,7 @@ def test_volumes_are_compared_relatively() -> None:
 def test_tools_agree_on_a_small_pair() -> None:
     findings = Findings()
     with Tools(60) as tools:
-        row = look(PAIR, tools, 60, False, findings)
+        row = look(PAIR, tools, 60, findings)
         absent = tools.absent
     assert row["minkref"] > 0 and row["facets"] == [36, 12]
     assert row["equal"] == (None if NEF in absent else True)

@@ -11,7 +11,7 @@ from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.smaller_solids import fewer_shells
 
 Solid = dict[str, Any]
-TAKES = ["space", "non-convex", "holes", "components", "point", "segment", "rational"]
+TAKES = ["space", "non-convex", "holes", "components", "touching", "point", "segment", "rational"]
 EXACT = {"capabilities": [*TAKES, "non-uniform"]}
 
 

@@ -57,18 +57,18 @@ def verdicts(value: Any) -> dict[str, dict[str, int]]:
     return {row["target"]: row["verdicts"] for row in value["matrix"]}
 
 
-def test_solids_at_a_fine_scale_are_judged_by_single_points() -> None:
+def test_polycubes_at_a_fine_scale_are_judged_by_the_exact_sum() -> None:
     """Cells of the sum of two polycubes are as many as the scale has digits, cubed."""
     slot = lint.CORPUS / "solids-slot-closes"
     for path in lint.case_paths(slot):
         value = json.loads(path.read_text(encoding="utf-8"))
         P, Q = (Polyhedron.from_document(value[name]) for name in "PQ")
         fine = [known_pair(P, Q, Fraction(scale[0])).truth for scale in value["scales"][2::2]]
-        assert fine == [Truth.POINTS] * 2
+        assert fine == [Truth.SUM] * 2
     cube = surface_of({(0, 0, 0)})
     hollow = cube.with_faces_of(cube.translated((Fraction(3),) * 3))
     assert known_pair(hollow, cube, Fraction(1, 2)).truth is Truth.CELLS
-    assert known_pair(hollow, cube, Fraction(1, 2**60)).truth is Truth.POINTS
+    assert known_pair(hollow, cube, Fraction(1, 2**60)).truth is Truth.SUM
 
 
 def test_targets_in_space_have_the_cases_in_space_of_the_corpus(minkref: Any) -> None:
