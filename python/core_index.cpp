@@ -18,9 +18,9 @@
 #include "python/core_timeline.hpp"
 #include "python/stopwatch.hpp"
 #include "python/vector_caster.hpp"
+#include "reference/build/stage.hpp"
 #include "reference/error.hpp"
 #include "reference/plane/dynamic/dynamic_sum.hpp"
-#include "reference/plane/index/in_parallel.hpp"
 #include "reference/plane/index/scale_index.hpp"
 
 namespace nb = nanobind;
@@ -151,9 +151,9 @@ class Index {
     std::vector<Rings> result(scales.size(), empty_rings(form));
     BuildOptions options;
     options.threads = threads;
-    in_parallel(scales.size(), BuildControl(options), BuildProgress::Stage::rings, [&](unsigned) {
-      return [&](std::size_t k) { result[k] = rings(scales[k], form); };
-    });
+    in_parallel(
+        scales.size(), BuildControl(options, "the index"), BuildProgress::Stage::rings,
+        [&](unsigned) { return [&](std::size_t k) { result[k] = rings(scales[k], form); }; });
     return result;
   }
 

@@ -3,10 +3,10 @@
 
 #include <map>
 
+#include "reference/build/build_control.hpp"
 #include "reference/error.hpp"
 #include "reference/interrupt.hpp"
 #include "reference/memory.hpp"
-#include "reference/plane/index/build_control.hpp"
 #include "reference/plane/index/scale_index.hpp"
 #include "tests/plane/shapes.hpp"
 
@@ -119,7 +119,7 @@ TEST(BuildLimits, AreLookedAtWhileAStageLasts) {
 
 TEST(BuildLimits, ThreadsThatGoOnEndWhenTheBuildHasFailed) {
   const BuildOptions options;
-  const BuildControl control(options);
+  const BuildControl control(options, "the index");
   control.look_now();
   control.stop();
   EXPECT_THROW(control.look_now(), BuildControl::Stopped);

@@ -1,13 +1,12 @@
 // The threads of a build share its work, and one index answers several threads at once. Data races
 // are looked for by running these under the preset tsan.
-#include "reference/plane/index/in_parallel.hpp"
-
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <stdexcept>
 #include <thread>
 
+#include "reference/build/stage.hpp"
 #include "reference/plane/index/scale_index.hpp"
 #include "tests/plane/shapes.hpp"
 
@@ -23,7 +22,7 @@ BuildOptions with_threads(unsigned threads) {
 TEST(InParallel, EachNumberIsWorkedOnOnceByTheWorkerOfAThread) {
   for (const unsigned threads : {1U, 2U, 5U}) {
     const BuildOptions options = with_threads(threads);
-    const BuildControl control(options);
+    const BuildControl control(options, "the index");
     for (const std::size_t count : {0U, 1U, 16U, 17U, 1000U}) {
       std::vector<int> times(count, 0);
       std::atomic<unsigned> workers = 0;
@@ -44,7 +43,7 @@ TEST(InParallel, EachNumberIsWorkedOnOnceByTheWorkerOfAThread) {
 TEST(InParallel, WhatAnyThreadThrowsEndsAllAndIsThrown) {
   for (const unsigned culprit : {0U, 3U}) {
     const BuildOptions options = with_threads(4);
-    const BuildControl control(options);
+    const BuildControl control(options, "the index");
     std::atomic<std::size_t> done = 0;
     std::atomic<bool> thrown = false;
     const auto make_worker = [&](unsigned thread) {

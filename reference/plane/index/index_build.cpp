@@ -5,7 +5,7 @@
 #include "reference/error.hpp"
 #include "reference/plane/critical/scale_window.hpp"
 #include "reference/plane/index/area_of_intervals.hpp"
-#include "reference/plane/index/build_control.hpp"
+#include "reference/build/build_control.hpp"
 #include "reference/plane/index/corner_entries.hpp"
 #include "reference/plane/index/feature_timeline.hpp"
 #include "reference/plane/index/index_columns.hpp"
@@ -244,7 +244,7 @@ IndexImage index_image(const PolygonSet& P, const PolygonSet& Q, const ScaleWind
                        const BuildOptions& options) {
   refuse_bad_operands(P, Q, 1);
   refuse_bad_window(window);
-  const BuildControl control(options);
+  const BuildControl control(options, "the index");
   constexpr auto stage = BuildProgress::Stage::rings;
   constexpr std::uint64_t steps = 5;
   const SweptBoundary swept = swept_boundary(P, Q, opened(window), options);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "reference/plane/critical/pair_events.hpp"
-#include "reference/plane/index/build_options.hpp"
+#include "reference/build/build_options.hpp"
 #include "reference/plane/index/index_image.hpp"
 #include "reference/plane/polygon_set.hpp"
 

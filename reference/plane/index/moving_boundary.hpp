@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "reference/plane/history/boundary_history.hpp"
-#include "reference/plane/index/build_control.hpp"
+#include "reference/build/build_control.hpp"
 #include "reference/plane/index/swept_boundary.hpp"
 
 namespace minkref::inline plane {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "reference/interrupt.hpp"
-#include "reference/plane/index/in_parallel.hpp"
+#include "reference/build/stage.hpp"
 
 namespace minkref::inline plane {
 namespace {

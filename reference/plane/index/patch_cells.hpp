@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "reference/plane/index/build_control.hpp"
+#include "reference/build/build_control.hpp"
 #include "reference/plane/index/interior_solids.hpp"
 #include "reference/plane/index/interior_tracks.hpp"
 #include "reference/plane/moving/moving_edge.hpp"

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "reference/plane/critical/pair_filter.hpp"
-#include "reference/plane/index/in_parallel.hpp"
+#include "reference/build/stage.hpp"
 #include "reference/plane/index/patch_cells.hpp"
 
 namespace minkref::inline plane {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "reference/plane/index/build_control.hpp"
+#include "reference/build/build_control.hpp"
 #include "reference/plane/index/patch_nodes.hpp"
 #include "reference/plane/kernel/fraction.hpp"
 

@@ -6,7 +6,7 @@
 #include <unordered_map>
 
 #include "reference/plane/convolution/convolution_rule.hpp"
-#include "reference/plane/index/in_parallel.hpp"
+#include "reference/build/stage.hpp"
 #include "reference/plane/index/patch_clipping.hpp"
 #include "reference/plane/index/patch_neighbours.hpp"
 #include "reference/plane/index/patch_sweep.hpp"
@@ -180,7 +180,7 @@ void gather(std::vector<SweptBoundary>& parts, SweptBoundary& result) {
 
 SweptBoundary swept_boundary(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window,
                              const BuildOptions& options) {
-  const BuildControl control(options);
+  const BuildControl control(options, "the swept boundary");
   refuse_bad_window(window);
   SweptBoundary result;
   result.window = window;

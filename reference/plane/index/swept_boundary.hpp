@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "reference/plane/critical/pair_events.hpp"
-#include "reference/plane/index/build_options.hpp"
+#include "reference/build/build_options.hpp"
 #include "reference/plane/index/patch_node_name.hpp"
 #include "reference/plane/moving/moving_edge.hpp"
 #include "reference/plane/sum.hpp"

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "reference/in_parallel.hpp"
+#include "reference/build/in_parallel.hpp"
 #include "reference/interrupt.hpp"
 #include "reference/memory.hpp"
 #include "reference/plane/convolution/convolution_segments.hpp"

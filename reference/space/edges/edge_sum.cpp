@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "reference/error.hpp"
-#include "reference/plane/index/in_parallel.hpp"
+#include "reference/build/stage.hpp"
 #include "reference/space/edges/faces_from_edges.hpp"
 
 namespace minkref::inline space {
@@ -63,7 +63,7 @@ EdgeSum edge_sum(const Polyhedron& P, const Polyhedron& Q, const Scaling& scalin
     }
   }
   const std::size_t sides = convolution.sides.size();
-  const BuildControl control(options);
+  const BuildControl control(options, "the sum");
   std::vector<std::unique_ptr<BoundaryEdgeSearch>> searches(control.threads());
   in_parallel(sides + pairs.size(), control, BuildProgress::Stage::patches, [&](unsigned thread) {
     searches[thread] = std::make_unique<BoundaryEdgeSearch>(convolution, near, trees);

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "reference/plane/index/build_options.hpp"
+#include "reference/build/build_options.hpp"
 #include "reference/space/edges/boundary_edges.hpp"
 #include "reference/space/polyhedral_set.hpp"
 

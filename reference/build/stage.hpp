@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <utility>
 
-#include "reference/in_parallel.hpp"
-#include "reference/plane/index/build_control.hpp"
+#include "reference/build/build_control.hpp"
+#include "reference/build/in_parallel.hpp"
 
-namespace minkref::inline plane {
+namespace minkref {
 
 /// Calls worker(k) once for each k from 0 to count - 1, as minkref::in_parallel does. Reports
 /// progress, and looks at interrupts and the memory limit.
@@ -37,4 +37,4 @@ void in_parallel(std::size_t count, const BuildControl& control, BuildProgress::
   control.report(stage, count, count);
 }
 
-}  // namespace minkref::inline plane
+}  // namespace minkref

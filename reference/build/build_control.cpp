@@ -1,12 +1,13 @@
-#include "reference/plane/index/build_control.hpp"
+#include "reference/build/build_control.hpp"
 
 #include "reference/error.hpp"
 #include "reference/interrupt.hpp"
 #include "reference/memory.hpp"
 
-namespace minkref::inline plane {
+namespace minkref {
 
-BuildControl::BuildControl(const BuildOptions& options) : options_(options) {
+BuildControl::BuildControl(const BuildOptions& options, const char* subject)
+    : options_(options), subject_(subject) {
   if (options.threads <= most_threads) return;
   throw BadInput("too-many-threads",
                  std::to_string(options.threads) +
@@ -17,7 +18,7 @@ BuildControl::BuildControl(const BuildOptions& options) : options_(options) {
 
 void BuildControl::look_now() const {
   if (stopped_) throw Stopped{};
-  if (options_.memory_limit != 0) check_memory(options_.memory_limit, "the index");
+  if (options_.memory_limit != 0) check_memory(options_.memory_limit, subject_);
   look_for_interrupt_now();
 }
 
@@ -26,4 +27,4 @@ void BuildControl::report(BuildProgress::Stage stage, std::uint64_t done,
   if (options_.progress) options_.progress({stage, done, total});
 }
 
-}  // namespace minkref::inline plane
+}  // namespace minkref

@@ -4,15 +4,15 @@
 #include <atomic>
 #include <string>
 
-#include "reference/plane/index/build_options.hpp"
+#include "reference/build/build_options.hpp"
 
-namespace minkref::inline plane {
+namespace minkref {
 
-/// `options` must outlive it.
+/// `options` must outlive it. `subject` is what is built, as a refusal names it.
 class BuildControl {
  public:
   /// Throws BadInput ("too-many-threads").
-  explicit BuildControl(const BuildOptions& options);
+  BuildControl(const BuildOptions& options, const char* subject);
 
   unsigned threads() const { return options_.threads == 0 ? 1 : options_.threads; }
 
@@ -36,7 +36,8 @@ class BuildControl {
 
  private:
   const BuildOptions& options_;
+  const char* subject_;
   mutable std::atomic<bool> stopped_{false};
 };
 
-}  // namespace minkref::inline plane
+}  // namespace minkref

@@ -1,12 +1,12 @@
-// How an index is built: threads, progress, memory.
+// How a long build goes: threads, progress, memory.
 #pragma once
 
 #include <cstdint>
 #include <functional>
 
-namespace minkref::inline plane {
+namespace minkref {
 
-/// `done` of `total` convolution edges in a stage of the build.
+/// `done` of `total` pieces of work in a stage of the build: of an index, convolution edges.
 struct BuildProgress {
   enum class Stage : std::uint8_t { cells, pairs, patches, rings } stage = Stage::cells;
   std::uint64_t done = 0, total = 0;
@@ -20,4 +20,4 @@ struct BuildOptions {
   std::uint64_t memory_limit = 0;
 };
 
-}  // namespace minkref::inline plane
+}  // namespace minkref
