@@ -129,7 +129,8 @@ void bind_polyhedral_set(nb::module_& module) {
             edge_sum(P.value(), Q.value(), to_scaling(scaling), on(threads, progress));
         const EdgeStatistics& statistics = sum.statistics;
         const std::map<std::string, std::uint64_t> counts{
-            {"convolution_facets", sum.facets},      {"near_pairs", sum.near_pairs},
+            {"convolution_facets", sum.facets},      {"covered_facets", sum.covered_facets},
+            {"near_pairs", sum.near_pairs},          {"tests_by_cells", statistics.covered},
             {"pieces", statistics.pieces},           {"candidates", statistics.candidates},
             {"boundary_pieces", sum.edges},          {"collision_tests", statistics.tests},
             {"by_float", statistics.signs.by_float}, {"by_integer", statistics.signs.by_integer}};

@@ -22,7 +22,7 @@ std::pair<IntegerVector, Integer> exact_point(const CarrierLine& carrier, const 
 }  // namespace
 
 EdgeStatistics BoundaryEdgeSearch::statistics() const {
-  EdgeStatistics result{cutting_.signs, pieces_, candidates_, collision_.tests};
+  EdgeStatistics result{cutting_.signs, pieces_, candidates_, collision_.tests, collision_.covered};
   result.signs.add(collision_.signs);
   return result;
 }
@@ -101,12 +101,7 @@ bool BoundaryEdgeSearch::is_outside(const CarrierPiece& piece, const Ray& first,
                                     bool narrow) {
   const bool at_end = piece.to.plane.facet == nullptr && piece.from.plane.facet != nullptr;
   const Cut& cut = at_end ? piece.to : piece.from;
-  const LineIn<BoundedDouble>& line = cutting_.line().as<BoundedDouble>();
-  BoundedVector rounded = line.origin + cut.t * line.direction;
-  if (line.weight.value != 1 || line.weight.error != 0) {
-    for (BoundedDouble& coordinate : rounded) coordinate = coordinate / line.weight;
-  }
-  const NearPoint x(rounded, [&]() -> NearPoint::Exact {
+  const NearPoint x(cutting_.line().point_at(cut.t), [&]() -> NearPoint::Exact {
     auto [point, weight] = exact_point(cutting_.line(), cut);
     const IntegerVector& direction = cutting_.line().as<Integer>().direction;
     const IntegerVector &n = facets_[first.facet].normal.exact,

@@ -21,6 +21,7 @@ struct BoundaryEdge {
 struct EdgeStatistics {
   SignCounts signs;
   std::uint64_t pieces = 0, candidates = 0, tests = 0;
+  std::uint64_t covered = 0;  ///< of the tests, answered by cells
 };
 
 /// Of one thread.
@@ -29,7 +30,7 @@ class BoundaryEdgeSearch {
   BoundaryEdgeSearch(const Convolution& convolution,
                      const std::vector<std::vector<std::uint32_t>>& near,
                      const CollisionTrees& trees)
-      : facets_(convolution.facets), cutting_(convolution, near), collision_(trees) {}
+      : facets_(convolution.facets), cutting_(convolution, near, trees.cells), collision_(trees) {}
 
   void look_along_side(std::uint32_t side) { look_along(cutting_.cut_side(side)); }
   void look_along_crossing(std::uint32_t a, std::uint32_t b) {

@@ -15,6 +15,12 @@ void CarrierCutting::begin(CarrierLine line) {
   pieces_.clear();
 }
 
+/// All of the carrier is in the interior of the sum.
+bool CarrierCutting::is_covered() const {
+  const std::array ends{line_->point_at(from_.t), line_->point_at(to_.t)};
+  return cells_.contain(ends);
+}
+
 Cut CarrierCutting::cut_at(const ConvolutionFacet& facet, int side) {
   Cut cut{{&facet, side}, 0, {}};
   const auto [num, den] = line_->parameter<BoundedDouble>(cut.plane);
@@ -76,10 +82,13 @@ AlongFacet CarrierCutting::along_border(std::uint32_t facet, std::size_t side) {
 
 const std::vector<CarrierPiece>& CarrierCutting::cut_side(std::uint32_t number) {
   const FacetSide& side = convolution_.sides[number];
+  pieces_.clear();
+  if (side.uses.empty()) return pieces_;
   const FacetSide::Use& use = side.uses.front();
   begin(CarrierLine(facets_[use.facet], use.side));
   from_ = {{}, 0, BoundedDouble(0)};
   to_ = {{}, 1, BoundedDouble(1)};
+  if (is_covered()) return pieces_;
   for (const auto& [facet, k] : side.uses) covers_.push_back({along_border(facet, k), start, end});
   // What touches the side touches each of its facets.
   const auto fewest = std::min_element(
@@ -140,7 +149,7 @@ bool CarrierCutting::spans_crossing(std::uint32_t a, std::uint32_t b) {
 
 const std::vector<CarrierPiece>& CarrierCutting::cut_crossing(std::uint32_t a, std::uint32_t b) {
   pieces_.clear();
-  if (!spans_crossing(a, b)) return pieces_;
+  if (!spans_crossing(a, b) || is_covered()) return pieces_;
   covers_.push_back({{a, true, true}, start, end});
   covers_.push_back({{b, true, true}, start, end});
   candidates_.clear();

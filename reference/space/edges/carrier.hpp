@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "reference/space/edges/interior_cells.hpp"
 #include "reference/space/edges/line.hpp"
 
 namespace minkref::inline space {
@@ -35,11 +36,11 @@ class CarrierCutting {
  public:
   /// `near`: of each facet those that may touch it, ascending.
   CarrierCutting(const Convolution& convolution,
-                 const std::vector<std::vector<std::uint32_t>>& near)
-      : convolution_(convolution), facets_(convolution.facets), near_(near) {}
+                 const std::vector<std::vector<std::uint32_t>>& near, const InteriorCells& cells)
+      : convolution_(convolution), facets_(convolution.facets), near_(near), cells_(cells) {}
 
   /// The pieces of a side that belong to no lesser side, and that do not lie below a facet next to
-  /// one of their ends. Exact.
+  /// one of their ends. None where cells cover the side. Exact.
   const std::vector<CarrierPiece>& cut_side(std::uint32_t side);
   /// The same of the crossing of two facets, of the pieces that lie in no side and belong to no
   /// lesser pair. Facets that are parallel, or do not cross, have none.
@@ -63,6 +64,7 @@ class CarrierCutting {
   };
 
   void begin(CarrierLine line);
+  bool is_covered() const;
   bool clip(const ConvolutionFacet& facet, Cut& from, Cut& to, int& border);
   bool spans_crossing(std::uint32_t a, std::uint32_t b);
   void add_transversal(std::uint32_t facet, int slope);
@@ -85,6 +87,7 @@ class CarrierCutting {
   std::vector<Cover> covers_;
   std::vector<CarrierPiece> pieces_;
   std::vector<std::uint32_t> candidates_;
+  const InteriorCells& cells_;
 };
 
 }  // namespace minkref::inline space

@@ -48,14 +48,18 @@ FormIn<T> form_through(const std::array<T, 3>& normal, const FilteredVector& p,
 
 }  // namespace
 
-CollisionTrees::CollisionTrees(const SpaceOperand& P_, const SpaceOperand& Q_)
-    : P(P_), Q(Q_), tree_P(element_boxes(P)), tree_Q(element_boxes(Q)) {
+CollisionTrees::CollisionTrees(const SpaceOperand& P_, const SpaceOperand& Q_, InteriorCells cells_)
+    : P(P_), Q(Q_), tree_P(element_boxes(P)), tree_Q(element_boxes(Q)), cells(std::move(cells_)) {
   for (const FilteredVector& point : P.points) box_P.add(box_around(point.rounded));
   for (const FilteredVector& point : Q.points) box_Q.add(box_around(point.rounded));
 }
 
 bool Collision::contains(const NearPoint& x) {
   ++tests;
+  if (trees_.cells.contain({&x.rounded(), 1})) {
+    ++covered;
+    return true;
+  }
   return surfaces_cross(x) || vertex_inside(x, P_, trees_.box_P, Q_) ||
          vertex_inside(x, Q_, trees_.box_Q, P_);
 }

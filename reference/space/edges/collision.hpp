@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 
+#include "reference/space/edges/interior_cells.hpp"
 #include "reference/space/edges/near_point.hpp"
 
 namespace minkref::inline space {
@@ -11,10 +12,11 @@ namespace minkref::inline space {
 /// What all tests of one sum share.
 class CollisionTrees {
  public:
-  CollisionTrees(const SpaceOperand& P, const SpaceOperand& Q);
+  CollisionTrees(const SpaceOperand& P, const SpaceOperand& Q, InteriorCells cells);
   const SpaceOperand &P, &Q;
   SpaceBoxTree tree_P, tree_Q;  ///< of triangles, or of the segment
   SpaceBox box_P, box_Q;
+  InteriorCells cells;
 };
 
 /// Of one thread: it tries first what was in contact last.
@@ -26,7 +28,7 @@ class Collision {
   bool contains(const NearPoint& x);
 
   SignCounts signs;
-  std::uint64_t tests = 0;
+  std::uint64_t tests = 0, covered = 0;  ///< of these, answered by cells
 
  private:
   struct Pair {

@@ -161,4 +161,23 @@ Convolution convolution_facets(const SpaceOperand& P, const SpaceOperand& Q) {
   return ConvolutionBuild(P, Q).run();
 }
 
+void leave_out(Convolution& convolution, const std::vector<bool>& facets) {
+  std::vector<std::uint32_t> number(facets.size(), none);
+  std::uint32_t left = 0;
+  for (std::uint32_t k = 0; k < facets.size(); ++k) {
+    if (facets[k]) continue;
+    number[k] = left;
+    if (left != k) convolution.facets[left] = std::move(convolution.facets[k]);
+    ++left;
+  }
+  convolution.facets.resize(left);
+  for (FacetSide& side : convolution.sides) {
+    for (FacetSide::Use& use : side.uses) use.facet = number[use.facet];
+    if (std::any_of(side.uses.begin(), side.uses.end(),
+                    [](const FacetSide::Use& use) { return use.facet == none; })) {
+      side.uses.clear();
+    }
+  }
+}
+
 }  // namespace minkref::inline space

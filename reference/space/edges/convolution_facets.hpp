@@ -60,4 +60,7 @@ struct Convolution {
 /// them. At most one operand has no volume. Exact. O(|P| |Q|).
 Convolution convolution_facets(const SpaceOperand& P, const SpaceOperand& Q);
 
+/// Leaves facets out, and sides in which they end: these are left without uses.
+void leave_out(Convolution& convolution, const std::vector<bool>& facets);
+
 }  // namespace minkref::inline space

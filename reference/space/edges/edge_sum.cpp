@@ -4,12 +4,14 @@
 #include <memory>
 #include <utility>
 
-#include "reference/error.hpp"
 #include "reference/build/stage.hpp"
+#include "reference/error.hpp"
 #include "reference/space/edges/faces_from_edges.hpp"
 
 namespace minkref::inline space {
 namespace {
+
+constexpr std::size_t cells_a_facet = 128, most_cells = std::size_t{1} << 22;
 
 using NearLists = std::vector<std::vector<std::uint32_t>>;
 
@@ -39,6 +41,21 @@ NearLists near_lists(const std::vector<ConvolutionFacet>& facets) {
   return near;
 }
 
+/// So few that they cost less than the search for edges.
+std::size_t cells_for(std::size_t facets) { return std::min(cells_a_facet * facets, most_cells); }
+
+/// Which facets lie in the interior of the sum.
+std::vector<bool> covered_facets(const std::vector<ConvolutionFacet>& facets,
+                                 const InteriorCells& cells) {
+  std::vector<bool> covered(facets.size());
+  for (std::size_t k = 0; k < facets.size(); ++k) {
+    std::array<BoundedVector, 4> corners;
+    for (std::size_t j = 0; j < facets[k].size; ++j) corners[j] = facets[k].corners[j].rounded;
+    covered[k] = cells.contain({corners.data(), facets[k].size});
+  }
+  return covered;
+}
+
 }  // namespace
 
 EdgeSum edge_sum(const Polyhedron& P, const Polyhedron& Q, const Scaling& scaling,
@@ -52,9 +69,12 @@ EdgeSum edge_sum(const Polyhedron& P, const Polyhedron& Q, const Scaling& scalin
   }
   const SpaceOperands operands = space_operands(P, Q, scaling);
   const SpaceOperand &first = operands.P, &second = operands.Q;
-  const Convolution convolution = convolution_facets(first, second);
+  Convolution convolution = convolution_facets(first, second);
+  result.facets = convolution.facets.size();
+  const CollisionTrees trees(first, second, InteriorCells(first, second, cells_for(result.facets)));
+  leave_out(convolution, covered_facets(convolution.facets, trees.cells));
+  result.covered_facets = result.facets - convolution.facets.size();
   const NearLists near = near_lists(convolution.facets);
-  const CollisionTrees trees(first, second);
 
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   for (std::uint32_t a = 0; a < near.size(); ++a) {
@@ -85,8 +105,8 @@ EdgeSum edge_sum(const Polyhedron& P, const Polyhedron& Q, const Scaling& scalin
     result.statistics.pieces += part.pieces;
     result.statistics.candidates += part.candidates;
     result.statistics.tests += part.tests;
+    result.statistics.covered += part.covered;
   }
-  result.facets = convolution.facets.size();
   result.near_pairs = pairs.size();
   result.edges = edges.size();
   result.set = faces_from_edges(edges, convolution.facets, operands.denominator);

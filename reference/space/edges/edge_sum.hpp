@@ -12,8 +12,9 @@ namespace minkref::inline space {
 
 struct EdgeSum {
   PolyhedralSet set;
-  std::uint64_t facets = 0;      ///< of the reduced convolution
-  std::uint64_t near_pairs = 0;  ///< of facets that may touch
+  std::uint64_t facets = 0;          ///< of the reduced convolution
+  std::uint64_t covered_facets = 0;  ///< of these, left out as cells cover them
+  std::uint64_t near_pairs = 0;      ///< of the others, that may touch
   EdgeStatistics statistics;
   std::uint64_t edges = 0;  ///< of the boundary, before those that follow each other are joined
 };

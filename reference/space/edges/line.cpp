@@ -92,6 +92,14 @@ bool CarrierLine::parallel(const ConvolutionFacet& a, const ConvolutionFacet& b,
   return true;
 }
 
+BoundedVector CarrierLine::point_at(const BoundedDouble& t) const {
+  BoundedVector point = rounded_.origin + t * rounded_.direction;
+  if (rounded_.weight.value != 1 || rounded_.weight.error != 0) {
+    for (BoundedDouble& coordinate : point) coordinate = coordinate / rounded_.weight;
+  }
+  return point;
+}
+
 int CarrierLine::slope(const ConvolutionFacet& facet, SignCounts& signs) const {
   if (&facet == &a_ || &facet == &b_) return 0;
   return filtered_sign(signs, [&]<class T>(std::type_identity<T>) {

@@ -69,6 +69,9 @@ class CarrierLine {
             dot(form.normal, line.direction)};
   }
 
+  /// The point with a parameter.
+  BoundedVector point_at(const BoundedDouble& t) const;
+
   /// The sign of normal · direction for the plane of a facet.
   int slope(const ConvolutionFacet& facet, SignCounts& signs) const;
 
