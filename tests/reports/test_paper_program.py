@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from minkref import _core
 from minkref.reports.paper.entry import Verdict
 from minkref.reports.paper.program_entry import program_entry
 from minkref.reports.paper.program_plots import RATIONAL, ROUNDING, tried_in_all
-from minkref.reports.paper.program_runs import CORRECTED, Run, Runs, as_text, read, share
+from minkref.reports.paper.program_runs import CORRECTED, Run, Runs, as_text, committed, read, share
 
 AFTER = (1, 10, 100)
 VARIANTS = (CORRECTED, "solve as printed", "all as printed")
@@ -66,3 +67,16 @@ def test_without_runs_the_entry_says_how_to_make_them() -> None:
     entry = program_entry(None)
     assert entry.verdict == Verdict.NOT_ATTEMPTED
     assert "make evidence ONLY=paper_program" in entry.why
+
+
+def test_the_committed_runs_are_those_of_the_programs_that_there_are() -> None:
+    """With all formulas corrected and rational numbers every sum is the exact one."""
+    found = committed()
+    assert found.after == AFTER
+    exact = found.of(CORRECTED, RATIONAL)
+    assert len(exact) == 24 and all(all(run.right) for run in exact)
+    assert {run.variant for run in found.runs} == set(found.variants)
+    printed = {name for name, values, corrected, _ in _core.paper_readings()
+               if values[0] != corrected}  # fmt: skip
+    assert {f"{name} as printed" for name in printed} <= set(found.variants)
+    assert all(run.pairs > 0 and run.seconds >= 0 for run in found.runs)
