@@ -127,6 +127,14 @@ def command(
     plot: Annotated[
         bool, typer.Option("--plot", help="Draw a small picture of the sum below the table.")
     ] = False,
+    passages: Annotated[
+        bool,
+        typer.Option(
+            "--passages",
+            help="In space: find the tight passages too, for operands of few convex pieces. In the "
+            "plane they are always found.",
+        ),
+    ] = False,
     memory: Memory = None,
     json: Json = False,
     schema: Schema = False,
@@ -146,7 +154,9 @@ def command(
             raise Refusal("no picture is drawn in space", option, "see `minkref view P Q`")
         from minkref.commands.space.sum import sum_in_space
 
-        sum_in_space(P, Q, scale, route or DEFAULT, arithmetic, output, json, form, memory)
+        sum_in_space(
+            P, Q, scale, route or DEFAULT, arithmetic, output, json, form, memory, passages
+        )
         return
     if P == Q == STANDARD_INPUT:
         raise Refusal("standard input is one operand", "P and Q", "name a file for the other")

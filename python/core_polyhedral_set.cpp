@@ -24,6 +24,7 @@
 #include "reference/space/convex/convex_set.hpp"
 #include "reference/space/definition/convex_pieces.hpp"
 #include "reference/space/definition/definition_sum.hpp"
+#include "reference/space/definition/tight_passages.hpp"
 #include "reference/space/edges/edge_sum.hpp"
 
 namespace nb = nanobind;
@@ -140,6 +141,16 @@ void bind_polyhedral_set(nb::module_& module) {
       "The same with what was counted on the way. `progress` is told how many of how many steps "
       "are "
       "done.");
+  module.def(
+      "tight_passages_in_space",
+      [](const Surface& P, const Surface& Q, const ExactSpacePoint& scaling) {
+        return canonical_json(tight_passages_in_space(P.value(), Q.value(), to_scaling(scaling)));
+      },
+      "P"_a, "Q"_a, "scaling"_a, Released(),
+      "The closure of int(S P ⊕ Q) less ri S P ⊕ ri Q, as canonical JSON: sheets, lines and "
+      "points. "
+      "Of valid polyhedra that do not cross themselves; one may be a segment or a point. Complete "
+      "and exact. Raises LimitExceeded for too many pairs of convex pieces.");
   module.def(
       "convex_pieces",
       [](const Surface& surface) {

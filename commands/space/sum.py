@@ -20,6 +20,7 @@ from minkref.space.general_sum import GENERAL_ROUTES, chosen_space_route, genera
 from minkref.space.operand import SpaceOperand, read_summand
 from minkref.space.scaling import Scaling, read_scaling, text_of
 from minkref.space.sums import ROUTES, compute
+from minkref.space.tight_passages import NONE, tight_passages
 
 ALL_ROUTES = (*ROUTES, *GENERAL_ROUTES)
 
@@ -34,6 +35,7 @@ def sum_in_space(
     json: bool,
     form: str | None = None,
     memory: int | None = None,
+    passages: bool = False,
 ) -> None:
     """The command, its options read but not yet checked."""
     watch = Stopwatch()
@@ -48,6 +50,7 @@ def sum_in_space(
             refuse_overwriting(output, [first.file, second.file])
         chosen = chosen_space_route(first, second, wanted, ROUTES)
         mesh, fields = summed(first, second, scaling, chosen)
+        tight = _passages(first, second, scaling, chosen, passages)
     exact = None
     if target is not None:
         surface = mesh()
@@ -67,6 +70,8 @@ def sum_in_space(
         output_exact=exact,
         route=chosen,
         **fields,
+        tight_passages=tight,
+        passages_complete=tight is not None,
     )
     give(value, json, lambda value: _print(value, text_of(scaling)))
 
@@ -81,6 +86,15 @@ def summed(
     with told_of(f"route {route}") as tell:
         found = general_sum(P, Q, scaling, route, cores(), tell)
     return found.mesh, of_general_sum(found, P, Q)
+
+
+def _passages(
+    P: SpaceOperand, Q: SpaceOperand, scaling: Scaling, route: str, wanted: bool
+) -> dict[str, Any] | None:
+    """Convex operands have none. None where they were not looked for."""
+    if route in ROUTES or 0 in (P.surface.vertices, Q.surface.vertices):
+        return NONE
+    return tight_passages(P, Q, scaling) if wanted else None
 
 
 def _checked_route(route: str, arithmetic: str) -> str | None:
@@ -108,6 +122,10 @@ def _print(value: dict[str, Any], scaling: str) -> None:
     if not value["convex"]:
         shape = f"{value['components']:,}, {value['cavities']:,}, {value['tunnels']:,}"
         rows.append(("components, cavities, tunnels", shape))
+    if value["passages_complete"] and value["route"] in GENERAL_ROUTES:
+        found = value["tight_passages"]
+        counts = ", ".join(f"{len(found[name]):,}" for name in ("sheets", "lines", "points"))
+        rows.append(("tight sheets, lines, points", counts))
     if value["signs"]:
         total, shares = value["signs"]["total"], value["signs"]["shares"]
         told = ", ".join(f"{share:.2%} {name.replace('_', ' ')}" for name, share in shares.items())

@@ -89,7 +89,8 @@ def general_sum(
     start = time.perf_counter()
     statistics: dict[str, int] | None = None
     if route == "definition":
-        _refuse_polygon(P, Q)
+        why = "the route definition takes no plane polygon"
+        refuse_polygon(why, "choose the route edges", P, Q)
         found = refusing(where, lambda: _core.definition_sum_in_space(first, second, scaling))
     else:
         found, statistics = refusing(
@@ -99,12 +100,7 @@ def general_sum(
     return GeneralSum(P, Q, scaling, found, found.convex(), statistics, seconds)
 
 
-def _refuse_polygon(P: SpaceOperand, Q: SpaceOperand) -> None:
-    for operand in (P, Q):
+def refuse_polygon(why: str, mend: str, *operands: SpaceOperand) -> None:
+    for operand in operands:
         if operand.surface.faces == 1:
-            raise Refusal(
-                "the route definition takes no plane polygon",
-                operand.name,
-                "choose the route edges",
-                "not-solid",
-            )
+            raise Refusal(why, operand.name, mend, "not-solid")

@@ -17,15 +17,6 @@ std::pair<std::size_t, std::size_t> axes_beside(std::size_t axis) {
   return {axis == 0 ? 1 : 0, axis == 2 ? 1 : 2};
 }
 
-int compare_along(const SolidCorner& a, const SolidCorner& b, std::size_t axis) {
-  if (a.rounded[axis] < b.rounded[axis]) return -1;
-  if (a.rounded[axis] > b.rounded[axis]) return 1;
-  if (a.exact == b.exact) return 0;
-  const Integer difference =
-      a.exact->point[axis] * b.exact->weight - b.exact->point[axis] * a.exact->weight;
-  return difference.sign();
-}
-
 /// Whether a, b, c turn to the left, seen along `axis`: the sign of a determinant.
 int turn_of_corners(const SolidCorner& a, const SolidCorner& b, const SolidCorner& c,
                     std::size_t axis) {
@@ -46,6 +37,15 @@ int turn_of_corners(const SolidCorner& a, const SolidCorner& b, const SolidCorne
 }
 
 }  // namespace
+
+int compare_along(const SolidCorner& a, const SolidCorner& b, std::size_t axis) {
+  if (a.rounded[axis] < b.rounded[axis]) return -1;
+  if (a.rounded[axis] > b.rounded[axis]) return 1;
+  if (a.exact == b.exact) return 0;
+  const Integer difference =
+      a.exact->point[axis] * b.exact->weight - b.exact->point[axis] * a.exact->weight;
+  return difference.sign();
+}
 
 SolidCorner solid_corner(const IntegerVector& point, const Integer& weight) {
   const Integer divisor = gcd(gcd(point[0], point[1]), gcd(point[2], weight));

@@ -29,6 +29,9 @@ SolidCorner solid_corner(const IntegerVector& point, const Integer& weight);
 SolidCorner solid_corner(const SpacePoint& point);
 SpacePoint exact_point(const SolidCorner& corner);
 
+/// The sign of a - b in one coordinate. Exact.
+int compare_along(const SolidCorner& a, const SolidCorner& b, std::size_t axis);
+
 OrientedPlane reversed(const OrientedPlane& plane);
 
 /// A plane that cuts: what is below it is kept.

@@ -2,38 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <list>
 #include <map>
 #include <utility>
 
 #include "reference/interrupt.hpp"
-#include "reference/plane/arrangement/box_tree.hpp"
 #include "reference/plane/boundary/canonical.hpp"
+#include "reference/space/definition/body_search.hpp"
 
 namespace minkref::inline space {
 namespace {
 
-/// The box of a ring, in doubles that enclose it.
-struct RingBox {
-  Box flat;
-  double bottom = std::numeric_limits<double>::infinity();
-  double top = -std::numeric_limits<double>::infinity();
-  explicit RingBox(const CornerRing& ring) {
-    for (const auto& [rounded, exact] : ring) {
-      const auto& [x, y, z] = rounded;
-      flat.add({below(x), below(y), above(x), above(y)});
-      bottom = std::min(bottom, below(z));
-      top = std::max(top, above(z));
-    }
-  }
-  bool overlaps(const SumBody& body) const {
-    return flat.overlaps(body.flat_box) && bottom <= body.top && body.bottom <= top;
-  }
-};
-
 /// How far apart the middles of two boxes are; only to look first where there is most to be taken.
-double distance(const RingBox& ring, const SumBody& body) {
+double distance(const CornerBox& ring, const SumBody& body) {
   const Box &a = ring.flat, &b = body.flat_box;
   const double apart = std::abs(a.xmin + a.xmax - b.xmin - b.xmax) +
                        std::abs(a.ymin + a.ymax - b.ymin - b.ymax) +
@@ -65,22 +46,6 @@ Cover cover_of(const CornerRing& ring, const OrientedPlane& plane, const SumBody
   return cover;
 }
 
-/// Convex parts of a convex polygon, of which the body covers some: what is outside of each of its
-/// planes in turn. Only the polygon itself where nothing of it is inside of all of them.
-std::vector<CornerRing> parts_outside(const CornerRing& ring, const SumBody& body) {
-  std::vector<CornerRing> parts;
-  CornerRing inner = ring;
-  for (const SumFacet& facet : body.facets) {
-    const RingSides sides = sides_of(inner, facet.plane);
-    if (!sides.above) continue;
-    if (!sides.below) return {ring};
-    auto [below, above] = halves(inner, sides, facet.plane);
-    parts.push_back(std::move(above));
-    inner = std::move(below);
-  }
-  return parts;
-}
-
 /// A part of a facet, and the bodies that may cover some of it, where one is likely to cover much.
 struct FacetPart {
   CornerRing ring;
@@ -89,11 +54,7 @@ struct FacetPart {
 
 class UnionBoundary {
  public:
-  explicit UnionBoundary(const std::vector<SumBody>& bodies) : bodies_(bodies) {
-    std::vector<Box> boxes;
-    for (const SumBody& body : bodies) boxes.push_back(body.flat_box);
-    tree_ = BoxTree(std::move(boxes));
-  }
+  explicit UnionBoundary(const std::vector<SumBody>& bodies) : bodies_(bodies), search_(bodies) {}
 
   PolyhedralSet boundary() {
     std::map<OrientedPlane, PolygonSet> planes;
@@ -121,12 +82,11 @@ class UnionBoundary {
  private:
   /// What no other body covers of a facet of body `own`.
   std::vector<CornerRing> exposed(std::size_t own, const SumFacet& facet) {
-    const RingBox box(facet.ring);
+    const CornerBox box(facet.ring);
     if (covered_as_others_were(own, facet, box)) return {};
     near_.clear();
-    tree_.query(box.flat, [&](std::uint32_t b) {
-      if (b != own && box.overlaps(bodies_[b])) near_.emplace_back(distance(box, bodies_[b]), b);
-      return false;
+    search_.near(box, [&](std::uint32_t b) {
+      if (b != own) near_.emplace_back(distance(box, bodies_[b]), b);
     });
     std::partial_sort(near_.begin(),
                       near_.begin() + std::min<std::ptrdiff_t>(16, std::ssize(near_)), near_.end());
@@ -152,7 +112,7 @@ class UnionBoundary {
 
   /// Whether one of a few bodies covers the facet: those as far on in the list from its own as were
   /// those that covered facets before. They often share a piece in the same way.
-  bool covered_as_others_were(std::size_t own, const SumFacet& facet, const RingBox& box) {
+  bool covered_as_others_were(std::size_t own, const SumFacet& facet, const CornerBox& box) {
     for (auto step = steps_.begin(); step != steps_.end(); ++step) {
       const auto at = static_cast<std::ptrdiff_t>(own) + *step;
       if (at < 0 || at >= std::ssize(bodies_)) continue;
@@ -167,7 +127,7 @@ class UnionBoundary {
 
   /// Drops the bodies that cover nothing; false where one covers it all.
   bool keep_cutters(FacetPart& part, std::size_t own, const OrientedPlane& plane) {
-    const RingBox box(part.ring);
+    const CornerBox box(part.ring);
     std::vector<std::uint32_t> cutters;
     for (const std::uint32_t b : part.bodies) {
       look_for_interrupt();
@@ -185,13 +145,27 @@ class UnionBoundary {
   }
 
   const std::vector<SumBody>& bodies_;
-  BoxTree tree_;
+  BodySearch search_;
   std::vector<std::pair<double, std::uint32_t>> near_;
   static constexpr std::size_t most_steps = 24;
   std::list<std::ptrdiff_t> steps_;  ///< the last ones first
 };
 
 }  // namespace
+
+std::vector<CornerRing> parts_outside(const CornerRing& ring, const SumBody& body) {
+  std::vector<CornerRing> parts;
+  CornerRing inner = ring;
+  for (const SumFacet& facet : body.facets) {
+    const RingSides sides = sides_of(inner, facet.plane);
+    if (!sides.above) continue;
+    if (!sides.below) return {ring};
+    auto [below, above] = halves(inner, sides, facet.plane);
+    parts.push_back(std::move(above));
+    inner = std::move(below);
+  }
+  return parts;
+}
 
 PolyhedralSet boundary_of_union(const std::vector<SumBody>& bodies) {
   return UnionBoundary(bodies).boundary();

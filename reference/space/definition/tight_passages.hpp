@@ -1,0 +1,39 @@
+// Tight passages in space: what the sum covers and the sum of the interiors misses.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "reference/space/polyhedral_set.hpp"
+
+namespace minkref::inline space {
+
+/// The closure of int(S P ⊕ Q) less ri S P ⊕ ri Q (docs/definitions.md, "Tight passages").
+struct TightPassagesInSpace {
+  /// Of one plane each; the first coordinate of the normal that is not zero is above zero. Planes
+  /// ascend.
+  std::vector<PlaneRegion> sheets;
+  /// Maximal segments that lie in no sheet, each with the smaller end first, ascending.
+  std::vector<std::pair<SpacePoint, SpacePoint>> lines;
+  /// Points in neither, ascending.
+  std::vector<SpacePoint> points;
+  bool empty() const { return sheets.empty() && lines.empty() && points.empty(); }
+  friend bool operator==(const TightPassagesInSpace&, const TightPassagesInSpace&) = default;
+};
+
+/// `{"lines":[[["x","y","z"],["x","y","z"]],...],"points":[["x","y","z"],...],"sheets":[...]}`, the
+/// sheets as the planes of a polyhedral set.
+std::string canonical_json(const TightPassagesInSpace& passages);
+
+/// Of valid operands that do not cross themselves, one of which may be thin. Complete and exact
+/// (docs/space-sums.md, "Tight passages"). Throws what summed_pieces throws, with
+/// `most_pairs_for_passages`. For k bodies with f facets, n others near each: O(k f² n) segments at
+/// worst, each against n bodies; facets that one other body covers cost only that.
+TightPassagesInSpace tight_passages_in_space(const Polyhedron& P, const Polyhedron& Q,
+                                             const Scaling& scaling);
+
+constexpr std::size_t most_pairs_for_passages = 4'096;
+
+}  // namespace minkref::inline space
