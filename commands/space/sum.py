@@ -12,6 +12,7 @@ from minkref.commands.line.output import give, measure, print_lines, written_row
 from minkref.commands.line.progress import told_of
 from minkref.commands.lists.scale_index import cores
 from minkref.commands.lists.sweep_folder import SPACE_FORMATS
+from minkref.commands.space.rounding import rounding_of, rounding_rows
 from minkref.commands.space.sum_document import of_convex_sum, of_general_sum
 from minkref.documents import Stopwatch, document, refuse_overwriting
 from minkref.errors import Refusal, choice, refusing
@@ -51,13 +52,14 @@ def sum_in_space(
         chosen = chosen_space_route(first, second, wanted, ROUTES)
         mesh, fields = summed(first, second, scaling, chosen)
         tight = _passages(first, second, scaling, chosen, passages)
-    exact = None
+    exact = rounding = None
     if target is not None:
         surface = mesh()
         text = refusing(target.name, lambda: _core.write_mesh(surface, target.form))
         exact = _core.writes_mesh_exactly(surface, target.form)
         if target.write(text, exact):
             return
+        rounding = None if exact else rounding_of(surface)
     value = document(
         "sum",
         watch,
@@ -68,6 +70,7 @@ def sum_in_space(
         warnings=first.warnings + second.warnings,
         output=str(output) if output else None,
         output_exact=exact,
+        rounding=rounding,
         route=chosen,
         **fields,
         tight_passages=tight,
@@ -131,5 +134,5 @@ def _print(value: dict[str, Any], scaling: str) -> None:
         told = ", ".join(f"{share:.2%} {name.replace('_', ' ')}" for name, share in shares.items())
         rows.append(("signs", f"{total:,}: {told}"))
     rows += [("digest", value["digest"]), ("seconds", f"{value['seconds']:.3f}")]
-    rows += written_row(value)
+    rows += written_row(value) + rounding_rows(value)
     print_lines(rows, value)

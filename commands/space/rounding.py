@@ -1,0 +1,64 @@
+"""What becomes of the mesh of a sum in a program that reads its decimals as doubles."""
+
+from __future__ import annotations
+
+from collections import Counter
+from itertools import pairwise
+from typing import Any
+
+from minkref import _core
+from minkref.exact import scientific
+
+
+def rounding_of(mesh: _core.Polyhedron) -> dict[str, Any] | None:
+    """What the core reports of the mesh with each coordinate the nearest double; whether that is
+    closed; and the first rule of a polyhedron that it breaks, its faces cut into triangles. Exact.
+    None where the doubles cannot be looked at: a coordinate is beyond their range, or it takes too
+    many bits to write all over one denominator. O(n log n) where few triangles are close to each
+    other."""
+    try:
+        rounded, report = _core.rounded_mesh(mesh)
+        return {**report, "closed": is_closed(rounded.rings()), "fault": _fault(rounded, mesh)}
+    except _core.LimitExceeded as error:
+        if error.code == "memory-limit":
+            raise
+        return None
+
+
+def is_closed(rings: list[list[int]]) -> bool:
+    """Faces run along each edge as often one way as the other. So they do where vertices of the
+    same place are taken for one."""
+    runs: Counter[tuple[int, int]] = Counter()
+    for ring in rings:
+        for a, b in pairwise((*ring, ring[0])):
+            runs[min(a, b), max(a, b)] += 1 if a < b else -1
+    return not any(runs.values())
+
+
+def _fault(rounded: _core.Polyhedron, exact: _core.Polyhedron) -> str | None:
+    """The code of the refusal. Faces are cut as they are before they bend."""
+    if any(len(ring) > 3 for ring in rounded.rings()):
+        triangles = [triangle for face in exact.triangles() for triangle in face]
+        rounded = _core.Polyhedron(rounded.points(), triangles)
+    try:
+        rounded.validate()
+    except _core.LimitExceeded:
+        raise
+    except _core.BadInput as error:
+        return str(error.code)
+    return None
+
+
+def rounding_rows(value: dict[str, Any]) -> list[tuple[str, str]]:
+    """The line for people below that of the file; none where nothing was rounded."""
+    told = value["rounding"]
+    if told is None:
+        return []
+    moved = f"{told['moved_vertices']:,} vertices moved"
+    if told["moved_vertices"]:
+        moved += f" by at most {scientific(told['largest_displacement'])} along an axis"
+    names = ("merged_vertices", "degenerate_faces", "turned_faces", "bent_faces")
+    counts = [f"{told[name]:,} {name.replace('_', ' ')}" for name in names if told[name]]
+    state = "closed" if told["closed"] else "not closed"
+    fault = "no face crosses another" if told["fault"] is None else told["fault"]
+    return [("as doubles", "; ".join([moved, *counts, state, fault]))]
