@@ -13,7 +13,6 @@
 #include "python/vector_caster.hpp"
 #include "reference/error.hpp"
 #include "reference/space/surface/mesh_of.hpp"
-#include "reference/space/surface/parents.hpp"
 #include "reference/space/surface/projected_areas.hpp"
 #include "reference/space/surface/rounded_mesh.hpp"
 #include "reference/space/surface/shells.hpp"
@@ -57,23 +56,6 @@ std::vector<ShellRow> shell_rows(const PolyhedralSet& set, const std::string& pa
   for (const Shell& shell : shells(surface, pairing_named(pairing))) {
     rows.emplace_back(to_string(volume(surface, shell)), shell.characteristic, shell.vertices,
                       shell.edges, shell.faces.size());
-  }
-  return rows;
-}
-
-/// Kind, vertices of P, vertices of Q.
-using ParentRow = std::tuple<std::string, std::vector<std::uint32_t>, std::vector<std::uint32_t>>;
-
-std::vector<std::vector<ParentRow>> parent_rows(const PolyhedralSet& set, const Surface& P,
-                                                const Surface& Q, const ExactSpacePoint& scaling) {
-  static constexpr const char* names[] = {"fv", "vf", "ee"};
-  std::vector<std::vector<ParentRow>> rows;
-  for (auto& list : parents(set, P.value(), Q.value(), to_scaling(scaling))) {
-    auto& row = rows.emplace_back();
-    for (Parent& parent : list) {
-      row.emplace_back(names[static_cast<std::size_t>(parent.kind)], std::move(parent.of_P),
-                       std::move(parent.of_Q));
-    }
   }
   return rows;
 }
@@ -127,10 +109,7 @@ void bind_space_surface(nb::module_& module, nb::class_<PolyhedralSet>& set) {
             const auto areas = projected_areas(self);
             return ExactSpacePoint{to_string(areas[0]), to_string(areas[1]), to_string(areas[2])};
           },
-          Released(), "The areas of the projections of all faces along x, y and z, added up.")
-      .def("parents", &parent_rows, "P"_a, "Q"_a, "scaling"_a, Released(),
-           "Of each plane, for the set S P ⊕ Q, the facets of the reduced convolution in it that "
-           "have area in common with what is exposed: kind, vertices of P, vertices of Q.");
+          Released(), "The areas of the projections of all faces along x, y and z, added up.");
   module.def(
       "polyhedral_set", [](const Surface& surface) { return polyhedral_set(surface.value()); },
       "polyhedron"_a, Released(),

@@ -96,10 +96,15 @@ def test_what_rounding_does_is_told() -> None:
 
 
 def test_parents_of_a_sum_of_cubes() -> None:
-    found = _core.edge_sum_in_space(CUBE, CUBE, ONE)
-    parents = found.parents(CUBE, CUBE, ONE)
-    assert len(parents) == 6
-    # A face of each cube, in two triangles, and parallelograms beside them.
-    for rows in parents:
-        assert {len(p) + len(q) for _, p, q in rows} == {4}
-        assert {kind for kind, _, _ in rows} >= {"fv", "vf"}
+    boundary = _core.edge_sum_in_space(CUBE, CUBE, ONE).surface()
+    parents = boundary.parents(CUBE, CUBE, ONE)
+    assert len(parents) == boundary.facets == 6
+    # A face of each cube at the corners of the other, and parallelograms of edges beside them.
+    faces = {tuple(ring) for ring in CUBE.rings()}
+    for pairs in parents:
+        assert {(min(len(p), 3), min(len(q), 3)) for p, q in pairs} >= {(3, 1), (1, 3)}
+        assert {min(len(p), 3) + min(len(q), 3) for p, q in pairs} == {4}
+        for k in (0, 1):
+            (face,) = {tuple(pair[k]) for pair in pairs if len(pair[k]) > 2}
+            assert face in faces
+            assert {v for pair in pairs for v in pair[k]} == set(face)

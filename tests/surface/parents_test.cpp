@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "reference/space/edges/edge_sum.hpp"
+#include "reference/space/surface/parent_faces.hpp"
 #include "reference/space/surface/space_vertex.hpp"
 
 namespace minkref {
@@ -76,27 +78,33 @@ TEST(Parents, CoverEachFaceOfASum) {
   }
 }
 
-TEST(Parents, AreNamedByTheVerticesOfTheOperands) {
+TEST(ParentFaces, AreNamedByTheVerticesOfTheOperands) {
   const Polyhedron P = bar(), Q = tetrahedron();
-  const PolyhedralSet set = edge_sum(P, Q, {2, 1, 1}).set;
-  const auto found = parents(set, P, Q, {2, 1, 1});
-  ASSERT_EQ(found.size(), set.faces.size());
-  for (std::size_t r = 0; r < found.size(); ++r) {
-    EXPECT_FALSE(found[r].empty());
-    const FilteredPlane plane(set.faces[r].plane);
-    for (const Parent& parent : found[r]) {
-      EXPECT_EQ(parent.of_P.size(), parent.kind == FacetKind::fv   ? 3U
-                                    : parent.kind == FacetKind::vf ? 1U
-                                                                   : 2U);
-      EXPECT_EQ(parent.of_P.size() + parent.of_Q.size(), 4U);
-      for (const std::uint32_t p : parent.of_P) {
-        for (const std::uint32_t q : parent.of_Q) {
+  const SurfaceEdges surface = surface_edges(edge_sum(P, Q, {2, 1, 1}).set);
+  const auto found = parent_faces(surface, P, Q, {2, 1, 1});
+  ASSERT_EQ(found.size(), surface.faces.size());
+  const auto is_feature = [](const Face& feature, const Polyhedron& body) {
+    return feature.size() < 3 ||
+           std::find(body.faces.begin(), body.faces.end(), feature) != body.faces.end();
+  };
+  std::array<bool, 3> kinds{};  // by how many vertices that of P has: one, two, more
+  for (std::size_t f = 0; f < found.size(); ++f) {
+    EXPECT_FALSE(found[f].empty());
+    EXPECT_TRUE(std::is_sorted(found[f].begin(), found[f].end()));
+    const FilteredPlane plane(surface.planes[surface.faces[f].plane]);
+    for (const auto& [of_P, of_Q] : found[f]) {
+      EXPECT_EQ(std::min<std::size_t>(of_P.size(), 3) + std::min<std::size_t>(of_Q.size(), 3), 4U);
+      EXPECT_TRUE(is_feature(of_P, P) && is_feature(of_Q, Q));
+      kinds[std::min<std::size_t>(of_P.size(), 3) - 1] = true;
+      for (const std::uint32_t p : of_P) {
+        for (const std::uint32_t q : of_Q) {
           const SpacePoint &a = P.vertices[p], &b = Q.vertices[q];
           EXPECT_EQ(plane.side(SpaceVertex({2 * a.x + b.x, a.y + b.y, a.z + b.z})), 0);
         }
       }
     }
   }
+  EXPECT_TRUE(kinds[0] && kinds[1] && kinds[2]);
 }
 
 TEST(Parents, WhatOnlyTouchesIsNoParent) {

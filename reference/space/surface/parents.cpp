@@ -100,31 +100,4 @@ std::vector<std::vector<std::uint32_t>> parents(const PolyhedralSet& set,
   return result;
 }
 
-std::vector<std::vector<Parent>> parents(const PolyhedralSet& sum, const Polyhedron& P,
-                                         const Polyhedron& Q, const Scaling& scaling) {
-  const auto [first, second, denominator] = space_operands(P, Q, scaling);
-  const std::vector<ConvolutionFacet> facets = convolution_facets(first, second).facets;
-  const auto vertices_of = [](const SpaceOperand& operand, std::uint32_t feature, bool triangle,
-                              bool edge) -> std::vector<std::uint32_t> {
-    if (triangle) {
-      const auto& corners = operand.triangles[feature].corners;
-      return {corners.begin(), corners.end()};
-    }
-    if (edge) return {operand.edges[feature].from, operand.edges[feature].to};
-    return {feature};
-  };
-  std::vector<std::vector<Parent>> result;
-  for (const auto& list : parents(sum, facets, denominator)) {
-    auto& named = result.emplace_back();
-    for (const std::uint32_t f : list) {
-      const ConvolutionFacet& facet = facets[f];
-      const bool edges = facet.kind == FacetKind::ee;
-      named.push_back({facet.kind,
-                       vertices_of(first, facet.of_P, facet.kind == FacetKind::fv, edges),
-                       vertices_of(second, facet.of_Q, facet.kind == FacetKind::vf, edges)});
-    }
-  }
-  return result;
-}
-
 }  // namespace minkref::inline space

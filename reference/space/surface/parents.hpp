@@ -18,15 +18,4 @@ std::vector<std::vector<std::uint32_t>> parents(const PolyhedralSet& set,
                                                 const std::vector<ConvolutionFacet>& facets,
                                                 const Integer& denominator);
 
-/// A facet by the vertices of the operands whose sums are its corners: a triangle and a vertex, a
-/// vertex and a triangle, or two edges, each from its first vertex to its second. Triangles are
-/// those into which faces are cut.
-struct Parent {
-  FacetKind kind;
-  std::vector<std::uint32_t> of_P, of_Q;
-};
-/// The same for S P ⊕ Q, of operands that `edge_sum` takes. Exact. O(|P| |Q|) besides.
-std::vector<std::vector<Parent>> parents(const PolyhedralSet& sum, const Polyhedron& P,
-                                         const Polyhedron& Q, const Scaling& scaling);
-
 }  // namespace minkref::inline space
