@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from fractions import Fraction
-from itertools import combinations
+from functools import cache
 
 from minkref.degeneracies.solids.convolution import Convolution, ConvolutionFacet
 from minkref.degeneracies.solids.overlaps import triangles_of
@@ -21,10 +21,17 @@ class _Seen:
         self.facet = facet
         self.offset = int(facet.offset(ONE))
         self.axis = longest_axis(facet.normal)
+        ring = convolution.corners(facet, ONE)
+        self.corners: list[Whole] = [(int(x), int(y), int(z)) for x, y, z in ring]
         self.triangles = [
             [(int(x), int(y)) for x, y in triangle]
             for triangle in triangles_of(convolution, facet, ONE, self.axis)
         ]
+
+    def is_on_both_sides_of(self, other: _Seen) -> bool:
+        """Of its plane. If not, no point inside of it is there, or all are."""
+        heights = [dot(other.facet.normal, corner) for corner in self.corners]
+        return min(heights) < other.offset < max(heights)
 
     def has_inside(self, point: Whole, unit: int) -> bool:
         """The point, divided by a positive number, is inside of one of the triangles."""
@@ -40,17 +47,29 @@ class _Seen:
 
 def crossings(convolution: Convolution, facets: list[ConvolutionFacet]) -> Iterator[Three]:
     """Threes of facets with a point inside of each, of a pair with whole coordinates; in the order
-    of the list. Exact. Cubic."""
+    of the list. Exact. Quadratic, and of threes only those are looked at any two of which have
+    corners on both sides of each other's plane."""
     seen = [_Seen(convolution, facet) for facet in facets]
-    for a, b in combinations(range(len(seen)), 2):
-        one, other = seen[a], seen[b]
-        across = cross(one.facet.normal, other.facet.normal)
-        if not any(across):
-            continue
-        for third in seen[b + 1 :]:
-            n = third.facet.normal
-            unit = dot(n, across)
-            if unit:
+
+    @cache
+    def later(a: int) -> list[int]:
+        return [
+            b
+            for b in range(a + 1, len(seen))
+            if seen[a].is_on_both_sides_of(seen[b]) and seen[b].is_on_both_sides_of(seen[a])
+        ]
+
+    for a, one in enumerate(seen):
+        with_one = set(later(a))
+        for b in later(a):
+            other = seen[b]
+            across = cross(one.facet.normal, other.facet.normal)
+            for c in later(b):
+                third = seen[c]
+                n = third.facet.normal
+                unit = dot(n, across)
+                if c not in with_one or unit == 0:
+                    continue
                 parts = (
                     (across, third.offset),
                     (cross(other.facet.normal, n), one.offset),

@@ -56,6 +56,7 @@ class SolidFacts:
     scale: Fraction
     probes: tuple[Probe, ...]
     _sums: dict[Fraction, _core.PolyhedralSet] = field(default_factory=dict, compare=False)
+    _contacts: dict[Probe, list[Contact]] = field(default_factory=dict, compare=False)
 
     @classmethod
     def of(cls, draft: SolidDraft) -> SolidFacts:
@@ -85,11 +86,13 @@ class SolidFacts:
 
     def contacts(self, probe: Probe) -> list[Contact]:
         """At each of the scales, how sP meets `x - Q`."""
-        thin = self.P.given.is_thin or self.Q.given.is_thin
-        kind = ThinMeeting if thin else Meeting
-        return [
-            kind(self.P.given, self.Q.given, s).decide(probe.at(s)).contact for s in self.scales
-        ]
+        if probe not in self._contacts:
+            thin = self.P.given.is_thin or self.Q.given.is_thin
+            kind = ThinMeeting if thin else Meeting
+            self._contacts[probe] = [
+                kind(self.P.given, self.Q.given, s).decide(probe.at(s)).contact for s in self.scales
+            ]
+        return self._contacts[probe]
 
     def euler(self, probe: Probe) -> int | None:
         """The Euler characteristic of what sP and `x - Q` have in common at the scale, where both
