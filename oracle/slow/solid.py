@@ -79,7 +79,11 @@ def shortest(v: Whole) -> Whole:
 def wholes(points: list[Place]) -> tuple[int, list[Whole]]:
     """The points over one denominator."""
     unit = lcm(1, *(value.denominator for point in points for value in point))
-    return unit, [(int(x * unit), int(y * unit), int(z * unit)) for x, y, z in points]
+    found = []
+    for point in points:
+        x, y, z = (value.numerator * (unit // value.denominator) for value in point)
+        found.append((x, y, z))
+    return unit, found
 
 
 def vector_area(ring: list[Place]) -> Whole:

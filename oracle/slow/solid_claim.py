@@ -91,8 +91,8 @@ def told_apart(one: Exposed, other: Exposed, dice: random.Random, tries: int = 4
 
 
 def _in_box(truth: SolidSum, dice: random.Random, count: int) -> Iterator[Place]:
-    low = [min(box[k] for box in truth.boxes) for k in range(3)]
-    high = [max(box[k + 3] for box in truth.boxes) for k in range(3)]
+    low = [min(box[0][k] for box in truth.boxes) for k in range(3)]
+    high = [max(box[1][k] for box in truth.boxes) for k in range(3)]
     for _ in range(count):
         x, y, z = (
             low[k] + (high[k] - low[k]) * Fraction(dice.randint(-20, 1020), 1000) for k in range(3)

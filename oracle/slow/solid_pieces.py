@@ -116,14 +116,15 @@ def sided(parts: list[Part], plane: Plane) -> list[Part]:
 def below(ring: Ring, plane: Plane) -> Ring:
     """The ring cut to n . x <= offset."""
     n, offset = plane
-    levels = [height(n, point) - offset for point in ring]
+    unit, points = wholes(ring)
+    levels = [inner(n, point) * offset.denominator - offset.numerator * unit for point in points]
     if max(levels) <= 0:
         return ring
     kept: Ring = []
     for k, b in enumerate(ring):
         a, at_a, at_b = ring[k - 1], levels[k - 1], levels[k]
         if at_a * at_b < 0:
-            t = at_a / (at_a - at_b)
+            t = Fraction(at_a, at_a - at_b)
             x, y, z = (p + t * (q - p) for p, q in zip(a, b, strict=True))
             kept.append((x, y, z))
         if at_b <= 0:

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from .exact import InputError
-from .solid import Place, Solid, Whole, inner, outer, shortest, wholes
+from .solid import Place, Solid, Whole, inner, outer, plus, shortest, wholes
 from .solid_pieces import Piece, convex_pieces
 
 HalfSpace = tuple[Whole, int, int]  # n . x <= bound / unit
@@ -26,10 +26,8 @@ class SolidSum:
         self.P = convex_pieces(P.scaled(factors))
         self.Q = convex_pieces(Q)
         self.pairs = [(a, b) for a in self.P for b in self.Q]
-        self.boxes = [
-            tuple(x + y for x, y in zip((*a.low, *a.high), (*b.low, *b.high), strict=True))
-            for a, b in self.pairs
-        ]
+        self.boxes = [(plus(a.low, b.low), plus(a.high, b.high)) for a, b in self.pairs]
+        self._ends = [wholes([*box]) for box in self.boxes]
         self._bounds: dict[int, list[HalfSpace]] = {}
 
     def bounds(self, pair: int) -> list[HalfSpace]:
@@ -43,8 +41,9 @@ class SolidSum:
         point x; with ways u, v, ... the point x + e u + e^2 v + ... for all small e > 0. Exact. The
         pairs of pieces times the half-spaces of each at worst."""
         w, (whole,) = wholes([x])
-        for pair, box in enumerate(self.boxes):
-            if any(x[k] < box[k] or x[k] > box[k + 3] for k in range(3)):
+        for pair, (unit, (low, high)) in enumerate(self._ends):
+            place = (c * unit for c in whole)
+            if not all(a * w <= c <= b * w for a, c, b in zip(low, place, high, strict=True)):
                 continue
             if self._in_pair(pair, whole, w, ways, interiors):
                 return True

@@ -10,16 +10,17 @@ from __future__ import annotations
 from collections import defaultdict
 from collections.abc import Iterator
 from fractions import Fraction
-from itertools import pairwise
+from itertools import combinations, pairwise
 from math import lcm
 
 from .exact import Point, Vector, cross, primitive
-from .exposed import Exposed, Segment, exposed, is_mirrored, lifted, seen, sides, viewing_axis
+from .exposed import Exposed, Segment, exposed, is_mirrored, lifted, seen, viewing_axis
 from .solid import Place, Whole, inner, outer, shortest, vector_area, wholes
 from .solid_pieces import Piece, Plane, below
 from .solid_sum import SolidSum
 
-Line = tuple[Vector, Fraction]
+Line = tuple[Vector, int]
+WholeSegment = tuple[Vector, Vector]
 
 
 def whole_sum(truth: SolidSum) -> Exposed:
@@ -51,20 +52,24 @@ def section(truth: SolidSum, pair: int, facets: list[Plane], plane: Plane) -> li
     """What the sum of two pieces has of the plane, as a ring; none where that has no area, or all
     of the sum is below the plane."""
     (a, b, c), offset = plane
-    box = truth.boxes[pair]
-    ring = square(plane, min(box[:3]) - 1, max(box[3:]) + 1)
+    if height_along(truth, pair, (a, b, c)) < offset:
+        return []
+    if height_along(truth, pair, (-a, -b, -c)) < -offset:
+        return []
+    low, high = truth.boxes[pair]
+    ring = square(plane, min(low) - 1, max(high) + 1)
     for n, bound in facets:
-        if n == (a, b, c):
-            if bound < offset:
-                return []
-        elif n == (-a, -b, -c):
-            if bound < -offset:
-                return []
-        else:
+        if n not in ((a, b, c), (-a, -b, -c)):
             ring = below(ring, (n, bound))
             if len(ring) < 3:
                 return []
     return ring if vector_area(ring) != (0, 0, 0) else []
+
+
+def height_along(truth: SolidSum, pair: int, n: Whole) -> Fraction:
+    """The greatest n . x over the sum of two pieces."""
+    a, b = truth.pairs[pair]
+    return Fraction(a.support(n) * b.unit + b.support(n) * a.unit, a.unit * b.unit)
 
 
 def square(plane: Plane, low: Fraction, high: Fraction) -> list[Place]:
@@ -78,23 +83,38 @@ def _rim(truth: SolidSum, facets: list[list[Plane]], plane: Plane) -> Iterator[S
     axis = viewing_axis(plane[0])
     rings = []
     for pair in range(len(truth.pairs)):
-        ring = section(truth, pair, facets[pair], plane)
-        if ring:
-            flat = [seen(point, axis) for point in ring]
+        flat = [seen(point, axis) for point in section(truth, pair, facets[pair], plane)]
+        if flat:
             rings.append([point for k, point in enumerate(flat) if point != flat[k - 1]])
-    lines: dict[Line, set[Segment]] = defaultdict(set)
-    for flat in rings:
-        for a, b in sides(flat):
-            lines[line_of(a, b)].add((min(a, b), max(a, b)))
+    unit = lcm(1, *(value.denominator for ring in rings for point in ring for value in point))
+    lines: dict[Line, set[WholeSegment]] = defaultdict(set)
+    for ring in rings:
+        whole = [(int(x * unit), int(y * unit)) for x, y in ring]
+        for start, end in zip(whole, whole[1:] + whole[:1], strict=True):
+            lines[line_of(start, end)].add((min(start, end), max(start, end)))
+    stops: dict[Line, set[Point]] = defaultdict(set)
+    for (one, ours), (other, theirs) in combinations(lines.items(), 2):
+        point = meeting(one, other)
+        if point and has(ours, point) and has(theirs, point):
+            x, y, t = point
+            for line in (one, other):
+                stops[line].add(over((x, y), t * unit))
     for line, segments in lines.items():
-        stops = {end for segment in segments for end in segment}
-        for other, theirs in lines.items():
-            point = meeting(line, other)
-            if point and any(a <= point <= b for a, b in theirs):
-                stops.add(point)
-        for a, b in pairwise(sorted(stops)):
-            if any(low <= a and b <= high for low, high in segments):
+        spans = [(over(low, unit), over(high, unit)) for low, high in segments]
+        for a, b in pairwise(sorted({*stops[line], *(end for span in spans for end in span)})):
+            if any(low <= a and b <= high for low, high in spans):
                 yield from _part(truth, plane, a, b)
+
+
+def over(point: Vector, unit: int) -> Point:
+    return Fraction(point[0], unit), Fraction(point[1], unit)
+
+
+def has(segments: set[WholeSegment], point: tuple[int, int, int]) -> bool:
+    """One of the segments of a line has this point of it, whose coordinates are over the third
+    number, a positive one."""
+    x, y, t = point
+    return any((a[0] * t, a[1] * t) <= (x, y) <= (b[0] * t, b[1] * t) for a, b in segments)
 
 
 def _part(truth: SolidSum, plane: Plane, a: Point, b: Point) -> Iterator[Segment]:
@@ -116,18 +136,19 @@ def is_exposed(truth: SolidSum, normal: Whole, x: Place, way: Whole) -> bool:
     return truth.holds(x, [way, (-a, -b, -c)]) and not truth.holds(x, [way, normal])
 
 
-def line_of(a: Point, b: Point) -> Line:
+def line_of(a: Vector, b: Vector) -> Line:
     """Its direction, to the right or upwards, and the cross product of that with its points."""
     low, high = min(a, b), max(a, b)
-    unit = lcm(*(value.denominator for value in (*low, *high)))
-    d = primitive(int((high[0] - low[0]) * unit), int((high[1] - low[1]) * unit))
-    return d, d[0] * low[1] - d[1] * low[0]
+    d = primitive(high[0] - low[0], high[1] - low[1])
+    return d, cross(d, low)
 
 
-def meeting(one: Line, other: Line) -> Point | None:
-    """The point in which two lines meet; None if they are parallel."""
+def meeting(one: Line, other: Line) -> tuple[int, int, int] | None:
+    """The point in which two lines meet, over its third number, a positive one; None if they are
+    parallel."""
     (d, c), (e, f) = one, other
     turn = cross(d, e)
     if turn == 0:
         return None
-    return (e[0] * c - d[0] * f) / turn, (e[1] * c - d[1] * f) / turn
+    x, y = e[0] * c - d[0] * f, e[1] * c - d[1] * f
+    return (x, y, turn) if turn > 0 else (-x, -y, -turn)

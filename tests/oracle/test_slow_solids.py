@@ -162,8 +162,8 @@ def test_points_are_decided_as_by_meeting(family: str, index: int) -> None:
     pair = replace(pair, scale=Fraction(1 + index, 2))
     truth = SolidSum(solid(pair.P), solid(pair.Q), uniform(Fraction(1 + index, 2)))
     dice = random.Random(f"{SEED} {family} {index}")
-    low, high = ([f(box[k] for box in truth.boxes) for k in r] for f, r in
-                 ((min, range(3)), (max, range(3, 6))))  # fmt: skip
+    ends = [end for box in truth.boxes for end in box]
+    low, high = ([f(end[k] for end in ends) for k in range(3)] for f in (min, max))
     for _ in range(25):
         x, y, z = (
             a + (b - a) * Fraction(dice.randint(0, 12), 12) for a, b in zip(low, high, strict=True)
