@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from bisect import bisect_left
+from collections.abc import Iterator
 from fractions import Fraction
 from itertools import product
 from math import prod
@@ -36,14 +37,31 @@ def sum_by_boxes(P: Polyhedron, Q: Polyhedron, s: Fraction) -> str | None:
             for k in range(3)
         ]
         cells |= set(product(*ranges))  # type: ignore[arg-type]
-    rings = []
-    for cell in cells:
-        for axis, step in product(range(3), (0, 1)):
-            beyond = list(cell)
-            beyond[axis] += 2 * step - 1
-            if tuple(beyond) not in cells:
-                rings.append([_place(stops, corner) for corner in side(cell, axis, step)])
-    return of_faces(rings).text()
+    return of_faces(_rims(cells, stops)).text()
+
+
+def _rims(cells: set[Cell], stops: list[list[Fraction]]) -> Iterator[list[Place]]:
+    """Of the sides of cells with no cell beyond, those in a row taken together: rectangles,
+    counter-clockwise seen from outside."""
+    for axis, step in product(range(3), (0, 1)):
+        u = (axis + 1) % 3
+        bare = {cell for cell in cells if _next(cell, axis, 2 * step - 1) not in cells}
+        for cell in bare:
+            if _next(cell, u, -1) in bare:
+                continue
+            last = cell
+            while _next(last, u, 1) in bare:
+                last = _next(last, u, 1)
+            ring = []
+            for corner in side(cell, axis, step):
+                at_end = corner[u] > cell[u]
+                ring.append(_place(stops, _next(corner, u, last[u] - cell[u] if at_end else 0)))
+            yield ring
+
+
+def _next(cell: Cell, axis: int, steps: int) -> Cell:
+    x, y, z = (c + steps * (k == axis) for k, c in enumerate(cell))
+    return x, y, z
 
 
 def _place(stops: list[list[Fraction]], corner: Cell) -> Place:

@@ -21,15 +21,20 @@ Vector = tuple[Fraction, Fraction, Fraction]
 
 def lines_under_two_hash_seeds(script: str) -> list[str]:
     """What a script prints, which must not depend on how Python hashes."""
-    found = []
-    for hash_seed in "01":
-        env = {**os.environ, "PYTHONHASHSEED": hash_seed}
-        ran = subprocess.run(
-            [sys.executable, "-c", script], capture_output=True, text=True, env=env, check=True
+    running = [
+        subprocess.Popen(
+            [sys.executable, "-c", script],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+            env={**os.environ, "PYTHONHASHSEED": hash_seed},
         )
-        found.append(ran.stdout)
-    assert found[0] == found[1]
-    return found[0].splitlines()
+        for hash_seed in "01"
+    ]
+    ran = [(*each.communicate(), each.returncode) for each in running]
+    assert [code for *_, code in ran] == [0, 0], ran
+    assert ran[0][0] == ran[1][0]
+    return ran[0][0].splitlines()
 
 
 def faults_of_spoilt(

@@ -1,0 +1,32 @@
+"""The members of the families of polyhedra of any shape that tests look at."""
+
+from __future__ import annotations
+
+import json
+from fractions import Fraction
+from functools import cache
+from typing import Any
+
+from minkref.degeneracies.catalogue import SOLID_FAMILIES
+from minkref.degeneracies.solids.case_document import DegenerateSolids
+from minkref.fuzz.space.polyhedron import Polyhedron
+
+SEED = 911
+COUNT = 2
+
+
+@cache
+def documents(name: str) -> list[Any]:
+    """As they are read from their files."""
+    print(f"{name} --seed {SEED}")
+    made = [DegenerateSolids.of(SOLID_FAMILIES[name], SEED, k) for k in range(COUNT)]
+    return [json.loads(each.case_text) for each in made]
+
+
+def operands(value: Any) -> tuple[Polyhedron, Polyhedron]:
+    return Polyhedron.from_document(value["P"]), Polyhedron.from_document(value["Q"])
+
+
+def scales(value: Any) -> list[Fraction]:
+    assert all(len(set(scale)) == 1 for scale in value["scales"])
+    return [Fraction(scale[0]) for scale in value["scales"]]
