@@ -27,8 +27,11 @@ RULE = (
 
 @dataclass(frozen=True)
 class Picture:
+    """A plot is shown as wide as it is, if there is room."""
+
     caption: str
     svg: str
+    is_plot: bool = False
 
 
 @dataclass(frozen=True)

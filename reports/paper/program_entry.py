@@ -43,12 +43,13 @@ def program_entry(runs: Runs | None) -> Entry:
         + ("" if runs.paper_models else " Look-alikes stand for the paper's models.")
     )
     pictures = [
-        Picture("Right after so many re-scalings, against the precision", precision_plot(runs)),
+        Picture("Right after so many re-scalings, against the precision",
+                precision_plot(runs), True),
         Picture("By pair: + right, \N{MINUS SIGN} wrong after "
-                f"{counts} and {last} re-scalings; - not tried", pairs_plot(runs)),
-        Picture("Which formula is to blame: it alone is as printed", blame_plot(runs)),
+                f"{counts} and {last} re-scalings; - not tried", pairs_plot(runs), True),
+        Picture("Which formula is to blame: it alone is as printed", blame_plot(runs), True),
         Picture("Finding the critical intervals, all formulas corrected, one thread: a point for "
-                "each pair of operands", time_plot(runs)),
+                "each pair of operands", time_plot(runs), True),
     ]  # fmt: skip
     tables = [_shares(runs), _times(runs), _rows(runs)]
     claims = _claims(runs)
