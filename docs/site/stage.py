@@ -38,6 +38,7 @@ GUIDE = (
     "strategies",
     "certificates",
     "certificates-convex",
+    "certificates-solids",
     "degeneracies",
     "roadmap",
 )

@@ -31,7 +31,11 @@ def test_another_form_is_malformed(check: Any, folder: Path, form: Any) -> None:
     value = {**cubes.certificate(), "certificate": form}
     (folder / "it.cert.json").write_text(json.dumps(value), encoding="utf-8")
     code, said = check(folder / "it.cert.json")
-    assert code == 2 and "this is no certificate-v1 or convex-certificate-v1, but" in said
+    assert (
+        code == 2
+        and "this is no certificate-v1 or convex-certificate-v1 or solid-certificate-v1, but"
+        in said
+    )
 
 
 @pytest.mark.parametrize(
