@@ -1142,10 +1142,11 @@ class SolidSum:
         """The half-spaces whose intersection the sum of two pieces is; those of its box first."""
         if pair not in self._bounds:
             A, B = self.P.hulls[pair[0]], self.Q.hulls[pair[1]]
-            normals = dict.fromkeys((*AXES, *A.facets, *B.facets))
+            others = {*A.facets, *B.facets}
             for way in (shortest(cross_in_space(e, f)) for e in A.ways for f in B.ways):
                 if any(way):
-                    normals[way] = normals[negative(way)] = None
+                    others |= {way, negative(way)}
+            normals = [*AXES, *sorted(others - {*AXES})]
             self.budget.spend(len(normals) * (len(A.points) + len(B.points)))
             self._bounds[pair] = [(n, A.support(n) + B.support(n)) for n in normals]
         return self._bounds[pair]

@@ -5,62 +5,13 @@
 #include <set>
 #include <utility>
 
-#include "oracle/checker/reading.hpp"
 #include "oracle/checker/sha256.hpp"
+#include "oracle/checker/space.hpp"
 
 namespace minkref::checker {
 namespace {
 
 constexpr const char* form = "convex-certificate-v1";
-
-using Whole = std::array<mpz_class, 3>;
-using Triple = std::array<mpq_class, 3>;
-using Ring = std::vector<std::uint32_t>;
-
-Whole minus(const Whole& u, const Whole& v) {
-  return {mpz_class(u[0] - v[0]), mpz_class(u[1] - v[1]), mpz_class(u[2] - v[2])};
-}
-
-Whole cross(const Whole& u, const Whole& v) {
-  return {mpz_class(u[1] * v[2] - u[2] * v[1]), mpz_class(u[2] * v[0] - u[0] * v[2]),
-          mpz_class(u[0] * v[1] - u[1] * v[0])};
-}
-
-mpz_class dot(const Whole& u, const Whole& v) {
-  mpz_class value = u[0] * v[0];
-  value += u[1] * v[1];
-  value += u[2] * v[2];
-  return value;
-}
-
-/// Positive if the way a b c turns left, seen against the normal.
-int turn(const Whole& a, const Whole& b, const Whole& c, const Whole& normal) {
-  return sgn(dot(cross(minus(b, a), minus(c, b)), normal));
-}
-
-std::vector<Whole> corners_of(const Ring& ring, const std::vector<Whole>& points) {
-  std::vector<Whole> corners;
-  for (const std::uint32_t v : ring) corners.push_back(points[v]);
-  return corners;
-}
-
-/// Twice the area, to the side from which the ring runs counter-clockwise.
-Whole area_vector(const std::vector<Whole>& ring) {
-  Whole area;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Whole part = cross(ring[i], ring[(i + 1) % ring.size()]);
-    for (std::size_t k = 0; k < 3; ++k) area[k] += part[k];
-  }
-  return area;
-}
-
-bool is_zero(const Whole& v) { return v[0] == 0 && v[1] == 0 && v[2] == 0; }
-
-/// The shortest whole vector in this direction.
-Whole primitive(const Whole& v) {
-  const mpz_class divisor = gcd(gcd(v[0], v[1]), v[2]);
-  return {mpz_class(v[0] / divisor), mpz_class(v[1] / divisor), mpz_class(v[2] / divisor)};
-}
 
 /// The points that are farthest along a normal, and how far they are.
 struct Farthest {
@@ -82,11 +33,6 @@ struct Farthest {
   }
 };
 
-bool is_ring(const Ring& ring) {
-  const std::set<std::uint32_t> different(ring.begin(), ring.end());
-  return different.size() == ring.size() && ring.size() >= 3;
-}
-
 /// Whether each directed edge is in one ring only, and its reverse in one.
 bool is_closed(const std::vector<Ring>& rings) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges, reverses;
@@ -100,100 +46,6 @@ bool is_closed(const std::vector<Ring>& rings) {
   std::sort(edges.begin(), edges.end());
   std::sort(reverses.begin(), reverses.end());
   return edges == reverses && std::adjacent_find(edges.begin(), edges.end()) == edges.end();
-}
-
-/// Whether all numbers below `end` occur.
-bool all_used(const std::vector<Ring>& rings, std::size_t end) {
-  std::vector<bool> used(end);
-  for (const Ring& ring : rings) {
-    for (const std::uint32_t v : ring) used[v] = true;
-  }
-  return std::find(used.begin(), used.end(), false) == used.end();
-}
-
-/// The corners of the hull of points in a plane, in which lexicographic order is a sweep.
-std::vector<Whole> hull_in_plane(std::vector<Whole> points, const Whole& normal) {
-  std::sort(points.begin(), points.end());
-  std::vector<Whole> both;
-  for (int run = 0; run < 2; ++run) {
-    std::vector<Whole> chain;
-    for (const Whole& p : points) {
-      while (chain.size() > 1 && turn(chain[chain.size() - 2], chain.back(), p, normal) <= 0) {
-        chain.pop_back();
-      }
-      chain.push_back(p);
-    }
-    both.insert(both.end(), chain.begin(), chain.end() - 1);
-    std::reverse(points.begin(), points.end());
-  }
-  return both;
-}
-
-Triple triple(const Value& value) {
-  const auto& three = items(value, 3);
-  return {number(three[0]), number(three[1]), number(three[2])};
-}
-
-/// The products, which are whole numbers.
-Whole times(const Triple& factors, const Triple& point) {
-  Whole result;
-  for (std::size_t k = 0; k < 3; ++k) result[k] = mpq_class(factors[k] * point[k]).get_num();
-  return result;
-}
-
-std::string list(const Ring& ring) {
-  std::string text;
-  for (const std::uint32_t v : ring) text += (text.empty() ? "" : ",") + std::to_string(v);
-  return "[" + text + "]";
-}
-
-/// What is hashed.
-std::string canonical_json(const std::vector<Ring>& faces, const std::vector<Triple>& vertices) {
-  std::string first, second;
-  for (const Ring& face : faces) first += (first.empty() ? "" : ",") + list(face);
-  for (const Triple& v : vertices) {
-    second += (second.empty() ? "[\"" : ",[\"") + v[0].get_str() + "\",\"" + v[1].get_str() +
-              "\",\"" + v[2].get_str() + "\"]";
-  }
-  return "{\"faces\":[" + first + "],\"vertices\":[" + second + "]}";
-}
-
-/// A polyhedron, its vertices and faces in the order of the file.
-struct Body {
-  std::string name;
-  std::vector<Triple> exact;
-  std::vector<Whole> points;  ///< in units that make them whole
-  std::vector<Ring> faces;
-};
-
-Body read_body(const Value& case_value, const std::string& name) {
-  static const Value nothing;
-  const auto found = std::find_if(case_value.members.begin(), case_value.members.end(),
-                                  [&](const Member& member) { return member.name == name; });
-  const auto parts =
-      members(found == case_value.members.end() ? nothing : found->value, "vertices faces");
-  Body body;
-  body.name = name;
-  for (const Value& vertex : items(*parts[0])) body.exact.push_back(triple(vertex));
-  for (const Value& face : items(*parts[1])) {
-    body.faces.push_back(indices(face, body.exact.size()));
-  }
-  require(!body.faces.empty(), name + " has no face");
-  for (const Ring& face : body.faces) {
-    require(is_ring(face), name + " has a face that is no ring");
-  }
-  require(all_used(body.faces, body.exact.size()), name + " has a vertex in no face");
-  return body;
-}
-
-/// Follows an inner part; what is wrong there is said with its place.
-template <class Use>
-void within(const std::string& place, Use&& use) {
-  try {
-    use();
-  } catch (const NotVerified& error) {
-    throw NotVerified(error.code, place + ": " + error.what());
-  }
 }
 
 /// Whether the faces go once around the convex hull of the vertices.
@@ -284,9 +136,8 @@ class Sum {
     const std::string digest = sha256(canonical_json(rings_, exact));
     demand(claim[6]->kind == Value::Kind::text && claim[6]->text == digest,
            "the digest is another");
-    return "sum: at (" + scaling_[0].get_str() + ", " + scaling_[1].get_str() + ", " +
-           scaling_[2].get_str() + "), " + vertices.get_str() + " vertices, " + facets.get_str() +
-           " facets, volume " + volume.get_str() + ", " + digest;
+    return "sum: at (" + to_text(scaling_) + "), " + vertices.get_str() + " vertices, " +
+           facets.get_str() + " facets, volume " + volume.get_str() + ", " + digest;
   }
 
  private:
@@ -348,101 +199,35 @@ class Sum {
   std::set<Whole> normals_;
 };
 
-/// What makes all coordinates whole.
-mpz_class common_unit(const std::array<Body, 2>& bodies, Budget& budget) {
-  mpz_class unit = 1;
-  for (const Body& body : bodies) {
-    for (const Triple& point : body.exact) {
-      for (const mpq_class& c : point) unit = lcm(unit, c.get_den());
-      budget.spend(1 + mpz_sizeinbase(unit.get_mpz_t(), 2) / 64);
-    }
-  }
-  return unit;
-}
-
-std::array<Body, 2> read_case_in_space(const Value& value) {
-  require(value.kind == Value::Kind::object, "this is no case");
-  const bool in_space =
-      std::any_of(value.members.begin(), value.members.end(), [](const Member& member) {
-        return member.name == "dimension" && member.value.kind == Value::Kind::integer &&
-               member.value.text == "3";
-      });
-  require(in_space, "this is no case in space");
-  Body P = read_body(value, "P");
-  return {std::move(P), read_body(value, "Q")};
-}
-
 std::vector<Sum> follow(const Value& sums, const std::array<Body, 2>& bodies, const mpz_class& unit,
                         Budget& budget) {
   std::vector<Sum> found;
-  std::set<Triple> scalings;
   for (const Value& sum : items(sums)) {
     within("sum " + std::to_string(found.size()),
            [&] { found.emplace_back(sum, bodies[0], bodies[1], unit, budget); });
-    scalings.insert(found.back().scaling());
   }
-  require(scalings.size() == found.size(), "two sums are at one scaling");
   return found;
-}
-
-std::vector<std::string> check_claims(const Value& claims, const std::vector<Sum>& sums,
-                                      Budget& budget) {
-  std::set<std::string> different;
-  for (const Value& claim : items(claims)) {
-    require(different.insert(written_out(claim)).second, "a claim is made twice");
-  }
-  std::vector<std::string> said;
-  std::set<std::uint32_t> used;
-  for (const Value& claim : items(claims)) {
-    within("claim " + std::to_string(said.size()), [&] {
-      budget.spend(64);
-      const auto parts = members(claim, "claim sum scaling vertices facets volume digest");
-      require(parts[0]->kind == Value::Kind::text && parts[0]->text == "sum",
-              "there is no such claim");
-      const std::uint32_t of = index(*parts[1], sums.size());
-      used.insert(of);
-      said.push_back(sums[of].check_claim(parts));
-    });
-  }
-  require(!said.empty() && used.size() == sums.size(), "nothing is claimed, or a sum is not used");
-  return said;
 }
 
 }  // namespace
 
-bool is_convex_certificate(const Value& certificate) {
-  return std::any_of(certificate.members.begin(), certificate.members.end(), [](const Member& m) {
-    return m.name == "certificate" && m.value.kind == Value::Kind::text && m.value.text == form;
-  });
-}
+bool is_convex_certificate(const Value& certificate) { return has_form(certificate, form); }
 
 std::vector<std::string> check_convex(const Value& certificate,
                                       const std::function<Value(const std::string&)>& read_case,
                                       Budget& budget) {
-  require(is_convex_certificate(certificate), std::string("this is no ") + form);
-  const auto parts = members(certificate, "certificate title? comment? producer? case sums claims");
-  for (const Value* told : {parts[1], parts[2], parts[3]}) {
-    require(told->is_null() || told->kind == Value::Kind::text, "what carries no truth is no text");
-  }
-  const auto of = members(*parts[4], "path sha256");
-  std::array<Body, 2> bodies = read_case_in_space(read_case(path(*of[0])));
-  std::string plain;
-  for (const Body& body : bodies) {
-    plain += (plain.empty() ? "{\"" : ",\"") + body.name + "\":";
-    plain += canonical_json(body.faces, body.exact);
-  }
-  demand(of[1]->kind == Value::Kind::text && sha256(plain + "}") == of[1]->text,
-         "this is not the case that is certified");
-  const mpz_class unit = common_unit(bodies, budget);
+  InSpace opened = open_in_space(certificate, form, "sums", read_case);
+  mpz_class unit = 1;
+  for (const Body& body : opened.bodies) add_denominators(body.exact, unit, budget);
   const mpq_class whole(unit);
-  for (Body& body : bodies) {
+  for (Body& body : opened.bodies) {
     for (const Triple& point : body.exact) {
       body.points.push_back(times({whole, whole, whole}, point));
     }
     check_body(body, budget);
   }
-  const std::vector<Sum> sums = follow(*parts[5], bodies, unit, budget);
-  return check_claims(*parts[6], sums, budget);
+  const std::vector<Sum> sums = follow(*opened.argument, opened.bodies, unit, budget);
+  return check_claims(*opened.claims, sums, "vertices facets volume digest", budget);
 }
 
 }  // namespace minkref::checker

@@ -13,6 +13,7 @@
 #include "oracle/checker/claims.hpp"
 #include "oracle/checker/convex.hpp"
 #include "oracle/checker/gzip.hpp"
+#include "oracle/checker/solid.hpp"
 
 namespace {
 
@@ -153,9 +154,10 @@ void check_file(const std::string& file, const Options& options) {
   };
   try {
     const Value certificate = parse_json(read(file, most, file == "-"), false);
-    const auto said = is_convex_certificate(certificate)
-                          ? check_convex(certificate, read_case, budget)
-                          : check(certificate, read_case, budget);
+    const auto said =
+        is_convex_certificate(certificate)  ? check_convex(certificate, read_case, budget)
+        : is_solid_certificate(certificate) ? check_solids(certificate, read_case, budget)
+                                            : check(certificate, read_case, budget);
     std::cout << shown(file) << ": verified\n";
     for (const std::string& line : said) std::cout << "  " << shown(line) << "\n";
   } catch (const NotVerified& error) {

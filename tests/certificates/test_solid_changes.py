@@ -1,0 +1,81 @@
+"""Certificates of sums of solids with small changes, each before both checkers, which agree; what
+they still verify is true by the slow engine."""
+
+from __future__ import annotations
+
+import copy
+import hashlib
+import random
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import cubes
+import pytest
+import solids
+from minkref.fuzz.space.cells import surface_of
+from minkref.fuzz.space.polyhedron import Polyhedron
+from test_convex_changes import Change, both_verdicts, changed, digest_if_it_has_one
+
+SEED, MOST = 71, 700
+PAIRS: dict[str, tuple[Polyhedron, Polyhedron, solids.Scaling]] = {
+    "L and cube": (solids.L, solids.brick(1, 1, 1), solids.UNEQUAL),
+    "two cells and a tetrahedron": (
+        surface_of({(0, 0, 0), (2, 0, 0)}), solids.tetrahedron(), ("1/3", "1/2", "1"),
+    ),
+}  # fmt: skip
+
+
+def changes(certificate: Any, case: Any) -> list[Change]:
+    """Of the certificate, and of the case with its digest as it was and as it has become."""
+    found = [(value, case) for value in changed(certificate)]
+    for value in changed(case):
+        found.append((certificate, value))
+        digest = digest_if_it_has_one(value)
+        if digest is not None and digest != certificate["case"]["sha256"]:
+            repaired = copy.deepcopy(certificate)
+            repaired["case"]["sha256"] = digest
+            found.append((repaired, value))
+    return found
+
+
+def is_true(certificate: Any, case: Any) -> bool:
+    """By the slow engine; sums that are convex, of which it says no digest, by the volume."""
+    P, Q = (cubes.polyhedron(case[name]) for name in "PQ")
+    for claim in certificate["claims"]:
+        text, volume = solids.by_the_slow_engine(P, Q, tuple(claim["scaling"]))
+        if Fraction(claim["volume"]) != Fraction(volume):
+            return False
+        if claim["digest"] != hashlib.sha256(text.encode()).hexdigest():
+            return False
+    return True
+
+
+@pytest.mark.parametrize("name", PAIRS)
+def test_every_change_is_refused_or_true(tmp_path: Path, name: str) -> None:
+    P, Q, scaling = PAIRS[name]
+    certificate, case = solids.values(P, Q, [scaling])
+    certificate = {name: certificate[name] for name in ("certificate", "case", "proof", "claims")}
+    given = changes(certificate, case)
+    print(len(given), SEED)
+    given = random.Random(SEED).sample(given, MOST)
+    codes = both_verdicts(tmp_path, [(certificate, case), *given])
+    assert codes[0] == 0 and is_true(certificate, case)
+    held = [one for one, code in zip(given, codes[1:], strict=True) if code == 0]
+    different = {repr((one["claims"], of)): (one, of) for one, of in held}
+    assert all(is_true(*one) for one in different.values())
+    assert all(same_claims(one, certificate) for one, _ in held)
+    assert len(held) < len(given) / 10
+    by_code = {code: codes.count(code) for code in (0, 1, 2)}
+    assert by_code[1] > 100 and by_code[2] > 100, by_code
+
+
+def same_claims(one: Any, other: Any) -> bool:
+    return [numbers(claim) for claim in one["claims"]] == [
+        numbers(claim) for claim in other["claims"]
+    ]
+
+
+def numbers(claim: Any) -> Any:
+    scaling = [Fraction(factor) for factor in claim["scaling"]]
+    return {**claim, "scaling": scaling, "volume": Fraction(claim["volume"])}
