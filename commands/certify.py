@@ -14,6 +14,7 @@ import typer
 from minkref import _core
 from minkref.certify.certificate import Certificate, NoProof
 from minkref.certify.convex_certificate import ConvexCertificate
+from minkref.certify.solid_certificate import SolidCertificate
 from minkref.commands.certify_check import is_verified
 from minkref.commands.line.memory import SIMPLER, Memory, memory_wall
 from minkref.commands.line.options import FirstOperand, Json, Schema, SecondOperand
@@ -30,9 +31,8 @@ from minkref.errors import Refusal, refusing
 from minkref.exact import read_point, read_scale
 from minkref.operand import read_operand
 from minkref.output_target import refuse_stream
-from minkref.space.operand import in_space, read_space_operand
+from minkref.space.operand import SpaceOperand, in_space, read_summand
 from minkref.space.scaling import Scaling, read_scaling
-from minkref.space.sums import bodies
 from minkref.terminal import escaped
 
 EXAMPLES = """Examples:
@@ -47,7 +47,9 @@ minkref certify P.wkt Q.wkt --scale 2 --point 1/3,5 -o point.cert.json
 
 minkref certify g1 g2 --from 1 --to 11/10 -o interval.cert.json.gz
 
-minkref certify gs3 rod --scale 2,1/3,5 -o convex.cert.json"""
+minkref certify gs3 rod --scale 2,1/3,5 -o convex.cert.json
+
+minkref certify P.off Q.stl --scale 7/5 -o solids.cert.json"""
 
 
 # By whether the checker has verified it; none: it was not asked.
@@ -57,7 +59,7 @@ CHECKED = {
     None: "not checked (--no-check)\n",
 }
 
-Make = Callable[[], Certificate | ConvexCertificate]
+Make = Callable[[], Certificate | ConvexCertificate | SolidCertificate]
 
 
 def command(
@@ -123,8 +125,8 @@ def command(
 ) -> None:
     """Write a certificate: a proof in steps that `minkref check`, or your own checker, verifies
     without trusting minkref (docs/certificates.md; for convex polyhedra
-    docs/certificates-convex.md). It is checked before it is written; a certificate that is not a
-    proof would be a fault of minkref, and is not written."""
+    docs/certificates-convex.md, for others docs/certificates-solids.md). It is checked before it is
+    written; a certificate that is not a proof would be a fault of minkref, and is not written."""
     watch = Stopwatch()
     stem = _stem(output)
     case = output.with_name(f"{stem}.case.json")
@@ -181,17 +183,27 @@ def _in_the_plane(P: str, Q: str, wish: Wish) -> tuple[list[Path], Make]:
 
 
 def _in_space(P: str, Q: str, wish: Wish) -> tuple[list[Path], Make]:
-    """The same for convex polyhedra."""
+    """The same for polyhedra: convex ones have a form of their own."""
     scaling = wish.scaling()
-    first, second = read_space_operand(P), read_space_operand(Q)
-    bodies(first, second)  # refuses what has no volume
+    first, second = read_summand(P), read_summand(Q)
+    for operand in (first, second):
+        _refuse_thin(operand)
 
-    def make() -> ConvexCertificate:
-        certificate = ConvexCertificate(first.surface, second.surface)
+    def make() -> ConvexCertificate | SolidCertificate:
+        convex = first.body is not None and second.body is not None
+        form = ConvexCertificate if convex else SolidCertificate
+        certificate = form(first.surface, second.surface)
         certificate.sum(scaling)
         return certificate
 
     return [first.file, second.file], make
+
+
+def _refuse_thin(operand: SpaceOperand) -> None:
+    """What has no volume has no certificate."""
+    if not operand.is_solid:
+        mend = "give a polyhedron by its faces"
+        raise Refusal("the operand has no volume", operand.name, mend, "not-solid")
 
 
 def _check_case(path: Path, text: str) -> None:

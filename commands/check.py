@@ -59,10 +59,11 @@ def command(
     schema: Schema = False,
 ) -> None:
     """Verify certificates (docs/certificates.md) step by step, in exact arithmetic, with none of
-    the code that made them, in the plane and of convex polyhedra (docs/certificates-convex.md). The
-    checker is a single file that also runs alone, oracle/checker/check.py. Exits with 0 if all are
-    verified, 1 if one is refuted, 2 if one is malformed or its case is missing, 4 if one is out of
-    budget; 1 takes precedence over 2, and 2 over 4."""
+    the code that made them, in the plane, of convex polyhedra (docs/certificates-convex.md) and of
+    any polyhedra (docs/certificates-solids.md). The checker is a single file that also runs alone,
+    oracle/checker/check.py. Exits with 0 if all are verified, 1 if one is refuted, 2 if one is
+    malformed or its case is missing, 4 if one is out of budget; 1 takes precedence over 2, and 2
+    over 4."""
     watch = Stopwatch()
     rows = []
     for path in _found(files):

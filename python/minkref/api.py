@@ -29,6 +29,7 @@ from minkref.argument_types import (
 from minkref.certify.certificate import Certificate as Certificate
 from minkref.certify.certificate import NoProof as NoProof
 from minkref.certify.convex_certificate import ConvexCertificate as ConvexCertificate
+from minkref.certify.solid_certificate import SolidCertificate as SolidCertificate
 from minkref.convolution_values import Convolution as Convolution
 from minkref.convolution_values import ConvolutionEdge as ConvolutionEdge
 from minkref.convolution_values import convolution as convolution

@@ -97,6 +97,7 @@ CALLS |= {
     "sum scale of a certificate": (lambda x: minkref.Certificate(SQUARE, SQUARE).sum(x), NUMBERS),
     "point x": (lambda x: minkref.Certificate(SQUARE, SQUARE).point(4, (x, 1)), NUMBERS),
     "ConvexCertificate P": (lambda x: minkref.ConvexCertificate(x, SIMPLEX), (minkref.Polyhedron,)),
+    "SolidCertificate Q": (lambda x: minkref.SolidCertificate(SIMPLEX, x), (minkref.Polyhedron,)),
 }
 REFUSED = (minkref.BadInput, minkref.Refusal)
 

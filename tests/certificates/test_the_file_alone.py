@@ -101,7 +101,7 @@ def test_the_worst_of_several_counts(folder: Path) -> None:
 
 
 def test_it_is_short_enough_to_be_read() -> None:
-    """Fewer than 1200 lines of code for all three forms; blank lines, comments and docstrings apart."""
+    """Fewer than 1200 lines of code for all forms; blank lines, comments and docstrings apart."""
     text = CHECKER.read_text(encoding="utf-8")
     passed = {tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT}
     passed |= {tokenize.ENDMARKER}

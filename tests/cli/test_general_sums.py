@@ -226,14 +226,37 @@ def test_commands_for_convex_operands_say_what_takes_others(
     P, Q = write("l.off", prism(L)), write("cube.off", cube())
     scales = write("scales.txt", "1\n")
     before = sorted(tmp_path.iterdir())
-    for words in (
-        ("sweep", P, Q, "--scales", scales),
-        ("certify", P, Q, "-o", tmp_path / "x.cert.json"),
-        ("convolution", Q, P),
-    ):
+    for words in (("sweep", P, Q, "--scales", scales), ("convolution", Q, P)):
         error = refused(minkref, *words)
         assert error["code"] == "not-convex"
         assert str(P) in error["where"] and "minkref sum" in error["mend"]
+    assert sorted(tmp_path.iterdir()) == before
+
+
+def test_a_certificate_is_written_and_verified(
+    minkref: Minkref, write: Any, tmp_path: Path
+) -> None:
+    P, Q = write("l.off", prism(L)), write("cube.off", cube())
+    path = tmp_path / "sum.cert.json.gz"
+    ran = minkref("certify", P, Q, "--scale", "1,2,1/2", "-o", path, "--json")
+    assert ran.code == 0
+    jsonschema.validate(ran.json, schema("certify"))
+    assert ran.json["verified"] is True
+    checked = minkref("check", path, "--json").json
+    assert [row["verdict"] for row in checked["files"]] == ["verified"]
+    digests = [claim["digest"] for claim in ran.json["claims"]]
+    assert digests == [minkref("sum", P, Q, "--scale", "1,2,1/2", "--json").json["digest"]]
+
+
+def test_what_has_no_volume_has_no_certificate(
+    minkref: Minkref, write: Any, tmp_path: Path
+) -> None:
+    solid, square = write("l.off", prism(L)), write("square.off", polygon(SQUARE))
+    before = sorted(tmp_path.iterdir())
+    for words in ((solid, square), (square, solid)):
+        error = refused(minkref, "certify", *words, "-o", tmp_path / "x.cert.json")
+        assert (error["code"], error["where"]) == ("not-solid", str(square))
+    assert refused(minkref, "certify", solid, solid, "--event", "2", "-o", tmp_path / "x.cert.json")
     assert sorted(tmp_path.iterdir()) == before
 
 
