@@ -14,9 +14,6 @@ from minkref.fuzz.space.cells import surface_of
 from minkref.fuzz.space.generators import machined
 from minkref.fuzz.space.generators.convex import box
 from minkref.fuzz.space.polyhedron import Polyhedron
-from minkref.oracle.slow.solid import Solid, solid_from_json
-from minkref.oracle.slow.solid_sum import SolidSum
-from minkref.oracle.slow.solid_whole import whole_sum
 
 Scaling = tuple[str, str, str]
 ONE: Scaling = ("1", "1", "1")
@@ -96,18 +93,3 @@ def written(certificate: SolidCertificate, folder: Path) -> Path:
     path = folder / "it.cert.json"
     path.write_text(certificate.text("case.json", "a test"), encoding="utf-8")
     return path
-
-
-def solid(body: Polyhedron) -> Solid:
-    return solid_from_json(body.document())
-
-
-def is_convex(P: Polyhedron, Q: Polyhedron, scaling: Scaling) -> bool:
-    return _core.edge_sum_in_space(given(P), given(Q), scaling).convex() is not None
-
-
-def by_the_slow_engine(P: Polyhedron, Q: Polyhedron, scaling: Scaling) -> tuple[str, str]:
-    """The canonical text, plane by plane, and the volume."""
-    x, y, z = map(Fraction, scaling)
-    found = whole_sum(SolidSum(solid(P), solid(Q), (x, y, z)))
-    return found.text(), str(found.volume())

@@ -12,6 +12,7 @@ from typing import Any
 Path = tuple[Any, ...]
 LEAST = Fraction(1, 1 << 80)
 NO_TRUTH = ("title", "comment", "producer")
+TREE = 2  # of the parts of a plane: a path to an entry is proof, sums, i, planes, j, 2, k
 
 
 @dataclass(frozen=True)
@@ -67,6 +68,8 @@ def _field(value: Any, path: Path) -> str:
     if len(path) > 1 and path[0] in ("steps", "claims"):
         entry = value[path[0]][path[1]]
         names[1] = entry.get("rule") or entry["claim"]
+    if path[0] == "proof" and path[5:6] == (TREE,) and len(path) > 6:
+        names[6] = at(value, path[:7])[0]
     return "/".join(names)
 
 

@@ -1,0 +1,68 @@
+"""Claims of certificates of sums in space, put before the slow engine, which knows nothing of
+proofs and shares nothing with what made or checked them."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from minkref.exact import digest
+from minkref.fuzz.space.hull import convex_hull
+from minkref.oracle.slow.exposed import Exposed, lifted, rings_of
+from minkref.oracle.slow.solid import height, solid_from_json
+from minkref.oracle.slow.solid_sum import SolidSum
+from minkref.oracle.slow.solid_whole import whole_sum
+
+
+@dataclass(frozen=True)
+class SolidFacts:
+    """What a claim says of a sum."""
+
+    planes: int
+    polygons: int
+    volume: Fraction
+    digest: str
+
+
+class SolidConfirmation:
+    """Of the claims about one case. A scaling that was asked for is not asked for again. For a few
+    dozen pairs of convex pieces."""
+
+    def __init__(self, case: Any) -> None:
+        self.P, self.Q = (solid_from_json(case[name]) for name in "PQ")
+        self._known: dict[tuple[Fraction, ...], SolidFacts] = {}
+
+    def all_hold(self, claims: list[Any]) -> bool:
+        return all(self.holds(claim) for claim in claims)
+
+    def holds(self, claim: Any) -> bool:
+        said = SolidFacts(
+            claim["planes"], claim["polygons"], Fraction(claim["volume"]), claim["digest"]
+        )
+        return said == self.facts(claim["scaling"])
+
+    def facts(self, scaling: Any) -> SolidFacts:
+        x, y, z = map(Fraction, scaling)
+        if (x, y, z) not in self._known:
+            found = whole_sum(SolidSum(self.P, self.Q, (x, y, z)))
+            polygons = sum(map(len, found.planes.values()))
+            text = canonical_text(found)
+            facts = SolidFacts(len(found.planes), polygons, found.volume(), digest(text))
+            self._known[x, y, z] = facts
+        return self._known[x, y, z]
+
+
+def canonical_text(found: Exposed) -> str:
+    """Of a sum in canonical form; a convex one is written as a polyhedron."""
+    corners = {
+        lifted(point, plane)
+        for plane, polygons in found.planes.items()
+        for ring in rings_of(polygons)
+        for point in ring
+    }
+    for normal, offset in found.planes:
+        if any(height(normal, corner) > offset for corner in corners):
+            return found.text()
+    return json.dumps(convex_hull(corners).document(), sort_keys=True, separators=(",", ":"))

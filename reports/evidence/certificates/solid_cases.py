@@ -1,0 +1,32 @@
+"""Pairs of solids of all families, small enough that the slow engine knows their whole sum."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from minkref import _core
+from minkref.certify.solid_certificate import SolidCertificate
+from minkref.fuzz.space.general_pairs import GeneralPair, general_pair
+from minkref.fuzz.space.polyhedron import Polyhedron
+
+
+def solid_pairs(seed: int) -> Iterator[GeneralPair]:
+    """Of each family in turn, without end; both operands have a volume."""
+    index = 0
+    while True:
+        pair = general_pair(seed, index)
+        if not (pair.P.is_thin or pair.Q.is_thin or len(pair.P.faces) < 2 or len(pair.Q.faces) < 2):
+            yield pair
+        index += 1
+
+
+def surface(body: Polyhedron) -> _core.Polyhedron:
+    value = body.document()
+    return _core.Polyhedron([tuple(vertex) for vertex in value["vertices"]], value["faces"])
+
+
+def certified(pair: GeneralPair) -> SolidCertificate:
+    certificate = SolidCertificate(surface(pair.P), surface(pair.Q))
+    scale = str(pair.scale)
+    certificate.sum((scale, scale, scale))
+    return certificate
