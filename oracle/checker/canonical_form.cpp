@@ -139,6 +139,7 @@ CanonicalForm canonical_form(const Tiles& tiles, const mpz_class& unit, Budget& 
     }
   }
   const bool convex = std::all_of(planes.begin(), planes.end(), [&](const FacePlane& plane) {
+    budget.spend(corners.size());
     return std::all_of(corners.begin(), corners.end(),
                        [&](const Triple& p) { return is_below(p, plane); });
   });

@@ -35,6 +35,7 @@ VERIFIED, REFUTED, MALFORMED, OUT_OF_BUDGET = 0, 1, 2, 4
 NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?(\d{1,3}|1000))?|[+-]?\d+/\d+", re.ASCII)
 SURROGATE = re.compile(r"(?<!\\)(\\\\)*\\u[dD][89a-fA-F]")
 MOST_DIGITS = 100_000  # of one number
+MOST_PAIRS = 20_000  # of pieces of solids
 AXES = ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1))
 CLAIMS = ("sum", "interval", "event", "point", "passage", "sign")
 
@@ -1122,6 +1123,7 @@ class SolidSum:
         for n in P.normals | Q.normals:
             tops = Q.tops(n, budget)
             for one, height in P.tops(n, budget):
+                budget.spend(len(tops))
                 for other, level in tops:
                     if len(one) > 2 or len(other) > 2:
                         budget.spend(len(one) * len(other))
@@ -1227,6 +1229,7 @@ class CanonicalForm:
         self, faces: dict[tuple[SpaceVector, int], list[list[Homogeneous]]], unit: int,
         budget: Budget,
     ) -> None:  # fmt: skip
+        self.budget = budget
         self.planes: list[tuple[SpaceVector, Fraction, list[Rings]]] = []
         triple = Fraction(0)
         for (normal, level), polygons in sorted(faces.items()):
@@ -1243,6 +1246,13 @@ class CanonicalForm:
         self.volume = triple / 3
         self.polygons = sum(len(region) for _, _, region in self.planes)
 
+    def is_convex(self, corners: list[SpacePoint]) -> bool:
+        for (a, b, c), offset, _ in self.planes:
+            self.budget.spend(len(corners))
+            if any(a * x + b * y + c * z > offset for x, y, z in corners):
+                return False
+        return True
+
     def value(self) -> Json:
         """That of a convex polyhedron where it is one."""
         corners = [
@@ -1250,11 +1260,7 @@ class CanonicalForm:
             for normal, offset, region in self.planes
         ]
         points = sorted({p for rings in corners for ring in rings for p in ring})
-        if not all(
-            normal[0] * x + normal[1] * y + normal[2] * z <= offset
-            for normal, offset, _ in self.planes
-            for x, y, z in points
-        ):
+        if not self.is_convex(points):
             rows = [
                 {"normal": [*map(str, normal)], "offset": str(offset), "region": plain(region)}
                 for normal, offset, region in self.planes
@@ -1322,6 +1328,7 @@ def united(tiles: Rings, budget: Budget) -> list[Rings]:
         while side[:2] not in done:
             done.add(side[:2])
             walk.append(side[0])
+            budget.spend(len(leaving[side[1]]))
             side = next_side(side, leaving[side[1]])
         for ring in simple_rings(walk):
             found[find(side[2])].append(ring)
@@ -1378,11 +1385,15 @@ def simple_rings(walk: list[Vertex]) -> Iterator[list[Vertex]]:
     """A closed walk, split where it comes to a point again; without the points where it goes
     straight on."""
     ring: list[Vertex] = []
+    place: dict[Vertex, int] = {}
     for point in [*walk, *walk[:1]]:
-        if point in ring:
-            at = ring.index(point)
+        if point in place:
+            at = place[point]
             yield in_order(ring[at:])
+            for passed in ring[at:]:
+                del place[passed]
             del ring[at:]
+        place[point] = len(ring)
         ring.append(point)
 
 
@@ -1444,6 +1455,8 @@ def of_solids(case: Json, digest: Json, proof: Json, claims: Json, budget: Budge
     demand(digest_of(plain) == digest, "not the case that is certified")
     *parts, entries = members(proof, "P Q sums")
     exact, hulls = zip(*map(read_pieces, parts, bodies), strict=True)
+    few = len(hulls[0]) * len(hulls[1]) <= MOST_PAIRS
+    demand(few, "there are too many pairs of pieces", OUT_OF_BUDGET)
     unit = 1
     for point in itertools.chain(*exact):
         unit = lcm(unit, *(c.denominator for c in point))

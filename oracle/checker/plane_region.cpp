@@ -156,13 +156,16 @@ PlaneRing in_order(const PlaneRing& ring) {
 std::vector<PlaneRing> simple_rings(PlaneRing walk) {
   std::vector<PlaneRing> found;
   PlaneRing ring;
+  std::map<PlanePoint, std::ptrdiff_t> place;
   walk.push_back(walk.front());
   for (const PlanePoint& point : walk) {
-    const auto at = std::find(ring.begin(), ring.end(), point);
-    if (at != ring.end()) {
+    if (const auto known = place.find(point); known != place.end()) {
+      const auto at = ring.begin() + known->second;
       found.push_back(in_order({at, ring.end()}));
+      for (auto passed = at; passed != ring.end(); ++passed) place.erase(*passed);
       ring.erase(at, ring.end());
     }
+    place[point] = static_cast<std::ptrdiff_t>(ring.size());
     ring.push_back(point);
   }
   return found;
@@ -188,9 +191,12 @@ std::vector<PlanePolygon> united(const std::vector<PlaneRing>& tiles, Budget& bu
   std::vector<bool> done(sides.size());
   for (std::size_t first = 0; first < sides.size(); ++first) {
     PlaneRing walk;
-    for (std::size_t k = first; !done[k]; k = next_side(sides[k], sides, leaving[sides[k].to])) {
+    for (std::size_t k = first; !done[k];) {
       done[k] = true;
       walk.push_back(sides[k].from);
+      const std::vector<std::size_t>& next = leaving[sides[k].to];
+      budget.spend(next.size());
+      k = next_side(sides[k], sides, next);
     }
     if (walk.empty()) continue;
     for (PlaneRing& ring : simple_rings(walk)) {

@@ -10,6 +10,7 @@ namespace minkref::checker {
 namespace {
 
 constexpr const char* solid_form = "solid-certificate-v1";
+constexpr std::size_t most_pairs = 20'000;  // of pieces
 
 }  // namespace
 
@@ -22,6 +23,8 @@ std::vector<std::string> check_solids(const Value& certificate,
   const auto parts = members(*opened.argument, "P Q sums");
   PieceList first = read_pieces(*parts[0], opened.bodies[0]);
   const std::array<PieceList, 2> lists{std::move(first), read_pieces(*parts[1], opened.bodies[1])};
+  demand(lists[0].hulls.size() * lists[1].hulls.size() <= most_pairs,
+         "there are too many pairs of pieces", Code::out_of_budget);
   mpz_class unit = 1;
   for (const PieceList& list : lists) add_denominators(list.points, unit, budget);
   const mpq_class whole(unit);

@@ -73,6 +73,7 @@ std::map<OrientedPlane, std::set<Whole>> SolidSum::find_planes() const {
   for (const Whole& n : normals) {
     const auto theirs = operands_[1].tops(n, *budget_);
     for (const auto& [one, height] : operands_[0].tops(n, *budget_)) {
+      budget_->spend(theirs.size());
       for (const auto& [other, level] : theirs) {
         if (one->size() < 3 && other->size() < 3) continue;
         budget_->spend(one->size() * other->size());
