@@ -1106,10 +1106,9 @@ class SolidSum:
         found = self.find_planes()
         entries = [items(entry, 3) for entry in items(planes)]
         demand(len(entries) == len(found), "there are more planes, or fewer")
-        for (plane, corners), (normal, offset, tree) in zip(
-            sorted(found.items()), entries, strict=True
-        ):
-            with within(f"plane {plane[0]}, {Fraction(plane[1], self.unit)}"):
+        for n, (plane, corners) in enumerate(sorted(found.items())):
+            with within(f"plane {n}"):
+                normal, offset, tree = entries[n]
                 here = [integer(c) for c in items(normal, 3)] == [*plane[0]]
                 demand(here and number(offset) * self.unit == plane[1], "another is expected")
                 ring = hull_in_plane(list(corners), plane[0])

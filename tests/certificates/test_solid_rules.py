@@ -88,6 +88,11 @@ def forget_claim(value: Value) -> None:
     value["claims"] = []
 
 
+def repeat_pieces(value: Value) -> None:
+    for name in "PQ":
+        value["proof"][name]["hulls"] *= 150
+
+
 CUT = ["cut", 1, 0, 0, 2]
 SPOILT: dict[str, tuple[Callable[[Value], Any], int, str]] = {
     "a plane is not there": (drop_plane, 1, "more planes, or fewer"),
@@ -116,6 +121,12 @@ SPOILT: dict[str, tuple[Callable[[Value], Any], int, str]] = {
         set_tree(STEP, CUT, ["above", 1, 0], ["face", 0, 0], ["none"]), 2, "nothing is left",
     ),
     "no entry": (set_tree(STEP, []), 2, "a list is empty"),
+    "a cut of numbers without end": (
+        set_tree(STEP, ["cut", 7**5000, 0, 0, 3**9000], ["none"]), 1, "does not cut",
+    ),
+    "a scaling without end": (
+        lambda value: value["proof"]["sums"][0].update(scaling=["7" * 2000, "1", "1/3"]), 1, ": ",
+    ),
     "an unknown entry": (set_tree(STEP, ["below", 0, 0]), 2, "there is no entry"),
     "a piece that is not there": (set_tree(STEP, ["above", 2, 0]), 2, "no number 2"),
     "a piece left out": (set_hulls("P", [0, 1, 2, 6, 7, 8, 12, 13]), 1, "do not tile"),
@@ -124,6 +135,7 @@ SPOILT: dict[str, tuple[Callable[[Value], Any], int, str]] = {
     ),
     "a piece twice": (set_hulls("Q", [*range(8)], [*range(8)]), 1, "do not tile"),
     "the hull of all": (set_hulls("P", [0, 1, 4, 5, 6, 7, 10, 11]), 2, "a point is in no piece"),
+    "too many pairs": (repeat_pieces, 4, "too many pairs of pieces"),
     "a flat piece": (set_hulls("Q", [0, 1, 2, 3]), 2, "its points lie in a plane"),
     "too few points": (set_hulls("Q", [0, 1, 2]), 2, "under 4"),
     "no pieces": (set_hulls("Q"), 2, "has no pieces"),
