@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "reference/build/build_control.hpp"
 #include "reference/error.hpp"
 #include "reference/plane/critical/scale_window.hpp"
 #include "reference/plane/index/area_of_intervals.hpp"
-#include "reference/build/build_control.hpp"
 #include "reference/plane/index/corner_entries.hpp"
 #include "reference/plane/index/feature_timeline.hpp"
 #include "reference/plane/index/index_columns.hpp"

@@ -1,8 +1,8 @@
 // From the operands to the bytes of an index.
 #pragma once
 
-#include "reference/plane/critical/pair_events.hpp"
 #include "reference/build/build_options.hpp"
+#include "reference/plane/critical/pair_events.hpp"
 #include "reference/plane/index/index_image.hpp"
 #include "reference/plane/polygon_set.hpp"
 

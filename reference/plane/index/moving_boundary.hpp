@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "reference/plane/history/boundary_history.hpp"
 #include "reference/build/build_control.hpp"
+#include "reference/plane/history/boundary_history.hpp"
 #include "reference/plane/index/swept_boundary.hpp"
 
 namespace minkref::inline plane {

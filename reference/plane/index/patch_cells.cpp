@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "reference/interrupt.hpp"
 #include "reference/build/stage.hpp"
+#include "reference/interrupt.hpp"
 
 namespace minkref::inline plane {
 namespace {

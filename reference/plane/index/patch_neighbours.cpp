@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "reference/plane/critical/pair_filter.hpp"
 #include "reference/build/stage.hpp"
+#include "reference/plane/critical/pair_filter.hpp"
 #include "reference/plane/index/patch_cells.hpp"
 
 namespace minkref::inline plane {

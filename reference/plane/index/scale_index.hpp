@@ -4,8 +4,8 @@
 #include <functional>
 #include <optional>
 
-#include "reference/plane/history/topology_timeline.hpp"
 #include "reference/build/build_options.hpp"
+#include "reference/plane/history/topology_timeline.hpp"
 #include "reference/plane/index/index_columns.hpp"
 #include "reference/plane/index/index_rings.hpp"
 #include "reference/plane/sum.hpp"

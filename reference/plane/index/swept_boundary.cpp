@@ -5,8 +5,8 @@
 #include <iterator>
 #include <unordered_map>
 
-#include "reference/plane/convolution/convolution_rule.hpp"
 #include "reference/build/stage.hpp"
+#include "reference/plane/convolution/convolution_rule.hpp"
 #include "reference/plane/index/patch_clipping.hpp"
 #include "reference/plane/index/patch_neighbours.hpp"
 #include "reference/plane/index/patch_sweep.hpp"

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "reference/plane/critical/pair_events.hpp"
 #include "reference/build/build_options.hpp"
+#include "reference/plane/critical/pair_events.hpp"
 #include "reference/plane/index/patch_node_name.hpp"
 #include "reference/plane/moving/moving_edge.hpp"
 #include "reference/plane/sum.hpp"
