@@ -45,6 +45,9 @@ APART = {
     "reference/space/definition": tuple(
         f"reference/space/{room}/" for room in ("convex", "edges", "paper")
     ),
+    "reference/space/critical": tuple(
+        f"reference/space/{room}/" for room in ("convex", "definition", "paper")
+    ),
     "reference/space/edges": tuple(
         f"reference/space/{room}/" for room in ("convex", "definition", "paper")
     ),

@@ -1,0 +1,195 @@
+#include "reference/space/critical/critical_events.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <tuple>
+
+#include "reference/build/stage.hpp"
+#include "reference/error.hpp"
+#include "reference/interrupt.hpp"
+#include "reference/space/critical/moving_box.hpp"
+#include "reference/space/critical/parallel_facets.hpp"
+
+namespace minkref::inline space {
+namespace {
+
+void refuse_bad_window(const Rational& from, const Rational& to) {
+  if (from > 0 && from <= to) return;
+  throw BadInput("bad-window",
+                 "the window from " + to_string(from) + " to " + to_string(to) + " is none",
+                 "give two positive scales, the smaller one first");
+}
+
+BoundedDouble bounded(const Rational& number) {
+  const double value = to_double(number);
+  return {value, std::abs(value) * 0x1p-52 + 1e-300};
+}
+
+BoundedVector corner_at(const MovingConvolution& convolution,
+                        const ConvolutionFacet::Corner& corner, const BoundedDouble& s) {
+  const BoundedVector &p = convolution.P.points[corner.of_P].rounded,
+                      &q = convolution.Q.points[corner.of_Q].rounded;
+  return s * p + q;
+}
+
+class PairSearch {
+ public:
+  PairSearch(const MovingConvolution& convolution, const Rational& from, const Rational& to)
+      : convolution_(convolution),
+        facets_(convolution.facets),
+        from_(from),
+        to_(to),
+        first_scale_(bounded(from)),
+        last_scale_(bounded(to)) {}
+
+  void look_at(std::uint32_t i, std::uint32_t j, bool filtered) {
+    const MovingFacet &a = facets_[i], &b = facets_[j];
+    if (filtered && (stays_aside(a, b) || stays_aside(b, a))) return;
+    const bool parallel =
+        filtered ? are_parallel(a, b) : is_zero(cross(a.normal.exact, b.normal.exact));
+    const std::vector<FacetEvent> found = parallel
+                                              ? parallel_events(convolution_, a, b, signs)
+                                              : ContactRegion(convolution_, a, b, signs).events();
+    bool has_event = false;
+    for (const FacetEvent& event : found) {
+      if (event.s < from_ || event.s > to_) continue;
+      events.push_back({event, i, j});
+      has_event = true;
+    }
+    meeting_pairs += has_event ? 1 : 0;
+  }
+
+  std::vector<SpacePairEvent> events;
+  std::uint64_t near_pairs = 0, meeting_pairs = 0;
+  SignCounts signs;
+
+ private:
+  /// Whether a facet is on one side of the plane of another in all of the window: heights change
+  /// evenly.
+  bool stays_aside(const MovingFacet& flat, const MovingFacet& other) const {
+    const BoundedVector& n = flat.normal.rounded;
+    const SpaceOperand &P = convolution_.P, &Q = convolution_.Q;
+    const BoundedVector &p = P.points[flat.names[0].of_P].rounded,
+                        &q = Q.points[flat.names[0].of_Q].rounded;
+    int side = 0;
+    for (std::size_t k = 0; k < other.size; ++k) {
+      const BoundedDouble slope = dot(n, P.points[other.names[k].of_P].rounded - p),
+                          start = dot(n, Q.points[other.names[k].of_Q].rounded - q);
+      for (const BoundedDouble& s : {first_scale_, last_scale_}) {
+        const int at = (slope * s + start).certain_sign();
+        if (at == 0 || at == BoundedDouble::undecided || (side != 0 && at != side)) return false;
+        side = at;
+      }
+    }
+    return true;
+  }
+
+  bool are_parallel(const MovingFacet& a, const MovingFacet& b) {
+    for (const BoundedDouble& c : cross(a.normal.rounded, b.normal.rounded)) {
+      const int certain = c.certain_sign();
+      if (certain == 1 || certain == -1) return false;
+    }
+    return is_zero(cross(a.normal.exact, b.normal.exact));
+  }
+
+  const MovingConvolution& convolution_;
+  const std::vector<MovingFacet>& facets_;
+  const Rational &from_, &to_;
+  BoundedDouble first_scale_, last_scale_;
+};
+
+void sort_events(std::vector<SpacePairEvent>& events) {
+  std::vector<std::pair<double, std::uint32_t>> keys;
+  keys.reserve(events.size());
+  for (std::uint32_t k = 0; k < events.size(); ++k) {
+    keys.emplace_back(to_double(events[k].event.s), k);
+  }
+  std::sort(keys.begin(), keys.end(), [&](const auto& a, const auto& b) {
+    if (a.first != b.first) return a.first < b.first;
+    const SpacePairEvent &e = events[a.second], &f = events[b.second];
+    if (const int order = e.event.s.compare(f.event.s); order != 0) return order < 0;
+    return std::tie(e.first, e.second, e.event.of_first, e.event.of_second) <
+           std::tie(f.first, f.second, f.event.of_first, f.event.of_second);
+  });
+  std::vector<SpacePairEvent> sorted;
+  sorted.reserve(events.size());
+  for (const auto& [key, k] : keys) sorted.push_back(std::move(events[k]));
+  events = std::move(sorted);
+}
+
+std::vector<MovingBox> boxes_of(const MovingConvolution& convolution, const Rational& from,
+                                const Rational& to) {
+  const BoundedDouble first = bounded(from), last = bounded(to);
+  std::vector<MovingBox> boxes(convolution.facets.size());
+  for (std::size_t f = 0; f < boxes.size(); ++f) {
+    for (std::size_t k = 0; k < convolution.facets[f].size; ++k) {
+      const auto& corner = convolution.facets[f].names[k];
+      boxes[f].at_first.add(box_around(corner_at(convolution, corner, first)));
+      boxes[f].at_last.add(box_around(corner_at(convolution, corner, last)));
+    }
+  }
+  return boxes;
+}
+
+}  // namespace
+
+CriticalEvents critical_events_in_space(const Polyhedron& P, const Polyhedron& Q,
+                                        const Rational& from, const Rational& to,
+                                        const BuildOptions& options) {
+  refuse_bad_window(from, to);
+  CriticalEvents result;
+  if (P.empty() || Q.empty()) return result;
+  const SpaceOperands operands = space_operands(P, Q, {1, 1, 1});
+  const MovingConvolution convolution(operands.P, operands.Q);
+  const std::vector<MovingBox> boxes = boxes_of(convolution, from, to);
+  const MovingBoxTree tree(boxes);
+  const BuildControl control(options, "the list of events");
+  std::vector<std::unique_ptr<PairSearch>> searches(control.threads());
+  in_parallel(boxes.size(), control, BuildProgress::Stage::pairs, [&](unsigned thread) {
+    searches[thread] = std::make_unique<PairSearch>(convolution, from, to);
+    return [&, search = searches[thread].get()](std::size_t i) {
+      tree.query(boxes[i], [&](std::uint32_t j) {
+        if (j <= i) return false;
+        control.look();
+        ++search->near_pairs;
+        search->look_at(static_cast<std::uint32_t>(i), j, true);
+        return false;
+      });
+    };
+  });
+  for (auto& search : searches) {
+    if (!search) continue;
+    std::move(search->events.begin(), search->events.end(), std::back_inserter(result.events));
+    result.near_pairs += search->near_pairs;
+    result.meeting_pairs += search->meeting_pairs;
+    result.signs.add(search->signs);
+    search.reset();
+  }
+  sort_events(result.events);
+  result.facets = convolution.facets;
+  return result;
+}
+
+CriticalEvents critical_events_of_all_pairs(const Polyhedron& P, const Polyhedron& Q,
+                                            const Rational& from, const Rational& to) {
+  refuse_bad_window(from, to);
+  CriticalEvents result;
+  if (P.empty() || Q.empty()) return result;
+  const SpaceOperands operands = space_operands(P, Q, {1, 1, 1});
+  const MovingConvolution convolution(operands.P, operands.Q);
+  PairSearch search(convolution, from, to);
+  for (std::uint32_t i = 0; i < convolution.facets.size(); ++i) {
+    for (std::uint32_t j = i + 1; j < convolution.facets.size(); ++j) {
+      look_for_interrupt();
+      search.look_at(i, j, false);
+    }
+  }
+  result.events = std::move(search.events);
+  result.meeting_pairs = search.meeting_pairs;
+  result.signs = search.signs;
+  sort_events(result.events);
+  result.facets = convolution.facets;
+  return result;
+}
+
+}  // namespace minkref::inline space

@@ -1,0 +1,38 @@
+// All scales of a window at which facets of the convolution start, change or stop to meet (Sec. 5).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "reference/build/build_options.hpp"
+#include "reference/space/critical/facet_event.hpp"
+#include "reference/space/polyhedron.hpp"
+
+namespace minkref::inline space {
+
+struct SpacePairEvent {
+  FacetEvent event;
+  std::uint32_t first, second;  ///< numbers of facets, ascending
+};
+
+struct CriticalEvents {
+  std::vector<MovingFacet> facets;
+  std::vector<SpacePairEvent> events;  ///< by scale, then by facets
+  std::uint64_t near_pairs = 0;        ///< of facets whose boxes meet at some scale
+  std::uint64_t meeting_pairs = 0;     ///< that have an event in the window
+  SignCounts signs;
+};
+
+/// Pair events of sP ⊕ Q for s in [from, to], of valid polyhedra that do not cross themselves.
+/// Throws BadInput ("bad-window") for bounds that are not positive or not ascending. Exact and
+/// complete. O(n log n + k) for k pairs of facets whose boxes meet at some scale, beside the search
+/// for compatible pairs. On `options.threads`; some 150 bytes for each event.
+CriticalEvents critical_events_in_space(const Polyhedron& P, const Polyhedron& Q,
+                                        const Rational& from, const Rational& to,
+                                        const BuildOptions& options = {});
+
+/// The same by all pairs of facets, without boxes or filters: for small operands.
+CriticalEvents critical_events_of_all_pairs(const Polyhedron& P, const Polyhedron& Q,
+                                            const Rational& from, const Rational& to);
+
+}  // namespace minkref::inline space

@@ -1,0 +1,90 @@
+// At which scales two facets of the convolution start, change and stop to meet (Sec. 5.1, 5.2).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "reference/number/rational.hpp"
+#include "reference/space/critical/moving_facet.hpp"
+
+namespace minkref::inline space {
+
+/// What touches: a corner of one facet the other, perhaps on its border; sides of both; or parallel
+/// facets come to lie in one plane, and have an area in common.
+enum class ContactKind : std::uint8_t { vertex, edge, parallel };
+/// As s grows: facets start to meet, stop, meet at this scale only, or meet in a segment one of
+/// whose ends passes from one side to another.
+enum class ContactChange : std::uint8_t { birth, death, touch, pass };
+
+/// An event of a pair of facets. For a vertex the corner `of_first` of the first facet, `of_second`
+/// of the second, or both where they coincide; for an edge the sides of both, each by its first
+/// corner; for parallel facets a corner of each that lies in the other, where there is one.
+struct FacetEvent {
+  static constexpr std::uint8_t no_corner = UINT8_MAX;
+  ContactKind kind;
+  ContactChange change;
+  std::uint8_t of_first = no_corner, of_second = no_corner;
+  Rational s;
+};
+
+/// A constraint alpha s + beta t + gamma >= 0 on where the crossing line of two planes, with the
+/// parameter t, is inside of a side.
+template <class T>
+struct SideConstraint {
+  T alpha, beta, gamma;
+};
+
+inline constexpr std::size_t most_sides = 8;  ///< of two facets
+
+/// The pairs (s, t) for which the point t of the line in which the planes of two facets cross at
+/// the scale s is in both facets: a convex polygon, since (s, x) with x in a facet at s is a convex
+/// set. Its corners are the events. Exact: signs by doubles with bounds, else by integers.
+class ContactRegion {
+ public:
+  /// The facets must not be parallel; all must outlive it.
+  ContactRegion(const MovingConvolution& convolution, const MovingFacet& first,
+                const MovingFacet& second, SignCounts& signs);
+
+  /// Events with s > 0, ascending.
+  std::vector<FacetEvent> events();
+
+ private:
+  struct Corner {
+    std::size_t i, j;    ///< of the constraints that are zero there
+    std::uint8_t zeros;  ///< which constraints are
+    Rational s;
+  };
+
+  /// The line in which the planes cross: (s A + B) foot + t along, over `weight` > 0.
+  template <class T>
+  struct Line {
+    T A, B, weight;
+    std::array<T, 3> along, foot;
+  };
+  template <class T>
+  Line<T> line() const;
+  template <class T>
+  SideConstraint<T> constraint(const Line<T>& line, std::size_t side) const;
+  const SideConstraint<Integer>& exact(std::size_t side);
+  template <class Evaluate>
+  int sign_of(Evaluate&& evaluate);
+  int turn(std::size_t i, std::size_t j);
+  int side(std::size_t i, std::size_t j, std::size_t k);
+  std::optional<Corner> corner_of(std::size_t i, std::size_t j);
+  FacetEvent event_at(const Corner& corner) const;
+  bool grows_from(const Corner& corner, int direction);
+
+  const MovingConvolution& convolution_;
+  const MovingFacet &first_, &second_;
+  SignCounts& signs_;
+  std::size_t count_, axis_;
+  bool is_negative_;  ///< the crossing line, along that axis
+  std::array<SideConstraint<BoundedDouble>, most_sides> rounded_;
+  std::optional<Line<Integer>> exact_line_;
+  std::array<std::optional<SideConstraint<Integer>>, most_sides> exact_;
+  std::array<std::array<int, most_sides>, most_sides> turns_;
+};
+
+}  // namespace minkref::inline space

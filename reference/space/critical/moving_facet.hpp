@@ -1,0 +1,32 @@
+// Facets of the reduced convolution as P is scaled about the origin (Sec. 5).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "reference/space/edges/convolution_facets.hpp"
+
+namespace minkref::inline space {
+
+/// A convex facet at all scales s > 0: its corners are s p + q, its normal does not depend on s.
+/// Which facets there are does not either, as only directions decide.
+struct MovingFacet {
+  FacetKind kind;
+  std::uint8_t size;                              ///< of its corners, 3 or 4
+  std::uint32_t of_P, of_Q;                       ///< a triangle, edge or vertex of each operand
+  std::array<ConvolutionFacet::Corner, 4> names;  ///< counter-clockwise seen from above
+  FilteredVector normal;
+  /// From each corner to the next, up to a factor that is above zero at all scales.
+  std::array<FilteredVector, 4> along;
+};
+
+/// The facets of sP ⊕ Q, and the vertices of P and of Q that their corners name.
+struct MovingConvolution {
+  MovingConvolution(const SpaceOperand& P, const SpaceOperand& Q);
+
+  const SpaceOperand &P, &Q;  ///< must outlive it
+  std::vector<MovingFacet> facets;
+};
+
+}  // namespace minkref::inline space
