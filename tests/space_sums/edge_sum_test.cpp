@@ -112,6 +112,35 @@ TEST(EdgeSum, IsTheSumByDefinition) {
   });
 }
 
+/// Two prisms along the first axis, as long as each other: a slab, and over it a wedge that stands
+/// on its edge at this height.
+Polyhedron slab_and_wedge(int height, const Matrix& m) {
+  Polyhedron result = box(4, 4, 1);
+  const int top = height + 3;
+  for (const auto& [y, z] : {std::pair(2, height), std::pair(3, top), std::pair(1, top)}) {
+    result.vertices.push_back(at(0, y, z));
+    result.vertices.push_back(at(4, y, z));
+  }
+  for (const Face& face :
+       {Face{8, 12, 10}, {9, 11, 13}, {8, 10, 11, 9}, {10, 12, 13, 11}, {12, 8, 9, 13}}) {
+    result.faces.push_back(face);
+  }
+  return polycubes::mapped(result, m);
+}
+
+/// Within the face of a sum an edge of another part of it stands, from border to border.
+TEST(EdgeSum, OfPartsThatComeToTouchAlongALine) {
+  for_each_seed(10, [&](std::mt19937& dice) {
+    const Matrix m = polycubes::random_matrix(dice, 4);
+    const Polyhedron segment{{at(0, 0, 0), at(0, 0, 1)}, {}};
+    for (const auto& [Q, height] : {std::pair(segment, 2), std::pair(bodies::octahedron(), 3)}) {
+      const Polyhedron P = slab_and_wedge(height, m), other = polycubes::mapped(Q, m);
+      EXPECT_EQ(text(P, other), canonical_json(definition_sum(P, other, unit)));
+      EXPECT_EQ(text(other, P), text(P, other));
+    }
+  });
+}
+
 TEST(EdgeSum, WithAPointIsTheOtherOperand) {
   for_each_seed(20, [&](std::mt19937& dice) {
     const Polyhedron P = solid(manifold_cells(dice, 6, 3), polycubes::random_matrix(dice, 3));

@@ -161,6 +161,37 @@ TEST(InteriorCells, WhatTheyContainIsInTheInterior) {
   EXPECT_GT(contained, 500U);
 }
 
+/// Of boxes whose sides are just beyond borders of cells, so that there is little left to be wrong
+/// in.
+TEST(InteriorCells, NoPointOfTheBoundaryIsContained) {
+  constexpr int picked = 4;
+  const Scaling wide{picked, picked, picked};  // so that means are integer points
+  std::size_t looked_at = 0;
+  for_each_seed(20, [&](std::mt19937& dice) {
+    const auto side = [&] { return 64 * number(dice, 2, 6) + 2; };
+    const Polyhedron body = bodies::box(side(), side(), side());
+    const Polyhedron P = scaled(translated(body, {-1, -1, -1}), wide),
+                     Q = scaled(bodies::random_body(dice, 200), wide);
+    const SpaceOperands operands = space_operands(P, Q, unit);
+    const InteriorCells cells(operands.P, operands.Q, 100000);
+    const Polyhedron sum = bodies::sum(P, Q, unit).surface;
+    for (const Face& face : sum.faces) {
+      for (int round = 0; round < 100; ++round) {
+        IntegerVector point{0, 0, 0};
+        for (int k = 0; k < picked; ++k) {
+          const SpacePoint& v = sum.vertices[face[dice() % face.size()]];
+          point = point + IntegerVector{numerator(v.x), numerator(v.y), numerator(v.z)};
+        }
+        for (Integer& c : point) c /= picked;
+        const FilteredVector at(point, 0);
+        ASSERT_FALSE(cells.contain({&at.rounded, 1}));
+        ++looked_at;
+      }
+    }
+  });
+  EXPECT_GT(looked_at, 10000U);
+}
+
 TEST(InteriorCells, NothingIsContainedInASumOfThinParts) {
   const Polyhedron plate = bodies::box(100, 100, 1), needle = bodies::box(1, 1, 100);
   const SpaceOperands operands = space_operands(plate, needle, unit);

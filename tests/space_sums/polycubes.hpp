@@ -45,6 +45,17 @@ inline Cells with(Cells cells, const Cells& more) {
   return cells;
 }
 
+/// The image of a body under a matrix of positive determinant.
+inline Polyhedron mapped(Polyhedron body, const Matrix& m) {
+  for (SpacePoint& v : body.vertices) {
+    const auto image = [&v = v, &m](std::size_t row) -> Rational {
+      return m[row][0] * v.x + m[row][1] * v.y + m[row][2] * v.z;
+    };
+    v = {image(0), image(1), image(2)};
+  }
+  return body;
+}
+
 /// The union of the cells under a matrix of positive determinant, a face for each square of its
 /// boundary.
 inline Polyhedron solid(const Cells& cells, const Matrix& m = identity) {
