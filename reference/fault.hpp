@@ -7,7 +7,7 @@
 namespace minkref {
 
 // X(name, what is wrong).
-#define MINKREF_FAULTS_IN_REFERENCE(X)                                                        \
+#define MINKREF_FAULTS_IN_PLANE(X)                                                            \
   X(turn_ends_alike, "both sides of the convolution take the turn [in, out)")                 \
   X(reflex_vertices_kept, "the reduced convolution takes reflex vertices")                    \
   X(straight_vertices_kept,                                                                   \
@@ -59,6 +59,40 @@ namespace minkref {
   X(wedges_forgotten, "tight passages from the rings as given, not wedge by wedge")           \
   X(polylines_cut, "a tight polyline ends at each of its points")                             \
   X(touching_is_apart, "a point of contact does not belong to the sum")
+
+#define MINKREF_FAULTS_IN_SPACE(X)                                                                \
+  X(ties_in_space_alike, "ties of a normal and a direction are decided alike for P and Q")        \
+  X(parallelogram_upside_down, "the parallelogram of two edges e and f faces along e x f always") \
+  X(facet_along_line_missed, "a facet that lies along a line has no part in its pieces")          \
+  X(border_taken_for_inside,                                                                      \
+    "a line that meets the border of a facet is taken to cross its inside")                       \
+  X(upper_side_dropped, "where a facet crosses a line, the piece above it is dropped")            \
+  X(shared_piece_lost, "a piece that lies on several sides belongs to none of them")              \
+  X(sectors_untested, "any candidate sector about a piece is outside")                            \
+  X(narrow_sector_by_normals, "the direction into a narrow sector is the sum of two normals")     \
+  X(looked_beyond_the_end, "of a piece cut at its start the point is taken beyond its end")       \
+  X(into_before_along, "the point beside a piece goes into the sector first, then along")         \
+  X(edges_of_Q_untested, "whether an edge of x - Q pierces a triangle of P is not looked at")     \
+  X(contained_one_way, "in space P inside x - Q is not seen, but x - Q inside P is")              \
+  X(first_shell_only,                                                                             \
+    "of several shells only the first is looked for inside of the other operand")                 \
+  X(touching_facets_apart, "a facet that only touches the plane of another is apart from it")     \
+  X(there_and_back_kept, "edges there and back within a face of a sum do not cancel")             \
+  X(cells_of_corners_only, "a triangle touches the cells of its corners only")                    \
+  X(cells_reached_by_boxes, "a cell that the box of a triangle meets has a point of the operand") \
+  X(cubes_of_one_cell, "one cell inside of an operand is enough to cover a cell of the sum")      \
+  X(middle_cell_misplaced, "two cells cover the lower cell of the sum, not that in the middle")   \
+  X(pair_of_pieces_forgotten, "the last pair of convex pieces has no part in the union")          \
+  X(covered_by_each_other, "of equal facets of two sums of pieces each covers the other")         \
+  X(opposite_facet_kept, "a facet is not covered by a body on the other side of its plane")       \
+  X(merged_by_one_side, "convex pieces are merged where one lies below the planes of the other")  \
+  X(slits_missed, "an edge in the inside of a face is no slit")                                   \
+  X(odd_crossings_missed, "an edge in which three planes cross, and no region ends, is missed")   \
+  X(sectors_exchanged, "shells are joined across interior and outside the wrong way round")       \
+  X(own_rounding_unbounded, "the bound of a double leaves out the rounding of the double itself") \
+  X(underflow_taken_for_exact, "a double is exact where the bounds of what it is made of vanish")
+
+#define MINKREF_FAULTS_IN_REFERENCE(X) MINKREF_FAULTS_IN_PLANE(X) MINKREF_FAULTS_IN_SPACE(X)
 
 enum class Fault : std::uint8_t {
 #define MINKREF_FAULT_NAME(name, what) name,

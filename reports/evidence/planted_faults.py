@@ -1,8 +1,13 @@
 """Faults put into the reference, and which judge, law or test catches each.
 
 The preset `faults` builds the reference with faults that the environment variable MINKREF_FAULT
-switches on (reference/fault.hpp). Each is put before the laws and tests of the reference, its
-own routes against each other, and the judges of `minkref verify minkref`.
+switches on (reference/fault.hpp). Each fault of the plane is put before the laws and tests of the
+reference, its own routes against each other, and the judges of `minkref verify minkref`; each of
+space before the laws and tests of space.
+
+`python -m minkref.reports.evidence.planted_faults [FAULT...]` puts in these only (those that the
+table does not have, if none are named) and makes their rows of the table anew. Exit code 1: one of
+them is not caught, or there is an alarm without a fault, and the table is left alone.
 """
 
 from __future__ import annotations
@@ -23,8 +28,8 @@ from minkref.reports.evidence.framework.part import CGAL, COMPARISON, REFERENCE,
 from minkref.reports.evidence.framework.store import ROOT
 
 SUBJECT = (
-    "At least 25 faults put into the reference, one at a time: each is caught by a judge, a law or "
-    "a test; a table says by which."
+    "At least 25 faults put into the reference in the plane and as many in space, one at a time: "
+    "each is caught by a judge, a law or a test; a table says by which."
 )
 MINUTES = (35, None)
 DEPENDS = (
@@ -35,6 +40,7 @@ DEPENDS = (
 BUILD = ROOT / "build" / "faults"
 TABLE = SCRIPTS / "planted_faults.md"
 SUITES = ("plane", "critical", "dynamic", "index")
+SPACE_SUITES = ("number", "space", "space_sums", "surface")
 PYTEST_FOLDERS = ("tests/plane", "tests/dynamic")
 ROUTES = TRUTHS
 PAIRS = 60
@@ -55,17 +61,20 @@ class Caught:
         return bool(self.judges or self.routes or self.tests)
 
 
-def listed() -> dict[str, str]:
+def listed(where: str = "PLANE|SPACE") -> dict[str, str]:
     """Every fault and what is wrong with it, in the order of reference/fault.hpp."""
     text = (ROOT / "reference" / "fault.hpp").read_text(encoding="utf-8").replace("\\\n", " ")
-    return dict(re.findall(r'X\(\s*(\w+),\s*"([^"]+)"\s*\)', text))
+    lists = re.findall(rf"^#define MINKREF_FAULTS_IN_(?:{where})\(X\)(.*)", text, re.MULTILINE)
+    return dict(re.findall(r'X\(\s*(\w+),\s*"([^"]+)"\s*\)', " ".join(lists)))
 
 
-def build() -> None:
+def build(targets: tuple[str, ...] = ()) -> None:
+    """All of it, or what these targets need."""
+    words = ["cmake", "--build", str(BUILD), "-j", "2"]
     for command in (
         ["cmake", "--preset", "faults", f"-DPython_EXECUTABLE={sys.executable}"],
-        ["cmake", "--build", str(BUILD), "-j", "2"],
-        [sys.executable, "scripts/link_package.py", str(BUILD)],
+        [*words, "--target", *targets] if targets else words,
+        *([] if targets else [[sys.executable, "scripts/link_package.py", str(BUILD)]]),
     ):
         done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
         if done.returncode:
@@ -86,11 +95,11 @@ def ended(
         return None
 
 
-def laws(fault: str) -> list[str]:
+def laws(fault: str, suites: tuple[str, ...]) -> list[str]:
     """The first test of each suite of the reference that fails; a suite that ends by a signal, or
     not at all, has caught it too."""
     failed = []
-    for suite in SUITES:
+    for suite in suites:
         with tempfile.NamedTemporaryFile(suffix=".json") as report:
             done = ended(
                 fault, SUITE_SECONDS, BUILD / "tests" / suite / f"test_{suite}",
@@ -144,17 +153,25 @@ def before_judges(fault: str, caught: Caught) -> None:
 
 
 def put_in(fault: str) -> Caught:
-    caught = Caught(tests=laws(fault) + python_tests(fault))
-    before_judges(fault, caught)
+    """Without a fault all that any is put before."""
+    caught = Caught()
+    if fault not in listed("SPACE"):
+        caught.tests += laws(fault, SUITES) + python_tests(fault)
+        before_judges(fault, caught)
+    if fault not in listed("PLANE"):
+        caught.tests += laws(fault, SPACE_SUITES)
     print(f"{fault or 'none'}: {'caught' if caught else 'not caught'}", flush=True)
     return caught
 
 
-def run(findings: Findings, quick: bool) -> None:
-    faults = listed()
-    build()
+def all_put_in(names: list[str]) -> dict[str, Caught]:
     with ThreadPoolExecutor(JOBS) as pool:
-        all_caught = dict(zip(["", *faults], pool.map(put_in, ["", *faults]), strict=True))
+        return dict(zip(names, pool.map(put_in, names), strict=True))
+
+
+def run(findings: Findings, quick: bool) -> None:
+    build()
+    all_caught = all_put_in(["", *listed()])
     without = all_caught.pop("")
     missed = [name for name, caught in all_caught.items() if not caught]
     by_judge = sum(bool(c.judges) for c in all_caught.values())
@@ -166,15 +183,33 @@ def run(findings: Findings, quick: bool) -> None:
         "alarms without a fault": vars(without),
     }
     findings.law("alarms without a fault", not without, "none", "none" if not without else without)
-    findings.law("faults", len(faults) >= FEWEST, f"at least {FEWEST}", len(faults))
+    for where in ("PLANE", "SPACE"):
+        count = len(listed(where))
+        what = f"faults in {'the ' * (where == 'PLANE')}{where.lower()}"
+        findings.law(what, count >= FEWEST, f"at least {FEWEST}", count)
     findings.law("not caught", not missed, "none", ", ".join(missed) or "none")
     findings.target("caught by a judge", by_judge >= FEWEST, f"at least {FEWEST}", by_judge)
     findings.target("caught by a law or test", by_test >= FEWEST, f"at least {FEWEST}", by_test)
     findings.target("seen by our own routes", by_routes > 0, "some", by_routes)
-    TABLE.write_text(table(faults, all_caught), encoding="utf-8")
+    rows = {name: row(name, caught) for name, caught in all_caught.items()}
+    TABLE.write_text(table(rows), encoding="utf-8")
 
 
-def table(faults: dict[str, str], all_caught: dict[str, Caught]) -> str:
+def row(name: str, caught: Caught) -> str:
+    columns = [caught.judges, caught.routes, caught.tests]
+    if name in listed("SPACE"):
+        columns = [caught.tests]
+    cells = [f"`{name}`", listed()[name], *(", ".join(names) for names in columns)]
+    return "| " + " | ".join(cell or "-" for cell in cells) + " |"
+
+
+def rows_of_table() -> dict[str, str]:
+    """By name, as they stand."""
+    lines = TABLE.read_text(encoding="utf-8").splitlines()
+    return {line.split("`")[1]: line for line in lines if line.startswith("| `")}
+
+
+def table(rows: dict[str, str]) -> str:
     lines = [
         "# Faults put into the reference",
         "",
@@ -186,10 +221,35 @@ def table(faults: dict[str, str], all_caught: dict[str, Caught]) -> str:
         "",
         "| fault | what is wrong | judges | routes | laws and tests |",
         "|---|---|---|---|---|",
+        *(rows[name] for name in listed("PLANE")),
+        "",
+        "Faults in the code of sums in space, and in the doubles with bounds under it. They are "
+        f"put before the C++ suites {', '.join(f'`{suite}`' for suite in SPACE_SUITES)} only.",
+        "",
+        "| fault | what is wrong | laws and tests |",
+        "|---|---|---|",
+        *(rows[name] for name in listed("SPACE")),
     ]
-    for name, what in faults.items():
-        caught = all_caught[name]
-        by = (", ".join(names) for names in (caught.judges, caught.routes, caught.tests))
-        cells = [f"`{name}`", what, *by]
-        lines.append("| " + " | ".join(cell or "-" for cell in cells) + " |")
     return "\n".join(lines) + "\n"
+
+
+def main(names: list[str]) -> int:
+    rows = rows_of_table()
+    names = names or [name for name in listed() if name not in rows]
+    if unknown := [name for name in names if name not in listed()]:
+        print(f"no such fault: {', '.join(unknown)}", file=sys.stderr)
+        return 2
+    in_space = set(names) <= set(listed("SPACE"))
+    build(tuple(f"test_{suite}" for suite in SPACE_SUITES) if in_space else ())
+    without = laws("", SPACE_SUITES) if in_space else put_in("")
+    if without:
+        print(f"alarms without a fault: {without}", file=sys.stderr)
+        return 1
+    all_caught = all_put_in(names)
+    rows |= {name: row(name, caught) for name, caught in all_caught.items()}
+    TABLE.write_text(table(rows), encoding="utf-8")
+    return 0 if all(all_caught.values()) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "reference/fault.hpp"
 #include "reference/interrupt.hpp"
 
 namespace minkref::inline space {
@@ -61,7 +62,7 @@ bool Collision::contains(const NearPoint& x) {
     return true;
   }
   return surfaces_cross(x) || vertex_inside(x, P_, trees_.box_P, Q_) ||
-         vertex_inside(x, Q_, trees_.box_Q, P_);
+         (!planted(Fault::contained_one_way) && vertex_inside(x, Q_, trees_.box_Q, P_));
 }
 
 bool Collision::surfaces_cross(const NearPoint& x) {
@@ -133,7 +134,7 @@ bool Collision::meet(const NearPoint& x, std::uint32_t of_P, std::uint32_t of_Q)
       }
     }
   }
-  if (p.is_triangle()) {
+  if (p.is_triangle() && !planted(Fault::edges_of_Q_untested)) {
     for (std::size_t j = 0; j < q.edges(); ++j) {
       if (height_of_Q[j] != height_of_Q[(j + 1) % q.size()] && turn(0, j) == turn(1, j) &&
           turn(1, j) == turn(2, j)) {
@@ -151,6 +152,7 @@ bool Collision::vertex_inside(const NearPoint& x, const SpaceOperand& body, cons
   for (const std::uint32_t v : other.shell_vertices) {
     const SpaceBox at = box_around(x.rounded() - other.points[v].rounded);
     if (at.overlaps(box) && inside(x, body, other.points[v])) return true;
+    if (planted(Fault::first_shell_only)) break;
   }
   return false;
 }

@@ -4,6 +4,7 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "reference/fault.hpp"
 #include "reference/interrupt.hpp"
 
 namespace minkref::inline space {
@@ -35,7 +36,8 @@ class ConvolutionBuild {
     for (const Integer& n : normal.exact) {
       for (const Integer& d : direction.exact) {
         const int tie = n.sign() * d.sign();
-        if (tie != 0) return normal_of_P ? -tie : tie;
+        if (tie == 0) continue;
+        return normal_of_P || planted(Fault::ties_in_space_alike) ? -tie : tie;
       }
     }
     return 0;
@@ -106,12 +108,13 @@ class ConvolutionBuild {
     facet.of_Q = f;
     const IntegerVector across = cross(p.direction.exact, q.direction.exact);
     if (is_zero(across)) return;
-    facet.normal = FilteredVector(side > 0 ? across : IntegerVector{} - across, 2 * P_.shift);
+    const bool along_cross = side > 0 || planted(Fault::parallelogram_upside_down);
+    facet.normal = FilteredVector(along_cross ? across : IntegerVector{} - across, 2 * P_.shift);
     const Corner start{p.from, q.from}, end{p.to, q.to};
     const Corner along_P{p.to, q.from}, along_Q{p.from, q.to};
     const std::uint32_t P_first = this->side(true, e, q.from), P_last = this->side(true, e, q.to);
     const std::uint32_t Q_first = this->side(false, f, p.from), Q_last = this->side(false, f, p.to);
-    if (side > 0) {
+    if (along_cross) {
       facet.names = {start, along_P, end, along_Q};
       facet.sides = {P_first, Q_last, P_last, Q_first};
     } else {

@@ -5,6 +5,7 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "reference/fault.hpp"
 #include "reference/interrupt.hpp"
 #include "reference/plane/boundary/boundary_graph.hpp"
 
@@ -26,6 +27,7 @@ OrientedPlane plane_of(const ConvolutionFacet& facet, const Integer& denominator
 
 /// Edges there and back, which parts of the boundary that only touch leave within a face, cancel.
 std::vector<PlaneEdge> without_opposites(std::vector<PlaneEdge> edges) {
+  if (planted(Fault::there_and_back_kept)) return edges;
   const auto key = [](const PlaneEdge& e) {
     const bool forward = less(e.from, e.to);
     return std::pair<const Point&, const Point&>(forward ? e.from : e.to, forward ? e.to : e.from);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "reference/fault.hpp"
 #include "reference/interrupt.hpp"
 #include "reference/space/edges/halved.hpp"
 
@@ -96,13 +97,24 @@ class OperandCells {
     const SpaceBox box = box_of(corners);
     const bool is_small = box.high[0] - box.low[0] <= size_ && box.high[1] - box.low[1] <= size_ &&
                           box.high[2] - box.low[2] <= size_;
-    if (!is_small && halvings > 0) {
+    const bool corners_only = planted(Fault::cells_of_corners_only);
+    if (!is_small && halvings > 0 && !corners_only) {
       return all_halves(corners, [&](auto part) { return touch(part, halvings - 1); });
     }
-    for (const BoundedVector& corner : corners) reach(corner);
-    const auto [first, last] = cells_about(box, size_);
-    for_cells(first, last, [&](const Cell& cell) { touched_.add(cell); });
+    for (const BoundedVector& corner : corners) {
+      reach(corner);
+      if (corners_only) touch_box(box_around(corner));
+    }
+    if (!corners_only) touch_box(box);
     return true;
+  }
+
+  void touch_box(const SpaceBox& box) {
+    const auto [first, last] = cells_about(box, size_);
+    for_cells(first, last, [&](const Cell& cell) {
+      touched_.add(cell);
+      if (planted(Fault::cells_reached_by_boxes)) reached.add(cell);
+    });
   }
 
   /// Cells that are not touched, and that hang together by their faces, are all inside or all
@@ -199,9 +211,13 @@ InteriorCells::InteriorCells(const SpaceOperand& P, const SpaceOperand& Q, std::
   }
   cells_ = CellGrid(low, size);
   // A cube of two cells, moved by any point of a cell, covers the cell in its middle.
-  constexpr Cell middle_cell{1, 1, 1};
-  add_sums(cells_, first.reached, cubes_of_two(second.inside), middle_cell);
-  add_sums(cells_, second.reached, cubes_of_two(first.inside), middle_cell);
+  const long middle = planted(Fault::middle_cell_misplaced) ? 0 : 1;
+  const auto add = [&](const CellGrid& moved, const CellGrid& inside) {
+    add_sums(cells_, moved, planted(Fault::cubes_of_one_cell) ? inside : cubes_of_two(inside),
+             {middle, middle, middle});
+  };
+  add(first.reached, second.inside);
+  add(second.reached, first.inside);
 }
 
 bool InteriorCells::contain_box(const SpaceBox& box) const {
