@@ -35,6 +35,7 @@ from minkref.event_values import FORMS, KINDS, PAIR_KINDS, ROUTED_KINDS, ROUTES
 from minkref.exact import approximate, read_window
 from minkref.operand import Operand, read_operand
 from minkref.output_target import Target, target_of
+from minkref.space.operand import in_space
 from minkref.terminal import console, counted, escaped, lines
 
 EXAMPLES = """Examples:
@@ -55,7 +56,9 @@ minkref events g1 g2 --where 'x in [0, 5] and y > 1/3 and parents has S 0.4' -o 
 
 minkref events g1 g2 --kind topology --where 'feature = hole and not change in (birth, death)'
 
-minkref events g1 g2 --form printed --arithmetic mpfr:53"""
+minkref events g1 g2 --form printed --arithmetic mpfr:53
+
+minkref events ring.off ball.off --from 1/5 --to 2 -o events.jsonl"""
 
 MEANINGS = {  # of the changes, under the table
     "pair": "birth, death: two edges of the convolution start, or cease, to meet as s grows. Where "
@@ -164,9 +167,17 @@ def command(
     json: Json = False,
     schema: Schema = False,
 ) -> None:
-    """All scales at which edges of the reduced convolution start or stop meeting: exact, sorted."""
+    """All scales at which edges of the reduced convolution start or stop meeting: exact, sorted. In
+    space, where P and Q are polyhedra, those at which two of its facets start, change or stop to
+    meet in a window."""
     watch = Stopwatch()
     _check(kind, form, arithmetic, least, limit)
+    if in_space(P, Q):
+        from minkref.commands.space.events import events_in_space, refuse_in_space
+
+        refuse_in_space(kind, form, arithmetic, reading, least, route, index, where)
+        events_in_space(P, Q, from_scale, to_scale, limit, output, file_format, json, memory)
+        return
     if reading and kind != "pair":
         what = "the paper's program has pair events only"
         raise Refusal(what, f"--kind {kind} --reading {reading[0]}", "leave out one of the two")

@@ -139,8 +139,8 @@ CriticalEvents critical_events_in_space(const Polyhedron& P, const Polyhedron& Q
   refuse_bad_window(from, to);
   CriticalEvents result;
   if (P.empty() || Q.empty()) return result;
-  const SpaceOperands operands = space_operands(P, Q, {1, 1, 1});
-  const MovingConvolution convolution(operands.P, operands.Q);
+  result.operands = std::make_shared<const SpaceOperands>(space_operands(P, Q, {1, 1, 1}));
+  const MovingConvolution convolution(result.operands->P, result.operands->Q);
   const std::vector<MovingBox> boxes = boxes_of(convolution, from, to);
   const MovingBoxTree tree(boxes);
   const BuildControl control(options, "the list of events");
@@ -170,13 +170,62 @@ CriticalEvents critical_events_in_space(const Polyhedron& P, const Polyhedron& Q
   return result;
 }
 
+std::optional<SpacePoint> place_of(const CriticalEvents& events, const SpacePairEvent& event) {
+  const SpaceOperands& operands = *events.operands;
+  const Rational& s = event.event.s;
+  using Vector = std::array<Rational, 3>;
+  const auto corner = [&](const MovingFacet& facet, std::size_t k) -> Vector {
+    const IntegerVector &p = operands.P.points[facet.names[k].of_P].exact,
+                        &q = operands.Q.points[facet.names[k].of_Q].exact;
+    return {s * Rational(p[0]) + Rational(q[0]), s * Rational(p[1]) + Rational(q[1]),
+            s * Rational(p[2]) + Rational(q[2])};
+  };
+  const auto scaled_down = [&](const Vector& x) -> SpacePoint {
+    const Rational unit(Integer(1), operands.denominator);
+    return {x[0] * unit, x[1] * unit, x[2] * unit};
+  };
+  const MovingFacet &first = events.facets[event.first], &second = events.facets[event.second];
+  if (event.event.kind != ContactKind::edge) {
+    if (event.event.of_first != FacetEvent::no_corner) {
+      return scaled_down(corner(first, event.event.of_first));
+    }
+    if (event.event.of_second != FacetEvent::no_corner) {
+      return scaled_down(corner(second, event.event.of_second));
+    }
+    return std::nullopt;
+  }
+  // Two lines a + t u and c + r v that meet, not parallel: (c - a) x v = t (u x v).
+  const auto side = [&](const MovingFacet& facet, std::size_t k) -> std::pair<Vector, Vector> {
+    const Vector from = corner(facet, k), to = corner(facet, (k + 1) % facet.size);
+    return {from, {to[0] - from[0], to[1] - from[1], to[2] - from[2]}};
+  };
+  const auto product = [](const Vector& a, const Vector& b) -> Vector {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+  };
+  const auto [a, u] = side(first, event.event.of_first);
+  const auto [c, v] = side(second, event.event.of_second);
+  const Vector moved = product({c[0] - a[0], c[1] - a[1], c[2] - a[2]}, v), across = product(u, v);
+  std::size_t axis = 0;
+  while (axis < 2 && across[axis] == 0) ++axis;
+  const Rational t = moved[axis] / across[axis];
+  return scaled_down({a[0] + t * u[0], a[1] + t * u[1], a[2] + t * u[2]});
+}
+
+std::uint64_t distinct_scales(const CriticalEvents& events) {
+  std::uint64_t count = 0;
+  for (std::size_t k = 0; k < events.events.size(); ++k) {
+    if (k == 0 || events.events[k].event.s != events.events[k - 1].event.s) ++count;
+  }
+  return count;
+}
+
 CriticalEvents critical_events_of_all_pairs(const Polyhedron& P, const Polyhedron& Q,
                                             const Rational& from, const Rational& to) {
   refuse_bad_window(from, to);
   CriticalEvents result;
   if (P.empty() || Q.empty()) return result;
-  const SpaceOperands operands = space_operands(P, Q, {1, 1, 1});
-  const MovingConvolution convolution(operands.P, operands.Q);
+  result.operands = std::make_shared<const SpaceOperands>(space_operands(P, Q, {1, 1, 1}));
+  const MovingConvolution convolution(result.operands->P, result.operands->Q);
   PairSearch search(convolution, from, to);
   for (std::uint32_t i = 0; i < convolution.facets.size(); ++i) {
     for (std::uint32_t j = i + 1; j < convolution.facets.size(); ++j) {

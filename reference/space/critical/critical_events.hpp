@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "reference/build/build_options.hpp"
@@ -16,6 +18,7 @@ struct SpacePairEvent {
 };
 
 struct CriticalEvents {
+  std::shared_ptr<const SpaceOperands> operands;  ///< none where one of them is empty
   std::vector<MovingFacet> facets;
   std::vector<SpacePairEvent> events;  ///< by scale, then by facets
   std::uint64_t near_pairs = 0;        ///< of facets whose boxes meet at some scale
@@ -30,6 +33,13 @@ struct CriticalEvents {
 CriticalEvents critical_events_in_space(const Polyhedron& P, const Polyhedron& Q,
                                         const Rational& from, const Rational& to,
                                         const BuildOptions& options = {});
+
+/// Where it happens: of a vertex the corner, of an edge where the sides cross; of parallel facets a
+/// corner of one that is in the other, if there is one. Exact.
+std::optional<SpacePoint> place_of(const CriticalEvents& events, const SpacePairEvent& event);
+
+/// How many different scales there are.
+std::uint64_t distinct_scales(const CriticalEvents& events);
 
 /// The same by all pairs of facets, without boxes or filters: for small operands.
 CriticalEvents critical_events_of_all_pairs(const Polyhedron& P, const Polyhedron& Q,

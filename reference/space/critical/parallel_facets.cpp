@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 
 namespace minkref::inline space {
 namespace {
@@ -78,26 +79,27 @@ FlatRing shared(FlatRing ring, const FlatRing& other) {
   return ring;
 }
 
-/// The first corner of each ring that is in the other.
-std::array<std::uint8_t, 2> corners_inside(const FlatPair& pair, const FlatRing& f,
-                                           const FlatRing& g) {
-  std::array<std::uint8_t, 2> found{FacetEvent::no_corner, FacetEvent::no_corner};
-  for (const std::size_t which : {std::size_t{0}, std::size_t{1}}) {
-    const FlatRing &own = which == 0 ? f : g, &other = which == 0 ? g : f;
-    for (std::size_t k = own.size(); k-- > 0;) {
-      if (has(other, own[k])) found[which] = pair.corner(which, k, own);
-    }
-  }
-  return found;
+/// The first corner of a ring that is in the other.
+std::optional<std::size_t> corner_inside(const FlatRing& ring, const FlatRing& other) {
+  const auto found =
+      std::find_if(ring.begin(), ring.end(), [&](const FlatPoint& p) { return has(other, p); });
+  if (found == ring.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - ring.begin());
 }
 
 std::vector<FacetEvent> in_one_plane_at(const FlatPair& pair, const Rational& s) {
   const FlatRing f = pair.ring(0, s), g = pair.ring(1, s);
   const FlatRing both = shared(f, g);
   if (both.empty()) return {};
-  const auto [of_first, of_second] = corners_inside(pair, f, g);
-  const ContactKind kind = both.size() > 2 ? ContactKind::parallel : ContactKind::vertex;
-  return {{kind, ContactChange::touch, of_first, of_second, s}};
+  FacetEvent event{both.size() > 2 ? ContactKind::parallel : ContactKind::vertex,
+                   ContactChange::touch, FacetEvent::no_corner, FacetEvent::no_corner, s};
+  const auto of_f = corner_inside(f, g), of_g = corner_inside(g, f);
+  if (of_f) event.of_first = pair.corner(0, *of_f, f);
+  const bool apart = of_f && of_g && f[*of_f] != g[*of_g];
+  if (of_g && (event.kind == ContactKind::parallel || !apart)) {
+    event.of_second = pair.corner(1, *of_g, g);
+  }
+  return {event};
 }
 
 /// Corners of one ring and sides of the other come to lie on each other.

@@ -1,0 +1,189 @@
+"""`minkref events` of polyhedra."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from minkref import _core
+from minkref.commands.line.memory import SMALLER, memory_wall
+from minkref.commands.line.progress import told_of
+from minkref.commands.lists.scale_index import cores
+from minkref.documents import Stopwatch, as_text, document, listing, refuse_overwriting
+from minkref.errors import Refusal, refusing
+from minkref.exact import approximate, read_window
+from minkref.output_target import target_of
+from minkref.space.operand import SpaceOperand, read_summand
+from minkref.terminal import console, counted
+
+FORMATS = ("json", "jsonl")
+SHOWN = 10  # events that people see
+PAGE = 4096  # events at a time
+
+
+def events_in_space(
+    P: str,
+    Q: str,
+    from_scale: str | None,
+    to_scale: str | None,
+    limit: int | None,
+    output: Path | None,
+    form: str | None,
+    json_document: bool,
+    memory: int | None = None,
+) -> None:
+    """The command, its options read but not yet checked."""
+    watch = Stopwatch()
+    if from_scale is None or to_scale is None:
+        missing = "--from" if from_scale is None else "--to"
+        raise Refusal("in space events are found in a window", missing, "give both --from and --to")
+    target = target_of(output, form, FORMATS, "json", json_document)
+    window = [bound for bound in read_window(from_scale, to_scale) if bound is not None]
+    with memory_wall(memory, "events in space", f"{P} and {Q}", SMALLER):
+        first, second = read_summand(P), read_summand(Q)
+        if output is not None:
+            refuse_overwriting(output, [first.file, second.file])
+        where = f"{first.name} and {second.name}"
+        _refuse_thin(first, second)
+        began = watch.seconds()
+        with told_of("finding all events") as tell:
+            found = refusing(
+                where,
+                lambda: _core.space_events(
+                    first.surface, second.surface, window[0], window[1], cores(), tell
+                ),
+            )
+        head = _head(watch, first, second, window, found, watch.seconds() - began, output)
+        count = len(found) if limit is None else min(limit, len(found))
+        if target is not None:
+            target.write_pieces(_pieces(target.form, head, found, count))
+        if json_document and target is None:
+            sys.stdout.writelines(listing(head, "events", _rows(found, count)))
+        elif json_document:
+            sys.stdout.write(as_text({**head, "events": None}))
+        elif target is None or not target.is_standard_output:
+            _print(head, found, min(count, SHOWN) if limit is None else count)
+
+
+def refuse_in_space(
+    kind: str,
+    form: str,
+    arithmetic: str,
+    reading: list[str] | None,
+    least: bool,
+    route: str | None,
+    index: Path | None,
+    where: str | None,
+) -> None:
+    """In space there are the events of pairs of facets, exact, and nothing else so far."""
+    if kind != "pair":
+        raise Refusal("in space there are pair events only", f"--kind {kind}", "leave it out")
+    given = {
+        "--form printed": form != "corrected",
+        f"--arithmetic {arithmetic}": arithmetic != "rational",
+        "--reading": bool(reading),
+        "--least-precision": least,
+        "--route": route is not None,
+        "--index": index is not None,
+        "--where": where is not None,
+    }
+    for option, is_given in given.items():
+        if is_given:
+            raise Refusal("this is for events in the plane", option, "leave it out")
+
+
+def _refuse_thin(P: SpaceOperand, Q: SpaceOperand) -> None:
+    for operand in (P, Q):
+        if not operand.is_solid:
+            mend = "give a polyhedron with a volume"
+            raise Refusal("events in space are those of solids", operand.name, mend, "not-solid")
+
+
+def _head(
+    watch: Stopwatch,
+    P: SpaceOperand,
+    Q: SpaceOperand,
+    window: list[str],
+    found: _core.SpaceEvents,
+    seconds: float,
+    output: Path | None,
+) -> dict[str, Any]:
+    counts = dict(found.counts())
+    signs = {name: counts.pop(name) for name in ("by_float", "by_integer")}
+    kinds = {name: counts.pop(name) for name in ("vertex", "edge", "parallel")}
+    return document(
+        "events",
+        watch,
+        dimension=3,
+        P=P.name,
+        Q=Q.name,
+        **{"from": window[0], "to": window[1]},
+        kind="pair",
+        warnings=P.warnings + Q.warnings,
+        output=str(output) if output else None,
+        compute_seconds=seconds,
+        count=len(found),
+        kinds=kinds,
+        signs=signs,
+        **counts,
+    )
+
+
+def _rows(found: _core.SpaceEvents, count: int) -> Iterator[dict[str, Any]]:
+    for start in range(0, count, PAGE):
+        for row in found.rows(start, min(PAGE, count - start)):
+            s, kind, change, first, of_first, second, of_second, place = row
+            yield {
+                "s": s,
+                "kind": kind,
+                "change": change,
+                "first": _touching(found, kind, first, of_first),
+                "second": _touching(found, kind, second, of_second),
+                "place": None if place is None else list(place),
+            }
+
+
+def _touching(
+    found: _core.SpaceEvents, kind: str, number: int, place: int | None
+) -> dict[str, Any]:
+    facet, of_P, of_Q = found.facet(number)
+    return {
+        "facet": facet,
+        "P": of_P,
+        "Q": of_Q,
+        "corner": place if kind != "edge" else None,
+        "side": place if kind == "edge" else None,
+    }
+
+
+def _pieces(form: str, head: dict[str, Any], found: _core.SpaceEvents, count: int) -> Iterator[str]:
+    if form == "json":
+        yield from listing(head, "events", _rows(found, count))
+        return
+    for row in _rows(found, count):
+        yield json.dumps(row) + "\n"
+
+
+def _print(head: dict[str, Any], found: _core.SpaceEvents, count: int) -> None:
+    told = console()
+    kinds = ", ".join(f"{number:,} {kind}" for kind, number in head["kinds"].items())
+    told.print(
+        f"{counted(head['count'], 'event')} at {counted(head['distinct'], 'scale')} from "
+        f"{head['from']} to {head['to']}: {kinds}"
+    )
+    told.print(
+        f"{head['facets']:,} facets of the convolution, {head['near_pairs']:,} pairs that may "
+        f"meet, {head['pairs_with_events']:,} with events; {head['compute_seconds']:.3f} s"
+    )
+    for row in _rows(found, count):
+        touching = " and ".join(
+            f"{one['facet']} {'-'.join(map(str, dict.fromkeys(one['P'])))}"
+            f" + {'-'.join(map(str, dict.fromkeys(one['Q'])))}"
+            for one in (row["first"], row["second"])
+        )
+        told.print(f"{approximate(row['s']):>14}  {row['kind']} {row['change']}: {touching}")
+    if count < head["count"]:
+        told.print(f"... and {head['count'] - count:,} more (--limit N, -o FILE)")

@@ -1,0 +1,166 @@
+// Critical scales of sums in space.
+#include <nanobind/stl/array.h>
+#include <nanobind/stl/function.h>
+#include <nanobind/stl/map.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "python/core.hpp"
+#include "python/core_space.hpp"
+#include "python/vector_caster.hpp"
+#include "reference/space/critical/critical_events.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace minkref::python {
+namespace {
+
+using Progress = std::function<void(std::size_t, std::size_t)>;
+using Numbers = std::vector<std::uint32_t>;
+/// Scale, kind, change; of each facet its number, and the corner or side that touches; the place.
+using EventRow =
+    std::tuple<std::string, std::string, std::string, std::uint32_t, std::optional<unsigned>,
+               std::uint32_t, std::optional<unsigned>, std::optional<ExactSpacePoint>>;
+
+const char* name(ContactKind kind) {
+  switch (kind) {
+    case ContactKind::vertex:
+      return "vertex";
+    case ContactKind::edge:
+      return "edge";
+    case ContactKind::parallel:
+      return "parallel";
+  }
+  return "";
+}
+
+const char* name(ContactChange change) {
+  switch (change) {
+    case ContactChange::birth:
+      return "birth";
+    case ContactChange::death:
+      return "death";
+    case ContactChange::touch:
+      return "touch";
+    case ContactChange::pass:
+      return "pass";
+  }
+  return "";
+}
+
+const char* name(FacetKind kind) {
+  switch (kind) {
+    case FacetKind::fv:
+      return "fv";
+    case FacetKind::vf:
+      return "vf";
+    case FacetKind::ee:
+      return "ee";
+  }
+  return "";
+}
+
+EventRow row(const CriticalEvents& events, const SpacePairEvent& e) {
+  const auto corner = [](std::uint8_t number) -> std::optional<unsigned> {
+    if (number == FacetEvent::no_corner) return std::nullopt;
+    return number;
+  };
+  const auto place = place_of(events, e);
+  return {to_string(e.event.s),      name(e.event.kind),
+          name(e.event.change),      e.first,
+          corner(e.event.of_first),  e.second,
+          corner(e.event.of_second), place ? std::optional(to_strings(*place)) : std::nullopt};
+}
+
+std::vector<EventRow> rows(const CriticalEvents& events, std::size_t first, std::size_t count) {
+  std::vector<EventRow> result;
+  const std::size_t end =
+      first + std::min(count, events.events.size() - std::min(first, events.events.size()));
+  for (std::size_t k = first; k < end; ++k) result.push_back(row(events, events.events[k]));
+  return result;
+}
+
+/// Kind, and the vertices of P and of Q of each corner.
+std::tuple<std::string, Numbers, Numbers> facet(const CriticalEvents& events, std::size_t number) {
+  const MovingFacet& found = events.facets.at(number);
+  Numbers of_P, of_Q;
+  for (std::size_t k = 0; k < found.size; ++k) {
+    of_P.push_back(found.names[k].of_P);
+    of_Q.push_back(found.names[k].of_Q);
+  }
+  return {name(found.kind), of_P, of_Q};
+}
+
+}  // namespace
+
+void bind_space_events(nb::module_& module) {
+  nb::class_<CriticalEvents>(module, "SpaceEvents",
+                             "Events of pairs of facets of the convolution in space, sorted.")
+      .def("__len__", [](const CriticalEvents& events) { return events.events.size(); })
+      .def(
+          "rows", &rows, "first"_a, "count"_a, Released(),
+          "Events from the number `first` on: scale, kind, change; the number of one facet and its "
+          "corner or side that touches, if there is one, and the same of the other; the place.")
+      .def("facet", &facet, "number"_a,
+           "Of a facet: its kind, and the vertices of P and of Q whose sums its corners are.")
+      .def(
+          "counts",
+          [](const CriticalEvents& events) {
+            std::map<std::string, std::uint64_t> counts{{"facets", events.facets.size()},
+                                                        {"near_pairs", events.near_pairs},
+                                                        {"pairs_with_events", events.meeting_pairs},
+                                                        {"distinct", distinct_scales(events)},
+                                                        {"by_float", events.signs.by_float},
+                                                        {"by_integer", events.signs.by_integer}};
+            for (const ContactKind kind :
+                 {ContactKind::vertex, ContactKind::edge, ContactKind::parallel}) {
+              counts[name(kind)] = 0;
+            }
+            for (const SpacePairEvent& e : events.events) ++counts[name(e.event.kind)];
+            return counts;
+          },
+          Released(), "How many there are of what.");
+  module.def(
+      "space_events",
+      [](const Surface& P, const Surface& Q, const std::string& from, const std::string& to,
+         unsigned threads, const std::optional<Progress>& progress) {
+        BuildOptions options;
+        options.threads = threads;
+        options.memory_limit = memory_limit();
+        if (progress) {
+          options.progress = [&progress](const BuildProgress& now) {
+            const nb::gil_scoped_acquire held;
+            (*progress)(now.done, now.total);
+          };
+        }
+        return critical_events_in_space(P.value(), Q.value(), parse_rational(from),
+                                        parse_rational(to), options);
+      },
+      "P"_a, "Q"_a, "from_scale"_a, "to_scale"_a, "threads"_a = 1, "progress"_a = nb::none(),
+      Released(),
+      "All scales of the closed window at which two facets of the convolution of sP and Q start, "
+      "change or stop to meet (Sec. 5), of valid polyhedra that do not cross themselves. Exact. "
+      "Raises BadInput, LimitExceeded.");
+  module.def(
+      "space_events_of_all_pairs",
+      [](const Surface& P, const Surface& Q, const std::string& from, const std::string& to) {
+        return critical_events_of_all_pairs(P.value(), Q.value(), parse_rational(from),
+                                            parse_rational(to));
+      },
+      "P"_a, "Q"_a, "from_scale"_a, "to_scale"_a, Released(),
+      "The same by all pairs of facets, without boxes and filters: slow.");
+}
+
+}  // namespace minkref::python

@@ -1,0 +1,97 @@
+"""`minkref events` of polyhedra."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+from minkref.commands.schemas import schema
+from written_solids import cube, frame, polygon, prism
+
+Minkref = Callable[..., Any]
+TENT = prism([(0, 0), (3, 0), (1, 2)], "5/2")
+
+
+@pytest.fixture
+def operands(tmp_path: Path) -> tuple[Path, Path]:
+    paths = tmp_path / "P.off", tmp_path / "Q.off"
+    for path, text in zip(paths, (frame(), TENT), strict=True):
+        path.write_text(text, encoding="utf-8")
+    return paths
+
+
+WINDOW = ("--from", "1/2", "--to", "4")
+
+
+def test_events_of_a_frame_and_a_tent(minkref: Minkref, operands: tuple[Path, Path]) -> None:
+    ran = minkref("events", *operands, *WINDOW, "--json")
+    assert ran.code == 0, ran.out
+    jsonschema.validate(ran.json, schema("events"))
+    value = ran.json
+    events = value["events"]
+    assert len(events) == value["count"] == sum(value["kinds"].values()) > 0
+    scales = [Fraction(event["s"]) for event in events]
+    assert scales == sorted(scales) and len(set(scales)) == value["distinct"]
+    assert Fraction(1, 2) <= scales[0] and scales[-1] <= 4
+    points = {name: _points(path) for name, path in zip("PQ", operands, strict=True)}
+    for event in events:
+        touching = [one for one in (event["first"], event["second"]) if one["corner"] is not None]
+        for one in touching[: 1 if event["kind"] == "parallel" else 2]:
+            p, q = (points[name][one[name][one["corner"]]] for name in "PQ")
+            s = Fraction(event["s"])
+            assert [Fraction(x) for x in event["place"]] == [
+                s * a + b for a, b in zip(p, q, strict=True)
+            ]
+
+
+def _points(path: Path) -> list[list[Fraction]]:
+    lines = path.read_text(encoding="utf-8").splitlines()
+    return [[Fraction(x) for x in line.split()] for line in lines[2 : 2 + int(lines[1].split()[0])]]
+
+
+def test_a_file_has_them_line_by_line(
+    minkref: Minkref, operands: tuple[Path, Path], tmp_path: Path
+) -> None:
+    path = tmp_path / "events.jsonl"
+    ran = minkref("events", *operands, *WINDOW, "-o", path, "--json")
+    assert ran.code == 0 and ran.json["events"] is None and ran.json["output"] == str(path)
+    lines = path.read_text(encoding="utf-8").splitlines()
+    assert len(lines) == ran.json["count"]
+    first = minkref("events", *operands, *WINDOW, "--json", "--limit", "1")
+    assert first.json["events"] == [json.loads(lines[0])]
+
+
+def test_people_see_the_first_of_them(minkref: Minkref, operands: tuple[Path, Path]) -> None:
+    ran = minkref("events", *operands, *WINDOW)
+    assert ran.code == 0 and "facets of the convolution" in ran.out and "more (--limit" in ran.out
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("--from", "1"),
+        ("--to", "2"),
+        (*WINDOW, "--kind", "triple"),
+        (*WINDOW, "--form", "printed"),
+        (*WINDOW, "--where", "s > 1"),
+        ("--from", "2", "--to", "1"),
+        (*WINDOW, "-o", "events.parquet"),
+    ],
+)
+def test_what_is_not_there_is_refused(
+    minkref: Minkref, operands: tuple[Path, Path], words: tuple[str, ...]
+) -> None:
+    ran = minkref("events", *operands, *words)
+    assert ran.code == 2 and ran.err.startswith("minkref: ")
+
+
+def test_thin_operands_are_refused(minkref: Minkref, tmp_path: Path) -> None:
+    (tmp_path / "P.off").write_text(cube(), encoding="utf-8")
+    (tmp_path / "Q.off").write_text(polygon([(0, 0), (1, 0), (0, 1)]), encoding="utf-8")
+    ran = minkref("events", tmp_path / "P.off", tmp_path / "Q.off", *WINDOW)
+    assert ran.code == 2 and "volume" in ran.err
