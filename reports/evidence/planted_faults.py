@@ -31,7 +31,7 @@ SUBJECT = (
     "At least 25 faults put into the reference in the plane and as many in space, one at a time: "
     "each is caught by a judge, a law or a test; a table says by which."
 )
-MINUTES = (35, None)
+MINUTES = (50, None)
 DEPENDS = (
     *REFERENCE, *COMPARISON, *CGAL, "tests/*/*.?pp", "tests/plane/*.py", "tests/dynamic/*.py",
     "oracle/slow/*.py", "oracle/symbolic/*.py",
