@@ -9,8 +9,8 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
+import certified_pairs_of_solids
 import pytest
-import solids
 from minkref.fuzz.judges.certified_solids import SolidConfirmation
 from minkref.fuzz.space.cells import surface_of
 from minkref.fuzz.space.polyhedron import Polyhedron

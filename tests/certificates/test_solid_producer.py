@@ -8,9 +8,9 @@ import json
 from pathlib import Path
 from typing import Any
 
+import certified_pairs_of_solids
 import cubes
 import pytest
-import solids
 from minkref import _core
 from minkref.certify import solid_certificate
 from minkref.certify.convex_certificate import convex_certificate

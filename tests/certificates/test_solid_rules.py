@@ -9,9 +9,9 @@ from itertools import product
 from pathlib import Path
 from typing import Any
 
+import certified_pairs_of_solids
 import cubes
 import pytest
-import solids
 from file_alone import alone, laid
 from minkref.fuzz.space.cells import surface_of
 

@@ -38,8 +38,8 @@ def test_polyhedra_are_listed_apart_with_their_facets(minkref: Minkref) -> None:
     assert ["gs3", "162", "320", "shipped"] in [words[:4] for words in lines]
 
 
-def test_polyhedron_is_refused_as_an_operand_in_the_plane(minkref: Minkref) -> None:
-    ran = minkref("events", "gs3", "g1", "--json")
+def test_polyhedron_is_refused_as_an_operand_in_the_plane(minkref: Minkref, tmp_path: Path) -> None:
+    ran = minkref("index", "gs3", "g1", "-o", tmp_path / "i.index", "--json")
     assert ran.code == 2
     assert ran.json["error"]["code"] == "three-dimensional"
 

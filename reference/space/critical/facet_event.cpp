@@ -162,10 +162,7 @@ std::optional<ContactRegion::Corner> ContactRegion::corner_of(std::size_t i, std
   for (std::size_t a = 0; a <= i; ++a) {
     for (std::size_t b = a + 1; b < count_; ++b) {
       if (a == i && b == j) {
-        const SideConstraint<Integer>&f = exact(i), &g = exact(j);
-        const Integer over = f.alpha * g.beta - g.alpha * f.beta;
-        return Corner{i, j, static_cast<std::uint8_t>(zeros),
-                      Rational(f.beta * g.gamma - g.beta * f.gamma, over)};
+        return Corner{i, j, static_cast<std::uint8_t>(zeros)};
       }
       if ((zeros >> a & 1U) != 0 && (zeros >> b & 1U) != 0 && turn(a, b) != 0) return std::nullopt;
     }
@@ -193,9 +190,36 @@ bool ContactRegion::grows_from(const Corner& corner, int direction) {
   return true;
 }
 
-FacetEvent ContactRegion::event_at(const Corner& corner) const {
-  FacetEvent contact{ContactKind::edge, ContactChange::pass, FacetEvent::no_corner,
-                     FacetEvent::no_corner, corner.s};
+/// From a plane and a corner, or from two sides: numbers are shorter than those of constraints.
+Rational ContactRegion::scale_of(const Corner& corner, const FacetEvent& event) {
+  IntegerVector normal;
+  ConvolutionFacet::Corner from, to;
+  if (event.kind == ContactKind::edge) {
+    normal = cross(first_.along[event.of_first].exact, second_.along[event.of_second].exact);
+    from = first_.names[event.of_first];
+    to = second_.names[event.of_second];
+  } else if (event.of_first != FacetEvent::no_corner) {
+    normal = second_.normal.exact;
+    from = first_.names[event.of_first];
+    to = second_.names[0];
+  } else {
+    normal = first_.normal.exact;
+    from = second_.names[event.of_second];
+    to = first_.names[0];
+  }
+  const SpaceOperand &P = convolution_.P, &Q = convolution_.Q;
+  const Integer slope = dot(normal, P.points[to.of_P].exact - P.points[from.of_P].exact);
+  if (slope != 0) {
+    return Rational(-dot(normal, Q.points[to.of_Q].exact - Q.points[from.of_Q].exact), slope);
+  }
+  // They touch at all scales, somewhere.
+  const SideConstraint<Integer>&f = exact(corner.i), &g = exact(corner.j);
+  return Rational(f.beta * g.gamma - g.beta * f.gamma, f.alpha * g.beta - g.alpha * f.beta);
+}
+
+FacetEvent ContactRegion::event_at(const Corner& corner) {
+  FacetEvent contact{
+      ContactKind::edge, ContactChange::pass, FacetEvent::no_corner, FacetEvent::no_corner, {}};
   const auto zero = [&](std::size_t k) { return (corner.zeros >> k & 1U) != 0; };
   const auto find = [&](std::size_t from, std::size_t size, std::uint8_t& corner_number) {
     for (std::size_t k = 0; k < size; ++k) {
@@ -211,6 +235,7 @@ FacetEvent ContactRegion::event_at(const Corner& corner) const {
     contact.of_first = static_cast<std::uint8_t>(corner.i);
     contact.of_second = static_cast<std::uint8_t>(corner.j - first_.size);
   }
+  contact.s = scale_of(corner, contact);
   return contact;
 }
 

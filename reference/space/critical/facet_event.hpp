@@ -54,7 +54,6 @@ class ContactRegion {
   struct Corner {
     std::size_t i, j;    ///< of the constraints that are zero there
     std::uint8_t zeros;  ///< which constraints are
-    Rational s;
   };
 
   /// The line in which the planes cross: (s A + B) foot + t along, over `weight` > 0.
@@ -73,7 +72,8 @@ class ContactRegion {
   int turn(std::size_t i, std::size_t j);
   int side(std::size_t i, std::size_t j, std::size_t k);
   std::optional<Corner> corner_of(std::size_t i, std::size_t j);
-  FacetEvent event_at(const Corner& corner) const;
+  FacetEvent event_at(const Corner& corner);
+  Rational scale_of(const Corner& corner, const FacetEvent& event);
   bool grows_from(const Corner& corner, int direction);
 
   const MovingConvolution& convolution_;
