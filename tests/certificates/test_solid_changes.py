@@ -9,18 +9,18 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-import certified_pairs_of_solids
 import pytest
+import solid_pairs
 from minkref.fuzz.judges.certified_solids import SolidConfirmation
 from minkref.fuzz.space.cells import surface_of
 from minkref.fuzz.space.polyhedron import Polyhedron
 from test_convex_changes import Change, both_verdicts, changed, digest_if_it_has_one
 
 SEED, MOST = 71, 700
-PAIRS: dict[str, tuple[Polyhedron, Polyhedron, solids.Scaling]] = {
-    "L and cube": (solids.L, solids.brick(1, 1, 1), solids.UNEQUAL),
+PAIRS: dict[str, tuple[Polyhedron, Polyhedron, solid_pairs.Scaling]] = {
+    "L and cube": (solid_pairs.L, solid_pairs.brick(1, 1, 1), solid_pairs.UNEQUAL),
     "two cells and a tetrahedron": (
-        surface_of({(0, 0, 0), (2, 0, 0)}), solids.tetrahedron(), ("1/3", "1/2", "1"),
+        surface_of({(0, 0, 0), (2, 0, 0)}), solid_pairs.tetrahedron(), ("1/3", "1/2", "1"),
     ),
 }  # fmt: skip
 
@@ -41,7 +41,7 @@ def changes(certificate: Any, case: Any) -> list[Change]:
 @pytest.mark.parametrize("name", PAIRS)
 def test_every_change_is_refused_or_true(tmp_path: Path, name: str) -> None:
     P, Q, scaling = PAIRS[name]
-    certificate, case = solids.values(P, Q, [scaling])
+    certificate, case = solid_pairs.values(P, Q, [scaling])
     certificate = {name: certificate[name] for name in ("certificate", "case", "proof", "claims")}
     given = changes(certificate, case)
     print(len(given), SEED)

@@ -8,9 +8,9 @@ import json
 from pathlib import Path
 from typing import Any
 
-import certified_pairs_of_solids
 import cubes
 import pytest
+import solid_pairs
 from minkref import _core
 from minkref.certify import solid_certificate
 from minkref.certify.convex_certificate import convex_certificate
@@ -21,30 +21,30 @@ from minkref.fuzz.space.general_pairs import FAMILIES, pair_of_family
 SEED = 11
 
 
-@pytest.mark.parametrize("name", solids.PAIRS)
+@pytest.mark.parametrize("name", solid_pairs.PAIRS)
 def test_all_are_verified_and_say_what_the_slow_engine_says(
     check: Any, tmp_path: Path, name: str
 ) -> None:
-    P, Q, scalings = solids.PAIRS[name]
-    certificate = solids.certified(P, Q, scalings)
-    code, said = check(solids.written(certificate, tmp_path))
+    P, Q, scalings = solid_pairs.PAIRS[name]
+    certificate = solid_pairs.certified(P, Q, scalings)
+    code, said = check(solid_pairs.written(certificate, tmp_path))
     assert code == 0, said
     assert said.count("sum: at (") == len(scalings)
     assert SolidConfirmation(json.loads(certificate.case())).all_hold(certificate.claims)
 
 
 def test_a_convex_sum_has_the_digest_of_a_convex_polyhedron() -> None:
-    P, Q, scalings = solids.PAIRS["convex"]
-    texts = convex_certificate(solids.given(P), solids.given(Q), scalings, "case.json")
+    P, Q, scalings = solid_pairs.PAIRS["convex"]
+    texts = convex_certificate(solid_pairs.given(P), solid_pairs.given(Q), scalings, "case.json")
     convex = [claim["digest"] for claim in json.loads(texts.certificate)["claims"]]
-    assert [claim["digest"] for claim in solids.certified(P, Q, scalings).claims] == convex
+    assert [claim["digest"] for claim in solid_pairs.certified(P, Q, scalings).claims] == convex
 
 
 def test_a_hole_that_is_filled_leaves_a_box(check: Any, tmp_path: Path) -> None:
-    P, Q, scalings = solids.PAIRS["ring and what fills its hole"]
-    certificate = solids.certified(P, Q, scalings)
-    assert check(solids.written(certificate, tmp_path))[0] == 0
-    whole = _core.PolyhedralSet(solids.given(solids.brick(7, 6, 2)))
+    P, Q, scalings = solid_pairs.PAIRS["ring and what fills its hole"]
+    certificate = solid_pairs.certified(P, Q, scalings)
+    assert check(solid_pairs.written(certificate, tmp_path))[0] == 0
+    whole = _core.PolyhedralSet(solid_pairs.given(solid_pairs.brick(7, 6, 2)))
     found = whole.convex()
     assert found is not None
     digest = hashlib.sha256(found.surface().canonical_json().encode()).hexdigest()
@@ -56,27 +56,27 @@ def test_random_pairs(check: Any, tmp_path: Path, family: str) -> None:
     for index in range(3):
         pair = pair_of_family(family, SEED, index)
         scale = str(pair.scale)
-        certificate = solids.certified(pair.P, pair.Q, [(scale, scale, scale)])
-        code, said = check(solids.written(certificate, tmp_path))
+        certificate = solid_pairs.certified(pair.P, pair.Q, [(scale, scale, scale)])
+        code, said = check(solid_pairs.written(certificate, tmp_path))
         assert code == 0, (pair.name, said)
 
 
 def test_a_scaling_is_claimed_once(check: Any, tmp_path: Path) -> None:
-    cube = solids.brick(1, 1, 1)
-    certificate = solids.certified(solids.L, cube, [("1", "2", "3"), ("2/2", "2", "6/2")])
+    cube = solid_pairs.brick(1, 1, 1)
+    certificate = solid_pairs.certified(solid_pairs.L, cube, [("1", "2", "3"), ("2/2", "2", "6/2")])
     certificate.sum(("1", "1", "1"))
     assert [claim["scaling"] for claim in certificate.claims] == [("1", "2", "3"), ("1", "1", "1")]
-    assert check(solids.written(certificate, tmp_path))[0] == 0
+    assert check(solid_pairs.written(certificate, tmp_path))[0] == 0
 
 
 @pytest.mark.parametrize("scaling", [("1", "0", "1"), ("1", "1", "-2")])
-def test_bad_scalings_are_refused(scaling: solids.Scaling) -> None:
+def test_bad_scalings_are_refused(scaling: solid_pairs.Scaling) -> None:
     with pytest.raises(_core.BadInput):
-        solids.certified(solids.L, solids.brick(1, 1, 1), [scaling])
+        solid_pairs.certified(solid_pairs.L, solid_pairs.brick(1, 1, 1), [scaling])
 
 
 def test_operands_that_are_no_solids_are_refused() -> None:
-    cube = solids.given(solids.brick(1, 1, 1))
+    cube = solid_pairs.given(solid_pairs.brick(1, 1, 1))
     open_ = _core.Polyhedron(cube.points(), cube.rings()[1:])
     point = _core.Polyhedron([("0", "0", "0")], [])
     for other in (open_, point):
@@ -89,15 +89,15 @@ def test_operands_that_are_no_solids_are_refused() -> None:
 def test_what_is_too_large_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(solid_certificate, "MOST_PAIRS", 3)
     with pytest.raises(Refusal) as pairs:
-        solids.certified(solids.L, solids.L, [solids.ONE])
+        solid_pairs.certified(solid_pairs.L, solid_pairs.L, [solid_pairs.ONE])
     assert pairs.value.code == "too-large" and "4 pairs" in pairs.value.what
     monkeypatch.setattr(solid_certificate, "MOST_ENTRIES", 10)
     with pytest.raises(Refusal) as entries:
-        solids.certified(solids.L, solids.brick(1, 1, 1), [solids.ONE])
+        solid_pairs.certified(solid_pairs.L, solid_pairs.brick(1, 1, 1), [solid_pairs.ONE])
     assert entries.value.code == "too-large" and "10 entries" in entries.value.what
 
 
 def test_the_case_is_that_of_the_convex_form() -> None:
-    cube = solids.given(solids.brick(1, 1, 1))
+    cube = solid_pairs.given(solid_pairs.brick(1, 1, 1))
     made = solid_certificate.SolidCertificate(cube, cube)
     assert made.case_digest() == cubes.digest_of_case(json.loads(made.case()))

@@ -1,4 +1,4 @@
-"""Certificates of sums of solids that break one rule each (docs/certificates-solids.md)."""
+"""Certificates of sums of solids that break one rule each (docs/certificates-solid_pairs.md)."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from itertools import product
 from pathlib import Path
 from typing import Any
 
-import certified_pairs_of_solids
 import cubes
 import pytest
+import solid_pairs
 from file_alone import alone, laid
 from minkref.fuzz.space.cells import surface_of
 
 Value = Any
-CERTIFICATE, CASE = solids.values(solids.L, solids.brick(1, 1, 1), [solids.ONE])
+CERTIFICATE, CASE = solid_pairs.values(solid_pairs.L, solid_pairs.brick(1, 1, 1), [solid_pairs.ONE])
 TREES = {
     (tuple(normal), offset): n
     for n, (normal, offset, _) in enumerate(CERTIFICATE["proof"]["sums"][0]["planes"])
@@ -166,10 +166,10 @@ def test_a_hole_in_an_operand_is_no_part_of_it(check_value: Any) -> None:
     """The pieces of the full box tile no box with a cavity, nor the other way round."""
     hollow = surface_of(set(product(range(3), repeat=3)) - {(1, 1, 1)})
     full = surface_of(set(product(range(3), repeat=3)))
-    cube = solids.brick(1, 1, 1)
+    cube = solid_pairs.brick(1, 1, 1)
     for one, other in ((hollow, full), (full, hollow)):
-        certificate, _ = solids.values(one, cube, [solids.ONE])
-        _, case = solids.values(other, cube, [solids.ONE])
+        certificate, _ = solid_pairs.values(one, cube, [solid_pairs.ONE])
+        _, case = solid_pairs.values(other, cube, [solid_pairs.ONE])
         certificate["case"]["sha256"] = cubes.digest_of_case(case)
         code, said = check_value(certificate, case)
         assert code in (1, 2), said
@@ -187,7 +187,7 @@ def test_an_operand_turned_inside_out_is_refused(check_value: Any) -> None:
 def test_what_abuts_from_above_has_no_face_below(check_value: Any) -> None:
     """Two cells, one apart, each plus a cell: the sums abut in the plane x = 2."""
     cells = surface_of({(0, 0, 0), (2, 0, 0)})
-    certificate, case = solids.values(cells, solids.brick(1, 1, 1), [solids.ONE])
+    certificate, case = solid_pairs.values(cells, solid_pairs.brick(1, 1, 1), [solid_pairs.ONE])
     (tree,) = (plane[2] for plane in planes(certificate) if plane[:2] == [[1, 0, 0], "2"])
     (entry,) = tree
     assert entry[0] == "above"
