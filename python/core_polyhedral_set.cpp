@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "python/core.hpp"
+#include "python/core_build.hpp"
 #include "python/core_convex.hpp"
 #include "python/core_polyhedral_state.hpp"
 #include "python/core_space.hpp"
@@ -32,21 +33,6 @@ using namespace nb::literals;
 
 namespace minkref::python {
 namespace {
-
-using Progress = std::function<void(std::size_t, std::size_t)>;
-
-BuildOptions on(unsigned threads, const std::optional<Progress>& progress = std::nullopt) {
-  BuildOptions options;
-  options.threads = threads;
-  options.memory_limit = memory_limit();
-  if (progress) {
-    options.progress = [&progress](const BuildProgress& now) {
-      const nb::gil_scoped_acquire held;
-      (*progress)(now.done, now.total);
-    };
-  }
-  return options;
-}
 
 std::optional<ConvexBody> convex_body(const PolyhedralSet& set) {
   std::optional<ConvexPolyhedron> found = convex_polyhedron(set);
@@ -116,7 +102,7 @@ void bind_polyhedral_set(nb::module_& module) {
   module.def(
       "edge_sum_in_space",
       [](const Surface& P, const Surface& Q, const ExactSpacePoint& scaling, unsigned threads) {
-        return edge_sum(P.value(), Q.value(), to_scaling(scaling), on(threads)).set;
+        return edge_sum(P.value(), Q.value(), to_scaling(scaling), build_on(threads)).set;
       },
       "P"_a, "Q"_a, "scaling"_a, "threads"_a = 1, Released(),
       "S P ⊕ Q, its boundary built from the edges of the reduced convolution (Sec. 3), of valid "
@@ -127,7 +113,7 @@ void bind_polyhedral_set(nb::module_& module) {
       [](const Surface& P, const Surface& Q, const ExactSpacePoint& scaling, unsigned threads,
          const std::optional<Progress>& progress) {
         const EdgeSum sum =
-            edge_sum(P.value(), Q.value(), to_scaling(scaling), on(threads, progress));
+            edge_sum(P.value(), Q.value(), to_scaling(scaling), build_on(threads, progress));
         const EdgeStatistics& statistics = sum.statistics;
         const std::map<std::string, std::uint64_t> counts{
             {"convolution_facets", sum.facets},      {"covered_facets", sum.covered_facets},

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "python/core.hpp"
+#include "python/core_build.hpp"
 #include "python/core_space.hpp"
 #include "python/vector_caster.hpp"
 #include "reference/space/critical/critical_events.hpp"
@@ -27,7 +28,6 @@ using namespace nb::literals;
 namespace minkref::python {
 namespace {
 
-using Progress = std::function<void(std::size_t, std::size_t)>;
 using Numbers = std::vector<std::uint32_t>;
 /// Scale, kind, change; of each facet its number, and the corner or side that touches; the place.
 using EventRow =
@@ -136,17 +136,8 @@ void bind_space_events(nb::module_& module) {
       "space_events",
       [](const Surface& P, const Surface& Q, const std::string& from, const std::string& to,
          unsigned threads, const std::optional<Progress>& progress) {
-        BuildOptions options;
-        options.threads = threads;
-        options.memory_limit = memory_limit();
-        if (progress) {
-          options.progress = [&progress](const BuildProgress& now) {
-            const nb::gil_scoped_acquire held;
-            (*progress)(now.done, now.total);
-          };
-        }
         return critical_events_in_space(P.value(), Q.value(), parse_rational(from),
-                                        parse_rational(to), options);
+                                        parse_rational(to), build_on(threads, progress));
       },
       "P"_a, "Q"_a, "from_scale"_a, "to_scale"_a, "threads"_a = 1, "progress"_a = nb::none(),
       Released(),

@@ -21,6 +21,7 @@ using bodies::unit;
 using polycubes::block;
 using polycubes::Cells;
 using polycubes::identity;
+using polycubes::is_valid;
 using polycubes::Matrix;
 using polycubes::solid;
 using polycubes::with;
@@ -28,15 +29,6 @@ using polycubes::without;
 
 std::string text(const Polyhedron& P, const Polyhedron& Q, const Scaling& s = unit) {
   return canonical_json(edge_sum(P, Q, s).set);
-}
-
-bool is_valid(const Polyhedron& body) {
-  try {
-    validate(body);
-  } catch (const BadInput&) {
-    return false;
-  }
-  return true;
 }
 
 /// Cells whose surface is a manifold.

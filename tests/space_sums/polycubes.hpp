@@ -7,6 +7,7 @@
 #include <set>
 #include <vector>
 
+#include "reference/error.hpp"
 #include "reference/space/polyhedral_set.hpp"
 #include "reference/space/polyhedron.hpp"
 
@@ -90,6 +91,15 @@ inline Polyhedron solid(const Cells& cells, const Matrix& m = identity) {
     }
   }
   return result;
+}
+
+inline bool is_valid(const Polyhedron& body) {
+  try {
+    validate(body);
+  } catch (const BadInput&) {
+    return false;
+  }
+  return true;
 }
 
 /// The cells of the sum: two cells give a block of eight.

@@ -20,6 +20,7 @@ using polycubes::block;
 using polycubes::Cell;
 using polycubes::Cells;
 using polycubes::identity;
+using polycubes::is_valid;
 using polycubes::Matrix;
 using polycubes::solid;
 using polycubes::without;
@@ -183,15 +184,6 @@ TightPassagesInSpace expect_passages(const Cells& P, const Cells& Q, const Matri
   EXPECT_EQ(found.lines, wanted.lines);
   EXPECT_EQ(found.points, wanted.points);
   return wanted;
-}
-
-bool is_valid(const Polyhedron& body) {
-  try {
-    validate(body);
-  } catch (const BadInput&) {
-    return false;
-  }
-  return true;
 }
 
 TEST(TightPassages, ABlockInAHoleOfItsSize) {
