@@ -89,6 +89,7 @@ def command(
             "parallel: two parallel edges lie on one line at that scale. "
             "triple: three edges pass through one point. "
             "arrangement: all three. "
+            "In space these are of facets: pair of two, triple of three and of four. "
             "boundary: the vertices of the sum's boundary or their order change. "
             "topology: a hole or component is born, dies, merges, splits or touches itself.",
         ),
@@ -176,7 +177,7 @@ def command(
         from minkref.commands.space.events import events_in_space, refuse_in_space
 
         refuse_in_space(kind, form, arithmetic, reading, least, route, index, where)
-        events_in_space(P, Q, from_scale, to_scale, limit, output, file_format, json, memory)
+        events_in_space(P, Q, kind, from_scale, to_scale, limit, output, file_format, json, memory)
         return
     if reading and kind != "pair":
         what = "the paper's program has pair events only"

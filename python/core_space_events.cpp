@@ -72,6 +72,19 @@ const char* name(FacetKind kind) {
   return "";
 }
 
+/// Scale, kind, change; three or four facets; which of three has the point on a side, and the
+/// number of that side; the place.
+using ConcurrentRow = std::tuple<std::string, std::string, std::string, Numbers,
+                                 std::optional<std::tuple<unsigned, unsigned>>, ExactSpacePoint>;
+
+ConcurrentRow row(const CriticalEvents& events, const ConcurrentEvent& e) {
+  Numbers facets(e.facets.begin(), e.facets.begin() + (e.is_of_four() ? 4 : 3));
+  std::optional<std::tuple<unsigned, unsigned>> side;
+  if (!e.is_of_four()) side.emplace(e.of, e.side);
+  return {to_string(e.s), e.is_of_four() ? "four" : "triple", name(e.change), facets,
+          side,           to_strings(place_of(events, e))};
+}
+
 EventRow row(const CriticalEvents& events, const SpacePairEvent& e) {
   const auto corner = [](std::uint8_t number) -> std::optional<unsigned> {
     if (number == FacetEvent::no_corner) return std::nullopt;
@@ -84,17 +97,30 @@ EventRow row(const CriticalEvents& events, const SpacePairEvent& e) {
           corner(e.event.of_second), place ? std::optional(to_strings(*place)) : std::nullopt};
 }
 
-std::vector<EventRow> rows(const CriticalEvents& events, std::size_t first, std::size_t count) {
-  std::vector<EventRow> result;
-  const std::size_t end =
-      first + std::min(count, events.events.size() - std::min(first, events.events.size()));
-  for (std::size_t k = first; k < end; ++k) result.push_back(row(events, events.events[k]));
+template <class Row, class Event>
+std::vector<Row> rows_of(const CriticalEvents& events, const std::vector<Event>& list,
+                         std::size_t first, std::size_t count) {
+  std::vector<Row> result;
+  const std::size_t start = std::min(first, list.size()),
+                    end = start + std::min(count, list.size() - start);
+  for (std::size_t k = start; k < end; ++k) result.push_back(row(events, list[k]));
   return result;
 }
 
+std::vector<EventRow> rows(const CriticalEvents& events, std::size_t first, std::size_t count) {
+  return rows_of<EventRow>(events, events.events, first, count);
+}
+
+std::vector<ConcurrentRow> concurrent(const CriticalEvents& events, std::size_t first,
+                                      std::size_t count) {
+  return rows_of<ConcurrentRow>(events, events.concurrent, first, count);
+}
+
+EventsOf what(bool concurrent) { return concurrent ? EventsOf::all : EventsOf::pairs; }
+
 /// Kind, and the vertices of P and of Q of each corner.
 std::tuple<std::string, Numbers, Numbers> facet(const CriticalEvents& events, std::size_t number) {
-  const MovingFacet& found = events.facets.at(number);
+  const MovingFacet& found = events.convolution->facets.at(number);
   Numbers of_P, of_Q;
   for (std::size_t k = 0; k < found.size; ++k) {
     of_P.push_back(found.names[k].of_P);
@@ -113,44 +139,58 @@ void bind_space_events(nb::module_& module) {
           "rows", &rows, "first"_a, "count"_a, Released(),
           "Events from the number `first` on: scale, kind, change; the number of one facet and its "
           "corner or side that touches, if there is one, and the same of the other; the place.")
+      .def("concurrent", &concurrent, "first"_a, "count"_a, Released(),
+           "Events of three and of four facets from the number `first` on: scale, kind (triple or "
+           "four), change; the numbers of the facets; of three, which of them has the point on a "
+           "side, and the number of that side; the place.")
       .def("facet", &facet, "number"_a,
            "Of a facet: its kind, and the vertices of P and of Q whose sums its corners are.")
       .def(
           "counts",
           [](const CriticalEvents& events) {
-            std::map<std::string, std::uint64_t> counts{{"facets", events.facets.size()},
-                                                        {"near_pairs", events.near_pairs},
-                                                        {"pairs_with_events", events.meeting_pairs},
-                                                        {"distinct", distinct_scales(events)},
-                                                        {"by_float", events.signs.by_float},
-                                                        {"by_integer", events.signs.by_integer}};
+            std::map<std::string, std::uint64_t> counts{
+                {"facets", events.convolution ? events.convolution->facets.size() : 0},
+                {"near_pairs", events.near_pairs},
+                {"pairs_with_events", events.meeting_pairs},
+                {"distinct", distinct_scales(events.events, events.concurrent)},
+                {"distinct_of_pairs", distinct_scales(events.events, {})},
+                {"distinct_of_more", distinct_scales({}, events.concurrent)},
+                {"by_float", events.signs.by_float},
+                {"by_integer", events.signs.by_integer}};
             for (const ContactKind kind :
                  {ContactKind::vertex, ContactKind::edge, ContactKind::parallel}) {
               counts[name(kind)] = 0;
             }
             for (const SpacePairEvent& e : events.events) ++counts[name(e.event.kind)];
+            counts["tracks"] = events.tracks;
+            counts["four"] = static_cast<std::uint64_t>(
+                std::count_if(events.concurrent.begin(), events.concurrent.end(),
+                              [](const ConcurrentEvent& e) { return e.is_of_four(); }));
+            counts["triple"] = events.concurrent.size() - counts["four"];
             return counts;
           },
           Released(), "How many there are of what.");
   module.def(
       "space_events",
       [](const Surface& P, const Surface& Q, const std::string& from, const std::string& to,
-         unsigned threads, const std::optional<Progress>& progress) {
+         unsigned threads, const std::optional<Progress>& progress, bool concurrent) {
         return critical_events_in_space(P.value(), Q.value(), parse_rational(from),
-                                        parse_rational(to), build_on(threads, progress));
+                                        parse_rational(to), build_on(threads, progress),
+                                        what(concurrent));
       },
       "P"_a, "Q"_a, "from_scale"_a, "to_scale"_a, "threads"_a = 1, "progress"_a = nb::none(),
-      Released(),
+      "concurrent"_a = false, Released(),
       "All scales of the closed window at which two facets of the convolution of sP and Q start, "
-      "change or stop to meet (Sec. 5), of valid polyhedra that do not cross themselves. Exact. "
-      "Raises BadInput, LimitExceeded.");
+      "change or stop to meet (Sec. 5), of valid polyhedra that do not cross themselves; if "
+      "`concurrent`, also those of three and of four. Exact. Raises BadInput, LimitExceeded.");
   module.def(
       "space_events_of_all_pairs",
-      [](const Surface& P, const Surface& Q, const std::string& from, const std::string& to) {
+      [](const Surface& P, const Surface& Q, const std::string& from, const std::string& to,
+         bool concurrent) {
         return critical_events_of_all_pairs(P.value(), Q.value(), parse_rational(from),
-                                            parse_rational(to));
+                                            parse_rational(to), what(concurrent));
       },
-      "P"_a, "Q"_a, "from_scale"_a, "to_scale"_a, Released(),
+      "P"_a, "Q"_a, "from_scale"_a, "to_scale"_a, "concurrent"_a = false, Released(),
       "The same by all pairs of facets, without boxes and filters: slow.");
 }
 

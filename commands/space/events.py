@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import heapq
 import json
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
+from fractions import Fraction
+from itertools import chain, islice
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +23,11 @@ from minkref.space.operand import SpaceOperand, read_summand
 from minkref.terminal import console, counted
 
 FORMATS = ("json", "jsonl")
+KINDS = {
+    "pair": ("vertex", "edge", "parallel"),
+    "triple": ("triple", "four"),
+    "arrangement": ("vertex", "edge", "parallel", "triple", "four"),
+}
 SHOWN = 10  # events that people see
 PAGE = 4096  # events at a time
 
@@ -27,6 +35,7 @@ PAGE = 4096  # events at a time
 def events_in_space(
     P: str,
     Q: str,
+    kind: str,
     from_scale: str | None,
     to_scale: str | None,
     limit: int | None,
@@ -53,15 +62,21 @@ def events_in_space(
             found = refusing(
                 where,
                 lambda: _core.space_events(
-                    first.surface, second.surface, window[0], window[1], cores(), tell
+                    first.surface,
+                    second.surface,
+                    window[0],
+                    window[1],
+                    cores(),
+                    tell,
+                    kind != "pair",
                 ),
             )
-        head = _head(watch, first, second, window, found, watch.seconds() - began, output)
-        count = len(found) if limit is None else min(limit, len(found))
+        head = _head(watch, first, second, window, kind, found, watch.seconds() - began, output)
+        count = head["count"] if limit is None else min(limit, head["count"])
         if target is not None:
-            target.write_pieces(_pieces(target.form, head, found, count))
+            target.write_pieces(_pieces(target.form, head, _rows(found, kind, count)))
         if json_document and target is None:
-            sys.stdout.writelines(listing(head, "events", _rows(found, count)))
+            sys.stdout.writelines(listing(head, "events", _rows(found, kind, count)))
         elif json_document:
             sys.stdout.write(as_text({**head, "events": None}))
         elif target is None or not target.is_standard_output:
@@ -78,9 +93,10 @@ def refuse_in_space(
     index: Path | None,
     where: str | None,
 ) -> None:
-    """In space there are the events of pairs of facets, exact, and nothing else so far."""
-    if kind != "pair":
-        raise Refusal("in space there are pair events only", f"--kind {kind}", "leave it out")
+    """In space there are the exact events of the arrangement of facets, and no others."""
+    if kind not in KINDS:
+        what = "in space there are events of two facets, and of three or four"
+        raise Refusal(what, f"--kind {kind}", f"choose one of {', '.join(KINDS)}")
     given = {
         "--form printed": form != "corrected",
         f"--arithmetic {arithmetic}": arithmetic != "rational",
@@ -107,13 +123,17 @@ def _head(
     P: SpaceOperand,
     Q: SpaceOperand,
     window: list[str],
+    kind: str,
     found: _core.SpaceEvents,
     seconds: float,
     output: Path | None,
 ) -> dict[str, Any]:
     counts = dict(found.counts())
     signs = {name: counts.pop(name) for name in ("by_float", "by_integer")}
-    kinds = {name: counts.pop(name) for name in ("vertex", "edge", "parallel")}
+    every = {name: counts.pop(name) for name in KINDS["arrangement"]}
+    kinds = {name: every[name] for name in KINDS[kind]}
+    distinct = counts.pop("distinct_of_pairs"), counts.pop("distinct_of_more")
+    both = counts.pop("distinct")
     return document(
         "events",
         watch,
@@ -121,49 +141,71 @@ def _head(
         P=P.name,
         Q=Q.name,
         **{"from": window[0], "to": window[1]},
-        kind="pair",
+        kind=kind,
         warnings=P.warnings + Q.warnings,
         output=str(output) if output else None,
         compute_seconds=seconds,
-        count=len(found),
+        count=sum(kinds.values()),
+        distinct={"pair": distinct[0], "triple": distinct[1], "arrangement": both}[kind],
         kinds=kinds,
         signs=signs,
         **counts,
     )
 
 
-def _rows(found: _core.SpaceEvents, count: int) -> Iterator[dict[str, Any]]:
-    for start in range(0, count, PAGE):
-        for row in found.rows(start, min(PAGE, count - start)):
-            s, kind, change, first, of_first, second, of_second, place = row
-            yield {
-                "s": s,
-                "kind": kind,
-                "change": change,
-                "first": _touching(found, kind, first, of_first),
-                "second": _touching(found, kind, second, of_second),
-                "place": None if place is None else list(place),
-            }
+def _rows(found: _core.SpaceEvents, kind: str, count: int) -> Iterator[dict[str, Any]]:
+    """The first so many of a kind."""
+    of_pairs = _of_pairs(found) if kind != "triple" else iter(())
+    of_more = _of_more(found) if kind != "pair" else iter(())
+    merged = heapq.merge(of_pairs, of_more, key=lambda row: Fraction(row["s"]))
+    return islice(merged if kind == "arrangement" else chain(of_pairs, of_more), count)
 
 
-def _touching(
-    found: _core.SpaceEvents, kind: str, number: int, place: int | None
+def _of_pairs(found: _core.SpaceEvents) -> Iterator[dict[str, Any]]:
+    for s, kind, change, first, of_first, second, of_second, place in _paged(found.rows):
+        is_side = kind == "edge"
+        facets = [
+            _facet(found, number, None if is_side else at, at if is_side else None)
+            for number, at in ((first, of_first), (second, of_second))
+        ]
+        yield _row(s, kind, change, facets, place)
+
+
+def _of_more(found: _core.SpaceEvents) -> Iterator[dict[str, Any]]:
+    for s, kind, change, numbers, at, place in _paged(found.concurrent):
+        facets = [
+            _facet(found, number, None, at[1] if at is not None and at[0] == k else None)
+            for k, number in enumerate(numbers)
+        ]
+        yield _row(s, kind, change, facets, place)
+
+
+def _paged(page: Callable[[int, int], list[Any]]) -> Iterator[Any]:
+    start = 0
+    while rows := page(start, PAGE):
+        yield from rows
+        start += PAGE
+
+
+def _row(
+    s: str, kind: str, change: str, facets: list[dict[str, Any]], place: Sequence[str] | None
+) -> dict[str, Any]:
+    at = None if place is None else list(place)
+    return {"s": s, "kind": kind, "change": change, "facets": facets, "place": at}
+
+
+def _facet(
+    found: _core.SpaceEvents, number: int, corner: int | None, side: int | None
 ) -> dict[str, Any]:
     facet, of_P, of_Q = found.facet(number)
-    return {
-        "facet": facet,
-        "P": of_P,
-        "Q": of_Q,
-        "corner": place if kind != "edge" else None,
-        "side": place if kind == "edge" else None,
-    }
+    return {"facet": facet, "P": of_P, "Q": of_Q, "corner": corner, "side": side}
 
 
-def _pieces(form: str, head: dict[str, Any], found: _core.SpaceEvents, count: int) -> Iterator[str]:
+def _pieces(form: str, head: dict[str, Any], rows: Iterator[dict[str, Any]]) -> Iterator[str]:
     if form == "json":
-        yield from listing(head, "events", _rows(found, count))
+        yield from listing(head, "events", rows)
         return
-    for row in _rows(found, count):
+    for row in rows:
         yield json.dumps(row) + "\n"
 
 
@@ -178,11 +220,11 @@ def _print(head: dict[str, Any], found: _core.SpaceEvents, count: int) -> None:
         f"{head['facets']:,} facets of the convolution, {head['near_pairs']:,} pairs that may "
         f"meet, {head['pairs_with_events']:,} with events; {head['compute_seconds']:.3f} s"
     )
-    for row in _rows(found, count):
+    for row in _rows(found, head["kind"], count):
         touching = " and ".join(
             f"{one['facet']} {'-'.join(map(str, dict.fromkeys(one['P'])))}"
             f" + {'-'.join(map(str, dict.fromkeys(one['Q'])))}"
-            for one in (row["first"], row["second"])
+            for one in row["facets"]
         )
         told.print(f"{approximate(row['s']):>14}  {row['kind']} {row['change']}: {touching}")
     if count < head["count"]:

@@ -11,7 +11,10 @@ Segment3 = tuple[Vector, Vector]
 
 
 def on_segment(x: Vector, segment: Segment3) -> bool:
+    """Also of a segment that is a point."""
     a, b = segment
+    if a == b:
+        return x == a
     along, off = minus(b, a), minus(x, a)
     return not any(cross(along, off)) and 0 <= dot(along, off) <= dot(along, along)
 
@@ -59,3 +62,48 @@ def polygons_meet(first: Sequence[Vector], second: Sequence[Vector]) -> bool:
     if any(shared(a, b) for a in sides[0] for b in sides[1]):
         return True
     return in_polygon(first[0], second) or in_polygon(second[0], first)
+
+
+def shared_by_polygons(first: Sequence[Vector], second: Sequence[Vector]) -> Segment3 | None:
+    """The common points of two convex polygons in planes that cross, as those between two points:
+    where the first meets the plane of the second, cut off at the sides of the second. Exact."""
+    normal = _normal(second)
+    heights = [dot(normal, minus(x, second[0])) for x in first]
+    on_plane = [x for x, height in zip(first, heights, strict=True) if height == 0]
+    for i, height in enumerate(heights):
+        j = (i + 1) % len(first)
+        if height * heights[j] < 0:
+            on_plane.append(_between(first[i], first[j], height / (height - heights[j])))
+    if not on_plane:
+        return None
+    low, high = min(on_plane), max(on_plane)
+    start, end = Rational(0), Rational(1)
+    for i, corner in enumerate(second):
+        inwards = cross(normal, minus(second[(i + 1) % len(second)], corner))
+        here, there = dot(inwards, minus(low, corner)), dot(inwards, minus(high, corner))
+        if here < 0 and there < 0:
+            return None
+        if here < 0:
+            start = max(start, here / (here - there))
+        if there < 0:
+            end = min(end, here / (here - there))
+    return None if start > end else (_between(low, high, start), _between(low, high, end))
+
+
+def share_an_area(first: Sequence[Vector], second: Sequence[Vector]) -> bool:
+    """Whether two convex polygons of one plane do: no side of one has the other behind it."""
+    for own, other in ((first, second), (second, first)):
+        normal = _normal(own)
+        for i, corner in enumerate(own):
+            inwards = cross(normal, minus(own[(i + 1) % len(own)], corner))
+            if all(dot(inwards, minus(x, corner)) <= 0 for x in other):
+                return False
+    return True
+
+
+def _normal(polygon: Sequence[Vector]) -> Vector:
+    return cross(minus(polygon[1], polygon[0]), minus(polygon[2], polygon[0]))
+
+
+def _between(a: Vector, b: Vector, t: Rational) -> Vector:
+    return tuple(x + t * (y - x) for x, y in zip(a, b, strict=True))

@@ -40,7 +40,7 @@ def test_events_of_a_frame_and_a_tent(minkref: Minkref, operands: tuple[Path, Pa
     assert Fraction(1, 2) <= scales[0] and scales[-1] <= 4
     points = {name: _points(path) for name, path in zip("PQ", operands, strict=True)}
     for event in events:
-        touching = [one for one in (event["first"], event["second"]) if one["corner"] is not None]
+        touching = [one for one in event["facets"] if one["corner"] is not None]
         for one in touching[: 1 if event["kind"] == "parallel" else 2]:
             p, q = (points[name][one[name][one["corner"]]] for name in "PQ")
             s = Fraction(event["s"])
@@ -66,6 +66,25 @@ def test_a_file_has_them_line_by_line(
     assert first.json["events"] == [json.loads(lines[0])]
 
 
+def test_those_of_three_and_four_facets(minkref: Minkref, operands: tuple[Path, Path]) -> None:
+    listed = {}
+    for kind in ("pair", "triple", "arrangement"):
+        ran = minkref("events", *operands, *WINDOW, "--kind", kind, "--json")
+        jsonschema.validate(ran.json, schema("events"))
+        assert ran.json["kind"] == kind and ran.json["count"] == len(ran.json["events"])
+        listed[kind] = ran.json
+    events = listed["triple"]["events"]
+    assert {event["kind"] for event in events} <= {"triple", "four"} and events
+    for event in events:
+        sides = [one for one in event["facets"] if one["side"] is not None]
+        assert len(event["facets"]) == (3 if event["kind"] == "triple" else 4)
+        assert len(sides) == (1 if event["kind"] == "triple" else 0)
+    every = listed["arrangement"]
+    assert every["count"] == listed["pair"]["count"] + listed["triple"]["count"]
+    scales = [Fraction(event["s"]) for event in every["events"]]
+    assert scales == sorted(scales) and len(set(scales)) == every["distinct"]
+
+
 def test_people_see_the_first_of_them(minkref: Minkref, operands: tuple[Path, Path]) -> None:
     ran = minkref("events", *operands, *WINDOW)
     assert ran.code == 0 and "facets of the convolution" in ran.out and "more (--limit" in ran.out
@@ -76,7 +95,7 @@ def test_people_see_the_first_of_them(minkref: Minkref, operands: tuple[Path, Pa
     [
         ("--from", "1"),
         ("--to", "2"),
-        (*WINDOW, "--kind", "triple"),
+        (*WINDOW, "--kind", "parallel"),
         (*WINDOW, "--form", "printed"),
         (*WINDOW, "--where", "s > 1"),
         ("--from", "2", "--to", "1"),

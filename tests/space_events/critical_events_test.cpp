@@ -59,7 +59,7 @@ TEST(CriticalEvents, OfConvexOperandsThereAreNone) {
     const Polyhedron P = bodies::random_tetrahedron(dice, 20),
                      Q = bodies::random_tetrahedron(dice, 20);
     const CriticalEvents found = critical_events_in_space(P, Q, Rational(1, 5), Rational(2));
-    EXPECT_GT(found.facets.size(), 7U);
+    EXPECT_GT(found.convolution->facets.size(), 7U);
     EXPECT_EQ(found.events.size(), 0U);
   });
 }

@@ -7,6 +7,7 @@
 #include "reference/build/stage.hpp"
 #include "reference/error.hpp"
 #include "reference/interrupt.hpp"
+#include "reference/space/critical/meeting_facets.hpp"
 #include "reference/space/critical/moving_box.hpp"
 #include "reference/space/critical/parallel_facets.hpp"
 
@@ -34,11 +35,13 @@ BoundedVector corner_at(const MovingConvolution& convolution,
 
 class PairSearch {
  public:
-  PairSearch(const MovingConvolution& convolution, const Rational& from, const Rational& to)
+  PairSearch(const MovingConvolution& convolution, const Rational& from, const Rational& to,
+             EventsOf what)
       : convolution_(convolution),
         facets_(convolution.facets),
         from_(from),
         to_(to),
+        what_(what),
         first_scale_(bounded(from)),
         last_scale_(bounded(to)) {}
 
@@ -47,9 +50,42 @@ class PairSearch {
     if (filtered && (stays_aside(a, b) || stays_aside(b, a))) return;
     const bool parallel =
         filtered ? are_parallel(a, b) : is_zero(cross(a.normal.exact, b.normal.exact));
-    const std::vector<FacetEvent> found = parallel
-                                              ? parallel_events(convolution_, a, b, signs)
-                                              : ContactRegion(convolution_, a, b, signs).events();
+    if (parallel) {
+      add(parallel_events(convolution_, a, b, signs), i, j);
+      return;
+    }
+    ContactRegion region(convolution_, a, b, signs);
+    const std::vector<FacetEvent> found = region.events();
+    const bool has_event = add(found, i, j);
+    if (what_ == EventsOf::pairs || share_a_side(a, b)) return;
+    if (!has_event && !region.meet_at(from_)) return;
+    MeetingPair pair{i, j, below(from_), above(to_)};
+    for (const FacetEvent& event : found) {
+      const bool starts = event.change == ContactChange::birth,
+                 stops = event.change == ContactChange::death,
+                 only = event.change == ContactChange::touch;
+      if (event.s >= from_ && (starts || only)) pair.low = below(event.s);
+      if (event.s <= to_ && (stops || only)) pair.high = above(event.s);
+    }
+    meeting.push_back(pair);
+  }
+
+  void give_to(CriticalEvents& result, std::vector<MeetingPair>& all_meeting) {
+    std::move(events.begin(), events.end(), std::back_inserter(result.events));
+    all_meeting.insert(all_meeting.end(), meeting.begin(), meeting.end());
+    result.near_pairs += near_pairs;
+    result.meeting_pairs += meeting_pairs;
+    result.signs.add(signs);
+  }
+
+  std::vector<MeetingPair> meeting;
+  std::vector<SpacePairEvent> events;
+  std::uint64_t near_pairs = 0, meeting_pairs = 0;
+  SignCounts signs;
+
+ private:
+  /// Those in the window; whether there are any.
+  bool add(const std::vector<FacetEvent>& found, std::uint32_t i, std::uint32_t j) {
     bool has_event = false;
     for (const FacetEvent& event : found) {
       if (event.s < from_ || event.s > to_) continue;
@@ -57,13 +93,9 @@ class PairSearch {
       has_event = true;
     }
     meeting_pairs += has_event ? 1 : 0;
+    return has_event;
   }
 
-  std::vector<SpacePairEvent> events;
-  std::uint64_t near_pairs = 0, meeting_pairs = 0;
-  SignCounts signs;
-
- private:
   /// Whether a facet is on one side of the plane of another in all of the window: heights change
   /// evenly.
   bool stays_aside(const MovingFacet& flat, const MovingFacet& other) const {
@@ -95,6 +127,7 @@ class PairSearch {
   const MovingConvolution& convolution_;
   const std::vector<MovingFacet>& facets_;
   const Rational &from_, &to_;
+  EventsOf what_;
   BoundedDouble first_scale_, last_scale_;
 };
 
@@ -131,22 +164,28 @@ std::vector<MovingBox> boxes_of(const MovingConvolution& convolution, const Rati
   return boxes;
 }
 
+const MovingConvolution& set_up(CriticalEvents& result, const Polyhedron& P, const Polyhedron& Q) {
+  result.operands = std::make_shared<const SpaceOperands>(space_operands(P, Q, {1, 1, 1}));
+  result.convolution =
+      std::make_shared<const MovingConvolution>(result.operands->P, result.operands->Q);
+  return *result.convolution;
+}
+
 }  // namespace
 
 CriticalEvents critical_events_in_space(const Polyhedron& P, const Polyhedron& Q,
                                         const Rational& from, const Rational& to,
-                                        const BuildOptions& options) {
+                                        const BuildOptions& options, EventsOf what) {
   refuse_bad_window(from, to);
   CriticalEvents result;
   if (P.empty() || Q.empty()) return result;
-  result.operands = std::make_shared<const SpaceOperands>(space_operands(P, Q, {1, 1, 1}));
-  const MovingConvolution convolution(result.operands->P, result.operands->Q);
+  const MovingConvolution& convolution = set_up(result, P, Q);
   const std::vector<MovingBox> boxes = boxes_of(convolution, from, to);
   const MovingBoxTree tree(boxes);
   const BuildControl control(options, "the list of events");
   std::vector<std::unique_ptr<PairSearch>> searches(control.threads());
   in_parallel(boxes.size(), control, BuildProgress::Stage::pairs, [&](unsigned thread) {
-    searches[thread] = std::make_unique<PairSearch>(convolution, from, to);
+    searches[thread] = std::make_unique<PairSearch>(convolution, from, to, what);
     return [&, search = searches[thread].get()](std::size_t i) {
       tree.query(boxes[i], [&](std::uint32_t j) {
         if (j <= i) return false;
@@ -157,17 +196,29 @@ CriticalEvents critical_events_in_space(const Polyhedron& P, const Polyhedron& Q
       });
     };
   });
+  std::vector<MeetingPair> meeting;
   for (auto& search : searches) {
-    if (!search) continue;
-    std::move(search->events.begin(), search->events.end(), std::back_inserter(result.events));
-    result.near_pairs += search->near_pairs;
-    result.meeting_pairs += search->meeting_pairs;
-    result.signs.add(search->signs);
+    if (search) search->give_to(result, meeting);
     search.reset();
   }
   sort_events(result.events);
-  result.facets = convolution.facets;
+  if (what == EventsOf::all) {
+    add_concurrent_events(convolution, std::move(meeting), from, to, control, result);
+  }
   return result;
+}
+
+namespace {
+
+SpacePoint scaled_down(const CriticalEvents& events, const std::array<Rational, 3>& x) {
+  const Rational unit(Integer(1), events.operands->denominator);
+  return {x[0] * unit, x[1] * unit, x[2] * unit};
+}
+
+}  // namespace
+
+SpacePoint place_of(const CriticalEvents& events, const ConcurrentEvent& event) {
+  return scaled_down(events, place_of(*events.convolution, event));
 }
 
 std::optional<SpacePoint> place_of(const CriticalEvents& events, const SpacePairEvent& event) {
@@ -180,17 +231,14 @@ std::optional<SpacePoint> place_of(const CriticalEvents& events, const SpacePair
     return {s * Rational(p[0]) + Rational(q[0]), s * Rational(p[1]) + Rational(q[1]),
             s * Rational(p[2]) + Rational(q[2])};
   };
-  const auto scaled_down = [&](const Vector& x) -> SpacePoint {
-    const Rational unit(Integer(1), operands.denominator);
-    return {x[0] * unit, x[1] * unit, x[2] * unit};
-  };
-  const MovingFacet &first = events.facets[event.first], &second = events.facets[event.second];
+  const MovingFacet &first = events.convolution->facets[event.first],
+                    &second = events.convolution->facets[event.second];
   if (event.event.kind != ContactKind::edge) {
     if (event.event.of_first != FacetEvent::no_corner) {
-      return scaled_down(corner(first, event.event.of_first));
+      return scaled_down(events, corner(first, event.event.of_first));
     }
     if (event.event.of_second != FacetEvent::no_corner) {
-      return scaled_down(corner(second, event.event.of_second));
+      return scaled_down(events, corner(second, event.event.of_second));
     }
     return std::nullopt;
   }
@@ -208,36 +256,46 @@ std::optional<SpacePoint> place_of(const CriticalEvents& events, const SpacePair
   std::size_t axis = 0;
   while (axis < 2 && across[axis] == 0) ++axis;
   const Rational t = moved[axis] / across[axis];
-  return scaled_down({a[0] + t * u[0], a[1] + t * u[1], a[2] + t * u[2]});
+  return scaled_down(events, {a[0] + t * u[0], a[1] + t * u[1], a[2] + t * u[2]});
 }
 
-std::uint64_t distinct_scales(const CriticalEvents& events) {
+std::uint64_t distinct_scales(const std::vector<SpacePairEvent>& events,
+                              const std::vector<ConcurrentEvent>& others) {
   std::uint64_t count = 0;
-  for (std::size_t k = 0; k < events.events.size(); ++k) {
-    if (k == 0 || events.events[k].event.s != events.events[k - 1].event.s) ++count;
+  const Rational* last = nullptr;
+  std::size_t i = 0, j = 0;
+  while (i < events.size() || j < others.size()) {
+    const bool first =
+        j == others.size() || (i < events.size() && events[i].event.s <= others[j].s);
+    const Rational& s = first ? events[i++].event.s : others[j++].s;
+    count += last == nullptr || *last != s ? 1 : 0;
+    last = &s;
   }
   return count;
 }
 
 CriticalEvents critical_events_of_all_pairs(const Polyhedron& P, const Polyhedron& Q,
-                                            const Rational& from, const Rational& to) {
+                                            const Rational& from, const Rational& to,
+                                            EventsOf what) {
   refuse_bad_window(from, to);
   CriticalEvents result;
   if (P.empty() || Q.empty()) return result;
-  result.operands = std::make_shared<const SpaceOperands>(space_operands(P, Q, {1, 1, 1}));
-  const MovingConvolution convolution(result.operands->P, result.operands->Q);
-  PairSearch search(convolution, from, to);
+  const MovingConvolution& convolution = set_up(result, P, Q);
+  PairSearch search(convolution, from, to, what);
   for (std::uint32_t i = 0; i < convolution.facets.size(); ++i) {
     for (std::uint32_t j = i + 1; j < convolution.facets.size(); ++j) {
       look_for_interrupt();
       search.look_at(i, j, false);
     }
   }
-  result.events = std::move(search.events);
-  result.meeting_pairs = search.meeting_pairs;
-  result.signs = search.signs;
+  std::vector<MeetingPair> meeting;
+  search.give_to(result, meeting);
   sort_events(result.events);
-  result.facets = convolution.facets;
+  if (what == EventsOf::all) {
+    const BuildOptions options;
+    const BuildControl control(options, "the list of events");
+    add_concurrent_events(convolution, std::move(meeting), from, to, control, result);
+  }
   return result;
 }
 

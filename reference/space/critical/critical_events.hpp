@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "reference/build/build_options.hpp"
+#include "reference/space/critical/concurrent_facets.hpp"
 #include "reference/space/critical/facet_event.hpp"
 #include "reference/space/polyhedron.hpp"
 
@@ -18,31 +19,41 @@ struct SpacePairEvent {
 };
 
 struct CriticalEvents {
-  std::shared_ptr<const SpaceOperands> operands;  ///< none where one of them is empty
-  std::vector<MovingFacet> facets;
-  std::vector<SpacePairEvent> events;  ///< by scale, then by facets
-  std::uint64_t near_pairs = 0;        ///< of facets whose boxes meet at some scale
-  std::uint64_t meeting_pairs = 0;     ///< that have an event in the window
+  std::shared_ptr<const SpaceOperands> operands;         ///< none where one of them is empty
+  std::shared_ptr<const MovingConvolution> convolution;  ///< of the operands
+  std::vector<SpacePairEvent> events;                    ///< by scale, then by facets
+  std::vector<ConcurrentEvent> concurrent;  ///< by scale, then by facets; none if not asked for
+  std::uint64_t near_pairs = 0;             ///< of facets whose boxes meet at some scale
+  std::uint64_t meeting_pairs = 0;          ///< that have an event in the window
+  std::uint64_t tracks = 0;                 ///< of three facets that share points in the window
   SignCounts signs;
 };
+
+/// What is looked for: events of pairs of facets, or of three and of four too.
+enum class EventsOf : std::uint8_t { pairs, all };
 
 /// Pair events of sP ⊕ Q for s in [from, to], of valid polyhedra that do not cross themselves.
 /// Throws BadInput ("bad-window") for bounds that are not positive or not ascending. Exact and
 /// complete. O(n log n + k) for k pairs of facets whose boxes meet at some scale, beside the search
-/// for compatible pairs. On `options.threads`; some 150 bytes for each event.
+/// for compatible pairs. On `options.threads`; some 150 bytes for each event. With those of three
+/// and of four facets, for each two facets that meet as many steps as these have neighbours.
 CriticalEvents critical_events_in_space(const Polyhedron& P, const Polyhedron& Q,
                                         const Rational& from, const Rational& to,
-                                        const BuildOptions& options = {});
+                                        const BuildOptions& options = {},
+                                        EventsOf what = EventsOf::pairs);
 
 /// Where it happens: of a vertex the corner, of an edge where the sides cross; of parallel facets a
 /// corner of one that is in the other, if there is one. Exact.
 std::optional<SpacePoint> place_of(const CriticalEvents& events, const SpacePairEvent& event);
+SpacePoint place_of(const CriticalEvents& events, const ConcurrentEvent& event);
 
-/// How many different scales there are.
-std::uint64_t distinct_scales(const CriticalEvents& events);
+/// How many different scales two sorted lists have.
+std::uint64_t distinct_scales(const std::vector<SpacePairEvent>& events,
+                              const std::vector<ConcurrentEvent>& others);
 
 /// The same by all pairs of facets, without boxes or filters: for small operands.
 CriticalEvents critical_events_of_all_pairs(const Polyhedron& P, const Polyhedron& Q,
-                                            const Rational& from, const Rational& to);
+                                            const Rational& from, const Rational& to,
+                                            EventsOf what = EventsOf::pairs);
 
 }  // namespace minkref::inline space

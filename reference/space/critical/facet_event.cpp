@@ -1,40 +1,12 @@
 #include "reference/space/critical/facet_event.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <tuple>
+#include <type_traits>
 
 namespace minkref::inline space {
 namespace {
 
 constexpr int unknown = 7;
-
-std::size_t crossing_axis(const FilteredVector& n, const FilteredVector& m) {
-  const BoundedVector along = cross(n.rounded, m.rounded);
-  std::size_t axis = 0;
-  for (std::size_t k = 1; k < 3; ++k) {
-    if (std::abs(along[k].value) - along[k].error >
-        std::abs(along[axis].value) - along[axis].error) {
-      axis = k;
-    }
-  }
-  const int sign = along[axis].certain_sign();
-  if (sign == 1 || sign == -1) return axis;
-  return longest_axis(cross(n.exact, m.exact));
-}
-
-/// Without a common factor that may be beyond doubles.
-void bring_near_one(SideConstraint<BoundedDouble>& row) {
-  const double most =
-      std::max({std::abs(row.alpha.value), std::abs(row.beta.value), std::abs(row.gamma.value)});
-  if (!(most > 0) || !std::isfinite(most)) return;
-  const int exponent = std::ilogb(most);
-  for (BoundedDouble* number : {&row.alpha, &row.beta, &row.gamma}) {
-    if (number->error == 0 && number->value == 0) continue;
-    number->value = std::ldexp(number->value, -exponent);
-    number->error = std::ldexp(number->error, -exponent) + 1e-300;
-  }
-}
 
 }  // namespace
 
@@ -45,82 +17,30 @@ ContactRegion::ContactRegion(const MovingConvolution& convolution, const MovingF
       second_(second),
       signs_(signs),
       count_(std::size_t{first.size} + second.size),
-      axis_(crossing_axis(first.normal, second.normal)) {
-  const std::size_t i = (axis_ + 1) % 3, j = (axis_ + 2) % 3;
-  is_negative_ = filtered_sign(signs_, [&]<class T>(std::type_identity<T>) {
-                   const std::array<T, 3>&n = first.normal.as<T>(), &m = second.normal.as<T>();
-                   return T(n[i] * m[j] - n[j] * m[i]);
-                 }) < 0;
-  const auto shared = line<BoundedDouble>();
-  for (std::size_t k = 0; k < count_; ++k) {
-    rounded_[k] = constraint(shared, k);
-    bring_near_one(rounded_[k]);
-  }
+      line_(convolution, first, second, signs) {
+  for (std::uint8_t k = 0; k < first.size; ++k) rows_[k] = {line_, first, k};
+  for (std::uint8_t k = 0; k < second.size; ++k) rows_[first.size + k] = {line_, second, k};
   for (auto& row : turns_) row.fill(unknown);
-}
-
-/// Coordinates are those from the first corner of the first facet.
-template <class T>
-ContactRegion::Line<T> ContactRegion::line() const {
-  const SpaceOperand &P = convolution_.P, &Q = convolution_.Q;
-  const auto &from = first_.names[0], &to = second_.names[0];
-  const std::array<T, 3>&n = first_.normal.as<T>(), &m = second_.normal.as<T>();
-  Line<T> line;
-  line.A = dot(m, P.points[to.of_P].as<T>() - P.points[from.of_P].as<T>());
-  line.B = dot(m, Q.points[to.of_Q].as<T>() - Q.points[from.of_Q].as<T>());
-  line.along = cross(n, m);
-  line.foot[axis_] = T(0);
-  line.foot[(axis_ + 1) % 3] = -n[(axis_ + 2) % 3];
-  line.foot[(axis_ + 2) % 3] = n[(axis_ + 1) % 3];
-  line.weight = line.along[axis_];
-  if (is_negative_) {
-    line.weight = -line.weight;
-    for (std::size_t k = 0; k < 3; ++k) {
-      line.along[k] = -line.along[k];
-      line.foot[k] = -line.foot[k];
-    }
-  }
-  return line;
-}
-
-/// Of a side of the first facet, or after these of the second.
-template <class T>
-SideConstraint<T> ContactRegion::constraint(const Line<T>& line, std::size_t side) const {
-  const SpaceOperand &P = convolution_.P, &Q = convolution_.Q;
-  const bool is_first = side < first_.size;
-  const MovingFacet& facet = is_first ? first_ : second_;
-  const std::size_t k = is_first ? side : side - first_.size;
-  const auto &base = first_.names[0], &corner = facet.names[k];
-  const std::array<T, 3> inwards = cross(facet.normal.as<T>(), facet.along[k].as<T>());
-  const T lean = dot(inwards, line.foot);
-  const T of_P = dot(inwards, P.points[corner.of_P].as<T>() - P.points[base.of_P].as<T>()),
-          of_Q = dot(inwards, Q.points[corner.of_Q].as<T>() - Q.points[base.of_Q].as<T>());
-  return {T(line.A * lean - line.weight * of_P), T(dot(inwards, line.along)),
-          T(line.B * lean - line.weight * of_Q)};
-}
-
-const SideConstraint<Integer>& ContactRegion::exact(std::size_t side) {
-  if (!exact_[side]) {
-    if (!exact_line_) exact_line_ = line<Integer>();
-    exact_[side] = constraint(*exact_line_, side);
-  }
-  return *exact_[side];
 }
 
 /// Of what `evaluate` makes of the constraints.
 template <class Evaluate>
 int ContactRegion::sign_of(Evaluate&& evaluate) {
-  const int certain = evaluate(rounded_).certain_sign();
+  struct Rounded {
+    std::array<ContactRow, most_sides>& rows;
+    const LineForm<BoundedDouble>& operator[](std::size_t k) const { return rows[k].rounded(); }
+  };
+  struct Exact {
+    std::array<ContactRow, most_sides>& rows;
+    const LineForm<Integer>& operator[](std::size_t k) const { return rows[k].exact(); }
+  };
+  const int certain = evaluate(Rounded{rows_}).certain_sign();
   if (certain != BoundedDouble::undecided) {
     ++signs_.by_float;
     return certain;
   }
   ++signs_.by_integer;
-  struct Rows {
-    ContactRegion& region;
-    const SideConstraint<Integer>& operator[](std::size_t side) const { return region.exact(side); }
-  };
-  return sign(evaluate(Rows{*this}));
+  return sign(evaluate(Exact{rows_}));
 }
 
 /// The sign of alpha_i beta_j - alpha_j beta_i.
@@ -213,7 +133,7 @@ Rational ContactRegion::scale_of(const Corner& corner, const FacetEvent& event) 
     return Rational(-dot(normal, Q.points[to.of_Q].exact - Q.points[from.of_Q].exact), slope);
   }
   // They touch at all scales, somewhere.
-  const SideConstraint<Integer>&f = exact(corner.i), &g = exact(corner.j);
+  const LineForm<Integer>&f = rows_[corner.i].exact(), &g = rows_[corner.j].exact();
   return Rational(f.beta * g.gamma - g.beta * f.gamma, f.alpha * g.beta - g.alpha * f.beta);
 }
 
@@ -237,6 +157,37 @@ FacetEvent ContactRegion::event_at(const Corner& corner) {
   }
   contact.s = scale_of(corner, contact);
   return contact;
+}
+
+/// On the line at s each side leaves a half-line: the last start must not be after the first end.
+bool ContactRegion::meet_at(const Rational& s) {
+  const Integer numerator = boost::multiprecision::numerator(s),
+                denominator = boost::multiprecision::denominator(s);
+  const std::array<BoundedDouble, 2> rounded{BoundedDouble(numerator), BoundedDouble(denominator)};
+  const auto height = [&](const auto& row) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(row)>, LineForm<Integer>>) {
+      return Integer(row.alpha * numerator + row.gamma * denominator);
+    } else {
+      return row.alpha * rounded[0] + row.gamma * rounded[1];
+    }
+  };
+  std::array<int, most_sides> slopes{};
+  for (std::size_t k = 0; k < count_; ++k) {
+    slopes[k] = sign_of([&](const auto& rows) { return rows[k].beta; });
+    if (slopes[k] == 0 && sign_of([&](const auto& rows) { return height(rows[k]); }) < 0) {
+      return false;
+    }
+  }
+  for (std::size_t k = 0; k < count_; ++k) {
+    for (std::size_t l = 0; l < count_; ++l) {
+      if (slopes[k] <= 0 || slopes[l] >= 0) continue;
+      const int between = sign_of([&](const auto& rows) {
+        return height(rows[k]) * rows[l].beta - height(rows[l]) * rows[k].beta;
+      });
+      if (between > 0) return false;
+    }
+  }
+  return true;
 }
 
 std::vector<FacetEvent> ContactRegion::events() {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "reference/number/rational.hpp"
-#include "reference/space/critical/moving_facet.hpp"
+#include "reference/space/critical/crossing_line.hpp"
 
 namespace minkref::inline space {
 
@@ -29,13 +29,6 @@ struct FacetEvent {
   Rational s;
 };
 
-/// A constraint alpha s + beta t + gamma >= 0 on where the crossing line of two planes, with the
-/// parameter t, is inside of a side.
-template <class T>
-struct SideConstraint {
-  T alpha, beta, gamma;
-};
-
 inline constexpr std::size_t most_sides = 8;  ///< of two facets
 
 /// The pairs (s, t) for which the point t of the line in which the planes of two facets cross at
@@ -50,23 +43,15 @@ class ContactRegion {
   /// Events with s > 0, ascending.
   std::vector<FacetEvent> events();
 
+  /// Whether the facets share a point at a scale above 0.
+  bool meet_at(const Rational& s);
+
  private:
   struct Corner {
     std::size_t i, j;    ///< of the constraints that are zero there
     std::uint8_t zeros;  ///< which constraints are
   };
 
-  /// The line in which the planes cross: (s A + B) foot + t along, over `weight` > 0.
-  template <class T>
-  struct Line {
-    T A, B, weight;
-    std::array<T, 3> along, foot;
-  };
-  template <class T>
-  Line<T> line() const;
-  template <class T>
-  SideConstraint<T> constraint(const Line<T>& line, std::size_t side) const;
-  const SideConstraint<Integer>& exact(std::size_t side);
   template <class Evaluate>
   int sign_of(Evaluate&& evaluate);
   int turn(std::size_t i, std::size_t j);
@@ -79,11 +64,9 @@ class ContactRegion {
   const MovingConvolution& convolution_;
   const MovingFacet &first_, &second_;
   SignCounts& signs_;
-  std::size_t count_, axis_;
-  bool is_negative_;  ///< the crossing line, along that axis
-  std::array<SideConstraint<BoundedDouble>, most_sides> rounded_;
-  std::optional<Line<Integer>> exact_line_;
-  std::array<std::optional<SideConstraint<Integer>>, most_sides> exact_;
+  std::size_t count_;
+  CrossingLine line_;
+  std::array<ContactRow, most_sides> rows_;
   std::array<std::array<int, most_sides>, most_sides> turns_;
 };
 

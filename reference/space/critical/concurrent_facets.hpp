@@ -1,0 +1,95 @@
+// At which scales three facets of the convolution start or stop to share a point, or four share
+// one.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "reference/space/critical/crossing_line.hpp"
+#include "reference/space/critical/facet_event.hpp"
+
+namespace minkref::inline space {
+
+/// An event of three facets, or of four.
+struct ConcurrentEvent {
+  static constexpr std::uint32_t none = UINT32_MAX;
+  Rational s;
+  std::array<std::uint32_t, 4> facets;  ///< ascending; of three, the last is none
+  ContactChange change;                 ///< birth, death or touch
+  std::uint8_t of = 0, side = 0;        ///< of three: the facet, and its side that has the point
+
+  bool is_of_four() const { return facets[3] != none; }
+};
+
+/// The events of two facets with any others that come after them.
+///
+/// The pairs (s, x) with x in each of three facets at the scale s are a convex set: over the scale
+/// and the crossing line of the first two, a segment, the *track* of the three. Its ends are their
+/// events, unless two of them alone have an event there. Two tracks on one crossing line cross
+/// where four facets share a point; that is an event unless fewer of them have one there. No two of
+/// the facets may be parallel. Exact.
+class FacetTracks {
+ public:
+  struct Facet {
+    std::uint32_t number;
+    const MovingFacet* facet;
+  };
+  struct Window {
+    const Rational &from, &to;
+    double first, last;  ///< rounded, outwards
+  };
+
+  /// All must outlive it.
+  FacetTracks(const MovingConvolution& convolution, const Facet& first, const Facet& second,
+              const Window& window, SignCounts& signs);
+  FacetTracks(const FacetTracks&) = delete;
+  FacetTracks& operator=(const FacetTracks&) = delete;
+
+  /// The track of a third facet in the window, if there is one; its events.
+  void add(const Facet& third, std::vector<ConcurrentEvent>& events);
+
+  /// Of all pairs of tracks whose third facets `may_meet`.
+  void add_crossings(const std::function<bool(std::uint32_t, std::uint32_t)>& may_meet,
+                     std::vector<ConcurrentEvent>& events);
+
+  std::size_t tracks() const { return tracks_.size(); }
+
+ private:
+  static constexpr std::size_t most_corners = 4, most_rows = 3 * most_corners + 2;
+  struct Track {
+    Facet third;
+    ContactRow plane;
+    std::array<ContactRow, most_corners> sides;
+    double low, high;  ///< its scales are between
+  };
+  /// A side of one of some facets.
+  struct Side {
+    std::uint8_t of, side;
+  };
+
+  std::optional<Track> track_of(const Facet& third, std::vector<ConcurrentEvent>& events);
+  bool has_pair_event(const Track& track, const std::vector<Side>& zeros);
+  void add_crossing(Track& a, Track& b, std::vector<ConcurrentEvent>& events);
+  bool is_end_of_three(const std::array<const MovingFacet*, 4>& facets, const Side& side);
+  /// Rows of the sides of both facets and of a third one, and of the window.
+  std::size_t rows_with(Track& track, std::array<ContactRow*, most_rows>& rows,
+                        std::array<Side, most_rows>& sides);
+
+  const MovingConvolution& convolution_;
+  Facet first_, second_;
+  Window window_;
+  SignCounts& signs_;
+  CrossingLine line_;
+  std::vector<ContactRow> own_;  ///< of the sides of both
+  std::array<ContactRow, 2> bounds_;
+  std::vector<Track> tracks_;
+};
+
+/// Where it happens, in the units of the convolution. Exact.
+std::array<Rational, 3> place_of(const MovingConvolution& convolution,
+                                 const ConcurrentEvent& event);
+
+}  // namespace minkref::inline space

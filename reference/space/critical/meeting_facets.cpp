@@ -1,0 +1,156 @@
+#include "reference/space/critical/meeting_facets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <tuple>
+
+#include "reference/build/stage.hpp"
+
+namespace minkref::inline space {
+
+double below(const Rational& number) {
+  return std::nextafter(to_double(number), -std::numeric_limits<double>::infinity());
+}
+
+double above(const Rational& number) {
+  return std::nextafter(to_double(number), std::numeric_limits<double>::infinity());
+}
+
+bool share_a_side(const MovingFacet& a, const MovingFacet& b) {
+  const auto has = [&](const ConvolutionFacet::Corner& corner, std::size_t& at) {
+    for (at = 0; at < b.size; ++at) {
+      if (b.names[at].of_P == corner.of_P && b.names[at].of_Q == corner.of_Q) return true;
+    }
+    return false;
+  };
+  for (std::size_t k = 0; k < a.size; ++k) {
+    std::size_t first = 0, second = 0;
+    if (!has(a.names[k], first) || !has(a.names[(k + 1) % a.size], second)) continue;
+    const std::size_t way = (first + b.size - second) % b.size;
+    if (way == 1 || way == std::size_t{b.size} - 1U) return true;
+  }
+  return false;
+}
+
+namespace {
+
+/// A facet with a larger number that a facet meets, and when.
+struct Neighbour {
+  std::uint32_t number;
+  double low, high;
+};
+
+class MeetingFacets {
+ public:
+  MeetingFacets(std::size_t count, std::vector<MeetingPair> meeting)
+      : starts_(count + 1), neighbours_(meeting.size()) {
+    std::sort(meeting.begin(), meeting.end(), [](const MeetingPair& a, const MeetingPair& b) {
+      return std::tie(a.first, a.second) < std::tie(b.first, b.second);
+    });
+    for (const MeetingPair& pair : meeting) ++starts_[pair.first + 1];
+    for (std::size_t k = 0; k < count; ++k) starts_[k + 1] += starts_[k];
+    for (std::size_t k = 0; k < meeting.size(); ++k) {
+      neighbours_[k] = {meeting[k].second, meeting[k].low, meeting[k].high};
+    }
+  }
+
+  const Neighbour* begin(std::uint32_t facet) const { return neighbours_.data() + starts_[facet]; }
+  const Neighbour* end(std::uint32_t facet) const {
+    return neighbours_.data() + starts_[facet + 1];
+  }
+  bool meet(std::uint32_t facet, std::uint32_t larger) const {
+    const auto found = std::lower_bound(
+        begin(facet), end(facet), larger,
+        [](const Neighbour& each, std::uint32_t number) { return each.number < number; });
+    return found != end(facet) && found->number == larger;
+  }
+
+ private:
+  std::vector<std::size_t> starts_;
+  std::vector<Neighbour> neighbours_;
+};
+
+class ConcurrentSearch {
+ public:
+  ConcurrentSearch(const MovingConvolution& convolution, const MeetingFacets& meeting,
+                   const FacetTracks::Window& window)
+      : convolution_(convolution), meeting_(meeting), window_(window) {}
+
+  void look_at(std::uint32_t i, const Neighbour& pair) {
+    const std::uint32_t j = pair.number;
+    std::optional<FacetTracks> found;
+    const Neighbour* of_i = std::upper_bound(
+        meeting_.begin(i), meeting_.end(i), j,
+        [](std::uint32_t number, const Neighbour& each) { return number < each.number; });
+    const Neighbour* of_j = meeting_.begin(j);
+    while (of_i != meeting_.end(i) && of_j != meeting_.end(j)) {
+      if (of_i->number != of_j->number) {
+        ++(of_i->number < of_j->number ? of_i : of_j);
+        continue;
+      }
+      if (std::max({pair.low, of_i->low, of_j->low}) <=
+          std::min({pair.high, of_i->high, of_j->high})) {
+        if (!found) found.emplace(convolution_, named(i), named(j), window_, signs);
+        found->add(named(of_i->number), events);
+      }
+      ++of_i;
+      ++of_j;
+    }
+    if (!found) return;
+    tracks += found->tracks();
+    found->add_crossings([&](std::uint32_t k, std::uint32_t l) { return meeting_.meet(k, l); },
+                         events);
+  }
+
+  std::vector<ConcurrentEvent> events;
+  std::uint64_t tracks = 0;
+  SignCounts signs;
+
+ private:
+  FacetTracks::Facet named(std::uint32_t number) const {
+    return {number, &convolution_.facets[number]};
+  }
+
+  const MovingConvolution& convolution_;
+  const MeetingFacets& meeting_;
+  const FacetTracks::Window& window_;
+};
+
+}  // namespace
+
+void add_concurrent_events(const MovingConvolution& convolution, std::vector<MeetingPair> meeting,
+                           const Rational& from, const Rational& to, const BuildControl& control,
+                           CriticalEvents& result) {
+  const std::size_t count = convolution.facets.size();
+  const MeetingFacets facets(count, std::move(meeting));
+  const FacetTracks::Window window{from, to, below(from), above(to)};
+  std::vector<std::unique_ptr<ConcurrentSearch>> searches(control.threads());
+  in_parallel(count, control, BuildProgress::Stage::pairs, [&](unsigned thread) {
+    searches[thread] = std::make_unique<ConcurrentSearch>(convolution, facets, window);
+    return [&, search = searches[thread].get()](std::size_t i) {
+      const auto first = static_cast<std::uint32_t>(i);
+      for (const Neighbour* pair = facets.begin(first); pair != facets.end(first); ++pair) {
+        control.look();
+        search->look_at(first, *pair);
+      }
+    };
+  });
+  for (auto& search : searches) {
+    if (!search) continue;
+    std::move(search->events.begin(), search->events.end(), std::back_inserter(result.concurrent));
+    result.tracks += search->tracks;
+    result.signs.add(search->signs);
+    search.reset();
+  }
+  std::sort(result.concurrent.begin(), result.concurrent.end(),
+            [](const ConcurrentEvent& a, const ConcurrentEvent& b) {
+              const int order = a.s.compare(b.s);
+              return order != 0
+                         ? order < 0
+                         : std::tie(a.facets, a.of, a.side) < std::tie(b.facets, b.of, b.side);
+            });
+}
+
+}  // namespace minkref::inline space

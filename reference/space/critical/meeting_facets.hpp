@@ -1,0 +1,33 @@
+// Facets that meet in a window of scales, and where three or four of them do.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "reference/build/build_control.hpp"
+#include "reference/space/critical/critical_events.hpp"
+
+namespace minkref::inline space {
+
+/// Two facets, ascending, that are not parallel and share no side, and the scales between which
+/// they meet, rounded outwards.
+struct MeetingPair {
+  std::uint32_t first, second;
+  double low, high;
+};
+
+/// Doubles that are not above, not below a number.
+double below(const Rational& number);
+double above(const Rational& number);
+
+/// Whether two facets have a side in common at all scales. Such pairs are in no event of three or
+/// four facets that is not one of fewer: where the side passes through another facet, its ends and
+/// those of the track are events of pairs (docs/definitions.md, Critical scales).
+bool share_a_side(const MovingFacet& a, const MovingFacet& b);
+
+/// All events of three and of four facets, from the pairs that meet in the window. Exact.
+void add_concurrent_events(const MovingConvolution& convolution, std::vector<MeetingPair> meeting,
+                           const Rational& from, const Rational& to, const BuildControl& control,
+                           CriticalEvents& result);
+
+}  // namespace minkref::inline space
