@@ -81,8 +81,12 @@ ConcurrentRow row(const CriticalEvents& events, const ConcurrentEvent& e) {
   Numbers facets(e.facets.begin(), e.facets.begin() + (e.is_of_four() ? 4 : 3));
   std::optional<std::tuple<unsigned, unsigned>> side;
   if (!e.is_of_four()) side.emplace(e.of, e.side);
-  return {to_string(e.s), e.is_of_four() ? "four" : "triple", name(e.change), facets,
-          side,           to_strings(place_of(events, e))};
+  return {to_string(e.s.exact()),
+          e.is_of_four() ? "four" : "triple",
+          name(e.change),
+          facets,
+          side,
+          to_strings(place_of(events, e))};
 }
 
 EventRow row(const CriticalEvents& events, const SpacePairEvent& e) {
@@ -91,10 +95,10 @@ EventRow row(const CriticalEvents& events, const SpacePairEvent& e) {
     return number;
   };
   const auto place = place_of(events, e);
-  return {to_string(e.event.s),      name(e.event.kind),
-          name(e.event.change),      e.first,
-          corner(e.event.of_first),  e.second,
-          corner(e.event.of_second), place ? std::optional(to_strings(*place)) : std::nullopt};
+  return {to_string(e.event.s.exact()), name(e.event.kind),
+          name(e.event.change),         e.first,
+          corner(e.event.of_first),     e.second,
+          corner(e.event.of_second),    place ? std::optional(to_strings(*place)) : std::nullopt};
 }
 
 template <class Row, class Event>

@@ -19,8 +19,8 @@ using polycubes::without;
 std::string text(const CriticalEvents& found) {
   std::string text;
   for (const SpacePairEvent& e : found.events) {
-    text += to_string(e.event.s) + ' ' + std::to_string(e.first) + ' ' + std::to_string(e.second) +
-            ' ' + std::to_string(static_cast<int>(e.event.kind)) +
+    text += to_string(e.event.s.exact()) + ' ' + std::to_string(e.first) + ' ' +
+            std::to_string(e.second) + ' ' + std::to_string(static_cast<int>(e.event.kind)) +
             std::to_string(static_cast<int>(e.event.change)) + ' ' +
             std::to_string(e.event.of_first) + ' ' + std::to_string(e.event.of_second) + '\n';
   }
@@ -101,7 +101,7 @@ TEST(CriticalEvents, ParallelFacetsWithoutAVertexInTheOther) {
     ASSERT_EQ(events.size(), 1U);
     EXPECT_EQ(events[0].kind, ContactKind::parallel);
     EXPECT_EQ(events[0].change, ContactChange::touch);
-    EXPECT_EQ(events[0].s, 1);
+    EXPECT_EQ(events[0].s.exact(), 1);
     EXPECT_EQ(events[0].of_first, FacetEvent::no_corner);
     EXPECT_EQ(events[0].of_second, FacetEvent::no_corner);
   }
@@ -120,7 +120,7 @@ TEST(CriticalEvents, ScaleWithP) {
   ASSERT_EQ(one.events.size(), other.events.size());
   ASSERT_GT(one.events.size(), 0U);
   for (std::size_t k = 0; k < one.events.size(); ++k) {
-    EXPECT_EQ(one.events[k].event.s * 2, other.events[k].event.s);
+    EXPECT_EQ(one.events[k].event.s.exact() * 2, other.events[k].event.s.exact());
     EXPECT_EQ(one.events[k].first, other.events[k].first);
   }
 }

@@ -109,8 +109,8 @@ void check_pair(const MovingConvolution& convolution, const MovingFacet& a, cons
   };
   std::vector<Rational> scales{Rational(1, 1000)};
   for (const FacetEvent& event : events) {
-    EXPECT_GT(event.s, 0);
-    if (event.s > scales.back()) scales.push_back(event.s);
+    EXPECT_EQ(event.s.sign(), 1);
+    if (event.s.exact() > scales.back()) scales.push_back(event.s.exact());
     ++counts.events;
     counts.births += event.change == ContactChange::birth ? 1 : 0;
     counts.deaths += event.change == ContactChange::death ? 1 : 0;
@@ -126,7 +126,7 @@ void check_pair(const MovingConvolution& convolution, const MovingFacet& a, cons
     const Shared before = at(low - (low - scales[k - 1]) / 1000), here = at(low);
     ASSERT_FALSE(before == first && here == first) << "at " << low;
     for (const FacetEvent& event : events) {
-      if (event.s != low) continue;
+      if (event.s.exact() != low) continue;
       ASSERT_FALSE(here.empty);
       ASSERT_EQ(before.empty,
                 event.change == ContactChange::birth || event.change == ContactChange::touch);

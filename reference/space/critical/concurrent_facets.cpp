@@ -16,8 +16,8 @@ BoundedDouble scale_of(const LineForm<BoundedDouble>& row, const LineForm<Bounde
   return over(row, plane) / turn_of(row, plane);
 }
 
-Rational exact_scale(const LineForm<Integer>& row, const LineForm<Integer>& plane) {
-  return Rational(over(row, plane), turn_of(row, plane));
+EventScale exact_scale(const LineForm<Integer>& row, const LineForm<Integer>& plane) {
+  return {over(row, plane), turn_of(row, plane)};
 }
 
 /// Along the line on which the form of a plane is zero, in the direction in which s grows, or else
@@ -105,11 +105,12 @@ FacetTracks::FacetTracks(const MovingConvolution& convolution, const Facet& firs
       signs_(signs),
       line_(convolution, *first.facet, *second.facet, signs) {
   namespace mp = boost::multiprecision;
+  const Rational from = window.from.exact(), to = window.to.exact();
   for (const Facet& own : {first_, second_}) {
     for (std::uint8_t k = 0; k < own.facet->size; ++k) own_.emplace_back(line_, *own.facet, k);
   }
-  bounds_[0] = {mp::denominator(window.from), -mp::numerator(window.from)};
-  bounds_[1] = {-mp::denominator(window.to), mp::numerator(window.to)};
+  bounds_[0] = {mp::denominator(from), -mp::numerator(from)};
+  bounds_[1] = {-mp::denominator(to), mp::numerator(to)};
 }
 
 std::size_t FacetTracks::rows_with(Track& track, std::array<ContactRow*, most_rows>& rows,
@@ -261,7 +262,7 @@ void FacetTracks::add_crossing(Track& a, Track& b, std::vector<ConcurrentEvent>&
   for (const Side& zero : zeros) {
     if (is_end_of_three(facets, zero)) return;
   }
-  const Rational scale = exact_scale(a.plane.exact(), b.plane.exact());
+  const EventScale scale = exact_scale(a.plane.exact(), b.plane.exact());
   if (scale < window_.from || scale > window_.to) return;
   events.push_back({scale,
                     {first_.number, second_.number, a.third.number, b.third.number},
@@ -299,11 +300,12 @@ std::array<Rational, 3> place_of(const MovingConvolution& convolution,
   } else {
     rows.emplace_back(line, facet(event.of), event.side);
   }
+  const Rational s = event.s.exact();
   for (ContactRow& row : rows) {
     const LineForm<Integer>& form = row.exact();
     if (form.beta == 0) continue;
-    const Rational height = event.s * Rational(form.alpha) + Rational(form.gamma);
-    return line.point(event.s, -height / Rational(form.beta));
+    const Rational height = s * Rational(form.alpha) + Rational(form.gamma);
+    return line.point(s, -height / Rational(form.beta));
   }
   throw std::logic_error("three facets that share a point have no place");
 }

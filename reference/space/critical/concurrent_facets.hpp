@@ -16,7 +16,7 @@ namespace minkref::inline space {
 /// An event of three facets, or of four.
 struct ConcurrentEvent {
   static constexpr std::uint32_t none = UINT32_MAX;
-  Rational s;
+  EventScale s;
   std::array<std::uint32_t, 4> facets;  ///< ascending; of three, the last is none
   ContactChange change;                 ///< birth, death or touch
   std::uint8_t of = 0, side = 0;        ///< of three: the facet, and its side that has the point
@@ -38,7 +38,7 @@ class FacetTracks {
     const MovingFacet* facet;
   };
   struct Window {
-    const Rational &from, &to;
+    const EventScale &from, &to;
     double first, last;  ///< rounded, outwards
   };
 

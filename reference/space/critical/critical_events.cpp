@@ -40,7 +40,7 @@ class PairSearch {
       : convolution_(convolution),
         facets_(convolution.facets),
         from_(from),
-        to_(to),
+        window_{EventScale(from), EventScale(to)},
         what_(what),
         first_scale_(bounded(from)),
         last_scale_(bounded(to)) {}
@@ -51,21 +51,21 @@ class PairSearch {
     const bool parallel =
         filtered ? are_parallel(a, b) : is_zero(cross(a.normal.exact, b.normal.exact));
     if (parallel) {
-      add(parallel_events(convolution_, a, b, signs), i, j);
+      add(parallel_events(convolution_, a, b, signs, &window_), i, j);
       return;
     }
     ContactRegion region(convolution_, a, b, signs);
-    const std::vector<FacetEvent> found = region.events();
+    const std::vector<FacetEvent> found = region.events(&window_);
     const bool has_event = add(found, i, j);
     if (what_ == EventsOf::pairs || share_a_side(a, b)) return;
     if (!has_event && !region.meet_at(from_)) return;
-    MeetingPair pair{i, j, below(from_), above(to_)};
+    MeetingPair pair{i, j, below(window_.from), above(window_.to)};
     for (const FacetEvent& event : found) {
       const bool starts = event.change == ContactChange::birth,
                  stops = event.change == ContactChange::death,
                  only = event.change == ContactChange::touch;
-      if (event.s >= from_ && (starts || only)) pair.low = below(event.s);
-      if (event.s <= to_ && (stops || only)) pair.high = above(event.s);
+      if (starts || only) pair.low = below(event.s);
+      if (stops || only) pair.high = above(event.s);
     }
     meeting.push_back(pair);
   }
@@ -88,7 +88,7 @@ class PairSearch {
   bool add(const std::vector<FacetEvent>& found, std::uint32_t i, std::uint32_t j) {
     bool has_event = false;
     for (const FacetEvent& event : found) {
-      if (event.s < from_ || event.s > to_) continue;
+      if (!window_.has(event.s)) continue;
       events.push_back({event, i, j});
       has_event = true;
     }
@@ -126,7 +126,8 @@ class PairSearch {
 
   const MovingConvolution& convolution_;
   const std::vector<MovingFacet>& facets_;
-  const Rational &from_, &to_;
+  const Rational& from_;
+  ScaleWindow window_;
   EventsOf what_;
   BoundedDouble first_scale_, last_scale_;
 };
@@ -135,10 +136,10 @@ void sort_events(std::vector<SpacePairEvent>& events) {
   std::vector<std::pair<double, std::uint32_t>> keys;
   keys.reserve(events.size());
   for (std::uint32_t k = 0; k < events.size(); ++k) {
-    keys.emplace_back(to_double(events[k].event.s), k);
+    keys.emplace_back(events[k].event.s.rounded(), k);
   }
   std::sort(keys.begin(), keys.end(), [&](const auto& a, const auto& b) {
-    if (a.first != b.first) return a.first < b.first;
+    if (EventScale::tell_the_order(a.first, b.first)) return a.first < b.first;
     const SpacePairEvent &e = events[a.second], &f = events[b.second];
     if (const int order = e.event.s.compare(f.event.s); order != 0) return order < 0;
     return std::tie(e.first, e.second, e.event.of_first, e.event.of_second) <
@@ -203,7 +204,8 @@ CriticalEvents critical_events_in_space(const Polyhedron& P, const Polyhedron& Q
   }
   sort_events(result.events);
   if (what == EventsOf::all) {
-    add_concurrent_events(convolution, std::move(meeting), from, to, control, result);
+    add_concurrent_events(convolution, std::move(meeting), EventScale(from), EventScale(to),
+                          control, result);
   }
   return result;
 }
@@ -223,7 +225,7 @@ SpacePoint place_of(const CriticalEvents& events, const ConcurrentEvent& event) 
 
 std::optional<SpacePoint> place_of(const CriticalEvents& events, const SpacePairEvent& event) {
   const SpaceOperands& operands = *events.operands;
-  const Rational& s = event.event.s;
+  const Rational s = event.event.s.exact();
   using Vector = std::array<Rational, 3>;
   const auto corner = [&](const MovingFacet& facet, std::size_t k) -> Vector {
     const IntegerVector &p = operands.P.points[facet.names[k].of_P].exact,
@@ -262,12 +264,12 @@ std::optional<SpacePoint> place_of(const CriticalEvents& events, const SpacePair
 std::uint64_t distinct_scales(const std::vector<SpacePairEvent>& events,
                               const std::vector<ConcurrentEvent>& others) {
   std::uint64_t count = 0;
-  const Rational* last = nullptr;
+  const EventScale* last = nullptr;
   std::size_t i = 0, j = 0;
   while (i < events.size() || j < others.size()) {
     const bool first =
         j == others.size() || (i < events.size() && events[i].event.s <= others[j].s);
-    const Rational& s = first ? events[i++].event.s : others[j++].s;
+    const EventScale& s = first ? events[i++].event.s : others[j++].s;
     count += last == nullptr || *last != s ? 1 : 0;
     last = &s;
   }
@@ -294,7 +296,8 @@ CriticalEvents critical_events_of_all_pairs(const Polyhedron& P, const Polyhedro
   if (what == EventsOf::all) {
     const BuildOptions options;
     const BuildControl control(options, "the list of events");
-    add_concurrent_events(convolution, std::move(meeting), from, to, control, result);
+    add_concurrent_events(convolution, std::move(meeting), EventScale(from), EventScale(to),
+                          control, result);
   }
   return result;
 }

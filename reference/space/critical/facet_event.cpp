@@ -16,11 +16,18 @@ ContactRegion::ContactRegion(const MovingConvolution& convolution, const MovingF
       first_(first),
       second_(second),
       signs_(signs),
-      count_(std::size_t{first.size} + second.size),
-      line_(convolution, first, second, signs) {
-  for (std::uint8_t k = 0; k < first.size; ++k) rows_[k] = {line_, first, k};
-  for (std::uint8_t k = 0; k < second.size; ++k) rows_[first.size + k] = {line_, second, k};
-  for (auto& row : turns_) row.fill(unknown);
+      count_(std::size_t{first.size} + second.size) {}
+
+std::array<ContactRow, most_sides>& ContactRegion::rows() {
+  if (!line_) {
+    line_.emplace(convolution_, first_, second_, signs_);
+    for (std::uint8_t k = 0; k < first_.size; ++k) rows_[k] = {*line_, first_, k};
+    for (std::uint8_t k = 0; k < second_.size; ++k) {
+      rows_[first_.size + k] = {*line_, second_, k};
+    }
+    for (auto& row : turns_) row.fill(unknown);
+  }
+  return rows_;
 }
 
 /// Of what `evaluate` makes of the constraints.
@@ -34,55 +41,205 @@ int ContactRegion::sign_of(Evaluate&& evaluate) {
     std::array<ContactRow, most_sides>& rows;
     const LineForm<Integer>& operator[](std::size_t k) const { return rows[k].exact(); }
   };
-  const int certain = evaluate(Rounded{rows_}).certain_sign();
+  const int certain = evaluate(Rounded{rows()}).certain_sign();
   if (certain != BoundedDouble::undecided) {
     ++signs_.by_float;
     return certain;
   }
   ++signs_.by_integer;
-  return sign(evaluate(Exact{rows_}));
+  return sign(evaluate(Exact{rows()}));
 }
 
 /// The sign of alpha_i beta_j - alpha_j beta_i.
 int ContactRegion::turn(std::size_t i, std::size_t j) {
+  rows();
   if (turns_[i][j] == unknown) {
-    turns_[i][j] = sign_of([&](const auto& rows) {
-      return rows[i].alpha * rows[j].beta - rows[j].alpha * rows[i].beta;
-    });
+    const auto turn = [&](const auto& rows) { return turn_of(rows[i], rows[j]); };
+    const int certain = turn_of(rows_[i].rounded(), rows_[j].rounded()).certain_sign();
+    const bool level = certain == BoundedDouble::undecided && is_level(i, j);
+    turns_[i][j] = level ? 0 : sign_of(turn);
     turns_[j][i] = -turns_[i][j];
   }
   return turns_[i][j];
 }
 
-/// The sign of constraint k where i and j are zero.
-int ContactRegion::side(std::size_t i, std::size_t j, std::size_t k) {
-  return turn(i, j) * sign_of([&](const auto& rows) {
-           const auto &a = rows[i], &b = rows[j], &c = rows[k];
-           return c.alpha * (a.beta * b.gamma - b.beta * a.gamma) +
-                  c.beta * (a.gamma * b.alpha - b.gamma * a.alpha) +
-                  c.gamma * (a.alpha * b.beta - b.alpha * a.beta);
-         });
+/// Whether what touches has a vertex in common: the corner between two sides of one facet and all
+/// of the other facet, or the ends of sides of both.
+template <class Vertex>
+bool ContactRegion::have_common(std::size_t i, std::size_t j, Vertex&& vertex) const {
+  const bool is_one = j < first_.size || i >= first_.size;
+  if (is_one) {
+    const MovingFacet &own = i < first_.size ? first_ : second_,
+                      &other = i < first_.size ? second_ : first_;
+    const std::size_t corner = corner_between(i, j);
+    for (std::size_t l = 0; l < other.size; ++l) {
+      if (vertex(own.names[corner]) == vertex(other.names[l])) return true;
+    }
+    return false;
+  }
+  const std::size_t l = j - first_.size;
+  for (const std::size_t a : {i, (i + 1) % first_.size}) {
+    for (const std::size_t b : {l, (l + 1) % second_.size}) {
+      if (vertex(first_.names[a]) == vertex(second_.names[b])) return true;
+    }
+  }
+  return false;
+}
+
+/// Whether names tell that i and j are zero together at no single scale s > 0. With a vertex p of P
+/// in common all moves with s p: they are at all scales or never. With a vertex of Q in common all
+/// is scaled about it: they are at s = 0, or always. So are opposite sides, or never.
+bool ContactRegion::have_no_scale(std::size_t i, std::size_t j) const {
+  using Name = ConvolutionFacet::Corner;
+  if (are_opposite(i, j)) return true;
+  return have_common(i, j, [](const Name& corner) { return corner.of_P; }) ||
+         have_common(i, j, [](const Name& corner) { return corner.of_Q; });
+}
+
+/// The corner between two sides of one facet and the plane of the other, or two sides: slope s +
+/// height is zero where they touch, if they are not parallel.
+template <class T>
+ContactRegion::Contact<T> ContactRegion::contact(std::size_t i, std::size_t j) const {
+  constexpr bool is_in_words = std::is_same_v<T, Int128>;
+  const auto of_P = [&](const ConvolutionFacet::Corner& corner) -> decltype(auto) {
+    if constexpr (is_in_words) {
+      return (convolution_.words->P[corner.of_P]);
+    } else {
+      return (convolution_.P.points[corner.of_P].exact);
+    }
+  };
+  const auto of_Q = [&](const ConvolutionFacet::Corner& corner) -> decltype(auto) {
+    if constexpr (is_in_words) {
+      return (convolution_.words->Q[corner.of_Q]);
+    } else {
+      return (convolution_.Q.points[corner.of_Q].exact);
+    }
+  };
+  const auto along = [&](const MovingFacet& facet, std::size_t k) {
+    const auto &a = facet.names[k], &b = facet.names[(k + 1) % facet.size];
+    return a.of_P != b.of_P ? of_P(b) - of_P(a) : of_Q(b) - of_Q(a);
+  };
+  const auto normal_of = [&](const MovingFacet& facet) {
+    if constexpr (is_in_words) {
+      return cross(along(facet, 0), along(facet, 1));
+    } else {
+      return facet.normal.exact;
+    }
+  };
+  const auto touch = [&](const std::array<T, 3>& normal, const ConvolutionFacet::Corner& a,
+                         const ConvolutionFacet::Corner& b) {
+    const auto moved = of_P(b) - of_P(a), fixed = of_Q(b) - of_Q(a);
+    return Contact<T>{T(normal[0] * moved[0] + normal[1] * moved[1] + normal[2] * moved[2]),
+                      T(normal[0] * fixed[0] + normal[1] * fixed[1] + normal[2] * fixed[2])};
+  };
+  const std::size_t size = first_.size;
+  if (i < size && j >= size) {
+    return touch(cross(along(first_, i), along(second_, j - size)), first_.names[i],
+                 second_.names[j - size]);
+  }
+  const MovingFacet &own = i < size ? first_ : second_, &other = i < size ? second_ : first_;
+  return touch(normal_of(other), own.names[corner_between(i, j)], other.names[0]);
+}
+
+bool ContactRegion::are_opposite(std::size_t i, std::size_t j) const {
+  if (i > j) std::swap(i, j);
+  const bool is_one = j < first_.size || i >= first_.size;
+  return is_one && j - i == 2 && (i < first_.size ? first_ : second_).size == 4;
+}
+
+/// Whether i and j are zero together at no single scale.
+bool ContactRegion::is_level(std::size_t i, std::size_t j) const {
+  if (i > j) std::swap(i, j);
+  if (are_opposite(i, j)) return false;  // perhaps at 0
+  return convolution_.words ? contact<Int128>(i, j).slope == 0
+                            : contact<Integer>(i, j).slope.is_zero();
+}
+
+/// Of two sides of one facet that have one in common.
+std::size_t ContactRegion::corner_between(std::size_t i, std::size_t j) const {
+  const std::size_t start = i < first_.size ? 0 : first_.size,
+                    size = i < first_.size ? first_.size : second_.size;
+  return i + 1 == j ? j - start : (j + 1 - start) % size;
+}
+
+/// The sign at s of how far the point of one corner is from that of another in a direction, which
+/// `direction` gives in the numbers that are asked for.
+template <class Direction>
+int ContactRegion::height_at(const EventScale& s, const ConvolutionFacet::Corner& from,
+                             const ConvolutionFacet::Corner& to, Direction&& direction) {
+  const auto &P = convolution_.P.points, &Q = convolution_.Q.points;
+  return filtered_sign(signs_, [&]<class T>(std::type_identity<T> type) {
+    const std::array<T, 3> n = direction(type);
+    const T moved = dot(n, P[to.of_P].template as<T>() - P[from.of_P].template as<T>()),
+            fixed = dot(n, Q[to.of_Q].template as<T>() - Q[from.of_Q].template as<T>());
+    if constexpr (std::is_same_v<T, Integer>) {
+      return Integer(moved * s.numerator() + fixed * s.denominator());
+    } else {
+      return moved * BoundedDouble(s.rounded(), s.rounded() * 0x1p-49) + fixed;
+    }
+  });
+}
+
+/// Whether the corner between sides i and j, in the plane of the other facet at s, is in that; adds
+/// the sides on which it is.
+bool ContactRegion::corner_is_inside(std::size_t i, std::size_t j, const EventScale& s,
+                                     unsigned& zeros) {
+  const bool of_first = i < first_.size;
+  const MovingFacet &own = of_first ? first_ : second_, &other = of_first ? second_ : first_;
+  const auto& corner = own.names[corner_between(i, j)];
+  for (std::size_t k = 0; k < other.size; ++k) {
+    const int at = height_at(s, other.names[k], corner, [&]<class T>(std::type_identity<T>) {
+      return cross(other.normal.as<T>(), other.along[k].as<T>());
+    });
+    if (at < 0) return false;
+    if (at == 0) zeros |= 1U << (of_first ? first_.size + k : k);
+  }
+  return true;
+}
+
+/// Whether side i of the first facet and j of the second, in one plane at s and not parallel, cross
+/// there; adds the sides that have an end of one where it is on the other.
+bool ContactRegion::sides_cross(std::size_t i, std::size_t j, const EventScale& s,
+                                unsigned& zeros) {
+  const std::size_t l = j - first_.size;
+  const auto ends_part = [&](const MovingFacet& own, std::size_t k, std::size_t start,
+                             const MovingFacet& other, std::size_t of_other) {
+    const auto across = [&]<class T>(std::type_identity<T>) {
+      const std::array<T, 3>&u = own.along[k].as<T>(), &v = other.along[of_other].as<T>();
+      return cross(cross(u, v), v);
+    };
+    const std::size_t next = (k + 1) % own.size;
+    const int before = height_at(s, other.names[of_other], own.names[k], across),
+              after = height_at(s, other.names[of_other], own.names[next], across);
+    if (before == 0) zeros |= 1U << (start + (k + own.size - 1) % own.size);
+    if (after == 0) zeros |= 1U << (start + next);
+    return before * after <= 0;
+  };
+  return ends_part(first_, i, 0, second_, l) && ends_part(second_, l, first_.size, first_, i);
 }
 
 /// Where i and j are zero, if that is in the region, at a scale above 0, and i and j are the first
 /// two that single it out.
 std::optional<ContactRegion::Corner> ContactRegion::corner_of(std::size_t i, std::size_t j) {
-  if (turn(i, j) == 0) return std::nullopt;
-  const int scale = turn(i, j) * sign_of([&](const auto& rows) {
-                      return rows[i].beta * rows[j].gamma - rows[j].beta * rows[i].gamma;
-                    });
-  if (scale <= 0) return std::nullopt;
+  if (have_no_scale(i, j)) return std::nullopt;
+  EventScale s;
+  const auto finds = [&](const auto& touch) {
+    if (touch.slope == 0) return false;
+    s = EventScale(-touch.height, touch.slope);
+    return s.sign() > 0 && (window_ == nullptr || window_->has(s));
+  };
+  if (!(convolution_.words ? finds(contact<Int128>(i, j)) : finds(contact<Integer>(i, j)))) {
+    return std::nullopt;
+  }
   unsigned zeros = 1U << i | 1U << j;
-  for (std::size_t k = 0; k < count_; ++k) {
-    if (k == i || k == j) continue;
-    const int at = side(i, j, k);
-    if (at < 0) return std::nullopt;
-    if (at == 0) zeros |= 1U << k;
+  const bool is_edge = i < first_.size && j >= first_.size;
+  if (!(is_edge ? sides_cross(i, j, s, zeros) : corner_is_inside(i, j, s, zeros))) {
+    return std::nullopt;
   }
   for (std::size_t a = 0; a <= i; ++a) {
     for (std::size_t b = a + 1; b < count_; ++b) {
       if (a == i && b == j) {
-        return Corner{i, j, static_cast<std::uint8_t>(zeros)};
+        return Corner{i, j, static_cast<std::uint8_t>(zeros), std::move(s)};
       }
       if ((zeros >> a & 1U) != 0 && (zeros >> b & 1U) != 0 && turn(a, b) != 0) return std::nullopt;
     }
@@ -110,33 +267,6 @@ bool ContactRegion::grows_from(const Corner& corner, int direction) {
   return true;
 }
 
-/// From a plane and a corner, or from two sides: numbers are shorter than those of constraints.
-Rational ContactRegion::scale_of(const Corner& corner, const FacetEvent& event) {
-  IntegerVector normal;
-  ConvolutionFacet::Corner from, to;
-  if (event.kind == ContactKind::edge) {
-    normal = cross(first_.along[event.of_first].exact, second_.along[event.of_second].exact);
-    from = first_.names[event.of_first];
-    to = second_.names[event.of_second];
-  } else if (event.of_first != FacetEvent::no_corner) {
-    normal = second_.normal.exact;
-    from = first_.names[event.of_first];
-    to = second_.names[0];
-  } else {
-    normal = first_.normal.exact;
-    from = second_.names[event.of_second];
-    to = first_.names[0];
-  }
-  const SpaceOperand &P = convolution_.P, &Q = convolution_.Q;
-  const Integer slope = dot(normal, P.points[to.of_P].exact - P.points[from.of_P].exact);
-  if (slope != 0) {
-    return Rational(-dot(normal, Q.points[to.of_Q].exact - Q.points[from.of_Q].exact), slope);
-  }
-  // They touch at all scales, somewhere.
-  const LineForm<Integer>&f = rows_[corner.i].exact(), &g = rows_[corner.j].exact();
-  return Rational(f.beta * g.gamma - g.beta * f.gamma, f.alpha * g.beta - g.alpha * f.beta);
-}
-
 FacetEvent ContactRegion::event_at(const Corner& corner) {
   FacetEvent contact{
       ContactKind::edge, ContactChange::pass, FacetEvent::no_corner, FacetEvent::no_corner, {}};
@@ -155,7 +285,7 @@ FacetEvent ContactRegion::event_at(const Corner& corner) {
     contact.of_first = static_cast<std::uint8_t>(corner.i);
     contact.of_second = static_cast<std::uint8_t>(corner.j - first_.size);
   }
-  contact.s = scale_of(corner, contact);
+  contact.s = corner.s;
   return contact;
 }
 
@@ -190,7 +320,8 @@ bool ContactRegion::meet_at(const Rational& s) {
   return true;
 }
 
-std::vector<FacetEvent> ContactRegion::events() {
+std::vector<FacetEvent> ContactRegion::events(const ScaleWindow* window) {
+  window_ = window;
   std::vector<FacetEvent> found;
   for (std::size_t i = 0; i < count_; ++i) {
     for (std::size_t j = i + 1; j < count_; ++j) {

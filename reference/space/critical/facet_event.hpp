@@ -8,6 +8,7 @@
 
 #include "reference/number/rational.hpp"
 #include "reference/space/critical/crossing_line.hpp"
+#include "reference/space/critical/event_scale.hpp"
 
 namespace minkref::inline space {
 
@@ -26,7 +27,7 @@ struct FacetEvent {
   ContactKind kind;
   ContactChange change;
   std::uint8_t of_first = no_corner, of_second = no_corner;
-  Rational s;
+  EventScale s;
 };
 
 inline constexpr std::size_t most_sides = 8;  ///< of two facets
@@ -40,8 +41,8 @@ class ContactRegion {
   ContactRegion(const MovingConvolution& convolution, const MovingFacet& first,
                 const MovingFacet& second, SignCounts& signs);
 
-  /// Events with s > 0, ascending.
-  std::vector<FacetEvent> events();
+  /// Events with s > 0, of a window if one is given, ascending.
+  std::vector<FacetEvent> events(const ScaleWindow* window = nullptr);
 
   /// Whether the facets share a point at a scale above 0.
   bool meet_at(const Rational& s);
@@ -50,22 +51,40 @@ class ContactRegion {
   struct Corner {
     std::size_t i, j;    ///< of the constraints that are zero there
     std::uint8_t zeros;  ///< which constraints are
+    EventScale s;
+  };
+  template <class T>
+  struct Contact {
+    T slope, height;
   };
 
   template <class Evaluate>
   int sign_of(Evaluate&& evaluate);
   int turn(std::size_t i, std::size_t j);
-  int side(std::size_t i, std::size_t j, std::size_t k);
+  template <class Direction>
+  int height_at(const EventScale& s, const ConvolutionFacet::Corner& from,
+                const ConvolutionFacet::Corner& to, Direction&& direction);
+  bool corner_is_inside(std::size_t i, std::size_t j, const EventScale& s, unsigned& zeros);
+  bool sides_cross(std::size_t i, std::size_t j, const EventScale& s, unsigned& zeros);
+  std::array<ContactRow, most_sides>& rows();
   std::optional<Corner> corner_of(std::size_t i, std::size_t j);
   FacetEvent event_at(const Corner& corner);
-  Rational scale_of(const Corner& corner, const FacetEvent& event);
+  template <class T>
+  Contact<T> contact(std::size_t i, std::size_t j) const;
+  bool is_level(std::size_t i, std::size_t j) const;
+  std::size_t corner_between(std::size_t i, std::size_t j) const;
+  bool are_opposite(std::size_t i, std::size_t j) const;
+  bool have_no_scale(std::size_t i, std::size_t j) const;
+  template <class Vertex>
+  bool have_common(std::size_t i, std::size_t j, Vertex&& vertex) const;
   bool grows_from(const Corner& corner, int direction);
 
   const MovingConvolution& convolution_;
   const MovingFacet &first_, &second_;
   SignCounts& signs_;
+  const ScaleWindow* window_ = nullptr;
   std::size_t count_;
-  CrossingLine line_;
+  std::optional<CrossingLine> line_;  ///< with rows and turns once these are asked for
   std::array<ContactRow, most_sides> rows_;
   std::array<std::array<int, most_sides>, most_sides> turns_;
 };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <tuple>
 
@@ -10,12 +9,12 @@
 
 namespace minkref::inline space {
 
-double below(const Rational& number) {
-  return std::nextafter(to_double(number), -std::numeric_limits<double>::infinity());
+double below(const EventScale& number) {
+  return number.rounded() - std::abs(number.rounded()) * 0x1p-50;
 }
 
-double above(const Rational& number) {
-  return std::nextafter(to_double(number), std::numeric_limits<double>::infinity());
+double above(const EventScale& number) {
+  return number.rounded() + std::abs(number.rounded()) * 0x1p-50;
 }
 
 bool share_a_side(const MovingFacet& a, const MovingFacet& b) {
@@ -121,8 +120,8 @@ class ConcurrentSearch {
 }  // namespace
 
 void add_concurrent_events(const MovingConvolution& convolution, std::vector<MeetingPair> meeting,
-                           const Rational& from, const Rational& to, const BuildControl& control,
-                           CriticalEvents& result) {
+                           const EventScale& from, const EventScale& to,
+                           const BuildControl& control, CriticalEvents& result) {
   const std::size_t count = convolution.facets.size();
   const MeetingFacets facets(count, std::move(meeting));
   const FacetTracks::Window window{from, to, below(from), above(to)};

@@ -17,8 +17,8 @@ struct MeetingPair {
 };
 
 /// Doubles that are not above, not below a number.
-double below(const Rational& number);
-double above(const Rational& number);
+double below(const EventScale& number);
+double above(const EventScale& number);
 
 /// Whether two facets have a side in common at all scales. Such pairs are in no event of three or
 /// four facets that is not one of fewer: where the side passes through another facet, its ends and
@@ -27,7 +27,7 @@ bool share_a_side(const MovingFacet& a, const MovingFacet& b);
 
 /// All events of three and of four facets, from the pairs that meet in the window. Exact.
 void add_concurrent_events(const MovingConvolution& convolution, std::vector<MeetingPair> meeting,
-                           const Rational& from, const Rational& to, const BuildControl& control,
-                           CriticalEvents& result);
+                           const EventScale& from, const EventScale& to,
+                           const BuildControl& control, CriticalEvents& result);
 
 }  // namespace minkref::inline space

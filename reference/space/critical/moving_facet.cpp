@@ -3,6 +3,23 @@
 namespace minkref::inline space {
 namespace {
 
+/// Coordinates below 2^b have differences below 2^(b + 1), cross products of these below
+/// 2^(2b + 3), and scalar products of such with differences below 2^(3b + 6).
+constexpr unsigned most_bits = 40;
+
+std::optional<std::vector<WordVector>> words_of(const SpaceOperand& body) {
+  std::vector<WordVector> points;
+  for (const auto& point : body.points) {
+    WordVector& words = points.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Integer& c = point.exact[k];
+      if (!c.is_zero() && mpz_sizeinbase(c.backend().data(), 2) > most_bits) return std::nullopt;
+      words[k] = static_cast<std::int64_t>(c);
+    }
+  }
+  return points;
+}
+
 /// A side of a facet is an edge of P or of Q.
 FilteredVector from_corner(const SpaceOperand& P, const SpaceOperand& Q,
                            const ConvolutionFacet::Corner& a, const ConvolutionFacet::Corner& b) {
@@ -24,6 +41,8 @@ MovingConvolution::MovingConvolution(const SpaceOperand& P_, const SpaceOperand&
     }
     facets.push_back(std::move(moving));
   }
+  auto of_P = words_of(P), of_Q = words_of(Q);
+  if (of_P && of_Q) words = Words{std::move(*of_P), std::move(*of_Q)};
 }
 
 }  // namespace minkref::inline space

@@ -3,9 +3,11 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "reference/space/edges/convolution_facets.hpp"
+#include "reference/space/word_vectors.hpp"
 
 namespace minkref::inline space {
 
@@ -27,6 +29,11 @@ struct MovingConvolution {
 
   const SpaceOperand &P, &Q;  ///< must outlive it
   std::vector<MovingFacet> facets;
+  /// The vertices of P and of Q, where scales of events of two facets fit in words of 128 bits.
+  struct Words {
+    std::vector<WordVector> P, Q;
+  };
+  std::optional<Words> words;
 };
 
 }  // namespace minkref::inline space

@@ -2,15 +2,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 namespace minkref::inline space {
 namespace {
 
-using FlatPoint = std::array<Rational, 2>;
+using FlatPoint = std::array<Integer, 2>;
 using FlatRing = std::vector<FlatPoint>;
 
-Rational turn(const FlatPoint& a, const FlatPoint& b, const FlatPoint& c) {
+Integer turn(const FlatPoint& a, const FlatPoint& b, const FlatPoint& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
@@ -23,15 +24,17 @@ class FlatPair {
         facets_{&first, &second},
         axis_(longest_axis(first.normal.exact)) {}
 
-  /// Counter-clockwise.
+  /// Counter-clockwise, times the denominator of s.
   FlatRing ring(std::size_t which, const Rational& s) const {
+    namespace mp = boost::multiprecision;
     const MovingFacet& facet = *facets_[which];
+    const Integer top = mp::numerator(s), bottom = mp::denominator(s);
     FlatRing ring;
     for (std::size_t k = 0; k < facet.size; ++k) {
       const IntegerVector &p = convolution_.P.points[facet.names[k].of_P].exact,
                           &q = convolution_.Q.points[facet.names[k].of_Q].exact;
       const std::size_t i = (axis_ + 1) % 3, j = (axis_ + 2) % 3;
-      ring.push_back({s * Rational(p[i]) + Rational(q[i]), s * Rational(p[j]) + Rational(q[j])});
+      ring.push_back({top * p[i] + bottom * q[i], top * p[j] + bottom * q[j]});
     }
     if (turn(ring[0], ring[1], ring[2]) < 0) std::reverse(ring.begin() + 1, ring.end());
     return ring;
@@ -57,26 +60,26 @@ bool has(const FlatRing& ring, const FlatPoint& point) {
   return true;
 }
 
-/// What two convex polygons share: its corners; fewer than three where it has no area.
-FlatRing shared(FlatRing ring, const FlatRing& other) {
-  for (std::size_t k = 0; k < other.size() && !ring.empty(); ++k) {
-    const FlatPoint &a = other[k], &b = other[(k + 1) % other.size()];
-    FlatRing left;
-    const auto add = [&](const FlatPoint& point) {
-      if (left.empty() || (left.back() != point && left.front() != point)) left.push_back(point);
-    };
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const FlatPoint &from = ring[i], &to = ring[(i + 1) % ring.size()];
-      const Rational here = turn(a, b, from), there = turn(a, b, to);
-      if (here >= 0) add(from);
-      if (sign(here) * sign(there) < 0) {
-        const Rational t = here / (here - there);
-        add({from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])});
-      }
+/// Whether the other of two convex polygons is behind a side of one: apart, or `touching` at most.
+bool is_behind_a_side(const FlatRing& ring, const FlatRing& other, bool touching) {
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const FlatPoint &a = ring[k], &b = ring[(k + 1) % ring.size()];
+    if (std::all_of(other.begin(), other.end(), [&](const FlatPoint& point) {
+          const int side = turn(a, b, point).sign();
+          return side < 0 || (touching && side == 0);
+        })) {
+      return true;
     }
-    ring = std::move(left);
   }
-  return ring;
+  return false;
+}
+
+bool meet(const FlatRing& f, const FlatRing& g) {
+  return !is_behind_a_side(f, g, false) && !is_behind_a_side(g, f, false);
+}
+
+bool share_an_area(const FlatRing& f, const FlatRing& g) {
+  return !is_behind_a_side(f, g, true) && !is_behind_a_side(g, f, true);
 }
 
 /// The first corner of a ring that is in the other.
@@ -87,12 +90,43 @@ std::optional<std::size_t> corner_inside(const FlatRing& ring, const FlatRing& o
   return static_cast<std::size_t>(found - ring.begin());
 }
 
+/// Whether a side of one of two facets in one plane has the other behind it from one scale to
+/// another, as far as doubles tell: heights over a side change evenly.
+bool certainly_apart(const MovingConvolution& convolution, const MovingFacet& first,
+                     const MovingFacet& second, const BoundedDouble& from,
+                     const BoundedDouble& to) {
+  const auto is_behind = [&](const MovingFacet& own, std::size_t k, const MovingFacet& other) {
+    const BoundedVector inwards = cross(own.normal.rounded, own.along[k].rounded);
+    const auto &P = convolution.P.points, &Q = convolution.Q.points;
+    const auto& start = own.names[k];
+    for (std::size_t l = 0; l < other.size; ++l) {
+      const auto& corner = other.names[l];
+      const BoundedDouble slope = dot(inwards, P[corner.of_P].rounded - P[start.of_P].rounded),
+                          height = dot(inwards, Q[corner.of_Q].rounded - Q[start.of_Q].rounded);
+      if ((slope * from + height).certain_sign() != -1) return false;
+      if ((slope * to + height).certain_sign() != -1) return false;
+    }
+    return true;
+  };
+  for (std::size_t k = 0; k < first.size; ++k) {
+    if (is_behind(first, k, second)) return true;
+  }
+  for (std::size_t k = 0; k < second.size; ++k) {
+    if (is_behind(second, k, first)) return true;
+  }
+  return false;
+}
+
+BoundedDouble bounded(const EventScale& s) {
+  return {s.rounded(), std::abs(s.rounded()) * 0x1p-49};
+}
+
 std::vector<FacetEvent> in_one_plane_at(const FlatPair& pair, const Rational& s) {
   const FlatRing f = pair.ring(0, s), g = pair.ring(1, s);
-  const FlatRing both = shared(f, g);
-  if (both.empty()) return {};
-  FacetEvent event{both.size() > 2 ? ContactKind::parallel : ContactKind::vertex,
-                   ContactChange::touch, FacetEvent::no_corner, FacetEvent::no_corner, s};
+  if (!meet(f, g)) return {};
+  FacetEvent event{share_an_area(f, g) ? ContactKind::parallel : ContactKind::vertex,
+                   ContactChange::touch, FacetEvent::no_corner, FacetEvent::no_corner,
+                   EventScale(s)};
   const auto of_f = corner_inside(f, g), of_g = corner_inside(g, f);
   if (of_f) event.of_first = pair.corner(0, *of_f, f);
   const bool apart = of_f && of_g && f[*of_f] != g[*of_g];
@@ -116,18 +150,18 @@ std::vector<FacetEvent> in_one_plane_always(const FlatPair& pair) {
         // The direction of the side is constant up to a factor: that at 1 will do.
         const FlatPoint along{at_one[other][next][0] - at_one[other][k][0],
                               at_one[other][next][1] - at_one[other][k][1]};
-        const auto height = [&](const std::array<FlatRing, 2>& rings) -> Rational {
+        const auto height = [&](const std::array<FlatRing, 2>& rings) -> Integer {
           const FlatPoint &corner = rings[which][c], &from = rings[other][k];
           return along[0] * (corner[1] - from[1]) - along[1] * (corner[0] - from[0]);
         };
-        const Rational one = height(at_one), slope = height(at_two) - one;
+        const Integer one = height(at_one), slope = height(at_two) - one;
         if (slope == 0) continue;
-        const Rational s = 1 - one / slope;
+        const Rational s(slope - one, slope);
         if (s <= 0) continue;
         const FlatRing own = pair.ring(which, s), ring = pair.ring(other, s);
         if (!has(ring, own[c])) continue;
         FacetEvent event{ContactKind::vertex, ContactChange::pass, FacetEvent::no_corner,
-                         FacetEvent::no_corner, s};
+                         FacetEvent::no_corner, EventScale(s)};
         (which == 0 ? event.of_first : event.of_second) = pair.corner(which, c, own);
         const auto same = std::find(ring.begin(), ring.end(), own[c]);
         if (same != ring.end()) {
@@ -147,16 +181,16 @@ std::vector<FacetEvent> in_one_plane_always(const FlatPair& pair) {
                                    a.of_second == b.of_second;
                           }),
               found.end());
-  const auto meet = [&](const Rational& s) {
-    return !shared(pair.ring(0, s), pair.ring(1, s)).empty();
-  };
+  const auto meet_at = [&](const Rational& s) { return meet(pair.ring(0, s), pair.ring(1, s)); };
   for (std::size_t k = 0; k < found.size(); ++k) {
-    Rational before = found[k].s / 2, after = found[k].s + 1;
+    const Rational s = found[k].s.exact();
+    Rational before = s / 2, after = s + 1;
     for (const FacetEvent& other : found) {
-      if (other.s < found[k].s) before = std::max(before, Rational((other.s + found[k].s) / 2));
-      if (other.s > found[k].s) after = std::min(after, Rational((other.s + found[k].s) / 2));
+      const Rational middle = (other.s.exact() + s) / 2;
+      if (other.s < found[k].s) before = std::max(before, middle);
+      if (other.s > found[k].s) after = std::min(after, middle);
     }
-    const bool down = meet(before), up = meet(after);
+    const bool down = meet_at(before), up = meet_at(after);
     if (up && !down) found[k].change = ContactChange::birth;
     if (!up && down) found[k].change = ContactChange::death;
     if (!up && !down) found[k].change = ContactChange::touch;
@@ -168,7 +202,7 @@ std::vector<FacetEvent> in_one_plane_always(const FlatPair& pair) {
 
 std::vector<FacetEvent> parallel_events(const MovingConvolution& convolution,
                                         const MovingFacet& first, const MovingFacet& second,
-                                        SignCounts& signs) {
+                                        SignCounts& signs, const ScaleWindow* window) {
   const SpaceOperand &P = convolution.P, &Q = convolution.Q;
   const auto &a = first.names[0], &b = second.names[0];
   const auto apart = [&](const SpaceOperand& body, std::uint32_t from, std::uint32_t to) {
@@ -178,12 +212,26 @@ std::vector<FacetEvent> parallel_events(const MovingConvolution& convolution,
   };
   const int slope = apart(P, a.of_P, b.of_P), height = apart(Q, a.of_Q, b.of_Q);
   const FlatPair pair(convolution, first, second);
-  if (slope == 0) return height == 0 ? in_one_plane_always(pair) : std::vector<FacetEvent>{};
+  if (slope == 0) {
+    if (height != 0) return {};
+    if (window != nullptr &&
+        certainly_apart(convolution, first, second, bounded(window->from), bounded(window->to))) {
+      return {};
+    }
+    std::vector<FacetEvent> found = in_one_plane_always(pair);
+    if (window != nullptr) {
+      std::erase_if(found, [&](const FacetEvent& event) { return !window->has(event.s); });
+    }
+    return found;
+  }
   if (slope * height >= 0) return {};
   const auto exact = [&](const SpaceOperand& body, std::uint32_t from, std::uint32_t to) {
     return dot(first.normal.exact, body.points[to].exact - body.points[from].exact);
   };
-  return in_one_plane_at(pair, Rational(-exact(Q, a.of_Q, b.of_Q), exact(P, a.of_P, b.of_P)));
+  const EventScale s(-exact(Q, a.of_Q, b.of_Q), exact(P, a.of_P, b.of_P));
+  if (window != nullptr && !window->has(s)) return {};
+  if (certainly_apart(convolution, first, second, bounded(s), bounded(s))) return {};
+  return in_one_plane_at(pair, s.exact());
 }
 
 }  // namespace minkref::inline space
