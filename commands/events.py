@@ -177,7 +177,20 @@ def command(
         from minkref.commands.space.events import events_in_space, refuse_in_space
 
         refuse_in_space(kind, form, arithmetic, reading, least, route, index, where)
-        events_in_space(P, Q, kind, from_scale, to_scale, limit, output, file_format, json, memory)
+        events_in_space(
+            P,
+            Q,
+            kind,
+            from_scale,
+            to_scale,
+            limit,
+            output,
+            file_format,
+            json,
+            memory,
+            arithmetic,
+            form,
+        )
         return
     if reading and kind != "pair":
         what = "the paper's program has pair events only"

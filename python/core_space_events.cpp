@@ -21,6 +21,7 @@
 #include "python/core_space.hpp"
 #include "python/vector_caster.hpp"
 #include "reference/space/critical/critical_events.hpp"
+#include "trials/facet_contact_trial.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -120,6 +121,23 @@ std::vector<ConcurrentRow> concurrent(const CriticalEvents& events, std::size_t 
   return rows_of<ConcurrentRow>(events, events.concurrent, first, count);
 }
 
+std::map<std::string, std::uint64_t> trial(const Surface& P, const Surface& Q,
+                                           const std::string& arithmetic, const std::string& form) {
+  const FacetContactTrial found =
+      facet_contact_trial(P.value(), Q.value(), arithmetic, form_named(form));
+  return {{"pairs", found.pairs},
+          {"undecided_pairs", found.undecided_pairs},
+          {"roots", found.roots},
+          {"false_inconsistent", found.false_inconsistent},
+          {"false_identity", found.false_identity},
+          {"invented_roots", found.invented_roots},
+          {"events", found.events},
+          {"missed", found.missed},
+          {"singular", found.singular},
+          {"invented", found.invented},
+          {"misplaced", found.misplaced}};
+}
+
 EventsOf what(bool concurrent) { return concurrent ? EventsOf::all : EventsOf::pairs; }
 
 /// Kind, and the vertices of P and of Q of each corner.
@@ -196,6 +214,10 @@ void bind_space_events(nb::module_& module) {
       },
       "P"_a, "Q"_a, "from_scale"_a, "to_scale"_a, "concurrent"_a = false, Released(),
       "The same by all pairs of facets, without boxes and filters: slow.");
+  module.def("facet_contact_trial", &trial, "P"_a, "Q"_a, "arithmetic"_a, "form"_a, Released(),
+             "The paper's way to the events of two facets (Sec. 5.1, 5.2) in an arithmetic, all "
+             "pairs of facets that are not parallel, against the exact events. Raises BadInput, "
+             "LimitExceeded.");
 }
 
 }  // namespace minkref::python

@@ -5,44 +5,15 @@
 #include <optional>
 #include <vector>
 
-#include "reference/number/exact_value.hpp"
 #include "reference/plane/convolution/convolution_rule.hpp"
 #include "reference/plane/critical/pair_interval.hpp"
 #include "reference/plane/kernel/arithmetic_name.hpp"
 #include "reference/plane/kernel/exact_frame.hpp"
 #include "reference/plane/sum.hpp"
+#include "trials/misplaced.hpp"
 
 namespace minkref {
 namespace {
-
-/// 2^e: the distance of neighbours among numbers of `bits` bits at this positive value.
-Rational ulp(const Rational& value, long bits) {
-  const Integer num = numerator(value), den = denominator(value);
-  long e = static_cast<long>(msb(num)) - static_cast<long>(msb(den));
-  const auto power = [](long exponent) {
-    const Integer two = Integer(1) << static_cast<unsigned long>(std::abs(exponent));
-    return exponent < 0 ? Rational(Integer(1), two) : Rational(two);
-  };
-  if (value < power(e)) --e;
-  return power(e - bits + 1);
-}
-
-long precision(const Arithmetic<Mpfr>& arithmetic) { return arithmetic.precision(); }
-template <class T>
-long precision(const Arithmetic<T>&) {
-  return 53;
-}
-
-bool misplaced(const Rational& truth, const Rational& got, long) { return truth != got; }
-bool misplaced(const Rational& truth, const Interval& got, long) {
-  const Enclosure e = enclose(truth);
-  return got.lower() > e.lower || got.upper() < e.upper;
-}
-template <class T>
-bool misplaced(const Rational& truth, const T& got, long bits) {
-  const Rational off(exact_value(got) - truth);
-  return abs(off) > ulp(truth, bits);
-}
 
 bool less(const Interval& a, const Interval& b) { return approximate(a) < approximate(b); }
 template <class T>

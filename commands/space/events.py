@@ -42,7 +42,9 @@ def events_in_space(
     output: Path | None,
     form: str | None,
     json_document: bool,
-    memory: int | None = None,
+    memory: int | None,
+    arithmetic: str,
+    paper_form: str,
 ) -> None:
     """The command, its options read but not yet checked."""
     watch = Stopwatch()
@@ -71,7 +73,17 @@ def events_in_space(
                     kind != "pair",
                 ),
             )
-        head = _head(watch, first, second, window, kind, found, watch.seconds() - began, output)
+        seconds = watch.seconds() - began
+        trial = None
+        if arithmetic != "rational" or paper_form != "corrected":
+            trial = refusing(
+                where,
+                lambda: dict(
+                    _core.facet_contact_trial(first.surface, second.surface, arithmetic, paper_form)
+                ),
+            )
+        head = _head(watch, first, second, window, kind, found, seconds, output)
+        head |= {"form": paper_form, "arithmetic": arithmetic, "trial": trial}
         count = head["count"] if limit is None else min(limit, head["count"])
         if target is not None:
             target.write_pieces(_pieces(target.form, head, _rows(found, kind, count)))
@@ -97,9 +109,10 @@ def refuse_in_space(
     if kind not in KINDS:
         what = "in space there are events of two facets, and of three or four"
         raise Refusal(what, f"--kind {kind}", f"choose one of {', '.join(KINDS)}")
+    if kind == "triple" and (form != "corrected" or arithmetic != "rational"):
+        what = "the paper has events of two facets only"
+        raise Refusal(what, f"--kind {kind} --form or --arithmetic", "leave out one of the two")
     given = {
-        "--form printed": form != "corrected",
-        f"--arithmetic {arithmetic}": arithmetic != "rational",
         "--reading": bool(reading),
         "--least-precision": least,
         "--route": route is not None,
@@ -220,6 +233,9 @@ def _print(head: dict[str, Any], found: _core.SpaceEvents, count: int) -> None:
         f"{head['facets']:,} facets of the convolution, {head['near_pairs']:,} pairs that may "
         f"meet, {head['pairs_with_events']:,} with events; {head['compute_seconds']:.3f} s"
     )
+    if head["trial"] is not None:
+        how = f"the paper's way, {head['form']}, in {head['arithmetic']}"
+        told.print(f"{how}: {_fares(head['trial'])}")
     for row in _rows(found, head["kind"], count):
         touching = " and ".join(
             f"{one['facet']} {'-'.join(map(str, dict.fromkeys(one['P'])))}"
@@ -229,3 +245,11 @@ def _print(head: dict[str, Any], found: _core.SpaceEvents, count: int) -> None:
         told.print(f"{approximate(row['s']):>14}  {row['kind']} {row['change']}: {touching}")
     if count < head["count"]:
         told.print(f"... and {head['count'] - count:,} more (--limit N, -o FILE)")
+
+
+def _fares(trial: dict[str, int]) -> str:
+    return (
+        f"{trial['false_inconsistent']:,} of {trial['roots']:,} systems with a root called "
+        f"inconsistent; of {counted(trial['events'], 'event')} at all scales {trial['missed']:,} "
+        f"missed, {trial['misplaced']:,} off by more than an ulp, {trial['invented']:,} invented"
+    )

@@ -85,6 +85,27 @@ def test_those_of_three_and_four_facets(minkref: Minkref, operands: tuple[Path, 
     assert scales == sorted(scales) and len(set(scales)) == every["distinct"]
 
 
+def test_the_paper_s_way_on_trial(minkref: Minkref, operands: tuple[Path, Path]) -> None:
+    told = {}
+    for form, arithmetic in (
+        ("printed", "rational"),
+        ("printed", "double"),
+        ("corrected", "double"),
+    ):
+        ran = minkref(
+            "events", *operands, *WINDOW, "--form", form, "--arithmetic", arithmetic, "--json"
+        )
+        jsonschema.validate(ran.json, schema("events"))
+        told[form, arithmetic] = ran.json["trial"]
+        assert told[form, arithmetic]["events"] > 0
+    exact = told["printed", "rational"]
+    assert exact["invented"] == exact["false_inconsistent"] == 0
+    assert exact["missed"] == exact["singular"] > 0  # sides along the other facet's plane
+    assert told["printed", "double"]["missed"] >= told["corrected", "double"]["missed"]
+    shown = minkref("events", *operands, *WINDOW, "--form", "printed", "--arithmetic", "mpfr:53")
+    assert "called inconsistent" in " ".join(shown.out.split())
+
+
 def test_people_see_the_first_of_them(minkref: Minkref, operands: tuple[Path, Path]) -> None:
     ran = minkref("events", *operands, *WINDOW)
     assert ran.code == 0 and "facets of the convolution" in ran.out and "more (--limit" in ran.out
@@ -96,7 +117,8 @@ def test_people_see_the_first_of_them(minkref: Minkref, operands: tuple[Path, Pa
         ("--from", "1"),
         ("--to", "2"),
         (*WINDOW, "--kind", "parallel"),
-        (*WINDOW, "--form", "printed"),
+        (*WINDOW, "--form", "printed", "--kind", "triple"),
+        (*WINDOW, "--arithmetic", "mpfr:1"),
         (*WINDOW, "--where", "s > 1"),
         ("--from", "2", "--to", "1"),
         (*WINDOW, "-o", "events.parquet"),

@@ -24,6 +24,11 @@ std::string text(const CriticalEvents& found) {
             std::to_string(static_cast<int>(e.event.change)) + ' ' +
             std::to_string(e.event.of_first) + ' ' + std::to_string(e.event.of_second) + '\n';
   }
+  for (const ConcurrentEvent& e : found.concurrent) {
+    text += to_string(e.s.exact());
+    for (const std::uint32_t facet : e.facets) text += ' ' + std::to_string(facet);
+    text += ' ' + std::to_string(e.of) + ' ' + std::to_string(e.side) + '\n';
+  }
   return text;
 }
 
@@ -31,8 +36,8 @@ std::size_t expect_all(const Polyhedron& P, const Polyhedron& Q, unsigned thread
   const Rational from(1, 5), to(2);
   BuildOptions options;
   options.threads = threads;
-  const CriticalEvents found = critical_events_in_space(P, Q, from, to, options);
-  EXPECT_EQ(text(found), text(critical_events_of_all_pairs(P, Q, from, to)));
+  const CriticalEvents found = critical_events_in_space(P, Q, from, to, options, EventsOf::all);
+  EXPECT_EQ(text(found), text(critical_events_of_all_pairs(P, Q, from, to, EventsOf::all)));
   return found.events.size();
 }
 

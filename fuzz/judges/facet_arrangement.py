@@ -1,0 +1,106 @@
+"""The arrangement of the facets of sP + Q at one scale, as what does not change while nothing
+happens: which facets meet, on which sides the ends of what they share are, and in which order
+others cross it. Static, from the definition; for small operands."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Sequence
+from itertools import combinations
+from typing import Any
+
+from minkref.oracle.symbolic.rational import Rational
+from minkref.oracle.symbolic.space_events import planes_parallel
+from minkref.oracle.symbolic.space_moving import MovingFacet, Vector, cross, dot, minus
+from minkref.oracle.symbolic.space_standing import (
+    Segment3,
+    in_polygon,
+    on_segment,
+    polygons_meet,
+    share_an_area,
+    shared,
+    shared_by_polygons,
+)
+
+Arrangement = dict[tuple[int, int], Any]
+"""Of two facets, ascending, that meet, and only of these: what is told of them."""
+
+
+class MovingFacets:
+    """Which of some facets are parallel does not depend on the scale."""
+
+    def __init__(self, facets: Sequence[MovingFacet]) -> None:
+        self.facets = facets
+        self.pairs = list(combinations(range(len(facets)), 2))
+        self.parallel = {(i, j) for i, j in self.pairs if planes_parallel(facets[i], facets[j])}
+
+    def at(self, s: Rational) -> Arrangement:
+        """O(n^2) pairs, and for each facet all pairs of those that it meets."""
+        corners = [facet.corners(s) for facet in self.facets]
+        boxes = [_box(each) for each in corners]
+        found: Arrangement = {}
+        segments: dict[int, dict[int, Segment3]] = defaultdict(dict)
+        for i, j in self.pairs:
+            if _apart(boxes[i], boxes[j]):
+                continue
+            if (i, j) in self.parallel:
+                if _in_one_plane(corners[i], corners[j]) and polygons_meet(corners[i], corners[j]):
+                    found[i, j] = _of_parallel(corners[i], corners[j])
+                continue
+            common = shared_by_polygons(corners[i], corners[j])
+            if common is not None:
+                segments[i][j] = segments[j][i] = self._along(i, j, common)
+        for i, others in segments.items():
+            for j, segment in others.items():
+                if i < j:
+                    ends = [(_sides(x, corners[i]), _sides(x, corners[j])) for x in segment]
+                    crossings = self._crossings(i, j, segment, segments)
+                    found[i, j] = (segment[0] == segment[1], ends, crossings)
+        return found
+
+    def _along(self, i: int, j: int, segment: Segment3) -> Segment3:
+        direction = cross(self.facets[i].plane()[:3], self.facets[j].plane()[:3])
+        low, high = sorted(segment, key=lambda x: dot(direction, x))
+        return low, high
+
+    def _crossings(
+        self, i: int, j: int, segment: Segment3, segments: dict[int, dict[int, Segment3]]
+    ) -> list[Any]:
+        """Other facets that share a point with both, in their order along the segment; those at
+        one point together."""
+        direction = cross(self.facets[i].plane()[:3], self.facets[j].plane()[:3])
+        at: dict[Rational, list[Any]] = defaultdict(list)
+        for k in segments[i].keys() & segments[j].keys():
+            common = shared(segment, segments[i][k])
+            common = common and shared(common, segments[j][k])
+            for x in dict.fromkeys(common or ()):
+                at[dot(direction, x)].append(k)
+        return [sorted(at[key]) for key in sorted(at)]
+
+
+def _box(corners: Sequence[Vector]) -> list[tuple[Rational, Rational]]:
+    return [(min(column), max(column)) for column in zip(*corners, strict=True)]
+
+
+def _apart(a: list[tuple[Rational, Rational]], b: list[tuple[Rational, Rational]]) -> bool:
+    return any(u[1] < v[0] or v[1] < u[0] for u, v in zip(a, b, strict=True))
+
+
+def _sides(x: Vector, corners: Sequence[Vector]) -> tuple[int, ...]:
+    """Those on which the point is."""
+    count = len(corners)
+    return tuple(k for k in range(count) if on_segment(x, (corners[k], corners[(k + 1) % count])))
+
+
+def _in_one_plane(f: Sequence[Vector], g: Sequence[Vector]) -> bool:
+    normal = cross(minus(f[1], f[0]), minus(f[2], f[0]))
+    return dot(normal, minus(g[0], f[0])) == 0
+
+
+def _of_parallel(f: Sequence[Vector], g: Sequence[Vector]) -> Any:
+    """Of two facets in one plane: where the corners of each are in the other."""
+    places = [
+        [_sides(x, other) if in_polygon(x, other) else None for x in own]
+        for own, other in ((f, g), (g, f))
+    ]
+    return share_an_area(f, g), places

@@ -1,0 +1,192 @@
+// The paper's way to the events of two facets (Sec. 5.1, 5.2), in any arithmetic.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "reference/plane/critical/scale_solve.hpp"
+#include "reference/space/critical/facet_event.hpp"
+
+namespace minkref::inline space {
+
+/// A corner of one facet and the other (5.1), or a side of each (5.2).
+template <class T>
+struct PaperContact {
+  ContactKind kind;
+  /// What the systems of equations in s - 1 have for solution: of a corner one for each of its two
+  /// sides, of two sides one. There is none where the line of a side is along the other plane, or
+  /// never meets it.
+  std::vector<ScaleSolution<T>> solutions{};
+  std::optional<T> scale{};  ///< of the event, if there is one
+};
+
+/// The events of two facets that are not parallel. `printed` follows the text sentence by sentence:
+/// x(1) and x(2), where the line of a side meets the plane of the other facet; sigma = x(2) - x(1);
+/// x(s) = x(1) + (s - 1) sigma, set equal to an end of the side, or to the point in which the line
+/// of a side of the other meets the plane of the first. Each is three equations in s, and all must
+/// agree. `corrected` has one equation: the corner is in the plane, or the sides are in one plane.
+/// It also finds what happens where a side is along the other plane, in which it is at one scale.
+/// Contacts are always in the same order, so that answers in two arithmetics can be compared.
+/// Throws UndecidedSign where T cannot tell.
+template <class T>
+class FacetContacts {
+ public:
+  using Vector = Eigen::Matrix<T, 3, 1>;
+  /// A corner is p s + q.
+  struct Corner {
+    Vector p, q;
+  };
+  using Facet = std::vector<Corner>;
+
+  FacetContacts(const Facet& first, const Facet& second, Form form)
+      : facets_{&first, &second}, form_(form) {}
+
+  std::vector<PaperContact<T>> all() const {
+    std::vector<PaperContact<T>> found;
+    const bool printed = form_ == Form::printed;
+    for (const std::size_t which : {std::size_t{0}, std::size_t{1}}) {
+      for (std::size_t k = 0; k < size(which); ++k) {
+        found.push_back(printed ? printed_corner(which, k) : corrected_corner(which, k));
+      }
+    }
+    for (std::size_t k = 0; k < size(0); ++k) {
+      for (std::size_t l = 0; l < size(1); ++l) {
+        found.push_back(printed ? printed_crossing(k, l) : corrected_crossing(k, l));
+      }
+    }
+    return found;
+  }
+
+ private:
+  /// x(1) and sigma.
+  struct Track {
+    Vector start, sigma;
+    Vector at(const T& s) const { return start + sigma * T(s - T(1)); }
+  };
+
+  std::size_t size(std::size_t which) const { return facets_[which]->size(); }
+
+  Vector corner(std::size_t which, std::size_t k, const T& s) const {
+    const Facet& facet = *facets_[which];
+    const Corner& c = facet[k % facet.size()];
+    return c.q + c.p * s;
+  }
+
+  /// Where the line of a side meets the plane of the other facet, by the equation of 5.2.
+  std::optional<Vector> hit(std::size_t which, std::size_t k, const T& s) const {
+    const Vector a = corner(which, k, s), b = corner(which, k + 1, s);
+    const std::size_t other = 1 - which;
+    const Vector ta = corner(other, 0, s), u = corner(other, 1, s) - ta,
+                 v = corner(other, 2, s) - ta, e = a - b, d = a - ta;
+    const T determinant = e.dot(u.cross(v));
+    if (sign(determinant) == 0) return std::nullopt;  // singular: a line along the plane
+    const T t = T(d.dot(u.cross(v))) / determinant;
+    return Vector(a + (b - a) * t);
+  }
+
+  std::optional<Track> track(std::size_t which, std::size_t k) const {
+    const auto one = hit(which, k, T(1)), two = hit(which, k, T(2));
+    if (!one || !two) return std::nullopt;
+    return Track{*one, *two - *one};
+  }
+
+  /// Of the corner, from the sides before and after it.
+  PaperContact<T> printed_corner(std::size_t which, std::size_t k) const {
+    PaperContact<T> contact{ContactKind::vertex};
+    const Vector &p = (*facets_[which])[k].p, start = corner(which, k, T(1));
+    for (const std::size_t side : {(k + size(which) - 1) % size(which), k}) {
+      const auto x = track(which, side);
+      if (!x) continue;
+      contact.solutions.push_back(solve_by_consistency<T, 3>(x->sigma - p, start - x->start));
+      const auto s = positive(contact.solutions.back());
+      if (s && !contact.scale && is_inside(1 - which, x->at(*s), *s)) contact.scale = s;
+    }
+    return contact;
+  }
+
+  PaperContact<T> printed_crossing(std::size_t k, std::size_t l) const {
+    PaperContact<T> contact{ContactKind::edge};
+    const auto x1 = track(0, k), x2 = track(1, l);
+    if (!x1 || !x2) return contact;
+    contact.solutions.push_back(
+        solve_by_consistency<T, 3>(x1->sigma - x2->sigma, x2->start - x1->start));
+    const auto s = positive(contact.solutions.back());
+    if (s && is_between(0, k, x1->at(*s), *s) && is_between(1, l, x1->at(*s), *s)) {
+      contact.scale = s;
+    }
+    return contact;
+  }
+
+  PaperContact<T> corrected_corner(std::size_t which, std::size_t k) const {
+    PaperContact<T> contact{ContactKind::vertex};
+    const auto s =
+        add_solution(contact, normal(1 - which), (*facets_[which])[k], (*facets_[1 - which])[0]);
+    if (s && is_inside(1 - which, corner(which, k, *s), *s)) contact.scale = s;
+    return contact;
+  }
+
+  PaperContact<T> corrected_crossing(std::size_t k, std::size_t l) const {
+    PaperContact<T> contact{ContactKind::edge};
+    const Vector u = corner(0, k + 1, T(1)) - corner(0, k, T(1)),
+                 v = corner(1, l + 1, T(1)) - corner(1, l, T(1)), n = u.cross(v);
+    const auto s = add_solution(contact, n, (*facets_[0])[k], (*facets_[1])[l]);
+    if (!s) return contact;
+    const Vector a = corner(0, k, *s), across = n.cross(v);
+    const T way = T(Vector(corner(1, l, *s) - a).dot(across)) / T(u.dot(across));
+    const Vector x = a + u * way;
+    if (is_between(0, k, x, *s) && is_between(1, l, x, *s)) contact.scale = s;
+    return contact;
+  }
+
+  /// The scale at which two corners are level along n: (s - 1) n . (p' - p) = n . (x - x').
+  std::optional<T> add_solution(PaperContact<T>& contact, const Vector& n, const Corner& from,
+                                const Corner& to) const {
+    const T slope = n.dot(Vector(to.p - from.p)),
+            height = n.dot(Vector(Vector(from.p + from.q) - Vector(to.p + to.q)));
+    ScaleSolution<T> solution{};
+    if (sign(slope) != 0) {
+      solution = {Solution::root, T(height / slope)};
+    } else if (sign(height) == 0) {
+      solution.kind = Solution::identity;
+    }
+    contact.solutions.push_back(solution);
+    return positive(solution);
+  }
+
+  static std::optional<T> positive(const ScaleSolution<T>& solution) {
+    if (solution.kind != Solution::root) return std::nullopt;
+    const T s = solution.scale + T(1);
+    if (sign(s) <= 0) return std::nullopt;
+    return s;
+  }
+
+  Vector normal(std::size_t which) const {
+    const Vector a = corner(which, 0, T(1));
+    return Vector(corner(which, 1, T(1)) - a).cross(Vector(corner(which, 2, T(1)) - a));
+  }
+
+  /// A point of the plane in the facet.
+  bool is_inside(std::size_t which, const Vector& x, const T& s) const {
+    const Vector n = normal(which);
+    for (std::size_t k = 0; k < size(which); ++k) {
+      const Vector a = corner(which, k, s), side = corner(which, k + 1, s) - a;
+      if (sign(T(n.cross(side).dot(Vector(x - a)))) < 0) return false;
+    }
+    return true;
+  }
+
+  /// A point of the line between the ends of the side.
+  bool is_between(std::size_t which, std::size_t k, const Vector& x, const T& s) const {
+    const Vector a = corner(which, k, s), b = corner(which, k + 1, s), side = b - a;
+    return sign(T(side.dot(Vector(x - a)))) >= 0 && sign(T(side.dot(Vector(b - x)))) >= 0;
+  }
+
+  std::array<const Facet*, 2> facets_;
+  Form form_;
+};
+
+}  // namespace minkref::inline space

@@ -1,0 +1,161 @@
+"""Events of the facets of sums in space: computer algebra, all pairs of facets, and arrangements at
+single scales agree with the lists."""
+
+from __future__ import annotations
+
+import random
+from collections import Counter
+from dataclasses import dataclass, field
+from itertools import pairwise
+from typing import Any
+
+from minkref import _core
+from minkref.fuzz.judges import facet_tuple_comparison, space_event_comparison
+from minkref.fuzz.judges.facet_arrangement import MovingFacets
+from minkref.fuzz.judges.space_event_comparison import KINDS, moving_facet
+from minkref.fuzz.judges.space_routes import core_polyhedron
+from minkref.fuzz.space.general_pairs import FAMILIES, pair_of_family
+from minkref.oracle.symbolic.rational import Rational, rational
+from minkref.reports.evidence.framework.in_processes import in_processes
+from minkref.reports.evidence.framework.part import COMPARISON, REFERENCE, Findings
+
+SUBJECT = (
+    "Events of two, three and four facets of the convolution in space, 60 % of them degenerate, "
+    "against computer algebra; the lists of small pairs of polyhedra against all pairs of facets, "
+    "and against the arrangement at scales between events and at them."
+)
+MINUTES = (30, 0.5)
+DEPENDS = (*REFERENCE, *COMPARISON, "oracle/symbolic/*")
+
+SEED = 1912
+PAIRS, QUICK_PAIRS = 5000, 40
+QUADRUPLES, QUICK_QUADRUPLES = 20_000, 200
+LISTS, QUICK_LISTS = 500, 6
+BATCHES = 20
+FROM, TO = "1/5", "2"
+MOST_FACETS = 160
+EVENTS_OF_A_PAIR = 3  # that arrangements are looked at around
+
+Task = tuple[str, int, int]  # what, its number, how many
+
+
+@dataclass
+class Answer:
+    counts: Counter[str] = field(default_factory=Counter)
+    degenerate: Counter[str] = field(default_factory=Counter)
+    differences: list[str] = field(default_factory=list)
+
+
+def judge(task: Task) -> tuple[str, Answer]:
+    what, number, count = task
+    if what == "pairs":
+        found = space_event_comparison.compare(SEED + 1000 * number, count)
+        return what, Answer(
+            found.pairs + Counter({f"{kind} events": n for kind, n in found.events.items()}),
+            found.degenerate,
+            list(map(str, found.differences)),
+        )
+    if what == "quadruples":
+        tuples = facet_tuple_comparison.compare(SEED, count, number, BATCHES)
+        counts = Counter({"quadruples": tuples.quadruples, "triples": tuples.triples})
+        return what, Answer(
+            counts + tuples.events,
+            Counter({"quadruples": tuples.degenerate}),
+            list(map(str, tuples.differences)),
+        )
+    return what, of_lists(number)
+
+
+def of_lists(number: int) -> Answer:
+    """One pair of small polyhedra."""
+    families = [name for name in FAMILIES if name != "thin"]
+    pair = pair_of_family(families[number % len(families)], SEED, number)
+    P, Q = core_polyhedron(pair.P), core_polyhedron(pair.Q)
+    found = _core.space_events(P, Q, FROM, TO, concurrent=True)
+    answer = Answer()
+    facets = dict(found.counts())["facets"]
+    if facets > MOST_FACETS:
+        return answer
+    answer.counts["lists"] += 1
+    every = _core.space_events_of_all_pairs(P, Q, FROM, TO, concurrent=True)
+    for name in ("rows", "concurrent"):
+        rows, others = (getattr(each, name)(0, 10**9) for each in (found, every))
+        answer.counts[f"{name} compared"] += len(rows)
+        if rows != others:
+            answer.differences.append(f"{pair.name}: not those of all pairs: {name}")
+    scales = sorted(
+        {rational(str(row[0])) for row in (*found.rows(0, 10**9), *found.concurrent(0, 10**9))}
+    )
+    moving = MovingFacets([moving_facet(pair.P, pair.Q, *found.facet(k)) for k in range(facets)])
+    dice = random.Random(f"minkref event lists {pair.name}")
+    around = [rational(FROM), *scales, rational(TO)]
+    chosen = dice.sample(range(len(scales)), min(EVENTS_OF_A_PAIR, len(scales)))
+    for k in chosen:
+        before, s, after = around[k : k + 3]
+        answer.counts["events looked at"] += 1
+        answer.differences += [
+            f"{pair.name} at {s}: {fault}" for fault in _around(moving, before, s, after)
+        ]
+    return answer
+
+
+def _around(moving: MovingFacets, before: Rational, s: Rational, after: Rational) -> list[str]:
+    """An event at s, its neighbours at `before` and `after`: what does not fit."""
+    faults = []
+    here = moving.at(s)
+    told: list[Any] = []
+    for low, high in pairwise((before, s, after)):
+        if low == high:  # the end of the window
+            continue
+        first, last = (moving.at(low + (high - low) * part / 7) for part in (1, 6))
+        if first != last:
+            faults.append(f"the arrangement changes between {low} and {high}")
+        told.append(first)
+    if all(here == each for each in told) and told:
+        faults.append("the arrangement does not change")
+    return faults
+
+
+def run(findings: Findings, quick: bool) -> None:
+    pairs, quadruples, lists = (
+        (QUICK_PAIRS, QUICK_QUADRUPLES, QUICK_LISTS) if quick else (PAIRS, QUADRUPLES, LISTS)
+    )
+    batches = 2 if quick else BATCHES
+    tasks: list[Task] = [("quadruples", k, -(-quadruples // batches)) for k in range(batches)]
+    tasks += [("pairs", k, -(-pairs // batches)) for k in range(batches)]
+    tasks += [("lists", k, 1) for k in range(2 * lists)]
+    of: dict[str, Answer] = {what: Answer() for what in ("pairs", "quadruples", "lists")}
+    for what, answer in in_processes(judge, tasks, each=max(1, len(tasks) // 20)):
+        of[what].counts.update(answer.counts)
+        of[what].degenerate.update(answer.degenerate)
+        of[what].differences += answer.differences
+        for difference in answer.differences:
+            print(difference[:2000], flush=True)
+    counts, degenerate = of["pairs"].counts, of["pairs"].degenerate
+    findings.none("events of two facets: differences", of["pairs"].differences)
+    reached = ", ".join(f"{kind} {counts[kind]:,}" for kind in KINDS)
+    enough = all(counts[kind] >= pairs for kind in KINDS)
+    findings.law("pairs of facets of each kind", enough, f"{pairs:,}", reached)
+    shares = {kind: degenerate[kind] / counts[kind] for kind in KINDS}
+    findings.target(
+        "degenerate pairs", min(shares.values()) >= 0.6, "60 % of each kind",
+        ", ".join(f"{kind} {share:.0%}" for kind, share in shares.items()),
+    )  # fmt: skip
+    counts, degenerate = of["quadruples"].counts, of["quadruples"].degenerate
+    findings.none("events of three and four facets: differences", of["quadruples"].differences)
+    findings.law("quadruples of facets", counts["quadruples"] >= quadruples, f"{quadruples:,}",
+                 f"{counts['quadruples']:,}, {counts['triples']:,} triples in them")  # fmt: skip
+    findings.law("events of four among them", counts["four touch"] > 0, "some",
+                 f"{counts['four touch']:,}")  # fmt: skip
+    share = degenerate["quadruples"] / counts["quadruples"]
+    findings.target("degenerate quadruples", share >= 0.6, "60 %", f"{share:.0%}")
+    counts = of["lists"].counts
+    findings.none("lists: differences", of["lists"].differences)
+    findings.law("lists of pairs of polyhedra", counts["lists"] >= lists, lists, counts["lists"])
+    findings.law("events that arrangements are looked at around", counts["events looked at"] > 0,
+                 "some", f"{counts['events looked at']:,}")  # fmt: skip
+    findings.note(
+        f"seed {SEED}; the lists have {counts['rows compared']:,} events of two facets and "
+        f"{counts['concurrent compared']:,} of three and four"
+    )
+    findings.figures = {what: dict(answer.counts) for what, answer in of.items()}

@@ -1,0 +1,37 @@
+// The paper's way to the events of two facets in space (Behar & Lien 2012, Sec. 5.1, 5.2) in its
+// own arithmetic, on trial against the exact events.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "reference/form.hpp"
+#include "reference/space/polyhedron.hpp"
+
+namespace minkref {
+
+struct FacetContactTrial {
+  std::uint64_t pairs = 0;            ///< of facets, not parallel
+  std::uint64_t undecided_pairs = 0;  ///< the arithmetic could not tell a sign; left out below
+
+  // The systems of three equations in s.
+  std::uint64_t roots = 0;               ///< with a root, in truth
+  std::uint64_t false_inconsistent = 0;  ///< of those: answered "inconsistent"
+  std::uint64_t false_identity = 0;      ///< of those: answered "identity"
+  std::uint64_t invented_roots = 0;      ///< a root where there is none, in truth
+
+  // Events with s > 0, one for each corner and each two sides.
+  std::uint64_t events = 0;     ///< in truth
+  std::uint64_t missed = 0;     ///< in truth, and nothing is answered for its scale
+  std::uint64_t singular = 0;   ///< of those: a side is along the other plane, so nothing to solve
+  std::uint64_t invented = 0;   ///< answered, not in truth
+  std::uint64_t misplaced = 0;  ///< answered, off by more than an ulp of the scale
+};
+
+/// All pairs of facets of the convolution of sP and Q; the truth is the corrected form in rational
+/// numbers. "rational", "interval", "double" or "mpfr:BITS". O(N^2) pairs, of up to 40 systems
+/// each; refuses operands with more than some thousand facets.
+FacetContactTrial facet_contact_trial(const Polyhedron& P, const Polyhedron& Q,
+                                      const std::string& arithmetic, Form form);
+
+}  // namespace minkref
