@@ -126,8 +126,8 @@ def tasks(chosen: list[Pair], quick: bool) -> tuple[list[Task], list[str]]:
 
 def _plan(count: int, quick: bool) -> dict[str, tuple[str, ...]]:
     """Of each program the arithmetics that are tried where there are so many pairs of edges."""
-    if count > HUGE:
-        return {ALL_CORRECTED: ROUNDING, SOLVE: ("double", "mpfr:53")}
+    if count > HUGE:  # as printed the solve leaves so many regions that memory does not suffice
+        return {ALL_CORRECTED: tuple(reversed(ROUNDING))}
     if count > MOST:
         return {ALL_CORRECTED: ROUNDING, SOLVE: LARGE}
     few = ("rational", *(FEW if quick or count > MANY else ROUNDING))
@@ -147,7 +147,10 @@ def follow_all(every: list[Pair], notes: list[str], findings: Findings, quick: b
     chosen, more = tasks(every, quick)
     for note in (*notes, *more):
         findings.note(note)
-    rows = list(in_processes(follow, chosen))
+    rows = []
+    for row in in_processes(follow, chosen):
+        rows.append(row)
+        print(row, flush=True)
     runs = [row.run for row in rows]
     exact = [row for row in rows if row.run.arithmetic == "rational"]
     if exact:
