@@ -1,4 +1,5 @@
-"""Where facets of the convolution meet: four in a point, three at an edge."""
+"""Where facets of the convolution meet: four in a point, three at an edge, two in one plane at one
+scale."""
 
 from __future__ import annotations
 
@@ -12,9 +13,9 @@ from minkref.degeneracies.solids.convolution import Convolution, ConvolutionFace
 from minkref.degeneracies.solids.crossings import crossings
 from minkref.degeneracies.solids.draft import Probe, SolidDraft, SolidFacts, SolidFamily
 from minkref.degeneracies.solids.mesh import Mesh
-from minkref.degeneracies.solids.overlaps import has_point
-from minkref.degeneracies.solids.placing import under
-from minkref.degeneracies.solids.proofs import sides_of
+from minkref.degeneracies.solids.overlaps import has_point, share_area
+from minkref.degeneracies.solids.placing import placed, under
+from minkref.degeneracies.solids.proofs import faces_alone, sides_of
 from minkref.degeneracies.solids.ties import Tie, determinant
 from minkref.degeneracies.space.vectors import vector
 from minkref.fuzz.geometry.space import Point, cross, dot
@@ -23,6 +24,7 @@ from minkref.fuzz.space.generators.any_solid import ORIGIN
 from minkref.fuzz.space.generators.convex import random_hull
 from minkref.fuzz.space.generators.mapped import mapped, random_matrix, unimodular
 from minkref.fuzz.space.generators.tube import lattice_torus
+from minkref.fuzz.space.hull import convex_hull
 from minkref.fuzz.space.polyhedron import Polyhedron
 
 LEAST, MOST = Fraction(1, 2), Fraction(2)  # scales
@@ -133,7 +135,70 @@ def _three_at_a_side(facts: SolidFacts) -> list[Tie]:
     ]
 
 
+def _crossed(dice: Random, size: int) -> SolidDraft:
+    """Of both operands a long triangle on top of one body and the top of another: the triangles, at
+    right angles, come to lie in one plane, and then cross."""
+    first, second = (_long_triangle(dice, turned) for turned in (False, True))
+    tops = [(dice.randint(30, 40), dice.randint(-5, 5), dice.randint(-3, 3)) for _ in range(2)]
+    p, v = tops
+    height = dice.choice([z for z in range(-3, 4) if z != p[2]])
+    P = _with_a_top(dice, [(x, y, height) for x, y in first], p)
+    shift = (v[0] - p[0], v[1] - p[1])
+    corners = [(x + shift[0], y + shift[1], height + v[2] - p[2]) for x, y in second]
+    return placed(dice, SolidDraft(P, _with_a_top(dice, corners, v)))
+
+
+def _long_triangle(dice: Random, turned: bool) -> list[tuple[int, int]]:
+    """Around the origin, counter-clockwise."""
+    long, wide = dice.randint(6, 12), dice.randint(1, 2)
+    corners = [(-long, dice.randint(-1, 1)), (long, -wide), (long, wide)]
+    return [(-y, x) for x, y in corners] if turned else corners
+
+
+def _with_a_top(
+    dice: Random, triangle: list[tuple[int, int, int]], top: tuple[int, int, int]
+) -> Polyhedron:
+    """A body under a level triangle, and another one under a point."""
+    low = min(z for _, _, z in triangle) - dice.randint(1, 4)
+    x, y, z = top
+    base = [(x - 2, y - 1, z - 2), (x + 2, y - 2, z - 2), (x, y + 2, z - 3)]
+    bodies = [
+        convex_hull(vector(*corner) for corner in corners)
+        for corners in ([*triangle, (0, 0, low)], [*base, top])
+    ]
+    return bodies[0].with_faces_of(bodies[1])
+
+
+def _crossed_without_corners(facts: SolidFacts) -> list[Tie]:
+    """Two facets in one plane at the scale alone, with an area in common, neither of which has a
+    corner of the other."""
+    s, convolution = facts.scale, facts.convolution
+    at = defaultdict(list)
+    for facet in faces_alone(facts):
+        at[facet.normal, facet.offset(s)].append(facet)
+
+    def apart(one: ConvolutionFacet, other: ConvolutionFacet) -> bool:
+        corners = convolution.corners(one, s)
+        return not any(has_point(convolution, other, x, s) for x in corners)
+
+    return [
+        Tie("coplanar", (one.feature, other.feature))
+        for group in at.values()
+        for one, other in combinations(group, 2)
+        if one.level != other.level
+        and share_area(convolution, one, other, s)
+        and apart(one, other)
+        and apart(other, one)
+    ]
+
+
 FAMILIES = (
+    SolidFamily(
+        "solids-crossed-facets",
+        "parallel facets that come to lie in one plane, and cross there without a corner",
+        _crossed,
+        _crossed_without_corners,
+    ),
     SolidFamily(
         "solids-four-facets",
         "four facets through one point at one scale, inside of each",

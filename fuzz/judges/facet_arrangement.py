@@ -4,12 +4,18 @@ others cross it. Static, from the definition; for small operands."""
 
 from __future__ import annotations
 
-from collections import defaultdict
+import random
+from collections import Counter, defaultdict
 from collections.abc import Sequence
-from itertools import combinations
+from dataclasses import dataclass, field
+from itertools import combinations, pairwise
 from typing import Any
 
-from minkref.oracle.symbolic.rational import Rational
+from minkref import _core
+from minkref.fuzz.judges.space_event_comparison import moving_facet
+from minkref.fuzz.judges.space_routes import core_polyhedron
+from minkref.fuzz.space.general_pairs import GeneralPair
+from minkref.oracle.symbolic.rational import Rational, rational
 from minkref.oracle.symbolic.space_events import planes_parallel
 from minkref.oracle.symbolic.space_moving import MovingFacet, Vector, cross, dot, minus
 from minkref.oracle.symbolic.space_standing import (
@@ -104,3 +110,55 @@ def _of_parallel(f: Sequence[Vector], g: Sequence[Vector]) -> Any:
         for own, other in ((f, g), (g, f))
     ]
     return share_an_area(f, g), places
+
+
+@dataclass
+class Judged:
+    counts: Counter[str] = field(default_factory=Counter)
+    faults: list[str] = field(default_factory=list)
+
+
+def judge_list(
+    pair: GeneralPair, window: tuple[str, str], most_facets: int, events: int
+) -> Judged | None:
+    """The list of the reference against that of all pairs of facets, and arrangements around some
+    of its events. None where there are too many facets."""
+    P, Q = core_polyhedron(pair.P), core_polyhedron(pair.Q)
+    found = _core.space_events(P, Q, *window, concurrent=True)
+    facets = dict(found.counts())["facets"]
+    if facets > most_facets:
+        return None
+    judged = Judged()
+    every = _core.space_events_of_all_pairs(P, Q, *window, concurrent=True)
+    scales: set[Rational] = set()
+    for name in ("rows", "concurrent"):
+        rows, others = (getattr(each, name)(0, 10**9) for each in (found, every))
+        judged.counts[f"{name} compared"] += len(rows)
+        scales |= {rational(row[0]) for row in rows}
+        if rows != others:
+            judged.faults.append(f"not those of all pairs: {name}")
+    moving = MovingFacets([moving_facet(pair.P, pair.Q, *found.facet(k)) for k in range(facets)])
+    around = [rational(window[0]), *sorted(scales), rational(window[1])]
+    dice = random.Random(f"minkref event lists {pair.name}")
+    for k in dice.sample(range(len(scales)), min(events, len(scales))):
+        judged.counts["events looked at"] += 1
+        before, s, after = around[k : k + 3]
+        judged.faults += [f"at {s}: {fault}" for fault in _around(moving, before, s, after)]
+    return judged
+
+
+def _around(moving: MovingFacets, before: Rational, s: Rational, after: Rational) -> list[str]:
+    """An event at s, its neighbours at `before` and `after`: what does not fit."""
+    faults = []
+    here = moving.at(s)
+    told: list[Arrangement] = []
+    for low, high in pairwise((before, s, after)):
+        if low == high:  # the end of the window
+            continue
+        first, last = (moving.at(low + (high - low) * part / 7) for part in (1, 6))
+        if first != last:
+            faults.append(f"the arrangement changes between {low} and {high}")
+        told.append(first)
+    if told and all(here == each for each in told):
+        faults.append("the arrangement does not change")
+    return faults

@@ -3,19 +3,12 @@ single scales agree with the lists."""
 
 from __future__ import annotations
 
-import random
 from collections import Counter
 from dataclasses import dataclass, field
-from itertools import pairwise
-from typing import Any
 
-from minkref import _core
-from minkref.fuzz.judges import facet_tuple_comparison, space_event_comparison
-from minkref.fuzz.judges.facet_arrangement import MovingFacets
-from minkref.fuzz.judges.space_event_comparison import KINDS, moving_facet
-from minkref.fuzz.judges.space_routes import core_polyhedron
+from minkref.fuzz.judges import facet_arrangement, facet_tuple_comparison, space_event_comparison
+from minkref.fuzz.judges.space_event_comparison import KINDS
 from minkref.fuzz.space.general_pairs import FAMILIES, pair_of_family
-from minkref.oracle.symbolic.rational import Rational, rational
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.part import COMPARISON, REFERENCE, Findings
 
@@ -70,50 +63,12 @@ def of_lists(number: int) -> Answer:
     """One pair of small polyhedra."""
     families = [name for name in FAMILIES if name != "thin"]
     pair = pair_of_family(families[number % len(families)], SEED, number)
-    P, Q = core_polyhedron(pair.P), core_polyhedron(pair.Q)
-    found = _core.space_events(P, Q, FROM, TO, concurrent=True)
     answer = Answer()
-    facets = dict(found.counts())["facets"]
-    if facets > MOST_FACETS:
-        return answer
-    answer.counts["lists"] += 1
-    every = _core.space_events_of_all_pairs(P, Q, FROM, TO, concurrent=True)
-    for name in ("rows", "concurrent"):
-        rows, others = (getattr(each, name)(0, 10**9) for each in (found, every))
-        answer.counts[f"{name} compared"] += len(rows)
-        if rows != others:
-            answer.differences.append(f"{pair.name}: not those of all pairs: {name}")
-    scales = sorted(
-        {rational(str(row[0])) for row in (*found.rows(0, 10**9), *found.concurrent(0, 10**9))}
-    )
-    moving = MovingFacets([moving_facet(pair.P, pair.Q, *found.facet(k)) for k in range(facets)])
-    dice = random.Random(f"minkref event lists {pair.name}")
-    around = [rational(FROM), *scales, rational(TO)]
-    chosen = dice.sample(range(len(scales)), min(EVENTS_OF_A_PAIR, len(scales)))
-    for k in chosen:
-        before, s, after = around[k : k + 3]
-        answer.counts["events looked at"] += 1
-        answer.differences += [
-            f"{pair.name} at {s}: {fault}" for fault in _around(moving, before, s, after)
-        ]
+    found = facet_arrangement.judge_list(pair, (FROM, TO), MOST_FACETS, EVENTS_OF_A_PAIR)
+    if found is not None:
+        answer.counts.update(lists=1, **found.counts)
+        answer.differences = [f"{pair.name}: {fault}" for fault in found.faults]
     return answer
-
-
-def _around(moving: MovingFacets, before: Rational, s: Rational, after: Rational) -> list[str]:
-    """An event at s, its neighbours at `before` and `after`: what does not fit."""
-    faults = []
-    here = moving.at(s)
-    told: list[Any] = []
-    for low, high in pairwise((before, s, after)):
-        if low == high:  # the end of the window
-            continue
-        first, last = (moving.at(low + (high - low) * part / 7) for part in (1, 6))
-        if first != last:
-            faults.append(f"the arrangement changes between {low} and {high}")
-        told.append(first)
-    if all(here == each for each in told) and told:
-        faults.append("the arrangement does not change")
-    return faults
 
 
 def run(findings: Findings, quick: bool) -> None:

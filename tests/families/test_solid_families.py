@@ -28,7 +28,10 @@ PLANES = {  # in how many planes facets face each other at the scale
     "solids-touch-along-edge": 2,
     "solids-touch-at-vertex": 3,
 }
-AT_ONE_SCALE = {*PLANES, "solids-four-facets", "solids-long-numbers", "solids-tiny-numbers"}
+AT_ONE_SCALE = {
+    *PLANES, "solids-four-facets", "solids-crossed-facets", "solids-long-numbers",
+    "solids-tiny-numbers",
+}  # fmt: skip
 
 
 @pytest.mark.parametrize("name", SOLID_FAMILIES)

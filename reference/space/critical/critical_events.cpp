@@ -145,10 +145,18 @@ void sort_events(std::vector<SpacePairEvent>& events) {
     return std::tie(e.first, e.second, e.event.of_first, e.event.of_second) <
            std::tie(f.first, f.second, f.event.of_first, f.event.of_second);
   });
-  std::vector<SpacePairEvent> sorted;
-  sorted.reserve(events.size());
-  for (const auto& [key, k] : keys) sorted.push_back(std::move(events[k]));
-  events = std::move(sorted);
+  // In place, since there may be more than fit in memory twice: each cycle of the order in turn.
+  for (std::uint32_t start = 0; start < keys.size(); ++start) {
+    if (keys[start].second == start) continue;
+    SpacePairEvent first = std::move(events[start]);
+    std::uint32_t to = start;
+    for (std::uint32_t from; (from = keys[to].second) != start; to = from) {
+      events[to] = std::move(events[from]);
+      keys[to].second = to;
+    }
+    events[to] = std::move(first);
+    keys[to].second = to;
+  }
 }
 
 std::vector<MovingBox> boxes_of(const MovingConvolution& convolution, const Rational& from,
