@@ -113,6 +113,16 @@ def _gears(teeth: int) -> Solids:
     return spur_gear(teeth, 3600, 1000, 12), around_origin(spur_gear(5, 800, 400))
 
 
+#: Pairs that events are found of, the largest last.
+EVENT_PAIRS = (
+    TimedPair("knot 992 + geodesic sphere 320", lambda: (_knot(62, 8), geodesic_sphere(2, 700))),
+    TimedPair(
+        "clutch 352 + torus 200", lambda: (_clutch(44, 11), triangulated_torus(20, 5, 3000, 1000))
+    ),
+    TimedPair("knot 992 + clutch 352", lambda: (_knot(62, 8), _clutch(44, 11))),
+    TimedPair("knot 992 + clutch 1,944", lambda: (_knot(62, 8), _clutch(243, 27))),
+)
+
 GROWING: dict[str, Callable[[int], Solids]] = {
     "knot + icosahedron": _knots,
     "gear + small gear": _gears,

@@ -8,8 +8,10 @@ from itertools import combinations, pairwise
 from math import comb
 
 import sympy as sp
+from minkref import _core
 from minkref.fuzz.geometry.space import area_vector, cross, dot, minus
 from minkref.fuzz.judges import paper_space
+from minkref.fuzz.judges.space_routes import core_polyhedron
 from minkref.fuzz.space.generators.star import star
 from minkref.fuzz.space.meeting import Meeting
 from minkref.fuzz.space.polyhedron import Polyhedron
@@ -41,7 +43,7 @@ def _flats(kinds: tuple[str, str]) -> tuple[Flat, Flat]:
     right=r"""It also changes where four facets come to pass through one point, as three edges do in
     the plane: voids of the sum begin and end there. The condition is a determinant of four planes
     $n_i \cdot x = s \alpha_i + \beta_i$, linear in $s$.""",
-    code=(*ORACLE, "reference/plane/dynamic/triple_events.hpp"),
+    code=(*ORACLE, "reference/space/critical/concurrent_facets.hpp"),
 )
 def _(shown: Shown) -> None:
     """A tetrahedron and a cube with a tetrahedral cavity. The void of the sum ends at 1: by the
@@ -62,6 +64,18 @@ def _(shown: Shown) -> None:
         f"scales of all pair events of {len(inner) + len(outer)} facets",
         sorted(events),
         [Fraction(4, 3), Fraction(2)],
+    )
+    P, Q = map(core_polyhedron, (cavity.P.polyhedron, cavity.Q()))
+    listed = _core.space_events(P, Q, "1/10", "10", concurrent=True)
+    shown.equal(
+        "scales of the pair events of the polyhedra from 1/10 to 10, by `minkref events`",
+        sorted({Fraction(row[0]) for row in listed.rows(0, len(listed))}),
+        [Fraction(4, 3), Fraction(2)],
+    )
+    shown.equal(
+        "of those of three and four facets, two of which may share a side (`--kind triple`)",
+        sorted({Fraction(row[0]) for row in listed.concurrent(0, 100)}),
+        [one],
     )
     before, after = Fraction(49, 50), Fraction(51, 50)
     for scale in (before, after):

@@ -9,8 +9,11 @@ from itertools import product
 from math import isqrt
 
 import sympy as sp
+from minkref import _core
 from minkref.fuzz.geometry.space import cross, dot, minus
 from minkref.fuzz.judges import paper_space
+from minkref.fuzz.judges.space_routes import core_polyhedron
+from minkref.fuzz.space.general_pairs import pair_of_family
 from minkref.reports.audit.entry import Chapter, Shown, Status, text
 from minkref.reports.audit.space import (
     Edge,
@@ -151,7 +154,7 @@ def _random_edge(dice: random.Random, size: int = 3) -> Edge:
     right=r"""It is singular wherever $l_1$ is parallel to $p_2$, and so for parallel edges. Faces
     need not be parallel for that: a face that comes down on another one along an edge has edge
     events, no vertex event, and no $x_1$. The determinant of the two lines finds them.""",
-    code=ORACLE,
+    code=(*ORACLE, "reference/space/paper/facet_contacts.hpp"),
 )
 def _(shown: Shown) -> None:
     """A level triangle, and an upright one that comes down on it: the determinant of the matrix of
@@ -166,6 +169,18 @@ def _(shown: Shown) -> None:
     shown.true("the facets are not parallel", any(cross(level.normal, upright.normal)))
     events = events_of_facets(level, upright)
     shown.equal("scale at which they begin to meet", min(events["edge"]), 3)
+    pair = pair_of_family("mixed", 1, 0)
+    P, Q = core_polyhedron(pair.P), core_polyhedron(pair.Q)
+    printed, right = (
+        dict(_core.facet_contact_trial(P, Q, "rational", form)) for form in ("printed", "corrected")
+    )
+    shown.true(
+        f"two polyhedra, in rational numbers, by `minkref events --form printed`: of "
+        f"{printed['events']} events {printed['missed']} are missed, all with an edge along the "
+        "plane",
+        printed["missed"] == printed["singular"] > 0,
+    )
+    shown.equal("missed where edges in one plane are one equation", right["missed"], 0)
     at = Fraction(3)
     shown.true(
         "they meet there, and not just before",

@@ -6,8 +6,11 @@ import random
 from fractions import Fraction
 from itertools import product
 
+from minkref import _core
 from minkref.fuzz.geometry.space import cross, dot, minus
 from minkref.fuzz.judges import paper_space
+from minkref.fuzz.judges.space_routes import core_polyhedron
+from minkref.reports.audit.bodies import hull
 from minkref.reports.audit.entry import Chapter, Shown, Status
 from minkref.reports.audit.space import (
     Edge,
@@ -53,13 +56,14 @@ def _level(kind: str, at: tuple[int, int], corners: list[tuple[int, int]]) -> Fa
     other, there is one such scale $s = -(n \cdot \Delta q) / (n \cdot \Delta p)$ if this is defined
     and positive, and none otherwise. Contacts of edges alone do occur, as in the figure; where one
     face holds the other, its vertices are in contact.""",
-    code=ORACLE,
+    code=(*ORACLE, "reference/space/critical/parallel_facets.hpp"),
 )
 def _(shown: Shown) -> None:
     """Level facets that rise with the scale or not, by the symbolic oracle: coplanar once, never,
     at a negative scale only, or always. The two triangles of a six-pointed star, which have six
-    contacts of edges at one scale and none of a vertex; a triangle inside another one, whose
-    vertices are in contact."""
+    contacts of edges at one scale and none of a vertex; two long triangles across each other, in
+    the reference's list of events of two polyhedra; a triangle inside another one, whose vertices
+    are in contact."""
     large, turned = [(0, 3), (-3, -2), (3, -2)], [(0, -3), (3, 2), (-3, 2)]
     still = _level("vf", (0, 4), large)
     for words, moves, wanted in (
@@ -82,6 +86,7 @@ def _(shown: Shown) -> None:
         "the star at the scale 4",
         facets_picture([star_of.corners(at)], [still.corners(at)], "two triangles"),
     )
+    _the_code_sees(shown)
     inner = _level("vf", (1, 0), [(0, 1), (-1, -1), (1, -1)])
     events = events_of_facets(inner, still)
     shown.equal(
@@ -89,6 +94,32 @@ def _(shown: Shown) -> None:
         (len(events["vertex"]), len(events["edge"])),
         (3, 0),
     )
+
+
+def _the_code_sees(shown: Shown) -> None:
+    """Two bodies each: one under a long triangle, one with a top that carries the triangle of the
+    other operand."""
+    bodies = (
+        ([(-9, 0, 0), (9, -1, 0), (9, 1, 0)], [(33, -1, 0), (37, -2, 0), (35, 2, -1)]),
+        ([(0, -9, 0), (1, 9, 0), (-1, 9, 0)], [(32, -1, 0), (37, -3, -1), (36, 2, -1)]),
+    )
+    P, Q = (
+        core_polyhedron(
+            hull([*triangle, (0, 0, -3)]).polyhedron.with_faces_of(
+                hull([*base, (35, 0, 2)]).polyhedron
+            )
+        )
+        for triangle, base in bodies
+    )
+    found = _core.space_events(P, Q, "1/2", "2")
+    rows = [row for row in found.rows(0, len(found)) if row[1] == "parallel"]
+    shown.equal(
+        "long triangles on two polyhedra: parallel events, by `minkref events`",
+        [(row[0], row[2]) for row in rows],
+        [("1", "touch")],
+    )
+    corners = [row[k] for row in rows for k in (4, 6) if row[k] is not None]
+    shown.equal("corners of one triangle in the other", corners, [])
 
 
 @PART.entry(
