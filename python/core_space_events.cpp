@@ -195,16 +195,19 @@ void bind_space_events(nb::module_& module) {
   module.def(
       "space_events",
       [](const Surface& P, const Surface& Q, const std::string& from, const std::string& to,
-         unsigned threads, const std::optional<Progress>& progress, bool concurrent) {
+         unsigned threads, const std::optional<Progress>& progress, bool concurrent,
+         std::optional<std::uint64_t> most_events) {
         return critical_events_in_space(P.value(), Q.value(), parse_rational(from),
                                         parse_rational(to), build_on(threads, progress),
-                                        what(concurrent));
+                                        what(concurrent),
+                                        most_events ? MostEvents{*most_events} : MostEvents{});
       },
       "P"_a, "Q"_a, "from_scale"_a, "to_scale"_a, "threads"_a = 1, "progress"_a = nb::none(),
-      "concurrent"_a = false, Released(),
+      "concurrent"_a = false, "most_events"_a = nb::none(), Released(),
       "All scales of the closed window at which two facets of the convolution of sP and Q start, "
       "change or stop to meet (Sec. 5), of valid polyhedra that do not cross themselves; if "
-      "`concurrent`, also those of three and of four. Exact. Raises BadInput, LimitExceeded.");
+      "`concurrent`, also those of three and of four. Exact. Raises BadInput, LimitExceeded, also "
+      "where a thread finds more than `most_events`.");
   module.def(
       "space_events_of_all_pairs",
       [](const Surface& P, const Surface& Q, const std::string& from, const std::string& to,

@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import heapq
-import json
 import sys
-from collections.abc import Callable, Iterator, Sequence
-from fractions import Fraction
+from collections.abc import Iterable, Iterator
 from itertools import chain, islice
 from pathlib import Path
 from typing import Any
@@ -14,22 +11,18 @@ from typing import Any
 from minkref import _core
 from minkref.commands.line.memory import SMALLER, memory_wall
 from minkref.commands.line.progress import told_of
-from minkref.commands.lists.scale_index import cores
+from minkref.commands.space.event_parts import MOST, OF_MORE, OF_PAIRS, EventParts, Part
+from minkref.commands.space.event_rows import Row, as_lines, in_words, rows_of, write_parquet
 from minkref.documents import Stopwatch, as_text, document, listing, refuse_overwriting
 from minkref.errors import Refusal, refusing
-from minkref.exact import approximate, read_window
-from minkref.output_target import target_of
+from minkref.exact import read_window
+from minkref.output_target import Target, target_of
 from minkref.space.operand import SpaceOperand, read_summand
 from minkref.terminal import console, counted
 
-FORMATS = ("json", "jsonl")
-KINDS = {
-    "pair": ("vertex", "edge", "parallel"),
-    "triple": ("triple", "four"),
-    "arrangement": ("vertex", "edge", "parallel", "triple", "four"),
-}
+FORMATS = ("json", "jsonl", "parquet")
+KINDS = {"pair": OF_PAIRS, "triple": OF_MORE, "arrangement": OF_PAIRS + OF_MORE}
 SHOWN = 10  # events that people see
-PAGE = 4096  # events at a time
 
 
 def events_in_space(
@@ -59,21 +52,10 @@ def events_in_space(
             refuse_overwriting(output, [first.file, second.file])
         where = f"{first.name} and {second.name}"
         _refuse_thin(first, second)
-        began = watch.seconds()
-        with told_of("finding all events") as tell:
-            found = refusing(
-                where,
-                lambda: _core.space_events(
-                    first.surface,
-                    second.surface,
-                    window[0],
-                    window[1],
-                    cores(),
-                    tell,
-                    kind != "pair",
-                ),
+        if target is not None and target.form == "parquet" and target.is_standard_output:
+            raise Refusal(
+                "Parquet is written to a file", "-o -", "name one, or choose --format jsonl"
             )
-        seconds = watch.seconds() - began
         trial = None
         if arithmetic != "rational" or paper_form != "corrected":
             trial = refusing(
@@ -82,17 +64,41 @@ def events_in_space(
                     _core.facet_contact_trial(first.surface, second.surface, arithmetic, paper_form)
                 ),
             )
-        head = _head(watch, first, second, window, kind, found, seconds, output)
+        began = watch.seconds()
+        streamed = target is not None and target.form != "json"
+        with told_of("finding all events") as tell:
+            parts = EventParts(
+                first.surface,
+                second.surface,
+                (window[0], window[1]),
+                kind != "pair",
+                tell,
+                MOST if streamed else None,
+            )
+            if target is not None and streamed:
+                refusing(where, lambda: _write(target, _rows(parts, kind, limit)))
+            found = refusing(where, lambda: list(parts))  # what is left
+        head = _head(watch, first, second, window, kind, parts, watch.seconds() - began, output)
         head |= {"form": paper_form, "arithmetic": arithmetic, "trial": trial}
-        count = head["count"] if limit is None else min(limit, head["count"])
-        if target is not None:
-            target.write_pieces(_pieces(target.form, head, _rows(found, kind, count)))
+        if target is not None and not streamed:
+            target.write_pieces(listing(head, "events", _rows(found, kind, limit)))
         if json_document and target is None:
-            sys.stdout.writelines(listing(head, "events", _rows(found, kind, count)))
+            sys.stdout.writelines(listing(head, "events", _rows(found, kind, limit)))
         elif json_document:
             sys.stdout.write(as_text({**head, "events": None}))
         elif target is None or not target.is_standard_output:
-            _print(head, found, min(count, SHOWN) if limit is None else count)
+            _print(head, list(_rows(found, kind, SHOWN if limit is None else limit)))
+
+
+def _rows(parts: Iterable[Part], kind: str, limit: int | None) -> Iterator[Row]:
+    return islice(chain.from_iterable(rows_of(part, kind) for part in parts), limit)
+
+
+def _write(target: Target, rows: Iterator[Row]) -> None:
+    if target.form == "parquet":
+        write_parquet(rows, target.path)
+    else:
+        target.write_pieces(as_lines(rows))
 
 
 def refuse_in_space(
@@ -137,11 +143,11 @@ def _head(
     Q: SpaceOperand,
     window: list[str],
     kind: str,
-    found: _core.SpaceEvents,
+    parts: EventParts,
     seconds: float,
     output: Path | None,
 ) -> dict[str, Any]:
-    counts = dict(found.counts())
+    counts = dict(parts.counts)
     signs = {name: counts.pop(name) for name in ("by_float", "by_integer")}
     every = {name: counts.pop(name) for name in KINDS["arrangement"]}
     kinds = {name: every[name] for name in KINDS[kind]}
@@ -166,63 +172,7 @@ def _head(
     )
 
 
-def _rows(found: _core.SpaceEvents, kind: str, count: int) -> Iterator[dict[str, Any]]:
-    """The first so many of a kind."""
-    of_pairs = _of_pairs(found) if kind != "triple" else iter(())
-    of_more = _of_more(found) if kind != "pair" else iter(())
-    merged = heapq.merge(of_pairs, of_more, key=lambda row: Fraction(row["s"]))
-    return islice(merged if kind == "arrangement" else chain(of_pairs, of_more), count)
-
-
-def _of_pairs(found: _core.SpaceEvents) -> Iterator[dict[str, Any]]:
-    for s, kind, change, first, of_first, second, of_second, place in _paged(found.rows):
-        is_side = kind == "edge"
-        facets = [
-            _facet(found, number, None if is_side else at, at if is_side else None)
-            for number, at in ((first, of_first), (second, of_second))
-        ]
-        yield _row(s, kind, change, facets, place)
-
-
-def _of_more(found: _core.SpaceEvents) -> Iterator[dict[str, Any]]:
-    for s, kind, change, numbers, at, place in _paged(found.concurrent):
-        facets = [
-            _facet(found, number, None, at[1] if at is not None and at[0] == k else None)
-            for k, number in enumerate(numbers)
-        ]
-        yield _row(s, kind, change, facets, place)
-
-
-def _paged(page: Callable[[int, int], list[Any]]) -> Iterator[Any]:
-    start = 0
-    while rows := page(start, PAGE):
-        yield from rows
-        start += PAGE
-
-
-def _row(
-    s: str, kind: str, change: str, facets: list[dict[str, Any]], place: Sequence[str] | None
-) -> dict[str, Any]:
-    at = None if place is None else list(place)
-    return {"s": s, "kind": kind, "change": change, "facets": facets, "place": at}
-
-
-def _facet(
-    found: _core.SpaceEvents, number: int, corner: int | None, side: int | None
-) -> dict[str, Any]:
-    facet, of_P, of_Q = found.facet(number)
-    return {"facet": facet, "P": of_P, "Q": of_Q, "corner": corner, "side": side}
-
-
-def _pieces(form: str, head: dict[str, Any], rows: Iterator[dict[str, Any]]) -> Iterator[str]:
-    if form == "json":
-        yield from listing(head, "events", rows)
-        return
-    for row in rows:
-        yield json.dumps(row) + "\n"
-
-
-def _print(head: dict[str, Any], found: _core.SpaceEvents, count: int) -> None:
+def _print(head: dict[str, Any], shown: list[Row]) -> None:
     told = console()
     kinds = ", ".join(f"{number:,} {kind}" for kind, number in head["kinds"].items())
     told.print(
@@ -236,15 +186,10 @@ def _print(head: dict[str, Any], found: _core.SpaceEvents, count: int) -> None:
     if head["trial"] is not None:
         how = f"the paper's way, {head['form']}, in {head['arithmetic']}"
         told.print(f"{how}: {_fares(head['trial'])}")
-    for row in _rows(found, head["kind"], count):
-        touching = " and ".join(
-            f"{one['facet']} {'-'.join(map(str, dict.fromkeys(one['P'])))}"
-            f" + {'-'.join(map(str, dict.fromkeys(one['Q'])))}"
-            for one in row["facets"]
-        )
-        told.print(f"{approximate(row['s']):>14}  {row['kind']} {row['change']}: {touching}")
-    if count < head["count"]:
-        told.print(f"... and {head['count'] - count:,} more (--limit N, -o FILE)")
+    for row in shown:
+        told.print(in_words(row))
+    if shown and len(shown) < head["count"]:
+        told.print(f"... and {head['count'] - len(shown):,} more (--limit N, -o FILE)")
 
 
 def _fares(trial: dict[str, int]) -> str:

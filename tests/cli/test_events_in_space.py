@@ -11,6 +11,9 @@ from typing import Any
 import jsonschema
 import pytest
 from minkref.commands.schemas import schema
+from minkref.commands.space.event_parts import EventParts
+from minkref.commands.space.event_rows import rows_of
+from minkref.space.operand import read_summand
 from written_solids import cube, frame, polygon, prism
 
 Minkref = Callable[..., Any]
@@ -64,6 +67,36 @@ def test_a_file_has_them_line_by_line(
     assert len(lines) == ran.json["count"]
     first = minkref("events", *operands, *WINDOW, "--json", "--limit", "1")
     assert first.json["events"] == [json.loads(lines[0])]
+
+
+def test_a_table_has_them_row_by_row(
+    minkref: Minkref, operands: tuple[Path, Path], tmp_path: Path
+) -> None:
+    parquet = pytest.importorskip("pyarrow.parquet")
+    path = tmp_path / "events.parquet"
+    ran = minkref("events", *operands, *WINDOW, "-o", path, "--json")
+    rows = parquet.read_table(path).to_pylist()
+    listed = minkref("events", *operands, *WINDOW, "--json").json["events"]
+    assert all(float(Fraction(row["s"])) == row.pop("s_double") for row in rows)
+    assert ran.json["events"] is None and rows == listed
+
+
+def test_parts_of_a_window_follow_each_other(operands: tuple[Path, Path]) -> None:
+    """As few events as may be in memory at once, many of them at the scales where parts meet."""
+    P, Q = (read_summand(str(path)).surface for path in operands)
+
+    def all_of(most: int | None) -> tuple[list[Any], Any, int]:
+        parts = EventParts(P, Q, ("1/2", "4"), True, lambda *_: None, most)
+        rows = [row for part in parts for row in rows_of(part, "arrangement")]
+        return rows, parts.counts, parts.parts
+
+    rows, counts, parts = all_of(None)
+    assert parts == 1 and len(rows) > 200
+    for most in (50, 7):
+        again, same, more = all_of(most)
+        assert again == rows and more > 4
+        for name in ("vertex", "edge", "parallel", "triple", "four", "distinct", "facets"):
+            assert same[name] == counts[name], name
 
 
 def test_those_of_three_and_four_facets(minkref: Minkref, operands: tuple[Path, Path]) -> None:
@@ -121,7 +154,7 @@ def test_people_see_the_first_of_them(minkref: Minkref, operands: tuple[Path, Pa
         (*WINDOW, "--arithmetic", "mpfr:1"),
         (*WINDOW, "--where", "s > 1"),
         ("--from", "2", "--to", "1"),
-        (*WINDOW, "-o", "events.parquet"),
+        (*WINDOW, "-o", "-", "--format", "parquet"),
     ],
 )
 def test_what_is_not_there_is_refused(

@@ -184,7 +184,8 @@ const MovingConvolution& set_up(CriticalEvents& result, const Polyhedron& P, con
 
 CriticalEvents critical_events_in_space(const Polyhedron& P, const Polyhedron& Q,
                                         const Rational& from, const Rational& to,
-                                        const BuildOptions& options, EventsOf what) {
+                                        const BuildOptions& options, EventsOf what,
+                                        MostEvents most) {
   refuse_bad_window(from, to);
   CriticalEvents result;
   if (P.empty() || Q.empty()) return result;
@@ -201,6 +202,7 @@ CriticalEvents critical_events_in_space(const Polyhedron& P, const Polyhedron& Q
         control.look();
         ++search->near_pairs;
         search->look_at(static_cast<std::uint32_t>(i), j, true);
+        if (search->events.size() > most.count) refuse_long_list(most);
         return false;
       });
     };
@@ -213,7 +215,7 @@ CriticalEvents critical_events_in_space(const Polyhedron& P, const Polyhedron& Q
   sort_events(result.events);
   if (what == EventsOf::all) {
     add_concurrent_events(convolution, std::move(meeting), EventScale(from), EventScale(to),
-                          control, result);
+                          control, most, result);
   }
   return result;
 }
@@ -305,7 +307,7 @@ CriticalEvents critical_events_of_all_pairs(const Polyhedron& P, const Polyhedro
     const BuildOptions options;
     const BuildControl control(options, "the list of events");
     add_concurrent_events(convolution, std::move(meeting), EventScale(from), EventScale(to),
-                          control, result);
+                          control, {}, result);
   }
   return result;
 }

@@ -32,6 +32,13 @@ struct CriticalEvents {
 /// What is looked for: events of pairs of facets, or of three and of four too.
 enum class EventsOf : std::uint8_t { pairs, all };
 
+/// A list that is longer than so many events of pairs, or of three and four, is given up: throws
+/// LimitExceeded ("too-many-events").
+struct MostEvents {
+  static constexpr const char* code = "too-many-events";
+  std::uint64_t count = UINT64_MAX;
+};
+
 /// Pair events of sP ⊕ Q for s in [from, to], of valid polyhedra that do not cross themselves.
 /// Throws BadInput ("bad-window") for bounds that are not positive or not ascending. Exact and
 /// complete. O(n log n + k) for k pairs of facets whose boxes meet at some scale, beside the search
@@ -40,7 +47,7 @@ enum class EventsOf : std::uint8_t { pairs, all };
 CriticalEvents critical_events_in_space(const Polyhedron& P, const Polyhedron& Q,
                                         const Rational& from, const Rational& to,
                                         const BuildOptions& options = {},
-                                        EventsOf what = EventsOf::pairs);
+                                        EventsOf what = EventsOf::pairs, MostEvents most = {});
 
 /// Where it happens: of a vertex the corner, of an edge where the sides cross; of parallel facets a
 /// corner of one that is in the other, if there is one. Exact.

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "reference/build/stage.hpp"
+#include "reference/error.hpp"
 
 namespace minkref::inline space {
 
@@ -31,6 +32,12 @@ bool share_a_side(const MovingFacet& a, const MovingFacet& b) {
     if (way == 1 || way == std::size_t{b.size} - 1U) return true;
   }
   return false;
+}
+
+void refuse_long_list(MostEvents most) {
+  throw LimitExceeded(MostEvents::code,
+                      "the list has more than " + std::to_string(most.count) + " events",
+                      "take a smaller window of scales");
 }
 
 namespace {
@@ -121,7 +128,7 @@ class ConcurrentSearch {
 
 void add_concurrent_events(const MovingConvolution& convolution, std::vector<MeetingPair> meeting,
                            const EventScale& from, const EventScale& to,
-                           const BuildControl& control, CriticalEvents& result) {
+                           const BuildControl& control, MostEvents most, CriticalEvents& result) {
   const std::size_t count = convolution.facets.size();
   const MeetingFacets facets(count, std::move(meeting));
   const FacetTracks::Window window{from, to, below(from), above(to)};
@@ -133,6 +140,7 @@ void add_concurrent_events(const MovingConvolution& convolution, std::vector<Mee
       for (const Neighbour* pair = facets.begin(first); pair != facets.end(first); ++pair) {
         control.look();
         search->look_at(first, *pair);
+        if (search->events.size() > most.count) refuse_long_list(most);
       }
     };
   });

@@ -28,6 +28,9 @@ bool share_a_side(const MovingFacet& a, const MovingFacet& b);
 /// All events of three and of four facets, from the pairs that meet in the window. Exact.
 void add_concurrent_events(const MovingConvolution& convolution, std::vector<MeetingPair> meeting,
                            const EventScale& from, const EventScale& to,
-                           const BuildControl& control, CriticalEvents& result);
+                           const BuildControl& control, MostEvents most, CriticalEvents& result);
+
+/// Of a list that has become too long.
+[[noreturn]] void refuse_long_list(MostEvents most);
 
 }  // namespace minkref::inline space
