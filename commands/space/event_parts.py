@@ -13,6 +13,7 @@ from minkref import _core
 from minkref.commands.lists.scale_index import cores
 
 MOST = 8_000_000  # events that one thread may find, some gigabyte
+MOST_HALVED = 30  # times; a single scale may have any number of events
 PAGE = 4096  # events at a time
 OF_PAIRS, OF_MORE = ("vertex", "edge", "parallel"), ("triple", "four")
 ONCE = ("facets",)  # counts that are the same in each part
@@ -59,18 +60,19 @@ class EventParts:
         most: int | None = None,
     ) -> None:
         self._operands = P, Q
-        self._windows = [(window[0], window[1], False)]
+        self._windows = [(window[0], window[1], False, 0)]
         self._concurrent, self._tell, self._most = concurrent, tell, most
         self.parts = 0
         self.counts: Counter[str] = Counter()
 
     def __iter__(self) -> Iterator[Part]:
         while self._windows:
-            low, high, follows = self._windows.pop()
-            found = self._found(low, high)
+            low, high, follows, halved = self._windows.pop()
+            found = self._found(low, high, self._most if halved < MOST_HALVED else None)
             if found is None:
                 middle = str((Fraction(low) + Fraction(high)) / 2)
-                self._windows += [(middle, high, True), (low, middle, follows)]
+                halved += 1
+                self._windows += [(middle, high, True, halved), (low, middle, follows, halved)]
                 continue
             part = Part(
                 found,
@@ -84,9 +86,8 @@ class EventParts:
             self.counts.update(counts)
             yield part
 
-    def _found(self, low: str, high: str) -> _core.SpaceEvents | None:
-        """None where there are too many; at a single scale there may be any number."""
-        most = self._most if low != high else None
+    def _found(self, low: str, high: str, most: int | None) -> _core.SpaceEvents | None:
+        """None where there are too many."""
         try:
             return _core.space_events(
                 *self._operands, low, high, cores(), self._tell, self._concurrent, most
