@@ -3,13 +3,17 @@
 #include <nanobind/stl/function.h>
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -21,6 +25,7 @@
 #include "python/core_space.hpp"
 #include "python/vector_caster.hpp"
 #include "reference/space/critical/critical_events.hpp"
+#include "reference/space/critical/crossing_facets.hpp"
 #include "trials/facet_contact_trial.hpp"
 
 namespace nb = nanobind;
@@ -138,6 +143,10 @@ std::map<std::string, std::uint64_t> trial(const Surface& P, const Surface& Q,
           {"misplaced", found.misplaced}};
 }
 
+double seconds_since(std::chrono::steady_clock::time_point began) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+}
+
 EventsOf what(bool concurrent) { return concurrent ? EventsOf::all : EventsOf::pairs; }
 
 /// Kind, and the vertices of P and of Q of each corner.
@@ -192,6 +201,36 @@ void bind_space_events(nb::module_& module) {
             return counts;
           },
           Released(), "How many there are of what.");
+  nb::class_<CrossingFacets>(
+      module, "CrossingFacets",
+      "Which facets of the convolution meet, from scale to scale by the events in between.")
+      .def(
+          "__init__",
+          [](CrossingFacets* self, std::shared_ptr<CriticalEvents> events,
+             const std::string& start) {
+            new (self) CrossingFacets(std::move(events), parse_rational(start));
+          },
+          "events"_a, "start"_a, Released())
+      .def(
+          "move_to",
+          [](CrossingFacets& self, const std::string& s) {
+            const Rational scale = parse_rational(s);
+            const auto began = std::chrono::steady_clock::now();
+            const std::uint64_t events = self.move_to(scale);
+            return std::tuple(events, seconds_since(began));
+          },
+          "scale"_a, Released(), "How many events there were on the way, and seconds.")
+      .def("pairs", &CrossingFacets::pairs, Released(), "Of facets that meet, ascending.");
+  module.def(
+      "meeting_facets",
+      [](const std::shared_ptr<CriticalEvents>& events, const std::string& s) {
+        const Rational scale = parse_rational(s);
+        const auto began = std::chrono::steady_clock::now();
+        auto found = meeting_pairs_at(*events->convolution, scale);
+        return std::tuple(std::move(found), seconds_since(began));
+      },
+      "events"_a, "scale"_a, Released(),
+      "Pairs of facets that meet at a scale, from scratch, and seconds. Exact.");
   module.def(
       "space_events",
       [](const Surface& P, const Surface& Q, const std::string& from, const std::string& to,

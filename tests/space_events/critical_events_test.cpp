@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "reference/error.hpp"
+#include "reference/space/critical/crossing_facets.hpp"
 #include "reference/space/critical/parallel_facets.hpp"
 #include "tests/convex/bodies.hpp"
 #include "tests/space_sums/polycubes.hpp"
@@ -57,6 +58,29 @@ TEST(CriticalEvents, AreThoseOfAllPairsOfFacets) {
     events += expect_all(P, Q, 1 + dice() % 2);
   });
   EXPECT_GT(events, 1000U);
+}
+
+/// Up and down, to any scale: the pairs that meet are those from scratch.
+TEST(CriticalEvents, LeadFromOneScaleToAnother) {
+  std::uint64_t events = 0;
+  for_each_seed(10, [&](std::mt19937& dice) {
+    const Polyhedron P = random_solid(dice), Q = random_solid(dice);
+    const auto found = std::make_shared<const CriticalEvents>(
+        critical_events_in_space(P, Q, Rational(1, 5), Rational(2)));
+    const auto scale = [&] { return Rational(201 + static_cast<int>(dice() % 1790), 997); };
+    CrossingFacets crossing(found, scale());
+    for (int step = 0; step < 6; ++step) {
+      const Rational s = scale();
+      events += crossing.move_to(s);
+      const auto pairs = meeting_pairs_at(*found->convolution, s);
+      ASSERT_EQ(crossing.pairs(), pairs) << "at " << s;
+      ASSERT_EQ(crossing.count(), pairs.size());
+    }
+    if (!found->events.empty()) {
+      EXPECT_THROW(crossing.move_to(found->events[0].event.s.exact()), BadInput);
+    }
+  });
+  EXPECT_GT(events, 500U);
 }
 
 TEST(CriticalEvents, OfConvexOperandsThereAreNone) {

@@ -47,7 +47,10 @@ class PairSearch {
 
   void look_at(std::uint32_t i, std::uint32_t j, bool filtered) {
     const MovingFacet &a = facets_[i], &b = facets_[j];
-    if (filtered && (stays_aside(a, b) || stays_aside(b, a))) return;
+    if (filtered && (stays_aside(convolution_, a, b, first_scale_, last_scale_) ||
+                     stays_aside(convolution_, b, a, first_scale_, last_scale_))) {
+      return;
+    }
     const bool parallel =
         filtered ? are_parallel(a, b) : is_zero(cross(a.normal.exact, b.normal.exact));
     if (parallel) {
@@ -94,26 +97,6 @@ class PairSearch {
     }
     meeting_pairs += has_event ? 1 : 0;
     return has_event;
-  }
-
-  /// Whether a facet is on one side of the plane of another in all of the window: heights change
-  /// evenly.
-  bool stays_aside(const MovingFacet& flat, const MovingFacet& other) const {
-    const BoundedVector& n = flat.normal.rounded;
-    const SpaceOperand &P = convolution_.P, &Q = convolution_.Q;
-    const BoundedVector &p = P.points[flat.names[0].of_P].rounded,
-                        &q = Q.points[flat.names[0].of_Q].rounded;
-    int side = 0;
-    for (std::size_t k = 0; k < other.size; ++k) {
-      const BoundedDouble slope = dot(n, P.points[other.names[k].of_P].rounded - p),
-                          start = dot(n, Q.points[other.names[k].of_Q].rounded - q);
-      for (const BoundedDouble& s : {first_scale_, last_scale_}) {
-        const int at = (slope * s + start).certain_sign();
-        if (at == 0 || at == BoundedDouble::undecided || (side != 0 && at != side)) return false;
-        side = at;
-      }
-    }
-    return true;
   }
 
   bool are_parallel(const MovingFacet& a, const MovingFacet& b) {

@@ -45,4 +45,22 @@ MovingConvolution::MovingConvolution(const SpaceOperand& P_, const SpaceOperand&
   if (of_P && of_Q) words = Words{std::move(*of_P), std::move(*of_Q)};
 }
 
+bool stays_aside(const MovingConvolution& convolution, const MovingFacet& flat,
+                 const MovingFacet& other, const BoundedDouble& from, const BoundedDouble& to) {
+  const BoundedVector& n = flat.normal.rounded;
+  const auto &P = convolution.P.points, &Q = convolution.Q.points;
+  const BoundedVector &p = P[flat.names[0].of_P].rounded, &q = Q[flat.names[0].of_Q].rounded;
+  int side = 0;
+  for (std::size_t k = 0; k < other.size; ++k) {
+    const BoundedDouble slope = dot(n, P[other.names[k].of_P].rounded - p),
+                        start = dot(n, Q[other.names[k].of_Q].rounded - q);
+    for (const BoundedDouble& s : {from, to}) {
+      const int at = (slope * s + start).certain_sign();
+      if (at == 0 || at == BoundedDouble::undecided || (side != 0 && at != side)) return false;
+      side = at;
+    }
+  }
+  return true;
+}
+
 }  // namespace minkref::inline space

@@ -36,4 +36,9 @@ struct MovingConvolution {
   std::optional<Words> words;
 };
 
+/// Whether a facet is on one side of the plane of another from one scale to another, as far as
+/// doubles tell: heights change evenly.
+bool stays_aside(const MovingConvolution& convolution, const MovingFacet& flat,
+                 const MovingFacet& other, const BoundedDouble& from, const BoundedDouble& to);
+
 }  // namespace minkref::inline space

@@ -234,4 +234,17 @@ std::vector<FacetEvent> parallel_events(const MovingConvolution& convolution,
   return in_one_plane_at(pair, s.exact());
 }
 
+bool parallel_facets_meet(const MovingConvolution& convolution, const MovingFacet& first,
+                          const MovingFacet& second, const Rational& s) {
+  const auto &a = first.names[0], &b = second.names[0];
+  const auto apart = [&](const SpaceOperand& body, std::uint32_t from, std::uint32_t to) {
+    return Rational(dot(first.normal.exact, body.points[to].exact - body.points[from].exact));
+  };
+  if (s * apart(convolution.P, a.of_P, b.of_P) + apart(convolution.Q, a.of_Q, b.of_Q) != 0) {
+    return false;
+  }
+  const FlatPair pair(convolution, first, second);
+  return meet(pair.ring(0, s), pair.ring(1, s));
+}
+
 }  // namespace minkref::inline space
