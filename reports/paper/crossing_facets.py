@@ -41,7 +41,8 @@ def figure_9(quick: bool, seed: int, tell: Callable[[str], None]) -> Entry:
         f"size are a part of the evidence: `make evidence ONLY=space_event_speed`). As in (b), the "
         f"list of facets that meet is updated by the events, and found from scratch by boxes and "
         f"the same exact tests, without the places where they meet on either side, at {len(speed)} "
-        f"random re-scalings, each timed {REPETITIONS} times: {min(speed):,.0f} to {max(speed):,.0f} times faster, median {median(speed):,.0f}. "
+        f"random re-scalings, each timed {REPETITIONS} times: {min(speed):,.0f} to "
+        f"{max(speed):,.0f} times faster, median {median(speed):,.0f}. "
         f"Not compared: (a), the whole update. What follows the intersections, their order and "
         f"collision detection, is not done from scale to scale here."
     )
