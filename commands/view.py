@@ -57,7 +57,12 @@ def command(
     Q: SecondOperand,
     from_scale: Annotated[
         str | None,
-        typer.Option("--from", help=f"Smallest scale, included. Default: {FROM}.", metavar="A"),
+        typer.Option(
+            "--from",
+            help=f"Smallest scale, included. Default: {FROM}. In space "
+            "a window, --from A --to B, has an axis of the events of facets.",
+            metavar="A",
+        ),
     ] = None,
     to_scale: Annotated[
         str | None,
@@ -119,13 +124,14 @@ def command(
     vertices."""
     if in_space(P, Q):
         given = _given(
-            ("--from", from_scale), ("--to", to_scale), ("--route", route), ("--index", index),
+            ("--route", route), ("--index", index),
             ("--arithmetic", arithmetic), ("--form", as_read), ("--reading", reading or None),
             ("--steps", steps),
         )  # fmt: skip
         from minkref.commands.space.view import view_in_space
 
-        view_in_space(P, Q, scale, scales, given, _page_target(output, json), json, memory)
+        target = _page_target(output, json)
+        view_in_space(P, Q, from_scale, to_scale, scale, scales, given, target, json, memory)
         return
     watch = Stopwatch()
     if index is not None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +12,7 @@ from minkref.commands.line.memory import SIMPLER, memory_wall
 from minkref.commands.line.output import give, print_lines
 from minkref.commands.line.progress import progress
 from minkref.commands.lists.scale_index import cores
+from minkref.commands.pages.space.event_axis import events_text, frames_of
 from minkref.commands.pages.space.general_frames import general_row, general_text
 from minkref.commands.pages.space.view_page import (
     STEPS,
@@ -24,7 +26,7 @@ from minkref.commands.pages.space.view_page import (
 )
 from minkref.documents import Stopwatch, document
 from minkref.errors import Refusal, refusing
-from minkref.exact import approximate
+from minkref.exact import approximate, read_scale
 from minkref.output_target import Target
 from minkref.signals import ending_in_order
 from minkref.space.general_sum import GENERAL_ROUTES, general_sum
@@ -37,12 +39,13 @@ Maker = Callable[[Scaling], tuple[dict[str, Any], str]]
 
 
 def view_in_space(
-    P: str, Q: str, scale: str | None, scales: Path | None, given: list[str], target: Target,
-    json: bool, memory: int | None = None,
+    P: str, Q: str, from_scale: str | None, to_scale: str | None, scale: str | None,
+    scales: Path | None, given: list[str], target: Target, json: bool, memory: int | None = None,
 ) -> None:  # fmt: skip
     """The command, its options read but not yet checked. `given` are options of the plane."""
     watch = Stopwatch()
-    scalings = _scalings(scale, scales, given)
+    window = _window(from_scale, to_scale)
+    scalings = _scalings(scale, scales, given, window)
     library = viewer()
     first, second = read_summand(P), read_summand(Q)
     for operand in (first, second):
@@ -59,7 +62,11 @@ def view_in_space(
             frames.add(text)
             rows.append(row)
             line.done()
-        count = target.write_pieces(page(*shapes, frames, library))
+        axis, counts = "null", None
+        if window is not None:
+            line.now("finding all events")
+            axis, counts = events_text(first, second, window, scalings, cores())
+        count = target.write_pieces(page(*shapes, frames, library, axis))
     if target.is_standard_output:
         return
     value = document(
@@ -73,6 +80,7 @@ def view_in_space(
         bytes=count,
         viewer=viewer_name(),
         frames=rows,
+        events=counts,
     )
     give(value, json, _print)
 
@@ -101,10 +109,27 @@ def _maker(P: SpaceOperand, Q: SpaceOperand, first: Scaling, shapes: tuple[Body,
     return update
 
 
-def _scalings(scale: str | None, scales: Path | None, given: list[str]) -> list[Scaling]:
+def _window(first: str | None, last: str | None) -> tuple[str, str] | None:
+    """Of events."""
+    if first is None and last is None:
+        return None
+    if first is None or last is None:
+        missing = "--from" if first is None else "--to"
+        raise Refusal("events are found in a window", missing, "give both --from and --to")
+    low, high = (read_scale(text, name) for text, name in ((first, "--from"), (last, "--to")))
+    if Fraction(low) >= Fraction(high):
+        raise Refusal("the window is empty", f"--from {low} --to {high}", "give the smaller first")
+    return low, high
+
+
+def _scalings(
+    scale: str | None, scales: Path | None, given: list[str], window: tuple[str, str] | None
+) -> list[Scaling]:
     mend = "give --scale SX,SY,SZ, or --scales FILE with SX,SY,SZ (or S) in each line"
     if given:
-        raise Refusal("these options are for windows of the plane", ", ".join(given), mend)
+        raise Refusal("these options are for the plane", ", ".join(given), mend)
+    if window is not None and scale is None and scales is None:
+        return frames_of(window)
     if scale is not None and scales is not None:
         raise Refusal("the scales are given twice", "--scale and --scales", "leave out one of them")
     if scales is not None:
@@ -127,6 +152,7 @@ def _print(value: dict[str, Any]) -> None:
         ("facets", f"{last['facets']:,}: {kinds}"),
         ("volume", f"{approximate(last['volume']):.10g}"),
         ("updates", ", ".join(f"{count:,} {_words(name)}" for name, count in steps.items())),
+        *_events_row(value["events"]),
         ("seconds", f"{value['seconds']:.3f}"),
         ("written", f"{value['output']}, {value['bytes']:,} bytes"),
     ]
@@ -138,3 +164,10 @@ def _print(value: dict[str, Any]) -> None:
 def _words(name: str) -> str:
     """fv_errors: fv-errors; descent_steps: descent steps."""
     return name.replace("_errors", "-errors").replace("_", " ")
+
+
+def _events_row(counts: dict[str, int] | None) -> list[tuple[str, str]]:
+    if counts is None:
+        return []
+    told = ", ".join(f"{count:,} {kind}" for kind, count in counts.items() if count)
+    return [("events", told or "none")]

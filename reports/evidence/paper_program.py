@@ -167,7 +167,8 @@ def follow_all(every: list[Pair], notes: list[str], findings: Findings, quick: b
     }
     for variant, shares in findings.figures["right after 1, 10 and 100 re-scalings"].items():
         told = "; ".join(f"{arithmetic} {share}" for arithmetic, share in shares.items())
-        findings.note(f"{variant}: right after 1, 10 and 100 re-scalings: {told}")
+        if told:
+            findings.note(f"{variant}: right after 1, 10 and 100 re-scalings: {told}")
     times = findings.figures["microseconds of processor time for a pair of edges, all corrected"]
     findings.note("microseconds for a pair of edges, all corrected: " + ", ".join(
         f"{arithmetic} {time}" for arithmetic, time in times.items()))  # fmt: skip

@@ -207,8 +207,10 @@ def test_coordinates_of_any_size_are_drawn(view: View, tmp_path: Path, octahedro
 
 
 REFUSALS = [
-    (["--from", "1"], "windows of the plane"),
-    (["--to", "2"], "windows of the plane"),
+    (["--from", "1"], "give both"),
+    (["--to", "2"], "give both"),
+    (["--from", "2", "--to", "1"], "window is empty"),
+    (["--route", "index"], "for the plane"),
     (["--scale", "1,2"], "2 factors"),
     (["--scale", "0"], "scale is zero"),
     (["--scale", "1,-2,3"], "negative"),

@@ -34,6 +34,14 @@ def corners(low: int, high: int) -> list[Any]:
     return [(x, y, z) for x in (low, high) for y in (low, high) for z in (low, high)]
 
 
+def angle() -> str:
+    """A prism over an L."""
+    ring = [(0, 0), (5, 0), (5, 1), (1, 1), (1, 4), (0, 4)]
+    sides = [(k, (k + 1) % 6, 6 + (k + 1) % 6, 6 + k) for k in range(6)]
+    points = [(x, y, z) for z in (0, 2) for x, y in ring]
+    return off(points, [range(5, -1, -1), range(6, 12), *sides])
+
+
 @pytest.fixture
 def files(tmp_path: Path) -> dict[str, str]:
     hollow = [list(face) for face in BOX] + [[8 + v for v in face[::-1]] for face in BOX]
@@ -42,6 +50,11 @@ def files(tmp_path: Path) -> dict[str, str]:
         "hollow": off(corners(0, 3) + corners(1, 2), hollow),
         "flat": off([(0, 0, 0), (2, 0, 0), (2, 1, 0), (1, 1, 0), (1, 2, 0), (0, 2, 0)], [range(6)]),
         "point": "OFF\n1 0 0\n1 2 3\n",
+        "angle": angle(),
+        "tetrahedron": off(
+            [(0, 0, 0), (2, 1, 0), (0, 2, 1), (1, 0, 3)],
+            [(0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)],
+        ),
     }
     paths = {name: tmp_path / f"{name}.off" for name in texts}
     for name, text in texts.items():
@@ -145,6 +158,40 @@ def test_what_has_no_volume_is_refused(
         assert not page.exists()
 
 
+WINDOW = ("--from", "1/5", "--to", "2")
+
+
+def test_a_window_has_an_axis_of_events(view: View, call: Any, files: dict[str, str]) -> None:
+    P, Q = files["angle"], files["tetrahedron"]
+    page, value = view(P, Q, *WINDOW)
+    text = page.read_text(encoding="utf-8")
+    part = re.search(r'<script id="events" type="application/json">(.*?)</script>', text, re.S)
+    assert part
+    axis = json.loads(part[1])
+    true = call("events", P, Q, *WINDOW, "--kind", "arrangement")
+    assert value["events"] == axis["counts"] == true["kinds"]
+    assert sum(map(sum, axis["bins"])) == true["count"] > 0
+    scales = [Fraction(event["s"]) for event in true["events"]]
+    for frame, row in zip(axis["frames"], value["frames"], strict=True):
+        s = Fraction(row["scale"][0])
+        assert frame["at"] == scales.count(s)
+        below = max((other for other in scales if other < s), default=None)
+        above = min((other for other in scales if other > s), default=None)
+        assert frame["below"] == (None if below is None else str(below))
+        assert frame["above"] == (None if above is None else str(above))
+    assert value["frames"][0]["scale"] == ["1/5"] * 3 and axis["frames"][-1]["share"] == 1
+    _, still = view(P, Q)
+    assert still["events"] is None
+
+
+def test_events_are_those_of_one_factor(
+    files: dict[str, str], scales: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    words = ("view", files["angle"], files["cube"], "--scales", str(scales), *WINDOW)
+    assert run([*words, "-o", str(tmp_path / "page.html")]) == 2
+    assert "one factor" in capsys.readouterr().err
+
+
 in_browser = pytest.mark.skipif(
     framework.absent() is not None, reason=f"no browser: {framework.absent()}"
 )
@@ -172,6 +219,25 @@ def window() -> Iterator[framework.Browser]:
         patch.setattr(framework, "OPTIONS", (*framework.OPTIONS, "--enable-unsafe-swiftshader"))
         with framework.browser() as started:
             yield started
+
+
+@in_browser
+def test_the_axis_follows_the_frame(
+    window: framework.Browser, view: View, files: dict[str, str]
+) -> None:
+    page, _ = view(files["angle"], files["tetrahedron"], *WINDOW)
+    window.open(page)
+    window.run("return window.minkref.ready.then(() => true)")
+    assert window.run("return document.querySelectorAll('#axis rect').length") > 0
+    assert "from 1/5 to 2" in window.run(TEXT, "axis-text")
+    shown = "return document.querySelector('#axis .shown').id"
+    assert window.run(shown) == "tick-0"
+    window.run("return window.minkref.show(3).then(() => true)")
+    assert window.run(shown) == "tick-3"
+    assert "at this scale" in window.run(TEXT, "axis-here")
+    window.run(SETTLED)
+    SHOTS.mkdir(parents=True, exist_ok=True)
+    window.save_screenshot(SHOTS / "events-axis.png")
 
 
 @in_browser

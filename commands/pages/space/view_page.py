@@ -20,7 +20,7 @@ from minkref.terminal import escaped
 KINDS = ("fv", "vf", "ee", "facet+edge", "edge+facet", "facet+facet")
 STEPS = ("fv_errors", "vf_errors", "ee_errors", "descent_steps", "chains_walked")
 MOST_BYTES = 100_000_000  # of the frames in a page
-SCRIPTS = ("exact", "solid", "texts", "cut", "scene", "panel", "main")
+SCRIPTS = ("exact", "solid", "texts", "cut", "scene", "panel", "axis", "main")
 
 Triple = tuple[Fraction, Fraction, Fraction]
 _FACES = {
@@ -146,14 +146,15 @@ def viewer_name() -> str:
     return f"plotly.js {get_plotlyjs_version()}"
 
 
-def page(P: Body, Q: Body, frames: Frames, library: str) -> Iterator[str]:
-    """The pieces of the file."""
+def page(P: Body, Q: Body, frames: Frames, library: str, events: str = "null") -> Iterator[str]:
+    """The pieces of the file. `events`: what the axis of events is drawn from, as JSON."""
     template, usual = page_template("minkref.commands.pages.space", SCRIPTS)
     pieces: Iterator[str] = template.generate(
         P=P.data["name"],
         Q=Q.data["name"],
         operands=json_for_script({"P": P.data, "Q": Q.data}),
         frames=frames.texts,
+        events=events,
         viewer=viewer_name(),
         library=library,
         **usual,

@@ -89,6 +89,7 @@ function show(index) {
   tip("");
   state.cut = wantedCut(frames[next], pictures.sum);
   tellFrame(state.index);
+  tellEvents(state.index);
   tellChosen(frames[state.index], pictures.sum, state.chosen);
   return redraw();
 }
@@ -174,6 +175,7 @@ function listen(name) {
 }
 
 buildLegend(redraw);
+buildAxis(show);
 document.body.classList.toggle("still", frames.length === 1);
 const sort = frames[0].pairs ? "convex polyhedra" : "polyhedra";
 element("counts").textContent = frames.length === 1 ? `Minkowski sum of ${sort}, exact`
