@@ -20,6 +20,55 @@ EventScale exact_scale(const LineForm<Integer>& row, const LineForm<Integer>& pl
   return {over(row, plane), turn_of(row, plane)};
 }
 
+// Of coordinates of b bits: a height is below 2^(3b + 6), and so is a normal times a side; the
+// determinant of three normals is below 2^(6b + 14).
+constexpr unsigned most_bits_of_side = 18, most_bits_of_four = 11;
+
+bool has_words(const MovingConvolution& convolution, unsigned bits) {
+  return convolution.words && convolution.words->bits <= bits;
+}
+
+/// Where the line of a side of one facet meets the planes of two others in one point: two equations
+/// in the scale and the place on the line. None where that does not single out a scale.
+template <class T>
+std::optional<EventScale> scale_on_side(const MovingConvolution& convolution,
+                                        const MovingFacet& own, std::size_t side,
+                                        const MovingFacet& f, const MovingFacet& g) {
+  const ExactCorners<T> exact(convolution);
+  const auto &n = exact.normal(f), &m = exact.normal(g);
+  const auto along = exact.along(own, side);
+  const MovingHeight<T> of_f = exact.height(n, f.names[0], own.names[side]),
+                        of_g = exact.height(m, g.names[0], own.names[side]);
+  const T f_along = exact.product(n, along), g_along = exact.product(m, along);
+  const T slope = of_f.slope * g_along - of_g.slope * f_along;
+  if (slope == 0) return std::nullopt;
+  return EventScale(T(of_g.height * f_along - of_f.height * g_along), slope);
+}
+
+/// Where four planes meet in one point: their determinant, from a corner of the first on.
+template <class T>
+std::optional<EventScale> scale_of_four(const MovingConvolution& convolution,
+                                        const std::array<const MovingFacet*, 4>& facets) {
+  const ExactCorners<T> exact(convolution);
+  using Normal = typename ExactCorners<T>::Normal;
+  std::array<Normal, 4> n;
+  for (std::size_t k = 0; k < 4; ++k) n[k] = exact.normal(*facets[k]);
+  const auto determinant = [&](std::size_t i, std::size_t j) -> T {
+    const Normal &a = n[0], &b = n[i], &c = n[j];
+    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+           a[2] * (b[0] * c[1] - b[1] * c[0]);
+  };
+  const std::array<T, 3> weights{determinant(2, 3), T(-determinant(1, 3)), determinant(1, 2)};
+  T slope(0), height(0);
+  for (std::size_t k = 1; k < 4; ++k) {
+    const MovingHeight<T> of = exact.height(n[k], facets[0]->names[0], facets[k]->names[0]);
+    slope += of.slope * weights[k - 1];
+    height += of.height * weights[k - 1];
+  }
+  if (slope == 0) return std::nullopt;
+  return EventScale(T(-height), slope);
+}
+
 /// Along the line on which the form of a plane is zero, in the direction in which s grows, or else
 /// any: where rows are zero, and in which order.
 class Along {
@@ -35,31 +84,36 @@ class Along {
   /// The plane has all of the crossing line at one scale.
   bool is_once() const { return slope_ == 0 && lean_ != 0; }
 
-  /// How the row changes along the line.
-  int rate(ContactRow& row) {
-    return direction_ *
-           sign_of_rows(
-               signs_, [](const auto& r, const auto& p) { return turn_of(r, p); }, row, plane_);
+  /// How the row changes along the line. `is_zero` may know that it does not.
+  template <class Known>
+  int rate(ContactRow& row, Known&& is_zero) {
+    return direction_ * sign_unless_zero(
+                            signs_, is_zero,
+                            [](const auto& r, const auto& p) { return turn_of(r, p); }, row,
+                            plane_);
   }
 
-  /// Of a row that does not change.
-  int constant(ContactRow& row) {
+  /// Of a row that does not change. `is_zero` may know that it is 0.
+  template <class Known>
+  int constant(ContactRow& row, Known&& is_zero) {
     if (slope_ != 0) {
       return slope_ *
-             sign_of_rows(
-                 signs_,
+             sign_unless_zero(
+                 signs_, is_zero,
                  [](const auto& r, const auto& p) { return r.gamma * p.beta - p.gamma * r.beta; },
                  row, plane_);
     }
     return lean_ *
-           sign_of_rows(
-               signs_,
+           sign_unless_zero(
+               signs_, is_zero,
                [](const auto& r, const auto& p) { return r.gamma * p.alpha - p.gamma * r.alpha; },
                row, plane_);
   }
 
-  /// The sign of the way from where row b is zero to where row a is; neither is constant.
-  int order(ContactRow& a, int rate_of_a, ContactRow& b, int rate_of_b) {
+  /// The sign of the way from where row b is zero to where row a is; neither is constant. `is_zero`
+  /// may know that it is 0.
+  template <class Known>
+  int order(ContactRow& a, int rate_of_a, ContactRow& b, int rate_of_b, Known&& is_zero) {
     if (is_point()) {
       const BoundedDouble way =
           scale_of(a.rounded(), plane_.rounded()) - scale_of(b.rounded(), plane_.rounded());
@@ -71,8 +125,8 @@ class Along {
     }
     const int b_at_a =
         direction_ * rate_of_a *
-        sign_of_rows(
-            signs_,
+        sign_unless_zero(
+            signs_, is_zero,
             [](const auto& f, const auto& p, const auto& g) { return determinant_of(f, p, g); }, a,
             plane_, b);
     return b_at_a * rate_of_b;
@@ -83,6 +137,40 @@ class Along {
   SignCounts& signs_;
   int slope_, direction_, lean_ = 0;
 };
+
+using Name = ConvolutionFacet::Corner;
+
+bool has_corner(const MovingFacet& facet, const Name& name) {
+  return std::any_of(facet.names.begin(), facet.names.begin() + facet.size, [&](const Name& own) {
+    return own.of_P == name.of_P && own.of_Q == name.of_Q;
+  });
+}
+
+bool has_vertex_of_P(const MovingFacet& facet, std::uint32_t p) {
+  return std::any_of(facet.names.begin(), facet.names.begin() + facet.size,
+                     [&](const Name& own) { return own.of_P == p; });
+}
+
+std::array<Name, 2> ends_of(const MovingFacet& facet, std::size_t side) {
+  return {facet.names[side], facet.names[(side + 1) % facet.size]};
+}
+
+/// A side and two other facets have a vertex p of P in common, so that all moves with s p.
+bool move_together(const MovingFacet& own, std::size_t side, const MovingFacet& f,
+                   const MovingFacet& g) {
+  const auto ends = ends_of(own, side);
+  return std::any_of(ends.begin(), ends.end(), [&](const Name& end) {
+    return has_vertex_of_P(f, end.of_P) && has_vertex_of_P(g, end.of_P);
+  });
+}
+
+/// They have a corner in common, which is where the planes meet at all scales.
+bool share_a_corner(const MovingFacet& own, std::size_t side, const MovingFacet& f,
+                    const MovingFacet& g) {
+  const auto ends = ends_of(own, side);
+  return std::any_of(ends.begin(), ends.end(),
+                     [&](const Name& end) { return has_corner(f, end) && has_corner(g, end); });
+}
 
 double at_least(const BoundedDouble& s, double otherwise) {
   const double bound = s.value - s.error;
@@ -148,23 +236,52 @@ std::optional<FacetTracks::Track> FacetTracks::track_of(const Facet& third,
   std::array<int, most_rows> rates;
   std::array<bool, most_rows> is_zero_along{};
   std::size_t low = count, high = count;
+  const std::array<const MovingFacet*, 3> facets{first_.facet, second_.facet, third.facet};
+  const auto others_of = [&](std::size_t k) {
+    return std::array{facets[(sides[k].of + 1U) % 3], facets[(sides[k].of + 2U) % 3]};
+  };
+  // Two sides end in one corner, of two of the facets: on the track both are zero where it is.
+  const auto end_together = [&](std::size_t k, std::size_t l) {
+    if (k >= sides_count || l >= sides_count) return false;
+    const MovingFacet &own = *facets[sides[k].of], &other = *facets[sides[l].of];
+    for (const Name& a : ends_of(own, sides[k].side)) {
+      for (const Name& b : ends_of(other, sides[l].side)) {
+        if (a.of_P != b.of_P || a.of_Q != b.of_Q) continue;
+        if (&own != &other) return true;
+        const auto others = others_of(k);
+        if (has_corner(*others[0], a) || has_corner(*others[1], a)) return true;
+      }
+    }
+    return false;
+  };
+  const auto order = [&](std::size_t k, std::size_t l) {
+    return along.order(*rows[k], rates[k], *rows[l], rates[l], [&] { return end_together(k, l); });
+  };
   for (std::size_t k = count; k-- > 0;) {
-    rates[k] = along.rate(*rows[k]);
+    rates[k] = along.rate(*rows[k], [&] {
+      const auto others = others_of(k);
+      return k < sides_count &&
+             move_together(*facets[sides[k].of], sides[k].side, *others[0], *others[1]);
+    });
     if (rates[k] == 0) {
-      const int value = along.constant(*rows[k]);
+      const int value = along.constant(*rows[k], [&] {
+        const auto others = others_of(k);
+        return k < sides_count &&
+               share_a_corner(*facets[sides[k].of], sides[k].side, *others[0], *others[1]);
+      });
       if (value < 0) return std::nullopt;
       is_zero_along[k] = value == 0;
       continue;
     }
     std::size_t& end = rates[k] > 0 ? low : high;
-    if (end == count || rates[k] * along.order(*rows[k], rates[k], *rows[end], rates[end]) >= 0) {
+    if (end == count || rates[k] * order(k, end) >= 0) {
       end = k;
     }
     if (low == count || high == count) continue;
-    if (along.order(*rows[low], rates[low], *rows[high], rates[high]) > 0) return std::nullopt;
+    if (order(low, high) > 0) return std::nullopt;
   }
   if (low == count || high == count) return std::nullopt;  // not for facets with an area
-  const bool is_single = along.order(*rows[low], rates[low], *rows[high], rates[high]) == 0;
+  const bool is_single = order(low, high) == 0;
   if (along.is_point()) {
     track.low = at_least(scale_of(rows[low]->rounded(), track.plane.rounded()), track.low);
     track.high = at_most(scale_of(rows[high]->rounded(), track.plane.rounded()), track.high);
@@ -174,8 +291,7 @@ std::optional<FacetTracks::Track> FacetTracks::track_of(const Facet& third,
     std::size_t on = count;  // a side that singles the end out
     bool starts = false, stops = false;
     for (std::size_t k = 0; k < sides_count; ++k) {
-      const bool ends = rates[k] != 0 &&
-                        (k == end || along.order(*rows[k], rates[k], *rows[end], rates[end]) == 0);
+      const bool ends = rates[k] != 0 && (k == end || order(k, end) == 0);
       if (ends || is_zero_along[k]) zeros.push_back(sides[k]);
       if (!ends) continue;
       on = k;
@@ -185,7 +301,7 @@ std::optional<FacetTracks::Track> FacetTracks::track_of(const Facet& third,
       const ContactChange change = along.is_once() || (starts && stops) ? ContactChange::touch
                                    : starts                             ? ContactChange::birth
                                                                         : ContactChange::death;
-      events.push_back({exact_scale(rows[on]->exact(), track.plane.exact()),
+      events.push_back({scale_at(track, sides[on], *rows[on]),
                         {first_.number, second_.number, third.number, ConcurrentEvent::none},
                         change,
                         sides[on].of,
@@ -194,6 +310,18 @@ std::optional<FacetTracks::Track> FacetTracks::track_of(const Facet& third,
     if (is_single) break;
   }
   return track;
+}
+
+/// Of the end of a track on a side.
+EventScale FacetTracks::scale_at(Track& track, const Side& side, ContactRow& row) const {
+  const std::array<const MovingFacet*, 3> facets{first_.facet, second_.facet, track.third.facet};
+  const MovingFacet &own = *facets[side.of], &f = *facets[(side.of + 1U) % 3],
+                    &g = *facets[(side.of + 2U) % 3];
+  const std::optional<EventScale> found =
+      has_words(convolution_, most_bits_of_side)
+          ? scale_on_side<Int128>(convolution_, own, side.side, f, g)
+          : scale_on_side<Integer>(convolution_, own, side.side, f, g);
+  return found ? *found : exact_scale(row.exact(), track.plane.exact());
 }
 
 /// Whether two of three facets single out, by their sides alone, the point that these sides have.
@@ -262,7 +390,11 @@ void FacetTracks::add_crossing(Track& a, Track& b, std::vector<ConcurrentEvent>&
   for (const Side& zero : zeros) {
     if (is_end_of_three(facets, zero)) return;
   }
-  const EventScale scale = exact_scale(a.plane.exact(), b.plane.exact());
+  const std::optional<EventScale> short_scale = has_words(convolution_, most_bits_of_four)
+                                                    ? scale_of_four<Int128>(convolution_, facets)
+                                                    : scale_of_four<Integer>(convolution_, facets);
+  const EventScale scale =
+      short_scale ? *short_scale : exact_scale(a.plane.exact(), b.plane.exact());
   if (scale < window_.from || scale > window_.to) return;
   events.push_back({scale,
                     {first_.number, second_.number, a.third.number, b.third.number},

@@ -71,6 +71,7 @@ class FacetTracks {
   };
 
   std::optional<Track> track_of(const Facet& third, std::vector<ConcurrentEvent>& events);
+  EventScale scale_at(Track& track, const Side& side, ContactRow& row) const;
   bool has_pair_event(const Track& track, const std::vector<Side>& zeros);
   void add_crossing(Track& a, Track& b, std::vector<ConcurrentEvent>& events);
   bool is_end_of_three(const std::array<const MovingFacet*, 4>& facets, const Side& side);

@@ -75,16 +75,23 @@ class ContactRow {
   std::optional<LineForm<Integer>> exact_;
 };
 
-/// The sign of what `evaluate` makes of the forms of rows.
-template <class Evaluate, class... Rows>
-int sign_of_rows(SignCounts& signs, Evaluate&& evaluate, Rows&... rows) {
+/// The sign of what `evaluate` makes of the forms of rows. Where doubles leave it open, `is_zero`
+/// is asked first: it may know that it is 0.
+template <class Known, class Evaluate, class... Rows>
+int sign_unless_zero(SignCounts& signs, Known&& is_zero, Evaluate&& evaluate, Rows&... rows) {
   const int certain = evaluate(rows.rounded()...).certain_sign();
   if (certain != BoundedDouble::undecided) {
     ++signs.by_float;
     return certain;
   }
+  if (is_zero()) return 0;
   ++signs.by_integer;
   return sign(evaluate(rows.exact()...));
+}
+
+template <class Evaluate, class... Rows>
+int sign_of_rows(SignCounts& signs, Evaluate&& evaluate, Rows&... rows) {
+  return sign_unless_zero(signs, [] { return false; }, evaluate, rows...);
 }
 
 /// Of alpha beta' - alpha' beta.

@@ -99,46 +99,15 @@ bool ContactRegion::have_no_scale(std::size_t i, std::size_t j) const {
 /// The corner between two sides of one facet and the plane of the other, or two sides: slope s +
 /// height is zero where they touch, if they are not parallel.
 template <class T>
-ContactRegion::Contact<T> ContactRegion::contact(std::size_t i, std::size_t j) const {
-  constexpr bool is_in_words = std::is_same_v<T, Int128>;
-  const auto of_P = [&](const ConvolutionFacet::Corner& corner) -> decltype(auto) {
-    if constexpr (is_in_words) {
-      return (convolution_.words->P[corner.of_P]);
-    } else {
-      return (convolution_.P.points[corner.of_P].exact);
-    }
-  };
-  const auto of_Q = [&](const ConvolutionFacet::Corner& corner) -> decltype(auto) {
-    if constexpr (is_in_words) {
-      return (convolution_.words->Q[corner.of_Q]);
-    } else {
-      return (convolution_.Q.points[corner.of_Q].exact);
-    }
-  };
-  const auto along = [&](const MovingFacet& facet, std::size_t k) {
-    const auto &a = facet.names[k], &b = facet.names[(k + 1) % facet.size];
-    return a.of_P != b.of_P ? of_P(b) - of_P(a) : of_Q(b) - of_Q(a);
-  };
-  const auto normal_of = [&](const MovingFacet& facet) {
-    if constexpr (is_in_words) {
-      return cross(along(facet, 0), along(facet, 1));
-    } else {
-      return facet.normal.exact;
-    }
-  };
-  const auto touch = [&](const std::array<T, 3>& normal, const ConvolutionFacet::Corner& a,
-                         const ConvolutionFacet::Corner& b) {
-    const auto moved = of_P(b) - of_P(a), fixed = of_Q(b) - of_Q(a);
-    return Contact<T>{T(normal[0] * moved[0] + normal[1] * moved[1] + normal[2] * moved[2]),
-                      T(normal[0] * fixed[0] + normal[1] * fixed[1] + normal[2] * fixed[2])};
-  };
+MovingHeight<T> ContactRegion::contact(std::size_t i, std::size_t j) const {
+  const ExactCorners<T> exact(convolution_);
   const std::size_t size = first_.size;
   if (i < size && j >= size) {
-    return touch(cross(along(first_, i), along(second_, j - size)), first_.names[i],
-                 second_.names[j - size]);
+    return exact.height(cross(exact.along(first_, i), exact.along(second_, j - size)),
+                        first_.names[i], second_.names[j - size]);
   }
   const MovingFacet &own = i < size ? first_ : second_, &other = i < size ? second_ : first_;
-  return touch(normal_of(other), own.names[corner_between(i, j)], other.names[0]);
+  return exact.height(exact.normal(other), own.names[corner_between(i, j)], other.names[0]);
 }
 
 bool ContactRegion::are_opposite(std::size_t i, std::size_t j) const {

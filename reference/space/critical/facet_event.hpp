@@ -9,6 +9,7 @@
 #include "reference/number/rational.hpp"
 #include "reference/space/critical/crossing_line.hpp"
 #include "reference/space/critical/event_scale.hpp"
+#include "reference/space/critical/exact_corners.hpp"
 
 namespace minkref::inline space {
 
@@ -53,10 +54,6 @@ class ContactRegion {
     std::uint8_t zeros;  ///< which constraints are
     EventScale s;
   };
-  template <class T>
-  struct Contact {
-    T slope, height;
-  };
 
   template <class Evaluate>
   int sign_of(Evaluate&& evaluate);
@@ -70,7 +67,7 @@ class ContactRegion {
   std::optional<Corner> corner_of(std::size_t i, std::size_t j);
   FacetEvent event_at(const Corner& corner);
   template <class T>
-  Contact<T> contact(std::size_t i, std::size_t j) const;
+  MovingHeight<T> contact(std::size_t i, std::size_t j) const;
   bool is_level(std::size_t i, std::size_t j) const;
   std::size_t corner_between(std::size_t i, std::size_t j) const;
   bool are_opposite(std::size_t i, std::size_t j) const;

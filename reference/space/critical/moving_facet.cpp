@@ -1,5 +1,9 @@
 #include "reference/space/critical/moving_facet.hpp"
 
+#include <algorithm>
+#include <bit>
+#include <cstdlib>
+
 namespace minkref::inline space {
 namespace {
 
@@ -18,6 +22,14 @@ std::optional<std::vector<WordVector>> words_of(const SpaceOperand& body) {
     }
   }
   return points;
+}
+
+unsigned longest(const std::vector<WordVector>& points) {
+  std::uint64_t most = 0;
+  for (const WordVector& point : points) {
+    for (const std::int64_t c : point) most |= static_cast<std::uint64_t>(std::abs(c));
+  }
+  return static_cast<unsigned>(std::bit_width(most));
 }
 
 /// A side of a facet is an edge of P or of Q.
@@ -42,7 +54,10 @@ MovingConvolution::MovingConvolution(const SpaceOperand& P_, const SpaceOperand&
     facets.push_back(std::move(moving));
   }
   auto of_P = words_of(P), of_Q = words_of(Q);
-  if (of_P && of_Q) words = Words{std::move(*of_P), std::move(*of_Q)};
+  if (of_P && of_Q) {
+    const unsigned bits = std::max(longest(*of_P), longest(*of_Q));
+    words = Words{std::move(*of_P), std::move(*of_Q), bits};
+  }
 }
 
 bool stays_aside(const MovingConvolution& convolution, const MovingFacet& flat,

@@ -32,6 +32,7 @@ struct MovingConvolution {
   /// The vertices of P and of Q, where scales of events of two facets fit in words of 128 bits.
   struct Words {
     std::vector<WordVector> P, Q;
+    unsigned bits;  ///< of the longest coordinate
   };
   std::optional<Words> words;
 };
