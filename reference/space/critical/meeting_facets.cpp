@@ -82,32 +82,21 @@ class ConcurrentSearch {
  public:
   ConcurrentSearch(const MovingConvolution& convolution, const MeetingFacets& meeting,
                    const FacetTracks::Window& window)
-      : convolution_(convolution), meeting_(meeting), window_(window) {}
+      : convolution_(convolution),
+        meeting_(meeting),
+        window_(window),
+        with_first_(convolution.facets.size(), nullptr) {}
 
-  void look_at(std::uint32_t i, const Neighbour& pair) {
-    const std::uint32_t j = pair.number;
-    std::optional<FacetTracks> found;
-    const Neighbour* of_i = std::upper_bound(
-        meeting_.begin(i), meeting_.end(i), j,
-        [](std::uint32_t number, const Neighbour& each) { return number < each.number; });
-    const Neighbour* of_j = meeting_.begin(j);
-    while (of_i != meeting_.end(i) && of_j != meeting_.end(j)) {
-      if (of_i->number != of_j->number) {
-        ++(of_i->number < of_j->number ? of_i : of_j);
-        continue;
-      }
-      if (std::max({pair.low, of_i->low, of_j->low}) <=
-          std::min({pair.high, of_i->high, of_j->high})) {
-        if (!found) found.emplace(convolution_, named(i), named(j), window_, signs);
-        found->add(named(of_i->number), events);
-      }
-      ++of_i;
-      ++of_j;
+  /// All in which a facet is the first.
+  void look_at(std::uint32_t i, const BuildControl& control, MostEvents most) {
+    const Neighbour *begin = meeting_.begin(i), *end = meeting_.end(i);
+    for (const Neighbour* k = begin; k != end; ++k) with_first_[k->number] = k;
+    for (const Neighbour* j = begin; j != end; ++j) {
+      control.look();
+      look_at(i, *j);
+      if (events.size() > most.count) refuse_long_list(most);
     }
-    if (!found) return;
-    tracks += found->tracks();
-    found->add_crossings([&](std::uint32_t k, std::uint32_t l) { return meeting_.meet(k, l); },
-                         events);
+    for (const Neighbour* k = begin; k != end; ++k) with_first_[k->number] = nullptr;
   }
 
   std::vector<ConcurrentEvent> events;
@@ -115,6 +104,24 @@ class ConcurrentSearch {
   SignCounts signs;
 
  private:
+  void look_at(std::uint32_t i, const Neighbour& pair) {
+    const std::uint32_t j = pair.number;
+    std::optional<FacetTracks> found;
+    for (const Neighbour* of_j = meeting_.begin(j); of_j != meeting_.end(j); ++of_j) {
+      const Neighbour* of_i = with_first_[of_j->number];
+      if (of_i == nullptr || std::max({pair.low, of_i->low, of_j->low}) >
+                                 std::min({pair.high, of_i->high, of_j->high})) {
+        continue;
+      }
+      if (!found) found.emplace(convolution_, named(i), named(j), window_, signs);
+      found->add(named(of_j->number), events);
+    }
+    if (!found) return;
+    tracks += found->tracks();
+    found->add_crossings([&](std::uint32_t k, std::uint32_t l) { return meeting_.meet(k, l); },
+                         events);
+  }
+
   FacetTracks::Facet named(std::uint32_t number) const {
     return {number, &convolution_.facets[number]};
   }
@@ -122,6 +129,7 @@ class ConcurrentSearch {
   const MovingConvolution& convolution_;
   const MeetingFacets& meeting_;
   const FacetTracks::Window& window_;
+  std::vector<const Neighbour*> with_first_;  ///< of the facet that is the first one now
 };
 
 }  // namespace
@@ -136,12 +144,7 @@ void add_concurrent_events(const MovingConvolution& convolution, std::vector<Mee
   in_parallel(count, control, BuildProgress::Stage::pairs, [&](unsigned thread) {
     searches[thread] = std::make_unique<ConcurrentSearch>(convolution, facets, window);
     return [&, search = searches[thread].get()](std::size_t i) {
-      const auto first = static_cast<std::uint32_t>(i);
-      for (const Neighbour* pair = facets.begin(first); pair != facets.end(first); ++pair) {
-        control.look();
-        search->look_at(first, *pair);
-        if (search->events.size() > most.count) refuse_long_list(most);
-      }
+      search->look_at(static_cast<std::uint32_t>(i), control, most);
     };
   });
   for (auto& search : searches) {
