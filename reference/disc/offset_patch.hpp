@@ -1,0 +1,60 @@
+// The offset curves of a polygon set: edges moved outwards by the radius, and arcs about vertices.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "reference/number/rational.hpp"
+#include "reference/plane/polygon_set.hpp"
+
+namespace minkref::inline disc {
+
+/// A vector of rationals.
+struct Direction {
+  Rational x, y;
+};
+
+inline Rational dot(const Direction& a, const Direction& b) { return a.x * b.x + a.y * b.y; }
+inline Rational cross(const Direction& a, const Direction& b) { return a.x * b.y - a.y * b.x; }
+/// By a quarter turn, counter-clockwise.
+inline Direction turned(const Direction& a) { return {-a.y, a.x}; }
+inline Direction from_to(const Point& from, const Point& to) {
+  return {to.x - from.x, to.y - from.y};
+}
+
+/// A closed edge of P. Its offset curve is a part of a line.
+struct OffsetEdge {
+  VertexId id;  ///< where it starts
+  Point start, end;
+  Direction along, normal;  ///< the normal points outwards and is as long as the edge
+  Rational squared_length;
+  std::uint32_t feature;                     ///< the number of its curve
+  std::uint32_t start_feature, end_feature;  ///< of the circles about its ends
+};
+
+/// A part of an offset curve, with P on its left: of one edge, or an arc of at most a right angle.
+struct OffsetPatch {
+  static constexpr std::uint32_t none = UINT32_MAX;
+
+  std::uint32_t feature;
+  std::uint32_t edge;     ///< its number; none for an arc
+  Point centre;           ///< of an arc
+  Direction first, last;  ///< of an arc: directions of the normals at its ends
+  std::uint32_t next;     ///< the patch that starts where this one ends; none at a reflex vertex
+};
+
+struct OffsetCurves {
+  std::vector<OffsetEdge> edges;
+  std::vector<OffsetPatch> patches;
+  struct Feature {
+    std::uint32_t edge;  ///< none for a circle
+    Point centre;
+  };
+  std::vector<Feature> features;  ///< vertices in one place are one
+};
+
+/// Of a valid polygon set, a point or a segment, which has curves on both sides. Straight vertices
+/// are left out. O(n log n).
+OffsetCurves offset_curves(const PolygonSet& P);
+
+}  // namespace minkref::inline disc
