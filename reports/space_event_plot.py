@@ -35,5 +35,5 @@ def draw(rows: list[dict[str, Any]], theirs: float, target: Path) -> None:
     right.set_xlabel("events of two facets a second and core")
     right.tick_params(axis="y", labelsize=8)
     right.legend(fontsize=8)
-    figure.savefig(target, metadata={"Date": None})
+    figure.savefig(target, format="svg", metadata={"Date": None})
     pyplot.close(figure)
