@@ -19,9 +19,9 @@ from itertools import combinations
 from typing import Any
 
 from minkref import _core
-from minkref.fuzz.judges.space_event_comparison import FROM, TO, moving_facet
+from minkref.fuzz.judges.space_event_comparison import FROM, TO, moving_facet, solids_of
 from minkref.fuzz.judges.space_routes import core_polyhedron
-from minkref.fuzz.space.general_pairs import FAMILIES, GeneralPair, pair_of_family
+from minkref.fuzz.space.general_pairs import GeneralPair
 from minkref.oracle.symbolic.facet_tuples import (
     TupleEvent,
     parallel_among,
@@ -65,10 +65,11 @@ def compare(seed: int, quadruples: int, first: int = 0, step: int = 1) -> Table:
     """At least so many quadruples, of pairs of polyhedra `first`, `first + step`, ... The same
     arguments give the same table."""
     table = Table(seed)
-    families = [name for name in FAMILIES if name != "thin"]
     index = first
     while table.quadruples < quadruples:
-        _compare_polyhedra(pair_of_family(families[index % len(families)], seed, index), table)
+        pair = solids_of(seed, index)
+        if pair is not None:
+            _compare_polyhedra(pair, table)
         index += step
     return table
 

@@ -18,7 +18,7 @@ from typing import Any
 
 from minkref import _core
 from minkref.fuzz.judges.space_routes import core_polyhedron
-from minkref.fuzz.space.general_pairs import FAMILIES, pair_of_family
+from minkref.fuzz.space.general_pairs import FAMILIES, GeneralPair, pair_of_family
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.oracle.symbolic.facet_pairs import FacetEvents, facet_events
 from minkref.oracle.symbolic.rational import rational
@@ -63,13 +63,21 @@ class Table:
 def compare(seed: int, pairs: int) -> Table:
     """At least `pairs` pairs of facets of each kind. The same arguments give the same table."""
     table = Table(seed)
-    families = [name for name in FAMILIES if name != "thin"]
     while any(table.pairs[kind] < pairs for kind in KINDS):
-        name = families[table.polyhedra % len(families)]
-        drawn = pair_of_family(name, seed, table.polyhedra)
+        drawn = solids_of(seed, table.polyhedra)
         table.polyhedra += 1
-        _compare_polyhedra(drawn.name, drawn.P, drawn.Q, pairs, table)
+        if drawn is not None:
+            _compare_polyhedra(drawn.name, drawn.P, drawn.Q, pairs, table)
     return table
+
+
+def solids_of(seed: int, index: int) -> GeneralPair | None:
+    """Two solids, of the families in turn. None where what was drawn is no solid."""
+    families = [name for name in FAMILIES if name != "thin"]
+    try:
+        return pair_of_family(families[index % len(families)], seed, index)
+    except ValueError:  # a knot that crosses itself
+        return None
 
 
 def _compare_polyhedra(name: str, P: Polyhedron, Q: Polyhedron, wanted: int, table: Table) -> None:

@@ -7,8 +7,7 @@ from collections import Counter
 from dataclasses import dataclass, field
 
 from minkref.fuzz.judges import facet_arrangement, facet_tuple_comparison, space_event_comparison
-from minkref.fuzz.judges.space_event_comparison import KINDS
-from minkref.fuzz.space.general_pairs import FAMILIES, pair_of_family
+from minkref.fuzz.judges.space_event_comparison import KINDS, solids_of
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.part import COMPARISON, REFERENCE, Findings
 
@@ -61,9 +60,10 @@ def judge(task: Task) -> tuple[str, Answer]:
 
 def of_lists(number: int) -> Answer:
     """One pair of small polyhedra."""
-    families = [name for name in FAMILIES if name != "thin"]
-    pair = pair_of_family(families[number % len(families)], SEED, number)
+    pair = solids_of(SEED, number)
     answer = Answer()
+    if pair is None:
+        return answer
     found = facet_arrangement.judge_list(pair, (FROM, TO), MOST_FACETS, EVENTS_OF_A_PAIR)
     if found is not None:
         answer.counts.update(lists=1, **found.counts)

@@ -40,9 +40,12 @@ class Task:
 
 
 def study(task: Task) -> dict[str, dict[str, int]] | None:
-    """By arithmetic and form; nothing of a pair with too many facets."""
+    """By arithmetic and form; nothing of what is no pair, or has too many facets."""
     families = [name for name in GROUPS[task.group] if name in FAMILIES]
-    pair = pair_of_family(families[task.number % len(families)], SEED, task.number)
+    try:
+        pair = pair_of_family(families[task.number % len(families)], SEED, task.number)
+    except ValueError:  # a solid that crosses itself
+        return None
     P, Q = core_polyhedron(pair.P), core_polyhedron(pair.Q)
     if dict(_core.space_events(P, Q, "1", "1").counts())["facets"] > MOST_FACETS:
         return None
