@@ -52,7 +52,7 @@ def run_in_child(part: Part, quick: bool, tick: Callable[[], None]) -> dict[str,
     document = store.read(part.name, quick)
     if document is None:
         problem = problem or f"the script ended with code {child.returncode} without a result"
-        findings = Findings(notes=[problem, f"see {store.log_path(part.name)}"])
+        findings = Findings(notes=[problem, f"see {store.log_path(part.name).relative_to(store.ROOT)}"])
         document = document_of(part, quick, findings, time.monotonic() - began, problem)
         store.write(document)
     return document
@@ -77,7 +77,7 @@ def run_here(name: str, quick: bool) -> int:
     except Exception as exception:  # noqa: BLE001 whatever it is, it is recorded
         traceback.print_exc()
         error = f"{type(exception).__name__}: {exception}"
-        findings = Findings(notes=[f"see {store.log_path(name)}"])
+        findings = Findings(notes=[f"see {store.log_path(name).relative_to(store.ROOT)}"])
     document = document_of(part, quick, findings, time.monotonic() - began, error)
     store.write(document)
     return 1 if error else 0
