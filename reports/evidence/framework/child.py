@@ -27,6 +27,10 @@ def time_limit(part: Part, quick: bool) -> float:
     return 240 * minutes + (300 if quick else 900)
 
 
+def see_log(name: str) -> str:
+    return f"see {store.log_path(name).relative_to(store.ROOT)}"
+
+
 def run_in_child(part: Part, quick: bool, tick: Callable[[], None]) -> dict[str, Any]:
     """Runs the part, calling `tick` some times a second meanwhile; its result is written and given.
     A child that crashes or exceeds its time leaves a result `failed` that says so."""
@@ -52,7 +56,7 @@ def run_in_child(part: Part, quick: bool, tick: Callable[[], None]) -> dict[str,
     document = store.read(part.name, quick)
     if document is None:
         problem = problem or f"the script ended with code {child.returncode} without a result"
-        findings = Findings(notes=[problem, f"see {store.log_path(part.name).relative_to(store.ROOT)}"])
+        findings = Findings(notes=[problem, see_log(part.name)])
         document = document_of(part, quick, findings, time.monotonic() - began, problem)
         store.write(document)
     return document
@@ -77,7 +81,7 @@ def run_here(name: str, quick: bool) -> int:
     except Exception as exception:  # noqa: BLE001 whatever it is, it is recorded
         traceback.print_exc()
         error = f"{type(exception).__name__}: {exception}"
-        findings = Findings(notes=[f"see {store.log_path(name).relative_to(store.ROOT)}"])
+        findings = Findings(notes=[see_log(name)])
     document = document_of(part, quick, findings, time.monotonic() - began, error)
     store.write(document)
     return 1 if error else 0
