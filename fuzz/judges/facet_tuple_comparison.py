@@ -19,7 +19,7 @@ from itertools import combinations
 from typing import Any
 
 from minkref import _core
-from minkref.fuzz.judges.space_event_comparison import FROM, TO, moving_facet, solids_of
+from minkref.fuzz.judges.space_event_comparison import FROM, TO, Difference, moving_facet, solids_of
 from minkref.fuzz.judges.space_routes import core_polyhedron
 from minkref.fuzz.space.general_pairs import GeneralPair
 from minkref.oracle.symbolic.facet_tuples import (
@@ -35,14 +35,6 @@ MOST_FACETS = 1_000
 OF_EACH = 60  # quadruples of each origin that are taken from two polyhedra
 Numbers = tuple[int, ...]
 Told = tuple[str, str, tuple[str, ...]]  # scale, change, place
-
-
-@dataclass
-class Difference:
-    pair: str
-    facets: list[str]
-    only_symbolic: list[str]
-    only_minkref: list[str]
 
 
 @dataclass

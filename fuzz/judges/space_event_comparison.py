@@ -38,8 +38,7 @@ Told = tuple[str, str, str, tuple[str, ...] | None]  # scale, kind, change, plac
 @dataclass
 class Difference:
     pair: str
-    first: str
-    second: str
+    facets: list[str]
     only_symbolic: list[str]
     only_minkref: list[str]
 
@@ -116,7 +115,7 @@ def _compare_polyhedra(name: str, P: Polyhedron, Q: Polyhedron, wanted: int, tab
         if _comparable(known, ours) != theirs:
             ours = _comparable(known, ours)
             table.differences.append(
-                Difference(name, _show(found.facet(i)), _show(found.facet(j)),
+                Difference(name, [_show(found.facet(i)), _show(found.facet(j))],
                            sorted(map(str, theirs - ours)), sorted(map(str, ours - theirs)))
             )  # fmt: skip
 
