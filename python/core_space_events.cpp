@@ -78,20 +78,22 @@ const char* name(FacetKind kind) {
   return "";
 }
 
-/// Scale, kind, change; three or four facets; which of three has the point on a side, and the
-/// number of that side; the place.
+/// Scale, kind, change; three or four facets; of each the number of the side that singles the point
+/// out, if one does; the place.
 using ConcurrentRow = std::tuple<std::string, std::string, std::string, Numbers,
-                                 std::optional<std::tuple<unsigned, unsigned>>, ExactSpacePoint>;
+                                 std::vector<std::optional<unsigned>>, ExactSpacePoint>;
 
 ConcurrentRow row(const CriticalEvents& events, const ConcurrentEvent& e) {
   Numbers facets(e.facets.begin(), e.facets.begin() + (e.is_of_four() ? 4 : 3));
-  std::optional<std::tuple<unsigned, unsigned>> side;
-  if (!e.is_of_four()) side.emplace(e.of, e.side);
+  std::vector<std::optional<unsigned>> sides(facets.size());
+  for (std::size_t k = 0; k < e.sides.size(); ++k) {
+    if (e.sides[k] != ConcurrentEvent::no_side) sides[k] = e.sides[k];
+  }
   return {to_string(e.s.exact()),
           e.is_of_four() ? "four" : "triple",
           name(e.change),
           facets,
-          side,
+          sides,
           to_strings(place_of(events, e))};
 }
 

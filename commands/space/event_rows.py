@@ -74,10 +74,10 @@ def _of_pairs(part: Part) -> Iterator[Row]:
 
 
 def _of_more(part: Part) -> Iterator[Row]:
-    for s, kind, change, numbers, at, place in part.rows_of_more():
+    for s, kind, change, numbers, sides, place in part.rows_of_more():
         facets = [
-            _facet(part.found, number, None, at[1] if at is not None and at[0] == k else None)
-            for k, number in enumerate(numbers)
+            _facet(part.found, number, None, side)
+            for number, side in zip(numbers, sides, strict=True)
         ]
         yield _row(s, kind, change, facets, place)
 

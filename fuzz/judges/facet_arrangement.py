@@ -1,6 +1,7 @@
 """The arrangement of the facets of sP + Q at one scale, as what does not change while nothing
-happens: which facets meet, on which sides the ends of what they share are, and in which order
-others cross it. Static, from the definition; for small operands."""
+happens: which facets meet, on which sides the ends of what they share are, in which order others
+cross it, and what three share of which two lie in one plane. Static, from the definition; for small
+operands."""
 
 from __future__ import annotations
 
@@ -25,11 +26,12 @@ from minkref.oracle.symbolic.space_standing import (
     polygons_meet,
     share_an_area,
     shared,
+    shared_by_convex,
     shared_by_polygons,
 )
 
-Arrangement = dict[tuple[int, int], Any]
-"""Of two facets, ascending, that meet, and only of these: what is told of them."""
+Arrangement = dict[tuple[int, ...], Any]
+"""Of two or three facets, ascending, that meet, and only of these: what is told of them."""
 
 
 class MovingFacets:
@@ -46,12 +48,14 @@ class MovingFacets:
         boxes = [_box(each) for each in corners]
         found: Arrangement = {}
         segments: dict[int, dict[int, Segment3]] = defaultdict(dict)
+        in_one_plane: dict[int, set[int]] = defaultdict(set)
         for i, j in self.pairs:
             if _apart(boxes[i], boxes[j]):
                 continue
             if (i, j) in self.parallel:
                 if _in_one_plane(corners[i], corners[j]) and polygons_meet(corners[i], corners[j]):
                     found[i, j] = _of_parallel(corners[i], corners[j])
+                    in_one_plane[i].add(j)
                 continue
             common = shared_by_polygons(corners[i], corners[j])
             if common is not None:
@@ -62,6 +66,17 @@ class MovingFacets:
                     ends = [(_sides(x, corners[i]), _sides(x, corners[j])) for x in segment]
                     crossings = self._crossings(i, j, segment, segments)
                     found[i, j] = (segment[0] == segment[1], ends, crossings)
+        for i, beside in in_one_plane.items():
+            for j in beside:
+                for k in segments[i].keys() & segments[j].keys():
+                    common = shared(segments[i][k], segments[j][k])
+                    if common is not None:
+                        low, high = self._along(i, k, common)
+                        found[i, j, k] = [_places(x, corners, (i, j, k)) for x in (low, high)]
+                for k in beside & in_one_plane.get(j, set()):
+                    area = shared_by_convex([corners[each] for each in (i, j, k)])
+                    if area:
+                        found[i, j, k] = sorted({_places(x, corners, (i, j, k)) for x in area})
         return found
 
     def _along(self, i: int, j: int, segment: Segment3) -> Segment3:
@@ -96,6 +111,10 @@ def _sides(x: Vector, corners: Sequence[Vector]) -> tuple[int, ...]:
     """Those on which the point is."""
     count = len(corners)
     return tuple(k for k in range(count) if on_segment(x, (corners[k], corners[(k + 1) % count])))
+
+
+def _places(x: Vector, corners: Sequence[Sequence[Vector]], which: tuple[int, ...]) -> Any:
+    return tuple(_sides(x, corners[k]) for k in which)
 
 
 def _in_one_plane(f: Sequence[Vector], g: Sequence[Vector]) -> bool:

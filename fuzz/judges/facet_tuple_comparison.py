@@ -22,12 +22,8 @@ from minkref import _core
 from minkref.fuzz.judges.space_event_comparison import FROM, TO, Difference, moving_facet, solids_of
 from minkref.fuzz.judges.space_routes import core_polyhedron
 from minkref.fuzz.space.general_pairs import GeneralPair
-from minkref.oracle.symbolic.facet_tuples import (
-    TupleEvent,
-    parallel_among,
-    quadruple_event,
-    triple_events,
-)
+from minkref.oracle.symbolic.coplanar_triples import TupleEvent
+from minkref.oracle.symbolic.facet_tuples import parallel_among, quadruple_event, triple_events
 from minkref.oracle.symbolic.rational import rational
 from minkref.oracle.symbolic.space_moving import MovingFacet
 
@@ -129,9 +125,8 @@ def _drawn(dice: random.Random, listed: _Listed) -> Iterator[Numbers]:
 def _compare_tuple(listed: _Listed, numbers: Numbers, table: Table) -> None:
     facets = [listed.facet(number) for number in numbers]
     theirs: Counter[Told] = Counter()
-    if not parallel_among(facets):
-        found = triple_events(facets) if len(facets) == 3 else _of_four(facets)
-        theirs.update(told for event in found if (told := _told(event)) is not None)
+    found = triple_events(facets) if len(facets) == 3 else _of_four(facets)
+    theirs.update(told for event in found if (told := _told(event)) is not None)
     ours = Counter(listed.of.get(numbers, []))
     kind = "triple" if len(facets) == 3 else "four"
     table.events.update(f"{kind} {change}" for _, change, _ in theirs.elements())
@@ -147,7 +142,7 @@ def _compare_tuple(listed: _Listed, numbers: Numbers, table: Table) -> None:
 
 
 def _of_four(facets: list[MovingFacet]) -> list[TupleEvent]:
-    event = quadruple_event(facets)
+    event = None if parallel_among(facets) else quadruple_event(facets)
     return [] if event is None else [event]
 
 

@@ -9,32 +9,33 @@ facets that stand still.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from itertools import combinations
 
+from .coplanar_triples import (
+    TupleEvent,
+    always_in_one_plane,
+    coplanar_triple_events,
+    through_one_point,
+    walls,
+)
 from .facet_pairs import facet_events
 from .pairs import intervals
 from .rational import Rational
-from .solutions import branch, root
-from .space_events import common_point, four_event, function, planes_parallel
-from .space_moving import MovingFacet, Plane, SpaceVertex, Vector, cross, dot
+from .solutions import root
+from .space_events import common_point, four_event, planes_parallel
+from .space_moving import MovingFacet, Plane, cross, dot
 from .space_standing import in_polygon, shared, shared_by_polygons
 
 Facets = Sequence[MovingFacet]
 
 
-@dataclass(frozen=True, slots=True, order=True)
-class TupleEvent:
-    """At scale s and the point `at`; `change` birth, death or touch."""
-
-    s: Rational
-    change: str
-    at: Vector
-
-
 def triple_events(facets: Facets) -> list[TupleEvent]:
-    """Of three facets no two of which are parallel, ascending; without those at whose scale and
-    point two of them have an event. Exact."""
+    """Of three facets, ascending; without those at whose scale and point two of them have an
+    event. Of facets that are parallel only where they lie in one plane at all scales. Exact."""
+    if any(always_in_one_plane(a, b) for a, b in combinations(facets, 2)):
+        return coplanar_triple_events(facets)
+    if parallel_among(facets):
+        return []
     planes = [facet.plane() for facet in facets]
     normals = [plane[:3] for plane in planes]
     if dot(cross(normals[0], normals[1]), normals[2]):
@@ -75,7 +76,8 @@ def _is_of_fewer(facets: Facets, count: int, event: TupleEvent) -> bool:
 
 
 def _of_a_track(facets: Facets, planes: Sequence[Plane]) -> Iterator[TupleEvent]:
-    marks = [s for facet in facets for wall in _walls(facet) for s in _through(planes, wall)]
+    found = [through_one_point([*planes, wall]) for facet in facets for wall in walls(facet)]
+    marks = [s for s in found if s is not None]
 
     def member(s: Rational) -> bool:
         x = common_point(planes, s)
@@ -90,22 +92,6 @@ def _of_a_track(facets: Facets, planes: Sequence[Plane]) -> Iterator[TupleEvent]
             yield TupleEvent(low, "birth", common_point(planes, low))
         if high is not None:
             yield TupleEvent(high, "death", common_point(planes, high))
-
-
-def _through(planes: Sequence[Plane], wall: Plane) -> list[Rational]:
-    case, s = branch(
-        *function("four planes", (5, 5, 5, 5))(*(x for p in (*planes, wall) for x in p))
-    )
-    return [s] if case == "once" and s is not None else []
-
-
-def _walls(facet: MovingFacet) -> Iterator[Plane]:
-    """The planes that stand on the sides."""
-    normal = facet.plane()[:3]
-    for side in facet.edges():
-        start: SpaceVertex = side.start
-        n = cross(normal, side.direction())
-        yield (*n, dot(n, start.p), dot(n, start.q))
 
 
 def _of_a_line(facets: Facets, planes: Sequence[Plane]) -> Iterator[TupleEvent]:

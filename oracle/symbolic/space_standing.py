@@ -90,6 +90,26 @@ def shared_by_polygons(first: Sequence[Vector], second: Sequence[Vector]) -> Seg
     return None if start > end else (_between(low, high, start), _between(low, high, end))
 
 
+def shared_by_convex(polygons: Sequence[Sequence[Vector]]) -> list[Vector]:
+    """The corners of what convex polygons of one plane have in common, in order, perhaps repeated:
+    the first, cut off at the sides of the others. Exact."""
+    left = list(polygons[0])
+    for own in polygons[1:]:
+        normal = _normal(own)
+        for i, corner in enumerate(own):
+            inwards = cross(normal, minus(own[(i + 1) % len(own)], corner))
+            heights = [dot(inwards, minus(x, corner)) for x in left]
+            kept: list[Vector] = []
+            for k, x in enumerate(left):
+                if heights[k - 1] * heights[k] < 0:
+                    part = heights[k - 1] / (heights[k - 1] - heights[k])
+                    kept.append(_between(left[k - 1], x, part))
+                if heights[k] >= 0:
+                    kept.append(x)
+            left = kept
+    return left
+
+
 def share_an_area(first: Sequence[Vector], second: Sequence[Vector]) -> bool:
     """Whether two convex polygons of one plane do: no side of one has the other behind it."""
     for own, other in ((first, second), (second, first)):

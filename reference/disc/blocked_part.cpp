@@ -1,212 +1,226 @@
 #include "reference/disc/blocked_part.hpp"
 
 #include <algorithm>
-#include <array>
+#include <type_traits>
 #include <utility>
 
-#include "reference/number/radicals/root_order.hpp"
+#include "reference/error.hpp"
 
 namespace minkref::inline disc {
 namespace {
 
-RootNumber dot(const Direction& a, const RootPoint& b) {
-  return RootNumber(a.x) * b.x + RootNumber(a.y) * b.y;
-}
-RootPoint moved(const Point& from, const Direction& way, const RootNumber& far) {
-  return {RootNumber(from.x) + RootNumber(way.x) * far,
-          RootNumber(from.y) + RootNumber(way.y) * far};
-}
-RootPoint operator+(const RootPoint& a, const RootPoint& b) { return {a.x + b.x, a.y + b.y}; }
-RootPoint operator-(const RootPoint& a, const Point& b) {
-  return {a.x - RootNumber(b.x), a.y - RootNumber(b.y)};
-}
-RootPoint times(const Direction& way, const RootNumber& far) {
-  return {RootNumber(way.x) * far, RootNumber(way.y) * far};
-}
-RootPoint from_centre(const Point& centre, const RootPoint& way) {
-  return {RootNumber(centre.x) + way.x, RootNumber(centre.y) + way.y};
-}
-
-/// The direction about which an arc is, and that along which its points are in order.
-Direction middle_of(const OffsetPatch& arc) {
-  return {arc.first.x + arc.last.x, arc.first.y + arc.last.y};
-}
+using At = PatchPlace::At;
 
 /// The sign of the distance to a closed edge, squared, less the squared radius.
-int sign_of_distance(const OffsetEdge& edge, const RootPoint& x, const Rational& squared_radius) {
-  const RootPoint w = x - edge.start;
-  const RootNumber foot = dot(edge.along, w);
-  const auto about = [&](const RootPoint& v) {
-    return sign(v.x * v.x + v.y * v.y - RootNumber(squared_radius));
-  };
-  if (sign(foot) <= 0) return about(w);
-  if (sign(foot - RootNumber(edge.squared_length)) >= 0) return about(x - edge.end);
-  const RootNumber height = dot(edge.normal, w);
-  return sign(height * height - RootNumber(squared_radius * edge.squared_length));
+template <class N>
+int sign_of_distance(const EdgeNumbers<N>& edge, const Vector<N>& x, const N& squared_radius) {
+  const Vector<N> w = x - edge.start;
+  const N foot = dot(edge.along, w);
+  if (sign(foot) <= 0) return sign(dot(w, w) - squared_radius);
+  if (sign(foot - edge.squared_length) >= 0) {
+    const Vector<N> v = x - edge.end;
+    return sign(dot(v, v) - squared_radius);
+  }
+  const N height = dot(edge.normal, w);
+  return sign(height * height - edge.squared_reach);
 }
+
+Interval near(const Interval& value) { return value; }
+Interval near(const RootNumber& value) { return value.enclosure(); }
 
 }  // namespace
 
-int PatchPlace::compare(const PatchPlace& other) const {
-  if (at_ != other.at_) return at_ < other.at_ ? -1 : 1;
-  if (at_ != At::inside) return 0;
-  if (near_.upper() < other.near_.lower()) return -1;
-  if (near_.lower() > other.near_.upper()) return 1;
-  return minkref::compare(key_, other.key_);
-}
-
-/// Of the boundary of what is near an edge. `enters`: of an arc, which runs counter-clockwise,
-/// whether it comes to what is nearer.
-struct PatchesAt::Crossing {
-  RootNumber key;
-  RootPoint point;
-  bool enters;
-  std::uint32_t feature;  ///< none on the inner side of the edge
-};
-
 PatchesAt::PatchesAt(const OffsetCurves& curves, const Rational& squared_radius)
-    : curves_(curves), squared_radius_(squared_radius) {}
-
-/// Of the half circle about an end of an edge.
-void PatchesAt::add_circle_crossings(const OffsetPatch& patch, const OffsetEdge& by, bool at_end,
-                                     std::vector<Crossing>& found) const {
-  const Point& q = at_end ? by.end : by.start;
-  const std::uint32_t feature = at_end ? by.end_feature : by.start_feature;
-  const auto is_beyond = [&](const RootPoint& x) {
-    const int foot = sign(dot(by.along, x - q));
-    return at_end ? foot >= 0 : foot <= 0;
-  };
-  if (patch.edge != OffsetPatch::none) {
-    const OffsetEdge& own = curves_.edges[patch.edge];
-    const Direction w = from_to(q, own.start);
-    const Rational height = dot(w, own.normal);
-    const RootNumber reach = sqrt(RootNumber(squared_radius_ * own.squared_length));
-    const RootNumber square = RootNumber(-height * height) - RootNumber(2 * height) * reach;
-    if (sign(square) <= 0) return;  // it touches at most
-    const RootNumber root = sqrt(square);
-    const RootNumber middle(-dot(w, own.along));
-    for (const int side : {-1, 1}) {
-      const RootNumber u = (middle + RootNumber(side) * root) / RootNumber(own.squared_length);
-      const RootPoint x = moved(own.start, own.along, u) +
-                          times(own.normal, reach / RootNumber(own.squared_length));
-      if (is_beyond(x)) found.push_back({u, x, side < 0, feature});
-    }
-    return;
-  }
-  const Direction w = from_to(patch.centre, q);
-  const Rational square = dot(w, w);
-  if (square == 0) return;
-  const Rational left = squared_radius_ / square - Rational(1, 4);
-  if (left <= 0) return;
-  const RootNumber root = sqrt(RootNumber(left));
-  const Direction middle = middle_of(patch);
-  for (const int side : {-1, 1}) {
-    const RootPoint y =
-        times(w, RootNumber(Rational(1, 2))) + times(turned(w), RootNumber(side) * root);
-    if (sign(dot(middle, y)) <= 0 || !is_beyond(from_centre(patch.centre, y))) continue;
-    found.push_back({dot(turned(middle), y), from_centre(patch.centre, y), side < 0, feature});
+    : curves_(curves),
+      squared_radius_(squared_radius),
+      near_squared_radius_(squared_radius),
+      radius_(sqrt(near_squared_radius_)),
+      first_arc_(curves.edges.size()) {
+  for (const OffsetEdge& edge : curves.edges) edges_.emplace_back(edge, squared_radius);
+  for (std::size_t k = first_arc_; k < curves.patches.size(); ++k) {
+    arcs_.emplace_back(curves.patches[k], squared_radius);
   }
 }
 
-/// Of the side that is parallel to the edge, outside (1) or inside (-1) of P.
-void PatchesAt::add_line_crossings(const OffsetPatch& patch, const OffsetEdge& by, int side,
-                                   std::vector<Crossing>& found) const {
-  const std::uint32_t feature = side > 0 ? by.feature : OffsetPatch::none;
-  const RootNumber reach = sqrt(RootNumber(squared_radius_ * by.squared_length));
-  const auto is_beside = [&](const RootPoint& x) {
-    const RootNumber foot = dot(by.along, x - by.start);
-    return sign(foot) >= 0 && sign(foot - RootNumber(by.squared_length)) <= 0;
+template <class N>
+std::vector<Crossing<N>> PatchesAt::crossings(std::uint32_t number, std::uint32_t by) const {
+  const OffsetPatch& patch = curves_.patches[number];
+  const OffsetEdge& other = curves_.edges[by];
+  const auto add_to = [&](PatchCrossings<N>& found, const auto& own) {
+    if (patch.edge == OffsetPatch::none) return;
+    const OffsetEdge& edge = curves_.edges[patch.edge];
+    const auto has = [&](std::uint32_t circle) {
+      return edge.start_feature == circle || edge.end_feature == circle;
+    };
+    found.add_of_line(own, has(other.start_feature), has(other.end_feature));
   };
-  if (patch.edge != OffsetPatch::none) {
-    const OffsetEdge& own = curves_.edges[patch.edge];
-    const Rational slope = dot(by.normal, own.along);
-    if (slope == 0) return;
-    // The length of the other edge in the field of the reach of this one.
-    const RootNumber own_reach =
-        sqrt(RootNumber(squared_radius_ * own.squared_length).in(reach.field()));
-    const RootNumber out = own_reach / RootNumber(own.squared_length);
-    const RootNumber u = (RootNumber(dot(by.normal, from_to(own.start, by.start))) +
-                          RootNumber(side) * reach - out * RootNumber(dot(by.normal, own.normal))) /
-                         RootNumber(slope);
-    const RootPoint x = moved(own.start, own.along, u) + times(own.normal, out);
-    if (is_beside(x)) found.push_back({u, x, false, feature});
-    return;
+  if constexpr (std::is_same_v<N, Interval>) {
+    PatchCrossings<N> found(near_squared_radius_, edges_[by]);
+    if (patch.edge == OffsetPatch::none) {
+      found.add_of_arc(arcs_[number - first_arc_]);
+    } else {
+      add_to(found, edges_[patch.edge]);
+    }
+    return found.found();
+  } else {
+    const N squared_radius(squared_radius_);
+    const EdgeNumbers<N> others(other, squared_radius_);
+    PatchCrossings<N> found(squared_radius, others);
+    if (patch.edge == OffsetPatch::none) {
+      found.add_of_arc(ArcNumbers<N>(patch, squared_radius_));
+    } else {
+      EdgeNumbers<N> own(curves_.edges[patch.edge], squared_radius_);
+      own.reach = sqrt(joined(own.squared_reach, others.reach));
+      add_to(found, own);
+    }
+    return found.found();
   }
-  const Rational height = dot(by.normal, from_to(patch.centre, by.start));
-  const RootNumber level = RootNumber(height) + RootNumber(side) * reach;
-  const RootNumber square = RootNumber(squared_radius_ * by.squared_length) - level * level;
-  if (sign(square) <= 0) return;
-  const RootNumber root = sqrt(square);
-  const Direction middle = middle_of(patch);
-  for (const int way : {-1, 1}) {
-    const RootNumber inverse(Rational(1) / by.squared_length);
-    const RootPoint y =
-        times(by.normal, level * inverse) + times(by.along, RootNumber(way) * root * inverse);
-    if (sign(dot(middle, y)) <= 0 || !is_beside(from_centre(patch.centre, y))) continue;
-    found.push_back(
-        {dot(turned(middle), y), from_centre(patch.centre, y), way * side > 0, feature});
+}
+
+std::uint32_t PatchesAt::feature_of(const OffsetEdge& by, NearCurve curve) const {
+  switch (curve) {
+    case NearCurve::start:
+      return by.start_feature;
+    case NearCurve::end:
+      return by.end_feature;
+    case NearCurve::outside:
+      return by.feature;
+    case NearCurve::inside:
+      break;
+  }
+  return OffsetPatch::none;
+}
+
+/// The keys of a patch's start and end.
+template <class N>
+std::pair<N, N> PatchesAt::ends(std::uint32_t number) const {
+  if (curves_.patches[number].edge != OffsetPatch::none) return {N(0), N(1)};
+  if constexpr (std::is_same_v<N, Interval>) {
+    const ArcNumbers<N>& arc = arcs_[number - first_arc_];
+    return {arc.first, arc.last};
+  } else {
+    const ArcNumbers<N> arc(curves_.patches[number], squared_radius_);
+    return {arc.first, arc.last};
   }
 }
 
 /// Of the start (-1), the end (1) or the middle (0) of a patch.
-RootPoint PatchesAt::joint(const OffsetPatch& patch, int end) const {
+template <class N>
+Vector<N> PatchesAt::joint(std::uint32_t number, int end) const {
+  const OffsetPatch& patch = curves_.patches[number];
   if (patch.edge != OffsetPatch::none) {
     const OffsetEdge& own = curves_.edges[patch.edge];
-    const RootNumber out =
-        sqrt(RootNumber(squared_radius_ * own.squared_length)) / RootNumber(own.squared_length);
-    return moved(own.start, own.along, RootNumber(Rational(end + 1, 2))) + times(own.normal, out);
+    const N out = sqrt(N(Rational(squared_radius_ / own.squared_length)));
+    return numbers<N>(own.start) + N(Rational(end + 1, 2)) * numbers<N>(own.along) +
+           out * numbers<N>(own.normal);
   }
   const Direction way = end < 0 ? patch.first : end > 0 ? patch.last : middle_of(patch);
-  return moved(patch.centre, way, sqrt(RootNumber(squared_radius_ / dot(way, way))));
+  return numbers<N>(patch.centre) +
+         sqrt(N(Rational(squared_radius_ / dot(way, way)))) * numbers<N>(way);
 }
 
-RootPoint PatchesAt::point(std::size_t patch, const PatchPlace& place) const {
-  if (place.at() == PatchPlace::At::inside) return place.point();
-  return joint(curves_.patches[patch], place.at() == PatchPlace::At::end ? 1 : -1);
+template <class N>
+int PatchesAt::distance_at(std::uint32_t patch, std::uint32_t by, int end) const {
+  const EdgeNumbers<N> edge(curves_.edges[by], squared_radius_);
+  Vector<N> x = joint<N>(patch, end);
+  return sign_of_distance(edge, x, N(squared_radius_));
 }
 
-RootPoint PatchesAt::tangent(const OffsetPatch& patch, const RootPoint& at) const {
-  if (patch.edge != OffsetPatch::none) {
-    const Direction& along = curves_.edges[patch.edge].along;
-    return {RootNumber(along.x), RootNumber(along.y)};
+template <class N>
+PatchPlace PatchesAt::place_of(std::uint32_t patch, std::uint32_t by,
+                               const Crossing<N>& crossing) const {
+  const auto [first, last] = ends<N>(patch);
+  const int from = order(crossing.key, first), to = order(crossing.key, last);
+  if (from <= 0) return from < 0 ? At::before : At::start;
+  if (to >= 0) return to > 0 ? At::beyond : At::end;
+  PatchPlace place(At::inside);
+  place.curve = crossing.curve;
+  place.way = crossing.way;
+  place.by = by;
+  place.feature = feature_of(curves_.edges[by], crossing.curve);
+  place.near = near(crossing.key);
+  place.position = {near(crossing.point.x), near(crossing.point.y)};
+  if constexpr (std::is_same_v<N, RootNumber>) {
+    place.exact = std::make_shared<const PatchPlace::Exact>(
+        PatchPlace::Exact{crossing.key, crossing.point});
   }
-  const RootPoint out = at - patch.centre;
-  return {-out.y, out.x};
+  return place;
 }
 
-bool PatchesAt::turns_before(std::size_t from, const RootPoint& at, std::size_t a,
-                             std::size_t b) const {
-  const RootPoint back = tangent(curves_.patches[from], at);  // the way it comes is the reverse
-  const RootPoint of_a = tangent(curves_.patches[a], at), of_b = tangent(curves_.patches[b], at);
-  const auto turn = [](const RootPoint& u, const RootPoint& v) {
-    return sign(u.x * v.y - u.y * v.x);
-  };
+const PatchPlace::Exact& PatchesAt::exact(std::uint32_t patch, const PatchPlace& place) const {
+  if (!place.exact) {
+    for (const Crossing<RootNumber>& each : crossings<RootNumber>(patch, place.by)) {
+      if (each.curve != place.curve || each.way != place.way) continue;
+      place.exact =
+          std::make_shared<const PatchPlace::Exact>(PatchPlace::Exact{each.key, each.point});
+    }
+  }
+  if (!place.exact) throw std::logic_error("doubles and roots tell different crossings");
+  return *place.exact;
+}
+
+int PatchesAt::compare(std::uint32_t patch, const PatchPlace& a, const PatchPlace& b,
+                       OffsetCounts& counts) const {
+  if (a.at != b.at) return a.at < b.at ? -1 : 1;
+  if (a.at != At::inside) return 0;
+  if (a.near.upper() < b.near.lower()) return -1;
+  if (a.near.lower() > b.near.upper()) return 1;
+  if (a.feature != OffsetPatch::none && a.feature == b.feature && a.way == b.way) return 0;
+  ++counts.exact_orders;
+  return minkref::compare(exact(patch, a).key, exact(patch, b).key);
+}
+
+RootPoint PatchesAt::point(std::uint32_t patch, const PatchPlace& place) const {
+  if (place.at == At::inside) return exact(patch, place).point;
+  return joint<RootNumber>(patch, place.at == At::end ? 1 : -1);
+}
+
+Vector<Interval> PatchesAt::position(std::uint32_t patch, const PatchPlace& place) const {
+  if (place.at == At::inside) return place.position;
+  return joint<Interval>(patch, place.at == At::end ? 1 : -1);
+}
+
+Interval PatchesAt::key_of_normal(std::uint32_t arc, const Direction& normal) const {
+  return ArcNumbers<Interval>::bound(curves_.patches[arc], normal, squared_radius_);
+}
+
+RootNumber PatchesAt::exact_key_of_normal(std::uint32_t arc, const Direction& normal) const {
+  return ArcNumbers<RootNumber>::bound(curves_.patches[arc], normal, squared_radius_);
+}
+
+RootPoint PatchesAt::tangent(std::uint32_t number, const RootPoint& at) const {
+  const OffsetPatch& patch = curves_.patches[number];
+  if (patch.edge != OffsetPatch::none) return numbers<RootNumber>(curves_.edges[patch.edge].along);
+  return turned(at - numbers<RootNumber>(patch.centre));
+}
+
+bool PatchesAt::turns_before(std::uint32_t from, const RootPoint& at, std::uint32_t a,
+                             std::uint32_t b) const {
+  const RootPoint back = tangent(from, at);  // the way it comes is the reverse
+  const RootPoint of_a = tangent(a, at), of_b = tangent(b, at);
+  const auto turn = [](const RootPoint& u, const RootPoint& v) { return sign(cross(u, v)); };
   // Clockwise from the reverse of `back`: first those on the left of `back`, then itself, then the
   // right, last the reverse.
   const auto part = [&](const RootPoint& v) {
     const int side = turn(back, v);
     if (side != 0) return side > 0 ? 0 : 2;
-    return sign(back.x * v.x + back.y * v.y) > 0 ? 1 : 3;
+    return sign(dot(back, v)) > 0 ? 1 : 3;
   };
   const int part_of_a = part(of_a), part_of_b = part(of_b);
   return part_of_a != part_of_b ? part_of_a < part_of_b : turn(of_a, of_b) < 0;
 }
 
-/// Whether the start, the end or the middle of a patch is nearer to an edge than the radius (-1),
-/// as near (0) or farther (1).
-int PatchesAt::inside_at(const OffsetPatch& patch, const OffsetEdge& by, int end) const {
-  return sign_of_distance(by, joint(patch, end), squared_radius_);
-}
-
-/// The key of a joint.
-RootNumber PatchesAt::arc_bound(const OffsetPatch& patch, const Direction& normal) const {
-  const Rational along = dot(turned(middle_of(patch)), normal);
-  return RootNumber(along) * sqrt(RootNumber(squared_radius_ / dot(normal, normal)));
+bool PatchesAt::may_be_ridge(std::uint32_t patch, std::uint32_t by) const {
+  const EdgeNumbers<Interval>&own = edges_[curves_.patches[patch].edge], &other = edges_[by];
+  if (certified_sign(cross(other.along, own.along)).value_or(0) != 0) return false;
+  const Interval height = dot(other.normal, own.start - other.start);
+  return certified_sign(height * height - Interval(4) * other.squared_reach).value_or(0) == 0;
 }
 
 /// Where the offset line of another edge is the same, run the other way: the sum is on both sides.
-std::optional<BlockedPart> PatchesAt::ridge(const OffsetPatch& patch, const OffsetEdge& by) const {
-  const OffsetEdge& own = curves_.edges[patch.edge];
+std::optional<BlockedPart> PatchesAt::ridge(std::uint32_t patch, std::uint32_t number) const {
+  if (!may_be_ridge(patch, number)) return std::nullopt;
+  const OffsetEdge &own = curves_.edges[curves_.patches[patch].edge], &by = curves_.edges[number];
   const Rational way = dot(by.along, own.along);
   const Direction across = from_to(by.start, own.start);
   const Rational height = dot(by.normal, across);
@@ -215,88 +229,92 @@ std::optional<BlockedPart> PatchesAt::ridge(const OffsetPatch& patch, const Offs
     return std::nullopt;
   }
   const Rational foot = dot(by.along, across);
-  const Rational u = (by.squared_length - foot) / way, v = -foot / way;
-  using At = PatchPlace::At;
-  const auto place = [&](const Rational& at) -> PatchPlace {
-    if (at < 0) return At::before;
-    if (at > 1) return At::beyond;
-    if (at == 0 || at == 1) return at == 0 ? At::start : At::end;
-    const RootPoint from = joint(patch, -1);
-    return PatchPlace(RootNumber(at), from + times(own.along, RootNumber(at)));
+  const auto place = [&](const Rational& at, NearCurve curve, std::uint32_t feature) -> PatchPlace {
+    if (at <= 0) return at < 0 ? At::before : At::start;
+    if (at >= 1) return at > 1 ? At::beyond : At::end;
+    PatchPlace found(At::inside);
+    found.curve = curve;
+    found.by = number;
+    found.feature = feature;
+    const RootPoint from = joint<RootNumber>(patch, -1);
+    const RootPoint x = from + RootNumber(at) * numbers<RootNumber>(own.along);
+    found.near = Interval(at);
+    found.position = {x.x.enclosure(), x.y.enclosure()};
+    found.exact = std::make_shared<const PatchPlace::Exact>(PatchPlace::Exact{at, x});
+    return found;
   };
-  BlockedPart part{place(u), place(v), {by.feature}, {by.feature}};
-  if (part.low.compare(At::end) >= 0 || part.high.compare(At::start) <= 0) return std::nullopt;
-  return part;
+  // Here the line of the other edge passes into the circles about its ends.
+  BlockedPart part{place((by.squared_length - foot) / way, NearCurve::end, by.end_feature),
+                   place(-foot / way, NearCurve::start, by.start_feature),
+                   {by.feature},
+                   {by.feature}};
+  const bool is_aside = part.low.at >= At::end || part.high.at <= At::start;
+  return is_aside ? std::nullopt : std::optional(part);
 }
 
-std::vector<BlockedPart> PatchesAt::blocked(std::size_t number, const OffsetEdge& by) const {
-  const OffsetPatch& patch = curves_.patches[number];
-  using At = PatchPlace::At;
-  const bool is_edge = patch.edge != OffsetPatch::none;
-  // An arc turns away from the edges at its centre.
-  if (!is_edge && (by.start_feature == patch.feature || by.end_feature == patch.feature)) return {};
-  if (is_edge) {
-    if (auto part = ridge(patch, by)) return {*part};
+template <class N>
+std::vector<BlockedPart> PatchesAt::blocked_of_line(std::uint32_t patch, std::uint32_t by) const {
+  const std::vector<Crossing<N>> found = crossings<N>(patch, by);
+  const Crossing<N>*least = nullptr, *greatest = nullptr;
+  for (const Crossing<N>& each : found) {
+    if (each.touches) {
+      const PatchPlace place = place_of(patch, by, each);
+      if (place.at != At::inside) return {};
+      return {{place, place, {place.feature}, {place.feature}, true}};
+    }
+    if (least == nullptr || order(each.key, least->key) < 0) least = &each;
+    if (greatest == nullptr || order(each.key, greatest->key) > 0) greatest = &each;
   }
-  std::vector<Crossing> found;
-  add_circle_crossings(patch, by, false, found);
-  add_circle_crossings(patch, by, true, found);
-  add_line_crossings(patch, by, 1, found);
-  add_line_crossings(patch, by, -1, found);
+  if (least == nullptr || order(least->key, greatest->key) == 0) return {};
+  BlockedPart part{place_of(patch, by, *least), place_of(patch, by, *greatest), {}, {}};
+  if (part.low.at >= At::end || part.high.at <= At::start) return {};
+  for (const Crossing<N>& each : found) {
+    const std::uint32_t feature = feature_of(curves_.edges[by], each.curve);
+    if (feature == OffsetPatch::none) continue;
+    if (&each == least || order(each.key, least->key) == 0) part.low_features.push_back(feature);
+    if (&each == greatest || order(each.key, greatest->key) == 0) {
+      part.high_features.push_back(feature);
+    }
+  }
+  return {part};
+}
 
-  const RootNumber first = is_edge ? RootNumber(0) : arc_bound(patch, patch.first),
-                   last = is_edge ? RootNumber(1) : arc_bound(patch, patch.last);
-  const auto place_of = [&](const Crossing& crossing) -> PatchPlace {
-    const int from = compare(crossing.key, first), to = compare(crossing.key, last);
-    if (from < 0) return At::before;
-    if (from == 0) return At::start;
-    if (to > 0) return At::beyond;
-    if (to == 0) return At::end;
-    return PatchPlace(crossing.key, crossing.point);
-  };
-  // Of a line the least and the greatest, of an arc what it enters and leaves by.
+template <class N>
+std::vector<BlockedPart> PatchesAt::blocked_of_arc(std::uint32_t patch, std::uint32_t by) const {
   std::optional<PatchPlace> low, high;
   BlockedPart part{At::before, At::beyond, {}, {}};
-  const auto take = [&](std::optional<PatchPlace>& end, const PatchPlace& place, int wanted,
-                        std::vector<std::uint32_t>& features, std::uint32_t feature) {
-    const int order = end ? place.compare(*end) : wanted;
-    if (order * wanted < 0) return;
-    if (order != 0) features.clear();
-    if (order != 0) end = place;
+  const auto take = [&](std::optional<PatchPlace>& end, const PatchPlace& place, const N& key,
+                        std::optional<N>& end_key, int wanted, std::vector<std::uint32_t>& features,
+                        std::uint32_t feature) {
+    const int way = end ? order(key, *end_key) : wanted;
+    if (way * wanted < 0) return;
+    if (way != 0) {
+      features.clear();
+      end = place;
+      end_key = key;
+    }
     if (feature != OffsetPatch::none) features.push_back(feature);
   };
-  if (is_edge) {
-    std::optional<RootNumber> least, greatest;
-    for (const Crossing& each : found) {
-      if (!least || compare(each.key, *least) < 0) least = each.key;
-      if (!greatest || compare(each.key, *greatest) > 0) greatest = each.key;
+  std::optional<N> low_key, high_key;
+  for (const Crossing<N>& each : crossings<N>(patch, by)) {
+    const PatchPlace place = place_of(patch, by, each);
+    if (each.touches) {
+      if (place.at != At::inside) return {};
+      return {{place, place, {place.feature}, {place.feature}, true}};
     }
-    if (!least || compare(*least, *greatest) == 0) return {};
-    for (const Crossing& each : found) {
-      if (compare(each.key, *least) == 0) {
-        take(low, place_of(each), -1, part.low_features, each.feature);
-      }
-      if (compare(each.key, *greatest) == 0) {
-        take(high, place_of(each), 1, part.high_features, each.feature);
-      }
+    if (place.at == At::before || place.at == At::beyond) continue;
+    const std::uint32_t feature = feature_of(curves_.edges[by], each.curve);
+    if (each.enters) {
+      take(low, place, each.key, low_key, -1, part.low_features, feature);
+    } else {
+      take(high, place, each.key, high_key, 1, part.high_features, feature);
     }
-    part.low = *low;
-    part.high = *high;
-    const bool is_aside = part.low.compare(At::end) >= 0 || part.high.compare(At::start) <= 0;
-    if (is_aside) return {};
-    return {part};
   }
-  for (const Crossing& each : found) {
-    const PatchPlace place = place_of(each);
-    if (place.at() == At::before || place.at() == At::beyond) continue;
-    take(each.enters ? low : high, place, each.enters ? -1 : 1,
-         each.enters ? part.low_features : part.high_features, each.feature);
-  }
-  const bool enters = low && low->at() != At::end, leaves = high && high->at() != At::start;
+  const bool enters = low && low->at != At::end, leaves = high && high->at != At::start;
   if (!enters && !leaves) {
     for (const int end : {0, -1, 1}) {
-      const int at = inside_at(patch, by, end);
-      if (at < 0) return {part};
+      const int at = distance_at<N>(patch, by, end);
+      if (at < 0) return {{At::before, At::beyond, {}, {}}};
       if (at > 0) return {};
     }
     return {};
@@ -305,9 +323,37 @@ std::vector<BlockedPart> PatchesAt::blocked(std::size_t number, const OffsetEdge
   if (leaves) part.high = *high;
   if (!enters) part.low_features.clear();
   if (!leaves) part.high_features.clear();
-  if (!enters || !leaves || part.low.compare(part.high) < 0) return {part};
+  if (!enters || !leaves || order(*low_key, *high_key) < 0) return {part};
   return {{At::before, part.high, {}, part.high_features},
           {part.low, At::beyond, part.low_features, {}}};
+}
+
+template <class N>
+std::vector<BlockedPart> PatchesAt::blocked_in(std::uint32_t patch, std::uint32_t by) const {
+  return curves_.patches[patch].edge != OffsetPatch::none ? blocked_of_line<N>(patch, by)
+                                                          : blocked_of_arc<N>(patch, by);
+}
+
+std::vector<BlockedPart> PatchesAt::blocked(std::uint32_t number, std::uint32_t by,
+                                            OffsetCounts& counts) const {
+  const OffsetPatch& patch = curves_.patches[number];
+  const OffsetEdge& other = curves_.edges[by];
+  ++counts.pairs;
+  if (patch.edge == by) return {};
+  // An arc turns away from the edges at its centre.
+  if (patch.edge == OffsetPatch::none &&
+      (other.start_feature == patch.feature || other.end_feature == patch.feature)) {
+    return {};
+  }
+  if (patch.edge != OffsetPatch::none) {
+    if (auto part = ridge(number, by)) return {*part};
+  }
+  try {
+    return blocked_in<Interval>(number, by);
+  } catch (const UndecidedSign&) {
+    ++counts.exact_pairs;
+    return blocked_in<RootNumber>(number, by);
+  }
 }
 
 }  // namespace minkref::inline disc

@@ -2,47 +2,52 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "reference/disc/offset_patch.hpp"
-#include "reference/number/radicals/root_number.hpp"
+#include "reference/disc/patch_crossings.hpp"
 
 namespace minkref::inline disc {
 
-struct RootPoint {
-  RootNumber x, y;
-};
-
-/// The points of a patch in order: of an edge by how far along it they are, of an arc by the way
-/// along a direction that grows with the angle.
-class PatchPlace {
- public:
+/// A point of a patch, by what blocks there. The points of a patch are in order: of an edge by how
+/// far along it they are, of an arc by the way along a direction that grows with the angle.
+struct PatchPlace {
   enum class At : std::uint8_t { before, start, inside, end, beyond };
+  struct Exact {
+    RootNumber key;
+    RootPoint point;
+  };
 
-  PatchPlace(At at) : at_(at) {}  // NOLINT: implicit
-  PatchPlace(RootNumber key, RootPoint point)
-      : at_(At::inside), key_(std::move(key)), point_(std::move(point)), near_(key_.enclosure()) {}
+  PatchPlace(At place) : at(place) {}  // NOLINT: implicit
 
-  At at() const { return at_; }
-  /// Of a place inside.
-  const RootNumber& key() const { return key_; }
-  const RootPoint& point() const { return point_; }
-  /// The sign of the way from the other place to this one. Exact.
-  int compare(const PatchPlace& other) const;
-
- private:
-  At at_;
-  RootNumber key_;
-  RootPoint point_;
-  Interval near_;
+  At at;
+  NearCurve curve = NearCurve::start;  ///< of the edge `by`
+  std::int8_t way = 0;
+  std::uint32_t by = UINT32_MAX, feature = UINT32_MAX;
+  Interval near;              ///< the key of a place inside
+  Vector<Interval> position;  ///< of a place inside
+  mutable std::shared_ptr<const Exact> exact;
 };
 
 /// An open interval of a patch: the points nearer than the radius to one edge. What else is at the
-/// distance of the radius at its ends, by features, where these are on the patch.
+/// distance of the radius at its ends, by features, where these are on the patch. A point, where
+/// the edge is right across and as far: all around is farther.
 struct BlockedPart {
   PatchPlace low, high;
   std::vector<std::uint32_t> low_features, high_features;
+  bool touches = false;
+};
+
+/// How often doubles told, and how often exact numbers had to.
+struct OffsetCounts {
+  std::uint64_t pairs = 0, exact_pairs = 0, exact_orders = 0;
+  void add(const OffsetCounts& other) {
+    pairs += other.pairs;
+    exact_pairs += other.exact_pairs;
+    exact_orders += other.exact_orders;
+  }
 };
 
 /// The patches of a polygon set at one radius.
@@ -55,30 +60,60 @@ class PatchesAt {
   /// interval of a line, and one of an arc as well: if a point of the edge blocks a direction it
   /// blocks those about its own, and the points of the edge that are near enough are an interval.
   /// It may run over the start of a patch and over its end, and leave out a part between: then it
-  /// is two.
-  std::vector<BlockedPart> blocked(std::size_t patch, const OffsetEdge& by) const;
+  /// is two. Exact: by intervals of doubles, and where they do not tell by roots.
+  std::vector<BlockedPart> blocked(std::uint32_t patch, std::uint32_t by,
+                                   OffsetCounts& counts) const;
 
-  /// Of the start or end of a patch, or inside of it: in coordinates.
-  RootPoint point(std::size_t patch, const PatchPlace& place) const;
+  /// The sign of the way from place b of a patch to place a. Exact.
+  int compare(std::uint32_t patch, const PatchPlace& a, const PatchPlace& b,
+              OffsetCounts& counts) const;
+
+  /// Of a place of a patch that is on it: in coordinates.
+  RootPoint point(std::uint32_t patch, const PatchPlace& place) const;
+  Vector<Interval> position(std::uint32_t patch, const PatchPlace& place) const;
+  /// The key of a point of an arc in a direction.
+  Interval key_of_normal(std::uint32_t arc, const Direction& normal) const;
+  RootNumber exact_key_of_normal(std::uint32_t arc, const Direction& normal) const;
+  const PatchPlace::Exact& exact(std::uint32_t patch, const PatchPlace& place) const;
 
   /// Which of two patches that start at a point comes first, clockwise from the way on which
   /// another one comes there. Exact.
-  bool turns_before(std::size_t from, const RootPoint& at, std::size_t a, std::size_t b) const;
+  bool turns_before(std::uint32_t from, const RootPoint& at, std::uint32_t a,
+                    std::uint32_t b) const;
+
+  const OffsetCurves& curves() const { return curves_; }
+  const Rational& squared_radius() const { return squared_radius_; }
+  const EdgeNumbers<Interval>& edge(std::uint32_t k) const { return edges_[k]; }
+  Interval radius() const { return radius_; }
 
  private:
-  struct Crossing;
-  void add_circle_crossings(const OffsetPatch& patch, const OffsetEdge& by, bool at_end,
-                            std::vector<Crossing>& found) const;
-  void add_line_crossings(const OffsetPatch& patch, const OffsetEdge& by, int side,
-                          std::vector<Crossing>& found) const;
-  std::optional<BlockedPart> ridge(const OffsetPatch& patch, const OffsetEdge& by) const;
-  int inside_at(const OffsetPatch& patch, const OffsetEdge& by, int end) const;
-  RootPoint joint(const OffsetPatch& patch, int end) const;
-  RootPoint tangent(const OffsetPatch& patch, const RootPoint& at) const;
-  RootNumber arc_bound(const OffsetPatch& patch, const Direction& normal) const;
+  template <class N>
+  std::vector<Crossing<N>> crossings(std::uint32_t patch, std::uint32_t by) const;
+  template <class N>
+  std::vector<BlockedPart> blocked_in(std::uint32_t patch, std::uint32_t by) const;
+  template <class N>
+  PatchPlace place_of(std::uint32_t patch, std::uint32_t by, const Crossing<N>& crossing) const;
+  template <class N>
+  std::vector<BlockedPart> blocked_of_line(std::uint32_t patch, std::uint32_t by) const;
+  template <class N>
+  std::vector<BlockedPart> blocked_of_arc(std::uint32_t patch, std::uint32_t by) const;
+  template <class N>
+  std::pair<N, N> ends(std::uint32_t patch) const;
+  template <class N>
+  int distance_at(std::uint32_t patch, std::uint32_t by, int end) const;
+  template <class N>
+  Vector<N> joint(std::uint32_t patch, int end) const;
+  std::uint32_t feature_of(const OffsetEdge& by, NearCurve curve) const;
+  std::optional<BlockedPart> ridge(std::uint32_t patch, std::uint32_t by) const;
+  bool may_be_ridge(std::uint32_t patch, std::uint32_t by) const;
+  RootPoint tangent(std::uint32_t patch, const RootPoint& at) const;
 
   const OffsetCurves& curves_;
   Rational squared_radius_;
+  Interval near_squared_radius_, radius_;
+  std::vector<EdgeNumbers<Interval>> edges_;
+  std::vector<ArcNumbers<Interval>> arcs_;  ///< by patch, from the first arc on
+  std::size_t first_arc_;
 };
 
 }  // namespace minkref::inline disc

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "reference/build/build_options.hpp"
 #include "reference/disc/blocked_part.hpp"
 
 namespace minkref::inline disc {
@@ -18,14 +19,17 @@ struct StaticOffset {
   OffsetCurves curves;
   Rational squared_radius;
   std::vector<OffsetPiece> pieces;
-  /// Each ring by the numbers of its pieces, one after the other, the sum on the left. Where it
-  /// only touches itself, rings go round its interior.
+  /// Each ring by the numbers of its pieces, one after the other, the sum on the left. Where
+  /// several meet at a point each goes round a wedge of the interior.
   std::vector<std::vector<std::uint32_t>> rings;
+  OffsetCounts counts;
 };
 
-/// Of a valid polygon set, a point or a segment, squared_radius > 0. By all edges for each patch:
-/// O(n^2), beside sorting. Exact. Throws std::logic_error where pieces do not close up, which would
-/// be a fault.
-StaticOffset static_offset(const PolygonSet& P, const Rational& squared_radius);
+/// Of a valid polygon set, a point or a segment, squared_radius > 0. Exact. For each curve that is
+/// not certainly inside, all edges that may be nearer to it than the radius: O(n log n + k) for k
+/// such pairs, on `options.threads`. Throws std::logic_error where pieces do not close up, which
+/// would be a fault.
+StaticOffset static_offset(const PolygonSet& P, const Rational& squared_radius,
+                           const BuildOptions& options = {});
 
 }  // namespace minkref::inline disc

@@ -83,6 +83,12 @@ class Interval {
     return whole();
   }
 
+  /// Of the part that is not below 0; the number is not. Within one double of the tightest bounds,
+  /// and a point where it is a double.
+  friend Interval sqrt(const Interval& a) {
+    return {root_below(a.lower_), a.upper_ > 0 ? root_above(a.upper_) : 0, Trusted{}};
+  }
+
   Interval& operator+=(const Interval& other) { return *this = *this + other; }
   Interval& operator-=(const Interval& other) { return *this = *this - other; }
   Interval& operator*=(const Interval& other) { return *this = *this * other; }
@@ -135,6 +141,20 @@ class Interval {
   static double infinite_below(double result, double a, double b) {
     if (result < 0 || std::isinf(a) || std::isinf(b)) return result;
     return std::numeric_limits<double>::max();
+  }
+
+  static bool is_root(double root, double a) {
+    return std::isfinite(a) && root * root == a && (Interval(root) * Interval(root)).is_point();
+  }
+  static double root_below(double a) {
+    if (!(a > 0)) return 0;
+    if (a == infinity) return std::numeric_limits<double>::max();
+    const double root = std::sqrt(a);
+    return is_root(root, a) ? root : below(root, -1);
+  }
+  static double root_above(double a) {
+    const double root = std::sqrt(a);
+    return is_root(root, a) || root == infinity ? root : above(root, 1);
   }
 
   static Interval point_product(double a, double b) {

@@ -22,14 +22,14 @@ SUBJECT = (
     "brackets, tori, clutches, cavities: plane by plane those of CGAL's Nef polyhedra where they "
     "answer in time; Manifold's volume; points of the slow engine, more where neither answers."
 )
-MINUTES = (60, 1.5)
+MINUTES = (30, 1.5)
 DEPENDS = (
     *REFERENCE, *COMPARISON, *CGAL, "fuzz/libraries/manifold/*", "oracle/slow/*.py",
 )  # fmt: skip
 
 SEED = 2012
 PAIRS, QUICK_PAIRS = 200, 6
-SECONDS, QUICK_SECONDS = 40.0, 8.0  # of a call
+SECONDS, QUICK_SECONDS = 15.0, 8.0  # of a call
 POINTS, POINTS_ALONE = 4, 20
 
 Task = tuple[int, bool]

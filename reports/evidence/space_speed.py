@@ -42,7 +42,8 @@ def look(pair: TimedPair, tools: Tools, limit: float, findings: Findings) -> dic
     for seconds, and Nef's for Nef's."""
     P, Q = pair.solids()
     ours, nef, manifold = tools.exact(P, Q), tools.nef(P, Q), tools.manifold(P, Q)
-    others = max(ours.others, nef.others)
+    # Of a call that was ended its own processor time is not told, and looks like that of others.
+    others = max(ours.others, nef.others if nef.seconds is not None else 0.0)
     busy = others > BUSY
     ratio, bound = ratio_of(ours, nef, limit, busy)
     row = {

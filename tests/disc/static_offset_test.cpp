@@ -18,10 +18,6 @@ struct Spot {
 };
 
 Spot spot(const Point& p) { return {to_double(p.x), to_double(p.y)}; }
-double number(const RootNumber& value) {
-  const Interval near = value.enclosure();
-  return (near.lower() + near.upper()) / 2;
-}
 
 /// A piece in doubles: its ends, and of an arc the angles.
 struct Drawn {
@@ -35,9 +31,9 @@ Drawn drawn(const StaticOffset& offset, const OffsetPiece& piece) {
   const double radius = std::sqrt(to_double(offset.squared_radius));
   const OffsetPatch& patch = offset.curves.patches[piece.patch];
   const auto key = [&](const PatchPlace& place, double first, double last) {
-    if (place.at() == PatchPlace::At::start) return first;
-    if (place.at() == PatchPlace::At::end) return last;
-    return number(place.key());
+    if (place.at == PatchPlace::At::start) return first;
+    if (place.at == PatchPlace::At::end) return last;
+    return approximate(place.near);
   };
   if (patch.edge != OffsetPatch::none) {
     const OffsetEdge& edge = offset.curves.edges[patch.edge];
@@ -58,9 +54,9 @@ Drawn drawn(const StaticOffset& offset, const OffsetPiece& piece) {
     return std::asin((mx * ny - my * nx) / (length * std::hypot(nx, ny)));
   };
   const auto angle = [&](const PatchPlace& place) {
-    if (place.at() == PatchPlace::At::start) return middle + of_normal(fx, fy);
-    if (place.at() == PatchPlace::At::end) return middle + of_normal(lx, ly);
-    return middle + std::asin(number(place.key()) / (radius * length));
+    if (place.at == PatchPlace::At::start) return middle + of_normal(fx, fy);
+    if (place.at == PatchPlace::At::end) return middle + of_normal(lx, ly);
+    return middle + std::asin(approximate(place.near) / (radius * length));
   };
   const auto at = [&](double a) -> Spot {
     return {centre.x + radius * std::cos(a), centre.y + radius * std::sin(a)};

@@ -28,7 +28,8 @@ std::string text(const CriticalEvents& found) {
   for (const ConcurrentEvent& e : found.concurrent) {
     text += to_string(e.s.exact());
     for (const std::uint32_t facet : e.facets) text += ' ' + std::to_string(facet);
-    text += ' ' + std::to_string(e.of) + ' ' + std::to_string(e.side) + '\n';
+    for (const std::uint8_t side : e.sides) text += ' ' + std::to_string(side);
+    text += ' ' + std::to_string(static_cast<int>(e.change)) + '\n';
   }
   return text;
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "reference/space/critical/coplanar_facets.hpp"
+
 namespace minkref::inline space {
 namespace {
 
@@ -303,9 +305,8 @@ std::optional<FacetTracks::Track> FacetTracks::track_of(const Facet& third,
                                                                         : ContactChange::death;
       events.push_back({scale_at(track, sides[on], *rows[on]),
                         {first_.number, second_.number, third.number, ConcurrentEvent::none},
-                        change,
-                        sides[on].of,
-                        sides[on].side});
+                        change});
+      events.back().sides[sides[on].of] = sides[on].side;
     }
     if (is_single) break;
   }
@@ -420,6 +421,10 @@ bool FacetTracks::is_end_of_three(const std::array<const MovingFacet*, 4>& facet
 
 std::array<Rational, 3> place_of(const MovingConvolution& convolution,
                                  const ConcurrentEvent& event) {
+  const auto has_side = [](std::uint8_t side) { return side != ConcurrentEvent::no_side; };
+  if (std::count_if(event.sides.begin(), event.sides.end(), has_side) > 1) {
+    return place_in_plane(convolution, event);
+  }
   SignCounts signs;
   const auto facet = [&](std::size_t k) -> const MovingFacet& {
     return convolution.facets[event.facets[k]];
@@ -430,7 +435,9 @@ std::array<Rational, 3> place_of(const MovingConvolution& convolution,
   if (event.is_of_four()) {
     rows.emplace_back(line, facet(3), ContactRow::plane);
   } else {
-    rows.emplace_back(line, facet(event.of), event.side);
+    const auto of = static_cast<std::size_t>(
+        std::find_if(event.sides.begin(), event.sides.end(), has_side) - event.sides.begin());
+    rows.emplace_back(line, facet(of), event.sides[of]);
   }
   const Rational s = event.s.exact();
   for (ContactRow& row : rows) {

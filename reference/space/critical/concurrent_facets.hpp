@@ -16,10 +16,12 @@ namespace minkref::inline space {
 /// An event of three facets, or of four.
 struct ConcurrentEvent {
   static constexpr std::uint32_t none = UINT32_MAX;
+  static constexpr std::uint8_t no_side = UINT8_MAX;
   EventScale s;
   std::array<std::uint32_t, 4> facets;  ///< ascending; of three, the last is none
-  ContactChange change;                 ///< birth, death or touch
-  std::uint8_t of = 0, side = 0;        ///< of three: the facet, and its side that has the point
+  ContactChange change;                 ///< pass: where two are in one plane always
+  /// Of three: which sides single the point out, with the planes of those that give none.
+  std::array<std::uint8_t, 3> sides{no_side, no_side, no_side};
 
   bool is_of_four() const { return facets[3] != none; }
 };

@@ -53,16 +53,18 @@ class PairSearch {
     }
     const bool parallel =
         filtered ? are_parallel(a, b) : is_zero(cross(a.normal.exact, b.normal.exact));
-    if (parallel) {
-      add(parallel_events(convolution_, a, b, signs, &window_), i, j);
+    std::optional<ContactRegion> region;
+    if (!parallel) region.emplace(convolution_, a, b, signs);
+    const std::vector<FacetEvent> found =
+        region ? region->events(&window_) : parallel_events(convolution_, a, b, signs, &window_);
+    const bool has_event = add(found, i, j);
+    if (what_ == EventsOf::pairs) return;
+    if (parallel ? !are_coplanar(convolution_, a, b) : share_a_side(a, b)) return;
+    if (!has_event && !(region ? region->meet_at(from_)
+                               : parallel_facets_meet(convolution_, a, b, from_))) {
       return;
     }
-    ContactRegion region(convolution_, a, b, signs);
-    const std::vector<FacetEvent> found = region.events(&window_);
-    const bool has_event = add(found, i, j);
-    if (what_ == EventsOf::pairs || share_a_side(a, b)) return;
-    if (!has_event && !region.meet_at(from_)) return;
-    MeetingPair pair{i, j, below(window_.from), above(window_.to)};
+    MeetingPair pair{i, j, parallel, below(window_.from), above(window_.to)};
     for (const FacetEvent& event : found) {
       const bool starts = event.change == ContactChange::birth,
                  stops = event.change == ContactChange::death,
@@ -191,6 +193,9 @@ CriticalEvents critical_events_in_space(const Polyhedron& P, const Polyhedron& Q
     };
   });
   std::vector<MeetingPair> meeting;
+  std::size_t all = 0;
+  for (const auto& search : searches) all += search ? search->events.size() : 0;
+  result.events.reserve(all);
   for (auto& search : searches) {
     if (search) search->give_to(result, meeting);
     search.reset();

@@ -7,6 +7,7 @@
 
 #include "reference/build/stage.hpp"
 #include "reference/error.hpp"
+#include "reference/space/critical/coplanar_facets.hpp"
 
 namespace minkref::inline space {
 
@@ -44,7 +45,7 @@ namespace {
 
 /// A facet with a larger number that a facet meets, and when.
 struct Neighbour {
-  std::uint32_t number;
+  std::uint32_t number : 31, is_coplanar : 1;
   double low, high;
 };
 
@@ -58,7 +59,8 @@ class MeetingFacets {
     for (const MeetingPair& pair : meeting) ++starts_[pair.first + 1];
     for (std::size_t k = 0; k < count; ++k) starts_[k + 1] += starts_[k];
     for (std::size_t k = 0; k < meeting.size(); ++k) {
-      neighbours_[k] = {meeting[k].second, meeting[k].low, meeting[k].high};
+      neighbours_[k] = {meeting[k].second, meeting[k].are_coplanar, meeting[k].low,
+                        meeting[k].high};
     }
   }
 
@@ -66,11 +68,12 @@ class MeetingFacets {
   const Neighbour* end(std::uint32_t facet) const {
     return neighbours_.data() + starts_[facet + 1];
   }
+  /// In planes that cross.
   bool meet(std::uint32_t facet, std::uint32_t larger) const {
     const auto found = std::lower_bound(
         begin(facet), end(facet), larger,
         [](const Neighbour& each, std::uint32_t number) { return each.number < number; });
-    return found != end(facet) && found->number == larger;
+    return found != end(facet) && found->number == larger && !found->is_coplanar;
   }
 
  private:
@@ -113,13 +116,28 @@ class ConcurrentSearch {
                                  std::min({pair.high, of_i->high, of_j->high})) {
         continue;
       }
+      const CoplanarTriple triple{{named(i), named(j), named(of_j->number)},
+                                  across(pair, *of_i, *of_j)};
+      if (pair.is_coplanar || of_i->is_coplanar || of_j->is_coplanar) {
+        add_coplanar_events(convolution_, triple, window_, signs, events);
+        continue;
+      }
       if (!found) found.emplace(convolution_, named(i), named(j), window_, signs);
-      found->add(named(of_j->number), events);
+      found->add(triple.facets[2], events);
     }
     if (!found) return;
     tracks += found->tracks();
     found->add_crossings([&](std::uint32_t k, std::uint32_t l) { return meeting_.meet(k, l); },
                          events);
+  }
+
+  /// Which of three facets crosses the plane of the others, if they have one.
+  static std::size_t across(const Neighbour& j_of_i, const Neighbour& k_of_i,
+                            const Neighbour& k_of_j) {
+    if (!k_of_i.is_coplanar && !k_of_j.is_coplanar) return 2;
+    if (!j_of_i.is_coplanar && !k_of_j.is_coplanar) return 1;
+    if (!j_of_i.is_coplanar && !k_of_i.is_coplanar) return 0;
+    return CoplanarTriple::none;
   }
 
   FacetTracks::Facet named(std::uint32_t number) const {
@@ -147,6 +165,9 @@ void add_concurrent_events(const MovingConvolution& convolution, std::vector<Mee
       search->look_at(static_cast<std::uint32_t>(i), control, most);
     };
   });
+  std::size_t all = 0;
+  for (const auto& search : searches) all += search ? search->events.size() : 0;
+  result.concurrent.reserve(all);
   for (auto& search : searches) {
     if (!search) continue;
     std::move(search->events.begin(), search->events.end(), std::back_inserter(result.concurrent));
@@ -159,7 +180,7 @@ void add_concurrent_events(const MovingConvolution& convolution, std::vector<Mee
               const int order = a.s.compare(b.s);
               return order != 0
                          ? order < 0
-                         : std::tie(a.facets, a.of, a.side) < std::tie(b.facets, b.of, b.side);
+                         : std::tie(a.facets, a.sides) < std::tie(b.facets, b.sides);
             });
 }
 

@@ -234,6 +234,15 @@ std::vector<FacetEvent> parallel_events(const MovingConvolution& convolution,
   return in_one_plane_at(pair, s.exact());
 }
 
+bool are_coplanar(const MovingConvolution& convolution, const MovingFacet& first,
+                  const MovingFacet& second) {
+  const auto &a = first.names[0], &b = second.names[0];
+  const SpaceOperand &P = convolution.P, &Q = convolution.Q;
+  const IntegerVector& n = first.normal.exact;
+  return dot(n, P.points[b.of_P].exact - P.points[a.of_P].exact) == 0 &&
+         dot(n, Q.points[b.of_Q].exact - Q.points[a.of_Q].exact) == 0;
+}
+
 bool parallel_facets_meet(const MovingConvolution& convolution, const MovingFacet& first,
                           const MovingFacet& second, const Rational& s) {
   const auto &a = first.names[0], &b = second.names[0];
@@ -243,6 +252,8 @@ bool parallel_facets_meet(const MovingConvolution& convolution, const MovingFace
   if (s * apart(convolution.P, a.of_P, b.of_P) + apart(convolution.Q, a.of_Q, b.of_Q) != 0) {
     return false;
   }
+  const BoundedDouble near = bounded(EventScale(s));
+  if (certainly_apart(convolution, first, second, near, near)) return false;
   const FlatPair pair(convolution, first, second);
   return meet(pair.ring(0, s), pair.ring(1, s));
 }

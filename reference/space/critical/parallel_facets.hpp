@@ -16,6 +16,10 @@ std::vector<FacetEvent> parallel_events(const MovingConvolution& convolution,
                                         const MovingFacet& first, const MovingFacet& second,
                                         SignCounts& signs, const ScaleWindow* window = nullptr);
 
+/// Whether two facets with parallel normals lie in one plane at all scales. Exact.
+bool are_coplanar(const MovingConvolution& convolution, const MovingFacet& first,
+                  const MovingFacet& second);
+
 /// Whether two facets with parallel normals have a point in common at a scale. Exact.
 bool parallel_facets_meet(const MovingConvolution& convolution, const MovingFacet& first,
                           const MovingFacet& second, const Rational& s);
