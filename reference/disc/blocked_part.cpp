@@ -11,34 +11,20 @@ namespace {
 
 using At = PatchPlace::At;
 
-/// The sign of the distance to a closed edge, squared, less the squared radius.
-template <class N>
-int sign_of_distance(const EdgeNumbers<N>& edge, const Vector<N>& x, const N& squared_radius) {
-  const Vector<N> w = x - edge.start;
-  const N foot = dot(edge.along, w);
-  if (sign(foot) <= 0) return sign(dot(w, w) - squared_radius);
-  if (sign(foot - edge.squared_length) >= 0) {
-    const Vector<N> v = x - edge.end;
-    return sign(dot(v, v) - squared_radius);
-  }
-  const N height = dot(edge.normal, w);
-  return sign(height * height - edge.squared_reach);
-}
-
 Interval near(const Interval& value) { return value; }
 Interval near(const RootNumber& value) { return value.enclosure(); }
 
 }  // namespace
 
-PatchesAt::PatchesAt(const OffsetCurves& curves, const Rational& squared_radius)
-    : curves_(curves),
+PatchesAt::PatchesAt(OffsetCurves curves, const Rational& squared_radius)
+    : curves_(std::move(curves)),
       squared_radius_(squared_radius),
       near_squared_radius_(squared_radius),
       radius_(sqrt(near_squared_radius_)),
-      first_arc_(curves.edges.size()) {
-  for (const OffsetEdge& edge : curves.edges) edges_.emplace_back(edge, squared_radius);
-  for (std::size_t k = first_arc_; k < curves.patches.size(); ++k) {
-    arcs_.emplace_back(curves.patches[k], squared_radius);
+      first_arc_(curves_.edges.size()) {
+  for (const OffsetEdge& edge : curves_.edges) edges_.emplace_back(edge, squared_radius);
+  for (std::size_t k = first_arc_; k < curves_.patches.size(); ++k) {
+    arcs_.emplace_back(curves_.patches[k], squared_radius);
   }
 }
 
@@ -141,8 +127,8 @@ PatchPlace PatchesAt::place_of(std::uint32_t patch, std::uint32_t by,
   place.near = near(crossing.key);
   place.position = {near(crossing.point.x), near(crossing.point.y)};
   if constexpr (std::is_same_v<N, RootNumber>) {
-    place.exact = std::make_shared<const PatchPlace::Exact>(
-        PatchPlace::Exact{crossing.key, crossing.point});
+    place.exact =
+        std::make_shared<const PatchPlace::Exact>(PatchPlace::Exact{crossing.key, crossing.point});
   }
   return place;
 }

@@ -53,8 +53,8 @@ struct OffsetCounts {
 /// The patches of a polygon set at one radius.
 class PatchesAt {
  public:
-  /// `squared_radius` > 0. `curves` must outlive it.
-  PatchesAt(const OffsetCurves& curves, const Rational& squared_radius);
+  /// `squared_radius` > 0.
+  PatchesAt(OffsetCurves curves, const Rational& squared_radius);
 
   /// The points at the distance of the radius from a convex set that are nearer to it are one
   /// interval of a line, and one of an arc as well: if a point of the edge blocks a direction it
@@ -108,7 +108,7 @@ class PatchesAt {
   bool may_be_ridge(std::uint32_t patch, std::uint32_t by) const;
   RootPoint tangent(std::uint32_t patch, const RootPoint& at) const;
 
-  const OffsetCurves& curves_;
+  OffsetCurves curves_;
   Rational squared_radius_;
   Interval near_squared_radius_, radius_;
   std::vector<EdgeNumbers<Interval>> edges_;

@@ -19,9 +19,8 @@ std::vector<FreePart> free_parts(const PatchesAt& at, std::uint32_t patch,
   const auto compare = [&](const PatchPlace& a, const PatchPlace& b) {
     return at.compare(patch, a, b, counts);
   };
-  std::sort(blocked.begin(), blocked.end(), [&](const BlockedPart& a, const BlockedPart& b) {
-    return compare(a.low, b.low) < 0;
-  });
+  std::sort(blocked.begin(), blocked.end(),
+            [&](const BlockedPart& a, const BlockedPart& b) { return compare(a.low, b.low) < 0; });
   std::vector<FreePart> found;
   const auto add = [&](FreePart part) {
     part.is_point = compare(part.from, part.to) == 0;

@@ -56,8 +56,7 @@ void NearEdges::find(std::uint32_t patch, std::vector<std::uint32_t>& found) con
 double NearEdges::squared_distance(std::uint32_t edge, const Spot& x) const {
   const Edge& e = edges_[edge];
   const double wx = x.x - e.start.x, wy = x.y - e.start.y;
-  const double t =
-      std::clamp((wx * e.along.x + wy * e.along.y) * e.inverse_square, 0.0, 1.0);
+  const double t = std::clamp((wx * e.along.x + wy * e.along.y) * e.inverse_square, 0.0, 1.0);
   const double dx = wx - t * e.along.x, dy = wy - t * e.along.y;
   return dx * dx + dy * dy;
 }
@@ -109,9 +108,8 @@ bool NearEdges::is_inside(std::uint32_t patch, const Part& part, int depth) cons
       [&](std::uint32_t k) {
         if (squared_distance(k, middle) >= squared_limit_) return false;
         is_near = true;
-        return std::all_of(hull.begin(), hull.end(), [&](const Spot& x) {
-          return squared_distance(k, x) < squared_limit_;
-        });
+        return std::all_of(hull.begin(), hull.end(),
+                           [&](const Spot& x) { return squared_distance(k, x) < squared_limit_; });
       });
   if (is_covered) return true;
   return is_near && depth > 0 && is_inside(patch, left, depth - 1) &&

@@ -32,11 +32,10 @@ std::uint32_t OffsetLinks::next(std::uint32_t k) const {
     if (here != after_.end()) found.insert(found.end(), here->second.begin(), here->second.end());
   }
   // Where another curve touches, the same one goes on.
-  const bool goes_on = k + 1 < parts_.size() && parts_[k + 1].patch == part.patch &&
-                       part.to.at == At::inside && parts_[k + 1].from.at == At::inside &&
-                       parts_[k + 1].from.by == part.to.by &&
-                       parts_[k + 1].from.curve == part.to.curve &&
-                       parts_[k + 1].from.way == part.to.way;
+  const bool goes_on =
+      k + 1 < parts_.size() && parts_[k + 1].patch == part.patch && part.to.at == At::inside &&
+      parts_[k + 1].from.at == At::inside && parts_[k + 1].from.by == part.to.by &&
+      parts_[k + 1].from.curve == part.to.curve && parts_[k + 1].from.way == part.to.way;
   if (goes_on) found.push_back(k + 1);
   if (found.empty()) {
     throw std::logic_error("an offset curve does not go on at the end of patch " +

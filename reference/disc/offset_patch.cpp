@@ -33,7 +33,7 @@ Direction reversed(const Direction& a) { return {-a.x, -a.y}; }
 
 class Builder {
  public:
-  void add(const Ring& ring, std::uint32_t number) {
+  void add(const Ring& ring, std::uint32_t number, std::uint32_t polygon) {
     std::vector<Corner> corners;
     const std::size_t n = ring.size();
     for (std::size_t k = 0; k < n; ++k) {
@@ -41,11 +41,11 @@ class Builder {
       corners.push_back({{number, static_cast<std::uint32_t>(k)}, ring[k]});
     }
     if (corners.size() == 1) {
-      add_circle(corners[0].at);
+      add_circle(corners[0].at, polygon);
       return;
     }
     for (std::size_t k = 0; k < corners.size(); ++k) {
-      add_edge(corners[k], corners[(k + 1) % corners.size()]);
+      add_edge(corners[k], corners[(k + 1) % corners.size()], polygon);
     }
   }
 
@@ -54,7 +54,8 @@ class Builder {
     const auto edges = static_cast<std::uint32_t>(curves_.edges.size());
     const auto offset = static_cast<std::uint32_t>(curves_.patches.size());
     for (std::uint32_t k = 0; k < edges; ++k) {
-      curves_.patches.push_back({curves_.edges[k].feature, k, {}, {}, {}, OffsetPatch::none});
+      const OffsetEdge& edge = curves_.edges[k];
+      curves_.patches.push_back({edge.feature, edge.polygon, k, {}, {}, {}, OffsetPatch::none});
     }
     for (std::uint32_t k = 0; k < edges; ++k) join(k, offset);
     return std::move(curves_);
@@ -68,13 +69,14 @@ class Builder {
     return found->second;
   }
 
-  void add_edge(const Corner& from, const Corner& to) {
+  void add_edge(const Corner& from, const Corner& to, std::uint32_t polygon) {
     const Direction along = from_to(from.at, to.at);
     const std::uint32_t start = circle_about(from.at), end = circle_about(to.at);
     const auto feature = static_cast<std::uint32_t>(curves_.features.size()),
                number = static_cast<std::uint32_t>(curves_.edges.size());
     curves_.features.push_back({number, {}});
     curves_.edges.push_back({from.id,
+                             polygon,
                              from.at,
                              to.at,
                              along,
@@ -108,25 +110,25 @@ class Builder {
     Direction from = edge.normal;
     const Direction last = curves_.edges[out].normal;
     while (dot(from, last) < 0) {
-      add_arc(edge.end, edge.end_feature, from, turned(from));
+      add_arc(edge.end, edge.end_feature, edge.polygon, from, turned(from));
       from = turned(from);
     }
-    add_arc(edge.end, edge.end_feature, from, last);
+    add_arc(edge.end, edge.end_feature, edge.polygon, from, last);
     curves_.patches.back().next = offset + out;
   }
 
-  void add_arc(const Point& centre, std::uint32_t feature, const Direction& first,
-               const Direction& last) {
+  void add_arc(const Point& centre, std::uint32_t feature, std::uint32_t polygon,
+               const Direction& first, const Direction& last) {
     const auto next = static_cast<std::uint32_t>(curves_.patches.size() + 1);
-    curves_.patches.push_back({feature, OffsetPatch::none, centre, first, last, next});
+    curves_.patches.push_back({feature, polygon, OffsetPatch::none, centre, first, last, next});
   }
 
-  void add_circle(const Point& centre) {
+  void add_circle(const Point& centre, std::uint32_t polygon) {
     const std::uint32_t feature = circle_about(centre);
     const auto first = static_cast<std::uint32_t>(curves_.patches.size());
     Direction from{1, 0};
     for (int quarter = 0; quarter < 4; ++quarter) {
-      add_arc(centre, feature, from, turned(from));
+      add_arc(centre, feature, polygon, from, turned(from));
       from = turned(from);
     }
     curves_.patches.back().next = first;
@@ -141,10 +143,11 @@ class Builder {
 
 OffsetCurves offset_curves(const PolygonSet& P) {
   Builder builder;
-  std::uint32_t ring = 0;
+  std::uint32_t ring = 0, number = 0;
   for (const Polygon& polygon : P.polygons) {
-    builder.add(polygon.outer, ring++);
-    for (const Ring& hole : polygon.holes) builder.add(hole, ring++);
+    builder.add(polygon.outer, ring++, number);
+    for (const Ring& hole : polygon.holes) builder.add(hole, ring++, number);
+    ++number;
   }
   return builder.finish();
 }

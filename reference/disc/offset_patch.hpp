@@ -24,7 +24,8 @@ inline Direction from_to(const Point& from, const Point& to) {
 
 /// A closed edge of P. Its offset curve is a part of a line.
 struct OffsetEdge {
-  VertexId id;  ///< where it starts
+  VertexId id;            ///< where it starts
+  std::uint32_t polygon;  ///< its number in P
   Point start, end;
   Direction along, normal;  ///< the normal points outwards and is as long as the edge
   Rational squared_length;
@@ -37,6 +38,7 @@ struct OffsetPatch {
   static constexpr std::uint32_t none = UINT32_MAX;
 
   std::uint32_t feature;
+  std::uint32_t polygon;  ///< one of those that it is about
   std::uint32_t edge;     ///< its number; none for an arc
   Point centre;           ///< of an arc
   Direction first, last;  ///< of an arc: directions of the normals at its ends

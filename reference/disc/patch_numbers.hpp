@@ -68,6 +68,20 @@ struct EdgeNumbers {
         reach(sqrt(squared_reach)) {}
 };
 
+/// The sign of the squared distance of a point from a closed edge less a number.
+template <class N>
+int sign_of_distance(const EdgeNumbers<N>& edge, const Vector<N>& x, const N& square) {
+  const Vector<N> w = x - edge.start;
+  const N foot = dot(edge.along, w);
+  if (sign(foot) <= 0) return sign(dot(w, w) - square);
+  if (sign(foot - edge.squared_length) >= 0) {
+    const Vector<N> v = x - edge.end;
+    return sign(dot(v, v) - square);
+  }
+  const N height = dot(edge.normal, w);
+  return sign(height * height - square * edge.squared_length);
+}
+
 /// The direction about which an arc is.
 inline Direction middle_of(const OffsetPatch& arc) {
   return {arc.first.x + arc.last.x, arc.first.y + arc.last.y};

@@ -47,8 +47,9 @@ std::vector<FreePart> all_free_parts(const PatchesAt& at, const BuildOptions& op
 
 StaticOffset static_offset(const PolygonSet& P, const Rational& squared_radius,
                            const BuildOptions& options) {
-  StaticOffset result{offset_curves(P), squared_radius, {}, {}, {}};
-  const PatchesAt at(result.curves, squared_radius);
+  StaticOffset result{
+      std::make_shared<const PatchesAt>(offset_curves(P), squared_radius), {}, {}, {}};
+  const PatchesAt& at = *result.at;
   const std::vector<FreePart> parts = all_free_parts(at, options, result.counts);
   const OffsetLinks links(at, parts);
   std::vector<bool> seen(parts.size(), false);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "reference/build/build_options.hpp"
@@ -16,8 +17,7 @@ struct OffsetPiece {
 };
 
 struct StaticOffset {
-  OffsetCurves curves;
-  Rational squared_radius;
+  std::shared_ptr<const PatchesAt> at;
   std::vector<OffsetPiece> pieces;
   /// Each ring by the numbers of its pieces, one after the other, the sum on the left. Where
   /// several meet at a point each goes round a wedge of the interior.

@@ -28,15 +28,15 @@ struct Drawn {
 };
 
 Drawn drawn(const StaticOffset& offset, const OffsetPiece& piece) {
-  const double radius = std::sqrt(to_double(offset.squared_radius));
-  const OffsetPatch& patch = offset.curves.patches[piece.patch];
+  const double radius = std::sqrt(to_double(offset.at->squared_radius()));
+  const OffsetPatch& patch = offset.at->curves().patches[piece.patch];
   const auto key = [&](const PatchPlace& place, double first, double last) {
     if (place.at == PatchPlace::At::start) return first;
     if (place.at == PatchPlace::At::end) return last;
     return approximate(place.near);
   };
   if (patch.edge != OffsetPatch::none) {
-    const OffsetEdge& edge = offset.curves.edges[patch.edge];
+    const OffsetEdge& edge = offset.at->curves().edges[patch.edge];
     const Spot start = spot(edge.start);
     const double dx = to_double(edge.along.x), dy = to_double(edge.along.y);
     const double length = std::hypot(dx, dy);
@@ -82,7 +82,7 @@ double distance(const OffsetCurves& curves, const Spot& x) {
 }
 
 double area(const StaticOffset& offset) {
-  const double radius = std::sqrt(to_double(offset.squared_radius));
+  const double radius = std::sqrt(to_double(offset.at->squared_radius()));
   double doubled = 0;
   for (const auto& ring : offset.rings) {
     for (std::size_t k = 0; k < ring.size(); ++k) {
@@ -122,7 +122,7 @@ void check(const PolygonSet& P, const Rational& squared_radius) {
   for (const OffsetPiece& piece : offset.pieces) {
     const Drawn line = drawn(offset, piece);
     for (const Spot& x : {line.from, line.middle, line.to}) {
-      ASSERT_NEAR(distance(offset.curves, x), r, 1e-7);
+      ASSERT_NEAR(distance(offset.at->curves(), x), r, 1e-7);
     }
   }
   constexpr int corners = 48;

@@ -1,0 +1,119 @@
+// Sums with a disc in Python.
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "python/core.hpp"
+#include "python/core_build.hpp"
+#include "python/core_fields.hpp"
+#include "python/stopwatch.hpp"
+#include "python/vector_caster.hpp"
+#include "reference/disc/offset_region.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace minkref::python {
+namespace {
+
+struct TimedOffset {
+  OffsetRegion region;
+  double seconds;
+};
+
+/// A piece in doubles: where it starts and ends, and of an arc its centre.
+using DrawnPiece = std::tuple<std::string, double, double, double, double, double, double>;
+using DrawnRing = std::vector<DrawnPiece>;
+
+DrawnRing drawn(const OffsetRegion& region, const OffsetRing& ring) {
+  const PatchesAt& at = *region.offset.at;
+  DrawnRing found;
+  for (const std::uint32_t number : ring.pieces) {
+    const OffsetPiece& piece = region.offset.pieces[number];
+    const OffsetPatch& patch = at.curves().patches[piece.patch];
+    const auto from = at.position(piece.patch, piece.from), to = at.position(piece.patch, piece.to);
+    const bool is_arc = patch.edge == OffsetPatch::none;
+    found.emplace_back(is_arc ? "arc" : "line", approximate(from.x), approximate(from.y),
+                       approximate(to.x), approximate(to.y),
+                       is_arc ? to_double(patch.centre.x) : 0.0,
+                       is_arc ? to_double(patch.centre.y) : 0.0);
+  }
+  return found;
+}
+
+std::vector<std::vector<DrawnRing>> drawn_rings(const TimedOffset& offset) {
+  std::vector<std::vector<DrawnRing>> found;
+  for (const OffsetComponent& component : offset.region.components) {
+    auto& rings = found.emplace_back();
+    rings.push_back(drawn(offset.region, component.outer));
+    for (const OffsetRing& hole : component.holes) rings.push_back(drawn(offset.region, hole));
+  }
+  return found;
+}
+
+std::size_t curves(const TimedOffset& offset) {
+  std::size_t count = 0;
+  for (const OffsetComponent& component : offset.region.components) {
+    count += component.outer.curves.size();
+    for (const OffsetRing& hole : component.holes) count += hole.curves.size();
+  }
+  return count;
+}
+
+TimedOffset timed_offset(const Set& P, const std::string& squared_radius, unsigned threads) {
+  const Rational square = parse_rational(squared_radius);
+  const Stopwatch watch;
+  OffsetRegion region = offset_region(P.value, square, build_on(threads));
+  return {std::move(region), watch.seconds()};
+}
+
+std::pair<double, double> bounds(const Interval& value) { return {value.lower(), value.upper()}; }
+
+Fields statistics(const TimedOffset& offset) {
+  const OffsetCounts& counted = offset.region.offset.counts;
+  Fields fields;
+  MINKREF_PUT(counted, pairs, exact_pairs, exact_orders);
+  return fields;
+}
+
+}  // namespace
+
+void bind_disc(nb::module_& module) {
+  nb::class_<TimedOffset>(module, "Offset", "P + a disc: a region bounded by segments and arcs.")
+      .def("__repr__",
+           [](const TimedOffset& offset) {
+             return "<Offset: " + std::to_string(offset.region.components.size()) +
+                    " components, " + std::to_string(offset.region.holes()) + " holes, " +
+                    std::to_string(curves(offset)) + " curves>";
+           })
+      .def_prop_ro("components",
+                   [](const TimedOffset& offset) { return offset.region.components.size(); })
+      .def_prop_ro("holes", [](const TimedOffset& offset) { return offset.region.holes(); })
+      .def_prop_ro("curves", curves, "Of all rings, parts of one circle or line together.")
+      .def_prop_ro(
+          "area", [](const TimedOffset& offset) { return bounds(measures(offset.region).area); },
+          "Between two doubles.")
+      .def_prop_ro(
+          "length",
+          [](const TimedOffset& offset) { return bounds(measures(offset.region).length); },
+          "Of the boundary, between two doubles.")
+      .def_ro("seconds", &TimedOffset::seconds, "Of the computation, without conversions.")
+      .def_prop_ro("statistics", statistics,
+                   "Curves and edges that were compared, how often roots had to, and orders that "
+                   "roots had to tell.")
+      .def(
+          "canonical_json", [](const TimedOffset& offset) { return canonical_json(offset.region); },
+          Released(), "The canonical form, in rational numbers.")
+      .def("drawn_rings", drawn_rings, Released(),
+           "For drawing: of each component its rings, the outer one first; of each its pieces, "
+           "(kind, x and y of the start, of the end, of an arc's centre). Doubles.");
+  module.def("offset", timed_offset, "P"_a, "squared_radius"_a, "threads"_a = 1, Released(),
+             "P + a disc about the origin, exact. Raises BadInput.");
+}
+
+}  // namespace minkref::python

@@ -1,0 +1,69 @@
+// Area and length, enclosed.
+#include <cmath>
+
+#include "reference/disc/offset_region.hpp"
+
+namespace minkref::inline disc {
+namespace {
+
+Interval widened(double value, double by) {
+  return {std::nextafter(value - by, -INFINITY), std::nextafter(value + by, INFINITY)};
+}
+
+/// The angle from one vector to another, less than half a turn: of their cosine and sine, times one
+/// factor. The arc tangent of doubles is off by less than two of its roundings.
+Interval angle_between(const Vector<Interval>& a, const Vector<Interval>& b) {
+  const Interval c = dot(a, b), s = cross(a, b);
+  const double x = approximate(c), y = approximate(s), length = std::hypot(x, y);
+  const double angle = std::atan2(y, x);
+  const double off = (c.upper() - c.lower()) + (s.upper() - s.lower());
+  if (!(off < length / 4)) return {0, 4};
+  return widened(angle, 2 * off / length + 0x1p-50);
+}
+
+class Measuring {
+ public:
+  explicit Measuring(const StaticOffset& offset) : offset_(offset), at_(*offset.at) {}
+
+  void add(const OffsetRing& ring) {
+    for (const std::uint32_t number : ring.pieces) add(offset_.pieces[number]);
+  }
+
+  OffsetMeasures found{Interval(0), Interval(0)};
+
+ private:
+  void add(const OffsetPiece& piece) {
+    const OffsetPatch& patch = at_.curves().patches[piece.patch];
+    const Vector<Interval> from = at_.position(piece.patch, piece.from),
+                           to = at_.position(piece.patch, piece.to);
+    if (patch.edge != OffsetPatch::none) {
+      const auto key = [](const PatchPlace& place) -> Interval {
+        if (place.at == PatchPlace::At::inside) return place.near;
+        return place.at == PatchPlace::At::start ? Interval(0) : Interval(1);
+      };
+      found.area += cross(from, to) / Interval(2);
+      found.length += (key(piece.to) - key(piece.from)) * sqrt(at_.edge(patch.edge).squared_length);
+      return;
+    }
+    const Vector<Interval> centre = numbers<Interval>(patch.centre);
+    const Interval angle = angle_between(from - centre, to - centre);
+    found.area += (Interval(at_.squared_radius()) * angle + cross(centre, to - from)) / Interval(2);
+    found.length += at_.radius() * angle;
+  }
+
+  const StaticOffset& offset_;
+  const PatchesAt& at_;
+};
+
+}  // namespace
+
+OffsetMeasures measures(const OffsetRegion& region) {
+  Measuring measuring(region.offset);
+  for (const OffsetComponent& component : region.components) {
+    measuring.add(component.outer);
+    for (const OffsetRing& hole : component.holes) measuring.add(hole);
+  }
+  return measuring.found;
+}
+
+}  // namespace minkref::inline disc

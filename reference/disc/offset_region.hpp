@@ -1,0 +1,57 @@
+// P ⊕ ρD as a region: components of its interior, with their holes, and its canonical form.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "reference/disc/static_offset.hpp"
+#include "reference/number/interval.hpp"
+
+namespace minkref::inline disc {
+
+/// A simple ring, the region on its left: pieces, by number, one after the other. Where the
+/// boundary touches itself rings are split.
+struct OffsetRing {
+  std::vector<std::uint32_t> pieces;
+  /// The curves, by features: consecutive pieces of one curve are one. In canonical order, which
+  /// starts somewhere else than the pieces.
+  std::vector<std::uint32_t> curves;
+};
+
+struct OffsetComponent {
+  OffsetRing outer;
+  std::vector<OffsetRing> holes;
+};
+
+struct OffsetRegion {
+  StaticOffset offset;
+  std::vector<OffsetComponent> components;  ///< in canonical order
+
+  std::size_t holes() const;
+};
+
+/// Of a valid polygon set, perhaps a point or a segment, or the empty one; squared_radius > 0.
+/// Throws BadInput ("bad-radius") for another. Exact; as static_offset, and O(n log n).
+OffsetRegion offset_region(const PolygonSet& P, const Rational& squared_radius,
+                           const BuildOptions& options = {});
+
+/// A circle or a line: the curve of a feature of P moved outwards by the radius.
+struct OffsetCurve {
+  bool is_arc;
+  Rational x, y;  ///< of an arc the centre, of a line its direction, in coprime integers
+  Rational c;     ///< of a line: N · p = c + ρ |N| for its points p, N = (y, -x)
+};
+OffsetCurve offset_curve(const OffsetCurves& curves, std::uint32_t feature);
+
+/// The canonical text (docs/definitions.md): rings of curves. Rational, since a corner is where a
+/// curve enters what is near the next, which is one place.
+std::string canonical_json(const OffsetRegion& region);
+
+/// Enclosures, with sums of up to a relative error of some 1e-13.
+struct OffsetMeasures {
+  Interval area, length;
+};
+OffsetMeasures measures(const OffsetRegion& region);
+
+}  // namespace minkref::inline disc
