@@ -22,6 +22,7 @@ from minkref.commands.lists.scale_index import (
 )
 from minkref.commands.lists.sum_fields import SUM_FIELDS, sum_fields
 from minkref.commands.sum_table import print_table
+from minkref.disc.disc import is_disc
 from minkref.documents import Stopwatch, as_text, document, refuse_overwriting
 from minkref.errors import Refusal, refusing
 from minkref.exact import read_scale
@@ -59,7 +60,11 @@ minkref sum disc1 cells1815 --index cells.index --scale 7/5
 
 minkref sum gs3 rod --scale 2,1/3,5 -o sum.off
 
-minkref sum cup.stl plate.stl --scale 3/2 -o sum.stl"""
+minkref sum cup.stl plate.stl --scale 3/2 -o sum.stl
+
+minkref sum g1 disc:7/5 -o offset.svg
+
+minkref sum P.wkt disc:sqrt:2 --scale 3/2 -o offset.wkt --tolerance 1/1000"""
 
 MOVING = ("dynamic", "index")  # routes that find all scales of a window
 ROUTES = (*_core.ROUTES, *MOVING, PAPER_UPDATE)
@@ -135,14 +140,37 @@ def command(
             "plane they are always found.",
         ),
     ] = False,
+    tolerance: Annotated[
+        str | None,
+        typer.Option(
+            "--tolerance",
+            help="With a disc, in formats without arcs: write a polygon inside of the sum, all "
+            "points of which are within this of it.",
+            metavar="T",
+        ),
+    ] = None,
+    outside: Annotated[
+        bool,
+        typer.Option("--outside", help="The polygon that --tolerance asks for contains the sum."),
+    ] = False,
     memory: Memory = None,
     json: Json = False,
     schema: Schema = False,
 ) -> None:
     """The Minkowski sum of P, scaled by S about the origin, and Q: exact, in canonical form, and
-    its tight passages. In space P and Q are polyhedra of any shape (.off, .obj, .stl, .ply, .json);
-    one may be a plane polygon, a segment or a point. In another arithmetic, or by the paper's own
-    program (--route paper-update), what these answer, with the exact sum beside it."""
+    its tight passages. One of the two may be a disc about the origin, as disc:7/5 or disc:sqrt:2:
+    the sum has arcs then. In space P and Q are polyhedra of any shape (.off, .obj, .stl, .ply,
+    .json); one may be a plane polygon, a segment or a point. In another arithmetic, or by the
+    paper's own program (--route paper-update), what these answer, with the exact sum beside it."""
+    if is_disc(P) or is_disc(Q):
+        _refuse_without_arcs(route, index, arithmetic, as_read, reading, plot, passages)
+        from minkref.commands.disc.sum import sum_with_disc
+
+        sum_with_disc(P, Q, scale, output, form, only_sum, tolerance, outside, memory, json)
+        return
+    for option, is_given in (("--tolerance", tolerance is not None), ("--outside", outside)):
+        if is_given:
+            raise Refusal("there are no arcs without a disc", option, "leave it out")
     if in_space(P, Q):
         for option, given in (("--form", as_read), ("--reading", reading)):
             if given:
@@ -197,6 +225,30 @@ def command(
     print_table(value)
     if plot:
         _plot(region)
+
+
+def _refuse_without_arcs(
+    route: str | None,
+    index: Path | None,
+    arithmetic: str,
+    as_read: str | None,
+    reading: list[str] | None,
+    plot: bool,
+    passages: bool,
+) -> None:
+    """Options that sums with a disc do not have."""
+    others = {
+        "--route": route not in (None, "definition"),
+        "--index": index is not None,
+        "--arithmetic": arithmetic != "rational",
+        "--form": as_read is not None,
+        "--reading": bool(reading),
+        "--plot": plot,
+        "--passages": passages,
+    }
+    for option, is_given in others.items():
+        if is_given:
+            raise Refusal("sums with a disc do not have this option", option, "leave it out")
 
 
 def _check_pictures(plot: bool, only_sum: bool, target: Target | None, json: bool) -> None:

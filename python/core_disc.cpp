@@ -88,12 +88,12 @@ void bind_disc(nb::module_& module) {
       .def("__repr__",
            [](const TimedOffset& offset) {
              return "<Offset: " + std::to_string(offset.region.components.size()) +
-                    " components, " + std::to_string(offset.region.holes()) + " holes, " +
+                    " components, " + std::to_string(offset.region.holes) + " holes, " +
                     std::to_string(curves(offset)) + " curves>";
            })
       .def_prop_ro("components",
                    [](const TimedOffset& offset) { return offset.region.components.size(); })
-      .def_prop_ro("holes", [](const TimedOffset& offset) { return offset.region.holes(); })
+      .def_prop_ro("holes", [](const TimedOffset& offset) { return offset.region.holes; })
       .def_prop_ro("curves", curves, "Of all rings, parts of one circle or line together.")
       .def_prop_ro(
           "area", [](const TimedOffset& offset) { return bounds(measures(offset.region).area); },

@@ -8,19 +8,20 @@ from typing import Any
 
 
 def schema(command: str) -> dict[str, Any]:
-    """The schema of all that `--json` prints: the document of the command, in the plane or in
-    space, or a refusal."""
+    """The schema of all that `--json` prints: the document of the command, in the plane, with a
+    disc or in space, or a refusal."""
     result, error = result_schema(command), error_schema()
     top = {"$schema": result.pop("$schema"), "title": result.pop("title")}
     kinds = {"result": result, "error": error}
-    if _file(f"{command}_in_space").is_file():
-        kinds["result_in_space"] = result_schema(f"{command}_in_space")
-        del kinds["result_in_space"]["title"]
+    for where in ("in_space", "with_disc"):
+        if _file(f"{command}_{where}").is_file():
+            kinds[f"result_{where}"] = result_schema(f"{command}_{where}")
+            del kinds[f"result_{where}"]["title"]
     shared: dict[str, Any] = {}
     for kind in kinds.values():
         kind.pop("$schema", None)
         shared |= kind.pop("$defs", {})
-    names = ("result", "result_in_space", "error")
+    names = ("result", "result_in_space", "result_with_disc", "error")
     return {
         **top,
         "oneOf": [{"$ref": f"#/$defs/{name}"} for name in names if name in kinds],

@@ -29,6 +29,7 @@ GUIDE = (
     "formats",
     "command-line",
     "scale-index",
+    "disc",
     "convex-polyhedra",
     "first-finding",
     "verify",

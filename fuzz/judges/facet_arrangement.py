@@ -30,6 +30,7 @@ from minkref.oracle.symbolic.space_standing import (
     shared_by_polygons,
 )
 
+END = -1  # beside numbers of facets
 Arrangement = dict[tuple[int, ...], Any]
 """Of two or three facets, ascending, that meet, and only of these: what is told of them."""
 
@@ -87,10 +88,12 @@ class MovingFacets:
     def _crossings(
         self, i: int, j: int, segment: Segment3, segments: dict[int, dict[int, Segment3]]
     ) -> list[Any]:
-        """Other facets that share a point with both, in their order along the segment; those at
-        one point together."""
+        """Other facets that share a point with both, and the ends of the segment, in their order
+        along it; those at one point together."""
         direction = cross(self.facets[i].plane()[:3], self.facets[j].plane()[:3])
         at: dict[Rational, list[Any]] = defaultdict(list)
+        for x in dict.fromkeys(segment):
+            at[dot(direction, x)].append(END)
         for k in segments[i].keys() & segments[j].keys():
             common = shared(segment, segments[i][k])
             common = common and shared(common, segments[j][k])

@@ -14,6 +14,11 @@ using At = PatchPlace::At;
 Interval near(const Interval& value) { return value; }
 Interval near(const RootNumber& value) { return value.enclosure(); }
 
+std::vector<BlockedPart> touch(const PatchPlace& place) {
+  if (place.at != At::inside) return {};
+  return {{place, place}};
+}
+
 }  // namespace
 
 PatchesAt::PatchesAt(OffsetCurves curves, const Rational& squared_radius)
@@ -231,9 +236,7 @@ std::optional<BlockedPart> PatchesAt::ridge(std::uint32_t patch, std::uint32_t n
   };
   // Here the line of the other edge passes into the circles about its ends.
   BlockedPart part{place((by.squared_length - foot) / way, NearCurve::end, by.end_feature),
-                   place(-foot / way, NearCurve::start, by.start_feature),
-                   {by.feature},
-                   {by.feature}};
+                   place(-foot / way, NearCurve::start, by.start_feature)};
   const bool is_aside = part.low.at >= At::end || part.high.at <= At::start;
   return is_aside ? std::nullopt : std::optional(part);
 }
@@ -245,73 +248,49 @@ std::vector<BlockedPart> PatchesAt::blocked_of_line(std::uint32_t patch, std::ui
   for (const Crossing<N>& each : found) {
     if (each.touches) {
       const PatchPlace place = place_of(patch, by, each);
-      if (place.at != At::inside) return {};
-      return {{place, place, {place.feature}, {place.feature}, true}};
+      return touch(place);
     }
     if (least == nullptr || order(each.key, least->key) < 0) least = &each;
     if (greatest == nullptr || order(each.key, greatest->key) > 0) greatest = &each;
   }
   if (least == nullptr || order(least->key, greatest->key) == 0) return {};
-  BlockedPart part{place_of(patch, by, *least), place_of(patch, by, *greatest), {}, {}};
+  const BlockedPart part{place_of(patch, by, *least), place_of(patch, by, *greatest)};
   if (part.low.at >= At::end || part.high.at <= At::start) return {};
-  for (const Crossing<N>& each : found) {
-    const std::uint32_t feature = feature_of(curves_.edges[by], each.curve);
-    if (feature == OffsetPatch::none) continue;
-    if (&each == least || order(each.key, least->key) == 0) part.low_features.push_back(feature);
-    if (&each == greatest || order(each.key, greatest->key) == 0) {
-      part.high_features.push_back(feature);
-    }
-  }
   return {part};
 }
 
 template <class N>
 std::vector<BlockedPart> PatchesAt::blocked_of_arc(std::uint32_t patch, std::uint32_t by) const {
   std::optional<PatchPlace> low, high;
-  BlockedPart part{At::before, At::beyond, {}, {}};
-  const auto take = [&](std::optional<PatchPlace>& end, const PatchPlace& place, const N& key,
-                        std::optional<N>& end_key, int wanted, std::vector<std::uint32_t>& features,
-                        std::uint32_t feature) {
-    const int way = end ? order(key, *end_key) : wanted;
-    if (way * wanted < 0) return;
-    if (way != 0) {
-      features.clear();
-      end = place;
-      end_key = key;
-    }
-    if (feature != OffsetPatch::none) features.push_back(feature);
-  };
   std::optional<N> low_key, high_key;
+  const auto take = [](std::optional<PatchPlace>& end, std::optional<N>& end_key,
+                       const PatchPlace& place, const N& key, int wanted) {
+    if (end && order(key, *end_key) * wanted <= 0) return;
+    end = place;
+    end_key = key;
+  };
   for (const Crossing<N>& each : crossings<N>(patch, by)) {
     const PatchPlace place = place_of(patch, by, each);
-    if (each.touches) {
-      if (place.at != At::inside) return {};
-      return {{place, place, {place.feature}, {place.feature}, true}};
+    if (each.touches) return touch(place);
+    if (each.enters && place.at >= At::start && place.at < At::end) {
+      take(low, low_key, place, each.key, -1);
     }
-    if (place.at == At::before || place.at == At::beyond) continue;
-    const std::uint32_t feature = feature_of(curves_.edges[by], each.curve);
-    if (each.enters) {
-      take(low, place, each.key, low_key, -1, part.low_features, feature);
-    } else {
-      take(high, place, each.key, high_key, 1, part.high_features, feature);
+    if (!each.enters && place.at > At::start && place.at <= At::end) {
+      take(high, high_key, place, each.key, 1);
     }
   }
-  const bool enters = low && low->at != At::end, leaves = high && high->at != At::start;
-  if (!enters && !leaves) {
+  if (!low && !high) {
     for (const int end : {0, -1, 1}) {
       const int at = distance_at<N>(patch, by, end);
-      if (at < 0) return {{At::before, At::beyond, {}, {}}};
+      if (at < 0) return {{At::before, At::beyond}};
       if (at > 0) return {};
     }
     return {};
   }
-  if (enters) part.low = *low;
-  if (leaves) part.high = *high;
-  if (!enters) part.low_features.clear();
-  if (!leaves) part.high_features.clear();
-  if (!enters || !leaves || order(*low_key, *high_key) < 0) return {part};
-  return {{At::before, part.high, {}, part.high_features},
-          {part.low, At::beyond, part.low_features, {}}};
+  if (!low) return {{At::before, *high}};
+  if (!high) return {{*low, At::beyond}};
+  if (order(*low_key, *high_key) < 0) return {{*low, *high}};
+  return {{At::before, *high}, {*low, At::beyond}};
 }
 
 template <class N>

@@ -31,13 +31,10 @@ struct PatchPlace {
   mutable std::shared_ptr<const Exact> exact;
 };
 
-/// An open interval of a patch: the points nearer than the radius to one edge. What else is at the
-/// distance of the radius at its ends, by features, where these are on the patch. A point, where
-/// the edge is right across and as far: all around is farther.
+/// An open interval of a patch: the points nearer than the radius to one edge. A single point
+/// inside, where the edge is right across and as far: all around is farther.
 struct BlockedPart {
   PatchPlace low, high;
-  std::vector<std::uint32_t> low_features, high_features;
-  bool touches = false;
 };
 
 /// How often doubles told, and how often exact numbers had to.

@@ -8,17 +8,13 @@
 
 namespace minkref::inline disc {
 
-/// A closed part of a patch that nothing blocks; `before` and `after`: what blocks beyond its ends,
-/// or touches there, by the features that are there.
+/// A part of a patch that nothing blocks, closed and more than a point.
 struct FreePart {
   std::uint32_t patch;
   PatchPlace from, to;
-  std::vector<std::uint32_t> before, after;
-
-  bool is_point = false;
 };
 
-/// In order along the patch. Parts of a single point are among them.
+/// In order along the patch, cut where another curve touches.
 std::vector<FreePart> free_parts(const PatchesAt& at, std::uint32_t patch,
                                  std::vector<BlockedPart> blocked, OffsetCounts& counts);
 

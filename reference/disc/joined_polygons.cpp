@@ -2,28 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 
+#include "reference/disc/disjoint_sets.hpp"
 #include "reference/error.hpp"
 #include "reference/plane/arrangement/box_tree.hpp"
 
 namespace minkref::inline disc {
 namespace {
-
-class Joined {
- public:
-  explicit Joined(std::size_t count) : parents_(count) {
-    std::iota(parents_.begin(), parents_.end(), 0U);
-  }
-  std::uint32_t root(std::uint32_t k) {
-    while (parents_[k] != k) k = parents_[k] = parents_[parents_[k]];
-    return k;
-  }
-  void join(std::uint32_t a, std::uint32_t b) { parents_[root(a)] = root(b); }
-
- private:
-  std::vector<std::uint32_t> parents_;
-};
 
 /// Whether two edges that do not cross are nearer than the root of a number (-1), as near (0) or
 /// farther (1): the least distance is one from an end.
@@ -44,7 +29,7 @@ bool are_facing(const OffsetEdge& a, const OffsetEdge& b) {
 }  // namespace
 
 std::vector<std::uint32_t> joined_polygons(const PatchesAt& at, std::size_t polygons) {
-  Joined joined(polygons);
+  DisjointSets joined(polygons);
   const std::vector<OffsetEdge>& edges = at.curves().edges;
   if (polygons > 1) {
     std::vector<plane::Box> boxes;

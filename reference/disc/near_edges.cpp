@@ -11,10 +11,6 @@ constexpr int most_halvings = 4;
 // Of a squared distance, as a part of the square of the largest coordinate: some hundred roundings.
 constexpr double slack = 0x1p-44;
 
-plane::Box box_of(const Vector<Interval>& p) {
-  return {p.x.lower(), p.y.lower(), p.x.upper(), p.y.upper()};
-}
-
 plane::Box grown(plane::Box box, double by) {
   return {plane::below(box.xmin - by), plane::below(box.ymin - by), plane::above(box.xmax + by),
           plane::above(box.ymax + by)};

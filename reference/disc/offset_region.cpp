@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -131,12 +130,6 @@ OffsetCurve offset_curve(const OffsetCurves& curves, std::uint32_t feature) {
   return {false, dx, dy, dy * edge.start.x - dx * edge.start.y};
 }
 
-std::size_t OffsetRegion::holes() const {
-  return std::accumulate(
-      components.begin(), components.end(), std::size_t{0},
-      [](std::size_t sum, const OffsetComponent& c) { return sum + c.holes.size(); });
-}
-
 OffsetRegion offset_region(const PolygonSet& P, const Rational& squared_radius,
                            const BuildOptions& options) {
   if (squared_radius <= 0) {
@@ -149,7 +142,8 @@ OffsetRegion offset_region(const PolygonSet& P, const Rational& squared_radius,
   const Curves curves(offset);
   const std::vector<std::uint32_t> joined = joined_polygons(*offset.at, P.polygons.size());
   std::map<std::uint32_t, OffsetComponent> of_root;
-  for (SimpleRing& ring : simple_rings(offset)) {
+  SimpleRings simple = simple_rings(offset);
+  for (SimpleRing& ring : simple.rings) {
     OffsetRing found{std::move(ring.pieces), {}};
     found.curves = curves.of(found.pieces);
     const OffsetPatch& patch = offset.at->curves().patches[offset.pieces[found.pieces[0]].patch];
@@ -162,6 +156,7 @@ OffsetRegion offset_region(const PolygonSet& P, const Rational& squared_radius,
       throw std::logic_error("a component of an offset has two outer rings");
     }
   }
+  region.holes = simple.faces - of_root.size() - 1;
   const auto less = [](const OffsetRing& a, const OffsetRing& b) { return a.curves < b.curves; };
   for (auto& [root, component] : of_root) {
     if (component.outer.pieces.empty()) {

@@ -27,8 +27,7 @@ struct OffsetComponent {
 struct OffsetRegion {
   StaticOffset offset;
   std::vector<OffsetComponent> components;  ///< in canonical order
-
-  std::size_t holes() const;
+  std::size_t holes = 0;  ///< bounded components of the complement, perhaps between components
 };
 
 /// Of a valid polygon set, perhaps a point or a segment, or the empty one; squared_radius > 0.

@@ -4,6 +4,7 @@
 #include "reference/disc/offset_patch.hpp"
 #include "reference/number/interval.hpp"
 #include "reference/number/radicals/root_order.hpp"
+#include "reference/plane/kernel/box.hpp"
 
 namespace minkref::inline disc {
 
@@ -30,6 +31,10 @@ Vector<N> turned(const Vector<N>& a) {
 }
 
 using RootPoint = Vector<RootNumber>;
+
+inline plane::Box box_of(const Vector<Interval>& p) {
+  return {p.x.lower(), p.y.lower(), p.x.upper(), p.y.upper()};
+}
 
 /// The sign of a - b. Of intervals: throws UndecidedSign where they do not tell.
 inline int order(const Interval& a, const Interval& b) { return sign(a - b); }

@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "reference/disc/disjoint_sets.hpp"
+
 namespace minkref::inline disc {
 namespace {
 
@@ -15,15 +17,16 @@ bool overlap(const Interval& a, const Interval& b) {
   return a.lower() <= b.upper() && b.lower() <= a.upper();
 }
 
-/// The starts of the pieces of a walk: those in one place have one number.
-class Visits {
+/// The starts of all pieces: those in one place have one number.
+class Places {
  public:
-  Visits(const StaticOffset& offset, const std::vector<std::uint32_t>& walk)
-      : offset_(offset), walk_(walk), places_(walk.size()) {
+  explicit Places(const StaticOffset& offset) : offset_(offset), numbers_(offset.pieces.size()) {
     std::vector<Vector<Interval>> near;
-    for (const std::uint32_t piece : walk) near.push_back(position(piece));
-    std::iota(places_.begin(), places_.end(), 0U);
-    std::vector<std::uint32_t> order = places_;
+    for (const OffsetPiece& piece : offset.pieces) {
+      near.push_back(offset.at->position(piece.patch, piece.from));
+    }
+    std::iota(numbers_.begin(), numbers_.end(), 0U);
+    std::vector<std::uint32_t> order = numbers_;
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
       return near[a].x.lower() < near[b].x.lower();
     });
@@ -31,21 +34,18 @@ class Visits {
       for (std::size_t l = k + 1; l < order.size(); ++l) {
         const std::uint32_t a = order[k], b = order[l];
         if (near[b].x.lower() > near[a].x.upper()) break;
-        if (!overlap(near[a].x, near[b].x) || !overlap(near[a].y, near[b].y)) continue;
-        if (places_[b] == b && are_same(a, b)) places_[b] = places_[a];
+        if (numbers_[b] == b && overlap(near[a].y, near[b].y) && are_same(a, b)) {
+          numbers_[b] = numbers_[a];
+        }
       }
     }
   }
 
-  std::uint32_t place(std::size_t k) const { return places_[k]; }
+  std::uint32_t of_start(std::uint32_t piece) const { return numbers_[piece]; }
 
  private:
-  Vector<Interval> position(std::uint32_t piece) const {
+  RootPoint point(std::uint32_t piece) const {
     const OffsetPiece& own = offset_.pieces[piece];
-    return offset_.at->position(own.patch, own.from);
-  }
-  RootPoint point(std::uint32_t k) const {
-    const OffsetPiece& own = offset_.pieces[walk_[k]];
     return offset_.at->point(own.patch, own.from);
   }
   bool are_same(std::uint32_t a, std::uint32_t b) const {
@@ -54,19 +54,17 @@ class Visits {
   }
 
   const StaticOffset& offset_;
-  const std::vector<std::uint32_t>& walk_;
-  std::vector<std::uint32_t> places_;
+  std::vector<std::uint32_t> numbers_;
 };
 
 /// A closed walk that does not cross itself falls into simple ones in one way.
-void split(const StaticOffset& offset, const std::vector<std::uint32_t>& walk,
+void split(const Places& all, const std::vector<std::uint32_t>& walk,
            std::vector<SimpleRing>& rings) {
-  const Visits visits(offset, walk);
   std::vector<std::uint32_t> open;               // pieces
   std::map<std::uint32_t, std::size_t> started;  // how many were open at a place
   std::vector<std::uint32_t> places;
-  for (std::size_t k = 0; k < walk.size(); ++k) {
-    const std::uint32_t place = visits.place(k);
+  for (const std::uint32_t piece : walk) {
+    const std::uint32_t place = all.of_start(piece);
     const auto found = started.find(place);
     if (found != started.end()) {
       const auto from = static_cast<std::ptrdiff_t>(found->second);
@@ -80,9 +78,24 @@ void split(const StaticOffset& offset, const std::vector<std::uint32_t>& walk,
       started[place] = open.size();
       places.push_back(place);
     }
-    open.push_back(walk[k]);
+    open.push_back(piece);
   }
   rings.push_back({std::move(open), false});
+}
+
+/// How many faces the rings leave, the unbounded one too: by Euler, as a graph in the plane.
+std::size_t faces(const Places& places, const std::vector<SimpleRing>& rings) {
+  std::map<std::uint32_t, std::uint32_t> visited;  // places, by the ring that first does
+  DisjointSets parts(rings.size());
+  std::size_t pieces = 0;
+  for (std::uint32_t k = 0; k < rings.size(); ++k) {
+    pieces += rings[k].pieces.size();
+    for (const std::uint32_t piece : rings[k].pieces) {
+      const auto [found, is_new] = visited.try_emplace(places.of_start(piece), k);
+      if (!is_new) parts.join(found->second, k);
+    }
+  }
+  return pieces - visited.size() + parts.count() + 1;
 }
 
 /// The first coordinate of a point of the boundary.
@@ -164,12 +177,14 @@ bool goes_on(const StaticOffset& offset, std::uint32_t piece, std::uint32_t next
          offset.at->compare(a.patch, a.to, b.from, counts) == 0;
 }
 
-std::vector<SimpleRing> simple_rings(const StaticOffset& offset) {
-  std::vector<SimpleRing> rings;
-  for (const std::vector<std::uint32_t>& walk : offset.rings) split(offset, walk, rings);
+SimpleRings simple_rings(const StaticOffset& offset) {
+  const Places places(offset);
+  SimpleRings found;
+  for (const std::vector<std::uint32_t>& walk : offset.rings) split(places, walk, found.rings);
   const Orientation orientation(offset);
-  for (SimpleRing& ring : rings) ring.is_hole = orientation.is_hole(ring);
-  return rings;
+  for (SimpleRing& ring : found.rings) ring.is_hole = orientation.is_hole(ring);
+  found.faces = faces(places, found.rings);
+  return found;
 }
 
 }  // namespace minkref::inline disc

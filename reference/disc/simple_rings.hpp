@@ -16,8 +16,15 @@ struct SimpleRing {
 /// Whether a piece goes on smoothly into another: the next curve, or another part of the same one.
 bool goes_on(const StaticOffset& offset, std::uint32_t piece, std::uint32_t next);
 
+struct SimpleRings {
+  std::vector<SimpleRing> rings;
+  /// How many parts the plane falls into: components of the interior and of the complement. There
+  /// may be a hole between components that touch, without a ring of its own.
+  std::size_t faces;
+};
+
 /// The rings, split at points that they visit more than once. Exact. O(n log n), and O(k^2) for k
 /// corners that doubles do not tell apart.
-std::vector<SimpleRing> simple_rings(const StaticOffset& offset);
+SimpleRings simple_rings(const StaticOffset& offset);
 
 }  // namespace minkref::inline disc

@@ -51,17 +51,16 @@ StaticOffset static_offset(const PolygonSet& P, const Rational& squared_radius,
       std::make_shared<const PatchesAt>(offset_curves(P), squared_radius), {}, {}, {}};
   const PatchesAt& at = *result.at;
   const std::vector<FreePart> parts = all_free_parts(at, options, result.counts);
-  const OffsetLinks links(at, parts);
+  const std::vector<std::uint32_t> links = offset_links(at, parts);
   std::vector<bool> seen(parts.size(), false);
+  for (const FreePart& part : parts) result.pieces.push_back({part.patch, part.from, part.to});
   for (std::uint32_t first = 0; first < parts.size(); ++first) {
-    if (seen[first] || parts[first].is_point) continue;
+    if (seen[first]) continue;
     std::vector<std::uint32_t> ring;
     std::uint32_t k = first;
-    for (; !seen[k]; k = links.next(k)) {
+    for (; !seen[k]; k = links[k]) {
       seen[k] = true;
-      if (parts[k].is_point) continue;  // a joint
-      ring.push_back(static_cast<std::uint32_t>(result.pieces.size()));
-      result.pieces.push_back({parts[k].patch, parts[k].from, parts[k].to});
+      ring.push_back(k);
     }
     if (k != first) throw std::logic_error("an offset curve does not close up");
     result.rings.push_back(std::move(ring));

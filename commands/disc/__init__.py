@@ -1,0 +1,1 @@
+"""Commands on sums with a disc."""

@@ -1,0 +1,168 @@
+"""`minkref sum` with a disc."""
+
+from __future__ import annotations
+
+import json
+import math
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+from minkref import _core
+from minkref.commands.line.memory import SIMPLER, memory_wall
+from minkref.commands.line.output import give, print_lines, written_row
+from minkref.commands.lists.scale_index import cores
+from minkref.disc.disc import Disc, is_disc, read_disc
+from minkref.disc.polygons import polygon_near
+from minkref.documents import Stopwatch, document, refuse_overwriting
+from minkref.errors import Refusal, refusing
+from minkref.exact import digest, read_number, read_scale
+from minkref.operand import Operand, read_operand
+from minkref.output_target import Target, target_of
+
+FORMATS = ("json", "svg", "wkt", "geojson", "poly")
+WITH_ARCS = ("json", "svg")
+
+
+def sum_with_disc(
+    P: str,
+    Q: str,
+    scale: str,
+    output: Path | None,
+    form: str | None,
+    only_sum: bool,
+    tolerance: str | None,
+    outside: bool,
+    memory: int | None,
+    json_document: bool,
+) -> None:
+    """The command, its options read but not yet checked: one of the operands names a disc."""
+    watch = Stopwatch()
+    factor = Fraction(read_scale(scale))
+    target = target_of(output, form, FORMATS, "json", json_document)
+    within = _tolerance(tolerance, outside, target)
+    if is_disc(P) and is_disc(Q):
+        raise Refusal("the sum of two discs is one", f"{P} and {Q}", "add their radii")
+    disc = read_disc(P).scaled(factor) if is_disc(P) else read_disc(Q)
+    with memory_wall(memory, "the sum with a disc", f"{P} and {Q}", SIMPLER):
+        operand = read_operand(Q if is_disc(P) else P)
+        if output is not None:
+            refuse_overwriting(output, [operand.file])
+        other = operand.set if is_disc(P) else operand.set.scaled(str(factor))
+        found = refusing(
+            operand.name, lambda: _core.offset(other, str(disc.squared_radius), cores())
+        )
+        canonical = found.canonical_json()
+        written = None
+        if target is not None:
+            written = _written(target, found, other, disc, canonical, only_sum, within, outside)
+    if target is not None and written is not None and target.write(*written):
+        return
+    value = document(
+        "sum",
+        watch,
+        P=P if is_disc(P) else operand.name,
+        Q=Q if is_disc(Q) else operand.name,
+        scale=str(factor),
+        warnings=operand.warnings,
+        output=str(output) if output else None,
+        output_exact=written[1] if written else None,
+        tolerance=None if within is None else str(within),
+        radius=disc.radius,
+        squared_radius=str(disc.squared_radius),
+        route="definition",
+        compute_seconds=found.seconds,
+        **described(found, canonical),
+    )
+    give(value, json_document, lambda value: _print(value, operand))
+
+
+def described(found: _core.Offset, canonical: str) -> dict[str, Any]:
+    """What a document says of a sum with a disc."""
+    return {
+        "digest": digest(canonical),
+        "components": found.components,
+        "holes": found.holes,
+        "curves": found.curves,
+        "area": _bounds(found.area),
+        "length": _bounds(found.length),
+        "result": json.loads(canonical),
+        "statistics": dict(found.statistics),
+    }
+
+
+def _bounds(bounds: tuple[float, float]) -> dict[str, float | None]:
+    """Beyond doubles: None."""
+    low, high = (bound if math.isfinite(bound) else None for bound in bounds)
+    return {"low": low, "high": high}
+
+
+def _tolerance(text: str | None, outside: bool, target: Target | None) -> Fraction | None:
+    is_polygon = target is not None and target.form not in WITH_ARCS
+    if not is_polygon:
+        for option, given in (("--tolerance", text is not None), ("--outside", outside)):
+            if given:
+                mend = "write a polygon: -o FILE.wkt, .geojson or .poly"
+                raise Refusal("no arc is replaced", option, mend)
+        return None
+    if text is None:
+        assert target is not None
+        raise Refusal(
+            "this format has no arcs",
+            target.name,
+            "say how far a polygon may be off, as --tolerance 1/1000; .json and .svg have arcs",
+            "no-arcs",
+        )
+    where = f"--tolerance {text[:40]}"
+    mend = "give a positive number, as 0.001"
+    value = read_number(text.strip(), "tolerance", where, mend)
+    if value <= 0:
+        raise Refusal("the tolerance is not above 0", where, mend)
+    return value
+
+
+def _written(
+    target: Target,
+    found: _core.Offset,
+    other: _core.PolygonSet,
+    disc: Disc,
+    canonical: str,
+    only_sum: bool,
+    within: Fraction | None,
+    outside: bool,
+) -> tuple[str, bool]:
+    """The text of the output, and whether it is exact."""
+    if target.form == "json":
+        return canonical + "\n", True
+    if target.form == "svg":
+        from minkref.reports.offset_picture import offset_picture
+
+        radius = math.sqrt(disc.squared_radius)
+        caption = f"the sum with a disc of radius {radius:g}"
+        return offset_picture(found, None if only_sum else other, radius, caption), False
+    assert within is not None
+    polygon = polygon_near(disc, within, outside)
+    near = _core.minkowski_sum(other, polygon, "1").region
+    return refusing(target.name, lambda: _core.write(near, target.form)), False
+
+
+def _print(value: dict[str, Any], operand: Operand) -> None:
+    scaled = "" if value["scale"] == "1" else f"{value['scale']} "
+    rows = [
+        ("sum", f"{scaled}{value['P']} + {value['Q']}"),
+        ("radius of the disc", value["radius"]),
+        ("components, holes", f"{value['components']:,}, {value['holes']:,}"),
+        ("curves", f"{value['curves']:,}"),
+        ("area", _near(value["area"])),
+        ("length of the boundary", _near(value["length"])),
+        ("digest", value["digest"]),
+        ("seconds", f"{value['seconds']:.3f}"),
+    ]
+    print_lines(rows + written_row(value), value)
+
+
+def _near(bounds: dict[str, float | None]) -> str:
+    low, high = bounds["low"], bounds["high"]
+    if low is None or high is None:
+        return "beyond doubles"
+    return f"{(low + high) / 2:.10g}, within {(high - low) / 2:.1g}"

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// CGAL's exact offset behind lines of JSON: {"P": polygons, "radius": "n/d"} asks, and each answer
+// is {"polygons": [{"outer": ring, "holes": [ring, ...]}, ...]}, a ring being a list of pieces
+// {"arc": bool, "conic": ["r", "s", "t", "u", "v", "w"], "ends": [x, y, x, y]}, with "seconds", or
+// {"error": what}. Whoever runs it limits it.
+#include <chrono>
+#include <exception>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "oracle/cgal/offset.hpp"
+
+namespace {
+
+using nlohmann::json;
+using namespace minkref::cgal_oracle;
+
+json written(const ConicRing& ring) {
+  json found = json::array();
+  for (const ConicPiece& piece : ring) {
+    json conic = json::array();
+    for (const mpq_class& number : piece.conic) conic.push_back(number.get_str());
+    found.push_back({{"arc", piece.is_arc}, {"conic", std::move(conic)}, {"ends", piece.ends}});
+  }
+  return found;
+}
+
+json answer(const json& request) {
+  const std::vector<Polygon> P = read_polygons(request.at("P"), "P");
+  const mpq_class radius = read_number(request.at("radius"), "radius");
+  const auto start = std::chrono::steady_clock::now();
+  const std::vector<ConicPolygon> found = offset_of(P, radius);
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+  json polygons = json::array();
+  for (const ConicPolygon& polygon : found) {
+    json holes = json::array();
+    for (const ConicRing& hole : polygon.holes) holes.push_back(written(hole));
+    polygons.push_back({{"outer", written(polygon.outer)}, {"holes", std::move(holes)}});
+  }
+  return {{"polygons", std::move(polygons)}, {"seconds", spent.count()}};
+}
+
+}  // namespace
+
+int main() {
+  for (std::string line; std::getline(std::cin, line);) {
+    json found;
+    try {
+      found = answer(json::parse(line));
+    } catch (const std::exception& error) {  // CGAL's failures are exceptions too
+      found = {{"error", error.what()}};
+    }
+    std::cout << found.dump(-1, ' ', false, json::error_handler_t::replace) << std::endl;
+  }
+  return 0;
+}

@@ -1,0 +1,63 @@
+"""A disc about the origin as an operand: `disc:R`, `disc:sqrt:N`."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from math import isqrt
+
+from minkref.errors import Refusal
+from minkref.exact import LONGEST_SCALE, read_number
+
+PREFIX = "disc:"
+ROOT = "sqrt:"
+MEND = "give a positive number, as disc:7/5, disc:0.25 or disc:sqrt:2"
+
+
+@dataclass(frozen=True)
+class Disc:
+    """The points within a radius of the origin; its square is a rational number."""
+
+    name: str
+    squared_radius: Fraction
+
+    @property
+    def radius(self) -> str:
+        """`n`, `n/d`, or `sqrt:` and the square."""
+        top, bottom = self.squared_radius.as_integer_ratio()
+        if isqrt(top) ** 2 == top and isqrt(bottom) ** 2 == bottom:
+            return str(Fraction(isqrt(top), isqrt(bottom)))
+        return ROOT + str(self.squared_radius)
+
+    def scaled(self, factor: Fraction) -> Disc:
+        return Disc(self.name, self.squared_radius * factor**2)
+
+    def bounds(self, bits: int) -> tuple[Fraction, Fraction]:
+        """Two numbers with the radius between, or equal to it, that differ by some 2^-bits of it;
+        their square roots are not needed."""
+        top, bottom = self.squared_radius.as_integer_ratio()
+        root = Fraction(isqrt(top), isqrt(bottom))
+        if root**2 == self.squared_radius:
+            return root, root
+        size = (top.bit_length() - bottom.bit_length()) // 2
+        shift = max(bits - size, 0)
+        low = isqrt((top << 2 * shift) // bottom)
+        return Fraction(low, 1 << shift), Fraction(low + 1, 1 << shift)
+
+
+def is_disc(name: str) -> bool:
+    return name.startswith(PREFIX)
+
+
+def read_disc(name: str) -> Disc:
+    """Refuses what is not a positive finite number after the prefix."""
+    text = name.removeprefix(PREFIX)
+    where = name[:40] + ("..." if len(name) > 40 else "")
+    if len(text) > LONGEST_SCALE:
+        raise Refusal(f"the radius has more than {LONGEST_SCALE} characters", where, MEND, "limit")
+    is_root = text.startswith(ROOT)
+    value = read_number(text.removeprefix(ROOT).strip(), "radius", where, MEND)
+    if value <= 0:
+        what = "zero" if value == 0 else "negative"
+        raise Refusal(f"the radius is {what}", where, MEND, "bad-radius")
+    return Disc(name, value if is_root else value**2)

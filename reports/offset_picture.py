@@ -1,0 +1,67 @@
+"""The SVG of a sum with a disc: true arcs, and the polygon set in it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from html import escape
+
+from minkref import _core
+from minkref.terminal import escaped
+
+WIDTH = 680.0
+PAD = 12.0
+STYLE = (
+    "path{stroke-width:1.2;stroke-linejoin:round;fill-rule:evenodd}"
+    ".sum{fill:#b9dcbb;stroke:#2a6e30}.first{fill:#9cc3e6;stroke:#1f5f99}"
+)
+Piece = tuple[str, float, float, float, float, float, float]
+
+
+def offset_picture(
+    offset: _core.Offset, operand: _core.PolygonSet | None, radius: float, caption: str
+) -> str:
+    """An SVG document: the region with its boundary as segments and arcs, and on it the `operand`
+    that has been moved by the disc. Rounded to some thousandth of the picture's width."""
+    components = offset.drawn_rings()
+    box = _box([piece for rings in components for ring in rings for piece in ring], radius)
+    unit = (WIDTH - 2 * PAD) / max(box[2] - box[0], box[3] - box[1], 1e-300)
+    width, height = (2 * PAD + unit * (box[k + 2] - box[k]) for k in (0, 1))
+
+    def at(x: float, y: float) -> str:
+        return f"{PAD + unit * (x - box[0]):.3f} {PAD + unit * (box[3] - y):.3f}"
+
+    def ring_path(ring: Sequence[Piece]) -> str:
+        parts = [f"M{at(ring[0][1], ring[0][2])}"]
+        for kind, _, _, x, y, _, _ in ring:
+            # Arcs run counter-clockwise, and y points upwards.
+            arc = f"A{unit * radius:.3f} {unit * radius:.3f} 0 0 0 " if kind == "arc" else "L"
+            parts.append(arc + at(x, y))
+        return "".join(parts) + "Z"
+
+    paths = "".join(ring_path(ring) for rings in components for ring in rings)
+    layers = [f'<path class="sum" d="{paths}"/>']
+    if operand is not None:
+        rings = [ring for polygon in operand.approximate_rings() for ring in polygon]
+        own = "".join("M" + "L".join(at(x, y) for x, y in ring) + "Z" for ring in rings)
+        layers.append(f'<path class="first" d="{own}"/>')
+    return (
+        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:.0f} {height:.0f}" '
+        f'width="{width:.0f}" height="{height:.0f}" role="img" '
+        f'aria-label="{escape(escaped(caption), quote=True)}"><style>{STYLE}</style>'
+        f"{''.join(layers)}</svg>\n"
+    )
+
+
+def _box(pieces: Sequence[Piece], radius: float) -> tuple[float, float, float, float]:
+    """Around all pieces; of an arc around its circle where the arc goes that far."""
+    xs = [x for piece in pieces for x in (piece[1], piece[3])]
+    ys = [y for piece in pieces for y in (piece[2], piece[4])]
+    for kind, x0, y0, x1, y1, cx, cy in pieces:
+        if kind != "arc":
+            continue
+        # An arc of less than half a turn has an extreme point where its ends are on either side.
+        if (y0 - cy) * (y1 - cy) < 0:
+            xs.append(cx + (radius if x0 + x1 > 2 * cx else -radius))
+        if (x0 - cx) * (x1 - cx) < 0:
+            ys.append(cy + (radius if y0 + y1 > 2 * cy else -radius))
+    return min(xs), min(ys), max(xs), max(ys)

@@ -1,0 +1,154 @@
+"""`minkref sum` with a disc."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from collections.abc import Callable
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import jsonschema
+import pytest
+from minkref import _core
+from minkref.commands.schemas import schema
+from minkref.disc.disc import Disc, read_disc
+from minkref.disc.polygons import polygon_near
+from minkref.exact import digest
+
+Minkref = Callable[..., Any]
+
+SQUARE = "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))"
+FRAME = "POLYGON ((0 0, 8 0, 8 8, 0 8, 0 0), (2 2, 2 6, 6 6, 6 2, 2 2))"
+
+
+def test_a_square_grows_by_steiner(minkref: Minkref) -> None:
+    ran = minkref("sum", SQUARE, "disc:1/2", "--json")
+    assert ran.code == 0
+    jsonschema.validate(ran.json, schema("sum"))
+    assert (ran.json["components"], ran.json["holes"], ran.json["curves"]) == (1, 0, 8)
+    assert ran.json["radius"] == "1/2"
+    area = ran.json["area"]
+    assert area["low"] <= 16 + 8 + math.pi / 4 <= area["high"]
+    text = json.dumps(ran.json["result"], separators=(",", ":"))
+    assert ran.json["digest"] == digest(text)
+    assert ran.json["result"]["components"][0]["outer"][:2] == [
+        ["arc", "0", "0"], ["line", "1", "0", "0"],
+    ]  # fmt: skip
+
+
+def test_the_first_operand_is_scaled(minkref: Minkref) -> None:
+    by_polygon = minkref("sum", SQUARE, "disc:1", "--scale", "3/2", "--json").json
+    whole = minkref("sum", "POLYGON ((0 0, 6 0, 6 6, 0 6, 0 0))", "disc:1", "--json").json
+    assert by_polygon["digest"] == whole["digest"]
+    by_disc = minkref("sum", "disc:2", SQUARE, "--scale", "1/2", "--json").json
+    assert by_disc["digest"] == minkref("sum", SQUARE, "disc:1", "--json").json["digest"]
+
+
+@pytest.mark.parametrize(
+    ("radius", "told", "holes"),
+    [("sqrt:2", "sqrt:2", 1), ("sqrt:4", "2", 0), ("1.99", "199/100", 1), ("2", "2", 0)],
+)
+def test_a_hole_closes(minkref: Minkref, radius: str, told: str, holes: int) -> None:
+    ran = minkref("sum", FRAME, f"disc:{radius}", "--json")
+    assert (ran.json["radius"], ran.json["holes"]) == (told, holes)
+
+
+def test_the_json_file_is_the_canonical_form(minkref: Minkref, tmp_path: Path) -> None:
+    file = tmp_path / "sum.json"
+    ran = minkref("sum", FRAME, "disc:1", "-o", file, "--json")
+    assert ran.json["output_exact"] is True
+    assert digest(file.read_text(encoding="utf-8").strip()) == ran.json["digest"]
+
+
+def test_the_picture_has_arcs(minkref: Minkref, tmp_path: Path) -> None:
+    file = tmp_path / "sum.svg"
+    assert minkref("sum", FRAME, "disc:1", "-o", file).code == 0
+    text = file.read_text(encoding="utf-8")
+    assert len(re.findall("A[0-9]", text)) == 4
+    assert 'class="first"' in text
+    minkref("sum", FRAME, "disc:1", "-o", file, "--only-sum")
+    assert 'class="first"' not in file.read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("outside", [False, True])
+def test_a_polygon_within_a_tolerance(minkref: Minkref, tmp_path: Path, outside: bool) -> None:
+    file = tmp_path / "sum.wkt"
+    options = ["--outside"] if outside else []
+    ran = minkref(
+        "sum", SQUARE, "disc:sqrt:2", "-o", file, "--tolerance", "1/500", *options, "--json"
+    )
+    assert (ran.code, ran.json["tolerance"], ran.json["output_exact"]) == (0, "1/500", False)
+    exact = 16 + 16 * math.sqrt(2) + 2 * math.pi
+    area = float(Fraction(_core.read_file(str(file)).area()))
+    assert 0 <= (area - exact if outside else exact - area) <= ran.json["length"]["high"] / 500
+
+
+@pytest.mark.parametrize("square", ["2", "1/9", "123456789/1000", "1/10000000000000000000001"])
+@pytest.mark.parametrize("tolerance", ["1/3", "1/1000"])
+def test_polygons_are_inside_and_outside(square: str, tolerance: str) -> None:
+    """Their corners and the middles of their sides, exactly."""
+    disc = Disc("", Fraction(square))
+    low, high = disc.bounds(80)
+    assert low**2 <= disc.squared_radius <= high**2
+    off = Fraction(tolerance) * high
+    for outside in (False, True):
+        (ring,) = [rings[0] for rings in polygon_near(disc, off, outside).rings()]
+        corners = [(Fraction(x), Fraction(y)) for x, y in ring]
+        for (ax, ay), (bx, by) in zip(corners, [*corners[1:], corners[0]], strict=True):
+            across = (ax * by - ay * bx) ** 2 / ((bx - ax) ** 2 + (by - ay) ** 2)
+            if outside:
+                assert across >= disc.squared_radius
+                assert ax**2 + ay**2 <= (low + off) ** 2
+            else:
+                assert ax**2 + ay**2 <= disc.squared_radius
+                assert across >= (high - off) ** 2
+
+
+@pytest.mark.parametrize(
+    ("arguments", "what"),
+    [
+        (("disc:0",), "the radius is zero"),
+        (("disc:-1",), "the radius is negative"),
+        (("disc:",), "the radius"),
+        (("disc:nan",), "the radius"),
+        (("disc:sqrt:x",), "the radius"),
+        (("disc:" + "9" * 1001,), "characters"),
+        (("disc:1", "--route", "paper"), "--route"),
+        (("disc:1", "--arithmetic", "double"), "--arithmetic"),
+        (("disc:1", "--plot"), "--plot"),
+        (("disc:1", "--tolerance", "1"), "--tolerance"),
+        (("disc:1", "--outside"), "--outside"),
+        (("disc:1", "-o", "sum.wkt"), "this format has no arcs"),
+        (("disc:1", "-o", "sum.wkt", "--tolerance", "0"), "--tolerance"),
+        (("disc:1", "-o", "sum.wkt", "--tolerance", "1e-12"), "corners"),
+        (("disc:1", "-o", "sum.dxf"), "sum.dxf"),
+        (("g1", "--tolerance", "1"), "--tolerance"),
+    ],
+)
+def test_what_it_refuses(
+    minkref: Minkref,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    arguments: tuple[str, ...],
+    what: str,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    ran = minkref("sum", SQUARE, *arguments)
+    assert ran.code == 2
+    assert what in ran.err
+    assert not list(tmp_path.iterdir())
+
+
+def test_two_discs_are_refused(minkref: Minkref) -> None:
+    ran = minkref("sum", "disc:1", "disc:2")
+    assert ran.code == 2
+    assert "add their radii" in ran.err
+
+
+def test_radii_as_texts() -> None:
+    assert read_disc("disc:0.25").radius == "1/4"
+    assert read_disc("disc:sqrt:9/4").radius == "3/2"
+    assert read_disc("disc:sqrt:3").scaled(Fraction(2)).radius == "sqrt:12"
