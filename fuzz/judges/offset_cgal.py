@@ -12,7 +12,12 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
+from minkref.fuzz.cgal.executables import BUILD_COMMAND, search_folders
+
+PROGRAM = "minkref-cgal-offset"
 Curve = tuple[str, ...]
+Piece = dict[str, Any]
+Spot = tuple[float, float]
 Ring = tuple[Curve, ...]
 ALIKE = 1e-4  # of angles that are one
 NEAR = 1e-7  # of the size of the set: how far a line may be from the edge's that it is named by
@@ -25,15 +30,26 @@ class OffsetAnswer:
 
     components: list[tuple[Ring, list[Ring]]] | None
     holes: int = 0
+    paths: tuple[tuple[Spot, ...], ...] = ()  # the rings as they came, by some points of each
     seconds: float | None = None
     why: str = ""
+
+
+def executable() -> Path | None:
+    paths = (folder / PROGRAM for folder in search_folders())
+    return next((path for path in paths if path.is_file()), None)
+
+
+def absence() -> str | None:
+    """What is missing, and the command that gets it."""
+    return None if executable() else f"{PROGRAM} is not built: {BUILD_COMMAND}"
 
 
 class OffsetJudge:
     """One child process for many offsets, started anew after one that took too long."""
 
-    def __init__(self, executable: Path, seconds: float) -> None:
-        self._executable, self._seconds = executable, seconds
+    def __init__(self, seconds: float) -> None:
+        self._executable, self._seconds = executable(), seconds
         self._process: subprocess.Popen[str] | None = None
 
     def __enter__(self) -> OffsetJudge:
@@ -51,6 +67,8 @@ class OffsetJudge:
     def offset(self, P: dict[str, Any], radius: Fraction) -> OffsetAnswer:
         """Of polygons as canonical JSON has them, exact. CGAL's lines have no rational equation:
         they are named by the edge of P, moved outwards, that they are near."""
+        if self._executable is None:
+            return OffsetAnswer(None, why=str(absence()))
         if self._process is None:
             self._process = subprocess.Popen(
                 [self._executable], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
@@ -89,8 +107,9 @@ class OffsetJudge:
             for ring in (each["outer"], *each["holes"])
             for part in _split(ring, lines.near)
         ]
-        holes = sum(_area([spot for piece in part for spot in _path(piece)]) < 0 for part in parts)
-        return OffsetAnswer(_components(rings, lines), holes, answer["seconds"])
+        paths = tuple(tuple(spot for piece in part for spot in _path(piece)) for part in parts)
+        holes = sum(_area(path) < 0 for path in paths)
+        return OffsetAnswer(_components(rings, lines), holes, paths, answer["seconds"])
 
 
 class _Lines:
@@ -132,10 +151,6 @@ class _Lines:
         if len(found) != 1:
             raise ValueError(f"{len(found)} edges lead to the line of a piece")
         return found[0]
-
-
-Piece = dict[str, Any]
-Spot = tuple[float, float]
 
 
 def _walks(pieces: list[Piece], near: float) -> list[list[Piece]]:
@@ -217,7 +232,7 @@ def _components(rings: list[list[Piece]], lines: _Lines) -> list[tuple[Ring, lis
         if area > 0:
             continue
         inside = paths[k][1]  # the middle of a piece
-        around = [other for other in holes if _is_in(inside, paths[other])]
+        around = [other for other in holes if is_in(inside, paths[other])]
         holes[min(around, key=areas.__getitem__)].append(_ring(rings[k], lines))
     found = [(_ring(rings[k], lines), sorted(of, key=_order)) for k, of in holes.items()]
     return sorted(found, key=lambda component: _order(component[0]))
@@ -246,7 +261,7 @@ def _area(path: Sequence[Spot]) -> float:
     ) / 2  # fmt: skip
 
 
-def _is_in(spot: Spot, path: Sequence[Spot]) -> bool:
+def is_in(spot: Spot, path: Sequence[Spot]) -> bool:
     x, y = spot
     inside = False
     for a, b in zip(path, [*path[1:], path[0]], strict=True):

@@ -1,0 +1,113 @@
+"""Sums with a disc are CGAL's exact offsets, curve by curve, and quicker."""
+
+from __future__ import annotations
+
+import statistics
+from fractions import Fraction
+
+from minkref import _core
+from minkref.disc.disc import Disc
+from minkref.disc.polygons import polygon_near
+from minkref.fuzz.judges.offset_cgal import OffsetJudge, absence
+from minkref.fuzz.judges.offset_comparison import Table, compare, compare_one
+from minkref.model_catalogue import all_models
+from minkref.operand import read_operand
+from minkref.reports.evidence.framework.in_processes import in_processes
+from minkref.reports.evidence.framework.part import AGAINST_CGAL, Findings
+
+SUBJECT = (
+    "Sums with a disc, of sets of cells of a grid, 70 % at radii at which much happens, and of "
+    "large polygons: curves, components and holes are those of CGAL's exact offset, or a point "
+    "refutes it; areas between those of sums with polygons in and around the disc; seconds of both "
+    "in one run."
+)
+MINUTES = (6, 0.5)
+DEPENDS = (*AGAINST_CGAL, "python/minkref/disc/*.py")
+
+SEED = 2012
+SETS, QUICK_SETS = 2000, 100
+BATCH = 50
+LARGE = ("neuron", "monkey", "bird")
+LOOK_ALIKES = {"neuron": "cells1815", "monkey": "glyph1204", "bird": "glyph275"}
+PARTS = (Fraction(1, 300), Fraction(1, 100), Fraction(1, 30))  # radii, of the length of the box
+SECONDS, QUICK_SECONDS = 120.0, 10.0  # of an offset by CGAL
+TIMES = 5
+
+
+def batch(first: int) -> Table:
+    table = Table()
+    compare(SEED, range(first, first + BATCH), table)
+    return table
+
+
+def run(findings: Findings, quick: bool) -> None:
+    missing = absence()
+    if missing:
+        findings.note(missing)
+        findings.law("CGAL's exact offset is there", False, "it is", missing)
+        return
+    table = Table()
+    for one in in_processes(batch, range(0, QUICK_SETS if quick else SETS, BATCH), each=5):
+        table.counts.update(one.counts)
+        table.unanswered += one.unanswered
+        table.differences += one.differences
+        table.refuted += one.refuted
+    sets = table.counts["compared"]
+    rows = _large(table, quick, findings)
+    findings.none("sums that are neither CGAL's nor refute it by a point", table.differences)
+    wanted = QUICK_SETS * 9 // 10 if quick else SETS * 19 // 20
+    findings.law("sets of cells compared, curve by curve", sets >= wanted, wanted, sets)
+    findings.note(
+        f"seed {SEED}: {table.counts['at radii of events']:,} at radii of events, "
+        f"{table.counts['at other radii']:,} at others; {table.counts['holes']:,} holes, "
+        f"{table.counts['curves']:,} curves; without an answer of CGAL: "
+        f"{'; '.join(table.unanswered) or 'none'}; answers of CGAL that a point refutes: "
+        f"{len(table.refuted)}"
+    )
+    findings.figures = {"counts": dict(table.counts), "large": rows}
+
+
+def _large(table: Table, quick: bool, findings: Findings) -> list[dict[str, object]]:
+    rows: list[dict[str, object]] = []
+    with OffsetJudge(QUICK_SECONDS if quick else SECONDS) as judge:
+        for name in LARGE[-1:] if quick else LARGE:
+            known = name if name in all_models() else LOOK_ALIKES[name]
+            P = read_operand(known).set
+            xmin, ymin, xmax, ymax = P.bounding_box()
+            for part in PARTS[-1:] if quick else PARTS:
+                size = Fraction(round(float(part) * max(xmax - xmin, ymax - ymin) * 1000), 1000)
+                _, theirs = compare_one(judge, known, P, size, table)
+                found = [_core.offset(P, str(size**2), 2) for _ in range(TIMES)]
+                ours = statistics.median(each.seconds for each in found)
+                rows.append(
+                    {
+                        "model": known, "vertices": P.vertices, "radius": str(size),
+                        "curves": found[0].curves, "holes": found[0].holes, "minkref": ours,
+                        "cgal": theirs,
+                    }
+                )  # fmt: skip
+                told = "no answer" if theirs is None else f"{theirs:.2f} s, {theirs / ours:,.0f}"
+                findings.note(
+                    f"{known} ({P.vertices:,} vertices), radius {size}: {found[0].curves:,} "
+                    f"curves, {found[0].holes} holes, {ours * 1000:.1f} ms; CGAL {told} times ours"
+                )
+                if name == "neuron":
+                    what = f"{known}, radius {size}: seconds on two threads"
+                    findings.target(what, ours <= 0.1, "at most 0.1 s", f"{ours:.3f} s")
+                _sandwich(known, P, size, found[0], findings)
+    return rows
+
+
+def _sandwich(
+    name: str, P: _core.PolygonSet, radius: Fraction, found: _core.Offset, findings: Findings
+) -> None:
+    disc = Disc("", radius**2)
+    polygons = [polygon_near(disc, radius / 20, outside) for outside in (False, True)]
+    areas = [Fraction(_core.minkowski_sum(P, Q, "1").region.area()) for Q in polygons]
+    low, high = (Fraction(bound) for bound in found.area)
+    findings.law(
+        f"{name}, radius {radius}: area between those with polygons in and around the disc",
+        areas[0] <= high and low <= areas[1],
+        f"{float(areas[0]):.6g} to {float(areas[1]):.6g}",
+        f"{float(low):.10g}",
+    )
