@@ -12,7 +12,8 @@
 namespace minkref::inline space {
 namespace {
 
-constexpr std::size_t cells_a_facet = 128, most_cells = std::size_t{1} << 22;
+constexpr std::size_t cells_a_facet = 64, least_cells = std::size_t{1} << 15,
+                      most_cells = std::size_t{1} << 22;
 
 using NearLists = std::vector<std::vector<std::uint32_t>>;
 
@@ -44,7 +45,9 @@ NearLists near_lists(const std::vector<ConvolutionFacet>& facets) {
 }
 
 /// So few that they cost less than the search for edges.
-std::size_t cells_for(std::size_t facets) { return std::min(cells_a_facet * facets, most_cells); }
+std::size_t cells_for(std::size_t facets) {
+  return std::clamp(cells_a_facet * facets, least_cells, most_cells);
+}
 
 /// Which facets lie in the interior of the sum.
 std::vector<bool> covered_facets(const std::vector<ConvolutionFacet>& facets,

@@ -16,12 +16,19 @@ using Cell = CellGrid::Cell;
 
 constexpr double most_index = 1e9;
 
-/// The cells that a closed box meets, its border included, from the first to the second.
-std::pair<Cell, Cell> cells_about(const SpaceBox& box, double size) {
+/// Of a number that is no greater than an index. Quicker than a call.
+long floor_of(double x) {
+  const long towards_zero = static_cast<long>(x);
+  return towards_zero - (static_cast<double>(towards_zero) > x ? 1 : 0);
+}
+
+/// The cells that a closed box meets, its border included, from the first to the second. The size
+/// is a power of two: quotients are products, and exact.
+std::pair<Cell, Cell> cells_about(const SpaceBox& box, double inverse_size) {
   std::pair<Cell, Cell> cells;
   for (std::size_t k = 0; k < 3; ++k) {
-    cells.first[k] = static_cast<long>(std::ceil(box.low[k] / size)) - 1;
-    cells.second[k] = static_cast<long>(std::floor(box.high[k] / size));
+    cells.first[k] = -floor_of(-box.low[k] * inverse_size) - 1;
+    cells.second[k] = floor_of(box.high[k] * inverse_size);
   }
   return cells;
 }
@@ -45,13 +52,32 @@ void for_cells(const Cell& first, const Cell& last, Look&& look) {
   }
 }
 
+/// About the longest; any will do.
+std::size_t longest_side(const std::array<BoundedVector, 3>& corners) {
+  std::size_t longest = 0;
+  double most = -1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    double square = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double way = corners[(k + 1) % 3][i].value - corners[k][i].value;
+      square += way * way;
+    }
+    if (square > most) {
+      most = square;
+      longest = k;
+    }
+  }
+  return longest;
+}
+
 /// The cells of an operand.
 class OperandCells {
  public:
-  OperandCells(const SpaceOperand& body, double size) : body_(body), size_(size) {
+  OperandCells(const SpaceOperand& body, double size)
+      : body_(body), size_(size), inverse_size_(1 / size) {
     SpaceBox box;
     for (const FilteredVector& point : body.points) box.add(box_around(point.rounded));
-    const auto [first, last] = cells_about(box, size);
+    const auto [first, last] = cells_about(box, inverse_size_);
     Cell low, extent;
     for (std::size_t k = 0; k < 3; ++k) {
       low[k] = first[k] - 1;
@@ -68,7 +94,7 @@ class OperandCells {
       const std::array corners{body_.points[triangle.corners[0]].rounded,
                                body_.points[triangle.corners[1]].rounded,
                                body_.points[triangle.corners[2]].rounded};
-      if (!touch(corners, InteriorCells::most_halvings)) return false;
+      if (!touch(corners, 2 * InteriorCells::most_halvings)) return false;
     }
     const Cell &low = touched_.low(), &size = touched_.size();
     for_cells(low, {low[0] + size[0] - 1, low[1] + size[1] - 1, low[2] + size[2] - 1},
@@ -86,20 +112,24 @@ class OperandCells {
     Cell cell;
     const SpaceBox box = box_around(point);
     for (std::size_t k = 0; k < 3; ++k) {
-      cell[k] = static_cast<long>(std::floor(box.low[k] / size_));
+      cell[k] = floor_of(box.low[k] * inverse_size_);
       if (static_cast<double>(cell[k] + 1) * size_ < box.high[k]) return;
     }
     reached.add(cell);
   }
 
-  bool touch(std::span<const BoundedVector> corners, int halvings) {
+  /// Of a triangle, in halves across its longest side until they are no larger than a cell.
+  bool touch(const std::array<BoundedVector, 3>& corners, int halvings) {
     if (++pieces_ > InteriorCells::most_pieces) return false;
     const SpaceBox box = box_of(corners);
     const bool is_small = box.high[0] - box.low[0] <= size_ && box.high[1] - box.low[1] <= size_ &&
                           box.high[2] - box.low[2] <= size_;
     const bool corners_only = planted(Fault::cells_of_corners_only);
     if (!is_small && halvings > 0 && !corners_only) {
-      return all_halves(corners, [&](auto part) { return touch(part, halvings - 1); });
+      const std::size_t k = longest_side(corners);
+      const BoundedVector &a = corners[k], &b = corners[(k + 1) % 3], &c = corners[(k + 2) % 3];
+      const BoundedVector half = middle(a, b);
+      return touch({a, half, c}, halvings - 1) && touch({half, b, c}, halvings - 1);
     }
     for (const BoundedVector& corner : corners) {
       reach(corner);
@@ -110,7 +140,7 @@ class OperandCells {
   }
 
   void touch_box(const SpaceBox& box) {
-    const auto [first, last] = cells_about(box, size_);
+    const auto [first, last] = cells_about(box, inverse_size_);
     for_cells(first, last, [&](const Cell& cell) {
       touched_.add(cell);
       if (planted(Fault::cells_reached_by_boxes)) reached.add(cell);
@@ -172,7 +202,7 @@ class OperandCells {
   }
 
   const SpaceOperand& body_;
-  double size_;
+  double size_, inverse_size_;
   std::size_t pieces_ = 0;
   CellGrid touched_, seen_;
 };
@@ -222,10 +252,11 @@ InteriorCells::InteriorCells(const SpaceOperand& P, const SpaceOperand& Q, std::
 
 bool InteriorCells::contain_box(const SpaceBox& box) const {
   if (!is_usable(box, size_)) return false;
+  const double inverse_size = 1 / size_;
   Cell first, last;
   for (std::size_t k = 0; k < 3; ++k) {
-    first[k] = static_cast<long>(std::floor(box.low[k] / size_));
-    last[k] = static_cast<long>(std::floor(box.high[k] / size_));
+    first[k] = floor_of(box.low[k] * inverse_size);
+    last[k] = floor_of(box.high[k] * inverse_size);
     if (last[k] - first[k] > 2) return false;
   }
   bool all = true;

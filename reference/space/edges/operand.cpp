@@ -135,19 +135,6 @@ SpaceOperands space_operands(const Polyhedron& P, const Polyhedron& Q, const Sca
           SpaceOperand(Q, {split, integers.points.end()}, shift), integers.denominator};
 }
 
-SpaceBox box_around(const BoundedVector& point) {
-  constexpr double infinity = SpaceBox::infinity;
-  SpaceBox box;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto [value, error] = point[k];
-    const double low = error == 0 ? value : std::nextafter(value - error, -infinity);
-    const double high = error == 0 ? value : std::nextafter(value + error, infinity);
-    box.low[k] = std::isnan(low) ? -infinity : low;
-    box.high[k] = std::isnan(high) ? infinity : high;
-  }
-  return box;
-}
-
 SpaceBox SpaceOperand::box_of(std::uint32_t triangle) const {
   SpaceBox box;
   for (const std::uint32_t v : triangles[triangle].corners) box.add(box_around(points[v].rounded));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -51,7 +52,19 @@ struct SpaceOperands {
 /// Throws BadInput ("bad-scale") for a factor that is not positive. Exact.
 SpaceOperands space_operands(const Polyhedron& P, const Polyhedron& Q, const Scaling& scaling);
 
-/// The least box of doubles around points.
-SpaceBox box_around(const BoundedVector& point);
+/// A box of doubles around a point, a few of them wider than the bounds of the point.
+inline SpaceBox box_around(const BoundedVector& point) {
+  constexpr double infinity = SpaceBox::infinity;
+  SpaceBox box;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double value = point[k].value, error = point[k].error;
+    // Roundings of the difference, of the margin and of the result, and the least double.
+    const double margin = error == 0 ? 0 : error + (std::abs(value) + error) * 0x1p-51 + 1e-323;
+    const double low = value - margin, high = value + margin;
+    box.low[k] = std::isnan(low) ? -infinity : low;
+    box.high[k] = std::isnan(high) ? infinity : high;
+  }
+  return box;
+}
 
 }  // namespace minkref::inline space
