@@ -28,6 +28,7 @@ from minkref.commands.lists.scale_index import (
     index_of,
     refuse_overwriting_index,
 )
+from minkref.disc.disc import is_disc
 from minkref.documents import Stopwatch, as_text, document, refuse_overwriting
 from minkref.errors import Refusal, choice, refusing
 from minkref.event_lists import BoundaryEventList, EventList, PairEventList, find_events
@@ -82,7 +83,7 @@ def command(
     from_scale: WindowFrom = None,
     to_scale: WindowTo = None,
     kind: Annotated[
-        str,
+        str | None,
         typer.Option(
             "--kind",
             help="pair: two edges of the convolution start or stop meeting. "
@@ -91,9 +92,10 @@ def command(
             "arrangement: all three. "
             "In space these are of facets: pair of two, triple of three and of four. "
             "boundary: the vertices of the sum's boundary or their order change. "
-            "topology: a hole or component is born, dies, merges, splits or touches itself.",
+            "topology: a hole or component is born, dies, merges, splits or touches itself. "
+            "Default: pair, and with a disc boundary.",
         ),
-    ] = "pair",
+    ] = None,
     form: Annotated[
         str,
         typer.Option("--form", help="corrected, or printed: the paper's own rule, often wrong."),
@@ -170,8 +172,21 @@ def command(
 ) -> None:
     """All scales at which edges of the reduced convolution start or stop meeting: exact, sorted. In
     space, where P and Q are polyhedra, those at which two of its facets start, change or stop to
-    meet in a window."""
+    meet in a window. With `disc` for Q, the radii at which the sum with a disc changes."""
     watch = Stopwatch()
+    if is_disc(Q):
+        from minkref.commands.disc.events import events_with_disc
+
+        given = {
+            "--form": form != "corrected", "--arithmetic": arithmetic != "rational",
+            "--reading": bool(reading), "--least-precision": least, "--route": route is not None,
+            "--index": index is not None, "--where": where is not None,
+        }  # fmt: skip
+        events_with_disc(
+            P, Q, kind, from_scale, to_scale, limit, output, file_format, json, memory, given
+        )
+        return
+    kind = kind or "pair"
     _check(kind, form, arithmetic, least, limit)
     if in_space(P, Q):
         from minkref.commands.space.events import events_in_space, refuse_in_space

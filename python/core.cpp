@@ -112,6 +112,7 @@ NB_MODULE(_core, module) {
   minkref::python::bind_files(module);
   minkref::python::bind_sum(module);
   minkref::python::bind_disc(module);
+  minkref::python::bind_disc_events(module);
   minkref::python::bind_convolution(module);
   minkref::python::bind_conditions(module);
   minkref::python::bind_events(module);

@@ -3,6 +3,7 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 
+#include <functional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -84,7 +85,19 @@ Fields statistics(const TimedOffset& offset) {
 }  // namespace
 
 void bind_disc(nb::module_& module) {
-  nb::class_<TimedOffset>(module, "Offset", "P + a disc: a region bounded by segments and arcs.")
+  unchanging(nb::class_<TimedOffset>(module, "Offset",
+                                     "P + a disc: a region bounded by segments and arcs. Equal to "
+                                     "another where the canonical forms are."))
+      .def(
+          "__eq__",
+          [](const TimedOffset& a, const TimedOffset& b) {
+            return canonical_json(a.region) == canonical_json(b.region);
+          },
+          nb::is_operator(), nb::sig("def __eq__(self, other: object, /) -> bool"))
+      .def("__hash__",
+           [](const TimedOffset& offset) {
+             return std::hash<std::string>()(canonical_json(offset.region));
+           })
       .def("__repr__",
            [](const TimedOffset& offset) {
              return "<Offset: " + std::to_string(offset.region.components.size()) +

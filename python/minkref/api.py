@@ -37,6 +37,7 @@ from minkref.errors import Refusal as Refusal
 from minkref.event_values import Event as Event
 from minkref.event_values import Events as Events
 from minkref.event_values import events as events
+from minkref.exact import read_number
 from minkref.operand import is_utf8, read_set
 from minkref.parents import passages_of
 
@@ -44,6 +45,7 @@ BadInput = _core.BadInput
 ConvexPolyhedron = _core.ConvexPolyhedron
 ConvexSum = _core.ConvexSum
 LimitExceeded = _core.LimitExceeded
+Offset = _core.Offset
 PolygonSet = _core.PolygonSet
 PolyhedralSet = _core.PolyhedralSet
 Polyhedron = _core.Polyhedron
@@ -74,6 +76,34 @@ def minkowski_sum(
     _validate(P=P, Q=Q)
     s = number("scale", scale)
     return _core.minkowski_sum(P, Q, s, text_of("route", route), text_of("arithmetic", arithmetic))
+
+
+def offset(
+    P: PolygonSet,
+    radius: Number | None = None,
+    squared_radius: Number | None = None,
+    threads: int = 1,
+) -> Offset:
+    """The Minkowski sum of P and a disc about the origin, whose `radius` > 0 is given, or the square
+    of it: a region bounded by segments and arcs, with its components, holes, area and length (each
+    between two doubles) and a canonical form in rational numbers.
+
+    P may be a segment or a point, and is validated first. Exact: by intervals of doubles, and by
+    square roots where these do not tell. O(n log n + k) for k pairs of an offset curve and an edge
+    that may be nearer to it than the radius. Raises BadInput. Behar & Lien 2012, Appendix;
+    docs/disc.md."""
+    _validate(P=P)
+    if (radius is None) == (squared_radius is None):
+        raise Refusal("one radius is asked for", "offset", "give radius or squared_radius")
+    if radius is not None:
+        where, mend = f"radius {radius}", "give a positive number, as 7/5"
+        value = read_number(number("radius", radius), "radius", where, mend)
+        if value <= 0:
+            raise Refusal("the radius is not above 0", where, mend, "bad-radius")
+        square = str(value**2)
+    else:
+        square = number("squared_radius", squared_radius)
+    return _core.offset(P, square, max(1, whole("threads", threads)))
 
 
 def convex_sum(

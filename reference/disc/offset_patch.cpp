@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace minkref::inline disc {
@@ -69,12 +70,20 @@ class Builder {
     return found->second;
   }
 
+  std::uint32_t line_of(const Point& start, const Direction& along, std::uint32_t edge) {
+    const Direction way = primitive(along);
+    const auto [found, is_new] =
+        lines_.try_emplace({way.x, way.y, way.y * start.x - way.x * start.y},
+                           static_cast<std::uint32_t>(curves_.features.size()));
+    if (is_new) curves_.features.push_back({edge, {}});
+    return found->second;
+  }
+
   void add_edge(const Corner& from, const Corner& to, std::uint32_t polygon) {
     const Direction along = from_to(from.at, to.at);
     const std::uint32_t start = circle_about(from.at), end = circle_about(to.at);
-    const auto feature = static_cast<std::uint32_t>(curves_.features.size()),
-               number = static_cast<std::uint32_t>(curves_.edges.size());
-    curves_.features.push_back({number, {}});
+    const auto number = static_cast<std::uint32_t>(curves_.edges.size());
+    const std::uint32_t feature = line_of(from.at, along, number);
     curves_.edges.push_back({from.id,
                              polygon,
                              from.at,
@@ -136,10 +145,20 @@ class Builder {
 
   OffsetCurves curves_;
   std::map<std::pair<Rational, Rational>, std::uint32_t> circles_;
+  std::map<std::tuple<Rational, Rational, Rational>, std::uint32_t> lines_;
   std::map<std::uint32_t, std::vector<std::uint32_t>> leaving_;  ///< edges, by where they start
 };
 
 }  // namespace
+
+Direction primitive(const Direction& d) {
+  namespace mp = boost::multiprecision;
+  const Rational common(mp::denominator(d.x) * mp::denominator(d.y));
+  const Integer x = mp::numerator(Rational(d.x * common)),
+                y = mp::numerator(Rational(d.y * common));
+  const Integer divisor = mp::gcd(x, y);
+  return {Rational(Integer(x / divisor)), Rational(Integer(y / divisor))};
+}
 
 OffsetCurves offset_curves(const PolygonSet& P) {
   Builder builder;

@@ -22,6 +22,9 @@ inline Direction from_to(const Point& from, const Point& to) {
   return {to.x - from.x, to.y - from.y};
 }
 
+/// In coprime integers; not zero.
+Direction primitive(const Direction& d);
+
 /// A closed edge of P. Its offset curve is a part of a line.
 struct OffsetEdge {
   VertexId id;            ///< where it starts
@@ -29,7 +32,7 @@ struct OffsetEdge {
   Point start, end;
   Direction along, normal;  ///< the normal points outwards and is as long as the edge
   Rational squared_length;
-  std::uint32_t feature;                     ///< the number of its curve
+  std::uint32_t feature;                     ///< of its line: edges on one line have one
   std::uint32_t start_feature, end_feature;  ///< of the circles about its ends
 };
 
@@ -49,7 +52,7 @@ struct OffsetCurves {
   std::vector<OffsetEdge> edges;
   std::vector<OffsetPatch> patches;
   struct Feature {
-    std::uint32_t edge;  ///< none for a circle
+    std::uint32_t edge;  ///< the first on a line; none for a circle
     Point centre;
   };
   std::vector<Feature> features;  ///< vertices in one place are one

@@ -87,10 +87,6 @@ class Curves {
   std::vector<std::uint32_t> features_;             ///< one of each
 };
 
-Integer common_divisor(const Integer& a, const Integer& b) {
-  return boost::multiprecision::gcd(a, b);
-}
-
 void append(std::string& text, const Rational& number) {
   text += '"';
   text += to_string(number);
@@ -118,15 +114,10 @@ void append(std::string& text, const OffsetRing& ring, const OffsetCurves& curve
 }  // namespace
 
 OffsetCurve offset_curve(const OffsetCurves& curves, std::uint32_t feature) {
-  namespace mp = boost::multiprecision;
   const OffsetCurves::Feature& own = curves.features[feature];
   if (own.edge == OffsetPatch::none) return {true, own.centre.x, own.centre.y, 0};
   const OffsetEdge& edge = curves.edges[own.edge];
-  const Integer common = mp::denominator(edge.along.x) * mp::denominator(edge.along.y);
-  const Integer x = mp::numerator(Rational(edge.along.x * Rational(common))),
-                y = mp::numerator(Rational(edge.along.y * Rational(common)));
-  const Integer divisor = common_divisor(x, y);
-  const Rational dx(Integer(x / divisor)), dy(Integer(y / divisor));
+  const auto [dx, dy] = primitive(edge.along);
   return {false, dx, dy, dy * edge.start.x - dx * edge.start.y};
 }
 

@@ -10,6 +10,7 @@ from minkref.errors import Refusal
 from minkref.exact import LONGEST_SCALE, read_number
 
 PREFIX = "disc:"
+ANY = "disc"
 ROOT = "sqrt:"
 MEND = "give a positive number, as disc:7/5, disc:0.25 or disc:sqrt:2"
 
@@ -46,11 +47,14 @@ class Disc:
 
 
 def is_disc(name: str) -> bool:
-    return name.startswith(PREFIX)
+    """`disc` alone is one of any radius, where radii are looked for."""
+    return name.startswith(PREFIX) or name == ANY
 
 
 def read_disc(name: str) -> Disc:
     """Refuses what is not a positive finite number after the prefix."""
+    if name == ANY:
+        raise Refusal("the disc has no radius", name, MEND, "bad-radius")
     text = name.removeprefix(PREFIX)
     where = name[:40] + ("..." if len(name) > 40 else "")
     if len(text) > LONGEST_SCALE:

@@ -1,0 +1,146 @@
+"""`minkref events P disc`: the radii at which the sum with a disc changes."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Iterator
+from fractions import Fraction
+from itertools import islice
+from pathlib import Path
+from typing import Any
+
+from minkref import _core
+from minkref.commands.line.memory import SIMPLER, memory_wall
+from minkref.commands.lists.scale_index import cores
+from minkref.disc.disc import ANY
+from minkref.documents import Stopwatch, as_text, document, listing, refuse_overwriting
+from minkref.errors import Refusal, choice, refusing
+from minkref.exact import read_scale
+from minkref.operand import read_operand
+from minkref.output_target import target_of
+from minkref.terminal import console, counted
+
+FORMATS = ("json", "jsonl")
+KINDS = {"boundary": ("corner", "joint", "saddle", "maximum"), "topology": ("saddle", "maximum")}
+SHOWN = 10  # events that people see
+ROWS = 1 << 12  # that are asked for at a time
+Row = dict[str, Any]
+
+
+def events_with_disc(
+    P: str,
+    Q: str,
+    kind: str | None,
+    first: str | None,
+    last: str | None,
+    limit: int | None,
+    output: Path | None,
+    form: str | None,
+    json_document: bool,
+    memory: int | None,
+    given: dict[str, bool],
+) -> None:
+    """The command, its options read but not yet checked. `given`: options that there are not."""
+    watch = Stopwatch()
+    if Q != ANY:
+        mend = "name the disc `disc`, and bounds of its radius by --from and --to"
+        raise Refusal("events are found for all radii", Q, mend)
+    for option, is_given in given.items():
+        if is_given:
+            raise Refusal("events of a disc do not have this option", option, "leave it out")
+    if kind is not None and kind not in KINDS:
+        raise Refusal(f"there are no events {kind} of a disc", "--kind", choice(kind, tuple(KINDS)))
+    chosen = kind or "boundary"
+    if limit is not None and limit < 0:
+        raise Refusal("the limit is negative", f"--limit {limit}", "give a number of events")
+    bounds = [
+        None if bound is None else Fraction(read_scale(bound, option))
+        for bound, option in ((first, "--from"), (last, "--to"))
+    ]
+    if bounds[0] is not None and bounds[1] is not None and bounds[0] > bounds[1]:
+        raise Refusal(
+            "no radius is in the window", f"--from {first} --to {last}", "exchange the bounds"
+        )
+    target = target_of(output, form, FORMATS, "json", json_document)
+    with memory_wall(memory, "events of a disc", P, SIMPLER):
+        operand = read_operand(P)
+        if output is not None:
+            refuse_overwriting(output, [operand.file])
+        squares = [None if bound is None else str(bound**2) for bound in bounds]
+        found = refusing(
+            operand.name, lambda: _core.diagram_events(operand.set, cores(), squares[0], squares[1])
+        )
+    counts = dict.fromkeys(KINDS["boundary"], 0)
+    for row in _all(found):
+        counts[row["kind"]] += 1
+    count = sum(counts[name] for name in KINDS[chosen])
+    rows = islice((row for row in _all(found) if row["kind"] in KINDS[chosen]), limit)
+    head = document(
+        "events",
+        watch,
+        P=operand.name,
+        Q=Q,
+        **{"from": None if bounds[0] is None else str(bounds[0])},
+        to=None if bounds[1] is None else str(bounds[1]),
+        kind=chosen,
+        warnings=operand.warnings,
+        output=str(output) if output else None,
+        compute_seconds=found.seconds,
+        exact_signs=found.exact_signs,
+        counts=counts,
+        count=count,
+    )
+    if target is not None and target.form == "jsonl":
+        target.write_pieces(json.dumps(row) + "\n" for row in rows)
+    elif target is not None:
+        target.write_pieces(listing(head, "events", rows))
+    if json_document and target is None:
+        sys.stdout.writelines(listing(head, "events", rows))
+    elif json_document:
+        sys.stdout.write(as_text({**head, "events": None}))
+    elif target is None or not target.is_standard_output:
+        shown = [] if target is not None else list(islice(rows, SHOWN if limit is None else limit))
+        _print(head, shown)
+
+
+def _all(found: _core.DiagramEvents) -> Iterator[Row]:
+    for first in range(0, len(found), ROWS):
+        for kind, square, polynomial, radius, place, features in found.rows(first, ROWS):
+            yield {
+                "kind": kind,
+                "radius": {"low": radius[0], "high": radius[1]},
+                "squared_radius": square,
+                "polynomial": polynomial,
+                "place": list(place),
+                "features": [_feature(*feature) for feature in features],
+            }
+
+
+def _feature(kind: str, first: str, second: str) -> Row:
+    if kind == "vertex":
+        return {"vertex": [first, second]}
+    return {"edge": [int(first), int(second)]}
+
+
+def _print(head: dict[str, Any], rows: list[Row]) -> None:
+    out = console()
+    counts = ", ".join(counted(n, name) for name, n in head["counts"].items() if n)
+    out.print(
+        f"{head['P']} + disc: {counted(head['count'], head['kind'] + ' event')}", markup=False
+    )
+    if counts:
+        out.print(counts)
+    for row in rows:
+        features = ", ".join(
+            f"vertex ({', '.join(each['vertex'])})"
+            if "vertex" in each
+            else f"edge {each['edge'][0]}.{each['edge'][1]}"
+            for each in row["features"]
+        )
+        middle = (row["radius"]["low"] + row["radius"]["high"]) / 2
+        out.print(f"{middle:>14.9g}  {row['kind']}: {features}")
+    if len(rows) < head["count"]:
+        out.print(f"... {head['count'] - len(rows):,} more; -o FILE writes all")
+    for warning in head["warnings"]:
+        sys.stderr.write(f"warning: {warning}\n")

@@ -1,0 +1,126 @@
+// Radii at which sums with a disc change, in Python.
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "python/core.hpp"
+#include "python/core_build.hpp"
+#include "python/stopwatch.hpp"
+#include "python/vector_caster.hpp"
+#include "reference/disc/diagram_events.hpp"
+#include "reference/number/radicals/polynomial.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace minkref::python {
+namespace {
+
+struct TimedDiagramEvents {
+  DiagramEvents found;
+  double seconds;
+};
+
+/// "vertex" and its coordinates, or "edge" with the ring and the number of its first vertex.
+using FeatureName = std::tuple<std::string, std::string, std::string>;
+/// Kind; the squared radius, if it is known to be rational; a polynomial that it is a root of, the
+/// lowest coefficient first; bounds of the radius; the place, rounded; the features.
+using DiagramRow =
+    std::tuple<std::string, std::optional<std::string>, std::vector<std::string>,
+               std::pair<double, double>, std::pair<double, double>, std::vector<FeatureName>>;
+
+const char* name(DiagramEvent::Kind kind) {
+  switch (kind) {
+    case DiagramEvent::Kind::corner:
+      return "corner";
+    case DiagramEvent::Kind::joint:
+      return "joint";
+    case DiagramEvent::Kind::saddle:
+      return "saddle";
+    case DiagramEvent::Kind::maximum:
+      return "maximum";
+  }
+  return "";
+}
+
+DiagramRow row(const DiagramEvents& found, const DiagramEvent& event) {
+  const Polynomial polynomial =
+      without_multiple_roots(found.exact(event).squared_radius.polynomial());
+  std::vector<std::string> coefficients;
+  for (const Rational& c : polynomial) coefficients.push_back(to_string(c));
+  std::optional<std::string> rational;
+  if (polynomial.size() == 2) rational = to_string(Rational(-polynomial[0]));
+  const Interval radius = sqrt(event.squared_radius);
+  std::vector<FeatureName> features;
+  for (const std::uint32_t number : event.features) {
+    const OffsetCurves::Feature& feature = found.curves.features[number];
+    if (feature.edge == OffsetPatch::none) {
+      features.emplace_back("vertex", to_string(feature.centre.x), to_string(feature.centre.y));
+    } else {
+      const VertexId& id = found.curves.edges[feature.edge].id;
+      features.emplace_back("edge", std::to_string(id.ring), std::to_string(id.index));
+    }
+  }
+  return {name(event.kind),
+          rational,
+          coefficients,
+          {radius.lower(), radius.upper()},
+          {approximate(event.at.x), approximate(event.at.y)},
+          features};
+}
+
+}  // namespace
+
+void bind_disc_events(nb::module_& module) {
+  nb::class_<TimedDiagramEvents>(module, "DiagramEvents",
+                                 "The radii at which P + a disc changes, ascending.")
+      .def("__len__", [](const TimedDiagramEvents& self) { return self.found.events.size(); })
+      .def_ro("seconds", &TimedDiagramEvents::seconds)
+      .def_prop_ro("exact_signs",
+                   [](const TimedDiagramEvents& self) { return self.found.exact_signs; })
+      .def(
+          "rows",
+          [](const TimedDiagramEvents& self, std::size_t first, std::size_t count) {
+            const auto& all = self.found.events;
+            std::vector<DiagramRow> rows;
+            for (std::size_t k = first; k < all.size() && k - first < count; ++k) {
+              rows.push_back(row(self.found, all[k]));
+            }
+            return rows;
+          },
+          "first"_a, "count"_a, Released(),
+          "(kind, squared radius or None, polynomial, bounds of the radius, place, features).");
+  module.def(
+      "diagram_events",
+      [](const Set& P, unsigned threads, const std::optional<std::string>& from,
+         const std::optional<std::string>& to) -> TimedDiagramEvents {
+        const Stopwatch watch;
+        DiagramEvents found = diagram_events(P.value, build_on(threads));
+        const auto is_out = [&](const DiagramEvent& event) {
+          const auto side = [&](const Rational& bound) {
+            const Interval way = event.squared_radius - Interval(bound);
+            if (const auto certain = certified_sign(way)) return *certain;
+            return compare(found.exact(event).squared_radius, RootNumber(bound));
+          };
+          return (from && side(parse_rational(*from)) < 0) || (to && side(parse_rational(*to)) > 0);
+        };
+        std::erase_if(found.events, is_out);
+        return {std::move(found), watch.seconds()};
+      },
+      "P"_a, "threads"_a = 1, "from_squared"_a = nb::none(), "to_squared"_a = nb::none(),
+      Released(),
+      "Where and at which radii P + a disc about the origin changes, perhaps in a window of "
+      "squared "
+      "radii. Raises BadInput, LimitExceeded.");
+}
+
+}  // namespace minkref::python

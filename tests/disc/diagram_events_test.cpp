@@ -1,0 +1,99 @@
+// The radii at which the boundary of a sum with a disc changes: between them it does not.
+#include "reference/disc/diagram_events.hpp"
+
+#include <gtest/gtest.h>
+
+#include "reference/disc/offset_region.hpp"
+#include "tests/plane/random_polygons.hpp"
+
+namespace minkref {
+namespace {
+
+using Kind = DiagramEvent::Kind;
+
+/// Rings of curves, and how many holes there are.
+std::string structure(const PolygonSet& P, const Rational& squared_radius) {
+  const OffsetRegion region = offset_region(P, squared_radius);
+  const std::string text = canonical_json(region);
+  return text.substr(0, text.rfind(",\"squared_radius\"")) + std::to_string(region.holes);
+}
+
+struct Radius {
+  Interval near;
+  RootNumber exact;
+};
+
+std::vector<Radius> distinct_radii(const DiagramEvents& found) {
+  std::vector<Radius> radii;
+  for (const DiagramEvent& event : found.events) {
+    const RootNumber exact = found.exact(event).squared_radius;
+    if (radii.empty() || compare(radii.back().exact, exact) != 0) {
+      radii.push_back({event.squared_radius, exact});
+    }
+  }
+  return radii;
+}
+
+/// Two radii in each gap between events, and one below and above: the curves are the same in a gap
+/// and other ones beyond an event.
+void check(const PolygonSet& P) {
+  const DiagramEvents found = diagram_events(P);
+  const std::vector<Radius> radii = distinct_radii(found);
+  std::string before;
+  for (std::size_t k = 0; k <= radii.size(); ++k) {
+    const Rational low = k == 0 ? Rational(0) : Rational(radii[k - 1].near.upper());
+    const Rational high = k == radii.size() ? low * 2 + 1 : Rational(radii[k].near.lower());
+    if (low >= high) continue;
+    const std::string first = structure(P, (low * 9 + high) / 10),
+                      last = structure(P, (low + high * 9) / 10);
+    ASSERT_EQ(first, last) << "between " << low << " and " << high;
+    ASSERT_NE(first, before) << "at " << low;
+    before = first;
+  }
+}
+
+TEST(DiagramEvents, OfRandomRegions) {
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE(seed);
+    testing::Source random(seed);
+    ASSERT_NO_FATAL_FAILURE(check(testing::random_region(random, 2)));
+  }
+}
+
+TEST(DiagramEvents, OfGrids) {
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    SCOPED_TRACE(seed);
+    testing::Source random(seed);
+    ASSERT_NO_FATAL_FAILURE(check(testing::random_mesh_region(random, 2)));
+  }
+}
+
+TEST(DiagramEvents, OfAConvexSetAreNone) {
+  EXPECT_TRUE(diagram_events({{{{{0, 0}, {3, 0}, {1, 2}}, {}}}}).events.empty());
+  EXPECT_TRUE(diagram_events({{{{{0, 0}, {3, 4}}, {}}}}).events.empty());
+  EXPECT_TRUE(diagram_events({{{{{1, 2}}, {}}}}).events.empty());
+  EXPECT_TRUE(diagram_events({}).events.empty());
+}
+
+/// A notch between two corners: its bottom is reached, and it closes.
+TEST(DiagramEvents, OfATriangularHole) {
+  const PolygonSet P{{{{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {{{2, 2}, {2, 6}, {5, 2}}}}}};
+  const DiagramEvents found = diagram_events(P);
+  ASSERT_EQ(found.events.size(), 1U);  // the centre of the circle in it
+  EXPECT_EQ(found.events[0].kind, Kind::maximum);
+  EXPECT_EQ(found.exact(found.events[0]).squared_radius, RootNumber(1));
+  EXPECT_EQ(found.exact(found.events[0]).at.x, RootNumber(3));
+  EXPECT_EQ(found.exact(found.events[0]).at.y, RootNumber(3));
+}
+
+TEST(DiagramEvents, BetweenTwoCorners) {
+  const PolygonSet P{
+      {{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {}}, {{{4, 5}, {5, 5}, {5, 6}, {4, 6}}, {}}}};
+  const DiagramEvents found = diagram_events(P);
+  ASSERT_FALSE(found.events.empty());
+  EXPECT_EQ(found.events[0].kind, Kind::saddle);
+  EXPECT_EQ(found.exact(found.events[0]).squared_radius, RootNumber(Rational(25, 4)));
+}
+
+}  // namespace
+}  // namespace minkref
