@@ -46,6 +46,8 @@ const char* name(DiagramEvent::Kind kind) {
       return "joint";
     case DiagramEvent::Kind::saddle:
       return "saddle";
+    case DiagramEvent::Kind::ridge:
+      return "ridge";
     case DiagramEvent::Kind::maximum:
       return "maximum";
   }

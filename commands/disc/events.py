@@ -22,7 +22,10 @@ from minkref.output_target import target_of
 from minkref.terminal import console, counted
 
 FORMATS = ("json", "jsonl")
-KINDS = {"boundary": ("corner", "joint", "saddle", "maximum"), "topology": ("saddle", "maximum")}
+KINDS = {
+    "boundary": ("corner", "joint", "saddle", "ridge", "maximum"),
+    "topology": ("saddle", "ridge", "maximum"),
+}
 SHOWN = 10  # events that people see
 ROWS = 1 << 12  # that are asked for at a time
 Row = dict[str, Any]
@@ -125,7 +128,7 @@ def _feature(kind: str, first: str, second: str) -> Row:
 
 def _print(head: dict[str, Any], rows: list[Row]) -> None:
     out = console()
-    counts = ", ".join(counted(n, name) for name, n in head["counts"].items() if n)
+    counts = ", ".join(f"{name} {n:,}" for name, n in head["counts"].items() if n)
     out.print(
         f"{head['P']} + disc: {counted(head['count'], head['kind'] + ' event')}", markup=False
     )

@@ -36,7 +36,9 @@ struct ContactEnvelopes::Frame {
     return is_edge ? origin + u * along + radius * normal : origin + radius * direction(u);
   }
   double radius(const Quadratic& value, double u) const {
-    return is_edge ? value.at(u) : -(1 + u * u) / value.at(u);
+    if (is_edge) return value.at(u);
+    const double inverse = -value.at(u);
+    return inverse > 0 ? (1 + u * u) / inverse : infinity;
   }
 };
 

@@ -250,7 +250,11 @@ class Prover {
       is_inside &= has_left && has_right;
     }
     if (is_inside && ways.size() > 2) return Kind::maximum;
-    if (has_opposite && event.features.size() == 2) return Kind::saddle;
+    // Opposite lines are as near all along.
+    const bool has_point = std::any_of(ways.begin(), ways.end(), [&](std::uint32_t feature) {
+      return Site::of(curves_, feature).is_point;
+    });
+    if (has_opposite) return ways.size() == 2 && has_point ? Kind::saddle : Kind::ridge;
     return event.at_joint && event.features.size() == 3 ? Kind::joint : Kind::corner;
   }
 
@@ -343,7 +347,8 @@ DiagramEvents diagram_events(const PolygonSet& P, const BuildOptions& options) {
   const auto proven = [&](Features features, const Spot& spot) {
     std::sort(features.begin(), features.end());
     const std::uint32_t number = collected.number_of(features, spot);
-    if (number == none) refuse();
+    // Three that are as near at no place: points on one line meet at infinity.
+    if (number == none && !candidates<RootNumber>(curves, features).empty()) refuse();
     return number;
   };
   // Where one patch goes on as the next.

@@ -16,6 +16,8 @@ struct DiagramEvent {
     corner,   ///< of the diagram: curves start or stop to be on the boundary
     joint,    ///< where a line goes on as an arc passes another curve
     saddle,   ///< between two features: arcs, or an arc and a line, start to touch
+    ridge,    ///< between two that are opposite, where a third is as near: perhaps all between
+              ///< parallel edges is reached at once
     maximum,  ///< of the distance from P: a hole ends
   };
   Kind kind;
