@@ -84,9 +84,9 @@ def offset(
     squared_radius: Number | None = None,
     threads: int = 1,
 ) -> Offset:
-    """The Minkowski sum of P and a disc about the origin, whose `radius` > 0 is given, or the square
-    of it: a region bounded by segments and arcs, with its components, holes, area and length (each
-    between two doubles) and a canonical form in rational numbers.
+    """The Minkowski sum of P and a disc about the origin, whose `radius` > 0 is given, or its
+    square: a region bounded by segments and arcs, with its components, holes, area and length
+    (each between two doubles) and a canonical form in rational numbers.
 
     P may be a segment or a point, and is validated first. Exact: by intervals of doubles, and by
     square roots where these do not tell. O(n log n + k) for k pairs of an offset curve and an edge

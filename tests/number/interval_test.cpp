@@ -119,6 +119,24 @@ Pair expression(testing::Source& random, int depth, int range) {
   return {apply(operation, a.interval, b.interval), apply(operation, a.exact, b.exact)};
 }
 
+TEST(IntervalRoot, EnclosesTheExactRootWithinTwoDoubles) {
+  MINKREF_SEEDED(random, 12);
+  for (int i = 0; i < 100'000; ++i) {
+    const double a = std::abs(random.finite());
+    const Interval got = sqrt(Interval(a));
+    const Rational exact = from_double(a), low = from_double(got.lower()),
+                   high = from_double(got.upper());
+    ASSERT_LE(low * low, exact) << a;
+    ASSERT_GE(high * high, exact) << a;
+    ASSERT_LE(got.upper(), std::nextafter(std::nextafter(got.lower(), infinity), infinity)) << a;
+  }
+  for (const double root : {0.0, 1.0, 3.0, 0x1p-500, 0x1p500, 12345678.0}) {
+    expect_bounds(sqrt(Interval(root * root)), root, root);
+  }
+  expect_bounds(sqrt(Interval(-4.0, 9.0)), 0, 3);
+  EXPECT_EQ(sqrt(Interval(0.0, infinity)).upper(), infinity);
+}
+
 TEST(IntervalExpression, EnclosesTheExactValueAndItsSignIsRightOrRefused) {
   MINKREF_SEEDED(random, 13);
   int certified = 0, certified_zero = 0, refused = 0;

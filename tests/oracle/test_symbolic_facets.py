@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from minkref.fuzz.judges import facet_tuple_comparison, space_event_comparison
+from minkref.fuzz.judges import facet_arrangement, facet_tuple_comparison, space_event_comparison
 from minkref.oracle.symbolic.rational import Rational
 from minkref.oracle.symbolic.space_standing import on_segment, shared
 
@@ -18,9 +18,21 @@ def test_events_of_two_facets() -> None:
 
 
 def test_events_of_three_and_four_facets() -> None:
-    table = facet_tuple_comparison.compare(seed=1, quadruples=500)
+    table = facet_tuple_comparison.compare(seed=1912, quadruples=400)
     assert not table.differences, table.differences[:2]
     assert table.events["triple birth"] and table.events["four touch"]
+
+
+def test_sides_in_one_plane_that_come_to_pass_through_one_point() -> None:
+    """Two pairs of facets and a side of others lie in one plane at all scales; the second pair of
+    polyhedra has facets that are folded onto each other at a side."""
+    pair = space_event_comparison.solids_of(1912, 385)
+    assert pair is not None
+    judged = facet_arrangement.judge_list(pair, ("1/5", "2"), 160, 3)
+    assert judged is not None and judged.faults == []
+    table = facet_tuple_comparison.compare(1912, 60, first=20)
+    assert not table.differences, table.differences[:2]
+    assert table.events["triple pass"]
 
 
 def test_a_point_shares_itself_alone_with_a_segment() -> None:

@@ -62,9 +62,8 @@ class MovingPlane {
       x = -x;
       y = -y;
     }
-    return from_here(facet.names[k], x, y, [&](const std::array<T, 3>& way) -> T {
-      return x * way[i_] + y * way[j_];
-    });
+    return from_here(facet.names[k], x, y,
+                     [&](const std::array<T, 3>& way) -> T { return x * way[i_] + y * way[j_]; });
   }
 
   /// Of the plane of a facet across, or of the plane that stands on a side of it.
@@ -234,8 +233,7 @@ class CoplanarSearch {
   ContactChange change_at(FlatRow& f, FlatRow& g, FlatRow& h, int turn) {
     const auto rate = [&](FlatRow& a, FlatRow& b) {
       return turn *
-             sign_of_flat(
-                 signs_, [](const auto& x, const auto& y) { return turn_of(x, y); }, a, b);
+             sign_of_flat(signs_, [](const auto& x, const auto& y) { return turn_of(x, y); }, a, b);
     };
     std::array<int, 3> rates{rate(g, h), rate(h, f), across_ ? 0 : rate(f, g)};
     std::sort(rates.begin(), rates.end());

@@ -60,8 +60,8 @@ class PairSearch {
     const bool has_event = add(found, i, j);
     if (what_ == EventsOf::pairs) return;
     if (parallel ? !are_coplanar(convolution_, a, b) : share_a_side(a, b)) return;
-    if (!has_event && !(region ? region->meet_at(from_)
-                               : parallel_facets_meet(convolution_, a, b, from_))) {
+    if (!has_event &&
+        !(region ? region->meet_at(from_) : parallel_facets_meet(convolution_, a, b, from_))) {
       return;
     }
     MeetingPair pair{i, j, parallel, below(window_.from), above(window_.to)};

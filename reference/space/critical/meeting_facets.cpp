@@ -178,9 +178,8 @@ void add_concurrent_events(const MovingConvolution& convolution, std::vector<Mee
   std::sort(result.concurrent.begin(), result.concurrent.end(),
             [](const ConcurrentEvent& a, const ConcurrentEvent& b) {
               const int order = a.s.compare(b.s);
-              return order != 0
-                         ? order < 0
-                         : std::tie(a.facets, a.sides) < std::tie(b.facets, b.sides);
+              return order != 0 ? order < 0
+                                : std::tie(a.facets, a.sides) < std::tie(b.facets, b.sides);
             });
 }
 

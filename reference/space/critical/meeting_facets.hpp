@@ -9,8 +9,8 @@
 
 namespace minkref::inline space {
 
-/// Two facets, ascending, and the scales between which they meet, rounded outwards. Their planes are
-/// one at all scales, or cross, and then they share no side.
+/// Two facets, ascending, and the scales between which they meet, rounded outwards. Their planes
+/// are one at all scales, or cross, and then they share no side.
 struct MeetingPair {
   std::uint32_t first;
   std::uint32_t second : 31, are_coplanar : 1;
@@ -21,10 +21,10 @@ struct MeetingPair {
 double below(const EventScale& number);
 double above(const EventScale& number);
 
-/// Whether two facets have a side in common at all scales. If their planes cross such pairs are in no event of three or
-/// four facets that is not one of fewer: where the side passes through another facet, its ends and
-/// those of the track are events of pairs, and so is all that passes its ends in its plane
-/// (docs/definitions.md, Critical scales).
+/// Whether two facets have a side in common at all scales. If their planes cross such pairs are in
+/// no event of three or four facets that is not one of fewer: where the side passes through another
+/// facet, its ends and those of the track are events of pairs, and so is all that passes its ends
+/// in its plane (docs/definitions.md, Critical scales).
 bool share_a_side(const MovingFacet& a, const MovingFacet& b);
 
 /// All events of three and of four facets, from the pairs that meet in the window. Exact.
