@@ -61,12 +61,14 @@ DiagramRow row(const DiagramEvents& found, const DiagramEvent& event) {
   for (const Rational& c : polynomial) coefficients.push_back(to_string(c));
   std::optional<std::string> rational;
   if (polynomial.size() == 2) rational = to_string(Rational(-polynomial[0]));
-  const Interval radius = sqrt(event.squared_radius);
+  const Interval radius = found.radius(event);
+  const Vector<Interval> place = found.place(event);
   std::vector<FeatureName> features;
   for (const std::uint32_t number : event.features) {
     const OffsetCurves::Feature& feature = found.curves.features[number];
     if (feature.edge == OffsetPatch::none) {
-      features.emplace_back("vertex", to_string(feature.centre.x), to_string(feature.centre.y));
+      const Point at = found.vertex(number);
+      features.emplace_back("vertex", to_string(at.x), to_string(at.y));
     } else {
       const VertexId& id = found.curves.edges[feature.edge].id;
       features.emplace_back("edge", std::to_string(id.ring), std::to_string(id.index));
@@ -76,7 +78,7 @@ DiagramRow row(const DiagramEvents& found, const DiagramEvent& event) {
           rational,
           coefficients,
           {radius.lower(), radius.upper()},
-          {approximate(event.at.x), approximate(event.at.y)},
+          {approximate(place.x), approximate(place.y)},
           features};
 }
 
@@ -109,7 +111,8 @@ void bind_disc_events(nb::module_& module) {
         DiagramEvents found = diagram_events(P.value, build_on(threads));
         const auto is_out = [&](const DiagramEvent& event) {
           const auto side = [&](const Rational& bound) {
-            const Interval way = event.squared_radius - Interval(bound);
+            const Interval radius = found.radius(event);
+            const Interval way = radius * radius - Interval(bound);
             if (const auto certain = certified_sign(way)) return *certain;
             return compare(found.exact(event).squared_radius, RootNumber(bound));
           };

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import sys
 from collections.abc import Iterator
 from fractions import Fraction
@@ -112,12 +113,18 @@ def _all(found: _core.DiagramEvents) -> Iterator[Row]:
         for kind, square, polynomial, radius, place, features in found.rows(first, ROWS):
             yield {
                 "kind": kind,
-                "radius": {"low": radius[0], "high": radius[1]},
+                "radius": _bounds(radius),
                 "squared_radius": square,
                 "polynomial": polynomial,
-                "place": list(place),
+                "place": [c if math.isfinite(c) else None for c in place],
                 "features": [_feature(*feature) for feature in features],
             }
+
+
+def _bounds(bounds: tuple[float, float]) -> Row:
+    """Beyond doubles: None."""
+    low, high = (bound if math.isfinite(bound) else None for bound in bounds)
+    return {"low": low, "high": high}
 
 
 def _feature(kind: str, first: str, second: str) -> Row:
@@ -141,8 +148,9 @@ def _print(head: dict[str, Any], rows: list[Row]) -> None:
             else f"edge {each['edge'][0]}.{each['edge'][1]}"
             for each in row["features"]
         )
-        middle = (row["radius"]["low"] + row["radius"]["high"]) / 2
-        out.print(f"{middle:>14.9g}  {row['kind']}: {features}")
+        radius = row["radius"]["low"]
+        told = "beyond doubles" if radius is None else f"{radius:.9g}"
+        out.print(f"{told:>14}  {row['kind']}: {features}")
     if len(rows) < head["count"]:
         out.print(f"... {head['count'] - len(rows):,} more; -o FILE writes all")
     for warning in head["warnings"]:

@@ -20,6 +20,7 @@ using Kind = DiagramEvent::Kind;
 using Features = std::vector<std::uint32_t>;
 
 constexpr std::uint32_t none = UINT32_MAX;
+constexpr double near_places = 1e-7;  // that are taken for one, of a set of the size 1
 
 double off(const Vector<Interval>& at, const Spot& x) {
   return std::hypot(approximate(at.x) - x.x, approximate(at.y) - x.y);
@@ -85,13 +86,23 @@ class Prover {
  public:
   Prover(const OffsetCurves& curves, const ContactEnvelopes& envelopes)
       : curves_(curves), envelopes_(envelopes) {
-    for (const OffsetEdge& edge : curves.edges) edges_.emplace_back(edge, Rational(1));
+    std::set<std::pair<std::uint32_t, std::uint32_t>> ends;
+    for (const OffsetEdge& edge : curves.edges) {
+      edges_.emplace_back(edge, Rational(1));
+      ends.insert({edge.feature, edge.end_feature});
+    }
+    for (const OffsetEdge& edge : curves.edges) {
+      const std::pair start{edge.feature, edge.start_feature};
+      if (ends.contains(start)) straight_.insert(start);
+    }
   }
 
-  /// None where another feature is nearer.
+  /// None where another feature is nearer, or where one of them is none of its own: a vertex on
+  /// an edge, or at which an edge goes on straight as the next. `is_nearer` tells which.
   std::optional<DiagramEvent> event(const Features& features, const Spot& spot) {
     exact_.reset();
     spot_ = spot;
+    is_nearer = false;
     DiagramEvent event;
     event.of = features;
     try {
@@ -110,12 +121,25 @@ class Prover {
     plane::Box box = box_of(event.at);
     box = {box.xmin - reach, box.ymin - reach, box.xmax + reach, box.ymax + reach};
     std::set<std::uint32_t> found, at_joints;
+    straight_here_.clear();
+    met_inside_.clear();
     bool is_empty = true;
     envelopes_.edges().query(box, [&](std::uint32_t number) {
       is_empty &= add(number, event, found, at_joints);
       return !is_empty;
     });
-    if (!is_empty) return std::nullopt;
+    is_nearer = !is_empty;
+    if (is_nearer) return std::nullopt;
+    for (const std::uint32_t vertex : straight_here_) found.erase(vertex);
+    // A vertex on an edge that is met right there is nothing of its own either.
+    std::erase_if(found, [&](std::uint32_t vertex) {
+      const Site own = Site::of(curves_, vertex);
+      return own.is_point && std::any_of(met_inside_.begin(), met_inside_.end(), [&](auto line) {
+               const Site other = Site::of(curves_, line);
+               return dot(other.normal, from_to(other.point, own.point)) == 0;
+             });
+    });
+    std::erase_if(at_joints, [&](std::uint32_t vertex) { return !found.contains(vertex); });
     for (const std::uint32_t feature : features) {
       if (!found.contains(feature)) return std::nullopt;
     }
@@ -126,6 +150,7 @@ class Prover {
   }
 
   std::uint64_t exact_signs = 0;
+  bool is_nearer = false;
 
  private:
   const Equidistant<RootNumber>& exact(const DiagramEvent& event) {
@@ -169,6 +194,7 @@ class Prover {
     if (after_start > 0 && after_end < 0) {
       if (!is_of(edge.feature)) order = height_order(number, event);
       if (order == 0) found.insert(edge.feature);
+      if (order == 0) met_inside_.insert(edge.feature);
     } else {
       const bool at_start = after_start <= 0;
       const std::uint32_t feature = at_start ? edge.start_feature : edge.end_feature;
@@ -176,7 +202,7 @@ class Prover {
       if (order == 0) found.insert(feature);
       if (order == 0 && (after_start == 0 || after_end == 0) && is_in_front(number, event)) {
         found.insert(edge.feature);
-        at_joints.insert(feature);
+        (straight_.contains({edge.feature, feature}) ? straight_here_ : at_joints).insert(feature);
       }
     }
     return order >= 0;
@@ -268,6 +294,8 @@ class Prover {
   const OffsetCurves& curves_;
   const ContactEnvelopes& envelopes_;
   std::vector<EdgeNumbers<Interval>> edges_;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> straight_;  ///< a line, and a vertex within it
+  std::set<std::uint32_t> straight_here_, met_inside_;
   std::optional<Equidistant<RootNumber>> exact_;  ///< of the candidate that is looked at
   Spot spot_{};
 };
@@ -312,9 +340,44 @@ class Collected {
 
 /// Whether two parts of a patch end in one point of the diagram. Where P touches itself there is
 /// none between them.
-bool meet(const FirstContact& a, const FirstContact& b, double near) {
-  return std::hypot(a.last.x - b.first.x, a.last.y - b.first.y) < near &&
-         std::min(a.last_radius, b.first_radius) > near * 1e-2;
+bool meet(const FirstContact& a, const FirstContact& b) {
+  return std::hypot(a.last.x - b.first.x, a.last.y - b.first.y) < near_places &&
+         std::min(a.last_radius, b.first_radius) > near_places * 1e-2;
+}
+
+/// With a box of a size about 1, so that no double is beyond its range.
+DiagramEvents in_unit_box(const PolygonSet& P) {
+  namespace mp = boost::multiprecision;
+  DiagramEvents result{{}, {0, 0}, 1, {}, 0};
+  std::optional<std::pair<Point, Point>> box;
+  const auto for_points = [](PolygonSet& set, auto&& look) {
+    for (Polygon& polygon : set.polygons) {
+      std::for_each(polygon.outer.begin(), polygon.outer.end(), look);
+      for (Ring& hole : polygon.holes) std::for_each(hole.begin(), hole.end(), look);
+    }
+  };
+  PolygonSet moved = P;
+  for_points(moved, [&](const Point& p) {
+    if (!box) box = {p, p};
+    box->first = {std::min(box->first.x, p.x), std::min(box->first.y, p.y)};
+    box->second = {std::max(box->second.x, p.x), std::max(box->second.y, p.y)};
+  });
+  if (box) {
+    result.origin = box->first;
+    const Rational size =
+        std::max(Rational(box->second.x - box->first.x), Rational(box->second.y - box->first.y));
+    if (size > 0) {
+      const auto bits = [](const Integer& number) { return static_cast<long>(mp::msb(number)); };
+      const long exponent = bits(mp::denominator(size)) - bits(mp::numerator(size));
+      const Rational power(Integer(1) << static_cast<unsigned>(std::abs(exponent)));
+      result.factor = exponent < 0 ? Rational(1 / power) : power;
+    }
+  }
+  for_points(moved, [&](Point& p) {
+    p = {(p.x - result.origin.x) * result.factor, (p.y - result.origin.y) * result.factor};
+  });
+  result.curves = offset_curves(moved);
+  return result;
 }
 
 [[noreturn]] void refuse() {
@@ -325,11 +388,28 @@ bool meet(const FirstContact& a, const FirstContact& b, double near) {
 }  // namespace
 
 Equidistant<RootNumber> DiagramEvents::exact(const DiagramEvent& event) const {
-  return exact_of(curves, event.of, {approximate(event.at.x), approximate(event.at.y)});
+  const Spot spot{approximate(event.at.x), approximate(event.at.y)};
+  const Equidistant<RootNumber> found = exact_of(curves, event.of, spot);
+  const RootNumber inverse(Rational(1 / factor));
+  return {inverse * found.at + numbers<RootNumber>(origin),
+          inverse * inverse * found.squared_radius};
+}
+
+Vector<Interval> DiagramEvents::place(const DiagramEvent& event) const {
+  return Interval(Rational(1 / factor)) * event.at + numbers<Interval>(origin);
+}
+
+Interval DiagramEvents::radius(const DiagramEvent& event) const {
+  return Interval(Rational(1 / factor)) * sqrt(event.squared_radius);
+}
+
+Point DiagramEvents::vertex(std::uint32_t feature) const {
+  const Point& p = curves.features[feature].centre;
+  return {p.x / factor + origin.x, p.y / factor + origin.y};
 }
 
 DiagramEvents diagram_events(const PolygonSet& P, const BuildOptions& options) {
-  DiagramEvents result{offset_curves(P), {}, 0};
+  DiagramEvents result = in_unit_box(P);
   const OffsetCurves& curves = result.curves;
   const ContactEnvelopes envelopes(curves);
   const BuildControl control(options, "the events");
@@ -337,18 +417,13 @@ DiagramEvents diagram_events(const PolygonSet& P, const BuildOptions& options) {
   in_parallel(contacts.size(), control, BuildProgress::Stage::patches, [&](unsigned) {
     return [&](std::size_t k) { contacts[k] = envelopes.of(static_cast<std::uint32_t>(k)); };
   });
-  double size = 0;
-  for (const OffsetEdge& edge : curves.edges) {
-    size = std::max({size, std::abs(to_double(edge.start.x)), std::abs(to_double(edge.start.y))});
-  }
   Prover prover(curves, envelopes);
-  const double near = 1e-7 * size;
-  Collected collected(prover, near);
+  Collected collected(prover, near_places);
   const auto proven = [&](Features features, const Spot& spot) {
     std::sort(features.begin(), features.end());
     const std::uint32_t number = collected.number_of(features, spot);
     // Three that are as near at no place: points on one line meet at infinity.
-    if (number == none && !candidates<RootNumber>(curves, features).empty()) refuse();
+    if (number == none && prover.is_nearer) refuse();
     return number;
   };
   // Where one patch goes on as the next.
@@ -358,7 +433,7 @@ DiagramEvents diagram_events(const PolygonSet& P, const BuildOptions& options) {
     if (next == OffsetPatch::none || contacts[k].empty() || contacts[next].empty()) continue;
     const FirstContact &a = contacts[k].back(), &b = contacts[next].front();
     const std::uint32_t own = curves.patches[k].feature, other = curves.patches[next].feature;
-    if (!meet(a, b, near) || (own == other && a.feature == b.feature)) continue;
+    if (!meet(a, b) || (own == other && a.feature == b.feature)) continue;
     at_start[next] = at_end[k] = own == other ? proven({own, a.feature, b.feature}, a.last)
                                               : proven({own, other, a.feature}, a.last);
   }
@@ -374,7 +449,7 @@ DiagramEvents diagram_events(const PolygonSet& P, const BuildOptions& options) {
       std::uint32_t after = none;
       if (i + 1 == parts.size()) {
         after = at_end[k];
-      } else if (meet(part, parts[i + 1], near)) {
+      } else if (meet(part, parts[i + 1])) {
         after = proven({own, part.feature, parts[i + 1].feature}, part.last);
       }
       if (before != after || before == none) {

@@ -10,7 +10,7 @@
 
 namespace minkref::inline disc {
 
-/// A place outside of P, as far from three features or more, or right between two. Exact.
+/// A place outside of P, as far from three features or more, or right between two.
 struct DiagramEvent {
   enum class Kind : std::uint8_t {
     corner,   ///< of the diagram: curves start or stop to be on the boundary
@@ -23,18 +23,25 @@ struct DiagramEvent {
   Kind kind;
   bool at_joint = false;                ///< a line goes on as an arc there
   std::vector<std::uint32_t> features;  ///< all that are as near, ascending
-  Vector<Interval> at;
+  Vector<Interval> at;  ///< in the frame of the curves, and so is the squared radius
   Interval squared_radius;
   std::vector<std::uint32_t> of;  ///< two or three of the features, which tell the place
 };
 
 struct DiagramEvents {
-  OffsetCurves curves;
+  OffsetCurves curves;  ///< of P moved from the origin and multiplied by a power of two
+  Point origin;
+  Rational factor;
   std::vector<DiagramEvent> events;  ///< by radius, then by features
   std::uint64_t exact_signs = 0;
 
+  /// They hold the place and the radius.
+  Vector<Interval> place(const DiagramEvent& event) const;
+  Interval radius(const DiagramEvent& event) const;
   /// The place and the squared radius of an event, in roots.
   Equidistant<RootNumber> exact(const DiagramEvent& event) const;
+  /// Of the feature of a vertex.
+  Point vertex(std::uint32_t feature) const;
 };
 
 /// Of a valid polygon set, a point or a segment. Candidates come from doubles; each is proven to be

@@ -28,7 +28,8 @@ std::vector<Radius> distinct_radii(const DiagramEvents& found) {
   for (const DiagramEvent& event : found.events) {
     const RootNumber exact = found.exact(event).squared_radius;
     if (radii.empty() || compare(radii.back().exact, exact) != 0) {
-      radii.push_back({event.squared_radius, exact});
+      const Interval radius = found.radius(event);
+      radii.push_back({radius * radius, exact});
     }
   }
   return radii;
@@ -53,19 +54,55 @@ void check(const PolygonSet& P) {
 }
 
 TEST(DiagramEvents, OfRandomRegions) {
-  for (unsigned seed = 0; seed < 200; ++seed) {
+  for (unsigned seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(seed);
     testing::Source random(seed);
-    ASSERT_NO_FATAL_FAILURE(check(testing::random_region(random, 2)));
+    ASSERT_NO_FATAL_FAILURE(check(testing::random_region(random, 4)));
   }
 }
 
 TEST(DiagramEvents, OfGrids) {
-  for (unsigned seed = 0; seed < 200; ++seed) {
+  for (unsigned seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(seed);
     testing::Source random(seed);
-    ASSERT_NO_FATAL_FAILURE(check(testing::random_mesh_region(random, 2)));
+    ASSERT_NO_FATAL_FAILURE(check(testing::random_mesh_region(random, 5)));
   }
+}
+
+Rational power(unsigned exponent) {
+  return Rational(boost::multiprecision::pow(Integer(10), exponent));
+}
+
+/// The same events of a set of any size, anywhere.
+TEST(DiagramEvents, MoveAndGrowWithTheSet) {
+  std::size_t events = 0;
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    SCOPED_TRACE(seed);
+    testing::Source random(seed);
+    const PolygonSet P = testing::random_mesh_region(random, 5);
+    const DiagramEvents one = diagram_events(P);
+    events += one.events.size();
+    const Rational factor = seed % 3 == 0 ? power(200) : Rational(1 / power(seed % 3 * 100));
+    const Rational far = seed % 2 == 0 ? power(40) : Rational(0);
+    PolygonSet moved = P;
+    for (Polygon& polygon : moved.polygons) {
+      const auto move = [&](Ring& ring) {
+        for (Point& p : ring) p = {(p.x + far) * factor, (p.y - far) * factor};
+      };
+      move(polygon.outer);
+      std::for_each(polygon.holes.begin(), polygon.holes.end(), move);
+    }
+    const DiagramEvents other = diagram_events(moved);
+    ASSERT_EQ(one.events.size(), other.events.size());
+    for (std::size_t k = 0; k < one.events.size(); ++k) {
+      ASSERT_EQ(one.events[k].features, other.events[k].features);
+      ASSERT_EQ(one.events[k].kind, other.events[k].kind);
+      ASSERT_EQ(compare(one.exact(one.events[k]).squared_radius * RootNumber(factor * factor),
+                        other.exact(other.events[k]).squared_radius),
+                0);
+    }
+  }
+  EXPECT_GT(events, 50U);
 }
 
 TEST(DiagramEvents, OfAConvexSetAreNone) {
