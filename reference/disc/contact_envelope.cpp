@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace minkref::inline disc {
 namespace {
@@ -54,6 +53,34 @@ ContactEnvelopes::ContactEnvelopes(const OffsetCurves& curves) : curves_(curves)
   }
   if (!boxes.empty()) size_ = std::max(all.xmax - all.xmin, all.ymax - all.ymin);
   tree_ = plane::BoxTree(std::move(boxes));
+  find_vertices_within();
+}
+
+void ContactEnvelopes::find_vertices_within() {
+  std::set<std::pair<std::uint32_t, std::uint32_t>> ends;
+  for (const OffsetEdge& edge : curves_.edges) ends.insert({edge.feature, edge.end_feature});
+  const double margin = 1e-9 * size_;
+  for (std::uint32_t k = 0; k < curves_.edges.size(); ++k) {
+    const OffsetEdge& edge = curves_.edges[k];
+    const std::pair start{edge.feature, edge.start_feature};
+    if (ends.contains(start)) within_.insert(start);
+    const Spot& at = edges_[k].start;
+    tree_.query({at.x - margin, at.y - margin, at.x + margin, at.y + margin}, [&](auto number) {
+      const OffsetEdge& other = curves_.edges[number];
+      const Direction way = from_to(other.start, edge.start);
+      const Rational foot = disc::dot(other.along, way);
+      if (cross(other.along, way) == 0 && foot > 0 && foot < other.squared_length) {
+        within_.insert({other.feature, edge.start_feature});
+      }
+      return false;
+    });
+  }
+}
+
+/// Whether roundings made a part of a vertex beside that of a line that it is within: as near right
+/// in front of it, and farther elsewhere.
+bool ContactEnvelopes::is_noise(const Part& part, const Part& beside) const {
+  return part.to - part.from < 1e-6 && is_within(beside.feature, part.feature);
 }
 
 ContactEnvelopes::Frame ContactEnvelopes::frame_of(std::uint32_t patch) const {
@@ -211,8 +238,17 @@ ContactEnvelopes::Parts ContactEnvelopes::envelope(const std::vector<Parts>& all
   return lowest(envelope(all, from, middle), envelope(all, middle, to));
 }
 
-std::vector<FirstContact> ContactEnvelopes::found(const Frame& frame, const Parts& parts) const {
+std::vector<FirstContact> ContactEnvelopes::found(const Frame& frame, const Parts& all) const {
   std::vector<FirstContact> found;
+  Parts parts = all;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    for (const std::size_t beside : {k - 1, k + 1}) {  // the first is far beyond the end of none
+      if (beside >= parts.size() || !is_noise(parts[k], parts[beside])) continue;
+      parts[k].feature = parts[beside].feature;
+      parts[k].value = parts[beside].value;
+      break;
+    }
+  }
   for (const Part& part : parts) {
     if (part.to - part.from < sliver * (frame.last - frame.first)) continue;
     const auto radius = [&](double u) { return frame.radius(part.value, u); };

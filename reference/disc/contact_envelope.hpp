@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "reference/disc/offset_patch.hpp"
@@ -38,6 +40,10 @@ class ContactEnvelopes {
   std::vector<FirstContact> of(std::uint32_t patch) const;
 
   const plane::BoxTree& edges() const { return tree_; }
+  /// Whether a vertex is on an edge of a line, or where one edge goes on straight as another.
+  bool is_within(std::uint32_t line, std::uint32_t vertex) const {
+    return within_.contains({line, vertex});
+  }
 
  private:
   struct Quadratic {
@@ -52,13 +58,15 @@ class ContactEnvelopes {
   using Parts = std::vector<Part>;
   struct Frame;
 
+  void find_vertices_within();
+  bool is_noise(const Part& part, const Part& beside) const;
   Frame frame_of(std::uint32_t patch) const;
   void add_point(const Frame& frame, std::uint32_t feature, const Spot& q, Parts& parts) const;
   void add_line(const Frame& frame, std::uint32_t edge, Parts& parts) const;
   static void keep_where(const Quadratic& value, Parts& parts);
   static Parts lowest(const Parts& a, const Parts& b);
   static Parts envelope(const std::vector<Parts>& all, std::size_t from, std::size_t to);
-  std::vector<FirstContact> found(const Frame& frame, const Parts& parts) const;
+  std::vector<FirstContact> found(const Frame& frame, const Parts& all) const;
 
   const OffsetCurves& curves_;
   struct Edge {
@@ -68,6 +76,7 @@ class ContactEnvelopes {
   std::vector<Edge> edges_;
   plane::BoxTree tree_;
   double size_;
+  std::set<std::pair<std::uint32_t, std::uint32_t>> within_;
 };
 
 }  // namespace minkref::inline disc

@@ -86,15 +86,7 @@ class Prover {
  public:
   Prover(const OffsetCurves& curves, const ContactEnvelopes& envelopes)
       : curves_(curves), envelopes_(envelopes) {
-    std::set<std::pair<std::uint32_t, std::uint32_t>> ends;
-    for (const OffsetEdge& edge : curves.edges) {
-      edges_.emplace_back(edge, Rational(1));
-      ends.insert({edge.feature, edge.end_feature});
-    }
-    for (const OffsetEdge& edge : curves.edges) {
-      const std::pair start{edge.feature, edge.start_feature};
-      if (ends.contains(start)) straight_.insert(start);
-    }
+    for (const OffsetEdge& edge : curves.edges) edges_.emplace_back(edge, Rational(1));
   }
 
   /// None where another feature is nearer, or where one of them is none of its own: a vertex on
@@ -202,7 +194,8 @@ class Prover {
       if (order == 0) found.insert(feature);
       if (order == 0 && (after_start == 0 || after_end == 0) && is_in_front(number, event)) {
         found.insert(edge.feature);
-        (straight_.contains({edge.feature, feature}) ? straight_here_ : at_joints).insert(feature);
+        const bool is_straight = envelopes_.is_within(edge.feature, feature);
+        (is_straight ? straight_here_ : at_joints).insert(feature);
       }
     }
     return order >= 0;
@@ -294,7 +287,6 @@ class Prover {
   const OffsetCurves& curves_;
   const ContactEnvelopes& envelopes_;
   std::vector<EdgeNumbers<Interval>> edges_;
-  std::set<std::pair<std::uint32_t, std::uint32_t>> straight_;  ///< a line, and a vertex within it
   std::set<std::uint32_t> straight_here_, met_inside_;
   std::optional<Equidistant<RootNumber>> exact_;  ///< of the candidate that is looked at
   Spot spot_{};
