@@ -52,6 +52,13 @@ CALLS: dict[str, tuple[Callable[[Any], Any], tuple[type, ...]]] = {
     "convex_sum Q": (lambda x: minkref.convex_sum(BODY, x), (minkref.ConvexPolyhedron,)),
     "convex_sum scaling": (lambda x: minkref.convex_sum(BODY, BODY, x), NUMBERS),
     "convex_sum route": (lambda x: minkref.convex_sum(BODY, BODY, 1, x), (str,)),
+    "offset P": (lambda x: minkref.offset(x, 1), (minkref.PolygonSet,)),
+    "offset radius": (lambda x: minkref.offset(SQUARE, x), (*NUMBERS, type(None))),
+    "offset squared_radius": (
+        lambda x: minkref.offset(SQUARE, squared_radius=x),
+        (*NUMBERS, type(None)),
+    ),
+    "offset threads": (lambda x: minkref.offset(SQUARE, 1, threads=x), (int,)),
     "polyhedral_sum P": (lambda x: minkref.polyhedral_sum(x, BODY), SURFACES),
     "polyhedral_sum Q": (lambda x: minkref.polyhedral_sum(SIMPLEX, x), SURFACES),
     "polyhedral_sum scaling": (lambda x: minkref.polyhedral_sum(SIMPLEX, BODY, x), NUMBERS),
