@@ -20,6 +20,7 @@ Piece = dict[str, Any]
 Spot = tuple[float, float]
 Ring = tuple[Curve, ...]
 ALIKE = 1e-4  # of angles that are one
+SAME = 1e-10  # of the size of the set: places that are one
 NEAR = 1e-7  # of the size of the set: how far a line may be from the edge's that it is named by
 
 
@@ -100,12 +101,12 @@ class OffsetJudge:
             for ring in (each["outer"], *each["holes"])
             for piece in ring
         ]
-        rings = [part for walk in _walks(pieces, lines.near) for part in _split(walk, lines.near)]
+        rings = [part for walk in _walks(pieces, lines.same) for part in _split(walk, lines.same)]
         parts = [
             part
             for each in answer["polygons"]
             for ring in (each["outer"], *each["holes"])
-            for part in _split(ring, lines.near)
+            for part in _split(ring, lines.same)
         ]
         paths = tuple(tuple(spot for piece in part for spot in _path(piece)) for part in parts)
         holes = sum(_area(path) < 0 for path in paths)
@@ -126,6 +127,7 @@ class _Lines:
                 for a, b in zip(points, [*points[1:], points[0]], strict=True):
                     self._add(a, b)
         self.near = NEAR * (size + self._radius)
+        self.same = SAME * (size + self._radius)
 
     def _add(self, a: tuple[Fraction, ...], b: tuple[Fraction, ...]) -> None:
         dx, dy = b[0] - a[0], b[1] - a[1]

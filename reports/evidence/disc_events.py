@@ -23,7 +23,7 @@ SUBJECT = (
     "its curves are the same at any two radii of a gap, and CGAL's exact offset has them; they are "
     "others beyond each event; how many there are of each kind, and seconds."
 )
-MINUTES = (4, 0.4)
+MINUTES = (3, 0.1)
 DEPENDS = (*AGAINST_CGAL, "reports/evidence/disc_sums.py")
 
 SEED = 1904

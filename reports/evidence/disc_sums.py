@@ -21,7 +21,7 @@ SUBJECT = (
     "refutes it; areas between those of sums with polygons in and around the disc; seconds of both "
     "in one run."
 )
-MINUTES = (6, 0.5)
+MINUTES = (6, 0.1)
 DEPENDS = (*AGAINST_CGAL, "python/minkref/disc/*.py")
 
 SEED = 2012
