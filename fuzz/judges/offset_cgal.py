@@ -6,6 +6,7 @@ import json
 import math
 import selectors
 import subprocess
+import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -72,7 +73,11 @@ class OffsetJudge:
             return OffsetAnswer(None, why=str(absence()))
         if self._process is None:
             self._process = subprocess.Popen(
-                [self._executable], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+                [self._executable],
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                text=True,
+                cwd=tempfile.gettempdir(),  # CGAL writes a diary where it ends
             )
         assert self._process.stdin is not None and self._process.stdout is not None
         request = json.dumps({"P": P, "radius": str(radius)})
@@ -141,7 +146,6 @@ class _Lines:
 
     def name(self, ends: Sequence[float]) -> Curve:
         x0, y0, x1, y1 = ends
-        length = math.hypot(x1 - x0, y1 - y0)
 
         def off(line: tuple[float, float, float]) -> float:
             dx, dy, c = line
@@ -149,10 +153,10 @@ class _Lines:
                 return math.inf
             return max(abs(dy * x - dx * y - c - self._radius) for x, y in ((x0, y0), (x1, y1)))
 
-        found = [name for name, line in self._lines.items() if off(line) < min(self.near, length)]
-        if len(found) != 1:
-            raise ValueError(f"{len(found)} edges lead to the line of a piece")
-        return found[0]
+        found = min(self._lines, key=lambda name: off(self._lines[name]))
+        if not off(self._lines[found]) < self.near:
+            raise ValueError("no edge leads to the line of a piece")
+        return found
 
 
 def _walks(pieces: list[Piece], near: float) -> list[list[Piece]]:

@@ -86,10 +86,12 @@ def _large(table: Table, quick: bool, findings: Findings) -> list[dict[str, obje
                         "cgal": theirs,
                     }
                 )  # fmt: skip
-                told = "no answer" if theirs is None else f"{theirs:.2f} s, {theirs / ours:,.0f}"
+                told = "no answer"
+                if theirs is not None:
+                    told = f"{theirs:.2f} s, {theirs / ours:,.0f} times ours"
                 findings.note(
                     f"{known} ({P.vertices:,} vertices), radius {size}: {found[0].curves:,} "
-                    f"curves, {found[0].holes} holes, {ours * 1000:.1f} ms; CGAL {told} times ours"
+                    f"curves, {found[0].holes} holes, {ours * 1000:.1f} ms; CGAL {told}"
                 )
                 if name == "neuron":
                     what = f"{known}, radius {size}: seconds on two threads"
