@@ -47,7 +47,8 @@ struct DiagramEvents {
 /// Of a valid polygon set, a point or a segment. Candidates come from doubles; each is proven to be
 /// as far from its features and from nothing less, and each part of the diagram is found from both
 /// of its sides, with the same ends: else LimitExceeded ("too-near"), since doubles did not tell
-/// the places of two events apart. O(n log n + k) for k candidates that are compared.
+/// the places of two events apart. That none is missing is not proven: the envelopes have
+/// tolerances (docs/disc.md). O(n log n + k) for k candidates that are compared.
 DiagramEvents diagram_events(const PolygonSet& P, const BuildOptions& options = {});
 
 }  // namespace minkref::inline disc
