@@ -59,7 +59,9 @@ minkref events g1 g2 --kind topology --where 'feature = hole and not change in (
 
 minkref events g1 g2 --form printed --arithmetic mpfr:53
 
-minkref events P.off Q.off --from 1/5 --to 2 -o events.jsonl"""
+minkref events P.off Q.off --from 1/5 --to 2 -o events.jsonl
+
+minkref events g1 disc --kind topology"""
 
 MEANINGS = {  # of the changes, under the table
     "pair": "birth, death: two edges of the convolution start, or cease, to meet as s grows. Where "

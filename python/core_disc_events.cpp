@@ -92,6 +92,15 @@ void bind_disc_events(nb::module_& module) {
       .def_prop_ro("exact_signs",
                    [](const TimedDiagramEvents& self) { return self.found.exact_signs; })
       .def(
+          "kinds",
+          [](const TimedDiagramEvents& self) {
+            std::vector<std::string> kinds;
+            for (const DiagramEvent& event : self.found.events)
+              kinds.emplace_back(name(event.kind));
+            return kinds;
+          },
+          "Of all events, in order.")
+      .def(
           "rows",
           [](const TimedDiagramEvents& self, std::size_t first, std::size_t count) {
             const auto& all = self.found.events;

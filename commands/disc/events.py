@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import math
 import sys
-from collections.abc import Iterator
 from fractions import Fraction
 from itertools import islice
 from pathlib import Path
@@ -28,7 +27,6 @@ KINDS = {
     "topology": ("saddle", "ridge", "maximum"),
 }
 SHOWN = 10  # events that people see
-ROWS = 1 << 12  # that are asked for at a time
 Row = dict[str, Any]
 
 
@@ -75,11 +73,10 @@ def events_with_disc(
         found = refusing(
             operand.name, lambda: _core.diagram_events(operand.set, cores(), squares[0], squares[1])
         )
-    counts = dict.fromkeys(KINDS["boundary"], 0)
-    for row in _all(found):
-        counts[row["kind"]] += 1
-    count = sum(counts[name] for name in KINDS[chosen])
-    rows = islice((row for row in _all(found) if row["kind"] in KINDS[chosen]), limit)
+    kinds = found.kinds()
+    counts = {name: kinds.count(name) for name in KINDS["boundary"]}
+    wanted = [k for k, name in enumerate(kinds) if name in KINDS[chosen]]
+    rows = (_row(found, k) for k in wanted[:limit])
     head = document(
         "events",
         watch,
@@ -93,7 +90,7 @@ def events_with_disc(
         compute_seconds=found.seconds,
         exact_signs=found.exact_signs,
         counts=counts,
-        count=count,
+        count=len(wanted),
     )
     if target is not None and target.form == "jsonl":
         target.write_pieces(json.dumps(row) + "\n" for row in rows)
@@ -108,17 +105,17 @@ def events_with_disc(
         _print(head, shown)
 
 
-def _all(found: _core.DiagramEvents) -> Iterator[Row]:
-    for first in range(0, len(found), ROWS):
-        for kind, square, polynomial, radius, place, features in found.rows(first, ROWS):
-            yield {
-                "kind": kind,
-                "radius": _bounds(radius),
-                "squared_radius": square,
-                "polynomial": polynomial,
-                "place": [c if math.isfinite(c) else None for c in place],
-                "features": [_feature(*feature) for feature in features],
-            }
+def _row(found: _core.DiagramEvents, number: int) -> Row:
+    """Its numbers are made exact now, which takes the most time."""
+    ((kind, square, polynomial, radius, place, features),) = found.rows(number, 1)
+    return {
+        "kind": kind,
+        "radius": _bounds(radius),
+        "squared_radius": square,
+        "polynomial": polynomial,
+        "place": [c if math.isfinite(c) else None for c in place],
+        "features": [_feature(*feature) for feature in features],
+    }
 
 
 def _bounds(bounds: tuple[float, float]) -> Row:

@@ -253,10 +253,15 @@ def _path(piece: Piece) -> list[Spot]:
     x0, y0, x1, y1 = piece["ends"]
     if not piece["arc"]:
         return [(x0, y0), ((x0 + x1) / 2, (y0 + y1) / 2)]
-    x, y = _centre(piece)
-    first = math.atan2(y0 - y, x0 - x)
-    turn = (math.atan2(y1 - y, x1 - x) - first) % math.tau
-    radius, steps = math.hypot(x0 - x, y0 - y), 16
+    return spots_of_arc((x0, y0), (x1, y1), _centre(piece))
+
+
+def spots_of_arc(start: Spot, end: Spot, centre: Spot) -> list[Spot]:
+    """Points of an arc that runs counter-clockwise, without its end."""
+    x, y = centre
+    first = math.atan2(start[1] - y, start[0] - x)
+    turn = (math.atan2(end[1] - y, end[0] - x) - first) % math.tau
+    radius, steps = math.dist(start, centre), 16
     angles = [first + turn * k / steps for k in range(steps)]
     return [(x + radius * math.cos(a), y + radius * math.sin(a)) for a in angles]
 

@@ -17,7 +17,14 @@ from fractions import Fraction
 from typing import Any
 
 from minkref import _core
-from minkref.fuzz.judges.offset_cgal import OffsetAnswer, OffsetJudge, Ring, Spot, is_in
+from minkref.fuzz.judges.offset_cgal import (
+    OffsetAnswer,
+    OffsetJudge,
+    Ring,
+    Spot,
+    is_in,
+    spots_of_arc,
+)
 
 SECONDS = 60.0  # of one offset by CGAL
 LARGEST = 5  # cells of a grid along an axis
@@ -131,11 +138,7 @@ def _spots(piece: tuple[str, float, float, float, float, float, float]) -> list[
     kind, x0, y0, x1, y1, x, y = piece
     if kind == "line":
         return [(x0, y0)]
-    first = math.atan2(y0 - y, x0 - x)
-    turn = (math.atan2(y1 - y, x1 - x) - first) % math.tau
-    radius = math.hypot(x0 - x, y0 - y)
-    angles = [first + turn * k / 16 for k in range(16)]
-    return [(x + radius * math.cos(a), y + radius * math.sin(a)) for a in angles]
+    return spots_of_arc((x0, y0), (x1, y1), (x, y))
 
 
 Exact = tuple[Fraction, Fraction]

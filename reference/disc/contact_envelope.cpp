@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace minkref::inline disc {
 namespace {
@@ -215,7 +216,7 @@ ContactEnvelopes::Parts ContactEnvelopes::lowest(const Parts& a, const Parts& b)
       if (g != nullptr) add(from, to, *g);
       continue;
     }
-    Parts own{{from, to, f->value, f->feature}}, other{{from, to, g->value, g->feature}};
+    Parts own{{from, to, f->value, f->feature}};
     const Quadratic difference{g->value.a - f->value.a, g->value.b - f->value.b,
                                g->value.c - f->value.c};
     keep_where(difference, own);

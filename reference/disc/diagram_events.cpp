@@ -22,6 +22,11 @@ using Features = std::vector<std::uint32_t>;
 constexpr std::uint32_t none = UINT32_MAX;
 constexpr double near_places = 1e-7;  // that are taken for one, of a set of the size 1
 
+[[noreturn]] void refuse() {
+  throw LimitExceeded("too-near", "two places of events are nearer to each other than doubles tell",
+                      "move vertices that are almost, but not quite, as far from some place");
+}
+
 double off(const Vector<Interval>& at, const Spot& x) {
   return std::hypot(approximate(at.x) - x.x, approximate(at.y) - x.y);
 }
@@ -66,12 +71,18 @@ bool is_sharp(const Equidistant<Interval>& place) {
          std::max(width(place.at.x), width(place.at.y)) < 1e-9 * std::sqrt(square.lower());
 }
 
+bool are_same(const Vector<Interval>&, const Vector<Interval>&) { throw UndecidedSign(); }
+
+/// Throws LimitExceeded ("too-near") where there are two that are not told apart; of intervals
+/// UndecidedSign, since they may be one.
 template <class N>
 std::optional<Equidistant<N>> nearest(const std::vector<Equidistant<N>>& found, const Spot& spot) {
-  const auto best = std::min_element(found.begin(), found.end(), [&](const auto& a, const auto& b) {
-    return off(near(a.at), spot) < off(near(b.at), spot);
-  });
-  return best == found.end() ? std::nullopt : std::optional(*best);
+  if (found.empty()) return std::nullopt;
+  const auto far = [&](const Equidistant<N>& each) { return off(near(each.at), spot); };
+  const bool is_first = found.size() == 1 || far(found[0]) <= far(found[1]);
+  const bool are_near = found.size() == 2 && far(found[is_first ? 1 : 0]) < near_places;
+  if (are_near && !are_same(found[0].at, found[1].at)) refuse();
+  return found[is_first ? 0 : 1];
 }
 
 Equidistant<RootNumber> exact_of(const OffsetCurves& curves, const Features& features,
@@ -370,11 +381,6 @@ DiagramEvents in_unit_box(const PolygonSet& P) {
   });
   result.curves = offset_curves(moved);
   return result;
-}
-
-[[noreturn]] void refuse() {
-  throw LimitExceeded("too-near", "two places of events are nearer to each other than doubles tell",
-                      "move vertices that are almost, but not quite, as far from some place");
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "reference/disc/joined_polygons.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "reference/disc/disjoint_sets.hpp"
 #include "reference/error.hpp"
@@ -34,11 +33,7 @@ std::vector<std::uint32_t> joined_polygons(const PatchesAt& at, std::size_t poly
   if (polygons > 1) {
     std::vector<plane::Box> boxes;
     for (std::uint32_t k = 0; k < edges.size(); ++k) {
-      const EdgeNumbers<Interval>& e = at.edge(k);
-      boxes.push_back({std::min(e.start.x.lower(), e.end.x.lower()),
-                       std::min(e.start.y.lower(), e.end.y.lower()),
-                       std::max(e.start.x.upper(), e.end.x.upper()),
-                       std::max(e.start.y.upper(), e.end.y.upper())});
+      boxes.push_back(box_of(at.edge(k)));
     }
     const plane::BoxTree tree(boxes);
     const double reach = plane::above(2 * at.radius().upper());
@@ -53,10 +48,7 @@ std::vector<std::uint32_t> joined_polygons(const PatchesAt& at, std::size_t poly
       }
     };
     for (std::uint32_t k = 0; k < edges.size(); ++k) {
-      plane::Box box = boxes[k];
-      box = {plane::below(box.xmin - reach), plane::below(box.ymin - reach),
-             plane::above(box.xmax + reach), plane::above(box.ymax + reach)};
-      tree.query(box, [&](std::uint32_t l) {
+      tree.query(grown(boxes[k], reach), [&](std::uint32_t l) {
         if (l <= k || joined.root(edges[k].polygon) == joined.root(edges[l].polygon)) return false;
         const int found = order(k, l);
         if (found < 0 || (found == 0 && are_facing(edges[k], edges[l]))) {

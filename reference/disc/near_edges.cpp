@@ -11,11 +11,6 @@ constexpr int most_halvings = 4;
 // Of a squared distance, as a part of the square of the largest coordinate: some hundred roundings.
 constexpr double slack = 0x1p-44;
 
-plane::Box grown(plane::Box box, double by) {
-  return {plane::below(box.xmin - by), plane::below(box.ymin - by), plane::above(box.xmax + by),
-          plane::above(box.ymax + by)};
-}
-
 }  // namespace
 
 NearEdges::NearEdges(const PatchesAt& at) : at_(at), radius_(at.radius().upper()) {
@@ -23,8 +18,7 @@ NearEdges::NearEdges(const PatchesAt& at) : at_(at), radius_(at.radius().upper()
   double most = radius_;
   for (std::uint32_t k = 0; k < at.curves().edges.size(); ++k) {
     const EdgeNumbers<Interval>& edge = at.edge(k);
-    plane::Box box = box_of(edge.start);
-    box.add(box_of(edge.end));
+    const plane::Box box = box_of(edge);
     boxes.push_back(box);
     for (const double c : {box.xmin, box.ymin, box.xmax, box.ymax}) {
       most = std::max(most, std::abs(c));

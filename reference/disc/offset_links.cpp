@@ -7,13 +7,6 @@
 #include "reference/plane/arrangement/box_tree.hpp"
 
 namespace minkref::inline disc {
-namespace {
-
-bool are_same(const RootPoint& p, const RootPoint& q) {
-  return compare(p.x, q.x) == 0 && compare(p.y, q.y) == 0;
-}
-
-}  // namespace
 
 std::vector<std::uint32_t> offset_links(const PatchesAt& at, const std::vector<FreePart>& parts) {
   std::vector<plane::Box> starts;

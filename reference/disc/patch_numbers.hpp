@@ -32,6 +32,11 @@ Vector<N> turned(const Vector<N>& a) {
 
 using RootPoint = Vector<RootNumber>;
 
+/// Exact.
+inline bool are_same(const RootPoint& a, const RootPoint& b) {
+  return compare(a.x, b.x) == 0 && compare(a.y, b.y) == 0;
+}
+
 inline plane::Box box_of(const Vector<Interval>& p) {
   return {p.x.lower(), p.y.lower(), p.x.upper(), p.y.upper()};
 }
@@ -85,6 +90,18 @@ int sign_of_distance(const EdgeNumbers<N>& edge, const Vector<N>& x, const N& sq
   }
   const N height = dot(edge.normal, w);
   return sign(height * height - square * edge.squared_length);
+}
+
+inline plane::Box box_of(const EdgeNumbers<Interval>& edge) {
+  plane::Box box = box_of(edge.start);
+  box.add(box_of(edge.end));
+  return box;
+}
+
+/// By at least so much.
+inline plane::Box grown(const plane::Box& box, double by) {
+  return {plane::below(box.xmin - by), plane::below(box.ymin - by), plane::above(box.xmax + by),
+          plane::above(box.ymax + by)};
 }
 
 /// The direction about which an arc is.

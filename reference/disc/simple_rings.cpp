@@ -49,8 +49,7 @@ class Places {
     return offset_.at->point(own.patch, own.from);
   }
   bool are_same(std::uint32_t a, std::uint32_t b) const {
-    const RootPoint p = point(a), q = point(b);
-    return compare(p.x, q.x) == 0 && compare(p.y, q.y) == 0;
+    return disc::are_same(point(a), point(b));
   }
 
   const StaticOffset& offset_;

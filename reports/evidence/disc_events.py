@@ -10,12 +10,11 @@ from fractions import Fraction
 from typing import Any
 
 from minkref import _core
-from minkref.fuzz.judges.offset_cgal import OffsetJudge, absence
+from minkref.fuzz.judges.offset_cgal import OffsetJudge
 from minkref.fuzz.judges.offset_comparison import Table, compare_one, grid_set
-from minkref.model_catalogue import all_models
-from minkref.operand import read_operand
-from minkref.reports.evidence.disc_sums import LARGE, LOOK_ALIKES
+from minkref.reports.evidence.disc_sums import LARGE, has_judge
 from minkref.reports.evidence.framework.in_processes import in_processes
+from minkref.reports.evidence.framework.operands import operand, tell_absent
 from minkref.reports.evidence.framework.part import AGAINST_CGAL, Findings
 
 SUBJECT = (
@@ -87,7 +86,7 @@ def of_grid(number: int) -> Looked:
 
 
 def of_model(name: str, count: int, findings: Findings) -> tuple[dict[str, Any], list[str]]:
-    P = read_operand(name).set
+    P, name = operand(name).set, operand(name).name
     found = _core.diagram_events(P, 2)
     rows = found.rows(0, 10**9)
     kinds = Counter(row[0] for row in rows)
@@ -110,11 +109,9 @@ def of_model(name: str, count: int, findings: Findings) -> tuple[dict[str, Any],
 
 
 def run(findings: Findings, quick: bool) -> None:
-    missing = absence()
-    if missing:
-        findings.note(missing)
-        findings.law("CGAL's exact offset is there", False, "it is", missing)
+    if not has_judge(findings):
         return
+    tell_absent(findings, *LARGE)
     all_looked = Looked()
     for looked in in_processes(of_grid, range(QUICK_SETS if quick else SETS), each=20):
         all_looked.counts.update(looked.counts)
@@ -124,8 +121,7 @@ def run(findings: Findings, quick: bool) -> None:
         all_looked.table.refuted += looked.table.refuted
     rows = []
     for name in LARGE[-1:] if quick else LARGE:
-        known = name if name in all_models() else LOOK_ALIKES[name]
-        row, faults = of_model(known, QUICK_GAPS if quick else GAPS, findings)
+        row, faults = of_model(name, QUICK_GAPS if quick else GAPS, findings)
         rows.append(row)
         all_looked.faults += faults
     counts = all_looked.counts

@@ -10,9 +10,8 @@ from minkref.disc.disc import Disc
 from minkref.disc.polygons import polygon_near
 from minkref.fuzz.judges.offset_cgal import OffsetJudge, absence
 from minkref.fuzz.judges.offset_comparison import Table, compare, compare_one
-from minkref.model_catalogue import all_models
-from minkref.operand import read_operand
 from minkref.reports.evidence.framework.in_processes import in_processes
+from minkref.reports.evidence.framework.operands import operand, tell_absent
 from minkref.reports.evidence.framework.part import AGAINST_CGAL, Findings
 
 SUBJECT = (
@@ -28,10 +27,16 @@ SEED = 2012
 SETS, QUICK_SETS = 2000, 100
 BATCH = 50
 LARGE = ("neuron", "monkey", "bird")
-LOOK_ALIKES = {"neuron": "cells1815", "monkey": "glyph1204", "bird": "glyph275"}
 PARTS = (Fraction(1, 300), Fraction(1, 100), Fraction(1, 30))  # radii, of the length of the box
 SECONDS, QUICK_SECONDS = 120.0, 10.0  # of an offset by CGAL
 TIMES = 5
+
+
+def has_judge(findings: Findings) -> bool:
+    missing = absence()
+    if missing:
+        findings.law("CGAL's exact offset is there", False, "it is", missing)
+    return missing is None
 
 
 def batch(first: int) -> Table:
@@ -41,11 +46,9 @@ def batch(first: int) -> Table:
 
 
 def run(findings: Findings, quick: bool) -> None:
-    missing = absence()
-    if missing:
-        findings.note(missing)
-        findings.law("CGAL's exact offset is there", False, "it is", missing)
+    if not has_judge(findings):
         return
+    tell_absent(findings, *LARGE)
     table = Table()
     for one in in_processes(batch, range(0, QUICK_SETS if quick else SETS, BATCH), each=5):
         table.counts.update(one.counts)
@@ -71,8 +74,7 @@ def _large(table: Table, quick: bool, findings: Findings) -> list[dict[str, obje
     rows: list[dict[str, object]] = []
     with OffsetJudge(QUICK_SECONDS if quick else SECONDS) as judge:
         for name in LARGE[-1:] if quick else LARGE:
-            known = name if name in all_models() else LOOK_ALIKES[name]
-            P = read_operand(known).set
+            known, P = operand(name).name, operand(name).set
             xmin, ymin, xmax, ymax = P.bounding_box()
             for part in PARTS[-1:] if quick else PARTS:
                 size = Fraction(round(float(part) * max(xmax - xmin, ymax - ymin) * 1000), 1000)
