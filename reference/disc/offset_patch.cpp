@@ -18,18 +18,6 @@ bool is_straight(const Point& a, const Point& b, const Point& c) {
   return cross(in, out) == 0 && dot(in, out) > 0;
 }
 
-/// Whether x comes before y, counter-clockwise from a direction, which itself comes last.
-bool comes_before(const Direction& from, const Direction& x, const Direction& y) {
-  const auto part = [&](const Direction& v) {
-    const Rational c = cross(from, v);
-    if (c > 0) return 0;
-    if (c < 0) return 2;
-    return dot(from, v) < 0 ? 1 : 3;
-  };
-  const int of_x = part(x), of_y = part(y);
-  return of_x != of_y ? of_x < of_y : cross(x, y) > 0;
-}
-
 Direction reversed(const Direction& a) { return {-a.x, -a.y}; }
 
 class Builder {
@@ -66,7 +54,7 @@ class Builder {
   std::uint32_t circle_about(const Point& p) {
     const auto [found, is_new] =
         circles_.try_emplace({p.x, p.y}, static_cast<std::uint32_t>(curves_.features.size()));
-    if (is_new) curves_.features.push_back({OffsetPatch::none, p});
+    if (is_new) curves_.features.push_back({OffsetPatch::none, p, false});
     return found->second;
   }
 
@@ -75,7 +63,7 @@ class Builder {
     const auto [found, is_new] =
         lines_.try_emplace({way.x, way.y, way.y * start.x - way.x * start.y},
                            static_cast<std::uint32_t>(curves_.features.size()));
-    if (is_new) curves_.features.push_back({edge, {}});
+    if (is_new) curves_.features.push_back({edge, {}, false});
     return found->second;
   }
 
@@ -129,6 +117,7 @@ class Builder {
   void add_arc(const Point& centre, std::uint32_t feature, std::uint32_t polygon,
                const Direction& first, const Direction& last) {
     const auto next = static_cast<std::uint32_t>(curves_.patches.size() + 1);
+    curves_.features[feature].has_arc = true;
     curves_.patches.push_back({feature, polygon, OffsetPatch::none, centre, first, last, next});
   }
 
@@ -150,6 +139,17 @@ class Builder {
 };
 
 }  // namespace
+
+bool comes_before(const Direction& from, const Direction& x, const Direction& y) {
+  const auto part = [&](const Direction& v) {
+    const Rational c = cross(from, v);
+    if (c > 0) return 0;
+    if (c < 0) return 2;
+    return dot(from, v) < 0 ? 1 : 3;
+  };
+  const int of_x = part(x), of_y = part(y);
+  return of_x != of_y ? of_x < of_y : cross(x, y) > 0;
+}
 
 Direction primitive(const Direction& d) {
   namespace mp = boost::multiprecision;

@@ -22,6 +22,9 @@ inline Direction from_to(const Point& from, const Point& to) {
   return {to.x - from.x, to.y - from.y};
 }
 
+/// Whether x comes before y, counter-clockwise from a direction, which itself comes last.
+bool comes_before(const Direction& from, const Direction& x, const Direction& y);
+
 /// In coprime integers; not zero.
 Direction primitive(const Direction& d);
 
@@ -54,6 +57,7 @@ struct OffsetCurves {
   struct Feature {
     std::uint32_t edge;  ///< the first on a line; none for a circle
     Point centre;
+    bool has_arc;  ///< a circle with some
   };
   std::vector<Feature> features;  ///< vertices in one place are one
 };

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "reference/disc/offset_form.hpp"
 #include "reference/disc/static_offset.hpp"
 #include "reference/number/interval.hpp"
 
@@ -35,15 +36,7 @@ struct OffsetRegion {
 OffsetRegion offset_region(const PolygonSet& P, const Rational& squared_radius,
                            const BuildOptions& options = {});
 
-/// A circle or a line: the curve of a feature of P moved outwards by the radius.
-struct OffsetCurve {
-  bool is_arc;
-  Rational x, y;  ///< of an arc the centre, of a line its direction, in coprime integers
-  Rational c;     ///< of a line: N · p = c + ρ |N| for its points p, N = (y, -x)
-};
-OffsetCurve offset_curve(const OffsetCurves& curves, std::uint32_t feature);
-
-/// The canonical text (docs/definitions.md): rings of curves. Rational, since a corner is where a
+/// The canonical text (docs/disc.md): rings of curves. Rational, since a corner is where a
 /// curve enters what is near the next, which is one place.
 std::string canonical_json(const OffsetRegion& region);
 

@@ -105,6 +105,55 @@ TEST(DiagramEvents, MoveAndGrowWithTheSet) {
   EXPECT_GT(events, 50U);
 }
 
+/// A notch as small as it likes, in a square: all that it has is there.
+TEST(DiagramEvents, OfASmallNotch) {
+  for (const unsigned exponent : {0U, 3U, 9U, 15U, 30U, 100U}) {
+    SCOPED_TRACE(exponent);
+    const Rational e = Rational(1 / power(exponent));
+    const PolygonSet P{{{{{0, 0},
+                          {9, 0},
+                          {9, 9},
+                          {4 + 2 * e, 9},
+                          {4 + e, 9 - 3 * e},
+                          {4 + e, 9 - e},
+                          {4, 9},
+                          {0, 9}},
+                         {}}}};
+    const DiagramEvents found = diagram_events(P);
+    ASSERT_EQ(
+        found.events.size(),
+        diagram_events({{{{{0, 0}, {9, 0}, {9, 9}, {6, 9}, {5, 6}, {5, 8}, {4, 9}, {0, 9}}, {}}}})
+            .events.size());
+  }
+}
+
+/// Vertices that are almost as far from one point: a corner for each of them, however near they are
+/// to each other; and one of all where nothing is moved.
+TEST(DiagramEvents, OfCornersThatAlmostCoincide) {
+  const std::vector<Point> circle{{5, 0},  {4, 3},   {3, 4},  {0, 5}, {-3, 4},
+                                  {-5, 0}, {-4, -3}, {0, -5}, {3, -4}};
+  for (const unsigned exponent : {0U, 8U, 13U, 17U, 40U, 90U}) {
+    SCOPED_TRACE(exponent);
+    PolygonSet P;
+    for (std::size_t k = 0; k < circle.size(); ++k) {
+      const Rational by =
+          exponent == 0 ? Rational(1) : Rational(1 + Rational(k * k + 1) / power(exponent));
+      const Point a{circle[k].x * by, circle[k].y * by}, out{circle[k].x * 2, circle[k].y * 2};
+      const Point side{out.x - circle[k].y / 10, out.y + circle[k].x / 10};
+      P.polygons.push_back({{a, out, side}, {}});
+    }
+    const DiagramEvents found = diagram_events(P);
+    std::size_t most = 0, in_the_middle = 0;
+    for (const DiagramEvent& event : found.events) {
+      most = std::max(most, event.features.size());
+      const auto place = found.place(event);
+      in_the_middle += std::abs(approximate(place.x)) + std::abs(approximate(place.y)) < 1e-3;
+    }
+    EXPECT_EQ(most, exponent == 0 ? circle.size() : 3);
+    if (exponent >= 8) EXPECT_EQ(in_the_middle, circle.size() - 2);
+  }
+}
+
 TEST(DiagramEvents, OfAConvexSetAreNone) {
   EXPECT_TRUE(diagram_events({{{{{0, 0}, {3, 0}, {1, 2}}, {}}}}).events.empty());
   EXPECT_TRUE(diagram_events({{{{{0, 0}, {3, 4}}, {}}}}).events.empty());

@@ -1,0 +1,170 @@
+// What is read off the index is the static sum, at any radius; and so are the counts of its
+// history.
+#include "reference/disc/offset_index.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "reference/disc/index_region.hpp"
+#include "reference/disc/offset_region.hpp"
+#include "reference/number/radicals/polynomial.hpp"
+#include "tests/plane/random_polygons.hpp"
+
+namespace minkref {
+namespace {
+
+struct Built {
+  explicit Built(const PolygonSet& set)
+      : P(set), index(set), history(offset_history(index)), curves(offset_curves(set)) {}
+
+  Rational low(std::uint32_t gap) const {
+    return gap == 0 ? Rational(0) : Rational(radius(gap - 1).upper());
+  }
+  Rational high(std::uint32_t gap) const {
+    return gap == index.radii() ? Rational(low(gap) * 2 + 1) : Rational(radius(gap).lower());
+  }
+  Interval radius(std::uint32_t number) const {
+    return index.diagram().radius(index.diagram().events[index.event_at(number)]);
+  }
+
+  PolygonSet P;
+  OffsetIndex index;
+  OffsetHistory history;
+  OffsetCurves curves;
+};
+
+std::size_t components(const OffsetRegion& region) { return region.components.size(); }
+
+/// Each vertex is the start of a piece, as far as both are known.
+void expect_vertices(const Built& built, std::uint32_t gap, const Rational& radius,
+                     const OffsetRegion& expected) {
+  IndexBoundary boundary;
+  built.index.boundary(gap, boundary);
+  std::vector<BoundedPoint> found;
+  std::vector<std::uint32_t> starts;
+  built.index.vertices(boundary, Interval(radius), found, starts);
+  std::size_t rings = 0;
+  for (const OffsetComponent& component : expected.components) rings += 1 + component.holes.size();
+  EXPECT_EQ(starts.size(), rings);
+  for (const BoundedPoint& vertex : found) {
+    EXPECT_LT(vertex.error, 1e-6);
+    const Interval x(vertex.x - vertex.error, vertex.x + vertex.error),
+        y(vertex.y - vertex.error, vertex.y + vertex.error);
+    const auto& pieces = expected.offset.pieces;
+    const bool is_there = std::any_of(pieces.begin(), pieces.end(), [&](const OffsetPiece& piece) {
+      const auto at = expected.offset.at->position(piece.patch, piece.from);
+      return (at.x - x).contains_zero() && (at.y - y).contains_zero();
+    });
+    EXPECT_TRUE(is_there) << vertex.x << ", " << vertex.y;
+  }
+}
+
+void check_gaps(const Built& built, testing::Source& random, int most) {
+  const IndexRegions regions(built.index, built.history, built.curves);
+  for (int k = 0; k < most; ++k) {
+    const auto gap =
+        static_cast<std::uint32_t>(random.between(0, static_cast<int>(built.index.radii())));
+    const Rational low = built.low(gap), high = built.high(gap);
+    if (low >= high) continue;
+    const Rational radius = low + (high - low) * random.between(1, 9) / 10;
+    ASSERT_EQ(built.index.gap(radius * radius), gap);
+    const OffsetRegion expected = offset_region(built.P, radius * radius);
+    const IndexRegion found = regions.at(gap);
+    ASSERT_EQ(canonical_json(found.form, built.curves, radius * radius), canonical_json(expected));
+    ASSERT_EQ(found.holes, expected.holes);
+    ASSERT_EQ(built.history.holes_in(gap), expected.holes);
+    ASSERT_EQ(built.history.components_in(gap), components(expected));
+    ASSERT_NO_FATAL_FAILURE(expect_vertices(built, gap, radius, expected));
+  }
+}
+
+/// At radii of events whose squares are rational.
+std::size_t check_events(const Built& built) {
+  std::size_t looked_at = 0;
+  const DiagramEvents& diagram = built.index.diagram();
+  for (std::uint32_t k = 0; k < built.index.radii(); ++k) {
+    const RootNumber square = diagram.exact(diagram.events[built.index.event_at(k)]).squared_radius;
+    const Polynomial polynomial = without_multiple_roots(square.polynomial());
+    if (polynomial.size() != 2) continue;
+    ++looked_at;
+    const OffsetRegion expected = offset_region(built.P, -polynomial[0]);
+    EXPECT_FALSE(built.index.gap(-polynomial[0]));
+    EXPECT_EQ(built.history.holes_in(k + 1), expected.holes) << k;
+    EXPECT_EQ(built.history.components_at(k), components(expected)) << k;
+  }
+  return looked_at;
+}
+
+TEST(OffsetIndex, IsTheStaticSumInGaps) {
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    testing::Source random(seed);
+    const Built built(seed % 2 == 0 ? testing::random_region(random, 4)
+                                    : testing::random_mesh_region(random, 5));
+    ASSERT_NO_FATAL_FAILURE(check_gaps(built, random, 6));
+  }
+}
+
+TEST(OffsetIndex, HasTheCountsAtEvents) {
+  std::size_t looked_at = 0;
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    testing::Source random(seed);
+    looked_at += check_events(Built(testing::random_mesh_region(random, 5)));
+  }
+  EXPECT_GT(looked_at, 100U);
+}
+
+TEST(OffsetIndex, OfAPointASegmentAndNothing) {
+  for (const PolygonSet& P : {PolygonSet{{{{{1, 2}}, {}}}}, PolygonSet{{{{{0, 0}, {3, 4}}, {}}}},
+                              PolygonSet{}, PolygonSet{{{{{0, 0}, {3, 0}, {1, 2}}, {}}}}}) {
+    const Built built(P);
+    EXPECT_EQ(built.index.radii(), 0U);
+    const IndexRegion region = IndexRegions(built.index, built.history, built.curves).at(0);
+    EXPECT_EQ(canonical_json(region.form, built.curves, 2), canonical_json(offset_region(P, 2)));
+  }
+}
+
+/// A square frame: its hole ends where the middle is reached.
+TEST(OffsetIndex, FollowsAHole) {
+  const Ring outer{{0, 0}, {8, 0}, {8, 8}, {0, 8}}, hole{{2, 2}, {2, 6}, {6, 6}, {6, 2}};
+  const Built built(PolygonSet{{{outer, {hole}}}});
+  ASSERT_EQ(built.history.holes.size(), 1U);
+  EXPECT_EQ(built.history.holes[0].birth, 0U);
+  EXPECT_EQ(built.history.holes[0].from, 0U);
+  const DiagramEvents& diagram = built.index.diagram();
+  EXPECT_EQ(diagram.exact(diagram.events[built.history.holes[0].ends_at]).squared_radius,
+            RootNumber(4));
+}
+
+/// Two chambers of a hole, of different width: the narrower one leaves it, and ends first. Its
+/// largest disc leans on the corners of the door.
+TEST(OffsetIndex, NamesTheHoleThatEndsLast) {
+  const Ring outer{{0, 0}, {40, 0}, {40, 20}, {0, 20}};
+  const Ring hole{{2, 2},   {2, 18}, {18, 18}, {18, 11}, {20, 11}, {20, 16},
+                  {30, 16}, {30, 4}, {20, 4},  {20, 9},  {18, 9},  {18, 2}};
+  const Built built(PolygonSet{{{outer, {hole}}}});
+  ASSERT_EQ(built.history.holes.size(), 2U);
+  const OffsetHole &first = built.history.holes[0], &second = built.history.holes[1];
+  EXPECT_EQ(first.birth, 0U);
+  EXPECT_EQ(second.from, 1U);
+  EXPECT_LT(second.end, first.end);
+  const DiagramEvents& diagram = built.index.diagram();
+  EXPECT_EQ(diagram.exact(diagram.events[second.born_at]).squared_radius, RootNumber(1));
+  EXPECT_EQ(diagram.exact(diagram.events[second.ends_at]).squared_radius, RootNumber(Rational(10201, 400)));
+  EXPECT_EQ(diagram.exact(diagram.events[first.ends_at]).squared_radius, RootNumber(64));
+}
+
+/// Squares side by side become one component where they face each other, at that radius already.
+TEST(OffsetIndex, JoinsFacingSquares) {
+  const Ring a{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, b{{4, 0}, {6, 0}, {6, 2}, {4, 2}};
+  const Built built(PolygonSet{{{a, {}}, {b, {}}}});
+  ASSERT_EQ(built.history.joins.size(), 1U);
+  EXPECT_TRUE(built.history.joins[0].at_radius);
+  EXPECT_EQ(built.history.components_in(0), 2U);
+  EXPECT_EQ(built.history.components_at(0), 1U);
+}
+
+}  // namespace
+}  // namespace minkref
