@@ -1,0 +1,215 @@
+"""Radii at which sums with a disc change, against the vertices of the outer Voronoi diagram as CGAL
+and Boost.Polygon find them: which there are, where, and as far from which features.
+
+`python -m minkref.fuzz.judges.disc_diagram SEED COUNT` compares sets of the cells of a grid and of
+the families of generated pairs, prints the table as JSON and exits with 1 if there is a
+difference that no exact witness puts down to the judge."""
+
+from __future__ import annotations
+
+import json
+import math
+import random
+import sys
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from contextlib import ExitStack
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Any
+
+from minkref import _core
+from minkref.fuzz.families.catalogue import FAMILIES
+from minkref.fuzz.judges.diagram_witness import Ruling, settle
+from minkref.fuzz.judges.offset_comparison import grid_set
+from minkref.fuzz.judges.outer_diagram import (
+    BOOST,
+    CGAL,
+    DiagramAnswer,
+    DiagramJudge,
+    Feature,
+    Outline,
+    Vertex,
+)
+
+SECONDS = 60.0  # of one diagram
+SAME_PLACE = 1e-9  # of the size of the set, or of the radius: places that are one
+SAME_RADIUS = {CGAL: 1e-15, BOOST: 1e-9}  # beyond its bounds, of the radius
+SETS = ("random", "holes", "collinear", "touching", "cells", "nested", "comb", "star", "rational")
+
+
+@dataclass(frozen=True)
+class Event:
+    """A row of minkref's list. `features` are named as Outline does."""
+
+    kind: str
+    x: float
+    y: float
+    low: float
+    high: float
+    features: frozenset[Feature]
+
+
+@dataclass(frozen=True)
+class Difference:
+    """`fault` is `dropped` (a vertex is no event), `invented` (an event is no vertex), `features`
+    (there are others), `radius` or `twice`."""
+
+    fault: str
+    x: float
+    y: float
+    radius: float
+    features: frozenset[Feature]
+
+    def __str__(self) -> str:
+        names = ", ".join(" ".join(map(str, feature)) for feature in sorted(self.features, key=str))
+        return f"{self.fault} at ({self.x:.17g}, {self.y:.17g}), radius {self.radius:.17g}: {names}"
+
+
+@dataclass
+class Table:
+    """What was compared. `differences` stand against minkref or are not settled; `refuted` are
+    those in which an exact witness shows the judge to be wrong."""
+
+    counts: Counter[str] = field(default_factory=Counter)
+    unanswered: list[str] = field(default_factory=list)
+    differences: list[str] = field(default_factory=list)
+    refuted: list[str] = field(default_factory=list)
+
+    def add(self, other: Table) -> None:
+        self.counts.update(other.counts)
+        self.unanswered += other.unanswered
+        self.differences += other.differences
+        self.refuted += other.refuted
+
+
+def events_of(outline: Outline, rows: Sequence[Any]) -> list[Event]:
+    """Rows of `_core.DiagramEvents.rows`."""
+    found = []
+    for kind, _, _, (low, high), (x, y), names in rows:
+        features = frozenset(_feature(outline, *name) for name in names)
+        found.append(Event(kind, x, y, low, high, features))
+    return found
+
+
+def _feature(outline: Outline, kind: str, first: str, second: str) -> Feature:
+    if kind == "vertex":
+        return ("vertex", Fraction(first), Fraction(second))
+    return outline.edge(int(first), int(second))
+
+
+def differences(
+    outline: Outline, events: Sequence[Event], answer: DiagramAnswer, judge: str
+) -> list[Difference]:
+    """Of minkref's events as far from three features or more, and the vertices of a judge. CGAL
+    gives a vertex of more than three features in several parts."""
+    wanted = [event for event in events if len(event.features) > 2]
+    of_feature: dict[Feature, list[int]] = {}
+    for k, event in enumerate(wanted):
+        for feature in event.features:
+            of_feature.setdefault(feature, []).append(k)
+    seen: list[set[Feature]] = [set() for _ in wanted]
+    found = list(_twice(outline, wanted))
+    for vertex in answer.vertices or []:
+        first = next(iter(vertex.features))
+        near = [
+            (away, k)
+            for k in of_feature.get(first, [])
+            if vertex.features <= wanted[k].features
+            and (away := _away(outline, wanted[k], vertex)) < 1
+        ]
+        if not near:
+            found.append(Difference("dropped", vertex.x, vertex.y, vertex.radius, vertex.features))
+            continue
+        event = wanted[min(near)[1]]
+        seen[min(near)[1]] |= vertex.features
+        slack = SAME_RADIUS[judge] * vertex.radius
+        if not event.low - slack <= vertex.radius <= event.high + slack:
+            found.append(Difference("radius", vertex.x, vertex.y, vertex.radius, vertex.features))
+    for event, features in zip(wanted, seen, strict=True):
+        if features != event.features:
+            fault = "features" if features else "invented"
+            found.append(Difference(fault, event.x, event.y, event.low, event.features))
+    return found
+
+
+def _away(outline: Outline, event: Event, vertex: Vertex | Event) -> float:
+    """How far they are apart; from 1 on they are two places."""
+    return math.dist((event.x, event.y), (vertex.x, vertex.y)) / (
+        SAME_PLACE * max(outline.size, event.high)
+    )
+
+
+def _twice(outline: Outline, events: Sequence[Event]) -> Iterator[Difference]:
+    known: dict[frozenset[Feature], list[Event]] = {}
+    for event in events:
+        same = known.setdefault(event.features, [])
+        if any(_away(outline, event, other) < 1 for other in same):
+            yield Difference("twice", event.x, event.y, event.low, event.features)
+        same.append(event)
+
+
+class DiagramComparison:
+    """Both judges, for many sets. Close it, or use it in a `with`."""
+
+    def __init__(self, judges: Sequence[str] = (CGAL, BOOST), seconds: float = SECONDS) -> None:
+        self._open = ExitStack()
+        self._judges = [self._open.enter_context(DiagramJudge(name, seconds)) for name in judges]
+
+    def __enter__(self) -> DiagramComparison:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._open.close()
+
+    def compare(self, name: str, P: _core.PolygonSet, rows: Sequence[Any], table: Table) -> None:
+        """The rows of P's events, and what each judge has."""
+        outline = Outline.of(P)
+        events = events_of(outline, rows)
+        table.counts["sets"] += 1
+        table.counts["events"] += sum(len(event.features) > 2 for event in events)
+        table.counts["of more than three features"] += sum(len(e.features) > 3 for e in events)
+        for judge in self._judges:
+            answer = judge.vertices(outline)
+            if answer.vertices is None:
+                table.unanswered.append(f"{name}, {judge.judge}: {answer.why}")
+                continue
+            table.counts[f"sets before {judge.judge}"] += 1
+            table.counts[f"vertices of {judge.judge}"] += len(answer.vertices)
+            table.counts[f"straight, of {judge.judge}"] += answer.straight
+            for each in differences(outline, events, answer, judge.judge):
+                ruling, why = settle(outline, each.features, (each.x, each.y), each.radius)
+                told = f"{name}, {judge.judge}: {each}: {why}"
+                wrong = {"dropped": Ruling.NONE, "invented": Ruling.VERTEX}.get(each.fault)
+                (table.refuted if ruling is wrong else table.differences).append(told)
+
+
+def drawn_set(seed: int, number: int) -> tuple[str, _core.PolygonSet]:
+    """Cells of a grid, or the first operand of a generated pair. The same numbers give the same."""
+    family = (*SETS, "grid", "grid", "grid")[number % (len(SETS) + 3)]
+    name = f"{family} {seed}:{number}"
+    if family == "grid":
+        return name, grid_set(random.Random(f"minkref diagrams {seed}:{number}"))
+    return name, _core.PolygonSet.from_json(FAMILIES[family].pair(seed, number).P)
+
+
+def compare(seed: int, numbers: range, table: Table) -> None:
+    """Sets by number."""
+    with DiagramComparison() as comparison:
+        for number in numbers:
+            name, P = drawn_set(seed, number)
+            if not P.is_empty and P.vertices > 2:
+                rows = _core.diagram_events(P).rows(0, 10**9)
+                comparison.compare(name, P, rows, table)
+
+
+def main(arguments: list[str]) -> int:
+    seed, count = map(int, arguments)
+    table = Table()
+    compare(seed, range(count), table)
+    print(json.dumps(vars(table), indent=1))
+    return 1 if table.differences else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
