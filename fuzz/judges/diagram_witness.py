@@ -18,6 +18,7 @@ from mpmath import iv, mp
 DIGITS = 60
 BOX = 1e-40  # half a side, of the size of the set and the radius
 NEAR = 1e-6  # of the radius: edges that are looked at exactly
+ROUNDED = 1e-13  # of the size: a distance in doubles
 APART = 1e-8  # of size and radius: how far the zero may be from the place
 STEPS = 12  # of Newton's iteration
 Vector = list[Any]
@@ -69,7 +70,7 @@ def _among_edges(
     tied: set[Feature] = set()
     x, y = (float(mp.mpf(side.mid)) for side in box[:2])
     for piece in outline.pieces:
-        if _rounded_distance(piece, x, y) > r * (1 + NEAR):
+        if _rounded_distance(piece, x, y) > r * (1 + NEAR) + ROUNDED * outline.size:
             continue
         feature, square = _squared_distance(piece, box)
         over = square - box[2] ** 2

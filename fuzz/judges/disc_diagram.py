@@ -15,7 +15,6 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from contextlib import ExitStack
 from dataclasses import dataclass, field
-from fractions import Fraction
 from typing import Any
 
 from minkref import _core
@@ -35,16 +34,21 @@ from minkref.fuzz.judges.outer_diagram import (
 SECONDS = 60.0  # of one diagram
 SAME_PLACE = 1e-9  # of the size of the set, or of the radius: places that are one
 SAME_RADIUS = {CGAL: 1e-15, BOOST: 1e-9}  # beyond its bounds, of the radius
+DOUBLE = 2.0**-52  # of a coordinate: its rounding
 SETS = ("random", "holes", "collinear", "touching", "cells", "nested", "comb", "star", "rational")
+# What a witness has to prove for minkref to be right. Of features a judge has some, minkref all.
+RIGHT = {"dropped": Ruling.NONE, "invented": Ruling.VERTEX, "features": Ruling.VERTEX}
 
 
 @dataclass(frozen=True)
 class Event:
-    """A row of minkref's list. `features` are named as Outline does."""
+    """A row of minkref's list. `features` are named, and the place is moved, as Outline does;
+    `slack` is the rounding of the place where it was given."""
 
     kind: str
     x: float
     y: float
+    slack: float
     low: float
     high: float
     features: frozenset[Feature]
@@ -86,15 +90,16 @@ class Table:
 def events_of(outline: Outline, rows: Sequence[Any]) -> list[Event]:
     """Rows of `_core.DiagramEvents.rows`."""
     found = []
-    for kind, _, _, (low, high), (x, y), names in rows:
+    for kind, _, _, (low, high), place, names in rows:
         features = frozenset(_feature(outline, *name) for name in names)
-        found.append(Event(kind, x, y, low, high, features))
+        slack = DOUBLE * max(map(abs, place))
+        found.append(Event(kind, *outline.spot(*place), slack, low, high, features))
     return found
 
 
 def _feature(outline: Outline, kind: str, first: str, second: str) -> Feature:
     if kind == "vertex":
-        return ("vertex", Fraction(first), Fraction(second))
+        return outline.vertex(first, second)
     return outline.edge(int(first), int(second))
 
 
@@ -135,9 +140,8 @@ def differences(
 
 def _away(outline: Outline, event: Event, vertex: Vertex | Event) -> float:
     """How far they are apart; from 1 on they are two places."""
-    return math.dist((event.x, event.y), (vertex.x, vertex.y)) / (
-        SAME_PLACE * max(outline.size, event.high)
-    )
+    same = SAME_PLACE * max(outline.size, event.high) + event.slack
+    return math.dist((event.x, event.y), (vertex.x, vertex.y)) / same
 
 
 def _twice(outline: Outline, events: Sequence[Event]) -> Iterator[Difference]:
@@ -180,8 +184,8 @@ class DiagramComparison:
             for each in differences(outline, events, answer, judge.judge):
                 ruling, why = settle(outline, each.features, (each.x, each.y), each.radius)
                 told = f"{name}, {judge.judge}: {each}: {why}"
-                wrong = {"dropped": Ruling.NONE, "invented": Ruling.VERTEX}.get(each.fault)
-                (table.refuted if ruling is wrong else table.differences).append(told)
+                right = RIGHT.get(each.fault)
+                (table.refuted if ruling is right else table.differences).append(told)
 
 
 def drawn_set(seed: int, number: int) -> tuple[str, _core.PolygonSet]:

@@ -42,16 +42,16 @@ class Piece:
 
 
 class Outline:
-    """The boundary of a polygon set, which lies to the left of its edges. Exact."""
+    """The boundary of a polygon set, which lies to the left of its edges, moved so that `origin`,
+    the lower left corner of its box, comes to (0, 0). Exact."""
 
     def __init__(self, rings: Rings) -> None:
-        self.rings = [[(Fraction(x), Fraction(y)) for x, y in ring] for ring in rings]
+        given = [[(Fraction(x), Fraction(y)) for x, y in ring] for ring in rings]
+        x, y = (min(corner[k] for ring in given for corner in ring) for k in (0, 1))
+        self.origin = x, y
+        self.rings = [[(a - x, b - y) for a, b in ring] for ring in given]
         corners = [corner for ring in self.rings for corner in ring]
-        self.origin = min(x for x, _ in corners), min(y for _, y in corners)
-        self.size = max(
-            *(float(x - self.origin[0]) for x, _ in corners),
-            *(float(y - self.origin[1]) for _, y in corners),
-        )
+        self.size = float(max(max(corner) for corner in corners))
         self.factor = math.lcm(*(c.denominator for corner in corners for c in corner))
         self.pieces = list(self._pieces())
 
@@ -68,6 +68,14 @@ class Outline:
                 stops = [start, *_between(corners, start, end), end]
                 for a, b in pairwise(stops):
                     yield Piece(a, b, line)
+
+    def vertex(self, x: str, y: str) -> Feature:
+        """By its coordinates where it was given."""
+        return ("vertex", Fraction(x) - self.origin[0], Fraction(y) - self.origin[1])
+
+    def spot(self, x: float, y: float) -> tuple[float, float]:
+        """A place, moved as the set is."""
+        return float(Fraction(x) - self.origin[0]), float(Fraction(y) - self.origin[1])
 
     def edge(self, ring: int, index: int) -> Feature:
         """The line of an edge, by the number of its ring and of its first vertex."""
@@ -87,13 +95,8 @@ class Outline:
         return found
 
     def integers(self) -> list[list[int]]:
-        """The pieces, moved to the first quadrant and multiplied by `factor`."""
-        x, y = self.origin
-
-        def of(p: Point) -> tuple[int, int]:
-            return int((p[0] - x) * self.factor), int((p[1] - y) * self.factor)
-
-        return [[*of(piece.start), *of(piece.end)] for piece in self.pieces]
+        """The pieces, multiplied by `factor`."""
+        return [[int(c * self.factor) for c in (*piece.start, *piece.end)] for piece in self.pieces]
 
     def is_outside(self, x: float, y: float) -> bool:
         """By the edges to the right. In doubles: for places that are off the boundary."""
@@ -216,25 +219,24 @@ class DiagramJudge:
 
 
 def _outer(outline: Outline, judge: str, answer: dict[str, Any]) -> DiagramAnswer:
-    x0, y0 = map(float, outline.origin)
     feature = _by_number(outline) if judge == BOOST else _by_coordinates(outline)
     ends = {(a, b) for x, y, u, v in outline.integers() for a, b in ((x, y), (u, v))}
     found, straight = [], 0
     for each in answer["vertices"]:
         x, y = (float(c) / outline.factor for c in each["at"])
         features = {feature(site) for site in each["sites"]}
-        far = distance((x + x0, y + y0), next(iter(features)))
+        far = distance((x, y), next(iter(features)))
         if judge == CGAL:
             far = math.sqrt(each["squared_radius"]) / outline.factor
         elif _is_at_end(each["at"], ends):
             continue
-        if not outline.is_outside(x + x0, y + y0):
+        if not outline.is_outside(x, y):
             continue
-        kept = _without_straight(outline, features, (x + x0, y + y0))
+        kept = _without_straight(outline, features, (x, y))
         if len(kept) < 3:
             straight += 1
             continue
-        found.append(Vertex(x + x0, y + y0, far, kept))
+        found.append(Vertex(x, y, far, kept))
     return DiagramAnswer(found, straight, float(answer["seconds"]))
 
 
@@ -260,8 +262,7 @@ def _by_coordinates(outline: Outline) -> Callable[[Sequence[str]], Feature]:
     def feature(site: Sequence[str]) -> Feature:
         if len(site) == 4:
             return lines[tuple(site)]
-        x, y = (Fraction(c) / outline.factor for c in site)
-        return ("vertex", x + outline.origin[0], y + outline.origin[1])
+        return ("vertex", *(Fraction(c) / outline.factor for c in site))
 
     return feature
 

@@ -59,6 +59,14 @@ CORE::Expr squared_distance(const Roots::Point_2& from, const DiagramSite& site)
   return twice * twice / along.squared_length();
 }
 
+/// Asked for 200 bits first: asked for a double at once, CORE of CGAL 5.5.1 may give but 23 bits
+/// (7271383040 for 7271383925.69..., the height of (7000000049, 6847061340), (10000000070,
+/// 6847061340) and the segment from (5000000035, 10270592010) to (11000000077, 7988238230)).
+double rounded(const CORE::Expr& value) {
+  value.approx(200, CORE::extLong::getPosInfty());
+  return value.BigFloatValue().doubleValue();
+}
+
 /// An end and two segments that meet in it: as far at the end alone, where nothing is left.
 bool is_at_end(const std::array<DiagramSite, 3>& sites) {
   const auto point = std::find_if(sites.begin(), sites.end(), [](auto& s) { return !s.end; });
@@ -89,9 +97,9 @@ std::vector<DiagramVertex> found_by(const std::vector<Segment>& segments) {
     if (is_at_end(vertex.sites)) continue;
     const Roots::Point_2 at = OfRoots().construct_svd_vertex_2_object()(
         with_roots(vertex.sites[0]), with_roots(vertex.sites[1]), with_roots(vertex.sites[2]));
-    vertex.x = CGAL::to_double(at.x());
-    vertex.y = CGAL::to_double(at.y());
-    vertex.squared_radius = CGAL::to_double(squared_distance(at, vertex.sites[0]));
+    vertex.x = rounded(at.x());
+    vertex.y = rounded(at.y());
+    vertex.squared_radius = rounded(squared_distance(at, vertex.sites[0]));
     found.push_back(std::move(vertex));
   }
   return found;
