@@ -6,13 +6,13 @@ Krawczyk's test proves that a small box holds one zero. Then no edge may be near
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from enum import StrEnum
 from fractions import Fraction
 from itertools import combinations
 from typing import Any
 
-from minkref.fuzz.judges.outer_diagram import Feature, Outline, Piece
+from minkref.fuzz.judges.outline import Feature, Outline, Piece
 from mpmath import iv, mp
 
 DIGITS = 60
@@ -26,6 +26,7 @@ Vector = list[Any]
 
 class Ruling(StrEnum):
     VERTEX = "a vertex"
+    PART = "a vertex of more features"
     NONE = "no vertex"
     UNDECIDED = "not decided"
 
@@ -34,7 +35,7 @@ def settle(
     outline: Outline, features: frozenset[Feature], spot: tuple[float, float], radius: float
 ) -> tuple[Ruling, str]:
     """Whether a place near `spot` is as far from all features, outside of the set, and from no edge
-    less; and why, in words."""
+    less; and why, in words. That all of more than three are as near is told to sixty digits."""
     old_digits = mp.dps, iv.dps
     mp.dps = iv.dps = DIGITS
     try:
@@ -70,30 +71,21 @@ def _among_edges(
     tied: set[Feature] = set()
     x, y = (float(mp.mpf(side.mid)) for side in box[:2])
     for piece in outline.pieces:
-        if _rounded_distance(piece, x, y) > r * (1 + NEAR) + ROUNDED * outline.size:
+        if piece.rounded_distance(x, y) > r * (1 + NEAR) + ROUNDED * outline.size:
             continue
-        feature, square = _squared_distance(piece, box)
-        over = square - box[2] ** 2
-        if over.b < 0:
-            return Ruling.NONE, f"{_name(feature)} is nearer"
-        if over.a <= 0:
-            tied.add(feature)
-    for feature in features:
-        if feature[0] == "line":  # in front of an end its line is as near as the end
-            ends = {("vertex", *p) for e in outline.pieces if e.line == feature
-                    for p in (e.start, e.end)}  # fmt: skip
-            if feature in tied or ends & tied & features:
-                continue
-        elif feature in tied:
-            continue
-        elif any(line in tied for line in _through(feature, features)):
-            continue
+        for feature, square in _feet(piece, box):
+            over = square - box[2] ** 2
+            if over.b < 0:
+                return Ruling.NONE, f"{_name(feature)} is nearer"
+            if over.a <= 0:
+                tied.add(feature)
+    for feature in features - tied:
         return Ruling.NONE, f"{_name(feature)} is farther"
+    straight = {vertex for vertex in tied if features & set(outline.straight.get(vertex, []))}
+    if tied - straight - features:
+        told = ", ".join(map(_name, tied - straight - features))
+        return Ruling.PART, f"proven to be as far from these, and to sixty digits from {told}"
     return Ruling.VERTEX, "proven to be as far from these, and no edge is nearer"
-
-
-def _through(vertex: Feature, features: frozenset[Feature]) -> list[Feature]:
-    return [f for f in features if f[0] == "line" and _is_on(vertex, f)]
 
 
 def _name(feature: Feature) -> str:
@@ -109,14 +101,13 @@ def _place(
 ) -> Vector | None:
     """A box that is proven to hold one zero: x, y and r. None where that does not succeed."""
     at: Vector = [mp.mpf(spot[0]), mp.mpf(spot[1]), mp.mpf(radius)]
-    try:
-        for _ in range(STEPS):
-            values, slopes = _equations(chosen, at, mp)
-            step = mp.matrix(slopes) ** -1 * mp.matrix(values)
-            at = [at[k] - step[k] for k in range(3)]
-        inverse = mp.matrix(_equations(chosen, at, mp)[1]) ** -1
-    except ZeroDivisionError:
-        return None
+    inverse: list[Vector] = []
+    for _ in range(STEPS):
+        values, slopes = _equations(chosen, at, mp)
+        inverse = _inverse(slopes)
+        if not inverse:
+            return None
+        at = [at[i] - sum(inverse[i][k] * values[k] for k in range(3)) for i in range(3)]
     middle = [iv.mpf(c) for c in at]
     side = iv.mpf([-half, half])
     box = [c + side for c in middle]
@@ -125,14 +116,28 @@ def _place(
     for i in range(3):
         bent = middle[i]
         for k in range(3):
-            bent -= iv.mpf(inverse[i, k]) * values[k]
+            bent -= iv.mpf(inverse[i][k]) * values[k]
         for k in range(3):
-            slope = sum(iv.mpf(inverse[i, j]) * slopes[j][k] for j in range(3))
+            slope = sum(iv.mpf(inverse[i][j]) * slopes[j][k] for j in range(3))
             bent += (iv.mpf(int(i == k)) - slope) * side
         if not (bent.a > box[i].a and bent.b < box[i].b):
             return None
         found.append(bent)
     return found
+
+
+def _inverse(rows: Sequence[Vector]) -> list[Vector]:
+    """Empty, of a matrix that has none."""
+    a, b, c = rows
+    over = [_crossed(b, c), _crossed(c, a), _crossed(a, b)]
+    determinant = sum(a[k] * over[0][k] for k in range(3))
+    if determinant == 0:
+        return []
+    return [[column[k] / determinant for column in over] for k in range(3)]
+
+
+def _crossed(a: Vector, b: Vector) -> Vector:
+    return [a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3] for k in range(3)]
 
 
 def _equations(chosen: Sequence[Feature], at: Vector, numbers: Any) -> tuple[Vector, list[Vector]]:
@@ -164,22 +169,20 @@ def _exact(value: Fraction | int, numbers: Any) -> Any:
     return numbers.mpf(value.numerator) / numbers.mpf(value.denominator)
 
 
-def _squared_distance(piece: Piece, box: Vector) -> tuple[Feature, Any]:
-    """From the nearest part of a piece. Where the foot may be an end or not, that end's: right in
-    front of it both are the same."""
+def _feet(piece: Piece, box: Vector) -> Iterator[tuple[Feature, Any]]:
+    """What of a piece may be nearest, and its squared distance. Where the foot may be an end, that
+    are the end and the line."""
     x, y, _ = box
     ax, ay = (_exact(c, iv) for c in piece.start)
     bx, by = (_exact(c, iv) for c in piece.end)
     dx, dy = (_exact(c, iv) for c in piece.along)
-    if not (dx * (x - ax) + dy * (y - ay)).a > 0:
-        return ("vertex", *piece.start), (x - ax) ** 2 + (y - ay) ** 2
-    if not (dx * (x - bx) + dy * (y - by)).b < 0:
-        return ("vertex", *piece.end), (x - bx) ** 2 + (y - by) ** 2
-    return piece.line, (dy * (x - ax) - dx * (y - ay)) ** 2 / (dx * dx + dy * dy)
-
-
-def _rounded_distance(piece: Piece, x: float, y: float) -> float:
-    (ax, ay), (dx, dy) = map(float, piece.start), map(float, piece.along)
-    t = ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy)
-    t = min(max(t, 0.0), 1.0)
-    return math.hypot(x - ax - t * dx, y - ay - t * dy)
+    after_start = dx * (x - ax) + dy * (y - ay)
+    after_end = dx * (x - bx) + dy * (y - by)
+    if not after_start.a > 0:
+        yield ("vertex", *piece.start), (x - ax) ** 2 + (y - ay) ** 2
+    if not after_end.b < 0:
+        yield ("vertex", *piece.end), (x - bx) ** 2 + (y - by) ** 2
+    over = dy * (x - ax) - dx * (y - ay)
+    is_inside = after_start.a > 0 and after_end.b < 0
+    if is_inside or not (after_start.b < 0 or after_end.a > 0 or over.b < 0):
+        yield piece.line, over**2 / (dx * dx + dy * dy)

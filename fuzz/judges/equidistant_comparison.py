@@ -19,7 +19,7 @@ from typing import Any
 import sympy as sp
 from minkref import _core
 from minkref.fuzz.judges.disc_diagram import drawn_set
-from minkref.fuzz.judges.outer_diagram import Outline
+from minkref.fuzz.judges.outline import Outline
 from minkref.oracle.symbolic import disc_diagram
 from minkref.oracle.symbolic.disc import Offset
 from minkref.oracle.symbolic.disc_diagram import Feature, SquaredRadius
@@ -100,10 +100,11 @@ def is_degenerate(choice: Choice, count: int, is_tied: bool) -> bool:
     return parallel or count > 3 or is_tied
 
 
-def difference(choice: Choice, row: Any) -> str | None:
+def difference(choice: Choice, row: Any, outline: Outline) -> str | None:
     """What is not as in a row of minkref's list; None where all is. Raises LookupError where the
     features single out no place."""
-    _, square, coefficients, (low, high), place, _ = row
+    _, square, coefficients, (low, high), at, _ = row
+    place = outline.spot(*at)
     candidates = choice.candidates()
     if not candidates:
         raise LookupError
@@ -180,11 +181,12 @@ def count_roots(polynomial: Sequence[Any], low: Any, high: Any) -> int:
 
 
 def features_of(outline: Outline, names: Sequence[tuple[str, str, str]]) -> list[Feature]:
-    """Of a row, with the edges as they stand in the set."""
+    """Of a row, with the edges as they stand in the outline."""
     found: list[Feature] = []
     for kind, first, second in names:
         if kind == "vertex":
-            found.append((Rational(first), Rational(second)))
+            _, x, y = outline.vertex(first, second)
+            found.append((Rational(x), Rational(y)))
             continue
         corners = outline.rings[int(first)]
         ends = corners[int(second)], corners[(int(second) + 1) % len(corners)]
@@ -215,7 +217,7 @@ def compare(seed: int, count: int, table: Table) -> None:
                 if have[choice.kind, tie] >= wanted[tie]:
                     continue
                 try:
-                    why = difference(choice, row)
+                    why = difference(choice, row, outline)
                 except LookupError:
                     table.no_place += 1
                     why = None if len(features) > 3 else "the features single out no place"
