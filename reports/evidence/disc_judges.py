@@ -18,14 +18,14 @@ SUBJECT = (
     "by CGAL's segment Delaunay graph and by Boost.Polygon, each with its features: large polygons "
     "and random sets, many on a grid; and squared radii against computer algebra."
 )
-MINUTES = (1.5, 0.3)
+MINUTES = (1, 0.2)
 DEPENDS = (
     *AGAINST_CGAL, "oracle/boost/*", "oracle/symbolic/*", "reports/evidence/disc_sums.py",
 )  # fmt: skip
 
 SEED = 1909
 SETS, QUICK_SETS, BATCH = 1000, 200, 50
-CASES, QUICK_CASES = 300, 60  # of each kind
+CASES, QUICK_CASES = 300, 45  # of each kind
 FINE_SETS, QUICK_FINE_SETS = 300, 40  # with details far smaller than the set
 FINE = ("thin", "offset", "magnitude")
 
