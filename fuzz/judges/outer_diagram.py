@@ -59,8 +59,8 @@ def absence(judge: str) -> str | None:
 
 class DiagramJudge:
     """CGAL or Boost, in a child process for many sets. Close it, or use it in a `with`. CGAL's
-    places are doubles next to exact ones; Boost's are doubles, within 64 units in the last place,
-    and its coordinates are integers of 32 bits."""
+    places are doubles next to exact ones; Boost's are doubles, most of them within 64 units in the
+    last place, and its coordinates are integers of 32 bits."""
 
     def __init__(self, judge: str, seconds: float) -> None:
         path = executable(judge)

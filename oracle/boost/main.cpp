@@ -4,9 +4,9 @@
 // number k, or [k, 0] or [k, 1] for its start or end, with "seconds", or {"error": what}. Whoever
 // runs it limits it.
 //
-// Boost's topology is exact for such input; its places are doubles, each within 64 units in the
-// last place. A vertex that is as far from k sites comes once, with all of them. Segments may meet
-// in ends only, which is the caller's word.
+// Places are doubles, most of them within 64 units in the last place (README.md). A vertex that is
+// as far from k sites comes once, with all of them. Segments may meet in ends only, which is the
+// caller's word.
 #include <boost/polygon/segment_data.hpp>
 #include <boost/polygon/voronoi.hpp>
 #include <chrono>

@@ -243,6 +243,27 @@ def test_a_witness_tells_a_vertex_from_what_is_none() -> None:
     assert ruling is not Ruling.VERTEX
 
 
+def test_a_wrong_answer_of_boost_is_refuted_by_a_proof() -> None:
+    """The floor of a notch is as far as its walls half a unit of Boost's grid over the mouth."""
+    if missing := absence(BOOST):
+        pytest.skip(missing)
+    wall = 5 - Fraction(1, 2**20)
+    P = polygons([[(0, 0), (1, 0), (1, 2), (wall, 2), (wall, 0), (7, 0), (7, 3), (0, 3)]])
+    rows = rows_of(P)
+    table = Table()
+    with DiagramComparison([BOOST]) as comparison:
+        comparison.compare("near a tie", P, rows, table)
+    assert table.differences == [] and table.counts["events"] == 2
+    assert all("nearer" in told or "proven to be as far" in told for told in table.refuted)
+    assert differences_or_skip(P) == []
+
+
+def differences_or_skip(P: _core.PolygonSet) -> list[str]:
+    if missing := absence(CGAL):
+        pytest.skip(missing)
+    return differences(CGAL, P)
+
+
 def test_coordinates_that_doubles_do_not_hold_are_exact_for_cgal_and_too_long_for_boost() -> None:
     for missing in filter(None, map(absence, (CGAL, BOOST))):
         pytest.skip(missing)
