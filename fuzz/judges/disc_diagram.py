@@ -173,7 +173,7 @@ def saddle_differences(
     outline: Outline, events: Sequence[Event], answer: DiagramAnswer
 ) -> list[Difference]:
     """Of minkref's events of two features, and the places between two that the edges of a judge's
-    diagram have. These are exact, so a witness has nothing to add."""
+    diagram have. These are exact, so that no witness is needed."""
     wanted = {event.features: event for event in events if len(event.features) == 2}
     found = []
     for saddle in saddles(outline, answer.sides):
@@ -229,7 +229,10 @@ class DiagramComparison:
             table.counts[f"straight, of {judge.judge}"] += answer.straight
             before = len(table.differences)
             for each in saddle_differences(outline, events, answer):
-                table.differences.append(f"{name}, {judge.judge}: saddle {each}")
+                # The pair alone tells whether it is one: then the judge lacks the edge between.
+                is_right = each.fault == "invented" and bool(saddles(outline, [each.features]))
+                told = f"{name}, {judge.judge}: saddle {each}"
+                (table.refuted if is_right else table.differences).append(told)
             for each in differences(outline, events, answer, judge.judge):
                 ruling, why = settle(outline, each.features, (each.x, each.y), each.radius)
                 told = f"{name}, {judge.judge}: {each}: {why}"
