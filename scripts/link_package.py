@@ -86,6 +86,7 @@ def link_oracle(scripts: Path) -> None:
         "cgal/minkref-cgal-*",
         "checker/minkref-check",
         "sampled/minkref-sampled-events",
+        "boost/minkref-boost-diagram",
     ):
         for old in scripts.glob(pattern.split("/")[1]):
             old.unlink()

@@ -2,11 +2,7 @@
 
 from __future__ import annotations
 
-import json
 import math
-import selectors
-import subprocess
-import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -14,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from minkref.fuzz.cgal.executables import BUILD_COMMAND, search_folders
+from minkref.fuzz.judges.line_process import LineProcess
 
 PROGRAM = "minkref-cgal-offset"
 Curve = tuple[str, ...]
@@ -51,8 +48,8 @@ class OffsetJudge:
     """One child process for many offsets, started anew after one that took too long."""
 
     def __init__(self, seconds: float) -> None:
-        self._executable, self._seconds = executable(), seconds
-        self._process: subprocess.Popen[str] | None = None
+        path = executable()
+        self._process = None if path is None else LineProcess(path, seconds)
 
     def __enter__(self) -> OffsetJudge:
         return self
@@ -62,41 +59,14 @@ class OffsetJudge:
 
     def close(self) -> None:
         if self._process is not None:
-            self._process.kill()
-            self._process.wait()
-            self._process = None
+            self._process.close()
 
     def offset(self, P: dict[str, Any], radius: Fraction) -> OffsetAnswer:
         """Of polygons as canonical JSON has them, exact. CGAL's lines have no rational equation:
         they are named by the edge of P, moved outwards, that they are near."""
-        if self._executable is None:
-            return OffsetAnswer(None, why=str(absence()))
         if self._process is None:
-            self._process = subprocess.Popen(
-                [self._executable],
-                stdin=subprocess.PIPE,
-                stdout=subprocess.PIPE,
-                text=True,
-                cwd=tempfile.gettempdir(),  # CGAL writes a diary where it ends
-            )
-        assert self._process.stdin is not None and self._process.stdout is not None
-        request = json.dumps({"P": P, "radius": str(radius)})
-        try:
-            self._process.stdin.write(request + "\n")
-            self._process.stdin.flush()
-        except BrokenPipeError:
-            self.close()
-            return OffsetAnswer(None, why="the process has ended")
-        with selectors.DefaultSelector() as selector:
-            selector.register(self._process.stdout, selectors.EVENT_READ)
-            if not selector.select(self._seconds):
-                self.close()
-                return OffsetAnswer(None, why=f"no answer in {self._seconds:g} s")
-        line = self._process.stdout.readline()
-        if not line:
-            self.close()
-            return OffsetAnswer(None, why="the process has ended")
-        answer = json.loads(line)
+            return OffsetAnswer(None, why=str(absence()))
+        answer = self._process.ask({"P": P, "radius": str(radius)})
         if "error" in answer:
             return OffsetAnswer(None, why=str(answer["error"]))
         lines = _Lines(P, radius)

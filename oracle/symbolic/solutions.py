@@ -20,7 +20,7 @@ from .rational import Rational
 VERSION = "symbolic-solutions-v1"
 FOLDER = Path(__file__).resolve().parent
 FILE = FOLDER / "solutions.json"
-DERIVATIONS = ("derive_plane", "derive_space", "derive_disc")
+DERIVATIONS = ("derive_plane", "derive_space", "derive_disc", "derive_diagram")
 
 Solution = Callable[..., tuple[Rational, Rational]]
 ALLOWED = (ast.Expression, ast.BinOp, ast.UnaryOp, ast.Name, ast.Load, ast.Constant, ast.Add)

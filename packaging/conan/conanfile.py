@@ -11,7 +11,7 @@ from conan.tools.files import copy, load
 
 ROOT = Path(__file__).resolve().parents[2]
 SOURCES = ("CMakeLists.txt", "pyproject.toml", "LICENSE", "cmake/*", "reference/*")
-PARTS = ("FORMATS", "CGAL", "CHECKER", "SAMPLED", "TESTS", "PCH", "WERROR")
+PARTS = ("FORMATS", "CGAL", "CHECKER", "SAMPLED", "BOOST", "TESTS", "PCH", "WERROR")
 
 
 class Minkref(ConanFile):

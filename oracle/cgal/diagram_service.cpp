@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// CGAL's segment Delaunay graph behind lines of JSON: {"segments": [["x", "y", "x", "y"], ...]}
+// asks, numbers being "n" or "n/d", and each answer is {"vertices": [{"at": [x, y],
+// "squared_radius": r, "sites": [site, site, site]}, ...]}, a site being ["x", "y"] or a segment,
+// with "seconds", or {"error": what}. Whoever runs it limits it.
+#include <chrono>
+#include <exception>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "oracle/cgal/diagram.hpp"
+
+namespace {
+
+using nlohmann::json;
+using namespace minkref::cgal_oracle;
+
+json written(const DiagramSite& site) {
+  json found{site.start.x.get_str(), site.start.y.get_str()};
+  if (site.end) {
+    found.push_back(site.end->x.get_str());
+    found.push_back(site.end->y.get_str());
+  }
+  return found;
+}
+
+Segment read_segment(const json& value) {
+  if (!value.is_array() || value.size() != 4) throw BadOperand("a segment has four numbers");
+  const auto at = [&](std::size_t k) { return read_number(value[k], "segments"); };
+  const Segment found{{at(0), at(1)}, {at(2), at(3)}};
+  if (found.start == found.end) throw BadOperand("a segment has no length");
+  return found;
+}
+
+json answer(const json& request) {
+  std::vector<Segment> segments;
+  for (const json& each : request.at("segments")) segments.push_back(read_segment(each));
+  const auto start = std::chrono::steady_clock::now();
+  const std::vector<DiagramVertex> found = diagram_of(segments);
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+  json vertices = json::array();
+  for (const DiagramVertex& vertex : found) {
+    json sites = json::array();
+    for (const DiagramSite& site : vertex.sites) sites.push_back(written(site));
+    vertices.push_back({{"at", {vertex.x, vertex.y}},
+                        {"squared_radius", vertex.squared_radius},
+                        {"sites", std::move(sites)}});
+  }
+  return {{"vertices", std::move(vertices)}, {"seconds", spent.count()}};
+}
+
+}  // namespace
+
+int main() {
+  for (std::string line; std::getline(std::cin, line);) {
+    json found;
+    try {
+      found = answer(json::parse(line));
+    } catch (const std::exception& error) {  // CGAL's failures are exceptions too
+      found = {{"error", error.what()}};
+    }
+    std::cout << found.dump(-1, ' ', false, json::error_handler_t::replace) << std::endl;
+  }
+  return 0;
+}
