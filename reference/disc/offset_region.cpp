@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "reference/disc/arc_convolution.hpp"
 #include "reference/disc/joined_polygons.hpp"
 #include "reference/disc/simple_rings.hpp"
 #include "reference/error.hpp"
@@ -121,24 +122,39 @@ OffsetCurve offset_curve(const OffsetCurves& curves, std::uint32_t feature) {
   return {false, dx, dy, dy * edge.start.x - dx * edge.start.y};
 }
 
+OffsetRoute offset_route_named(std::string_view name) {
+  if (name == "definition") return OffsetRoute::definition;
+  if (name == "paper") return OffsetRoute::paper;
+  throw BadInput("unknown-route", "there is no route \"" + std::string(name) + "\" with a disc",
+                 "choose definition or paper");
+}
+
 OffsetRegion offset_region(const PolygonSet& P, const Rational& squared_radius,
-                           const BuildOptions& options) {
+                           const BuildOptions& options, OffsetRoute route) {
   if (squared_radius <= 0) {
     throw BadInput("bad-radius", "the square of the radius is " + to_string(squared_radius),
                    "give a radius above 0");
   }
   OffsetRegion region;
-  region.offset = static_offset(P, squared_radius, options);
+  const bool by_winding = route == OffsetRoute::paper;
+  ArcConvolution convolution;
+  if (by_winding) convolution = arc_convolution(P, squared_radius);
+  region.offset =
+      by_winding ? std::move(convolution.offset) : static_offset(P, squared_radius, options);
   const StaticOffset& offset = region.offset;
   const Curves curves(offset);
-  const std::vector<std::uint32_t> joined = joined_polygons(*offset.at, P.polygons.size());
+  const std::vector<std::uint32_t> joined =
+      by_winding ? std::vector<std::uint32_t>() : joined_polygons(*offset.at, P.polygons.size());
+  const auto component_of = [&](std::uint32_t piece) {
+    if (by_winding) return convolution.component_of[piece];
+    return joined[offset.at->curves().patches[offset.pieces[piece].patch].polygon];
+  };
   std::map<std::uint32_t, OffsetComponent> of_root;
   SimpleRings simple = simple_rings(offset);
   for (SimpleRing& ring : simple.rings) {
     OffsetRing found{std::move(ring.pieces), {}};
     found.curves = curves.of(found.pieces);
-    const OffsetPatch& patch = offset.at->curves().patches[offset.pieces[found.pieces[0]].patch];
-    OffsetComponent& component = of_root[joined[patch.polygon]];
+    OffsetComponent& component = of_root[component_of(found.pieces[0])];
     if (ring.is_hole) {
       component.holes.push_back(std::move(found));
     } else if (component.outer.pieces.empty()) {
@@ -148,6 +164,10 @@ OffsetRegion offset_region(const PolygonSet& P, const Rational& squared_radius,
     }
   }
   region.holes = simple.faces - of_root.size() - 1;
+  if (by_winding &&
+      (convolution.components != of_root.size() || convolution.holes != region.holes)) {
+    throw std::logic_error("the rings of a convolution do not bound its faces");
+  }
   const auto less = [](const OffsetRing& a, const OffsetRing& b) { return a.curves < b.curves; };
   for (auto& [root, component] : of_root) {
     if (component.outer.pieces.empty()) {

@@ -1,0 +1,110 @@
+// Sums with a disc from winding numbers of the convolution: known shapes, and the law that both
+// routes give one canonical form.
+#include "reference/disc/arc_convolution.hpp"
+
+#include <gtest/gtest.h>
+
+#include "reference/disc/offset_region.hpp"
+#include "tests/plane/random_polygons.hpp"
+
+namespace minkref {
+namespace {
+
+std::string by(OffsetRoute route, const PolygonSet& P, const Rational& squared_radius) {
+  return canonical_json(offset_region(P, squared_radius, {}, route));
+}
+
+void expect_one_form(const PolygonSet& P, const Rational& squared_radius) {
+  SCOPED_TRACE(squared_radius);
+  ASSERT_EQ(by(OffsetRoute::paper, P, squared_radius),
+            by(OffsetRoute::definition, P, squared_radius));
+}
+
+Ring box(int x0, int y0, int x1, int y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
+Ring clockwise(Ring ring) { return {ring.rbegin(), ring.rend()}; }
+
+TEST(ArcConvolution, OfAPointIsOneCircle) {
+  EXPECT_EQ(by(OffsetRoute::paper, {{{{{1, 2}}, {}}}}, Rational(2)),
+            R"({"components":[{"holes":[],"outer":[["arc","1","2"]]}],"squared_radius":"2"})");
+}
+
+TEST(ArcConvolution, OfASegmentHasTwoLinesAndTwoArcs) {
+  EXPECT_EQ(by(OffsetRoute::paper, {{{{{0, 0}, {6, 8}}, {}}}}, Rational(4)),
+            R"({"components":[{"holes":[],"outer":[["arc","0","0"],["line","3","4","0"],)"
+            R"(["arc","6","8"],["line","-3","-4","0"]]}],"squared_radius":"4"})");
+}
+
+TEST(ArcConvolution, OfNothingIsEmpty) {
+  EXPECT_EQ(by(OffsetRoute::paper, {}, Rational(1)), R"({"components":[],"squared_radius":"1"})");
+}
+
+/// Without slits the number in the middle would be that of a ring: 0.
+TEST(ArcConvolution, HoldsADiscThatHoldsAHole) {
+  const PolygonSet frame{{{box(-9, -9, 9, 9), {clockwise(box(-1, -1, 1, 1))}}}};
+  const ArcConvolution found = arc_convolution(frame, Rational(16));
+  EXPECT_EQ(found.components, 1U);
+  EXPECT_EQ(found.holes, 0U);
+  EXPECT_EQ(found.offset.rings.size(), 1U);
+}
+
+/// Facing edges at the distance 2 ρ: the lines between cancel, and nothing is left of them.
+TEST(ArcConvolution, JoinsAcrossARidge) {
+  const PolygonSet P{{{box(0, 0, 1, 3), {}}, {box(3, 1, 4, 9), {}}}};
+  EXPECT_EQ(arc_convolution(P, Rational(99, 100)).components, 2U);
+  EXPECT_EQ(arc_convolution(P, Rational(1)).components, 1U);
+  expect_one_form(P, Rational(1));
+}
+
+TEST(ArcConvolution, DoesNotJoinWhatTouches) {
+  const PolygonSet P{{{box(0, 0, 1, 1), {}}, {box(4, 5, 5, 6), {}}}};
+  for (const int quarters : {24, 25, 26}) expect_one_form(P, Rational(quarters, 4));
+  EXPECT_EQ(arc_convolution(P, Rational(25, 4)).components, 2U);
+}
+
+TEST(ArcConvolution, GivesTheFormOfTheDefinitionForRandomRegions) {
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    testing::Source random(seed);
+    const PolygonSet P = testing::random_region(random, 2);
+    for (const Rational& radius : {Rational(1, 3), Rational(1), Rational(7, 4), Rational(30)}) {
+      ASSERT_NO_FATAL_FAILURE(expect_one_form(P, radius * radius));
+    }
+  }
+}
+
+/// Rings that touch, holes, facing walls; half the distances between points of a grid.
+TEST(ArcConvolution, GivesTheFormOfTheDefinitionForGridsAtCriticalRadii) {
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    testing::Source random(seed);
+    const PolygonSet P = testing::random_mesh_region(random, 2);
+    for (const int eighths : {1, 2, 4, 8, 9, 10, 16, 50}) {
+      ASSERT_NO_FATAL_FAILURE(expect_one_form(P, Rational(eighths, 8)));
+      ASSERT_NO_FATAL_FAILURE(expect_one_form(P, Rational(eighths * eighths, 64)));
+    }
+  }
+}
+
+/// Coordinates that are no doubles, and far from the origin: roots decide.
+TEST(ArcConvolution, DoesNotDependOnWhatDoublesTell) {
+  std::uint64_t exact = 0;
+  for (unsigned seed = 0; seed < 5; ++seed) {
+    SCOPED_TRACE(seed);
+    testing::Source random(seed);
+    PolygonSet P = testing::random_mesh_region(random, 2);
+    const Rational far("1000000000000000000000000/3");
+    for (Polygon& polygon : P.polygons) {
+      const auto move = [&](Ring& ring) {
+        for (Point& p : ring) p = {p.x + far, p.y - far};
+      };
+      move(polygon.outer);
+      std::for_each(polygon.holes.begin(), polygon.holes.end(), move);
+    }
+    ASSERT_NO_FATAL_FAILURE(expect_one_form(P, Rational(9, 8)));
+    exact += arc_convolution(P, Rational(9, 8)).offset.counts.exact_pairs;
+  }
+  EXPECT_GT(exact, 0U);
+}
+
+}  // namespace
+}  // namespace minkref
