@@ -85,6 +85,44 @@ TEST(ArcConvolution, GivesTheFormOfTheDefinitionForGridsAtCriticalRadii) {
   }
 }
 
+/// Off the axes, and with lengths that are no rational numbers.
+TEST(ArcConvolution, GivesTheFormOfTheDefinitionForTurnedGrids) {
+  for (unsigned seed = 0; seed < 30; ++seed) {
+    SCOPED_TRACE(seed);
+    testing::Source random(seed);
+    PolygonSet P = testing::random_mesh_region(random, 2);
+    const auto turn = [](Ring& ring) {
+      for (Point& p : ring) p = {2 * p.x - p.y, p.x + 2 * p.y};
+    };
+    for (Polygon& polygon : P.polygons) {
+      turn(polygon.outer);
+      std::for_each(polygon.holes.begin(), polygon.holes.end(), turn);
+    }
+    for (const int eighths : {1, 2, 4, 8, 9, 10, 16, 50}) {
+      ASSERT_NO_FATAL_FAILURE(expect_one_form(P, Rational(5 * eighths, 8)));
+      ASSERT_NO_FATAL_FAILURE(expect_one_form(P, Rational(5 * eighths * eighths, 64)));
+    }
+  }
+}
+
+/// Where polygons touch in a vertex their arcs overlap, and count twice.
+TEST(ArcConvolution, CountsArcsAboutOneVertexTogether) {
+  const PolygonSet P{{{box(0, 0, 2, 2), {}}, {box(2, 2, 4, 4), {}}}};
+  for (const int quarters : {1, 4, 16, 32}) expect_one_form(P, Rational(quarters, 4));
+  const ArcConvolution found = arc_convolution(P, Rational(1));
+  EXPECT_EQ(found.components, 1U);
+  EXPECT_EQ(found.holes, 0U);
+}
+
+TEST(ArcConvolution, GivesTheFormOfTheDefinitionForSegments) {
+  testing::Source random(7);
+  for (int k = 0; k < 40; ++k) {
+    const Point p{random.between(-5, 5), random.between(-5, 5)};
+    const Point q{p.x + random.between(1, 5), p.y + random.between(-5, 5)};
+    ASSERT_NO_FATAL_FAILURE(expect_one_form({{{{p, q}, {}}}}, Rational(random.between(1, 30), 4)));
+  }
+}
+
 /// Coordinates that are no doubles, and far from the origin: roots decide.
 TEST(ArcConvolution, DoesNotDependOnWhatDoublesTell) {
   std::uint64_t exact = 0;
