@@ -24,9 +24,10 @@ SMALLEST_PARTS = (4, 8, 16)
 Move = Callable[[Fraction, Fraction], tuple[Fraction, Fraction]]
 
 # How a set is moved, and the square of how much it grows.
-MOVES: dict[str, tuple[Move, int]] = {
+MOVES: dict[str, tuple[Move, int | Fraction]] = {
     "as drawn": (lambda x, y: (x, y), 1),
     "turned": (lambda x, y: (3 * x - 4 * y, 4 * x + 3 * y), 25),
+    "turned, by roots": (lambda x, y: ((2 * x - y) / 3, (x + 2 * y) / 3), Fraction(5, 9)),
     "sheared": (lambda x, y: (x + y / 3, y), 1),
     "far away": (lambda x, y: (x + FAR, y - FAR), 1),
 }

@@ -123,23 +123,92 @@ TEST(ArcConvolution, GivesTheFormOfTheDefinitionForSegments) {
   }
 }
 
-/// Coordinates that are no doubles, and far from the origin: roots decide.
+/// The hole of a frame that two points pinch, with arms of 3, 4 and 5: discs touch off the axes, in
+/// a point that no other curve passes.
+TEST(ArcConvolution, SplitsAHoleWhereArcsTouch) {
+  PolygonSet P{{{box(0, 0, 20, 12),
+                 {{{1, 1},
+                   {1, 11},
+                   {9, 11},
+                   {10, 8},
+                   {11, 11},
+                   {19, 11},
+                   {19, 1},
+                   {11, 1},
+                   {10, 4},
+                   {9, 1}}}}}};
+  const auto turn = [](Ring& ring) {
+    for (Point& p : ring) p = {(4 * p.x - 3 * p.y) / 5, (3 * p.x + 4 * p.y) / 5};
+  };
+  turn(P.polygons[0].outer);
+  turn(P.polygons[0].holes[0]);
+  EXPECT_EQ(arc_convolution(P, Rational(399, 100)).holes, 1U);
+  EXPECT_EQ(arc_convolution(P, Rational(4)).holes, 2U);
+  EXPECT_EQ(arc_convolution(P, Rational(401, 100)).holes, 2U);
+  for (const int hundredths : {399, 400, 401}) expect_one_form(P, Rational(hundredths, 100));
+}
+
+/// As above, an arc and a line.
+TEST(ArcConvolution, SplitsAHoleWhereAnArcTouchesALine) {
+  PolygonSet P{
+      {{box(0, 0, 20, 12), {{{1, 1}, {1, 11}, {9, 11}, {10, 5}, {11, 11}, {19, 11}, {19, 1}}}}}};
+  const auto turn = [](Ring& ring) {
+    for (Point& p : ring) p = {2 * p.x - p.y, p.x + 2 * p.y};
+  };
+  turn(P.polygons[0].outer);
+  turn(P.polygons[0].holes[0]);
+  const Rational critical(20);
+  EXPECT_EQ(arc_convolution(P, critical * Rational(99, 100)).holes, 1U);
+  EXPECT_EQ(arc_convolution(P, critical).holes, 2U);
+  for (const int hundredths : {99, 100, 101}) {
+    expect_one_form(P, critical * Rational(hundredths, 100));
+  }
+}
+
+/// Turned, five times as large in square, and moved so far that doubles tell no two points apart.
+PolygonSet far_away(PolygonSet P) {
+  const Rational far("1000000000000000000000000/3");
+  const auto move = [&](Ring& ring) {
+    for (Point& p : ring) p = {2 * p.x - p.y + far, p.x + 2 * p.y - far};
+  };
+  for (Polygon& polygon : P.polygons) {
+    move(polygon.outer);
+    std::for_each(polygon.holes.begin(), polygon.holes.end(), move);
+  }
+  return P;
+}
+
+/// Two arcs, and an arc and a line, with both of their crossings.
+TEST(ArcConvolution, TellsTwoCrossingsApart) {
+  const PolygonSet corners{{{box(0, 0, 1, 1), {}}, {box(2, 2, 3, 3), {}}}},
+      above{{{box(-9, -1, 9, 0), {}}, {{{0, 2}, {1, 3}, {0, 4}, {-1, 3}}, {}}}};
+  const std::pair<PolygonSet, Rational> cases[] = {{corners, Rational(3, 5)},
+                                                   {above, Rational(121, 100)}};
+  for (const auto& [P, square] : cases) {
+    EXPECT_EQ(arc_convolution(far_away(P), 5 * square).components, 1U);
+    expect_one_form(far_away(P), 5 * square);
+  }
+}
+
+/// A line that ends on another one, where the radius is the height between.
+TEST(ArcConvolution, MeetsACurveWhereAnotherEnds) {
+  const PolygonSet P{{{box(-5, -2, 5, 0), {}}, {box(-2, 1, 0, 2), {}}}};
+  expect_one_form(P, Rational(1));
+  expect_one_form(far_away(P), Rational(5));
+}
+
+/// Roots decide.
 TEST(ArcConvolution, DoesNotDependOnWhatDoublesTell) {
   std::uint64_t exact = 0;
-  for (unsigned seed = 0; seed < 5; ++seed) {
+  for (unsigned seed = 0; seed < 12; ++seed) {
     SCOPED_TRACE(seed);
     testing::Source random(seed);
-    PolygonSet P = testing::random_mesh_region(random, 2);
-    const Rational far("1000000000000000000000000/3");
-    for (Polygon& polygon : P.polygons) {
-      const auto move = [&](Ring& ring) {
-        for (Point& p : ring) p = {p.x + far, p.y - far};
-      };
-      move(polygon.outer);
-      std::for_each(polygon.holes.begin(), polygon.holes.end(), move);
+    const PolygonSet P = far_away(testing::random_mesh_region(random, 2));
+    for (const int eighths : {2, 8, 9, 18}) {
+      const Rational square(5 * eighths, 8);
+      ASSERT_NO_FATAL_FAILURE(expect_one_form(P, square));
+      exact += arc_convolution(P, square).offset.counts.exact_pairs;
     }
-    ASSERT_NO_FATAL_FAILURE(expect_one_form(P, Rational(9, 8)));
-    exact += arc_convolution(P, Rational(9, 8)).offset.counts.exact_pairs;
   }
   EXPECT_GT(exact, 0U);
 }
