@@ -47,7 +47,7 @@ class LeavingOrder {
   }
 
  private:
-  const Carrier& carrier(std::uint32_t half_edge) const {
+  const ArcCarrier& carrier(std::uint32_t half_edge) const {
     return arrangement_.curves().carriers[arrangement_.span(half_edge).carrier];
   }
 
@@ -63,14 +63,14 @@ class LeavingOrder {
   /// The direction in which it leaves, times some number.
   template <class N>
   Vector<N> way(std::uint32_t half_edge) const {
-    const Carrier& own = carrier(half_edge);
+    const ArcCarrier& own = carrier(half_edge);
     const bool is_forward = half_edge % 2 == 0;
     Vector<N> ahead;
     if (!own.is_circle) {
       ahead = numbers<N>(own.way);
     } else {
       const ArcPiece& piece = arrangement_.pieces()[half_edge / 2];
-      const Span& span = arrangement_.span(half_edge);
+      const ArcSpan& span = arrangement_.span(half_edge);
       if (is_forward ? piece.has_first : piece.has_last) {
         ahead = turned(numbers<N>(is_forward ? span.first : span.last));
       } else {

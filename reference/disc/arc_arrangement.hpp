@@ -19,7 +19,7 @@ class ArcArrangement {
   const ArcCurves& curves() const { return curves_; }
   const ArcNodes& nodes() const { return arcs_.nodes; }
   const std::vector<ArcPiece>& pieces() const { return arcs_.pieces; }
-  const Span& span(std::uint32_t half_edge) const {
+  const ArcSpan& span(std::uint32_t half_edge) const {
     return curves_.spans[arcs_.pieces[half_edge / 2].span];
   }
   std::uint32_t half_edges() const { return static_cast<std::uint32_t>(2 * arcs_.pieces.size()); }

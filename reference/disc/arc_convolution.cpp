@@ -84,7 +84,7 @@ class ConvolutionBoundary {
   }
 
   std::uint32_t patch(std::uint32_t half_edge) const {
-    const Span& span = arrangement_.span(half_edge);
+    const ArcSpan& span = arrangement_.span(half_edge);
     if (span.patch == OffsetPatch::none || (half_edge % 2 == 0) != (span.multiplicity > 0)) {
       throw std::logic_error("a curve that is no offset curve of P bounds the sum");
     }
@@ -115,7 +115,7 @@ class ConvolutionBoundary {
   PatchPlace place(std::uint32_t half_edge, bool is_end) const {
     const OffsetPatch& own = at_.curves().patches[patch(half_edge)];
     const ArcPiece& piece = arrangement_.pieces()[half_edge / 2];
-    const Span& span = arrangement_.span(half_edge);
+    const ArcSpan& span = arrangement_.span(half_edge);
     const bool is_to = is_end == (half_edge % 2 == 0);
     if (is_to ? piece.has_last : piece.has_first) {
       if (own.edge == OffsetPatch::none) {

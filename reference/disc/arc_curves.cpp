@@ -17,14 +17,14 @@ Direction opposite(const Direction& d) { return {-d.x, -d.y}; }
 bool equal(const Direction& a, const Direction& b) { return a.x == b.x && a.y == b.y; }
 
 /// Counter-clockwise from (1, 0).
-bool is_before(const Direction& a, const Direction& b) {
+bool has_less_angle(const Direction& a, const Direction& b) {
   const auto half = [](const Direction& d) { return d.y > 0 || (d.y == 0 && d.x > 0) ? 0 : 1; };
   const int of_a = half(a), of_b = half(b);
   return of_a != of_b ? of_a < of_b : cross(a, b) > 0;
 }
 
 struct DirectionLess {
-  bool operator()(const Direction& a, const Direction& b) const { return is_before(a, b); }
+  bool operator()(const Direction& a, const Direction& b) const { return has_less_angle(a, b); }
 };
 
 int quadrant_of(const Direction& d) {
@@ -103,7 +103,7 @@ class ConvolutionCurves {
     const auto [at, is_new] =
         circles_.try_emplace({p.x, p.y}, static_cast<std::uint32_t>(found_.carriers.size()));
     if (is_new) {
-      Carrier circle;
+      ArcCarrier circle;
       circle.is_circle = true;
       circle.centre = p;
       circle.near_point = numbers<Interval>(p);
@@ -117,7 +117,7 @@ class ConvolutionCurves {
     Direction way = primitive(edge);
     const int side = way.x > 0 || (way.x == 0 && way.y > 0) ? 1 : -1;
     if (side < 0) way = opposite(way);
-    Carrier line;
+    ArcCarrier line;
     line.way = way;
     line.squared_length = dot(way, way);
     line.squared_reach = found_.squared_radius * line.squared_length;
@@ -211,20 +211,20 @@ class ConvolutionCurves {
       multiplicity += change[k];
       if (multiplicity == 0) continue;
       const Direction &first = cuts[k], &last = cuts[(k + 1) % cuts.size()];
-      Span span{number,
-                joint(number, first),
-                joint(number, last),
-                multiplicity,
-                patch_of_arc(number, first, multiplicity),
-                0,
-                0,
-                first,
-                last,
-                quadrant_of(first),
-                {},
-                {},
-                numbers<Interval>(first),
-                numbers<Interval>(last)};
+      ArcSpan span{number,
+                   joint(number, first),
+                   joint(number, last),
+                   multiplicity,
+                   patch_of_arc(number, first, multiplicity),
+                   0,
+                   0,
+                   first,
+                   last,
+                   quadrant_of(first),
+                   {},
+                   {},
+                   numbers<Interval>(first),
+                   numbers<Interval>(last)};
       found_.spans.push_back(std::move(span));
     }
   }
@@ -247,20 +247,20 @@ class ConvolutionCurves {
       multiplicity += cut->second.first;
       if (multiplicity == 0) continue;
       const auto next = std::next(cut);
-      Span span{number,
-                cut->second.second,
-                next->second.second,
-                multiplicity,
-                patch_of_edge(ranges, cut->first, next->first, multiplicity),
-                cut->first,
-                next->first,
-                {},
-                {},
-                0,
-                Interval(cut->first),
-                Interval(next->first),
-                {},
-                {}};
+      ArcSpan span{number,
+                   cut->second.second,
+                   next->second.second,
+                   multiplicity,
+                   patch_of_edge(ranges, cut->first, next->first, multiplicity),
+                   cut->first,
+                   next->first,
+                   {},
+                   {},
+                   0,
+                   Interval(cut->first),
+                   Interval(next->first),
+                   {},
+                   {}};
       found_.spans.push_back(std::move(span));
     }
   }

@@ -10,7 +10,7 @@
 namespace minkref::inline disc {
 
 /// A circle or a whole line that curves of the convolution run along.
-struct Carrier {
+struct ArcCarrier {
   bool is_circle = false;
   Point centre;  ///< of a circle
   /// Of a line: in coprime integers, to the right, or straight up.
@@ -32,14 +32,14 @@ struct Carrier {
 
 /// A place where the boundary of P turns, moved out by the radius: the point of a circle in the
 /// direction of a normal. Known by its name, so that nothing has to be computed.
-struct Joint {
+struct ArcJoint {
   std::uint32_t circle;
   Direction normal;  ///< in coprime integers
 };
 
 /// A part of a carrier over which the convolution has one multiplicity, not 0: how often it runs
 /// along it, forwards (a line along its way, a circle counter-clockwise) less backwards.
-struct Span {
+struct ArcSpan {
   std::uint32_t carrier;
   std::uint32_t from, to;  ///< joints
   int multiplicity;
@@ -56,9 +56,9 @@ struct Span {
 
 struct ArcCurves {
   Rational squared_radius;
-  std::vector<Carrier> carriers;
-  std::vector<Joint> joints;
-  std::vector<Span> spans;
+  std::vector<ArcCarrier> carriers;
+  std::vector<ArcJoint> joints;
+  std::vector<ArcSpan> spans;
 };
 
 /// The full convolution of P and the disc (Behar & Lien 2012, Sec. 3 and Appendix): each edge moved

@@ -14,7 +14,7 @@ namespace minkref::inline disc {
 namespace {
 
 /// A node on a span.
-struct Cut {
+struct ArcCut {
   Interval key;  ///< how far along
   std::uint32_t node;
 };
@@ -27,7 +27,7 @@ class ArcCutter {
   CutArcs run() {
     std::vector<plane::Box> boxes;
     for (std::uint32_t k = 0; k < curves_.spans.size(); ++k) {
-      const Span& span = curves_.spans[k];
+      const ArcSpan& span = curves_.spans[k];
       // It is a segment, or an arc in one quadrant.
       plane::Box box = box_of(nodes_.position(span.from));
       box.add(box_of(nodes_.position(span.to)));
@@ -43,12 +43,12 @@ class ArcCutter {
   }
 
  private:
-  const Carrier& carrier(const Span& span) const { return curves_.carriers[span.carrier]; }
+  const ArcCarrier& carrier(const ArcSpan& span) const { return curves_.carriers[span.carrier]; }
 
   /// Grows along a span: of an arc by the way across the middle of its quadrant.
   template <class N>
-  N key(const Span& span, const Vector<N>& x) const {
-    const Carrier& own = carrier(span);
+  N key(const ArcSpan& span, const Vector<N>& x) const {
+    const ArcCarrier& own = carrier(span);
     if (!own.is_circle) return dot(numbers<N>(own.way), x);
     const Vector<N> y = x - numbers<N>(own.centre);
     switch (span.quadrant) {
@@ -69,9 +69,9 @@ class ArcCutter {
 
   /// Whether a point of its carrier is on a span or at its ends; of intervals perhaps nothing.
   template <class N>
-  std::optional<bool> is_on(const Span& span, const Vector<N>& x) const {
+  std::optional<bool> is_on(const ArcSpan& span, const Vector<N>& x) const {
     const auto signs = [&]() -> std::pair<N, N> {
-      const Carrier& own = carrier(span);
+      const ArcCarrier& own = carrier(span);
       if constexpr (std::is_same_v<N, Interval>) {
         if (!own.is_circle) {
           const N t = dot(own.near_way, x);
@@ -98,17 +98,17 @@ class ArcCutter {
     }
   }
 
-  static bool is_within(const Span& arc, const Direction& d) {
+  static bool is_within(const ArcSpan& arc, const Direction& d) {
     return disc::cross(arc.first, d) >= 0 && disc::cross(d, arc.last) >= 0;
   }
-  bool is_within(const Span& span, const Direction& d, const Point& centre) const {
+  bool is_within(const ArcSpan& span, const Direction& d, const Point& centre) const {
     if (carrier(span).is_circle) return is_within(span, d);
     const Rational t = dot(carrier(span).way, {centre.x, centre.y});
     return span.low <= t && t <= span.high;
   }
 
   void touch(std::uint32_t a, std::uint32_t b, const CarrierCrossings::Touch& touch) {
-    const Span &first = curves_.spans[a], &second = curves_.spans[b];
+    const ArcSpan &first = curves_.spans[a], &second = curves_.spans[b];
     const std::uint32_t circle = carrier(first).is_circle ? first.carrier : second.carrier;
     const Point& centre = curves_.carriers[circle].centre;
     if (!is_within(first, touch.of_first, centre) || !is_within(second, touch.of_second, centre)) {
@@ -122,7 +122,7 @@ class ArcCutter {
 
   void cross(std::uint32_t a, std::uint32_t b) {
     look_for_interrupt();
-    const Span &first = curves_.spans[a], &second = curves_.spans[b];
+    const ArcSpan &first = curves_.spans[a], &second = curves_.spans[b];
     if (first.carrier == second.carrier) return;
     ++counts_.pairs;
     const CarrierCrossings met = nodes_.meet(first.carrier, second.carrier);
@@ -157,12 +157,12 @@ class ArcCutter {
       std::uint32_t& own = first[same.root(k)];
       if (own == OffsetPatch::none) own = k;
     }
-    for (std::vector<Cut>& cuts : cuts_) {
-      for (Cut& cut : cuts) cut.node = first[same.root(cut.node)];
+    for (std::vector<ArcCut>& cuts : cuts_) {
+      for (ArcCut& cut : cuts) cut.node = first[same.root(cut.node)];
     }
   }
 
-  bool comes_before(const Span& span, const Cut& a, const Cut& b) const {
+  bool comes_before(const ArcSpan& span, const ArcCut& a, const ArcCut& b) const {
     if (a.node == b.node) return false;
     if (a.key.upper() < b.key.lower()) return true;
     if (a.key.lower() > b.key.upper()) return false;
@@ -172,11 +172,11 @@ class ArcCutter {
 
   void add_pieces(std::uint32_t number, std::vector<ArcPiece>& pieces) {
     look_for_interrupt();
-    const Span& span = curves_.spans[number];
-    std::vector<Cut>& cuts = cuts_[number];
+    const ArcSpan& span = curves_.spans[number];
+    std::vector<ArcCut>& cuts = cuts_[number];
     const std::uint32_t first = cuts[0].node, last = cuts[1].node;
     std::sort(cuts.begin(), cuts.end(),
-              [&](const Cut& a, const Cut& b) { return comes_before(span, a, b); });
+              [&](const ArcCut& a, const ArcCut& b) { return comes_before(span, a, b); });
     if (cuts.front().node != first || cuts.back().node != last) {
       throw std::logic_error("a curve is cut beyond its ends");
     }
@@ -189,7 +189,7 @@ class ArcCutter {
   const ArcCurves& curves_;
   OffsetCounts& counts_;
   ArcNodes nodes_;
-  std::vector<std::vector<Cut>> cuts_;  ///< by span, its ends first
+  std::vector<std::vector<ArcCut>> cuts_;  ///< by span, its ends first
 };
 
 }  // namespace

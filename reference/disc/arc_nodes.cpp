@@ -5,7 +5,7 @@
 namespace minkref::inline disc {
 namespace {
 
-Direction times(int sign, const Direction& d) { return {sign * d.x, sign * d.y}; }
+Direction signed_copy(int sign, const Direction& d) { return {sign * d.x, sign * d.y}; }
 
 RootNumber root_number(const Rational& value) { return value; }
 
@@ -17,12 +17,10 @@ std::pair<RootNumber, RootNumber> two_roots(const Rational& a, const Rational& b
   return {first, sqrt(root_number(b).in(first.field()))};
 }
 
-int sign_of(const Rational& value) { return value.sign(); }
-
 }  // namespace
 
 ArcNodes::ArcNodes(const ArcCurves& curves) : curves_(curves) {
-  for (const Joint& each : curves.joints) joint(each.circle, each.normal);
+  for (const ArcJoint& each : curves.joints) joint(each.circle, each.normal);
 }
 
 std::uint32_t ArcNodes::add(const ArcNode& node, const Vector<Interval>& position) {
@@ -44,14 +42,14 @@ std::uint32_t ArcNodes::joint(std::uint32_t circle, const Direction& normal) {
 }
 
 template <class N>
-Vector<N> ArcNodes::place_of_joint(const Joint& joint) const {
+Vector<N> ArcNodes::place_of_joint(const ArcJoint& joint) const {
   const Rational square = curves_.squared_radius / dot(joint.normal, joint.normal);
   return numbers<N>(curves_.carriers[joint.circle].centre) +
          sqrt(N(square)) * numbers<N>(joint.normal);
 }
 
 template <class N>
-Vector<N> ArcNodes::place_of_lines(const Carrier& a, const Carrier& b) const {
+Vector<N> ArcNodes::place_of_lines(const ArcCarrier& a, const ArcCarrier& b) const {
   const auto at = [](const Vector<N>& m, const N& k, const Vector<N>& n, const N& l) {
     const N turn = cross(m, n);
     return Vector<N>{(k * n.y - l * m.y) / turn, (l * m.x - k * n.x) / turn};
@@ -67,7 +65,7 @@ Vector<N> ArcNodes::place_of_lines(const Carrier& a, const Carrier& b) const {
 }
 
 template <class N>
-Vector<N> ArcNodes::place_on_line(const Carrier& line, const Carrier& circle, int way) const {
+Vector<N> ArcNodes::place_on_line(const ArcCarrier& line, const ArcCarrier& circle, int way) const {
   const auto at = [way](const Vector<N>& centre, const Vector<N>& along, const Vector<N>& normal,
                         const N& height, const N& square, const N& squared_length) {
     const N root = sqrt(square);
@@ -89,7 +87,7 @@ Vector<N> ArcNodes::place_on_line(const Carrier& line, const Carrier& circle, in
 }
 
 template <class N>
-Vector<N> ArcNodes::place_of_circles(const Carrier& a, const Carrier& b, int way) const {
+Vector<N> ArcNodes::place_of_circles(const ArcCarrier& a, const ArcCarrier& b, int way) const {
   const Direction w = from_to(a.centre, b.centre);
   const Rational square = dot(w, w);
   const N root = sqrt(N(Rational(curves_.squared_radius / square - Rational(1, 4))));
@@ -99,7 +97,7 @@ Vector<N> ArcNodes::place_of_circles(const Carrier& a, const Carrier& b, int way
 
 template <class N>
 Vector<N> ArcNodes::place(const ArcNode& node) const {
-  const Carrier& a = curves_.carriers[node.a];
+  const ArcCarrier& a = curves_.carriers[node.a];
   switch (node.kind) {
     case ArcNode::Kind::joint:
       break;
@@ -135,7 +133,7 @@ CarrierCrossings ArcNodes::meet_lines(std::uint32_t a, std::uint32_t b) const {
 }
 
 CarrierCrossings ArcNodes::meet_line_and_circle(std::uint32_t a, std::uint32_t b) const {
-  const Carrier &line = curves_.carriers[a], &circle = curves_.carriers[b];
+  const ArcCarrier &line = curves_.carriers[a], &circle = curves_.carriers[b];
   const CarrierCrossings two{
       std::nullopt,
       {{ArcNode::Kind::line_and_circle, -1, a, b}, {ArcNode::Kind::line_and_circle, 1, a, b}}};
@@ -147,17 +145,17 @@ CarrierCrossings ArcNodes::meet_line_and_circle(std::uint32_t a, std::uint32_t b
   if (certain == 1) return two;
   if (certain == -1) return {};
   const Rational above = line.level - dot(line.normal(), {circle.centre.x, circle.centre.y});
-  const int side = sign_of(above);
+  const int side = above.sign();
   if (line.side == 0) {
-    const int found = sign_of(line.squared_reach - above * above);
+    const int found = Rational(line.squared_reach - above * above).sign();
     if (found > 0) return two;
     if (found < 0) return {};
-    const Direction normal = times(side, line.normal());
+    const Direction normal = signed_copy(side, line.normal());
     return {CarrierCrossings::Touch{normal, normal}, {}};
   }
   // -above (above + 2 side ρ |N|); the second factor is not rational.
   if (side == 0) {
-    const Direction normal = times(line.side, line.normal());
+    const Direction normal = signed_copy(line.side, line.normal());
     return {CarrierCrossings::Touch{normal, normal}, {}};
   }
   if (side == line.side || above * above > 4 * line.squared_reach) return {};
@@ -174,15 +172,15 @@ CarrierCrossings ArcNodes::meet_circles(std::uint32_t a, std::uint32_t b) const 
   if (certain == 1) return two;
   if (certain == -1) return {};
   const Direction w = from_to(p, q);
-  const int found = sign_of(4 * curves_.squared_radius - dot(w, w));
+  const int found = Rational(4 * curves_.squared_radius - dot(w, w)).sign();
   if (found > 0) return two;
   if (found < 0) return {};
   const Direction way = primitive(w);
-  return {CarrierCrossings::Touch{way, times(-1, way)}, {}};
+  return {CarrierCrossings::Touch{way, signed_copy(-1, way)}, {}};
 }
 
 bool ArcNodes::is_on(const RootPoint& x, std::uint32_t number) const {
-  const Carrier& carrier = curves_.carriers[number];
+  const ArcCarrier& carrier = curves_.carriers[number];
   if (carrier.is_circle) {
     const RootPoint y = x - numbers<RootNumber>(carrier.centre);
     return sign(dot(y, y) - curves_.squared_radius) == 0;
@@ -194,14 +192,14 @@ bool ArcNodes::is_on(const RootPoint& x, std::uint32_t number) const {
 
 bool ArcNodes::is_at(const RootPoint& x, const ArcNode& node) const {
   if (!is_on(x, node.a)) return false;
-  const Carrier& a = curves_.carriers[node.a];
+  const ArcCarrier& a = curves_.carriers[node.a];
   if (node.kind == ArcNode::Kind::joint) {
     const RootPoint y = x - numbers<RootNumber>(a.centre),
                     normal = numbers<RootNumber>(joints_[node.b].normal);
     return sign(cross(normal, y)) == 0 && sign(dot(normal, y)) > 0;
   }
   if (!is_on(x, node.b)) return false;
-  const Carrier& b = curves_.carriers[node.b];
+  const ArcCarrier& b = curves_.carriers[node.b];
   if (node.kind == ArcNode::Kind::lines) return true;
   if (node.kind == ArcNode::Kind::line_and_circle) {
     return sign(dot(numbers<RootNumber>(a.way), x - numbers<RootNumber>(b.centre))) == node.way;

@@ -63,16 +63,16 @@ class ArcNodes {
   CarrierCrossings meet_line_and_circle(std::uint32_t line, std::uint32_t circle) const;
   CarrierCrossings meet_circles(std::uint32_t a, std::uint32_t b) const;
   template <class N>
-  Vector<N> place_of_joint(const Joint& joint) const;
+  Vector<N> place_of_joint(const ArcJoint& joint) const;
   template <class N>
-  Vector<N> place_of_lines(const Carrier& a, const Carrier& b) const;
+  Vector<N> place_of_lines(const ArcCarrier& a, const ArcCarrier& b) const;
   template <class N>
-  Vector<N> place_on_line(const Carrier& line, const Carrier& circle, int way) const;
+  Vector<N> place_on_line(const ArcCarrier& line, const ArcCarrier& circle, int way) const;
   template <class N>
-  Vector<N> place_of_circles(const Carrier& a, const Carrier& b, int way) const;
+  Vector<N> place_of_circles(const ArcCarrier& a, const ArcCarrier& b, int way) const;
 
   const ArcCurves& curves_;
-  std::vector<Joint> joints_;
+  std::vector<ArcJoint> joints_;
   std::map<std::pair<std::uint32_t, std::pair<Rational, Rational>>, std::uint32_t> joint_nodes_;
   std::vector<ArcNode> nodes_;
   std::vector<Vector<Interval>> positions_;

@@ -87,13 +87,13 @@ class FaceFinder {
   }
 
  private:
-  const Carrier& carrier(std::uint32_t piece) const {
+  const ArcCarrier& carrier(std::uint32_t piece) const {
     return arrangement_.curves().carriers[arrangement_.span(2 * piece).carrier];
   }
 
   /// Whether it runs upwards (1) or down (-1) from one end to the other, or is horizontal (0).
   int rises(std::uint32_t piece) const {
-    const Carrier& own = carrier(piece);
+    const ArcCarrier& own = carrier(piece);
     if (!own.is_circle) return own.way.y.sign();
     const int quadrant = arrangement_.span(2 * piece).quadrant;
     return quadrant == 0 || quadrant == 3 ? 1 : -1;
@@ -137,7 +137,7 @@ class FaceFinder {
 
   template <class N>
   N place(std::uint32_t piece, const N& y) const {
-    const Carrier& own = carrier(piece);
+    const ArcCarrier& own = carrier(piece);
     if (!own.is_circle) {
       const Vector<N> normal = numbers<N>(own.normal());
       return (N(own.level) + N(own.side) * sqrt(N(own.squared_reach)) - normal.y * y) / normal.x;
