@@ -64,6 +64,8 @@ minkref sum cup.stl plate.stl --scale 3/2 -o sum.stl
 
 minkref sum g1 disc:7/5 -o offset.svg
 
+minkref sum g1 disc:7/5 --route paper
+
 minkref sum P.wkt disc:sqrt:2 --scale 3/2 -o offset.wkt --tolerance 1/1000"""
 
 MOVING = ("dynamic", "index")  # routes that find all scales of a window
@@ -95,7 +97,7 @@ def command(
             help=f"How it is computed: {', '.join(ROUTES)}. Default: {DEFAULT}, or index with "
             f"--index. In space: {', '.join(GENERAL_ROUTES)}, and of convex polyhedra also "
             f"{', '.join(SPACE_ROUTES)}. Default: {SPACE_ROUTES[0]} for these, else "
-            f"{GENERAL_ROUTES[0]}.",
+            f"{GENERAL_ROUTES[0]}. With a disc: definition (the default) or paper.",
         ),
     ] = None,
     index: IndexFile = None,
@@ -163,10 +165,10 @@ def command(
     .json); one may be a plane polygon, a segment or a point. In another arithmetic, or by the
     paper's own program (--route paper-update), what these answer, with the exact sum beside it."""
     if is_disc(P) or is_disc(Q):
-        _refuse_without_arcs(route, index, arithmetic, as_read, reading, plot, passages)
+        _refuse_without_arcs(index, arithmetic, as_read, reading, plot, passages)
         from minkref.commands.disc.sum import sum_with_disc
 
-        sum_with_disc(P, Q, scale, output, form, only_sum, tolerance, outside, memory, json)
+        sum_with_disc(P, Q, scale, route, output, form, only_sum, tolerance, outside, memory, json)
         return
     for option, is_given in (("--tolerance", tolerance is not None), ("--outside", outside)):
         if is_given:
@@ -228,7 +230,6 @@ def command(
 
 
 def _refuse_without_arcs(
-    route: str | None,
     index: Path | None,
     arithmetic: str,
     as_read: str | None,
@@ -238,7 +239,6 @@ def _refuse_without_arcs(
 ) -> None:
     """Options that sums with a disc do not have."""
     others = {
-        "--route": route not in (None, "definition"),
         "--index": index is not None,
         "--arithmetic": arithmetic != "rational",
         "--form": as_read is not None,

@@ -66,10 +66,12 @@ std::size_t curves(const TimedOffset& offset) {
   return count;
 }
 
-TimedOffset timed_offset(const Set& P, const std::string& squared_radius, unsigned threads) {
+TimedOffset timed_offset(const Set& P, const std::string& squared_radius, unsigned threads,
+                         const std::string& route) {
   const Rational square = parse_rational(squared_radius);
+  const OffsetRoute chosen = offset_route_named(route);
   const Stopwatch watch;
-  OffsetRegion region = offset_region(P.value, square, build_on(threads));
+  OffsetRegion region = offset_region(P.value, square, build_on(threads), chosen);
   return {std::move(region), watch.seconds()};
 }
 
@@ -117,16 +119,17 @@ void bind_disc(nb::module_& module) {
           "Of the boundary, between two doubles.")
       .def_ro("seconds", &TimedOffset::seconds, "Of the computation, without conversions.")
       .def_prop_ro("statistics", statistics,
-                   "Curves and edges that were compared, how often roots had to, and orders that "
-                   "roots had to tell.")
+                   "Curves and edges that were compared, by the route paper curves and curves; how "
+                   "often roots had to, and orders that roots had to tell.")
       .def(
           "canonical_json", [](const TimedOffset& offset) { return canonical_json(offset.region); },
           Released(), "The canonical form, in rational numbers.")
       .def("drawn_rings", drawn_rings, Released(),
            "For drawing: of each component its rings, the outer one first; of each its pieces, "
            "(kind, x and y of the start, of the end, of an arc's centre). Doubles.");
-  module.def("offset", timed_offset, "P"_a, "squared_radius"_a, "threads"_a = 1, Released(),
-             "P + a disc about the origin, exact. Raises BadInput.");
+  module.def("offset", timed_offset, "P"_a, "squared_radius"_a, "threads"_a = 1,
+             "route"_a = "definition", Released(),
+             "P + a disc about the origin, exact. Routes: definition, paper. Raises BadInput.");
 }
 
 }  // namespace minkref::python

@@ -15,19 +15,21 @@ from minkref.commands.lists.scale_index import cores
 from minkref.disc.disc import Disc, is_disc, read_disc
 from minkref.disc.polygons import polygon_near
 from minkref.documents import Stopwatch, document, refuse_overwriting
-from minkref.errors import Refusal, refusing
+from minkref.errors import Refusal, choice, refusing
 from minkref.exact import digest, read_number, read_scale
 from minkref.operand import Operand, read_operand
 from minkref.output_target import Target, target_of
 
 FORMATS = ("json", "svg", "wkt", "geojson", "poly")
 WITH_ARCS = ("json", "svg")
+DISC_ROUTES = ("definition", "paper")
 
 
 def sum_with_disc(
     P: str,
     Q: str,
     scale: str,
+    route: str | None,
     output: Path | None,
     form: str | None,
     only_sum: bool,
@@ -39,6 +41,10 @@ def sum_with_disc(
     """The command, its options read but not yet checked: one of the operands names a disc."""
     watch = Stopwatch()
     factor = Fraction(read_scale(scale))
+    route = route or DISC_ROUTES[0]
+    if route not in DISC_ROUTES:
+        mend = f"with a disc: {choice(route, DISC_ROUTES)}"
+        raise Refusal(f"there is no route {route!r} with a disc", "--route", mend)
     target = target_of(output, form, FORMATS, "json", json_document)
     within = _tolerance(tolerance, outside, target)
     if is_disc(P) and is_disc(Q):
@@ -50,7 +56,7 @@ def sum_with_disc(
             refuse_overwriting(output, [operand.file])
         other = operand.set if is_disc(P) else operand.set.scaled(str(factor))
         found = refusing(
-            operand.name, lambda: _core.offset(other, str(disc.squared_radius), cores())
+            operand.name, lambda: _core.offset(other, str(disc.squared_radius), cores(), route)
         )
         canonical = found.canonical_json()
         written = None
@@ -70,7 +76,7 @@ def sum_with_disc(
         tolerance=None if within is None else str(within),
         radius=disc.radius,
         squared_radius=str(disc.squared_radius),
-        route="definition",
+        route=route,
         compute_seconds=found.seconds,
         **described(found, canonical),
     )

@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "reference/disc/arc_convolution.hpp"
 #include "reference/disc/joined_polygons.hpp"
 #include "reference/disc/simple_rings.hpp"
 #include "reference/error.hpp"
@@ -32,33 +33,53 @@ std::vector<std::uint32_t> curves_of(const StaticOffset& offset,
 
 }  // namespace
 
+OffsetRoute offset_route_named(std::string_view name) {
+  if (name == "definition") return OffsetRoute::definition;
+  if (name == "paper") return OffsetRoute::paper;
+  throw BadInput("unknown-route", "there is no route \"" + std::string(name) + "\" with a disc",
+                 "choose definition or paper");
+}
+
 OffsetRegion offset_region(const PolygonSet& P, const Rational& squared_radius,
-                           const BuildOptions& options) {
+                           const BuildOptions& options, OffsetRoute route) {
   if (squared_radius <= 0) {
     throw BadInput("bad-radius", "the square of the radius is " + to_string(squared_radius),
                    "give a radius above 0");
   }
   OffsetRegion region;
-  region.offset = static_offset(P, squared_radius, options);
+  const bool by_winding = route == OffsetRoute::paper;
+  ArcConvolution convolution;
+  if (by_winding) convolution = arc_convolution(P, squared_radius);
+  region.offset =
+      by_winding ? std::move(convolution.offset) : static_offset(P, squared_radius, options);
   const StaticOffset& offset = region.offset;
-  const std::vector<std::uint32_t> joined = joined_polygons(*offset.at, P.polygons.size());
+  const std::vector<std::uint32_t> joined =
+      by_winding ? std::vector<std::uint32_t>() : joined_polygons(*offset.at, P.polygons.size());
+  const auto component_of = [&](std::uint32_t piece) {
+    if (by_winding) return convolution.component_of[piece];
+    return joined[offset.at->curves().patches[offset.pieces[piece].patch].polygon];
+  };
   std::map<std::uint32_t, FormComponent> of_root;
   std::set<std::uint32_t> with_outer;
   SimpleRings simple = simple_rings(offset);
   for (std::uint32_t k = 0; k < simple.rings.size(); ++k) {
     const std::vector<std::uint32_t>& pieces = simple.rings[k].pieces;
-    const OffsetPatch& patch = offset.at->curves().patches[offset.pieces[pieces[0]].patch];
-    FormComponent& component = of_root[joined[patch.polygon]];
+    const std::uint32_t root = component_of(pieces[0]);
+    FormComponent& component = of_root[root];
     FormRing found{curves_of(offset, pieces), k};
     if (simple.rings[k].is_hole) {
       component.holes.push_back(std::move(found));
-    } else if (with_outer.insert(joined[patch.polygon]).second) {
+    } else if (with_outer.insert(root).second) {
       component.outer = std::move(found);
     } else {
       throw std::logic_error("a component of an offset has two outer rings");
     }
   }
   region.holes = simple.faces - of_root.size() - 1;
+  if (by_winding &&
+      (convolution.components != of_root.size() || convolution.holes != region.holes)) {
+    throw std::logic_error("the rings of a convolution do not bound its faces");
+  }
   OffsetForm form;
   for (auto& [root, component] : of_root) {
     if (!with_outer.contains(root)) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "reference/disc/offset_form.hpp"
@@ -31,10 +32,19 @@ struct OffsetRegion {
   std::size_t holes = 0;  ///< bounded components of the complement, perhaps between components
 };
 
+/// How the boundary is found: by distances from P (static_offset), or by winding numbers of the
+/// convolution (arc_convolution; Behar & Lien 2012, Sec. 3 and Appendix).
+enum class OffsetRoute : std::uint8_t { definition, paper };
+
+/// The route of that name. Throws BadInput ("unknown-route").
+OffsetRoute offset_route_named(std::string_view name);
+
 /// Of a valid polygon set, perhaps a point or a segment, or the empty one; squared_radius > 0.
-/// Throws BadInput ("bad-radius") for another. Exact; as static_offset, and O(n log n).
+/// Throws BadInput ("bad-radius") for another. Exact, and equal by both routes; costs are theirs,
+/// and O(n log n). The route `paper` uses one thread.
 OffsetRegion offset_region(const PolygonSet& P, const Rational& squared_radius,
-                           const BuildOptions& options = {});
+                           const BuildOptions& options = {},
+                           OffsetRoute route = OffsetRoute::definition);
 
 /// The canonical text (docs/disc.md): rings of curves. Rational, since a corner is where a
 /// curve enters what is near the next, which is one place.

@@ -1,8 +1,10 @@
-"""Sums with a disc are CGAL's exact offsets, curve by curve, and quicker."""
+"""Sums with a disc are CGAL's exact offsets, curve by curve, and quicker; both routes give one
+form."""
 
 from __future__ import annotations
 
 import statistics
+from collections import Counter
 from fractions import Fraction
 
 from minkref import _core
@@ -10,6 +12,7 @@ from minkref.disc.disc import Disc
 from minkref.disc.polygons import polygon_near
 from minkref.fuzz.judges.offset_cgal import OffsetJudge, absence
 from minkref.fuzz.judges.offset_comparison import Table, compare, compare_one
+from minkref.fuzz.judges.offset_routes import RouteTable, compare_routes
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.operands import operand, tell_absent
 from minkref.reports.evidence.framework.part import AGAINST_CGAL, Findings
@@ -18,7 +21,8 @@ SUBJECT = (
     "Sums with a disc, of sets of cells of a grid, 70 % at radii at which much happens, and of "
     "large polygons: curves, components and holes are those of CGAL's exact offset, or a point "
     "refutes it; areas between those of sums with polygons in and around the disc; seconds of both "
-    "in one run."
+    "in one run. Both routes, by distances from the set and by winding numbers of the convolution, "
+    "give one canonical form."
 )
 MINUTES = (6, 0.1)
 DEPENDS = (*AGAINST_CGAL, "python/minkref/disc/*.py")
@@ -45,7 +49,14 @@ def batch(first: int) -> Table:
     return table
 
 
+def routes_batch(first: int) -> RouteTable:
+    table = RouteTable()
+    compare_routes(SEED, range(first, first + BATCH), table)
+    return table
+
+
 def run(findings: Findings, quick: bool) -> None:
+    routes = _both_routes(findings, quick)
     if not has_judge(findings):
         return
     tell_absent(findings, *LARGE)
@@ -67,7 +78,45 @@ def run(findings: Findings, quick: bool) -> None:
         f"{'; '.join(table.unanswered) or 'none'}; answers of CGAL that a point refutes: "
         f"{len(table.refuted)}"
     )
-    findings.figures = {"counts": dict(table.counts), "large": rows}
+    findings.figures = {"counts": dict(table.counts), "large": rows, "routes": routes}
+
+
+def _both_routes(findings: Findings, quick: bool) -> dict[str, object]:
+    counts: Counter[str] = Counter()
+    differences: list[str] = []
+    numbers = range(0, QUICK_SETS if quick else SETS, BATCH)
+    for one in in_processes(routes_batch, numbers, each=5, what="batches by both routes"):
+        counts.update(one.counts)
+        differences += one.differences
+    sets = counts["compared"]
+    findings.none("sets whose sums differ by route", differences)
+    wanted = len(numbers) * BATCH * 9 // 10
+    findings.law("sets summed by both routes", sets >= wanted, wanted, sets)
+    told = ", ".join(f"{count:,} {kind}" for kind, count in sorted(counts.items()))
+    findings.note(f"both routes, seed {SEED}: {told}")
+    rows: list[dict[str, object]] = []
+    for name in LARGE[-1:] if quick else LARGE:
+        known, P = operand(name).name, operand(name).set
+        xmin, ymin, xmax, ymax = P.bounding_box()
+        for part in PARTS[-1:] if quick else PARTS:
+            size = Fraction(round(float(part) * max(xmax - xmin, ymax - ymin) * 1000), 1000)
+            found = {
+                route: [_core.offset(P, str(size**2), 1, route) for _ in range(TIMES)]
+                for route in ("definition", "paper")
+            }
+            seconds = {
+                route: statistics.median(each.seconds for each in some)
+                for route, some in found.items()
+            }
+            same = found["definition"][0] == found["paper"][0]
+            where = f"{known}, radius {size}"
+            findings.law(f"{where}: one form by both routes", same, True, same)
+            findings.note(
+                f"{where}, one thread: definition {seconds['definition'] * 1000:.0f} ms, "
+                f"paper {seconds['paper'] * 1000:.0f} ms"
+            )
+            rows.append({"model": known, "radius": str(size), "seconds": seconds})
+    return {"counts": dict(counts), "large": rows}
 
 
 def _large(table: Table, quick: bool, findings: Findings) -> list[dict[str, object]]:

@@ -35,6 +35,13 @@ def test_threads_change_nothing(threads: int) -> None:
     assert minkref.offset(FRAME, "1/3", threads=threads) == minkref.offset(FRAME, "1/3")
 
 
+@pytest.mark.parametrize("radius", ["1/3", 1, "7/5", 9])
+def test_both_routes_give_one_form(radius: int | str) -> None:
+    by_winding = minkref.offset(FRAME, radius, route="paper")
+    assert by_winding == minkref.offset(FRAME, radius, route="definition")
+    assert by_winding.canonical_json() == minkref.offset(FRAME, radius).canonical_json()
+
+
 def test_area_and_length_of_a_stadium() -> None:
     found = minkref.offset(minkref.read_text("LINESTRING (0 0, 3 4)", "wkt"), 2)
     assert found.area[0] <= 20 + 4 * math.pi <= found.area[1]
@@ -57,6 +64,7 @@ def test_the_empty_set_stays_empty() -> None:
         ({"radius": "x"}, None),
         ({}, None),
         ({"radius": 1, "squared_radius": 1}, None),
+        ({"radius": 1, "route": "winding"}, "unknown-route"),
     ],
 )
 def test_what_it_refuses(given: dict[str, Any], code: str | None) -> None:

@@ -56,6 +56,26 @@ def test_a_hole_closes(minkref: Minkref, radius: str, told: str, holes: int) -> 
     assert (ran.json["radius"], ran.json["holes"]) == (told, holes)
 
 
+@pytest.mark.parametrize("radius", ["sqrt:2", "2", "1/3", "9"])
+def test_both_routes_give_one_digest(minkref: Minkref, radius: str) -> None:
+    ran = minkref("sum", FRAME, f"disc:{radius}", "--route", "paper", "--json")
+    assert ran.code == 0
+    jsonschema.validate(ran.json, schema("sum"))
+    other = minkref("sum", FRAME, f"disc:{radius}", "--json").json
+    assert (ran.json["route"], other["route"]) == ("paper", "definition")
+    for key in ("digest", "result", "components", "holes", "curves", "radius"):
+        assert ran.json[key] == other[key]
+    assert ran.json["area"]["low"] <= other["area"]["high"]
+    assert other["area"]["low"] <= ran.json["area"]["high"]
+
+
+@pytest.mark.parametrize("route", ["definition", "paper"])
+def test_a_picture_by_each_route(minkref: Minkref, tmp_path: Path, route: str) -> None:
+    file = tmp_path / "sum.svg"
+    assert minkref("sum", FRAME, "disc:1", "--route", route, "-o", file).code == 0
+    assert len(re.findall("A[0-9]", file.read_text(encoding="utf-8"))) == 4
+
+
 def test_the_json_file_is_the_canonical_form(minkref: Minkref, tmp_path: Path) -> None:
     file = tmp_path / "sum.json"
     ran = minkref("sum", FRAME, "disc:1", "-o", file, "--json")
@@ -116,7 +136,8 @@ def test_polygons_are_inside_and_outside(square: str, tolerance: str) -> None:
         (("disc:nan",), "the radius"),
         (("disc:sqrt:x",), "the radius"),
         (("disc:" + "9" * 1001,), "characters"),
-        (("disc:1", "--route", "paper"), "--route"),
+        (("disc:1", "--route", "winding"), "--route"),
+        (("disc:1", "--route", "dynamic"), "with a disc: "),
         (("disc:1", "--arithmetic", "double"), "--arithmetic"),
         (("disc:1", "--plot"), "--plot"),
         (("disc:1", "--tolerance", "1"), "--tolerance"),
