@@ -74,26 +74,41 @@ void FeaturePair::find_kind() {
   kind_ = turn_ == 0 ? Kind::parallel_edges : Kind::edges;
 }
 
+/// By one product, in intervals: an end that is behind a line never comes to it, and one that goes
+/// away from a centre never comes to the circle.
+bool FeaturePair::certainly_never(ContactSlot slot) const {
+  const FeatureNumbers<Interval>&a = *near_[0], &b = *near_[1];
+  if (slot == ContactSlot::tangent) return false;
+  const bool of_a = owner_of(slot) == 0;
+  const FeatureNumbers<Interval>&own = of_a ? a : b, &other = of_a ? b : a;
+  const Vector<Interval> way = own.at[own_end_of(slot)] - other.at[0];
+  return other.is_arc ? dot(own.way[own_end_of(slot)], way).lower() >= 0
+                      : dot(other.way[0], way).upper() <= 0;
+}
+
 /// None where the condition holds at no radius, or at every one.
 std::optional<PairContact> FeaturePair::contact(ContactSlot slot, bool staying) {
-  if (sign_of([&]<class N>(AskedIn<N>) { return solved<N>(slot, staying).top; }) <= 0 ||
-      sign_of([&]<class N>(AskedIn<N>) { return solved<N>(slot, staying).under; }) <= 0) {
+  if (certainly_never(slot)) return std::nullopt;
+  PairContact found{slot, staying, true, 0, {}};
+  if (sign_of([&]<class N>(AskedIn<N>) { return solved<N>(found).top; }) <= 0 ||
+      sign_of([&]<class N>(AskedIn<N>) { return solved<N>(found).under; }) <= 0) {
     return std::nullopt;
   }
-  return PairContact{slot, staying, true, 0, solved<Interval>(slot, staying).squared_radius()};
+  found.squared_radius = solved<Interval>(found).squared_radius();
+  return found;
 }
 
 /// How far beyond the start of an offset edge a place is, along it: the sign.
 int FeaturePair::side_of_start(const PairContact& contact, std::size_t edge) {
   return sign_of([&]<class N>(AskedIn<N>) {
     const FeatureNumbers<N>& own = of<N>(edge);
-    return dot(own.along, solved<N>(contact.slot, contact.staying).from(own.at[0]));
+    return dot(own.along, solved<N>(contact).from(own.at[0]));
   });
 }
 int FeaturePair::side_of_end(const PairContact& contact, std::size_t edge) {
   return sign_of([&]<class N>(AskedIn<N>) {
     const FeatureNumbers<N>& own = of<N>(edge);
-    return dot(own.along, solved<N>(contact.slot, contact.staying).from(own.at[1]));
+    return dot(own.along, solved<N>(contact).from(own.at[1]));
   });
 }
 
@@ -103,7 +118,7 @@ bool FeaturePair::is_on(const PairContact& contact, std::size_t which) {
   const auto turn_from = [&](std::size_t end) {
     return sign_of([&]<class N>(AskedIn<N>) {
       const FeatureNumbers<N>& own = of<N>(which);
-      return cross(own.way[end], solved<N>(contact.slot, contact.staying).from(own.at[0]));
+      return cross(own.way[end], solved<N>(contact).from(own.at[0]));
     });
   };
   return turn_from(0) >= 0 && turn_from(1) <= 0;
@@ -118,7 +133,7 @@ void FeaturePair::find_branch(PairContact& contact) {
     const bool are_arcs = kind_ == Kind::arcs;
     const std::size_t arc = is_arc(0) ? 0 : 1;
     contact.branch = static_cast<std::int8_t>(sign_of([&]<class N>(AskedIn<N>) {
-      const Vector<N> y = solved<N>(contact.slot, contact.staying).from(of<N>(arc).at[0]);
+      const Vector<N> y = solved<N>(contact).from(of<N>(arc).at[0]);
       return are_arcs ? cross(of<N>(1).at[0] - of<N>(0).at[0], y) : dot(of<N>(1 - arc).along, y);
     }));
   }
@@ -156,6 +171,11 @@ std::vector<FeatureEvent> FeaturePair::by_radius(std::vector<PairContact> contac
 
 std::vector<FeatureEvent> FeaturePair::events() {
   find_kind();
+  if (kind_ == Kind::arc_and_edge) {  // behind the line it is never met, and on it always
+    const std::size_t arc = is_arc(0) ? 0 : 1;
+    const FeatureNumbers<Interval>& edge = *near_[1 - arc];
+    if (dot(edge.way[0], near_[arc]->at[0] - edge.at[0]).upper() <= 0) return {};
+  }
   std::vector<PairContact> found;
   for (const ContactSlot slot : all_contact_slots) {
     const bool is_tangent = slot == ContactSlot::tangent;
@@ -168,7 +188,7 @@ std::vector<FeatureEvent> FeaturePair::events() {
   }
   events_ = by_radius(std::move(found));
   follow_branches();
-  for (FeatureEvent& event : events_) count_points(event);
+  for (std::size_t k = 0; k < events_.size(); ++k) count_points(events_[k], k, true);
   return events_;
 }
 
@@ -212,14 +232,8 @@ std::uint8_t FeaturePair::distinct_places(const FeatureEvent& event) const {
   return is_one ? 1 : FeatureEvent::segment;
 }
 
-void FeaturePair::count_points(FeatureEvent& event) const {
-  std::size_t number = 0;
-  int way = -1;
-  while (number < events_.size() &&
-         (way = order(events_[number].contacts[0], event.contacts[0])) < 0) {
-    ++number;
-  }
-  const bool is_true = number < events_.size() && way == 0;
+/// At the radius of a true event, or right before it.
+void FeaturePair::count_points(FeatureEvent& event, std::size_t number, bool is_true) const {
   const auto count = [&](std::size_t after_events) {
     return static_cast<std::uint8_t>((is_there(0, after_events) ? 1 : 0) +
                                      (is_there(1, after_events) ? 1 : 0));
@@ -296,7 +310,15 @@ std::vector<FeatureEvent> FeaturePair::printed_events(const DiscReadings& readin
   }
   std::vector<FeatureEvent> events = by_radius(std::move(found));
   if (kind_ == Kind::edges && readings.number == Form::printed && events.size() != 2) return {};
-  for (FeatureEvent& event : events) count_points(event);
+  for (FeatureEvent& event : events) {
+    std::size_t number = 0;
+    int way = -1;
+    while (number < events_.size() &&
+           (way = order(events_[number].contacts[0], event.contacts[0])) < 0) {
+      ++number;
+    }
+    count_points(event, number, number < events_.size() && way == 0);
+  }
   return events;
 }
 

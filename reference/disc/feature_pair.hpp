@@ -108,6 +108,21 @@ class FeaturePair {
   }
   template <class N>
   Contact<N> solved(ContactSlot slot, bool staying) const;
+  /// Of the contact that is asked for; what is in intervals is kept until the next one is.
+  template <class N>
+  decltype(auto) solved(const PairContact& contact) const {
+    if constexpr (std::is_same_v<N, Interval>) {
+      if (!known_ || known_slot_ != contact.slot || known_staying_ != contact.staying) {
+        known_ = solved<Interval>(contact.slot, contact.staying);
+        known_slot_ = contact.slot;
+        known_staying_ = contact.staying;
+      }
+      return static_cast<const Contact<Interval>&>(*known_);
+    } else {
+      return solved<N>(contact.slot, contact.staying);
+    }
+  }
+  bool certainly_never(ContactSlot slot) const;
   template <class Value>
   int sign_of(Value&& value);
   bool is_arc(std::size_t which) const { return features_[which]->is_arc; }
@@ -122,12 +137,15 @@ class FeaturePair {
   int order(const PairContact& a, const PairContact& b) const;
   std::vector<FeatureEvent> by_radius(std::vector<PairContact> contacts) const;
   void follow_branches();
-  void count_points(FeatureEvent& event) const;
+  void count_points(FeatureEvent& event, std::size_t number, bool is_true) const;
   bool is_there(std::size_t branch, std::size_t after_events) const;
   std::uint8_t distinct_places(const FeatureEvent& event) const;
   bool is_printed(PairContact& contact, const DiscReadings& readings, bool has_unit_radius);
 
   std::array<const OffsetFeature*, 2> features_;
+  mutable std::optional<Contact<Interval>> known_;
+  mutable ContactSlot known_slot_ = ContactSlot::tangent;
+  mutable bool known_staying_ = false;
   std::array<const FeatureNumbers<Interval>*, 2> near_;
   Kind kind_ = Kind::edges;
   int turn_ = 0;                               ///< of two edges
