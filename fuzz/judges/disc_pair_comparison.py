@@ -2,7 +2,8 @@
 which solves every condition over sums of square roots and tests by definition whether its place is
 on both features.
 
-compare(seed, count) draws `count` pairs of each kind. Run it: `python -m
+compare(seed, count) draws `count` pairs of each kind; compare_printed those of the Appendix as it
+stands, against its formulas set up afresh (`appendix_formulas.py`). Run it: `python -m
 minkref.fuzz.judges.disc_pair_comparison SEED COUNT` prints the table as JSON, and exits with 1 if
 there is a difference.
 """
@@ -20,6 +21,7 @@ from itertools import pairwise
 from typing import Any
 
 from minkref import _core
+from minkref.fuzz.judges.appendix_formulas import printed_events
 from minkref.fuzz.judges.disc_pair_draws import KINDS, Drawn, Feature, draw
 from minkref.oracle.symbolic.disc import Arc, Offset
 from minkref.oracle.symbolic.disc_contact import DiscEvent, pair_disc_events
@@ -29,6 +31,8 @@ from minkref.oracle.symbolic.rational import Rational, rationals
 #: whose end, which; as minkref names them, in the order of the oracle's conditions
 SLOTS = (("a", 0), ("a", 1), ("b", 0), ("b", 1), ("", 0))
 NEAR = 1e-9
+#: of the Appendix, taken as they stand
+SENTENCES = ["rejected", "number", "radical", "line", "parallel"]
 
 
 @dataclass
@@ -65,6 +69,36 @@ def compare(seed: int, count: int) -> Table:
     return table
 
 
+def compare_printed(seed: int, count: int) -> Table:
+    """For discs of the radii 1, 2 and 1/3 at the scale 1. The same seed and count give the same
+    table."""
+    rng = random.Random(f"minkref printed disc pairs {seed}")
+    table = Table(seed)
+    for kind in KINDS:
+        for _ in range(count):
+            drawn, r = draw(rng, kind), rng.choice([Rational(1), Rational(2), Rational(1, 3)])
+            table.pairs[drawn.kind] += 1
+            table.relations[drawn.relation] += 1
+            told = printed_events(symbolic_feature(drawn.a), symbolic_feature(drawn.b), r)
+            rows = _core.disc_pair(texts(drawn.a), texts(drawn.b), SENTENCES, r == 1)
+            found = {
+                (of, end): (radius, meets)
+                for _, radius, _, contacts in rows
+                for _, of, end, meets, _ in contacts
+            }
+            for change, _, _, contacts in rows:
+                table.changes[change] += 1
+                table.contacts.update(name for name, *_ in contacts)
+            faults = [f"{slot}: only one of the two" for slot in told.keys() ^ found.keys()]
+            for slot in told.keys() & found.keys():
+                (scale, is_met), (radius, meets) = told[slot], found[slot]
+                faults += _faults_of_radius(scale * r, radius)
+                if is_met != meets:
+                    faults.append(f"{slot} meets: {meets}")
+            table.differences += [f"{drawn}, r = {r}: {fault}" for fault in faults]
+    return table
+
+
 def compare_one(drawn: Drawn, table: Table) -> None:
     table.pairs[drawn.kind] += 1
     table.relations[drawn.relation] += 1
@@ -96,13 +130,22 @@ def compare_one(drawn: Drawn, table: Table) -> None:
 
 
 def _faults_of_numbers(event: DiscEvent, radius: Any, place: tuple[float, float]) -> list[str]:
-    """The oracle's radius is a root of the polynomial and within the bounds, and its place near."""
-    _, polynomial, (low, high) = radius
+    """The oracle's radius is that of the row, and its place near."""
     value, at = event.scale.value, event.at
     if value is None or at is None:
         raise AssertionError("a contact that meets has a radius")
-    square = value * value
-    total = number(0)
+    faults = _faults_of_radius(value, radius)
+    for x, y in zip(place, at, strict=True):
+        near = float(Fraction(str(y.bounds(80)[0])))
+        if not math.isclose(x, near, rel_tol=NEAR, abs_tol=NEAR):
+            faults.append(f"the place {place} is not {near}")
+    return faults
+
+
+def _faults_of_radius(value: Radical, radius: Any) -> list[str]:
+    """Its square is a root of the polynomial, and it is within the bounds."""
+    _, polynomial, (low, high) = radius
+    square, total = value * value, number(0)
     for coefficient in reversed(polynomial):
         total = total * square + number(Rational(coefficient))
     faults = []
@@ -110,10 +153,6 @@ def _faults_of_numbers(event: DiscEvent, radius: Any, place: tuple[float, float]
         faults.append(f"{polynomial} has not the root {square}")
     if (value - _exact(low)).sign() < 0 or (_exact(high) - value).sign() < 0:
         faults.append(f"{value} is not between {low} and {high}")
-    for x, y in zip(place, at, strict=True):
-        near = float(Fraction(str(y.bounds(80)[0])))
-        if not math.isclose(x, near, rel_tol=NEAR, abs_tol=NEAR):
-            faults.append(f"the place {place} is not {near}")
     return faults
 
 
@@ -148,9 +187,10 @@ def _faults_of_order(
 
 
 def main(arguments: list[str]) -> int:
-    table = compare(*map(int, arguments))
-    print(json.dumps(vars(table), indent=1))
-    return 1 if table.differences else 0
+    seed, count = map(int, arguments)
+    tables = {"corrected": compare(seed, count), "printed": compare_printed(seed, count)}
+    print(json.dumps({name: vars(table) for name, table in tables.items()}, indent=1))
+    return 1 if any(table.differences for table in tables.values()) else 0
 
 
 if __name__ == "__main__":
