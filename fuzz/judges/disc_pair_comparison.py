@@ -102,7 +102,8 @@ def compare_printed(seed: int, count: int) -> Table:
 def compare_one(drawn: Drawn, table: Table) -> None:
     table.pairs[drawn.kind] += 1
     table.relations[drawn.relation] += 1
-    found = pair_disc_events(*map(symbolic_feature, (drawn.a, drawn.b)), Rational(1))
+    a, b = symbolic_feature(drawn.a), symbolic_feature(drawn.b)
+    found = pair_disc_events(a, b, Rational(1))
     theirs = {SLOTS[k]: event for k, event in enumerate(found) if event.meet}
     rows = _core.disc_pair(texts(drawn.a), texts(drawn.b))
     faults: list[str] = []

@@ -34,8 +34,7 @@ def draw(rng: random.Random, kind: str) -> Drawn:
     facing = rng.random() < 0.7  # else most never meet
     while True:
         a = _feature(rng, first, size, relation)
-        b = _feature(rng, second, size, relation)
-        b = _related(rng, a, b, relation)
+        b = _related(rng, a, _feature(rng, second, size, relation), relation)
         if b is None or not (_is_right(a) and _is_right(b)) or a == b or _is_one_place(a, b):
             continue
         if relation in ("parallel", "one line") or not facing or (_faces(a, b) and _faces(b, a)):
