@@ -1,5 +1,5 @@
-"""Random pairs of features of an offset polygon, edges and arcs about convex vertices, a third of
-them in a special position on purpose."""
+"""Random pairs of features of an offset polygon, edges and arcs about convex vertices, more than a
+third of them in a special position on purpose."""
 
 from __future__ import annotations
 
@@ -26,9 +26,9 @@ class Drawn:
 
 
 def draw(rng: random.Random, kind: str) -> Drawn:
-    """Two features of a kind. `relation` is `free` in two thirds of the cases."""
+    """Two features of a kind. `relation` is `free` in three of five cases."""
     known = SPECIAL if kind != "arc, edge" else SPECIAL[:-1]  # of two of one kind
-    relation = rng.choice(known) if rng.random() < 1 / 3 else "free"
+    relation = rng.choice(known) if rng.random() < 0.4 else "free"
     size = rng.choice([3, 8, 8, 1000]) if relation == "free" else rng.choice([2, 4, 8])
     first, second = kind.split(", ")
     facing = rng.random() < 0.7  # else most never meet

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Callable
+from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
@@ -61,12 +63,37 @@ def test_printed_events_are_held_against_the_truth(minkref: Minkref) -> None:
 
 
 def test_circles_of_another_radius_have_no_printed_ends(minkref: Minkref) -> None:
-    arcs = [("-3", "-4"), ("0", "0"), ("3", "-4")], [("9", "4"), ("6", "0"), ("5", "0")]
-    assert len(_core.disc_pair(*arcs)) >= 1
+    a = [("-4", "-3"), ("0", "0"), ("-3", "4")]
+    b = [("10", "3"), ("6", "0"), ("7", "0")]
+    right = [radius[0] for _, radius, _, _ in _core.disc_pair(a, b)]
+    assert right == ["9", "225/16", "25"]
+    for unit, kept in ((True, right), (False, right[:1])):
+        printed = _core.disc_pair(a, b, ["radical"], unit)
+        assert [radius[0] for _, radius, _, _ in printed] == kept
     for Q, radius in (("disc:2", "2"), ("disc", "1"), ("disc:sqrt:2", "sqrt:2")):
         ran = minkref("events", SLOT, Q, "--kind", "pair", "--form", "printed", "--json")
         jsonschema.validate(ran.json, schema("events"))
         assert ran.json["radius"] == radius
+
+
+@pytest.mark.parametrize("P", ["POINT (1 2)", "LINESTRING (0 0, 3 4)", "POLYGON EMPTY"])
+def test_what_has_no_pairs_that_meet(minkref: Minkref, P: str) -> None:
+    ran = minkref("events", P, "disc", "--kind", "pair", "--json")
+    assert (ran.code, ran.json["count"], ran.json["events"]) == (0, 0, [])
+
+
+def test_events_grow_and_move_with_the_polygon(minkref: Minkref) -> None:
+    """Beyond doubles too."""
+    one = minkref("events", SLOT, "disc", "--kind", "pair", "--json").json
+    far = SLOT
+    for number in ("12", "8", "6", "4", "2"):
+        far = re.sub(rf"\b{number}\b", f"{number}e400", far)
+    other = minkref("events", far, "disc", "--kind", "pair", "--json").json
+    for x, y in zip(one["events"], other["events"], strict=True):
+        assert (x["features"][0].keys(), x["change"]) == (y["features"][0].keys(), y["change"])
+        if x["squared_radius"] is not None:
+            assert Fraction(y["squared_radius"]) == Fraction(x["squared_radius"]) * 10**800
+        assert y["radius"]["high"] is None
 
 
 @pytest.mark.parametrize(("window", "radii"), [

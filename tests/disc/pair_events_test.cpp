@@ -211,6 +211,45 @@ TEST(DiscPairEvents, OfAnArcAndAnEdgeByHand) {
             "25 0 1 1 birth; 100 1 2 1 swap; 7225/16 1 1 0 death");
 }
 
+/// Squared radii with one sentence of the Appendix as printed, and whether the features meet there.
+std::string printed(const OffsetFeature& a, const OffsetFeature& b, Form DiscReadings::* sentence,
+                    bool has_unit_radius = true) {
+  const FeatureNumbers<Interval> near_a(a), near_b(b);
+  FeaturePair pair(a, b, near_a, near_b);
+  pair.events();
+  DiscReadings readings;
+  readings.*sentence = Form::printed;
+  std::string text;
+  for (const FeatureEvent& event : pair.printed_events(readings, has_unit_radius)) {
+    text += text.empty() ? "" : "; ";
+    text += to_string(pair.squared_radius(event.contacts[0]).coefficients()[0]);
+    text += " " + std::string(name(event.change)) + (event.meets() ? "" : ", apart");
+  }
+  return text;
+}
+
+TEST(DiscPairEvents, AsTheAppendixPrintsThem) {
+  const auto edge = OffsetFeature::edge;
+  // Kept where t is 0 or less on both: never at a last end, and before the other's start.
+  EXPECT_EQ(printed(edge({3, 8}, {-7, 8}), edge({-4, 5}, {-12, 11}), &DiscReadings::rejected), "");
+  EXPECT_EQ(printed(edge({0, 10}, {10, 10}), edge({-10, 0}, {-10, 5}), &DiscReadings::rejected),
+            "100 touch");
+  EXPECT_EQ(printed(edge({0, 10}, {10, 10}), edge({-10, 3}, {-10, 5}), &DiscReadings::rejected),
+            "49 none, apart; 100 none, apart");
+  // Two events or none.
+  EXPECT_EQ(printed(edge({3, 8}, {-7, 8}), edge({-4, 5}, {-12, 11}), &DiscReadings::number),
+            "9 birth; 225 death");
+  EXPECT_EQ(printed(edge({20, 10}, {10, 10}), edge({10, 10}, {10, 20}), &DiscReadings::number), "");
+  EXPECT_EQ(printed(edge({8, 6}, {8, 2}), edge({4, 2}, {4, 6}), &DiscReadings::parallel), "");
+  // r under the radical.
+  const OffsetFeature a = arc({0, 0}, {3, -4}, {4, 3}), b = arc({6, 0}, {-3, 4}, {0, -1});
+  EXPECT_EQ(printed(a, b, &DiscReadings::radical), "9 birth; 225/16 death; 25 death");
+  EXPECT_EQ(printed(a, b, &DiscReadings::radical, false), "9 birth");
+  // The line that the circle touched at 1 stays: 5/4 is not 10/9, and the ends of it are not met.
+  EXPECT_EQ(printed(arc({0, 2}, {-1, 0}, {3, -4}), edge({1, 0}, {-9, 0}), &DiscReadings::line),
+            "1 birth; 25/16 none, apart");
+}
+
 bool are_same(const DiscPairEvent& x, const DiscPairEvent& y) {
   return x.a == y.a && x.b == y.b && x.contacts == y.contacts && x.before == y.before &&
          x.at == y.at && x.after == y.after && x.change == y.change;

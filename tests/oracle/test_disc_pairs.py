@@ -12,7 +12,7 @@ PAIRS = 300
 
 def is_drawn_as_wanted(table: Table) -> bool:
     special = sum(count for name, count in table.relations.items() if name != "free")
-    return all(table.pairs[kind] == PAIRS for kind in KINDS) and 4 * special >= len(KINDS) * PAIRS
+    return all(table.pairs[kind] == PAIRS for kind in KINDS) and 3 * special >= len(KINDS) * PAIRS
 
 
 def test_events_of_two_features_are_those_of_all_conditions() -> None:
