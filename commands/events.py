@@ -61,7 +61,9 @@ minkref events g1 g2 --form printed --arithmetic mpfr:53
 
 minkref events P.off Q.off --from 1/5 --to 2 -o events.jsonl
 
-minkref events g1 disc --kind topology"""
+minkref events g1 disc --kind topology
+
+minkref events g1 disc --kind pair --to 5"""
 
 MEANINGS = {  # of the changes, under the table
     "pair": "birth, death: two edges of the convolution start, or cease, to meet as s grows. Where "
@@ -174,19 +176,24 @@ def command(
 ) -> None:
     """All scales at which edges of the reduced convolution start or stop meeting: exact, sorted. In
     space, where P and Q are polyhedra, those at which two of its facets start, change or stop to
-    meet in a window. With `disc` for Q, the radii at which the sum with a disc changes."""
+    meet in a window. With `disc` for Q, the radii at which the sum with a disc changes, or, of the
+    kind pair, at which two offset edges or arcs start or stop to meet."""
     watch = Stopwatch()
     if is_disc(Q):
         from minkref.commands.disc.events import events_with_disc
+        from minkref.commands.disc.pair_events import pair_events_with_disc
 
         given = {
-            "--form": form != "corrected", "--arithmetic": arithmetic != "rational",
-            "--reading": bool(reading), "--least-precision": least, "--route": route is not None,
+            "--arithmetic": arithmetic != "rational", "--reading": bool(reading),
+            "--least-precision": least, "--route": route is not None,
             "--index": index is not None, "--where": where is not None,
         }  # fmt: skip
-        events_with_disc(
-            P, Q, kind, from_scale, to_scale, limit, output, file_format, json, memory, given
-        )
+        window_and_output = (from_scale, to_scale, limit, output, file_format, json, memory)
+        if kind == "pair":
+            pair_events_with_disc(P, Q, form, *window_and_output, given)
+        else:
+            given["--form"] = form != "corrected"
+            events_with_disc(P, Q, kind, *window_and_output, given)
         return
     kind = kind or "pair"
     _check(kind, form, arithmetic, least, limit)

@@ -52,7 +52,9 @@ def events_with_disc(
         if is_given:
             raise Refusal("events of a disc do not have this option", option, "leave it out")
     if kind is not None and kind not in KINDS:
-        raise Refusal(f"there are no events {kind} of a disc", "--kind", choice(kind, tuple(KINDS)))
+        raise Refusal(
+            f"there are no events {kind} of a disc", "--kind", choice(kind, (*KINDS, "pair"))
+        )
     chosen = kind or "boundary"
     if limit is not None and limit < 0:
         raise Refusal("the limit is negative", f"--limit {limit}", "give a number of events")

@@ -13,7 +13,7 @@ def schema(command: str) -> dict[str, Any]:
     result, error = result_schema(command), error_schema()
     top = {"$schema": result.pop("$schema"), "title": result.pop("title")}
     kinds = {"result": result, "error": error}
-    for where in ("in_space", "with_disc"):
+    for where in ("in_space", "with_disc", "with_disc_pairs"):
         if _file(f"{command}_{where}").is_file():
             kinds[f"result_{where}"] = result_schema(f"{command}_{where}")
             del kinds[f"result_{where}"]["title"]
@@ -21,7 +21,7 @@ def schema(command: str) -> dict[str, Any]:
     for kind in kinds.values():
         kind.pop("$schema", None)
         shared |= kind.pop("$defs", {})
-    names = ("result", "result_in_space", "result_with_disc", "error")
+    names = ("result", "result_in_space", "result_with_disc", "result_with_disc_pairs", "error")
     return {
         **top,
         "oneOf": [{"$ref": f"#/$defs/{name}"} for name in names if name in kinds],

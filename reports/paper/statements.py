@@ -1,5 +1,5 @@
-"""Each equation, observation, theorem, table and figure of Sections 1 to 4, 6 and 7 of the paper:
-where it is in the project, in which form, and the command that shows it."""
+"""Each equation, observation, theorem, table and figure of Sections 1 to 4, 6 and 7 and of the
+Appendix of the paper: where it is in the project, in which form, and the command that shows it."""
 
 from __future__ import annotations
 
@@ -18,6 +18,8 @@ SUM = "minkref sum g3 g1 --scale 7/5 --route paper-update"
 REPAIR = "minkref sweep gs3 rod --scales scalings.txt --repair literal"
 
 CRITICAL, PLANE = "reference/plane/critical", "reference/plane"
+DISC_PAIRS = "minkref events g1 disc --kind pair"
+DISC = "reference/disc"
 CONVEX, LITERAL = "reference/space/convex", "reference/space/paper"
 REPORT, BENCH = "reports/paper", "reports/bench"
 
@@ -204,4 +206,32 @@ SECTION_7 = (
               "minkref bench --only table2", SAME_RUN, ("table-2-range",)),
 )  # fmt: skip
 
-STATEMENTS: tuple[Statement, ...] = (*SECTION_1, *SECTION_3, *SECTION_4, *SECTION_6, *SECTION_7)
+APPENDIX = (
+    Statement("Appendix", r"$p(s) = p + (s - 1) r (\perp l)$, with the same centre $c$",
+              (f"{DISC}/offset_feature.hpp",), PRINTED, EXACT, DISC_PAIRS, ALGEBRA,
+              ("disc-centre", "disc-moving-edges")),
+    Statement("Appendix", "the crossing of two segments comes to an end: exactly two events, or "
+              "none; those with $0 < t$ or $t > 1$ are rejected",
+              (f"{DISC}/pair_contact.hpp", f"{DISC}/feature_pair.hpp"), BOTH, EXACT,
+              f"{DISC_PAIRS} --form printed", SYMBOLIC,
+              ("disc-two-events", "disc-rejected-parameters", "disc-parallel-edges",
+               "disc-degree-of-scales")),
+    Statement("Appendix", "circles touch in the middle of their centres",
+              (f"{DISC}/pair_contact.hpp",), PRINTED, EXACT, DISC_PAIRS, SYMBOLIC,
+              ("disc-circles-touch",)),
+    Statement("Appendix", r"$I(s) = M(s) (\pm \perp (c_1, c_2))$, $M(s) = \sqrt{(s^2 - s_0^2) r} + "
+              r"y_{c_1}$, set equal to ends of arcs", (f"{DISC}/feature_pair.hpp",), BOTH, EXACT,
+              "minkref events g1 disc:2 --kind pair --form printed", SYMBOLIC,
+              ("disc-magnitude", "disc-crossing-of-circles", "disc-ends-of-arcs",
+               "disc-events-of-arcs")),
+    Statement("Appendix", r"a circle touches the line of a segment at $s_0$, and crosses the line "
+              r"$x_0 = x_c - s_0 r$ after", (f"{DISC}/pair_contact.hpp",), BOTH, EXACT,
+              f"{DISC_PAIRS} --form printed", SYMBOLIC, ("disc-tangent-line", "disc-line-moves")),
+    Statement("Appendix", "events of two arcs or segments are all events",
+              (f"{DISC}/pair_events.hpp", f"{DISC}/diagram_events.hpp"), CORRECTED, EXACT,
+              "minkref events g1 disc", SYMBOLIC, ("disc-kinds-of-events", "disc-triple-events")),
+)  # fmt: skip
+
+STATEMENTS: tuple[Statement, ...] = (
+    *SECTION_1, *SECTION_3, *SECTION_4, *SECTION_6, *SECTION_7, *APPENDIX
+)  # fmt: skip

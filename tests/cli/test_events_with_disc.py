@@ -77,7 +77,8 @@ def test_what_people_see(minkref: Minkref) -> None:
     "arguments",
     [
         ("disc:2",),
-        ("disc", "--kind", "pair"),
+        ("disc", "--kind", "triple"),
+        ("disc", "--form", "printed"),
         ("disc", "--route", "index"),
         ("disc", "--where", "s > 1"),
         ("disc", "--arithmetic", "double"),

@@ -18,11 +18,11 @@ from minkref.reports.paper.statements import STATEMENTS
 
 COMMANDS = sorted({statement.command for statement in STATEMENTS})
 TAKE_LONG = ("report", "bench")  # these run as evidence
-OF_ITS_SECTIONS = ("section-3", "section-4", "section-6", "section-7")
+OF_ITS_SECTIONS = ("section-3", "section-4", "section-6", "section-7", "appendix")
 PLACES = (
     *(f"Fig. {number}" for number in range(1, 11)), "Table 1", "Table 2", "4.1, Observation 1",
     "6, Theorem 1", "1", "3", "4", "4.1", "4.2", "4.2.1", "4.2.2", "4.2.3", "4.2.4", "6", "7",
-    "7.1", "7.2.2",
+    "7.1", "7.2.2", "Appendix",
 )  # fmt: skip
 
 

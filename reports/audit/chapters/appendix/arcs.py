@@ -8,6 +8,7 @@ from fractions import Fraction
 import sympy as sp
 from minkref.fuzz.judges.paper_disc import Corner, circles, end_on_circle, touches
 from minkref.reports.audit.disc import exact
+from minkref.reports.audit.disc_code import CODE, code_events, scales_by_both
 from minkref.reports.audit.entry import Chapter, Shown, Status
 from minkref.reports.audit.sketches import arcs_at
 from minkref.reports.audit.symbolic_disc import FIVES, corner_of_normals, normal, r, s, unit, vector
@@ -56,10 +57,11 @@ def _(shown: Shown) -> None:
     right=r"""$y = r \sqrt{s^2 - s_0^2} + y_c$. So it is if the radical ends before $r$ (for which
     the parentheses would not be needed). With $r$ under it the squares differ by $r (1 - r) (s^2 -
     s_0^2)$: right for $r = 1$ only.""",
-    code=ORACLE,
+    code=(*CODE, *ORACLE),
 )
 def _(shown: Shown) -> None:
-    """By computer algebra, and at a pair of circles with rational crossings."""
+    """By computer algebra, and at a pair of circles with rational crossings. By the code, with $r$
+    under the radical, an end of an arc is on the other circle for r = 1 only."""
     t = sp.Symbol("s_0", positive=True)
     shown.identity("$(s_0 r)^2 + (r \\sqrt{s^2 - s_0^2})^2 = (s r)^2$",
                    (t * r) ** 2 + r**2 * (s**2 - t**2) - (s * r) ** 2)  # fmt: skip
@@ -73,6 +75,12 @@ def _(shown: Shown) -> None:
     found = (4**2 + right**2, (8 - 4) ** 2 + right**2, (scale * radius) ** 2)
     shown.equal("squared distances of $(4, 3)$ to both centres, and $(s r)^2$", found,
                 (25, 25, 25))  # fmt: skip
+    arcs = (corner_of_normals((0, 0), (3, -4), (4, 3)),
+            corner_of_normals((6, 0), (-3, 4), (0, -1)))  # fmt: skip
+    for radius, scales in ((1, [3, sp.Rational(15, 4), 5]), (3, [1])):
+        kept = [event.scale for event in code_events(*arcs, radius, ["radical"])]
+        shown.equal(f"arcs about $(0, 0)$ and $(6, 0)$, $r = {radius}$, of the three events those "
+                    "with $r$ under the radical", kept, scales)  # fmt: skip
 
 
 @PART.entry(
@@ -164,20 +172,23 @@ def _(shown: Shown) -> None:
     both arcs; each then ends by itself, so two arcs may have three events. Where the midpoint is
     not on both, one crossing at most is ever there, since an arc of less than 180 degrees that has
     places on both sides of the middle has the middle.""",
-    code=ORACLE,
+    code=(*CODE, *ORACLE),
 )
 def _(shown: Shown) -> None:
     """By computer algebra the angle grows. Two arcs with three events, and 150 random pairs, by the
-    symbolic oracle: those that touch as circles do, have three scales at most, others two."""
+    code and by the symbolic oracle: those that touch as circles do, have three scales at most,
+    others two."""
     t = sp.Symbol("s_0", positive=True)
     growth = sp.diff(sp.acos(t / s), s)
     shown.identity(r"$d \varphi / d s = s_0 / (s \sqrt{s^2 - s_0^2})$",
                    growth - t / (s * sp.sqrt(s**2 - t**2)))  # fmt: skip
     a = corner_of_normals((0, 0), (3, -4), (4, 3))
     b = corner_of_normals((6, 0), (-3, 4), (0, -1))
-    scales = {exact(touch.root) for touch in touches(a, b, 1)}
-    shown.equal("events of arcs about $(0, 0)$ and $(6, 0)$, $r = 1$", sorted(scales),
+    shown.equal("events of arcs about $(0, 0)$ and $(6, 0)$, $r = 1$", scales_by_both(a, b, 1),
                 [3, sp.Rational(15, 4), 5])  # fmt: skip
+    shown.equal("points that they share before, at and after each, by the code",
+                [event.shared for event in code_events(a, b, 1)],
+                [(0, 1, 2), (2, 2, 1), (1, 1, 0)])  # fmt: skip
     marks = [(Fraction(3), y) for y in (Fraction(0), Fraction(9, 4), Fraction(-4))]
     shown.draw("the arcs at the scales 3, 15/4 and 5: one crossing is there from 3 to 15/4, the "
                "other from 3 to 5", arcs_at([a, b], (3, 3.75, 5), marks))  # fmt: skip
@@ -190,7 +201,7 @@ def _(shown: Shown) -> None:
             continue
         kept += 1
         found = touches(first, second, 1)
-        number = len({touch.root for touch in found})
+        number = len(scales_by_both(first, second, 1))
         as_circles = any(touch.name == "circles" for touch in found)
         most[as_circles] = max(most[as_circles], number)
     shown.equal("most events of 150 random pairs: of those whose circles touch on both arcs, and "

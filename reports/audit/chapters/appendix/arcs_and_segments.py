@@ -17,6 +17,7 @@ from minkref.fuzz.judges.paper_disc import (
     three_lines,
 )
 from minkref.reports.audit.disc import corner, exact, squared_distance
+from minkref.reports.audit.disc_code import CODE, code_events, contacts_of_ring, scales_by_both
 from minkref.reports.audit.entry import Chapter, CheckFailed, Shown, Status, text
 from minkref.reports.audit.sketches import swept
 from minkref.reports.audit.symbolic_disc import corner_of_normals, normal, r, s, unit, vector
@@ -38,10 +39,10 @@ ORACLE = ("oracle/symbolic/disc.py", "oracle/symbolic/derive_disc.py")
     $s_0 = g / (2 r)$, an event if $g > 0$: the circle and the line meet for $s \ge s_0$. For
     $g < 0$ they never meet. For $g = 0$ they touch at all scales; that is the only case in which
     $c + s r n$ is on the line.""",
-    code=ORACLE,
+    code=(*CODE, *ORACLE),
 )
 def _(shown: Shown) -> None:
-    """By computer algebra; and the three cases by the symbolic oracle."""
+    """By computer algebra; and the three cases by the symbolic oracle and the code."""
     n, c, h = unit("t"), vector("c"), sp.Symbol("h", real=True)
     g = n.dot(c) - h
     shown.identity("$c - s r n$ is on the line at $s = g / (2 r)$",
@@ -57,6 +58,8 @@ def _(shown: Shown) -> None:
     shown.equal("centres above, on and below an edge: cases", [root.case for root in roots],
                 ["once", "always", "never"])  # fmt: skip
     shown.equal("the scale of the first, $g = 3$ and $r = 1$", exact(roots[0]), sp.Rational(3, 2))
+    shown.equal("numbers of events of arcs that look down, and of the edge, by the code",
+                [len(scales_by_both(arc, floor, 1)) for arc in arcs], [2, 0, 0])  # fmt: skip
 
 
 @PART.entry(
@@ -72,11 +75,11 @@ def _(shown: Shown) -> None:
     g)} \, t$, $t$ a unit vector along the edge. Were the line to stay, they would be at $r
     \sqrt{s^2 - s_0^2}$ from the foot, as for two arcs, the square of which is too great by $(2 s r
     - g)(2 s r - 3 g) / 4$: zero at the event and at $s = 3 s_0$ only.""",
-    code=ORACLE,
+    code=(*CODE, *ORACLE),
 )  # fmt: skip
 def _(shown: Shown) -> None:
     """By computer algebra the right places are on circle and line. One arc and edge with rational
-    crossings."""
+    crossings, and the events of such by the code, right and with a line that stays."""
     g = sp.Symbol("g", positive=True)
     n, c = unit("t"), vector("c")
     x = c - (g - s * r) * n + sp.sqrt(g * (2 * s * r - g)) * normal(n)
@@ -91,6 +94,16 @@ def _(shown: Shown) -> None:
                 (staying.subs(at), right.subs(at)), (24, 16))  # fmt: skip
     shown.equal("centre $(0, 2)$, line $y = 5$: squared distance of $(4, 5)$ from the centre, and "
                 "$(s r)^2$", (4**2 + (5 - 2) ** 2, 5**2), (25, 25))  # fmt: skip
+    arc = corner_of_normals((0, 2), (-4, 3), (3, -4))
+    edge: Side = ((4, 0), (-4, 0))
+    right_ones = scales_by_both(arc, edge, 1)
+    shown.equal("an arc about $(0, 2)$ and an edge that ends at $(\\pm 4, 0)$, $r = 1$: scales of "
+                "their events", right_ones, [1, sp.Rational(10, 9), 5])  # fmt: skip
+    staying = code_events(arc, edge, 1, ["line"])
+    shown.equal("were the line to stay", [event.scale for event in staying],
+                [1, sp.Rational(5, 4)])  # fmt: skip
+    shown.equal("points shared in truth just before, at and after the second of these",
+                staying[1].shared, (1, 1, 1))  # fmt: skip
     ring = [(-10, -1), (10, -1), (10, 0), (-10, 0)]
     shown.draw("the circle about $(0, 2)$ and the edge, offset by 1, where they touch, and by 5",
                swept(ring, [1.0, 5.0], [(0.0, 2.0, 1.0), (0.0, 2.0, 5.0)]))  # fmt: skip
@@ -107,11 +120,12 @@ def _(shown: Shown) -> None:
     line, of degree up to 4; an end on a circle, a circle and a line, two circles, up to 2, where
     $s^2$ is rational. An end $p + s r n$ of the edge itself is on a circle at $s = |p - c|^2 / (2 r
     g)$. An end that is shared by an edge and an arc gives an event of both.""",
-    code=(*ORACLE, "oracle/symbolic/solutions.json"),
+    code=(*CODE, *ORACLE, "oracle/symbolic/solutions.json"),
 )
 def _(shown: Shown) -> None:
     """Degrees of the polynomials without lengths, which the symbolic oracle has for general data by
-    resultants. All events of eight random polygons by the oracle: their minimal polynomials."""
+    resultants. All events of eight random polygons by the oracle: their minimal polynomials; the
+    code has as many."""
     degrees = greatest_degrees()
     for name in ("end on line", "end on circle", "circle on line", "circles"):
         shown.tell(f"{name}: degree {degrees[name]} at most.")
@@ -127,14 +141,18 @@ def _(shown: Shown) -> None:
                    (w.dot(w) - 2 * s * r * g).subs(s, w.dot(w) / (2 * r * g)))  # fmt: skip
     dice = random.Random(SEED)
     counts: Counter[tuple[str, int]] = Counter()
+    by_code = 0
     for _ in range(8):
-        for touch in ring_touches(_drawn_ring(dice), 1):
+        ring = _drawn_ring(dice)
+        by_code += contacts_of_ring(ring)
+        for touch in ring_touches(ring, 1):
             found = touch.root.polynomial
             counts[touch.name, len(found) - 1] += 1
             if touch.name != "end on line" and len(found) == 3 and found[1] != 0:
                 raise CheckFailed(text(touch))
     for (name, degree), count in sorted(counts.items()):
         shown.tell(f"random polygons, {name}, degree {degree}: {count} of the events.")
+    shown.equal("events of these polygons by the code", by_code, counts.total())
     shown.true("none is beyond these degrees, and but for an end on a line $s^2$ is rational",
                all(degree <= degrees[name] for name, degree in counts))  # fmt: skip
 

@@ -13,6 +13,7 @@ from minkref.fuzz.judges.paper_disc import Edge as Side
 from minkref.fuzz.judges.paper_disc import end_on_line, touches
 from minkref.fuzz.judges.paper_pairs import contact_interval
 from minkref.reports.audit.disc import along, exact, moving, squared_distance
+from minkref.reports.audit.disc_code import CODE, code_events, scales_by_both
 from minkref.reports.audit.edges import answers, written
 from minkref.reports.audit.entry import Chapter, CheckFailed, Shown, Status, text
 from minkref.reports.audit.pictures import moving_edges
@@ -104,15 +105,18 @@ def _drawn_side(dice: random.Random) -> Side:
     share a point at $s = 0$ only. (With scales of zero and below there would always be two, which
     may coincide; but the Appendix has $s > 0$.)""",
     reading=r"""Of all real scales, and a scale counted twice at which the edges only touch.""",
-    code=("reference/plane/critical/pair_interval.hpp", *ORACLE),
+    code=("reference/plane/critical/pair_interval.hpp", *CODE, *ORACLE),
 )
 def _(shown: Shown) -> None:
-    """Four pairs of edges, radius 5: the code for T-edges at the vertex r n, the symbolic oracle
-    for segments, and that for discs agree. Then 500 random pairs, with the same three."""
+    """Four pairs of edges, radius 5: the code for T-edges at the vertex r n, that for discs, the
+    symbolic oracle for segments, and that for discs agree. Then 500 random pairs, with the same
+    four. The sentence by itself, as the code reads it, against what is."""
     for what, a, b, wanted, events in TWO:
         edges = moving(a, 5), moving(b, 5)
         shown.equal(f"edges {what} meet for $s$ in", _interval(a, b), wanted)
-        shown.equal(f"edges {what}: events", len({x.root for x in touches(a, b, 5)}), events)
+        shown.equal(f"edges {what}: events", len(scales_by_both(a, b, 5)), events)
+        kept = len(code_events(a, b, 5, ["number"]))
+        shown.equal(f"edges {what}: events if there are two or none", kept, 2 * (events == 2))
         if events:
             shown.draw(f"edges {what}: they meet for s in {wanted}",
                        moving_edges(*edges, answers(*edges).corrected))  # fmt: skip
@@ -124,12 +128,12 @@ def _(shown: Shown) -> None:
             continue
         told = answers(moving(a, 5), moving(b, 5))
         ends = {x for x in told.corrected or () if x is not None}
-        found = {exact(touch.root) for touch in touches(a, b, 5)}
+        found = set(scales_by_both(a, b, 5))
         if told.corrected != told.symbolic or {sp.Rational(str(x)) for x in ends} != found:
             raise CheckFailed(text((a, b, told, found)))
         counts[f"{len(ends)}"] += 1
     shown.true(f"random pairs with 0, 1 and 2 events: {counts['0']}, {counts['1']} and "
-               f"{counts['2']}, by all three", min(counts[x] for x in "012") > 0)  # fmt: skip
+               f"{counts['2']}, by all four", min(counts[x] for x in "012") > 0)  # fmt: skip
 
 
 def _interval(a: Side, b: Side) -> str:
@@ -147,10 +151,11 @@ def _interval(a: Side, b: Side) -> str:
     status=Status.MISPRINT,
     printed=r"""Solutions with $0 < t$ or $t > 1$ are rejected, and likewise for $k$.""",
     right=r"""Those with $t < 0$ or $t > 1$.""",
-    code=("reference/plane/critical/scale_interval.hpp",),
+    code=("reference/plane/critical/scale_interval.hpp", *CODE),
 )
 def _(shown: Shown) -> None:
-    """The sets of the parameters that are kept, by computer algebra."""
+    """The sets of the parameters that are kept, by computer algebra. Two pairs of edges by the
+    code, with this sentence as printed and as it should be."""
     beyond = sp.Interval.open(1, sp.oo)
     printed, right = (
         sp.Union(x, beyond).complement(sp.S.Reals)
@@ -159,6 +164,11 @@ def _(shown: Shown) -> None:
     shown.true("as printed all $t \\le 0$ are kept and no others",
                printed == sp.Interval(-sp.oo, 0))  # fmt: skip
     shown.true("with $t < 0$ the segment $[0, 1]$ is kept", right == sp.Interval(0, 1))
+    for what, a, b, _, _ in TWO[2:]:
+        told = [code_events(a, b, 5, sentences) for sentences in (["rejected"], [])]
+        kept, wanted = ([event.scale for event in events] for events in told)
+        shown.equal(f"edges {what}: scales of their events, as printed and right", (kept, wanted),
+                    ([], [sp.Rational(3, 5), 3]) if wanted[1:] else ([2], [2]))  # fmt: skip
 
 
 @PART.entry(
@@ -171,7 +181,7 @@ def _(shown: Shown) -> None:
     right=r"""With one normal the offset lines coincide at all scales or at none. With opposite ones
     they coincide at one scale $s = n_2 \cdot (p_1 - p_2) / (2 r)$, if that is positive: walls that
     face each other meet when the disc fills the room between them, and along a segment.""",
-    code=("reference/plane/critical/parallel_pair.hpp", *ORACLE),
+    code=("reference/plane/critical/parallel_pair.hpp", *CODE, *ORACLE),
 )
 def _(shown: Shown) -> None:
     """By computer algebra; and the walls of a slot of width 4, and the tops beside it, by the code
@@ -185,8 +195,10 @@ def _(shown: Shown) -> None:
     walls: tuple[Side, Side] = ((8, 6), (8, 2)), ((4, 2), (4, 6))
     tops: tuple[Side, Side] = ((12, 6), (8, 6)), ((4, 6), (0, 6))
     shown.equal("walls at the distance 4, $r = 1$, meet for $s$ in", _parallel(*walls), "[2, 2]")
-    shown.equal("scales of their events by the oracle for discs",
-                sorted({exact(touch.root) for touch in touches(*walls, 1)}), [2])  # fmt: skip
+    shown.equal("scales of their events by the code and the oracle for discs",
+                scales_by_both(*walls, 1), [2])  # fmt: skip
+    shown.equal("what becomes of the points that they share, by the code",
+                [event.change for event in code_events(*walls, 1)], ["overlap"])  # fmt: skip
     shown.equal("the tops beside them, always on one line, meet for $s$ in", _parallel(*tops),
                 "empty")  # fmt: skip
     shown.equal("case of an end of one on the line of the other",

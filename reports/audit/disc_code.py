@@ -1,0 +1,85 @@
+"""Events of two features of a swept disc by the code of `reference/disc`, corrected and with
+sentences of the Appendix as printed, beside those of the symbolic oracle."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+from minkref import _core
+from minkref.fuzz.judges.paper_disc import Feature, Vertex, touches
+from minkref.reports.audit.disc import exact
+from minkref.reports.audit.entry import CheckFailed, text
+
+CODE = ("reference/disc/feature_pair.hpp", "reference/disc/pair_contact.hpp")
+
+
+@dataclass(frozen=True)
+class CodeEvent:
+    """At one scale: what becomes of the points that two features share, how many there are before,
+    at and after it (-1: a segment), and whether the place is on both features."""
+
+    scale: Any  # a number of sympy
+    change: str
+    shared: tuple[int, int, int]
+    meets: bool
+
+
+def code_events(
+    first: Feature, second: Feature, radius: int, printed: Sequence[str] = ()
+) -> list[CodeEvent]:
+    """Ascending. `printed`: sentences that are taken as they stand (docs/disc.md)."""
+    rows = _core.disc_pair(_texts(first), _texts(second), list(printed), radius == 1)
+    return [
+        CodeEvent(_root(found) / radius, change, shared, any(meets for *_, meets, _ in contacts))
+        for change, found, shared, contacts in rows
+    ]
+
+
+def scales_by_both(first: Feature, second: Feature, radius: int) -> list[Any]:
+    """Scales of the events of two features, by the code; raises CheckFailed where the symbolic
+    oracle has others."""
+    rows = _core.disc_pair(_texts(first), _texts(second))
+    roots = {touch.root for touch in touches(first, second, radius)}
+    values = sorted((exact(root) * radius for root in roots), key=float)
+    if len(values) != len(rows) or not all(
+        _is_root(value, found) for value, (_, found, _, _) in zip(values, rows, strict=True)
+    ):
+        raise CheckFailed(text((first, second, rows, values)))
+    return [value / radius for value in values]
+
+
+def contacts_of_ring(ring: Sequence[Vertex]) -> int:
+    """Of all pairs of features of a polygon, by the code."""
+    corners = ",".join(f'["{x}","{y}"]' for x, y in ring)
+    P = _core.PolygonSet.from_json(f'{{"polygons":[{{"outer":[{corners}],"holes":[]}}]}}')
+    found = _core.disc_pair_events(P)
+    return sum(len(event[3]) for *_, event in found.rows(0, len(found)))
+
+
+def _texts(feature: Feature) -> list[tuple[str, str]]:
+    return [(str(x), str(y)) for x, y in feature]
+
+
+def _is_root(value: Any, found: Any) -> bool:
+    """Whether the square is a root of the polynomial, and the number within the bounds."""
+    _, polynomial, (low, high) = found
+    square = sp.expand(value**2)
+    total = sum((sp.Rational(c) * square**k for k, c in enumerate(polynomial)), sp.Integer(0))
+    near = float(value)
+    return bool(sp.expand(total) == 0) and low * (1 - 1e-12) <= near <= high * (1 + 1e-12)
+
+
+def _root(found: Any) -> Any:
+    """The radius: its square is a root of a polynomial of degree 1 or 2."""
+    _, polynomial, (low, _) = found
+    c = [sp.Rational(coefficient) for coefficient in polynomial]
+    if len(c) == 2:
+        return sp.sqrt(-c[0])
+    half = sp.sqrt(c[1] ** 2 / 4 - c[0])
+    return min(
+        (sp.sqrt(-c[1] / 2 + way * half) for way in (-1, 1)),
+        key=lambda root: abs(complex(root) - low),
+    )
