@@ -23,6 +23,7 @@ from minkref.commands.lists.sum_fields import sum_fields
 from minkref.commands.lists.sweep_folder import FORMATS, INDEX, sweep_folder
 from minkref.commands.lists.sweep_rows import SHOWN, Setting, print_sweep, sweep_rows, write_index
 from minkref.commands.repair_options import REPAIRS, SPACE_CHOICES, asked_repair
+from minkref.disc.disc import is_disc
 from minkref.documents import Stopwatch, document, listing
 from minkref.errors import Refusal, refusing
 from minkref.exact import approximate, read_scale
@@ -46,6 +47,8 @@ minkref sweep P.wkt Q.wkt --scales scales.txt --json
 minkref sweep g1 g2 --from 1 --to 2 --steps 9 --route dynamic
 
 minkref sweep g1 g2 --from 1 --to 2 --steps 9 --route paper-update --arithmetic mpfr:200
+
+minkref sweep glyph1204 disc --from 1/10 --to 2 --steps 20
 
 minkref sweep gs3 rod --scales scalings.txt -o sums --format off
 
@@ -158,7 +161,23 @@ def command(
     """The sums at many scales: everything between the smallest and the largest scale is found once;
     then each sum is read off, or computed from the one before by dynamic update. Exact, in
     canonical form; by the paper's own program (--route paper-update, in space --repair literal)
-    what that answers, with the exact sums beside it."""
+    what that answers, with the exact sums beside it. With `disc` as second operand scales are radii
+    of a disc."""
+    if is_disc(P) or is_disc(Q):
+        from minkref.commands.disc.sweep import sweep_with_disc
+
+        radii = _scales(from_scale, to_scale, steps, scales_file)
+        named = {
+            "--route": route,
+            "--index": index,
+            "--form": as_read,
+            "--reading": reading,
+            "--repair": repair,
+        }
+        unknown = {option: value is not None for option, value in named.items()}
+        unknown |= {"--arithmetic": arithmetic != "rational", "--trace": trace}
+        sweep_with_disc(P, Q, radii, unknown, output, form, json, memory)
+        return
     if in_space(P, Q):
         given = _given(from_scale, to_scale, steps)
         named = {"--route": route, "--index": index}

@@ -113,6 +113,7 @@ NB_MODULE(_core, module) {
   minkref::python::bind_sum(module);
   minkref::python::bind_disc(module);
   minkref::python::bind_disc_events(module);
+  minkref::python::bind_disc_index(module);
   minkref::python::bind_disc_pair_events(module);
   minkref::python::bind_convolution(module);
   minkref::python::bind_conditions(module);

@@ -80,6 +80,7 @@ void bind_files(nanobind::module_& module);
 void bind_sum(nanobind::module_& module);
 void bind_disc(nanobind::module_& module);
 void bind_disc_events(nanobind::module_& module);
+void bind_disc_index(nanobind::module_& module);
 void bind_disc_pair_events(nanobind::module_& module);
 void bind_convolution(nanobind::module_& module);
 void bind_events(nanobind::module_& module);

@@ -87,6 +87,14 @@ class OffsetJudge:
         holes = sum(_area(path) < 0 for path in paths)
         return OffsetAnswer(_components(rings, lines), holes, paths, answer["seconds"])
 
+    def seconds_near(self, P: dict[str, Any], radius: Fraction, tolerance: float) -> float | None:
+        """Of CGAL's approximated offset; None where it has no answer."""
+        if self._process is None:
+            return None
+        ask = {"P": P, "radius": str(radius), "tolerance": tolerance}
+        seconds: float | None = self._process.ask(ask).get("seconds")
+        return seconds
+
 
 class _Lines:
     """The edges of a set, moved outwards."""

@@ -29,4 +29,8 @@ struct ConicPolygon {
 /// The offsets of all polygons by a radius, joined.
 std::vector<ConicPolygon> offset_of(const std::vector<Polygon>& polygons, const mpq_class& radius);
 
+/// How many curves CGAL's approximated offset has, whose lines are off by the tolerance at most.
+std::size_t curves_of_offset_near(const std::vector<Polygon>& polygons, const mpq_class& radius,
+                                  double tolerance);
+
 }  // namespace minkref::cgal_oracle

@@ -2,7 +2,8 @@
 // CGAL's exact offset behind lines of JSON: {"P": polygons, "radius": "n/d"} asks, and each answer
 // is {"polygons": [{"outer": ring, "holes": [ring, ...]}, ...]}, a ring being a list of pieces
 // {"arc": bool, "conic": ["r", "s", "t", "u", "v", "w"], "ends": [x, y, x, y]}, with "seconds", or
-// {"error": what}. Whoever runs it limits it.
+// {"error": what}. With "tolerance": t in the question it is CGAL's approximated offset, of which
+// the answer has how many "curves" there are, and "seconds". Whoever runs it limits it.
 #include <chrono>
 #include <exception>
 #include <iostream>
@@ -30,6 +31,12 @@ json answer(const json& request) {
   const std::vector<Polygon> P = read_polygons(request.at("P"), "P");
   const mpq_class radius = read_number(request.at("radius"), "radius");
   const auto start = std::chrono::steady_clock::now();
+  if (request.contains("tolerance")) {
+    const double tolerance = request.at("tolerance").get<double>();
+    const std::size_t curves = curves_of_offset_near(P, radius, tolerance);
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    return {{"curves", curves}, {"seconds", taken.count()}};
+  }
   const std::vector<ConicPolygon> found = offset_of(P, radius);
   const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
   json polygons = json::array();

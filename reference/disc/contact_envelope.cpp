@@ -1,9 +1,9 @@
 #include "reference/disc/contact_envelope.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
-#include <set>
 #include <utility>
 
 #include "reference/disc/many_bits.hpp"
@@ -113,33 +113,35 @@ typename ContactEnvelopes<Real>::Frame ContactEnvelopes<Real>::frame_of(std::uin
 /// The parts where a quadratic is not below 0.
 template <class Real>
 void ContactEnvelopes<Real>::keep_where(const Quadratic& value, Parts& parts) {
-  using std::abs;
   using std::sqrt;
-  Parts kept;
+  thread_local Parts kept;
+  kept.clear();
+  std::array<Real, 4> cuts;
   for (const Part& part : parts) {
-    std::vector<Real> cuts{part.from};
-    const Real square = value.b * value.b - 4 * value.a * value.c;
+    std::size_t count = 1;
+    cuts[0] = part.from;
     const auto cut = [&](const Real& u) {
-      if (u > part.from && u < part.to) cuts.push_back(u);
+      if (u > part.from && u < part.to) cuts[count++] = u;
     };
+    const Real square = value.b * value.b - 4 * value.a * value.c;
     if (square >= 0) {
       const Real root = sqrt(square);
       const Real q = value.b < 0 ? Real((root - value.b) / 2) : Real(-(root + value.b) / 2);
       if (value.a != 0) cut(q / value.a);
       if (q != 0) cut(value.c / q);
     }
-    std::sort(cuts.begin(), cuts.end());
-    cuts.push_back(part.to);
-    for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
+    if (count == 3 && cuts[2] < cuts[1]) std::swap(cuts[1], cuts[2]);
+    cuts[count++] = part.to;
+    for (std::size_t k = 0; k + 1 < count; ++k) {
       if (value.at((cuts[k] + cuts[k + 1]) / 2) < 0) continue;
-      if (!kept.empty() && kept.back().to == cuts[k]) {
+      if (k > 0 && !kept.empty() && kept.back().to == cuts[k]) {
         kept.back().to = cuts[k + 1];
       } else {
         kept.push_back({cuts[k], cuts[k + 1], part.value, part.feature});
       }
     }
   }
-  parts = std::move(kept);
+  parts.swap(kept);
 }
 
 template <class Real>
@@ -160,7 +162,8 @@ void ContactEnvelopes<Real>::add_point(const Frame& frame, std::uint32_t feature
   if (square == 0) return;
   const Real e = dot(w, frame.normal) * 2 / square, f = dot(w, frame.along) * 2 / square;
   const Quadratic value{-e, 2 * f, e};
-  Parts own{{frame.first, frame.last, value, feature}};
+  thread_local Parts own;
+  own.assign(1, {frame.first, frame.last, value, feature});
   keep_where({-value.a, -value.b, -value.c}, own);
   parts.insert(parts.end(), own.begin(), own.end());
 }
@@ -172,12 +175,12 @@ void ContactEnvelopes<Real>::add_line(const Frame& frame, std::uint32_t number,
   const std::uint32_t feature = curves_.edges[number].feature;
   const Vector<Real> w = frame.origin - edge.start;
   const Real height = dot(edge.normal, w), foot = dot(edge.along, w);
-  Parts own;
+  thread_local Parts own;
   if (frame.is_edge) {
     const Real lean = 1 - dot(edge.normal, frame.normal);
     if (!(lean > roundings<Real>().lean)) return;
     const Quadratic value{0, dot(edge.normal, frame.along) / lean, height / lean};
-    own = {{frame.first, frame.last, value, feature}};
+    own.assign(1, {frame.first, frame.last, value, feature});
     keep_where(value, own);
     const Real out = dot(edge.along, frame.normal);
     const Quadratic at{0, dot(edge.along, frame.along) + value.b * out, foot + value.c * out};
@@ -193,7 +196,7 @@ void ContactEnvelopes<Real>::add_line(const Frame& frame, std::uint32_t number,
     if (!(height > 0)) return;
     const Real e = dot(edge.normal, frame.normal), f = dot(edge.normal, frame.along);
     const Quadratic inverse{(1 + e) / height, -2 * f / height, (1 - e) / height};
-    own = {{frame.first, frame.last, {-inverse.a, -inverse.b, -inverse.c}, feature}};
+    own.assign(1, {frame.first, frame.last, {-inverse.a, -inverse.b, -inverse.c}, feature});
     // Of the foot, times the inverse radius and 1 + t².
     const Real c = dot(edge.along, frame.normal), s = dot(edge.along, frame.along);
     const auto times = [&](const Real& far) -> Quadratic {
@@ -210,7 +213,8 @@ void ContactEnvelopes<Real>::add_line(const Frame& frame, std::uint32_t number,
 template <class Real>
 typename ContactEnvelopes<Real>::Parts ContactEnvelopes<Real>::lowest(const Parts& a,
                                                                       const Parts& b) {
-  std::vector<Real> cuts;
+  thread_local std::vector<Real> cuts;
+  cuts.clear();
   for (const Parts* parts : {&a, &b}) {
     for (const Part& part : *parts) {
       cuts.push_back(part.from);
@@ -220,6 +224,7 @@ typename ContactEnvelopes<Real>::Parts ContactEnvelopes<Real>::lowest(const Part
   std::sort(cuts.begin(), cuts.end());
   cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
   Parts found;
+  found.reserve(cuts.size());
   const auto add = [&](const Real& from, const Real& to, const Part& part) {
     if (!found.empty() && found.back().to == from && found.back().feature == part.feature) {
       found.back().to = to;
@@ -227,6 +232,7 @@ typename ContactEnvelopes<Real>::Parts ContactEnvelopes<Real>::lowest(const Part
       found.push_back({from, to, part.value, part.feature});
     }
   };
+  thread_local Parts own;
   std::size_t i = 0, j = 0;
   for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
     const Real &from = cuts[k], &to = cuts[k + 1];
@@ -239,7 +245,7 @@ typename ContactEnvelopes<Real>::Parts ContactEnvelopes<Real>::lowest(const Part
       if (g != nullptr) add(from, to, *g);
       continue;
     }
-    Parts own{{from, to, f->value, f->feature}};
+    own.assign(1, {from, to, f->value, f->feature});
     const Quadratic difference{g->value.a - f->value.a, g->value.b - f->value.b,
                                g->value.c - f->value.c};
     keep_where(difference, own);
@@ -256,11 +262,14 @@ typename ContactEnvelopes<Real>::Parts ContactEnvelopes<Real>::lowest(const Part
 
 template <class Real>
 typename ContactEnvelopes<Real>::Parts ContactEnvelopes<Real>::envelope(
-    const std::vector<Parts>& all, std::size_t from, std::size_t to) {
-  if (to - from == 0) return {};
-  if (to - from == 1) return all[from];
-  const std::size_t middle = from + (to - from) / 2;
-  return lowest(envelope(all, from, middle), envelope(all, middle, to));
+    const Parts& all, std::span<const std::size_t> starts) {
+  if (starts.size() < 2) return {};
+  if (starts.size() == 2) {
+    const auto at = [&](std::size_t k) { return all.begin() + static_cast<std::ptrdiff_t>(k); };
+    return {at(starts[0]), at(starts[1])};
+  }
+  const std::size_t middle = starts.size() / 2;
+  return lowest(envelope(all, starts.first(middle + 1)), envelope(all, starts.subspan(middle)));
 }
 
 template <class Real>
@@ -298,36 +307,44 @@ typename ContactEnvelopes<Real>::Reach ContactEnvelopes<Real>::within(const Fram
     }
   }
   const OffsetPatch& own = curves_.patches[frame.patch];
-  std::vector<Parts> all;
-  std::set<std::uint32_t> points;
-  std::size_t count = 0;
-  // The sagitta of an arc, too.
-  lookup_.tree().query(grown(box, 1.5 * static_cast<double>(reach)), [&](std::uint32_t number) {
-    ++count;
+  Parts all;
+  std::vector<std::size_t> starts{0};
+  thread_local std::vector<std::uint32_t> near, seen;  // seen: the round in which a vertex was
+  thread_local std::uint32_t round = 0;
+  near.clear();
+  if (seen.size() < curves_.features.size()) seen.resize(curves_.features.size(), 0);
+  ++round;
+  // What meets a point is no farther from it than P; the sagitta of an arc, too.
+  const double margin = (frame.is_edge ? 1.0 : 1.3) * static_cast<double>(reach);
+  lookup_.tree().query(grown(box, margin), [&](std::uint32_t number) {
+    near.push_back(number);
+    return false;
+  });
+  seen[own.feature] = round;
+  if (own.edge != OffsetPatch::none) {
+    seen[curves_.edges[own.edge].start_feature] = round;
+    seen[curves_.edges[own.edge].end_feature] = round;
+  }
+  const auto end_part = [&] {
+    if (all.size() > starts.back()) starts.push_back(all.size());
+  };
+  for (const std::uint32_t number : near) {
+    if (number == own.edge) continue;
     const OffsetEdge& edge = curves_.edges[number];
-    if (number == own.edge) return false;
-    const auto add = [&](auto&& make) {
-      Parts parts;
-      make(parts);
-      if (!parts.empty()) all.push_back(std::move(parts));
-    };
     if (edge.start_feature != own.feature && edge.end_feature != own.feature) {
-      add([&](Parts& parts) { add_line(frame, number, parts); });
+      add_line(frame, number, all);
+      end_part();
     }
     for (const bool at_end : {false, true}) {
       const std::uint32_t feature = at_end ? edge.end_feature : edge.start_feature;
-      const bool is_own_end =
-          own.edge != OffsetPatch::none && (curves_.edges[own.edge].start_feature == feature ||
-                                            curves_.edges[own.edge].end_feature == feature);
-      if (feature == own.feature || is_own_end || !points.insert(feature).second) continue;
-      const Edge& near = edges_[number];
-      add([&](Parts& parts) {
-        add_point(frame, feature, at_end ? near.start + near.along : near.start, parts);
-      });
+      if (seen[feature] == round || !curves_.features[feature].has_arc) continue;
+      seen[feature] = round;
+      const Edge& near_edge = edges_[number];
+      add_point(frame, feature, at_end ? near_edge.start + near_edge.along : near_edge.start, all);
+      end_part();
     }
-    return false;
-  });
-  Reach result{envelope(all, 0, all.size()), count == curves_.edges.size(), false, 0};
+  }
+  Reach result{envelope(all, starts), near.size() == curves_.edges.size(), false, 0};
   Real covered = 0;
   for (const Part& part : result.lowest) {
     covered += part.to - part.from;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "reference/disc/edge_lookup.hpp"
@@ -51,7 +52,7 @@ class ContactEnvelopes {
   Reach within(const Frame& frame, const Real& reach) const;
   static void keep_where(const Quadratic& value, Parts& parts);
   static Parts lowest(const Parts& a, const Parts& b);
-  static Parts envelope(const std::vector<Parts>& all, std::size_t from, std::size_t to);
+  static Parts envelope(const Parts& all, std::span<const std::size_t> starts);
   std::vector<FirstContact> found(const Frame& frame, Parts parts) const;
 
   const EdgeLookup& lookup_;

@@ -126,28 +126,25 @@ void name_holes(std::vector<OffsetHole>& holes) {
 
 }  // namespace
 
-std::uint32_t OffsetHistory::holes_in(std::uint32_t gap) const {
-  return static_cast<std::uint32_t>(
-      std::count_if(holes.begin(), holes.end(),
-                    [&](const OffsetHole& hole) { return hole.birth <= gap && gap < hole.end; }));
+/// A hole is an open set, and is there at the radius of its birth.
+std::uint32_t OffsetHistory::holes(const OffsetIndex::Place& at) const {
+  return static_cast<std::uint32_t>(std::count_if(
+      all_holes.begin(), all_holes.end(),
+      [&](const OffsetHole& hole) { return hole.birth <= at.gap && at.gap < hole.end; }));
 }
 
-std::uint32_t OffsetHistory::components_in(std::uint32_t gap) const {
-  const auto last = std::partition_point(
-      joins.begin(), joins.end(), [&](const ComponentJoin& join) { return join.radius <= gap; });
-  return polygons - static_cast<std::uint32_t>(last - joins.begin());
-}
-
-std::uint32_t OffsetHistory::components_at(std::uint32_t gap) const {
+/// Where components only touch they are not one yet.
+std::uint32_t OffsetHistory::components(const OffsetIndex::Place& at) const {
   return polygons - static_cast<std::uint32_t>(
                         std::count_if(joins.begin(), joins.end(), [&](const ComponentJoin& join) {
-                          return join.radius <= gap || (join.radius == gap + 1 && join.at_radius);
+                          if (at.at_event && join.radius == at.gap) return join.at_radius;
+                          return join.radius <= at.gap;
                         }));
 }
 
 OffsetHistory offset_history(const OffsetIndex& index) {
   OffsetHistory history{Parts(index).holes(), {}, 0};
-  name_holes(history.holes);
+  name_holes(history.all_holes);
   const DiagramGraph& graph = index.graph();
   const DiagramEvents& diagram = index.diagram();
   const auto polygon_of = [&](std::uint32_t side) {

@@ -9,7 +9,7 @@
 namespace minkref::inline disc {
 
 /// A hole that is there for radii from that of its birth on and below that of its end. Radii are
-/// counted as in OffsetIndex::gap: that of birth is 0 of a hole of P.
+/// numbered from 1 on, as in OffsetIndex; that of birth is 0 of a hole of P.
 struct OffsetHole {
   std::uint32_t birth, end;
   std::uint32_t born_at, ends_at;  ///< events; no first one of a hole of P
@@ -29,16 +29,12 @@ struct ComponentJoin {
 /// of the distance from P is the end of one hole (the elder rule). Where two end at one radius the
 /// one whose last event comes first in the list goes on.
 struct OffsetHistory {
-  std::vector<OffsetHole> holes;     ///< from 1 on, by birth, then by end, the last first
-  std::vector<ComponentJoin> joins;  ///< ascending
+  std::vector<OffsetHole> all_holes;  ///< from 1 on, by birth, then by end, the last first
+  std::vector<ComponentJoin> joins;   ///< ascending
   std::uint32_t polygons;
 
-  /// At all radii of a gap, and at the radius of events below it.
-  std::uint32_t holes_in(std::uint32_t gap) const;
-  /// At all radii of a gap.
-  std::uint32_t components_in(std::uint32_t gap) const;
-  /// At the radius of events that ends a gap.
-  std::uint32_t components_at(std::uint32_t gap) const;
+  std::uint32_t holes(const OffsetIndex::Place& at) const;
+  std::uint32_t components(const OffsetIndex::Place& at) const;
 };
 
 /// Exact. O(n log n).

@@ -82,20 +82,21 @@ void OffsetIndex::place_joints() {
   }
 }
 
-std::optional<std::uint32_t> OffsetIndex::gap(const Rational& squared_radius) const {
+OffsetIndex::Place OffsetIndex::place(const Rational& squared_radius) const {
   const Rational squared = squared_radius * diagram_.factor * diagram_.factor;
   const Interval near(squared);
   const auto first = std::partition_point(radii_.begin(), radii_.end(), [&](const Radius& radius) {
     return radius.squared.upper() < near.lower();
   });
   auto found = first;
-  for (; found != radii_.end() && found->squared.lower() <= near.upper(); ++found) {
+  bool at_event = false;
+  for (; found != radii_.end() && found->squared.lower() <= near.upper() && !at_event; ++found) {
     const int order = compare(diagram_.exact(diagram_.events[found->event]).squared_radius,
                               RootNumber(squared_radius));
-    if (order == 0) return std::nullopt;
     if (order > 0) break;
+    at_event = order == 0;
   }
-  return static_cast<std::uint32_t>(found - radii_.begin());
+  return {static_cast<std::uint32_t>(found - radii_.begin()), at_event};
 }
 
 std::uint32_t OffsetIndex::sides_between(std::uint32_t walk, std::uint32_t entry,

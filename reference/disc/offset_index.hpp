@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "reference/disc/corner_motion.hpp"
@@ -63,9 +62,12 @@ class OffsetIndex {
   std::uint32_t low(std::uint32_t half) const { return low_[half]; }
   std::uint32_t high(std::uint32_t half) const { return high_[half]; }
 
-  /// How many radii of events are below one, whose square is given; none if it is one of them.
-  /// Exact. O(log n).
-  std::optional<std::uint32_t> gap(const Rational& squared_radius) const;
+  struct Place {
+    std::uint32_t gap;  ///< how many radii of events are not above
+    bool at_event;      ///< the last of them is this one
+  };
+  /// Where a radius is among those of the events, by its square. Exact. O(log n).
+  Place place(const Rational& squared_radius) const;
 
   /// The boundary at the radii of a gap. O(n), without branches, for n halves of the diagram.
   void boundary(std::uint32_t gap, IndexBoundary& found) const;

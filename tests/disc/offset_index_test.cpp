@@ -68,13 +68,15 @@ void check_gaps(const Built& built, testing::Source& random, int most) {
     const Rational low = built.low(gap), high = built.high(gap);
     if (low >= high) continue;
     const Rational radius = low + (high - low) * random.between(1, 9) / 10;
-    ASSERT_EQ(built.index.gap(radius * radius), gap);
+    const OffsetIndex::Place place = built.index.place(radius * radius);
+    ASSERT_EQ(place.gap, gap);
+    ASSERT_FALSE(place.at_event);
     const OffsetRegion expected = offset_region(built.P, radius * radius);
     const IndexRegion found = regions.at(gap);
     ASSERT_EQ(canonical_json(found.form, built.curves, radius * radius), canonical_json(expected));
     ASSERT_EQ(found.holes, expected.holes);
-    ASSERT_EQ(built.history.holes_in(gap), expected.holes);
-    ASSERT_EQ(built.history.components_in(gap), components(expected));
+    ASSERT_EQ(built.history.holes(place), expected.holes);
+    ASSERT_EQ(built.history.components(place), components(expected));
     ASSERT_NO_FATAL_FAILURE(expect_vertices(built, gap, radius, expected));
   }
 }
@@ -89,9 +91,11 @@ std::size_t check_events(const Built& built) {
     if (polynomial.size() != 2) continue;
     ++looked_at;
     const OffsetRegion expected = offset_region(built.P, -polynomial[0]);
-    EXPECT_FALSE(built.index.gap(-polynomial[0]));
-    EXPECT_EQ(built.history.holes_in(k + 1), expected.holes) << k;
-    EXPECT_EQ(built.history.components_at(k), components(expected)) << k;
+    const OffsetIndex::Place place = built.index.place(-polynomial[0]);
+    EXPECT_TRUE(place.at_event);
+    EXPECT_EQ(place.gap, k + 1);
+    EXPECT_EQ(built.history.holes(place), expected.holes) << k;
+    EXPECT_EQ(built.history.components(place), components(expected)) << k;
   }
   return looked_at;
 }
@@ -130,11 +134,11 @@ TEST(OffsetIndex, OfAPointASegmentAndNothing) {
 TEST(OffsetIndex, FollowsAHole) {
   const Ring outer{{0, 0}, {8, 0}, {8, 8}, {0, 8}}, hole{{2, 2}, {2, 6}, {6, 6}, {6, 2}};
   const Built built(PolygonSet{{{outer, {hole}}}});
-  ASSERT_EQ(built.history.holes.size(), 1U);
-  EXPECT_EQ(built.history.holes[0].birth, 0U);
-  EXPECT_EQ(built.history.holes[0].from, 0U);
+  ASSERT_EQ(built.history.all_holes.size(), 1U);
+  EXPECT_EQ(built.history.all_holes[0].birth, 0U);
+  EXPECT_EQ(built.history.all_holes[0].from, 0U);
   const DiagramEvents& diagram = built.index.diagram();
-  EXPECT_EQ(diagram.exact(diagram.events[built.history.holes[0].ends_at]).squared_radius,
+  EXPECT_EQ(diagram.exact(diagram.events[built.history.all_holes[0].ends_at]).squared_radius,
             RootNumber(4));
 }
 
@@ -145,8 +149,8 @@ TEST(OffsetIndex, NamesTheHoleThatEndsLast) {
   const Ring hole{{2, 2},   {2, 18}, {18, 18}, {18, 11}, {20, 11}, {20, 16},
                   {30, 16}, {30, 4}, {20, 4},  {20, 9},  {18, 9},  {18, 2}};
   const Built built(PolygonSet{{{outer, {hole}}}});
-  ASSERT_EQ(built.history.holes.size(), 2U);
-  const OffsetHole &first = built.history.holes[0], &second = built.history.holes[1];
+  ASSERT_EQ(built.history.all_holes.size(), 2U);
+  const OffsetHole &first = built.history.all_holes[0], &second = built.history.all_holes[1];
   EXPECT_EQ(first.birth, 0U);
   EXPECT_EQ(second.from, 1U);
   EXPECT_LT(second.end, first.end);
@@ -162,8 +166,8 @@ TEST(OffsetIndex, JoinsFacingSquares) {
   const Built built(PolygonSet{{{a, {}}, {b, {}}}});
   ASSERT_EQ(built.history.joins.size(), 1U);
   EXPECT_TRUE(built.history.joins[0].at_radius);
-  EXPECT_EQ(built.history.components_in(0), 2U);
-  EXPECT_EQ(built.history.components_at(0), 1U);
+  EXPECT_EQ(built.history.components({0, false}), 2U);
+  EXPECT_EQ(built.history.components({1, true}), 1U);
 }
 
 }  // namespace

@@ -1,0 +1,194 @@
+// All radii of a sum with a disc, in Python.
+#include <nanobind/ndarray.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "python/core.hpp"
+#include "python/core_build.hpp"
+#include "python/stopwatch.hpp"
+#include "python/vector_caster.hpp"
+#include "reference/disc/index_region.hpp"
+#include "reference/disc/offset_region.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace minkref::python {
+namespace {
+
+struct DiscIndex {
+  DiscIndex(PolygonSet set, const BuildOptions& options)
+      : P(std::move(set)),
+        curves(offset_curves(P)),
+        index(P, options),
+        history(offset_history(index)),
+        regions(index, history, curves) {}
+
+  Rational square(const std::string& text) const {
+    Rational value = parse_rational(text);
+    if (value <= 0) {
+      throw BadInput("bad-radius", "the square of the radius is " + text, "give a radius above 0");
+    }
+    return value;
+  }
+  std::pair<double, double> radius(std::uint32_t number) const {
+    const Interval bounds =
+        index.diagram().radius(index.diagram().events[index.event_at(number - 1)]);
+    return {bounds.lower(), bounds.upper()};
+  }
+
+  PolygonSet P;
+  OffsetCurves curves;
+  OffsetIndex index;
+  OffsetHistory history;
+  IndexRegions regions;
+  double seconds = 0;
+};
+
+/// Parts of the boundary at one radius, ring by ring.
+struct Vertices {
+  IndexBoundary boundary;
+  std::vector<BoundedPoint> points;
+  std::vector<std::uint32_t> starts;
+};
+
+void find_vertices(const DiscIndex& self, double radius, Vertices& found) {
+  const Rational exact = from_double(radius);
+  const std::uint32_t gap = self.index.place(exact * exact).gap;
+  self.index.boundary(gap, found.boundary);
+  self.index.vertices(found.boundary, Interval(radius), found.points, found.starts);
+}
+
+nb::object as_arrays(std::unique_ptr<Vertices> found) {
+  static_assert(sizeof(BoundedPoint) == 3 * sizeof(double));
+  Vertices* all = found.release();
+  const nb::capsule owner(all, [](void* p) noexcept { delete static_cast<Vertices*>(p); });
+  using Points = nb::ndarray<nb::numpy, const double>;
+  using Starts = nb::ndarray<nb::numpy, const std::uint32_t>;
+  const double* points = all->points.empty() ? nullptr : &all->points.front().x;
+  return nb::make_tuple(Points(points, {all->points.size(), 3}, owner),
+                        Starts(all->starts.data(), {all->starts.size()}, owner));
+}
+
+/// Birth and end, by bounds of their radii, none of a hole of P; the place where it ends, rounded;
+/// the number of the hole that it was a part of.
+using HoleRow = std::tuple<std::optional<std::pair<double, double>>, std::pair<double, double>,
+                           std::pair<double, double>, std::uint32_t>;
+
+std::vector<HoleRow> holes(const DiscIndex& self) {
+  std::vector<HoleRow> rows;
+  const DiagramEvents& diagram = self.index.diagram();
+  for (const OffsetHole& hole : self.history.all_holes) {
+    const auto place = diagram.place(diagram.events[hole.ends_at]);
+    std::optional<std::pair<double, double>> birth;
+    if (hole.birth > 0) birth = self.radius(hole.birth);
+    rows.emplace_back(birth, self.radius(hole.end),
+                      std::pair(approximate(place.x), approximate(place.y)), hole.from);
+  }
+  return rows;
+}
+
+/// The radius from which two polygons of P, by number, are in one component; none where they touch.
+using JoinRow = std::tuple<std::optional<std::pair<double, double>>, std::uint32_t, std::uint32_t>;
+
+std::vector<JoinRow> joins(const DiscIndex& self) {
+  std::vector<JoinRow> rows;
+  for (const ComponentJoin& join : self.history.joins) {
+    std::optional<std::pair<double, double>> radius;
+    if (join.radius > 0) radius = self.radius(join.radius);
+    rows.emplace_back(radius, join.a, join.b);
+  }
+  return rows;
+}
+
+}  // namespace
+
+void bind_disc_index(nb::module_& module) {
+  nb::class_<DiscIndex>(module, "DiscIndex", "P + a disc at all radii.")
+      .def("__len__", [](const DiscIndex& self) { return self.index.radii(); })
+      .def_ro("seconds", &DiscIndex::seconds, "Of the build.")
+      .def_prop_ro("exact_signs",
+                   [](const DiscIndex& self) { return self.index.diagram().exact_signs; })
+      .def_prop_ro(
+          "parts", [](const DiscIndex& self) { return self.index.graph().halves.size() / 2; },
+          "Of the outer Voronoi diagram, on each of which the radius grows or shrinks.")
+      .def(
+          "radii",
+          [](const DiscIndex& self) {
+            std::vector<std::pair<double, double>> all;
+            for (std::uint32_t k = 1; k <= self.index.radii(); ++k) all.push_back(self.radius(k));
+            return all;
+          },
+          "Bounds of the radii of events, ascending, each once.")
+      .def(
+          "counts",
+          [](const DiscIndex& self, const std::string& squared_radius) {
+            const auto place = self.index.place(self.square(squared_radius));
+            return std::pair(self.history.components(place), self.history.holes(place));
+          },
+          "squared_radius"_a, "(components, holes) at a radius, exact, events too.")
+      .def(
+          "at_event",
+          [](const DiscIndex& self, const std::string& squared_radius) {
+            return self.index.place(self.square(squared_radius)).at_event;
+          },
+          "squared_radius"_a, "Whether a radius is that of an event. Exact.")
+      .def(
+          "canonical_json",
+          [](const DiscIndex& self, const std::string& squared_radius) {
+            const Rational square = self.square(squared_radius);
+            const auto place = self.index.place(square);
+            if (place.at_event) return canonical_json(offset_region(self.P, square));
+            return canonical_json(self.regions.at(place.gap).form, self.curves, square);
+          },
+          "squared_radius"_a, Released(),
+          "The canonical form: read off, or at the radius of an event the static sum.")
+      .def(
+          "vertices",
+          [](const DiscIndex& self, double radius) {
+            auto found = std::make_unique<Vertices>();
+            find_vertices(self, radius, *found);
+            return as_arrays(std::move(found));
+          },
+          "radius"_a,
+          nb::sig("def vertices(self, radius: float) -> tuple[typing.Any, typing.Any]"),
+          "x, y and a bound of the error of each vertex of the boundary, ring by ring, the sum on "
+          "the left; and where rings start. At the radius of an event those just above.")
+      .def("holes", &holes,
+           "(birth or None, end, place of the end, hole that it was a part of), numbered from 1.")
+      .def("joins", &joins, "(radius or None, polygon, polygon): from where on components are one.")
+      .def(
+          "seconds_of_queries",
+          [](const DiscIndex& self, const std::vector<double>& radii, unsigned rounds) {
+            Vertices found;
+            for (const double radius : radii) find_vertices(self, radius, found);
+            const Stopwatch watch;
+            for (unsigned k = 0; k < rounds; ++k) {
+              for (const double radius : radii) find_vertices(self, radius, found);
+            }
+            return watch.seconds() / rounds;
+          },
+          "radii"_a, "rounds"_a = 1, Released(),
+          "Of all vertices at each of some radii, without Python.");
+  module.def(
+      "disc_index",
+      [](const Set& P, unsigned threads) -> DiscIndex* {
+        const Stopwatch watch;
+        auto index = std::make_unique<DiscIndex>(P.value, build_on(threads));
+        index->seconds = watch.seconds();
+        return index.release();
+      },
+      "P"_a, "threads"_a = 1, Released(),
+      "P + a disc about the origin at all radii. Raises BadInput, LimitExceeded.");
+}
+
+}  // namespace minkref::python

@@ -1,0 +1,167 @@
+"""The index of all radii of a sum with a disc: what is read off is the static sum, at any radius;
+how quick it is."""
+
+from __future__ import annotations
+
+import json
+import random
+import statistics
+from collections import Counter
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Any
+
+from minkref import _core
+from minkref.fuzz.judges.offset_cgal import OffsetJudge
+from minkref.fuzz.judges.offset_comparison import grid_set
+from minkref.reports.evidence.framework.in_processes import in_processes
+from minkref.reports.evidence.framework.operands import operand, tell_absent
+from minkref.reports.evidence.framework.part import AGAINST_CGAL, Findings
+
+SUBJECT = (
+    "The index of all radii of a sum with a disc: canonical form, components and holes read off at "
+    "1,000 radii of each of the paper's polygons, between events and at those of rational square, "
+    "are those of the static sum; sets of cells of a grid too. Seconds to build and of a query of "
+    "all vertices, with bounds, against CGAL's approximated and exact offsets in one run."
+)
+MINUTES = (25, 0.2)
+DEPENDS = (*AGAINST_CGAL, "reports/evidence/disc_sums.py")
+
+SEED = 1911
+SETS, QUICK_SETS = 1000, 40
+RADII, QUICK_RADII = 1000, 10
+LARGE = ("neuron", "monkey", "bird")
+ROUNDS = 20
+BUILDS = 5
+TOLERANCE = 1e-3  # of CGAL's approximated offset, as a part of the radius
+EXACT_SECONDS = 120.0
+
+
+@dataclass
+class Looked:
+    counts: Counter[str] = field(default_factory=Counter)
+    faults: list[str] = field(default_factory=list)
+
+
+def compare_at(index: _core.DiscIndex, P: _core.PolygonSet, square: Fraction, looked: Looked,
+               where: str) -> None:  # fmt: skip
+    text = str(square)
+    static = _core.offset(P, text)
+    looked.counts["at events" if index.at_event(text) else "between events"] += 1
+    looked.counts["holes"] += static.holes
+    same_form = index.canonical_json(text) == static.canonical_json()
+    if not same_form or index.counts(text) != (static.components, static.holes):
+        looked.faults.append(f"{where}, squared radius {square}")
+
+
+def squares(index: _core.DiscIndex, P: _core.PolygonSet, wanted: int,
+            source: random.Random) -> list[Fraction]:  # fmt: skip
+    """Squared radii: half in gaps between events, drawn by number; half at events of rational
+    square, as many as there are."""
+    bounds = index.radii()
+    rational = [
+        Fraction(square)
+        for _, square, _, _, _, _ in _core.diagram_events(P).rows(0, 10**9)
+        if square is not None
+    ]
+    found = source.sample(rational, min(wanted // 2, len(rational)))
+    while bounds and len(found) < wanted:
+        gap = source.randint(0, len(bounds))
+        low = Fraction(bounds[gap - 1][1]) if gap > 0 else Fraction(0)
+        high = Fraction(bounds[gap][0]) if gap < len(bounds) else 2 * low + 1
+        if low < high:
+            part = Fraction(source.randint(1, 99), 100)
+            near = (low + (high - low) * part).limit_denominator(int(100 / (high - low)) + 1000)
+            found.append(near**2 if near > 0 else high**2 / 4)
+    return found
+
+
+def of_grid(number: int) -> Looked:
+    looked = Looked()
+    source = random.Random(f"minkref disc index {SEED}:{number}")
+    P = grid_set(source)
+    if P.is_empty:
+        return looked
+    index = _core.disc_index(P)
+    looked.counts["sets"] += 1
+    for square in squares(index, P, 6, source):
+        compare_at(index, P, square, looked, f"grid {number}")
+    return looked
+
+
+def of_model(task: tuple[str, int, int]) -> Looked:
+    name, part, count = task
+    looked = Looked()
+    P = operand(name).set
+    index = _core.disc_index(P)
+    for square in squares(index, P, count, random.Random(f"minkref disc index {name}:{part}")):
+        compare_at(index, P, square, looked, name)
+    return looked
+
+
+def run(findings: Findings, quick: bool) -> None:
+    tell_absent(findings, *LARGE)
+    all_looked = Looked()
+    models = LARGE[-1:] if quick else LARGE
+    count = QUICK_RADII if quick else RADII // 20
+    tasks = [(name, part, count) for name in models for part in range(1 if quick else 20)]
+    speeds = [_speed(name, quick, findings) for name in models]
+    for looked in in_processes(of_grid, range(QUICK_SETS if quick else SETS), each=20):
+        all_looked.counts.update(looked.counts)
+        all_looked.faults += looked.faults
+    for looked in in_processes(of_model, tasks, each=1):
+        all_looked.counts.update(looked.counts)
+        all_looked.faults += looked.faults
+    counts = all_looked.counts
+    findings.none("radii at which what is read off is not the static sum", all_looked.faults)
+    looked_at = counts["at events"] + counts["between events"]
+    wanted = 100 if quick else 7000
+    findings.law("radii compared", looked_at >= wanted, f"{wanted:,}", f"{looked_at:,}")
+    findings.note(
+        f"seed {SEED}: {counts['sets']:,} sets of cells and {len(models)} large polygons, "
+        f"{counts['between events']:,} radii between events, {counts['at events']:,} at events; "
+        f"{counts['holes']:,} holes in all"
+    )
+    findings.figures = {"counts": dict(counts), "speed": speeds}
+
+
+def _speed(name: str, quick: bool, findings: Findings) -> dict[str, Any]:
+    known, P = operand(name).name, operand(name).set
+    builds = [_core.disc_index(P, 2) for _ in range(1 if quick else BUILDS)]
+    build = statistics.median(index.seconds for index in builds)
+    index = builds[0]
+    bounds = [low for low, _ in index.radii()]
+    radii = [bounds[k * (len(bounds) - 1) // 100] * 1.0000001 for k in range(100)]
+    query = min(index.seconds_of_queries(radii, ROUNDS) for _ in range(5)) / len(radii)
+    xmin, ymin, xmax, ymax = P.bounding_box()
+    radius = Fraction(round(float(max(xmax - xmin, ymax - ymin)) / 100 * 1000), 1000)
+    one = min(index.seconds_of_queries([float(radius)], ROUNDS) for _ in range(5))
+    points, _ = index.vertices(float(radius))
+    row: dict[str, Any] = {"model": known, "build": build, "query": query, "one": one,
+                           "events": len(index), "parts": index.parts}  # fmt: skip
+    with OffsetJudge(20.0 if quick else EXACT_SECONDS) as judge:
+        rings = json.loads(P.canonical_json())
+        near = judge.seconds_near(rings, radius, TOLERANCE * float(radius))
+        exact = None if quick else judge.offset(rings, radius).seconds
+    row |= {"cgal_near": near, "cgal_exact": exact}
+    findings.note(
+        f"{known} ({P.vertices:,} vertices): {len(index):,} radii of events, {index.parts:,} parts "
+        f"of the diagram; built in {build:.3f} s on two threads; a query of all vertices "
+        f"{query * 1e6:.1f} µs in the mean of 100 radii, {one * 1e6:.1f} µs at radius {radius}, "
+        f"{len(points):,} vertices, the largest bound of an error "
+        f"{max((float(p[2]) for p in points), default=0):.1g}; CGAL's approximated offset there "
+        f"{_told(near)}, its exact one {_told(exact)}"
+    )
+    if name == "neuron":
+        findings.target(f"{known}: seconds to build the index, two threads", build <= 0.3,
+                        "at most 0.3", f"{build:.3f}")  # fmt: skip
+        for what, theirs, wanted in (("approximated", near, 10_000), ("exact", exact, 500_000)):
+            ratio = None if theirs is None else theirs / one
+            findings.target(f"{known}: CGAL's {what} offset over a query at radius {radius}",
+                            ratio is not None and ratio >= wanted, f"{wanted:,}",
+                            "no answer" if ratio is None else f"{ratio:,.0f}")  # fmt: skip
+    return row
+
+
+def _told(seconds: float | None) -> str:
+    return "has no answer" if seconds is None else f"{seconds:.2f} s"
