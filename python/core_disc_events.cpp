@@ -14,9 +14,9 @@
 
 #include "python/core.hpp"
 #include "python/core_build.hpp"
+#include "python/diagram_row.hpp"
 #include "python/stopwatch.hpp"
 #include "python/vector_caster.hpp"
-#include "reference/disc/diagram_events.hpp"
 #include "reference/number/radicals/polynomial.hpp"
 
 namespace nb = nanobind;
@@ -30,13 +30,7 @@ struct TimedDiagramEvents {
   double seconds;
 };
 
-/// "vertex" and its coordinates, or "edge" with the ring and the number of its first vertex.
-using FeatureName = std::tuple<std::string, std::string, std::string>;
-/// Kind; the squared radius, if it is known to be rational; a polynomial that it is a root of, the
-/// lowest coefficient first; bounds of the radius; the place, rounded; the features.
-using DiagramRow =
-    std::tuple<std::string, std::optional<std::string>, std::vector<std::string>,
-               std::pair<double, double>, std::pair<double, double>, std::vector<FeatureName>>;
+}  // namespace
 
 const char* name(DiagramEvent::Kind kind) {
   switch (kind) {
@@ -54,7 +48,7 @@ const char* name(DiagramEvent::Kind kind) {
   return "";
 }
 
-DiagramRow row(const DiagramEvents& found, const DiagramEvent& event) {
+DiagramRow diagram_row(const DiagramEvents& found, const DiagramEvent& event) {
   const Polynomial polynomial =
       without_multiple_roots(found.exact(event).squared_radius.polynomial());
   std::vector<std::string> coefficients;
@@ -82,7 +76,14 @@ DiagramRow row(const DiagramEvents& found, const DiagramEvent& event) {
           features};
 }
 
-}  // namespace
+std::vector<DiagramRow> diagram_rows(const DiagramEvents& found, std::size_t first,
+                                     std::size_t count) {
+  std::vector<DiagramRow> rows;
+  for (std::size_t k = first; k < found.events.size() && k - first < count; ++k) {
+    rows.push_back(diagram_row(found, found.events[k]));
+  }
+  return rows;
+}
 
 void bind_disc_events(nb::module_& module) {
   nb::class_<TimedDiagramEvents>(module, "DiagramEvents",
@@ -103,12 +104,7 @@ void bind_disc_events(nb::module_& module) {
       .def(
           "rows",
           [](const TimedDiagramEvents& self, std::size_t first, std::size_t count) {
-            const auto& all = self.found.events;
-            std::vector<DiagramRow> rows;
-            for (std::size_t k = first; k < all.size() && k - first < count; ++k) {
-              rows.push_back(row(self.found, all[k]));
-            }
-            return rows;
+            return diagram_rows(self.found, first, count);
           },
           "first"_a, "count"_a, Released(),
           "(kind, squared radius or None, polynomial, bounds of the radius, place, features).");

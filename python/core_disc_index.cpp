@@ -5,6 +5,7 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,6 +15,7 @@
 
 #include "python/core.hpp"
 #include "python/core_build.hpp"
+#include "python/diagram_row.hpp"
 #include "python/stopwatch.hpp"
 #include "python/vector_caster.hpp"
 #include "reference/disc/index_region.hpp"
@@ -97,6 +99,38 @@ std::vector<HoleRow> holes(const DiscIndex& self) {
   return rows;
 }
 
+/// What becomes of holes and components at an event: holes that are born, each with the one that it
+/// was a part of; holes that end; polygons of P whose components join.
+struct EventChanges {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> born;
+  std::vector<std::uint32_t> ended;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> joined;
+};
+
+/// By number of the event, and that of its radius.
+using ChangeRow = std::tuple<std::uint32_t, std::uint32_t,
+                             std::vector<std::pair<std::uint32_t, std::uint32_t>>,
+                             std::vector<std::uint32_t>,
+                             std::vector<std::pair<std::uint32_t, std::uint32_t>>>;
+
+std::vector<ChangeRow> changes(const DiscIndex& self) {
+  std::map<std::uint32_t, EventChanges> of_event;
+  for (std::uint32_t k = 0; k < self.history.all_holes.size(); ++k) {
+    const OffsetHole& hole = self.history.all_holes[k];
+    if (hole.birth > 0) of_event[hole.born_at].born.emplace_back(k + 1, hole.from);
+    of_event[hole.ends_at].ended.push_back(k + 1);
+  }
+  for (const ComponentJoin& join : self.history.joins) {
+    if (join.radius > 0) of_event[join.event].joined.emplace_back(join.a, join.b);
+  }
+  std::vector<ChangeRow> rows;
+  for (auto& [event, all] : of_event) {
+    rows.emplace_back(event, self.index.radius_number(event), std::move(all.born),
+                      std::move(all.ended), std::move(all.joined));
+  }
+  return rows;
+}
+
 /// The radius from which two polygons of P, by number, are in one component; none where they touch.
 using JoinRow = std::tuple<std::optional<std::pair<double, double>>, std::uint32_t, std::uint32_t>;
 
@@ -163,6 +197,34 @@ void bind_disc_index(nb::module_& module) {
           nb::sig("def vertices(self, radius: float) -> tuple[typing.Any, typing.Any]"),
           "x, y and a bound of the error of each vertex of the boundary, ring by ring, the sum on "
           "the left; and where rings start. At the radius of an event those just above.")
+      .def(
+          "place",
+          [](const DiscIndex& self, const std::string& squared_radius) {
+            const auto place = self.index.place(parse_rational(squared_radius));
+            return std::pair(place.gap, place.at_event);
+          },
+          "squared_radius"_a,
+          "How many radii of events are not above one, and whether the last is this. Exact.")
+      .def(
+          "rows",
+          [](const DiscIndex& self, std::size_t first, std::size_t count) {
+            return diagram_rows(self.index.diagram(), first, count);
+          },
+          "first"_a, "count"_a, Released(), "Events as DiagramEvents.rows has them.")
+      .def(
+          "kinds",
+          [](const DiscIndex& self) {
+            std::vector<std::string> kinds;
+            for (const DiagramEvent& event : self.index.diagram().events) {
+              kinds.emplace_back(name(event.kind));
+            }
+            return kinds;
+          },
+          "Of all events, in order.")
+      .def("changes", &changes,
+           "(event, number of its radius from 1 on, holes that are born and the hole that each was "
+           "a part of, holes that end, polygons whose components join), of events at which there "
+           "are any.")
       .def("holes", &holes,
            "(birth or None, end, place of the end, hole that it was a part of), numbered from 1.")
       .def("joins", &joins, "(radius or None, polygon, polygon): from where on components are one.")

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 import sys
+from collections.abc import Iterator
 from fractions import Fraction
 from itertools import islice
 from pathlib import Path
@@ -22,10 +23,8 @@ from minkref.output_target import target_of
 from minkref.terminal import console, counted
 
 FORMATS = ("json", "jsonl")
-KINDS = {
-    "boundary": ("corner", "joint", "saddle", "ridge", "maximum"),
-    "topology": ("saddle", "ridge", "maximum"),
-}
+KINDS = ("boundary", "topology")
+KINDS_OF_PLACES = ("corner", "joint", "saddle", "ridge", "maximum")
 SHOWN = 10  # events that people see
 Row = dict[str, Any]
 
@@ -72,13 +71,11 @@ def events_with_disc(
         if output is not None:
             refuse_overwriting(output, [operand.file])
         squares = [None if bound is None else str(bound**2) for bound in bounds]
-        found = refusing(
-            operand.name, lambda: _core.diagram_events(operand.set, cores(), squares[0], squares[1])
+        listed: Boundary | Topology = refusing(
+            operand.name,
+            lambda: (Boundary if chosen == KINDS[0] else Topology)(operand.set, squares),
         )
-    kinds = found.kinds()
-    counts = {name: kinds.count(name) for name in KINDS["boundary"]}
-    wanted = [k for k, name in enumerate(kinds) if name in KINDS[chosen]]
-    rows = (_row(found, k) for k in wanted[:limit])
+    rows = listed.rows(limit)
     head = document(
         "events",
         watch,
@@ -89,10 +86,10 @@ def events_with_disc(
         kind=chosen,
         warnings=operand.warnings,
         output=str(output) if output else None,
-        compute_seconds=found.seconds,
-        exact_signs=found.exact_signs,
-        counts=counts,
-        count=len(wanted),
+        compute_seconds=listed.seconds,
+        exact_signs=listed.exact_signs,
+        counts={name: listed.kinds.count(name) for name in KINDS_OF_PLACES},
+        count=len(listed.kinds),
     )
     if target is not None and target.form == "jsonl":
         target.write_pieces(json.dumps(row) + "\n" for row in rows)
@@ -107,9 +104,53 @@ def events_with_disc(
         _print(head, shown)
 
 
-def _row(found: _core.DiagramEvents, number: int) -> Row:
-    """Its numbers are made exact now, which takes the most time."""
-    ((kind, square, polynomial, radius, place, features),) = found.rows(number, 1)
+class Boundary:
+    """All events in a window of squared radii."""
+
+    def __init__(self, P: _core.PolygonSet, squares: list[str | None]) -> None:
+        self._found = _core.diagram_events(P, cores(), squares[0], squares[1])
+        self.seconds = self._found.seconds
+        self.exact_signs = self._found.exact_signs
+        self.kinds = self._found.kinds()
+
+    def rows(self, limit: int | None) -> Iterator[Row]:
+        """Their numbers are made exact one by one, which takes the most time."""
+        for number in range(len(self.kinds))[:limit]:
+            yield {**_row(self._found.rows(number, 1)[0]), "changes": None}
+
+
+class Topology:
+    """Those at which holes or components change."""
+
+    def __init__(self, P: _core.PolygonSet, squares: list[str | None]) -> None:
+        self._index = _core.disc_index(P, cores())
+        self.seconds = self._index.seconds
+        self.exact_signs = self._index.exact_signs
+        changes = self._index.changes()
+        first, last = 1, len(self._index)
+        if squares[0] is not None:
+            place, at_event = self._index.place(squares[0])
+            first = place if at_event else place + 1
+        if squares[1] is not None:
+            last = self._index.place(squares[1])[0]
+        self._changes = [change for change in changes if first <= change[1] <= last]
+        kinds = self._index.kinds()
+        self.kinds = [kinds[change[0]] for change in self._changes]
+
+    def rows(self, limit: int | None) -> Iterator[Row]:
+        for event, _, born, ended, joined in self._changes[:limit]:
+            yield {
+                **_row(self._index.rows(event, 1)[0]),
+                "changes": {
+                    "born": [{"hole": hole, "of": of} for hole, of in born],
+                    "ended": ended,
+                    "joined": [list(polygons) for polygons in joined],
+                },
+            }
+
+
+def _row(found: Any) -> Row:
+    kind, square, polynomial, radius, place, features = found
     return {
         "kind": kind,
         "radius": _bounds(radius),
@@ -132,6 +173,16 @@ def _feature(kind: str, first: str, second: str) -> Row:
     return {"edge": [int(first), int(second)]}
 
 
+def _in_words(changes: Row) -> str:
+    told = [
+        f"hole {each['hole']} leaves " + (f"hole {each['of']}" if each["of"] else "the outside")
+        for each in changes["born"]
+    ]
+    told += [f"hole {hole} ends" for hole in changes["ended"]]
+    told += [f"polygons {a} and {b} are in one component" for a, b in changes["joined"]]
+    return "; ".join(told)
+
+
 def _print(head: dict[str, Any], rows: list[Row]) -> None:
     out = console()
     counts = ", ".join(f"{name} {n:,}" for name, n in head["counts"].items() if n)
@@ -150,6 +201,8 @@ def _print(head: dict[str, Any], rows: list[Row]) -> None:
         radius = row["radius"]["low"]
         told = "beyond doubles" if radius is None else f"{radius:.9g}"
         out.print(f"{told:>14}  {row['kind']}: {features}")
+        if row["changes"]:
+            out.print(f"{'':>14}  {_in_words(row['changes'])}")
     if len(rows) < head["count"]:
         out.print(f"... {head['count'] - len(rows):,} more; -o FILE writes all")
     for warning in head["warnings"]:

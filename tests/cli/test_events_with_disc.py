@@ -96,3 +96,23 @@ def test_what_it_refuses(
     assert ran.code == 2
     assert "fix:" in ran.err
     assert not list(tmp_path.iterdir())
+
+
+def test_topology_names_holes_and_components(minkref: Minkref) -> None:
+    """Two chambers of a hole, joined by a door: the narrower one leaves it, and ends first."""
+    hole = "2 2, 2 18, 18 18, 18 11, 20 11, 20 16, 30 16, 30 4, 20 4, 20 9, 18 9, 18 2, 2 2"
+    chambers = f"POLYGON ((0 0, 40 0, 40 20, 0 20, 0 0), ({hole}))"
+    ran = minkref("events", chambers, "disc", "--kind", "topology", "--json")
+    jsonschema.validate(ran.json, schema("events"))
+    told = [(row["squared_radius"], row["changes"]) for row in ran.json["events"] if row["changes"]]
+    assert told == [
+        ("1", {"born": [{"hole": 2, "of": 1}], "ended": [], "joined": []}),
+        ("10201/400", {"born": [], "ended": [2], "joined": []}),
+        ("64", {"born": [], "ended": [1], "joined": []}),
+    ]
+    window = minkref("events", chambers, "disc", "--kind", "topology", "--from", "1", "--to", "8")
+    assert "hole 2 leaves hole 1" in window.out
+    assert "hole 1 ends" in window.out
+    ran = minkref("events", chambers, "disc", "--kind", "topology", "--from", "2", "--to", "7",
+                  "--json")  # fmt: skip
+    assert [row["squared_radius"] for row in ran.json["events"]] == ["10201/400"]

@@ -110,6 +110,29 @@ TEST(OffsetIndex, IsTheStaticSumInGaps) {
   }
 }
 
+/// Diamonds that touch the sides of a frame from either side: less than half a turn is free there.
+TEST(OffsetIndex, WhereVerticesTouchEdges) {
+  std::size_t looked_at = 0;
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    testing::Source random(seed);
+    PolygonSet P{{{{{0, 0}, {20, 0}, {20, 20}, {0, 20}}, {{{2, 2}, {2, 18}, {18, 18}, {18, 2}}}}}};
+    for (int k = random.between(1, 5); k > 0; --k) {
+      const Rational r = Rational(random.between(1, 6)) / 2,
+                     t = Rational(random.between(8, 32)) / 2;
+      const Rational far = random.coin() ? (random.coin() ? 20 + r : Rational(-r))
+                                         : (random.coin() ? Rational(18 - r) : 2 + r);
+      const Point at = random.coin() ? Point{far, t} : Point{t, far};
+      P.polygons.push_back(
+          {{{at.x - r, at.y}, {at.x, at.y - r}, {at.x + r, at.y}, {at.x, at.y + r}}, {}});
+    }
+    if (!testing::is_valid(P)) continue;
+    ++looked_at;
+    ASSERT_NO_FATAL_FAILURE(check_gaps(Built(P), random, 6));
+  }
+  EXPECT_GT(looked_at, 20U);
+}
+
 TEST(OffsetIndex, HasTheCountsAtEvents) {
   std::size_t looked_at = 0;
   for (unsigned seed = 0; seed < 60; ++seed) {
@@ -156,7 +179,8 @@ TEST(OffsetIndex, NamesTheHoleThatEndsLast) {
   EXPECT_LT(second.end, first.end);
   const DiagramEvents& diagram = built.index.diagram();
   EXPECT_EQ(diagram.exact(diagram.events[second.born_at]).squared_radius, RootNumber(1));
-  EXPECT_EQ(diagram.exact(diagram.events[second.ends_at]).squared_radius, RootNumber(Rational(10201, 400)));
+  EXPECT_EQ(diagram.exact(diagram.events[second.ends_at]).squared_radius,
+            RootNumber(Rational(10201, 400)));
   EXPECT_EQ(diagram.exact(diagram.events[first.ends_at]).squared_radius, RootNumber(64));
 }
 

@@ -1,0 +1,30 @@
+// Events of the outer Voronoi diagram as Python has them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "reference/disc/diagram_events.hpp"
+
+namespace minkref::python {
+
+/// "vertex" and its coordinates, or "edge" with the ring and the number of its first vertex.
+using FeatureName = std::tuple<std::string, std::string, std::string>;
+/// Kind; the squared radius, if it is known to be rational; a polynomial that it is a root of, the
+/// lowest coefficient first; bounds of the radius; the place, rounded; the features.
+using DiagramRow =
+    std::tuple<std::string, std::optional<std::string>, std::vector<std::string>,
+               std::pair<double, double>, std::pair<double, double>, std::vector<FeatureName>>;
+
+const char* name(DiagramEvent::Kind kind);
+
+DiagramRow diagram_row(const DiagramEvents& found, const DiagramEvent& event);
+
+/// Some of them, from a number on.
+std::vector<DiagramRow> diagram_rows(const DiagramEvents& found, std::size_t first,
+                                     std::size_t count);
+
+}  // namespace minkref::python
