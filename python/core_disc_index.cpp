@@ -18,6 +18,7 @@
 #include "python/diagram_row.hpp"
 #include "python/stopwatch.hpp"
 #include "python/vector_caster.hpp"
+#include "reference/disc/index_measures.hpp"
 #include "reference/disc/index_region.hpp"
 #include "reference/disc/offset_region.hpp"
 
@@ -33,7 +34,8 @@ struct DiscIndex {
         curves(offset_curves(P)),
         index(P, options),
         history(offset_history(index)),
-        regions(index, history, curves) {}
+        regions(index, history, curves),
+        measures(index) {}
 
   Rational square(const std::string& text) const {
     Rational value = parse_rational(text);
@@ -53,6 +55,7 @@ struct DiscIndex {
   OffsetIndex index;
   OffsetHistory history;
   IndexRegions regions;
+  IndexMeasures measures;
   double seconds = 0;
 };
 
@@ -170,6 +173,17 @@ void bind_disc_index(nb::module_& module) {
             return std::pair(self.history.components(place), self.history.holes(place));
           },
           "squared_radius"_a, "(components, holes) at a radius, exact, events too.")
+      .def(
+          "measures",
+          [](const DiscIndex& self, const std::string& squared_radius) {
+            const Rational square = self.square(squared_radius);
+            const OffsetMeasures found =
+                self.measures.at(self.index.place(square), sqrt(Interval(square)));
+            return std::pair(std::pair(found.area.lower(), found.area.upper()),
+                             std::pair(found.length.lower(), found.length.upper()));
+          },
+          "squared_radius"_a, Released(),
+          "Area and length of the boundary, each between two doubles, without the boundary.")
       .def(
           "at_event",
           [](const DiscIndex& self, const std::string& squared_radius) {

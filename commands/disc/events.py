@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from minkref import _core
+from minkref.commands.disc.sum import enclosed
 from minkref.commands.line.memory import SIMPLER, memory_wall
 from minkref.commands.lists.scale_index import cores
 from minkref.disc.disc import ANY
@@ -153,18 +154,12 @@ def _row(found: Any) -> Row:
     kind, square, polynomial, radius, place, features = found
     return {
         "kind": kind,
-        "radius": _bounds(radius),
+        "radius": enclosed(radius),
         "squared_radius": square,
         "polynomial": polynomial,
         "place": [c if math.isfinite(c) else None for c in place],
         "features": [_feature(*feature) for feature in features],
     }
-
-
-def _bounds(bounds: tuple[float, float]) -> Row:
-    """Beyond doubles: None."""
-    low, high = (bound if math.isfinite(bound) else None for bound in bounds)
-    return {"low": low, "high": high}
 
 
 def _feature(kind: str, first: str, second: str) -> Row:

@@ -90,15 +90,15 @@ def described(found: _core.Offset, canonical: str) -> dict[str, Any]:
         "components": found.components,
         "holes": found.holes,
         "curves": found.curves,
-        "area": _bounds(found.area),
-        "length": _bounds(found.length),
+        "area": enclosed(found.area),
+        "length": enclosed(found.length),
         "result": json.loads(canonical),
         "statistics": dict(found.statistics),
     }
 
 
-def _bounds(bounds: tuple[float, float]) -> dict[str, float | None]:
-    """Beyond doubles: None."""
+def enclosed(bounds: tuple[float, float]) -> dict[str, float | None]:
+    """Two doubles with a number between; beyond doubles: None."""
     low, high = (bound if math.isfinite(bound) else None for bound in bounds)
     return {"low": low, "high": high}
 

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from minkref import _core
+from minkref.commands.disc.sum import enclosed
 from minkref.commands.line.memory import SMALLER, memory_wall
 from minkref.commands.line.output import plain_table
 from minkref.commands.line.progress import progress
@@ -89,6 +90,7 @@ def _row(index: _core.DiscIndex, radius: str) -> tuple[Row, tuple[str, str]]:
     square = str(Fraction(radius) ** 2)
     canonical = index.canonical_json(square)
     components, holes = index.counts(square)
+    area, length = index.measures(square)
     seconds = watch.seconds()
     return {
         "radius": radius,
@@ -96,6 +98,8 @@ def _row(index: _core.DiscIndex, radius: str) -> tuple[Row, tuple[str, str]]:
         "components": components,
         "holes": holes,
         "curves": canonical.count('["'),
+        "area": enclosed(area),
+        "length": enclosed(length),
         "at_event": index.at_event(square),
         "sum_seconds": seconds,
     }, (radius, canonical)
@@ -111,12 +115,17 @@ def _text(P: _core.PolygonSet, radius: str, canonical: str, form: str) -> str:
     return offset_picture(found, P, near, f"the sum with a disc of radius {near:g}")
 
 
+def _near(found: dict[str, float | None]) -> str:
+    return "-" if found["low"] is None else f"{found['low']:.9g}"
+
+
 def _print(value: dict[str, Any], rows: RowSpool) -> None:
-    headings = ("radius", "components", "holes", "curves", "ms")
+    headings = ("radius", "area", "components", "holes", "curves", "ms")
     table = plain_table(*headings, "event", right=headings, whole=True)
     for row in rows.first(SHOWN):
         table.add_row(
             row["radius"] if len(row["radius"]) <= 12 else f"{approximate(row['radius']):.10g}",
+            _near(row["area"]),
             *(f"{row[name]:,}" for name in ("components", "holes", "curves")),
             f"{row['sum_seconds'] * 1000:.3f}",
             "at it" if row["at_event"] else "",

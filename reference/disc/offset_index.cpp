@@ -7,6 +7,28 @@
 
 namespace minkref::inline disc {
 
+namespace {
+
+constexpr double unit = 0x1p-45;  // of the numbers of a motion
+
+/// At a radius that is known up to `slack`.
+BoundedPoint corner_of(const CornerMotion& m, double rho, double slack) {
+  const double way = rho - m.r;
+  const double terms = std::abs(m.q0) + std::abs(m.q1) * rho + m.q2 * rho * rho;
+  const double square = std::max(m.q0 + (m.q1 + m.q2 * rho) * rho, 0.0);
+  const double root = std::sqrt(square);
+  // Of the square; the root is off by that over the root, or by its root.
+  const double off = unit * terms + (std::abs(m.q1) + 2.1 * m.q2 * rho) * slack + 0x1p-1000;
+  const double root_off = root * root > off ? 2 * off / root : 2 * std::sqrt(off);
+  const double x = m.ax + way * m.bx + root * m.cx, y = m.ay + way * m.by + root * m.cy;
+  const double speed = std::abs(m.bx) + std::abs(m.by), turn = std::abs(m.cx) + std::abs(m.cy);
+  return {x, y,
+          m.error + unit * (std::abs(m.ax) + std::abs(m.ay) + rho * speed + root * turn) +
+              slack * speed + root_off * turn};
+}
+
+}  // namespace
+
 OffsetIndex::OffsetIndex(const PolygonSet& P, const BuildOptions& options)
     : diagram_(diagram_events(P, options)), graph_(diagram_graph(diagram_)) {
   number_radii();
@@ -156,10 +178,13 @@ void OffsetIndex::boundary(std::uint32_t gap, IndexBoundary& found) const {
   }
 }
 
+BoundedPoint OffsetIndex::corner(std::uint32_t half, const Interval& radius) const {
+  return corner_of(motions_[half], approximate(radius), radius.upper() - radius.lower());
+}
+
 void OffsetIndex::vertices(const IndexBoundary& boundary, const Interval& radius,
                            std::vector<BoundedPoint>& found,
                            std::vector<std::uint32_t>& starts) const {
-  constexpr double unit = 0x1p-45;
   found.clear();
   starts.clear();
   const Interval in_frame = radius * Interval(diagram_.factor);
@@ -176,19 +201,9 @@ void OffsetIndex::vertices(const IndexBoundary& boundary, const Interval& radius
     const double x = joint.ax + rho * joint.bx, y = joint.ay + rho * joint.by;
     add(x, y, slack + unit * (std::abs(joint.ax) + std::abs(joint.ay) + rho));
   };
-  const auto add_corner = [&](const CornerMotion& m) {
-    const double way = rho - m.r;
-    const double terms = std::abs(m.q0) + std::abs(m.q1) * rho + m.q2 * rho * rho;
-    const double square = std::max(m.q0 + (m.q1 + m.q2 * rho) * rho, 0.0);
-    const double root = std::sqrt(square);
-    // Of the square; the root is off by that over the root, or by its root.
-    const double off = unit * terms + (std::abs(m.q1) + 2.1 * m.q2 * rho) * slack;
-    const double root_off = root * root > off ? 2 * off / root : 2 * std::sqrt(off);
-    const double x = m.ax + way * m.bx + root * m.cx, y = m.ay + way * m.by + root * m.cy;
-    const double speed = std::abs(m.bx) + std::abs(m.by), turn = std::abs(m.cx) + std::abs(m.cy);
-    add(x, y,
-        m.error + unit * (std::abs(m.ax) + std::abs(m.ay) + rho * speed + root * turn) +
-            slack * speed + root_off * turn);
+  const auto add_corner = [&](std::uint32_t half) {
+    const BoundedPoint found_there = corner_of(motions_[half], rho, slack);
+    add(found_there.x, found_there.y, found_there.error);
   };
   for (const IndexRing& ring : boundary.rings) {
     starts.push_back(static_cast<std::uint32_t>(found.size()));
@@ -199,7 +214,7 @@ void OffsetIndex::vertices(const IndexBoundary& boundary, const Interval& radius
     for (std::uint32_t k = ring.first_corner; k < ring.last_corner; ++k) {
       const IndexCorner& corner = boundary.corners[k];
       const BoundaryWalk& walk = diagram_.walks.walks[corner.walk];
-      add_corner(motions_[corner.half]);
+      add_corner(corner.half);
       std::uint32_t side = corner.first_side;
       for (std::uint32_t n = 1; n < corner.sides; ++n) {
         add_joint(side);

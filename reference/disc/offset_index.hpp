@@ -61,6 +61,7 @@ class OffsetIndex {
   }
   std::uint32_t low(std::uint32_t half) const { return low_[half]; }
   std::uint32_t high(std::uint32_t half) const { return high_[half]; }
+  bool rises(std::uint32_t half) const { return is_rising_[half] != 0; }
 
   struct Place {
     std::uint32_t gap;  ///< how many radii of events are not above
@@ -76,6 +77,9 @@ class OffsetIndex {
   /// lines go on as arcs. `starts` are of rings. One rounded square root a corner; with bounds.
   void vertices(const IndexBoundary& boundary, const Interval& radius,
                 std::vector<BoundedPoint>& found, std::vector<std::uint32_t>& starts) const;
+
+  /// The corner on a half that has one, in the frame of the curves as the radius is.
+  BoundedPoint corner(std::uint32_t half, const Interval& radius) const;
 
  private:
   struct Radius {

@@ -1,25 +1,9 @@
 // Area and length, enclosed.
-#include <cmath>
-
+#include "reference/disc/angles.hpp"
 #include "reference/disc/offset_region.hpp"
 
 namespace minkref::inline disc {
 namespace {
-
-Interval widened(double value, double by) {
-  return {std::nextafter(value - by, -INFINITY), std::nextafter(value + by, INFINITY)};
-}
-
-/// The angle from one vector to another, less than half a turn: of their cosine and sine, times one
-/// factor. The arc tangent of doubles is off by less than two of its roundings.
-Interval angle_between(const Vector<Interval>& a, const Vector<Interval>& b) {
-  const Interval c = dot(a, b), s = cross(a, b);
-  const double x = approximate(c), y = approximate(s), length = std::hypot(x, y);
-  const double angle = std::atan2(y, x);
-  const double off = (c.upper() - c.lower()) + (s.upper() - s.lower());
-  if (!(off < length / 4)) return {0, 4};
-  return widened(angle, 2 * off / length + 0x1p-50);
-}
 
 class Measuring {
  public:

@@ -19,10 +19,11 @@ from minkref.reports.evidence.framework.operands import operand, tell_absent
 from minkref.reports.evidence.framework.part import AGAINST_CGAL, Findings
 
 SUBJECT = (
-    "The index of all radii of a sum with a disc: canonical form, components and holes read off at "
-    "1,000 radii of each of the paper's polygons, between events and at those of rational square, "
-    "are those of the static sum; sets of cells of a grid too. Seconds to build and of a query of "
-    "all vertices, with bounds, against CGAL's approximated and exact offsets in one run."
+    "The index of all radii of a sum with a disc: canonical form, components, holes, area and "
+    "length read off at 1,000 radii of each of the paper's polygons, between events and at those "
+    "of rational square, are those of the static sum; sets of cells of a grid too. Seconds to "
+    "build and of a query of all vertices, with bounds, against CGAL's approximated and exact "
+    "offsets in one run."
 )
 MINUTES = (25, 0.2)
 DEPENDS = (*AGAINST_CGAL, "reports/evidence/disc_sums.py")
@@ -49,8 +50,13 @@ def compare_at(index: _core.DiscIndex, P: _core.PolygonSet, square: Fraction, lo
     static = _core.offset(P, text)
     looked.counts["at events" if index.at_event(text) else "between events"] += 1
     looked.counts["holes"] += static.holes
-    same_form = index.canonical_json(text) == static.canonical_json()
-    if not same_form or index.counts(text) != (static.components, static.holes):
+    same = index.canonical_json(text) == static.canonical_json()
+    same &= index.counts(text) == (static.components, static.holes)
+    for (low, high), (least, most) in zip(
+        index.measures(text), (static.area, static.length), strict=True
+    ):
+        same &= low <= most and least <= high
+    if not same:
         looked.faults.append(f"{where}, squared radius {square}")
 
 

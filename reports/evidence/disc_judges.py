@@ -120,6 +120,8 @@ def _fine(findings: Findings, count: int) -> dict[str, Any]:
     wrong = len(table.wrong)
     findings.law(
         f"sets of the families {', '.join(FINE)} without a difference",
-        not wrong and not refused, f"{sets} of {sets}", f"{sets - wrong} of {sets}, and {refused} are refused",
+        not wrong and not refused,
+        f"{sets} of {sets}",
+        f"{sets - wrong} of {sets}, and {refused} are refused",
     )  # fmt: skip
     return {"sets": sets, "with a difference": wrong, "refused": refused}

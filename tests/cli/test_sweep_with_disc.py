@@ -30,6 +30,10 @@ def test_each_row_is_the_sum_at_its_radius(minkref: Minkref) -> None:
         one = minkref("sum", "g1", f"disc:{row['radius']}", "--json").json
         for name in ("digest", "components", "holes", "curves"):
             assert row[name] == one[name], (row["radius"], name)
+        for name in ("area", "length"):
+            told, right = row[name], one[name]
+            assert told["low"] <= right["high"] and right["low"] <= told["high"]
+            assert told["high"] - told["low"] <= 1e-10 * told["high"]
 
 
 def test_at_the_radius_of_an_event_the_hole_is_gone(minkref: Minkref) -> None:

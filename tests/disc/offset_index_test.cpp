@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "reference/disc/index_measures.hpp"
 #include "reference/disc/index_region.hpp"
 #include "reference/disc/offset_region.hpp"
 #include "reference/number/radicals/polynomial.hpp"
@@ -77,6 +78,12 @@ void check_gaps(const Built& built, testing::Source& random, int most) {
     ASSERT_EQ(found.holes, expected.holes);
     ASSERT_EQ(built.history.holes(place), expected.holes);
     ASSERT_EQ(built.history.components(place), components(expected));
+    const OffsetMeasures told = IndexMeasures(built.index).at(place, Interval(radius));
+    const OffsetMeasures right = measures(expected);
+    ASSERT_TRUE((told.area - right.area).contains_zero());
+    ASSERT_TRUE((told.length - right.length).contains_zero());
+    ASSERT_LT(told.area.upper() - told.area.lower(), 1e-9 * told.area.upper());
+    ASSERT_LT(told.length.upper() - told.length.lower(), 1e-9 * told.length.upper());
     ASSERT_NO_FATAL_FAILURE(expect_vertices(built, gap, radius, expected));
   }
 }
@@ -150,6 +157,10 @@ TEST(OffsetIndex, OfAPointASegmentAndNothing) {
     EXPECT_EQ(built.index.radii(), 0U);
     const IndexRegion region = IndexRegions(built.index, built.history, built.curves).at(0);
     EXPECT_EQ(canonical_json(region.form, built.curves, 2), canonical_json(offset_region(P, 2)));
+    const OffsetMeasures told = IndexMeasures(built.index).at({0, false}, sqrt(Interval(2)));
+    const OffsetMeasures right = measures(offset_region(P, 2));
+    EXPECT_TRUE((told.area - right.area).contains_zero());
+    EXPECT_TRUE((told.length - right.length).contains_zero());
   }
 }
 
