@@ -150,7 +150,9 @@ TEST(DiagramEvents, OfCornersThatAlmostCoincide) {
       in_the_middle += std::abs(approximate(place.x)) + std::abs(approximate(place.y)) < 1e-3;
     }
     EXPECT_EQ(most, exponent == 0 ? circle.size() : 3);
-    if (exponent >= 8) EXPECT_EQ(in_the_middle, circle.size() - 2);
+    if (exponent >= 8) {
+      EXPECT_EQ(in_the_middle, circle.size() - 2);
+    }
   }
 }
 
