@@ -23,8 +23,14 @@ from minkref.commands.line.options import Json, Schema
 from minkref.commands.line.output import plain_table
 from minkref.commands.line.progress import progress
 from minkref.commands.verify_limits import MOST_JOBS
-from minkref.degeneracies.catalogue import ALL_FAMILIES, FAMILIES, SOLID_FAMILIES, SPACE_FAMILIES
-from minkref.degeneracies.files import FileRow, Made, made_invalid, made_member
+from minkref.degeneracies.catalogue import (
+    ALL_FAMILIES,
+    DISC_FAMILIES,
+    FAMILIES,
+    SOLID_FAMILIES,
+    SPACE_FAMILIES,
+)
+from minkref.degeneracies.files import FileRow, Made, made_invalid, made_member, made_with_disc
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, INVALID_MESH_FAMILIES
 from minkref.documents import Stopwatch, document, listing
 from minkref.errors import Refusal, nearest, refusal_of
@@ -47,11 +53,14 @@ minkref generate space --count 3 -o bodies && minkref check bodies
 
 minkref generate solids --count 2 -o solids
 
+minkref generate disc --count 2 -o discs
+
 minkref generate invalid --count 3 -o bad
 
 minkref verify cgal-reduced --suite corpus --corpus cases"""
 
-ALL, SPACE, SOLIDS, INVALID, INVALID_MESH = "all", "space", "solids", "invalid", "invalid-mesh"
+ALL, SPACE, SOLIDS, DISC = "all", "space", "solids", "disc"
+INVALID, INVALID_MESH = "invalid", "invalid-mesh"
 REFUSED = INVALID_FAMILIES | INVALID_MESH_FAMILIES
 DEFAULT_FOLDER = "degenerate-cases"
 DEFAULT_COUNT = 10
@@ -67,8 +76,9 @@ def command(
         typer.Argument(
             help="Families (`minkref families`). all: the families in the plane with "
             "certificates; space: those of convex bodies in space; solids: of polyhedra of any "
-            "shape, without certificates; invalid, invalid-mesh: input that must be refused.",
-            metavar="FAMILY|all|space|solids|invalid|invalid-mesh",
+            "shape, disc: of a polygon set and a disc, both without certificates; invalid, "
+            "invalid-mesh: input that must be refused.",
+            metavar="FAMILY|all|space|solids|disc|invalid|invalid-mesh",
         ),
     ],
     count: Annotated[
@@ -117,8 +127,8 @@ def command(
 ) -> None:
     """Make hundreds of degenerate cases (docs/degeneracies.md): files with operands, scales, the
     expected result at each, and why good code gets it wrong, each with a certificate, but those of
-    polyhedra of any shape. The same family, seed, number and size give the same bytes on every
-    machine."""
+    polyhedra of any shape and of a disc. The same family, seed, number and size give the same bytes
+    on every machine."""
     watch = Stopwatch()
     names = _chosen(families)
     numbers = _numbers(count, index)
@@ -190,6 +200,7 @@ def _chosen(families: list[str]) -> list[str]:
         ALL: list(FAMILIES),
         SPACE: list(SPACE_FAMILIES),
         SOLIDS: list(SOLID_FAMILIES),
+        DISC: list(DISC_FAMILIES),
         INVALID: list(INVALID_FAMILIES),
         INVALID_MESH: list(INVALID_MESH_FAMILIES),
     }
@@ -198,7 +209,7 @@ def _chosen(families: list[str]) -> list[str]:
     if unknown:
         mend = (
             f"{nearest(unknown[0], known)}`minkref families` lists all families: name some that it "
-            f"says `generate` makes, {ALL}, {SPACE}, {SOLIDS}, {INVALID} or {INVALID_MESH}"
+            f"says `generate` makes, {ALL}, {SPACE}, {SOLIDS}, {DISC}, {INVALID} or {INVALID_MESH}"
         )
         raise Refusal("there is no such family", escaped(unknown[0]), mend, "unknown-family")
     return list(dict.fromkeys(name for word in families for name in known[word]))
@@ -269,6 +280,8 @@ def _make(task: Task) -> Made:
     try:
         if name in REFUSED:
             return made_invalid(REFUSED[name], seed, index)
+        if name in DISC_FAMILIES:
+            return made_with_disc(DISC_FAMILIES[name], seed, index, size)
         return made_member(ALL_FAMILIES[name], seed, index, size)
     except Refusal:
         raise

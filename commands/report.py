@@ -15,7 +15,7 @@ from minkref.documents import Stopwatch, as_text, document
 from minkref.errors import Refusal, nearest
 from minkref.exits import ExitCode
 from minkref.output_folder import folder_to_write
-from minkref.reports.degeneracies.page import write_report
+from minkref.reports.degeneracies.page import case_paths_of_report, write_report
 from minkref.signals import ending_in_order
 from minkref.terminal import escaped
 
@@ -113,7 +113,7 @@ def _paper(folder: Path, quick: bool, seed: int) -> Path:
 
 
 def _degeneracies(folder: Path, cases: Path) -> Path:
-    with progress(len(lint.case_paths(cases))) as line:
+    with progress(len(case_paths_of_report(cases))) as line:
 
         def reading(family: str) -> None:
             line.now(family)

@@ -66,6 +66,8 @@ minkref sum g1 disc:7/5 -o offset.svg
 
 minkref sum g1 disc:7/5 --route paper
 
+minkref sum g1 disc:7/5 --measures --json
+
 minkref sum P.wkt disc:sqrt:2 --scale 3/2 -o offset.wkt --tolerance 1/1000"""
 
 MOVING = ("dynamic", "index")  # routes that find all scales of a window
@@ -155,6 +157,12 @@ def command(
         bool,
         typer.Option("--outside", help="The polygon that --tolerance asks for contains the sum."),
     ] = False,
+    measures: Annotated[
+        bool,
+        typer.Option(
+            "--measures", help="With a disc and --json: length and area exact, as sums of terms."
+        ),
+    ] = False,
     memory: Memory = None,
     json: Json = False,
     schema: Schema = False,
@@ -168,9 +176,12 @@ def command(
         _refuse_without_arcs(index, arithmetic, as_read, reading, plot, passages)
         from minkref.commands.disc.sum import sum_with_disc
 
-        sum_with_disc(P, Q, scale, route, output, form, only_sum, tolerance, outside, memory, json)
+        sum_with_disc(
+            P, Q, scale, route, output, form, only_sum, tolerance, outside, measures, memory, json
+        )
         return
-    for option, is_given in (("--tolerance", tolerance is not None), ("--outside", outside)):
+    options = {"--tolerance": tolerance is not None, "--outside": outside, "--measures": measures}
+    for option, is_given in options.items():
         if is_given:
             raise Refusal("there are no arcs without a disc", option, "leave it out")
     if in_space(P, Q):

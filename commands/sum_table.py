@@ -41,10 +41,15 @@ def _passage_rows(passages: list[dict[str, Any]] | None, as_read: bool) -> list[
         return []
     if passages is None:
         return [("tight passages", "with --arithmetic rational only")]
+    return passage_rows(passages, "polyline")
+
+
+def passage_rows(passages: list[dict[str, Any]], long_one: str) -> list[tuple[str, str]]:
+    """How many points there are and how many long ones, by this word; and the first few."""
     if not passages:
         return [("tight passages", "none")]
     points = sum(len(passage["points"]) == 1 for passage in passages)
-    counts = (_counted(points, "point"), _counted(len(passages) - points, "polyline"))
+    counts = (_counted(points, "point"), _counted(len(passages) - points, long_one))
     rows = [("tight passages", ", ".join(filter(None, counts)))]
     for passage in passages[:SHOWN]:
         where = " ".join(f"({x}, {y})" for x, y in passage["points"])

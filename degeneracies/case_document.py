@@ -143,10 +143,11 @@ class Degenerate(CaseTexts):
 def content_of(P: _core.PolygonSet, Q: _core.PolygonSet) -> str:
     """Both operands, the same text for the same rings: whatever vertex they start at, in whatever
     order they, or the polygons, are."""
-    return json.dumps([_content(P), _content(Q)])
+    return json.dumps([set_content(P), set_content(Q)])
 
 
-def _content(operand: _core.PolygonSet) -> list[Any]:
+def set_content(operand: _core.PolygonSet) -> list[Any]:
+    """Of one operand."""
     polygons = json.loads(operand.to_json())["polygons"]
     return sorted([from_least(p["outer"]), sorted(map(from_least, p["holes"]))] for p in polygons)
 

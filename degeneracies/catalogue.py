@@ -1,8 +1,10 @@
 """The families by name, in the order of their subjects: those of the plane, those of convex bodies
-in space, and those of polyhedra of any shape."""
+in space, those of polyhedra of any shape, and those of a polygon set and a disc."""
 
 from __future__ import annotations
 
+from minkref.degeneracies.disc import across, around, nearly
+from minkref.degeneracies.disc.draft import DiscFamily
 from minkref.degeneracies.draft import Family
 from minkref.degeneracies.plane import (
     contacts,
@@ -48,6 +50,11 @@ SOLID_FAMILIES: dict[str, SolidFamily] = {
     for family in module.FAMILIES
 }
 
+DISC_FAMILIES: dict[str, DiscFamily] = {
+    family.name: family for module in (around, across, nearly) for family in module.FAMILIES
+}
+
+# Those of case-v1.
 ALL_FAMILIES: dict[str, Family | SpaceFamily | SolidFamily] = {
     **FAMILIES,
     **SPACE_FAMILIES,

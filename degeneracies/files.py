@@ -9,6 +9,8 @@ from pathlib import Path
 from typing import TypedDict
 
 from minkref.degeneracies.case_document import Degenerate
+from minkref.degeneracies.disc.case_document import DegenerateWithDisc
+from minkref.degeneracies.disc.draft import DiscFamily
 from minkref.degeneracies.draft import Family
 from minkref.degeneracies.found import Story
 from minkref.degeneracies.invalid.catalogue import invalid_member
@@ -88,6 +90,11 @@ def member_of(family: AnyFamily, seed: int, index: int, size: int | None = None)
     return Degenerate.of(family, seed, index, size)
 
 
+def made_with_disc(family: DiscFamily, seed: int, index: int, size: int | None = None) -> Made:
+    """ID.json, of disc-case-v1."""
+    return _made(DegenerateWithDisc.of(family, seed, index, size), index)
+
+
 def made_invalid(family: InvalidFamily, seed: int, index: int) -> Made:
     """ID.EXT, which must be refused; ID.refusal.json: what a message should say."""
     drawn = invalid_member(family, seed, index)
@@ -119,7 +126,7 @@ def write_found(story: Story, folder: Path) -> FileRow:
     return _made(Degenerate(story, story.value["source"], story.facts), 0).write(folder)
 
 
-def _made(made: AnyDegenerate, index: int) -> Made:
+def _made(made: AnyDegenerate | DegenerateWithDisc, index: int) -> Made:
     case = f"{made.id}.json", made.case_text.encode()
     text = made.certificate_text
     certificate = None if text is None else (f"{made.id}.cert.json", text.encode())

@@ -6,14 +6,22 @@ import argparse
 import multiprocessing
 from pathlib import Path
 
-from minkref.degeneracies.catalogue import ALL_FAMILIES, FAMILIES, SOLID_FAMILIES, SPACE_FAMILIES
-from minkref.degeneracies.files import write_found, write_member
+from minkref.degeneracies.catalogue import (
+    ALL_FAMILIES,
+    DISC_FAMILIES,
+    FAMILIES,
+    SOLID_FAMILIES,
+    SPACE_FAMILIES,
+)
+from minkref.degeneracies.disc.case_faults import CORPUS as CORPUS_WITH_DISC
+from minkref.degeneracies.files import made_with_disc, write_found, write_member
 from minkref.degeneracies.found import FOUND
 
 SEED = 1
 COUNT = 11  # of each family in the plane
 COUNT_IN_SPACE = 3  # of each of convex bodies
 COUNT_OF_SOLIDS = 2  # of each of polyhedra of any shape
+COUNT_WITH_DISC = 3  # of each of a polygon set and a disc
 CORPUS = Path(__file__).parent / "corpus"
 
 
@@ -36,7 +44,25 @@ def _make(family: str, index: int, folder: Path) -> None:
     write_member(ALL_FAMILIES[family], SEED, index, folder)
 
 
+def make_with_disc(folder: Path) -> None:
+    """Members of the families of a polygon set and a disc, which have a folder of their own."""
+    tasks = [
+        (family, index, folder) for family in DISC_FAMILIES for index in range(COUNT_WITH_DISC)
+    ]
+    with multiprocessing.Pool() as pool:
+        pool.starmap(_make_with_disc, tasks, chunksize=4)
+
+
+def _make_with_disc(family: str, index: int, folder: Path) -> None:
+    made_with_disc(DISC_FAMILIES[family], SEED, index).write(folder)
+
+
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description="Writes the corpus anew.")
     parser.add_argument("folder", nargs="?", type=Path, default=CORPUS, help="default: its own")
-    make(parser.parse_args().folder)
+    parser.add_argument("--disc", action="store_true", help="those with a disc, into their folder")
+    arguments = parser.parse_args()
+    if arguments.disc:
+        make_with_disc(CORPUS_WITH_DISC if arguments.folder == CORPUS else arguments.folder)
+    else:
+        make(arguments.folder)

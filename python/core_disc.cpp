@@ -1,9 +1,11 @@
 // Sums with a disc in Python.
+#include <nanobind/stl/map.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 
 #include <functional>
+#include <map>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -14,6 +16,8 @@
 #include "python/core_fields.hpp"
 #include "python/stopwatch.hpp"
 #include "python/vector_caster.hpp"
+#include "reference/disc/measure_terms.hpp"
+#include "reference/disc/offset_passages.hpp"
 #include "reference/disc/offset_region.hpp"
 
 namespace nb = nanobind;
@@ -75,6 +79,57 @@ TimedOffset timed_offset(const Set& P, const std::string& squared_radius, unsign
   return {std::move(region), watch.seconds()};
 }
 
+using TextOfCurve = std::vector<std::string>;
+using TextOfPoint = std::pair<std::string, std::string>;
+
+TextOfPoint text_of_point(const RootPoint& x) { return {expression(x.x), expression(x.y)}; }
+
+TextOfCurve text_of_curve(const OffsetCurves& curves, std::uint32_t feature) {
+  const OffsetCurve curve = offset_curve(curves, feature);
+  TextOfCurve text{curve.is_arc ? "arc" : "line", to_string(curve.x), to_string(curve.y)};
+  if (!curve.is_arc) text.push_back(to_string(curve.c));
+  return text;
+}
+
+/// Points, as expressions and rounded; curves that are as far.
+using PassageRow = std::tuple<std::vector<TextOfPoint>, std::vector<std::pair<double, double>>,
+                              std::vector<TextOfCurve>>;
+
+std::vector<PassageRow> passages_with_disc(const TimedOffset& offset, unsigned threads) {
+  const PatchesAt& at = *offset.region.offset.at;
+  std::vector<PassageRow> rows;
+  for (const OffsetPassage& passage : offset_passages(at, build_on(threads))) {
+    auto& [points, rounded, contacts] = rows.emplace_back();
+    for (const RootPoint& x : passage.points) {
+      points.push_back(text_of_point(x));
+      rounded.emplace_back(approximate(x.x.enclosure()), approximate(x.y.enclosure()));
+    }
+    for (const std::uint32_t feature : passage.contacts) {
+      contacts.push_back(text_of_curve(at.curves(), feature));
+    }
+  }
+  return rows;
+}
+
+/// Factors, by products of roots; of the length, and of the area. Directions of arcs.
+using TermRows = std::map<std::string, std::string>;
+using AngleRows = std::vector<std::pair<TextOfPoint, TextOfPoint>>;
+
+TermRows term_rows(const RootTerms& terms) {
+  TermRows rows;
+  for (const auto& [product, factor] : terms.terms()) rows[product] = to_string(factor);
+  return rows;
+}
+
+std::tuple<TermRows, TermRows, AngleRows> exact_measures(const TimedOffset& offset) {
+  const MeasureTerms terms = measure_terms(offset.region);
+  AngleRows angles;
+  for (const TermAngle& angle : terms.angles) {
+    angles.emplace_back(text_of_point(angle.from), text_of_point(angle.to));
+  }
+  return {term_rows(terms.length), term_rows(terms.area), std::move(angles)};
+}
+
 std::pair<double, double> bounds(const Interval& value) { return {value.lower(), value.upper()}; }
 
 Fields statistics(const TimedOffset& offset) {
@@ -124,6 +179,14 @@ void bind_disc(nb::module_& module) {
       .def(
           "canonical_json", [](const TimedOffset& offset) { return canonical_json(offset.region); },
           Released(), "The canonical form, in rational numbers.")
+      .def("tight_passages", passages_with_disc, "threads"_a = 1, Released(),
+           "Points and segments that the sum of the interiors misses: (points, the same rounded, "
+           "curves that are as far). Exact, as expressions.")
+      .def("exact_measures", exact_measures, Released(),
+           "Length and area without angles, as factors by products of roots, and the angles: from "
+           "a direction counter-clockwise to another, of equal ones a whole turn. The radius times "
+           "the sum of the angles is to be added to the length, half of its square times that sum "
+           "to the area.")
       .def("drawn_rings", drawn_rings, Released(),
            "For drawing: of each component its rings, the outer one first; of each its pieces, "
            "(kind, x and y of the start, of the end, of an arc's centre). Doubles.");

@@ -92,7 +92,27 @@ namespace minkref {
   X(own_rounding_unbounded, "the bound of a double leaves out the rounding of the double itself") \
   X(underflow_taken_for_exact, "a double is exact where the bounds of what it is made of vanish")
 
-#define MINKREF_FAULTS_IN_REFERENCE(X) MINKREF_FAULTS_IN_PLANE(X) MINKREF_FAULTS_IN_SPACE(X)
+#define MINKREF_FAULTS_WITH_DISC(X)                                                              \
+  X(edges_moved_inwards, "edges are moved to the side of the set, not away from it")             \
+  X(blocked_end_dropped,                                                                         \
+    "a curve is free from the end of the last blocked part on, however far others go")           \
+  X(arc_blocked_once,                                                                            \
+    "a blocked part over the start and the end of an arc is that at its end only")               \
+  X(ridge_left_free, "edges that face each other at the diameter leave a gap of no width")       \
+  X(touch_not_cut, "a curve is not cut where another touches it")                                \
+  X(facing_polygons_apart, "polygons that face each other at the diameter are not joined")       \
+  X(other_wedge_at_corner, "at a point a ring goes on across the wedge that it bounds")          \
+  X(winding_off_by_one, "what the convolution with a disc winds around once is outside")         \
+  X(reflex_arc_forwards, "the arc about a reflex vertex runs the way of a convex one")           \
+  X(event_on_other_branch, "the place of an event in roots is the other one of its features")    \
+  X(joint_missed, "a place in front of an end of an edge has the end only")                      \
+  X(second_place_missed, "two points and a line have one place that is as far from all")         \
+  X(branches_alike, "both points of a line and a circle are one branch")                         \
+  X(corner_taken_for_tight, "a lone point of a curve is tight even where another curve goes on") \
+  X(tight_segment_missed, "what edges that face each other leave is no tight segment")
+
+#define MINKREF_FAULTS_IN_REFERENCE(X) \
+  MINKREF_FAULTS_IN_PLANE(X) MINKREF_FAULTS_IN_SPACE(X) MINKREF_FAULTS_WITH_DISC(X)
 
 enum class Fault : std::uint8_t {
 #define MINKREF_FAULT_NAME(name, what) name,

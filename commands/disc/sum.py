@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Sequence
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -12,6 +13,7 @@ from minkref import _core
 from minkref.commands.line.memory import SIMPLER, memory_wall
 from minkref.commands.line.output import give, print_lines, written_row
 from minkref.commands.lists.scale_index import cores
+from minkref.commands.sum_table import passage_rows
 from minkref.disc.disc import Disc, is_disc, read_disc
 from minkref.disc.polygons import polygon_near
 from minkref.documents import Stopwatch, document, refuse_overwriting
@@ -35,6 +37,7 @@ def sum_with_disc(
     only_sum: bool,
     tolerance: str | None,
     outside: bool,
+    with_measures: bool,
     memory: int | None,
     json_document: bool,
 ) -> None:
@@ -47,6 +50,8 @@ def sum_with_disc(
         raise Refusal(f"there is no route {route!r} with a disc", "--route", mend)
     target = target_of(output, form, FORMATS, "json", json_document)
     within = _tolerance(tolerance, outside, target)
+    if with_measures and not json_document:
+        raise Refusal("the terms are in the document only", "--measures", "add --json")
     if is_disc(P) and is_disc(Q):
         raise Refusal("the sum of two discs is one", f"{P} and {Q}", "add their radii")
     disc = read_disc(P).scaled(factor) if is_disc(P) else read_disc(Q)
@@ -62,8 +67,10 @@ def sum_with_disc(
         written = None
         if target is not None:
             written = _written(target, found, other, disc, canonical, only_sum, within, outside)
-    if target is not None and written is not None and target.write(*written):
-        return
+        if target is not None and written is not None and target.write(*written):
+            return
+        passages = found.tight_passages(cores())
+        terms = found.exact_measures() if with_measures else None
     value = document(
         "sum",
         watch,
@@ -79,6 +86,8 @@ def sum_with_disc(
         route=route,
         compute_seconds=found.seconds,
         **described(found, canonical),
+        tight_passages=[_passage(*row) for row in passages],
+        measures=None if terms is None else _measures(*terms),
     )
     give(value, json_document, lambda value: _print(value, operand))
 
@@ -97,9 +106,40 @@ def described(found: _core.Offset, canonical: str) -> dict[str, Any]:
     }
 
 
+def _passage(
+    points: Sequence[tuple[str, str]],
+    near: Sequence[tuple[float, float]],
+    contacts: Sequence[Sequence[str]],
+) -> dict[str, Any]:
+    return {
+        "points": [list(point) for point in points],
+        "near": [[_finite(x) for x in point] for point in near],
+        "contacts": [list(curve) for curve in contacts],
+    }
+
+
+def _measures(
+    length: dict[str, str],
+    area: dict[str, str],
+    angles: Sequence[tuple[tuple[str, str], tuple[str, str]]],
+) -> dict[str, Any]:
+    def terms(factors: dict[str, str]) -> list[dict[str, str]]:
+        return [{"factor": factor, "root": root or "1"} for root, factor in factors.items()]
+
+    return {
+        "length": terms(length),
+        "area": terms(area),
+        "angles": [{"from": list(start), "to": list(end)} for start, end in angles],
+    }
+
+
+def _finite(x: float) -> float | None:
+    return x if math.isfinite(x) else None
+
+
 def enclosed(bounds: tuple[float, float]) -> dict[str, float | None]:
     """Two doubles with a number between; beyond doubles: None."""
-    low, high = (bound if math.isfinite(bound) else None for bound in bounds)
+    low, high = map(_finite, bounds)
     return {"low": low, "high": high}
 
 
@@ -162,6 +202,7 @@ def _print(value: dict[str, Any], operand: Operand) -> None:
         ("area", _near(value["area"])),
         ("length of the boundary", _near(value["length"])),
         ("digest", value["digest"]),
+        *passage_rows(value["tight_passages"], "segment"),
         ("seconds", f"{value['seconds']:.3f}"),
     ]
     print_lines(rows + written_row(value), value)

@@ -8,6 +8,7 @@
 
 #include "reference/disc/arc_winding.hpp"
 #include "reference/disc/disjoint_sets.hpp"
+#include "reference/fault.hpp"
 
 namespace minkref::inline disc {
 namespace {
@@ -39,7 +40,8 @@ class ConvolutionBoundary {
   }
   /// The sum on the left, its complement on the right.
   bool is_boundary(std::uint32_t half_edge) const {
-    return winding(half_edge) > 0 && winding(half_edge ^ 1U) == 0;
+    const int outside = planted(Fault::winding_off_by_one) ? 1 : 0;
+    return winding(half_edge) > outside && winding(half_edge ^ 1U) == outside;
   }
 
   void find_components() {

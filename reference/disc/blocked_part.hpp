@@ -61,6 +61,10 @@ class PatchesAt {
   std::vector<BlockedPart> blocked(std::uint32_t patch, std::uint32_t by,
                                    OffsetCounts& counts) const;
 
+  /// Of the patch of an edge: the part between it and another edge that faces it, as far on the
+  /// other side; `blocked` takes it for blocked. Nothing is nearer to either edge there. Exact.
+  std::optional<BlockedPart> ridge(std::uint32_t patch, std::uint32_t by) const;
+
   /// The sign of the way from place b of a patch to place a. Exact.
   int compare(std::uint32_t patch, const PatchPlace& a, const PatchPlace& b,
               OffsetCounts& counts) const;
@@ -101,7 +105,6 @@ class PatchesAt {
   template <class N>
   Vector<N> joint(std::uint32_t patch, int end) const;
   std::uint32_t feature_of(const OffsetEdge& by, NearCurve curve) const;
-  std::optional<BlockedPart> ridge(std::uint32_t patch, std::uint32_t by) const;
   bool may_be_ridge(std::uint32_t patch, std::uint32_t by) const;
   RootPoint tangent(std::uint32_t patch, const RootPoint& at) const;
 

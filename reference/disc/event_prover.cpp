@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "reference/fault.hpp"
+
 namespace minkref::inline disc {
 namespace {
 
@@ -93,7 +95,11 @@ bool EventProver::are_one(const DiagramEvent& a, const DiagramEvent& b) const {
 }
 
 const Equidistant<RootNumber>& EventProver::exact(const DiagramEvent& event) {
-  if (!exact_) exact_ = equidistant_places<RootNumber>(curves_, event.of).at(event.branch);
+  if (!exact_) {
+    const auto places = equidistant_places<RootNumber>(curves_, event.of);
+    const bool is_other = planted(Fault::event_on_other_branch);
+    exact_ = places.at(is_other ? places.size() - 1 - event.branch : event.branch);
+  }
   return *exact_;
 }
 
@@ -137,7 +143,8 @@ bool EventProver::add(std::uint32_t number, DiagramEvent& event, std::set<std::u
     const std::uint32_t feature = at_start ? edge.start_feature : edge.end_feature;
     if (!is_of(feature)) order = distance_order(at_start ? edge.start : edge.end, event);
     if (order == 0) found.insert(feature);
-    if (order == 0 && (after_start == 0 || after_end == 0) && is_in_front(number, event)) {
+    if (order == 0 && (after_start == 0 || after_end == 0) && !planted(Fault::joint_missed) &&
+        is_in_front(number, event)) {
       found.insert(edge.feature);
       if (lookup_.is_within(edge.feature, feature)) {
         straight_here_.insert(feature);

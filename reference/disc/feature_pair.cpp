@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "reference/fault.hpp"
+
 namespace minkref::inline disc {
 namespace {
 
@@ -127,7 +129,7 @@ bool FeaturePair::is_on(const PairContact& contact, std::size_t which) {
 /// The side along the edge from the foot of the centre, or on the left from one centre to the
 /// other. Two edges that are not parallel have one branch.
 void FeaturePair::find_branch(PairContact& contact) {
-  if (kind_ == Kind::edges) {
+  if (kind_ == Kind::edges || planted(Fault::branches_alike)) {
     contact.branch = 1;
   } else if (kind_ != Kind::parallel_edges && contact.slot != ContactSlot::tangent) {
     const bool are_arcs = kind_ == Kind::arcs;

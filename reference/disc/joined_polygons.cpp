@@ -4,6 +4,7 @@
 
 #include "reference/disc/disjoint_sets.hpp"
 #include "reference/error.hpp"
+#include "reference/fault.hpp"
 #include "reference/plane/arrangement/box_tree.hpp"
 
 namespace minkref::inline disc {
@@ -51,7 +52,8 @@ std::vector<std::uint32_t> joined_polygons(const PatchesAt& at, std::size_t poly
       tree.query(grown(boxes[k], reach), [&](std::uint32_t l) {
         if (l <= k || joined.root(edges[k].polygon) == joined.root(edges[l].polygon)) return false;
         const int found = order(k, l);
-        if (found < 0 || (found == 0 && are_facing(edges[k], edges[l]))) {
+        if (found < 0 || (found == 0 && are_facing(edges[k], edges[l]) &&
+                          !planted(Fault::facing_polygons_apart))) {
           joined.join(edges[k].polygon, edges[l].polygon);
         }
         return false;

@@ -53,10 +53,20 @@ def scales_by_both(first: Feature, second: Feature, radius: int) -> list[Any]:
 
 def contacts_of_ring(ring: Sequence[Vertex]) -> int:
     """Of all pairs of features of a polygon, by the code."""
-    corners = ",".join(f'["{x}","{y}"]' for x, y in ring)
-    P = _core.PolygonSet.from_json(f'{{"polygons":[{{"outer":[{corners}],"holes":[]}}]}}')
-    found = _core.disc_pair_events(P)
+    found = _core.disc_pair_events(_polygon(ring))
     return sum(len(event[3]) for *_, event in found.rows(0, len(found)))
+
+
+def polynomials_of_boundary(ring: Sequence[Vertex]) -> list[list[str]]:
+    """Of the squared radii at which the boundary of the sum of a polygon with a disc changes, by
+    the code; monic, the lowest coefficient first."""
+    found = _core.diagram_events(_polygon(ring))
+    return [polynomial for _, _, polynomial, *_ in found.rows(0, len(found))]
+
+
+def _polygon(ring: Sequence[Vertex]) -> _core.PolygonSet:
+    corners = ",".join(f'["{x}","{y}"]' for x, y in ring)
+    return _core.PolygonSet.from_json(f'{{"polygons":[{{"outer":[{corners}],"holes":[]}}]}}')
 
 
 def _texts(feature: Feature) -> list[tuple[str, str]]:

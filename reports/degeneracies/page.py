@@ -11,7 +11,8 @@ from typing import Any
 
 from minkref import _core
 from minkref.degeneracies import found, lint
-from minkref.degeneracies.catalogue import ALL_FAMILIES
+from minkref.degeneracies.catalogue import ALL_FAMILIES, DISC_FAMILIES
+from minkref.degeneracies.disc.case_faults import CORPUS as CORPUS_WITH_DISC
 from minkref.degeneracies.flags import explained
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, invalid_member
 from minkref.documents import check_writable, write_atomically
@@ -19,6 +20,12 @@ from minkref.errors import Refusal, message_of
 from minkref.fuzz.space.case_file import is_in_space
 from minkref.output_folder import make_folder
 from minkref.reports.degeneracies.cases import cases_in, space_case, unfit
+from minkref.reports.degeneracies.disc_cases import (
+    DiscRow,
+    disc_case_pictures,
+    disc_cases_in,
+    disc_row,
+)
 from minkref.reports.degeneracies.pictures import Drawn, case_pictures
 from minkref.reports.degeneracies.solid_pictures import solid_pictures
 from minkref.reports.degeneracies.solid_row import SolidRow, solid_row
@@ -66,7 +73,7 @@ class SpaceRow:
     why: str
 
 
-AnyRow = Row | SpaceRow | SolidRow
+AnyRow = Row | SpaceRow | SolidRow | DiscRow
 
 
 @dataclass(frozen=True)
@@ -91,8 +98,12 @@ class FamilyPage:
         return [row for row in self.rows if isinstance(row, SolidRow)]
 
     @property
+    def with_disc(self) -> list[DiscRow]:
+        return [row for row in self.rows if isinstance(row, DiscRow)]
+
+    @property
     def is_generated(self) -> bool:
-        return self.name in ALL_FAMILIES
+        return self.name in ALL_FAMILIES or self.name in DISC_FAMILIES
 
     @property
     def has_stories(self) -> bool:
@@ -116,12 +127,16 @@ def write_report(
     Returns the index. `reading` is told the family of each case. Refuses a corpus with a case that
     cannot be shown, and writes nothing."""
     by_family: dict[str, list[Path]] = {}
-    for path in lint.case_paths(corpus):
+    paths = case_paths_of_report(corpus)
+    for path in paths:
         by_family.setdefault(Path(os.path.abspath(path)).parent.name, []).append(path)
     if INDEX in by_family:
         where = str(by_family[INDEX][0].parent)
         raise Refusal("the front page has this name", where, "give the folder another name")
-    pages = [_family(name, paths, reading) for name, paths in sorted(by_family.items())]
+    pages = [
+        (_family_with_disc if name in DISC_FAMILIES else _family)(name, paths, reading)
+        for name, paths in sorted(by_family.items())
+    ]
     invalid = [_invalid(name) for name in INVALID_FAMILIES]
     templates = environment("degeneracies")
     files = {
@@ -136,6 +151,25 @@ def write_report(
     for name, text in files.items():
         write_atomically(folder / name, text)
     return folder / f"{INDEX}.html"
+
+
+def case_paths_of_report(corpus: Path) -> list[Path]:
+    """The cases of a folder; with the corpus of case-v1 those with a disc, which have a folder of
+    their own."""
+    more = lint.case_paths(CORPUS_WITH_DISC) if corpus == lint.CORPUS else []
+    return [*lint.case_paths(corpus), *more]
+
+
+def _family_with_disc(name: str, paths: list[Path], reading: Callable[[str], None]) -> FamilyPage:
+    family = DISC_FAMILIES[name]
+    rows: list[AnyRow] = []
+    drawings: list[tuple[AnyRow, list[Drawn]]] = []
+    for path, value in disc_cases_in(paths):
+        reading(name)
+        rows.append(disc_row(path, value))
+        if len(drawings) < DRAWN:
+            drawings.append((rows[-1], disc_case_pictures(path, value)))
+    return FamilyPage(name, family.title, family.why, [], rows, drawings)
 
 
 def _family(name: str, paths: list[Path], reading: Callable[[str], None]) -> FamilyPage:

@@ -3,7 +3,7 @@
 The preset `faults` builds the reference with faults that the environment variable MINKREF_FAULT
 switches on (reference/fault.hpp). Each fault of the plane is put before the laws and tests of the
 reference, its own routes against each other, and the judges of `minkref verify minkref`; each of
-space before the laws and tests of space.
+space before the laws and tests of space, and each of sums with a disc before those of the disc.
 
 `python -m minkref.reports.evidence.planted_faults [FAULT...]` puts in these only (those that the
 table does not have, if none are named) and makes their rows of the table anew. Exit code 1: one of
@@ -28,8 +28,8 @@ from minkref.reports.evidence.framework.part import CGAL, COMPARISON, REFERENCE,
 from minkref.reports.evidence.framework.store import ROOT
 
 SUBJECT = (
-    "At least 25 faults put into the reference in the plane and as many in space, one at a time: "
-    "each is caught by a judge, a law or a test; a table says by which."
+    "At least 25 faults put into the reference in the plane, as many in space, and 12 in sums with "
+    "a disc, one at a time: each is caught by a judge, a law or a test; a table says by which."
 )
 MINUTES = (50, None)
 DEPENDS = (
@@ -41,11 +41,13 @@ BUILD = ROOT / "build" / "faults"
 TABLE = SCRIPTS / "planted_faults.md"
 SUITES = ("plane", "critical", "dynamic", "index")
 SPACE_SUITES = ("number", "space", "space_sums", "surface")
+DISC_SUITES = ("disc",)
 PYTEST_FOLDERS = ("tests/plane", "tests/dynamic")
 ROUTES = TRUTHS
 PAIRS = 60
 SUITE_SECONDS, VERIFY_SECONDS, PYTEST_SECONDS = 300, 150, 150
 FEWEST = 25
+FEWEST_OF_LIST = {"IN_PLANE": FEWEST, "IN_SPACE": FEWEST, "WITH_DISC": 12}
 JOBS = 2
 
 
@@ -61,10 +63,10 @@ class Caught:
         return bool(self.judges or self.routes or self.tests)
 
 
-def listed(where: str = "PLANE|SPACE") -> dict[str, str]:
+def listed(where: str = "IN_PLANE|IN_SPACE|WITH_DISC") -> dict[str, str]:
     """Every fault and what is wrong with it, in the order of reference/fault.hpp."""
     text = (ROOT / "reference" / "fault.hpp").read_text(encoding="utf-8").replace("\\\n", " ")
-    lists = re.findall(rf"^#define MINKREF_FAULTS_IN_(?:{where})\(X\)(.*)", text, re.MULTILINE)
+    lists = re.findall(rf"^#define MINKREF_FAULTS_(?:{where})\(X\)(.*)", text, re.MULTILINE)
     return dict(re.findall(r'X\(\s*(\w+),\s*"([^"]+)"\s*\)', " ".join(lists)))
 
 
@@ -155,13 +157,22 @@ def before_judges(fault: str, caught: Caught) -> None:
 def put_in(fault: str) -> Caught:
     """Without a fault all that any is put before."""
     caught = Caught()
-    if fault not in listed("SPACE"):
+    if not fault or fault in listed("IN_PLANE"):
         caught.tests += laws(fault, SUITES) + python_tests(fault)
         before_judges(fault, caught)
-    if fault not in listed("PLANE"):
-        caught.tests += laws(fault, SPACE_SUITES)
+    if not fault or fault not in listed("IN_PLANE"):
+        caught.tests += laws(fault, _suites([fault] if fault else list(listed())))
     print(f"{fault or 'none'}: {'caught' if caught else 'not caught'}", flush=True)
     return caught
+
+
+def _suites(faults: list[str]) -> tuple[str, ...]:
+    """Before which faults that are not of the plane are put."""
+    chosen: tuple[str, ...] = ()
+    for where, suites in (("IN_SPACE", SPACE_SUITES), ("WITH_DISC", DISC_SUITES)):
+        if set(faults) & set(listed(where)):
+            chosen += suites
+    return chosen
 
 
 def all_put_in(names: list[str]) -> dict[str, Caught]:
@@ -183,10 +194,10 @@ def run(findings: Findings, quick: bool) -> None:
         "alarms without a fault": vars(without),
     }
     findings.law("alarms without a fault", not without, "none", "none" if not without else without)
-    for where in ("PLANE", "SPACE"):
+    for where, fewest in FEWEST_OF_LIST.items():
         count = len(listed(where))
-        what = f"faults in {'the ' * (where == 'PLANE')}{where.lower()}"
-        findings.law(what, count >= FEWEST, f"at least {FEWEST}", count)
+        what = f"faults {where.lower().replace('_', ' ')}"
+        findings.law(what, count >= fewest, f"at least {fewest}", count)
     findings.law("not caught", not missed, "none", ", ".join(missed) or "none")
     findings.target("caught by a judge", by_judge >= FEWEST, f"at least {FEWEST}", by_judge)
     findings.target("caught by a law or test", by_test >= FEWEST, f"at least {FEWEST}", by_test)
@@ -197,7 +208,7 @@ def run(findings: Findings, quick: bool) -> None:
 
 def row(name: str, caught: Caught) -> str:
     columns = [caught.judges, caught.routes, caught.tests]
-    if name in listed("SPACE"):
+    if name not in listed("IN_PLANE"):
         columns = [caught.tests]
     cells = [f"`{name}`", listed()[name], *(", ".join(names) for names in columns)]
     return "| " + " | ".join(cell or "-" for cell in cells) + " |"
@@ -221,14 +232,20 @@ def table(rows: dict[str, str]) -> str:
         "",
         "| fault | what is wrong | judges | routes | laws and tests |",
         "|---|---|---|---|---|",
-        *(rows[name] for name in listed("PLANE")),
+        *(rows[name] for name in listed("IN_PLANE")),
         "",
         "Faults in the code of sums in space, and in the doubles with bounds under it. They are "
         f"put before the C++ suites {', '.join(f'`{suite}`' for suite in SPACE_SUITES)} only.",
         "",
         "| fault | what is wrong | laws and tests |",
         "|---|---|---|",
-        *(rows[name] for name in listed("SPACE")),
+        *(rows[name] for name in listed("IN_SPACE")),
+        "",
+        "Faults in the code of sums with a disc, put before the C++ suite `disc` only.",
+        "",
+        "| fault | what is wrong | laws and tests |",
+        "|---|---|---|",
+        *(rows[name] for name in listed("WITH_DISC")),
     ]
     return "\n".join(lines) + "\n"
 
@@ -239,9 +256,10 @@ def main(names: list[str]) -> int:
     if unknown := [name for name in names if name not in listed()]:
         print(f"no such fault: {', '.join(unknown)}", file=sys.stderr)
         return 2
-    in_space = set(names) <= set(listed("SPACE"))
-    build(tuple(f"test_{suite}" for suite in SPACE_SUITES) if in_space else ())
-    without = laws("", SPACE_SUITES) if in_space else put_in("")
+    in_plane = bool(set(names) & set(listed("IN_PLANE")))
+    suites = _suites(names)
+    build(() if in_plane else tuple(f"test_{suite}" for suite in suites))
+    without = put_in("") if in_plane else laws("", suites)
     if without:
         print(f"alarms without a fault: {without}", file=sys.stderr)
         return 1

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import json
+import math
+from fractions import Fraction
 from itertools import pairwise
 
 from minkref import _core
 from minkref.operand import read_operand
 from minkref.reports.bench.pairs import Pair
 from minkref.reports.drawing import Layer, picture
+from minkref.reports.offset_picture import offset_picture
 from minkref.reports.paper.entry import Claim, Picture
 
 # Fig. 2: four and five vertices, of which one is reflex, as in the paper's figure.
@@ -80,6 +83,36 @@ def figure_7_inputs(pair: Pair) -> list[Picture]:
                 picture([Layer("first", one.set.approximate_rings())], one.name, 300))
         for one in (pair.P, pair.Q)
     ]  # fmt: skip
+
+
+def with_true_disc(pair: Pair) -> tuple[list[Picture], list[Claim]]:
+    """The sum of the second operand with the first, a polygon about the origin, and with the disc
+    of which that has its corners; and how they differ."""
+    corners = [(Fraction(x), Fraction(y)) for rings in pair.P.set.rings() for x, y in rings[0]]
+    square = max(x * x + y * y for x, y in corners)
+    disc, by_polygon = (
+        _core.offset(pair.Q.set, str(square)),
+        _core.minkowski_sum(pair.P.set, pair.Q.set, "1"),
+    )
+    radius = math.sqrt(square)
+    caption = f"with a true disc of the radius {radius:g}: {_counts(disc)}"
+    pictures = [
+        Picture(f"with the polygon: {_counts(by_polygon)}", _sum(by_polygon.region)),
+        Picture(caption, offset_picture(disc, pair.Q.set, radius, caption)),
+    ]
+    area, most = float(Fraction(by_polygon.region.area())), disc.area[1]
+    claim = Claim(
+        "the disc is a polygon with corners on the circle, so that its sum lies in that with the "
+        "true disc",
+        f"areas {area:.6g} and {most:.6g}, curves {by_polygon.region.vertices:,} and "
+        f"{disc.curves:,}",
+        area <= most,
+    )
+    return pictures, [claim]
+
+
+def _counts(found: _core.Sum | _core.Offset) -> str:
+    return f"{found.components} component(s), {found.holes} hole(s)"
 
 
 def _operands(pair: Pair) -> str:

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import jsonschema
+import mpmath
 import pytest
 from minkref import _core
 from minkref.commands.schemas import schema
@@ -93,6 +94,87 @@ def test_the_picture_has_arcs(minkref: Minkref, tmp_path: Path) -> None:
     assert 'class="first"' not in file.read_text(encoding="utf-8")
 
 
+def test_tight_passages(minkref: Minkref) -> None:
+    ran = minkref("sum", FRAME, "disc:2", "--json")
+    (found,) = ran.json["tight_passages"]
+    assert (found["points"], found["near"]) == ([["4", "4"]], [[4.0, 4.0]])
+    assert sorted(found["contacts"]) == [
+        ["line", "-1", "0", "2"], ["line", "0", "-1", "-6"],
+        ["line", "0", "1", "2"], ["line", "1", "0", "-6"],
+    ]  # fmt: skip
+    assert minkref("sum", FRAME, "disc:1", "--json").json["tight_passages"] == []
+    told = minkref("sum", FRAME, "disc:2").out
+    assert re.search(r"tight passages +1 point", told) and "(4, 4)" in told
+    hall = "POLYGON ((0 0, 9 0, 9 6, 0 6, 0 0), (2 2, 2 4, 7 4, 7 2, 2 2))"
+    for route in ("definition", "paper"):
+        found = minkref("sum", hall, "disc:1", "--route", route, "--json").json["tight_passages"]
+        assert [row["points"] for row in found] == [[["3", "3"], ["6", "3"]]]
+    assert re.search(r"tight passages +1 segment", minkref("sum", hall, "disc:1").out)
+
+
+def test_the_tight_point_of_a_triangle(minkref: Minkref) -> None:
+    """The centre of the circle in a triangle with the sides 3, 4 and 5: lines of three fields."""
+    triangle = "POLYGON ((-9 -9, 9 -9, 9 9, -9 9, -9 -9), (0 0, 0 3, 4 0, 0 0))"
+    ran = minkref("sum", triangle, "disc:1", "--json")
+    assert [row["points"] for row in ran.json["tight_passages"]] == [[["1", "1"]]]
+    jsonschema.validate(ran.json, schema("sum"))
+
+
+SHAPES = (
+    SQUARE,
+    FRAME,
+    "POLYGON ((0 0, 5 1, 7 6, 3 3, 1 7, 0 0))",
+    "MULTIPOLYGON (((0 0, 2 1, 1 3, 0 0)), ((3 0, 6 0, 5 2, 3 0)), ((2 4, 5 4, 4 6, 2 4)))",
+    "LINESTRING (0 0, 3 1)",
+    "POINT (1/3 2)",
+)
+
+
+def value_of(expression: str) -> mpmath.mpf:
+    """With 60 digits."""
+    number = re.sub(r"(\d+)", r"mpf('\1')", expression)
+    return mpmath.mpf(eval(number, {"mpf": mpmath.mpf, "sqrt": mpmath.sqrt}))
+
+
+@pytest.mark.parametrize("route", ["definition", "paper"])
+@pytest.mark.parametrize("radius", ["1/2", "sqrt:2", "3/4"])
+@pytest.mark.parametrize("shape", SHAPES)
+def test_measures_are_sums_of_terms(minkref: Minkref, shape: str, radius: str, route: str) -> None:
+    ran = minkref("sum", shape, f"disc:{radius}", "--route", route, "--measures", "--json")
+    assert ran.code == 0, ran.err
+    jsonschema.validate(ran.json, schema("sum"))
+    with mpmath.workdps(60):
+        angle = mpmath.mpf(0)
+        for row in ran.json["measures"]["angles"]:
+            start, end = (mpmath.mpc(*map(value_of, row[name])) for name in ("from", "to"))
+            turn = mpmath.arg(end / start) % (2 * mpmath.pi)
+            angle += turn if turn > mpmath.mpf(10) ** -50 else 2 * mpmath.pi
+        square = value_of(ran.json["squared_radius"])
+        length, area = (
+            sum((value_of(row["factor"]) * value_of(row["root"]) for row in terms), mpmath.mpf(0))
+            for terms in (ran.json["measures"]["length"], ran.json["measures"]["area"])
+        )
+        length += mpmath.sqrt(square) * angle
+        area += square * angle / 2
+        for name, found in (("length", length), ("area", area)):
+            bounds = ran.json[name]
+            assert bounds["low"] <= found <= bounds["high"], (name, found, bounds)
+
+
+def test_measures_of_a_square(minkref: Minkref) -> None:
+    """Steiner's formula."""
+    measures = minkref("sum", SQUARE, "disc:sqrt:2", "--measures", "--json").json["measures"]
+    assert measures["length"] == [{"factor": "16", "root": "1"}]
+    assert {(row["factor"], row["root"]) for row in measures["area"]} == {
+        ("16", "1"), ("16", "sqrt(2)"),
+    }  # fmt: skip
+    assert len(measures["angles"]) == 4
+    assert {"from": ["-1", "0"], "to": ["0", "-1"]} in measures["angles"]
+    whole = minkref("sum", "POINT (0 0)", "disc:3", "--measures", "--json").json["measures"]
+    assert whole["length"] == [] and len(whole["angles"]) == 1
+    assert whole["angles"][0]["from"] == whole["angles"][0]["to"]
+
+
 @pytest.mark.parametrize("outside", [False, True])
 def test_a_polygon_within_a_tolerance(minkref: Minkref, tmp_path: Path, outside: bool) -> None:
     file = tmp_path / "sum.wkt"
@@ -146,6 +228,8 @@ def test_polygons_are_inside_and_outside(square: str, tolerance: str) -> None:
         (("disc:1", "-o", "sum.wkt", "--tolerance", "0"), "--tolerance"),
         (("disc:1", "-o", "sum.wkt", "--tolerance", "1e-12"), "corners"),
         (("disc:1", "-o", "sum.dxf"), "sum.dxf"),
+        (("disc:1", "--measures"), "--measures"),
+        (("g1", "--measures", "--json"), "--measures"),
         (("g1", "--tolerance", "1"), "--tolerance"),
     ],
 )

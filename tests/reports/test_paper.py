@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import csv
 import io
+import re
 
 import pytest
 from minkref.operand import read_operand
@@ -47,6 +48,13 @@ def test_what_the_paper_draws_is_so_in_our_drawings(draw: object) -> None:
     assert len(pictures) >= 1 and len(claims) >= 2
     assert all(one.svg.startswith("<svg") and one.svg.count("<path") >= 1 for one in pictures)
     assert [claim for claim in claims if not claim.holds] == []
+
+
+def test_the_disc_of_a_figure_is_drawn_as_a_true_one() -> None:
+    pair = Pair(read_operand("disc1"), read_operand("g1"), small=False)
+    pictures, claims = drawings.with_true_disc(pair)
+    assert all(claim.holds for claim in claims) and len(pictures) == 2
+    assert " A" not in pictures[0].svg and len(re.findall("A[0-9]", pictures[1].svg)) > 10
 
 
 @pytest.mark.parametrize("arithmetic", ["double", "mpfr:53"])

@@ -28,21 +28,25 @@ ORACLE = ("oracle/symbolic/disc.py", "oracle/symbolic/derive_disc.py")
     all below.""",
     right=r"""So it is, at $s_0 = |c_1 - c_2| / (2 r)$: $s_0^2$ is rational, $s_0$ of degree 1 or 2.
     It is an event of the arcs only if the midpoint lies on both.""",
-    code=ORACLE,
+    code=(*CODE, *ORACLE),
 )
 def _(shown: Shown) -> None:
-    """By computer algebra; one pair by the symbolic oracle."""
+    """By computer algebra; one pair by the symbolic oracle, and by the code."""
     a, b = vector("a"), vector("b")
     x, y = sp.symbols("x y", real=True)
     difference = (x - a[0]) ** 2 + (y - a[1]) ** 2 - (x - b[0]) ** 2 - (y - b[1]) ** 2
     on_line = 2 * (b - a).dot(sp.Matrix([x, y]) - (a + b) / 2)
     shown.identity("difference of the circles' equations: the line through the midpoint, at right "
                    "angles", difference - on_line)  # fmt: skip
-    root = circles(
-        corner_of_normals((0, 0), (4, -3), (4, 3)), corner_of_normals((6, 1), (-4, 3), (-4, -3)), 1
+    arcs = (
+        corner_of_normals((0, 0), (4, -3), (4, 3)),
+        corner_of_normals((6, 1), (-4, 3), (-4, -3)),
     )
+    root = circles(*arcs, 1)
     shown.equal("centres $(0, 0)$ and $(6, 1)$, $r = 1$: minimal polynomial of $s_0$",
                 root.polynomial, (4, 0, -37))  # fmt: skip
+    shown.equal("the first event of arcs of them, by the code",
+                scales_by_both(*arcs, 1)[0], sp.sqrt(37) / 2)  # fmt: skip
 
 
 @PART.entry(

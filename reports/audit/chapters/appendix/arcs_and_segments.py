@@ -17,7 +17,13 @@ from minkref.fuzz.judges.paper_disc import (
     three_lines,
 )
 from minkref.reports.audit.disc import corner, exact, squared_distance
-from minkref.reports.audit.disc_code import CODE, code_events, contacts_of_ring, scales_by_both
+from minkref.reports.audit.disc_code import (
+    CODE,
+    code_events,
+    contacts_of_ring,
+    polynomials_of_boundary,
+    scales_by_both,
+)
 from minkref.reports.audit.entry import Chapter, CheckFailed, Shown, Status, text
 from minkref.reports.audit.sketches import swept
 from minkref.reports.audit.symbolic_disc import corner_of_normals, normal, r, s, unit, vector
@@ -183,13 +189,14 @@ WELL = [(-6, -3), (14, -3), (14, 5), (5, 5), (10, 0), (-2, 0), (0, 4), (-6, 4)]
     $s^2$ is the squared circumradius over $r^2$, a rational; two circles and a line, or a circle
     and two lines, give a quadratic equation over the field of the lengths.""",
     formula="Events of two arcs or segments are all events (Section 8.2, Appendix)",
-    code=ORACLE,
+    code=("reference/disc/diagram_events.hpp", *CODE, *ORACLE),
 )
 def _(shown: Shown) -> None:
     """A polygon with two tips above a floor: by computer algebra the equation of its triple event
-    and the root $117 - 10 \\sqrt{130}$; the disc is empty, from exact distances; and no event of
-    two features of the polygon is there. The degrees of the other kinds by the symbolic oracle,
-    or by computer algebra with symbols for all data."""
+    and the root $117 - 10 \\sqrt{130}$; the disc is empty, from exact distances; no event of two
+    features of the polygon is there; and the code has an event of its boundary there. The
+    degrees of the other kinds by the symbolic oracle, or by computer algebra with symbols for all
+    data."""
     x = sp.Symbol("x", real=True)
     (a, b), tips = (0, 4), (5, 5)
     first = (x - a) ** 2 + (s - b) ** 2 - s**2
@@ -205,6 +212,10 @@ def _(shown: Shown) -> None:
     pairs = [touch.root.polynomial for touch in ring_touches(WELL, 1)]
     shown.true(f"none of its {len(pairs)} events of pairs has that scale",
                (1, -234, 689) not in pairs and len(pairs) > 10)  # fmt: skip
+    y = sp.Symbol("y")
+    wanted = sp.Poly(sp.minimal_polynomial(value**2, y), y).all_coeffs()[::-1]
+    shown.equal("events of the boundary with a minimal polynomial of its square, by the code",
+                polynomials_of_boundary(WELL).count([str(c) for c in wanted]), 1)  # fmt: skip
     u, v = float(place[0]), float(value)
     shown.draw("the offset curves at that scale, and the disc that touches three features",
                swept(WELL, [v], [(u, v, v)]))  # fmt: skip

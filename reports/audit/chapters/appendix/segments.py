@@ -227,12 +227,12 @@ def _parallel(a: Side, b: Side) -> str:
     at $s = A l_1 (l_1 l_2 + B) / (r (d_1 \times d_2)^2)$, if they are not parallel and this is
     positive. For a polygon with rational coordinates and a rational $r$ that is an algebraic number
     of degree 1, 2 or 4, which is in general neither a rational nor a double.""",
-    code=ORACLE,
+    code=(*CODE, *ORACLE),
 )
 def _(shown: Shown) -> None:
     """By computer algebra the formula solves the condition. An instance of the symbolic oracle has
     the degree 4: its polynomial is compared with that of sympy, and found irreducible; the edges
-    themselves touch there. Degrees of 150 random pairs by the oracle."""
+    themselves touch there, also by the code. Degrees of 150 random pairs by the oracle."""
     k, m, A, B = sp.symbols("l_1 l_2 A B", positive=True)
     scale = A * k * (k * m + B) / (r * (k**2 * m**2 - B**2))
     condition = A / m + s * r * B / (k * m) - s * r
@@ -255,6 +255,9 @@ def _(shown: Shown) -> None:
     shown.true("it is irreducible over the rationals", polynomial.is_irreducible)
     shown.true("the edges themselves touch at that scale",
                root in [touch.root for touch in touches(of, line, 1)])  # fmt: skip
+    shown.true("so they do by the code",
+               any(sp.simplify(found - value) == 0
+                   for found in scales_by_both(of, line, 1)))  # fmt: skip
     dice = random.Random(SEED)
     degrees: Counter[int] = Counter()
     while sum(degrees.values()) < 150:

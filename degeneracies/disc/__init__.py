@@ -1,0 +1,1 @@
+"""Degenerate sums of a polygon set and a disc."""

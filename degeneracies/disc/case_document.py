@@ -1,0 +1,113 @@
+"""A member of a family of sums with a disc as a case file, `disc-case-v1`. Two routes agree on each
+of its sums, and what is nearest to its places is found from the definition."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any
+
+from minkref import _core
+from minkref.degeneracies.case_document import set_content
+from minkref.degeneracies.case_texts import LICENCE, CaseTexts, Provable, id_of, source_of
+from minkref.degeneracies.disc.draft import DiscFacts, DiscFamily
+from minkref.degeneracies.disc.generate import drawn_with_disc
+from minkref.disc.disc import Disc
+from minkref.exact import digest
+
+SCHEMA = "disc-case-v1"
+NEAR = Fraction(1, 64)  # of the squared radius: events up to here are told
+SHOWN = 12  # of these
+
+VARIES = (
+    "Rings may start anywhere, holes and components come in any order, and arcs may be cut into "
+    "parts: compare sets, or canonical forms.",
+    "Corners of the sum are no rational numbers, and can only be rounded; components and holes can "
+    "be right all the same.",
+)
+
+
+class DiscRoutesDiffer(Exception):
+    """Two routes to one sum do not agree: a fault of ours."""
+
+
+@dataclass(frozen=True)
+class DegenerateWithDisc(CaseTexts):
+    """A case of a polygon set and a disc."""
+
+    facts: DiscFacts
+
+    @classmethod
+    def of(
+        cls, family: DiscFamily, seed: int, index: int, size: int | None = None
+    ) -> DegenerateWithDisc:
+        """The member of this number; of about so many vertices, where a size is given."""
+        source = source_of(family.name, seed, index, size)
+        return cls(family, source, drawn_with_disc(family, seed, index, size))
+
+    @cached_property
+    def id(self) -> str:
+        content = json.dumps(set_content(self.facts.P))
+        return id_of(self.subject.name, content, [str(square) for square in self.facts.squares])
+
+    @cached_property
+    def document(self) -> dict[str, Any]:
+        facts = self.facts
+        return {
+            "schema": SCHEMA,
+            "id": self.id,
+            "title": self.subject.title,
+            "P": json.loads(facts.P.to_json()),
+            "Q": f"disc:{Disc('', facts.squared_radius).radius}",
+            "squared_radii": [str(square) for square in facts.squares],
+            "tags": [self.subject.name],
+            "expected": [self._expected(square) for square in facts.squares],
+            "degeneracy": {
+                "at": str(facts.squared_radius),
+                "why": self.subject.why,
+                "nearest": [
+                    {
+                        "place": _texts(place),
+                        "squared_distance": str(near.squared_distance),
+                        "points": [_texts(point) for point in near.points],
+                        "joints": [_texts(point) for point in near.joints],
+                    }
+                    for place, near in zip(facts.places, facts.near, strict=True)
+                ],
+                "events": facts.events,
+                "events_near": facts.events_within(NEAR)[:SHOWN],
+                "tight_passages": facts.passages,
+                "below_at_above": [list(counts) for counts in facts.counts],
+                "varies": list(VARIES),
+            },
+            "source": self.source,
+            "licence": LICENCE,
+        }
+
+    @property
+    def certificate(self) -> Provable | None:
+        """None: a sum with a disc has no certificate."""
+        return None
+
+    def _expected(self, square: Fraction) -> dict[str, Any]:
+        """Refuses what two routes do not agree on."""
+        found, again = (self.facts.sum(square, route) for route in ("definition", "paper"))
+        if found != again or _counts(found) != _counts(again):
+            raise DiscRoutesDiffer(f"{self.id} at {square}: definition and paper differ")
+        return {
+            "squared_radius": str(square),
+            "digest": digest(found.canonical_json()),
+            "components": found.components,
+            "holes": found.holes,
+            "curves": found.curves,
+        }
+
+
+def _counts(found: _core.Offset) -> tuple[int, int]:
+    return found.components, found.holes
+
+
+def _texts(place: tuple[Fraction, Fraction]) -> list[str]:
+    return [str(c) for c in place]

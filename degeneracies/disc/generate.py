@@ -1,0 +1,27 @@
+"""Members of families of sums with a disc: drawn until one belongs."""
+
+from __future__ import annotations
+
+from random import Random
+
+from minkref import _core
+from minkref.degeneracies.disc.draft import DiscFacts, DiscFamily
+from minkref.degeneracies.draft import NothingDrawn
+from minkref.degeneracies.generate import FEWEST, MOST, PATIENCE, nothing_drawn
+
+
+def drawn_with_disc(
+    family: DiscFamily, seed: int, index: int, size: int | None = None
+) -> DiscFacts:
+    """The member of this number, of about `size` vertices where the family can be large. It depends
+    on nothing else, on any machine. Refuses a size that no draw has come to."""
+    dice = Random(f"minkref degeneracy {family.name} {seed} {index}")
+    for _ in range(PATIENCE):
+        wanted = dice.randint(FEWEST, MOST) if size is None else size
+        try:
+            facts = DiscFacts.of(family.draw(dice, wanted))
+            if family.belongs(facts):
+                return facts
+        except (NothingDrawn, _core.BadInput):
+            continue
+    raise nothing_drawn(family.name, seed, index, size)

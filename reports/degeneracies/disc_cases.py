@@ -1,0 +1,86 @@
+"""Cases of a polygon set and a disc in the table of their family, and drawn: the sum below, at and
+above its radius, with true arcs."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+from minkref import _core
+from minkref.degeneracies.disc.case_faults import case_validator
+from minkref.errors import cut, message_of
+from minkref.reports.degeneracies.cases import unfit
+from minkref.reports.degeneracies.pictures import Drawn
+from minkref.reports.offset_picture import offset_picture
+
+
+@dataclass(frozen=True)
+class DiscRow:
+    """A case in the table of its family. `events`: kinds of those at its radius, and how many;
+    `counts`: components and holes below, at and above."""
+
+    id: str
+    file: str
+    title: str
+    vertices: int
+    disc: str
+    nearest: int  # points, at its first place
+    events: str
+    counts: str
+    why: str
+
+
+def disc_cases_in(paths: Iterable[Path]) -> Iterator[tuple[Path, dict[str, Any]]]:
+    """One at a time. Refuses what is no case."""
+    validator = case_validator()
+    for path in paths:
+        try:
+            value = json.loads(path.read_text(encoding="utf-8"))
+        except (ValueError, RecursionError) as error:
+            raise unfit(path, f"this is no JSON: {message_of(error)}", "syntax") from error
+        wrong = next(iter(validator.iter_errors(value)), None)
+        if wrong is not None:
+            raise unfit(path, cut(f"{wrong.json_path}: {wrong.message}"), "wrong-type")
+        yield path, value
+
+
+def disc_row(path: Path, value: dict[str, Any]) -> DiscRow:
+    told = value["degeneracy"]
+    kinds = [row["kind"] for row in told["events"]]
+    return DiscRow(
+        value["id"],
+        str(path),
+        value["title"],
+        sum(
+            len(ring) for p in value["P"]["polygons"] for ring in (p["outer"], *p.get("holes", []))
+        ),
+        value["Q"],
+        len(told["nearest"][0]["points"]),
+        ", ".join(f"{kinds.count(kind)} {kind}" for kind in dict.fromkeys(kinds)) or "none",
+        ", ".join(f"{c}/{h}" for c, h in told["below_at_above"]),
+        told["why"],
+    )
+
+
+def disc_case_pictures(path: Path, value: dict[str, Any]) -> list[Drawn]:
+    """The sums at the sibling below, at the radius, and at the sibling above."""
+    squares = value["squared_radii"]
+    beside = (len(squares) - 1) // 2
+    wanted = ((squares[1], "just below"), (squares[0], "at"), (squares[1 + beside], "just above"))
+    try:
+        P = _core.PolygonSet.from_json(json.dumps(value["P"]))
+        P.validate("P")
+        drawn = []
+        for square, where in wanted:
+            radius = math.sqrt(Fraction(square))
+            caption = f"the sum {where} the radius {radius:.6g}"
+            found = _core.offset(P, square)
+            drawn.append(Drawn(caption, offset_picture(found, P, radius, caption)))
+        return drawn
+    except (_core.BadInput, ArithmeticError) as error:
+        raise unfit(path, f"it cannot be drawn: {message_of(error)}", "not-drawable") from error

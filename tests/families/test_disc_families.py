@@ -1,0 +1,206 @@
+"""Degenerate sums with a disc: each member has what its family promises, by distances that are
+computed here from the case file alone; both routes give what is expected."""
+
+from __future__ import annotations
+
+import json
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import pytest
+from members import lines_under_two_hash_seeds
+from minkref import _core
+from minkref.degeneracies.catalogue import ALL_FAMILIES, DISC_FAMILIES
+from minkref.degeneracies.disc import case_faults
+from minkref.degeneracies.disc.case_document import DegenerateWithDisc
+from minkref.degeneracies.disc.nearly import PREFIX
+from minkref.degeneracies.files import made_with_disc
+from minkref.degeneracies.make_corpus import COUNT_WITH_DISC
+from minkref.degeneracies.make_corpus import SEED as CORPUS_SEED
+from minkref.disc.disc import read_disc
+from minkref.exact import digest
+
+SEED = 23
+COUNT = 3
+EXACT = [name for name in DISC_FAMILIES if not name.startswith(PREFIX)]
+TWINS = [name for name in DISC_FAMILIES if name.startswith(PREFIX)]
+Spot = tuple[Fraction, Fraction]
+_MADE: dict[str, list[dict[str, Any]]] = {}
+
+
+def documents(name: str) -> list[dict[str, Any]]:
+    """Some of a family, as their files have them."""
+    if name not in _MADE:
+        print(f"seed {SEED}")
+        made = [DegenerateWithDisc.of(DISC_FAMILIES[name], SEED, k) for k in range(COUNT)]
+        _MADE[name] = [json.loads(each.case_text) for each in made]
+    return _MADE[name]
+
+
+def spot(texts: list[str]) -> Spot:
+    return Fraction(texts[0]), Fraction(texts[1])
+
+
+def edges(value: dict[str, Any]) -> list[tuple[Spot, Spot]]:
+    found = []
+    for polygon in value["P"]["polygons"]:
+        for ring in (polygon["outer"], *polygon.get("holes", [])):
+            spots = [spot(p) for p in ring]
+            found += list(zip(spots, [*spots[1:], spots[0]], strict=True))
+    return found
+
+
+def nearest(value: dict[str, Any], x: Spot) -> tuple[Fraction, set[Spot]]:
+    """The squared distance of P, and the points of it that are as near: of each edge one of its
+    ends, or the point that a right angle leads to."""
+    found: dict[Spot, Fraction] = {}
+    for a, b in edges(value):
+        dx, dy = b[0] - a[0], b[1] - a[1]
+        part = ((x[0] - a[0]) * dx + (x[1] - a[1]) * dy) / (dx * dx + dy * dy)
+        candidates = [a, b]
+        if 0 < part < 1:
+            candidates.append((a[0] + part * dx, a[1] + part * dy))
+        for c in candidates:
+            found[c] = (x[0] - c[0]) ** 2 + (x[1] - c[1]) ** 2
+    least = min(found.values())
+    return least, {c for c, square in found.items() if square == least}
+
+
+@pytest.mark.parametrize("name", DISC_FAMILIES)
+def test_what_is_nearest_is_told(name: str) -> None:
+    for value in documents(name):
+        for row in value["degeneracy"]["nearest"]:
+            square, points = nearest(value, spot(row["place"]))
+            assert Fraction(row["squared_distance"]) == square
+            assert {spot(p) for p in row["points"]} == points
+            assert {spot(p) for p in row["joints"]} <= points
+
+
+@pytest.mark.parametrize("name", DISC_FAMILIES)
+def test_sums_are_what_is_expected(name: str) -> None:
+    """By both routes, at all radii; and nothing changes on either side."""
+    for value in documents(name):
+        P = _core.PolygonSet.from_json(json.dumps(value["P"]))
+        squares = [Fraction(square) for square in value["squared_radii"]]
+        assert read_disc(value["Q"]).squared_radius == squares[0]
+        beside = (len(squares) - 1) // 2
+        assert all(square < squares[0] for square in squares[1 : 1 + beside])
+        assert all(square > squares[0] for square in squares[1 + beside :])
+        rings = []
+        for row in value["expected"]:
+            for route in ("definition", "paper"):
+                found = _core.offset(P, row["squared_radius"], 1, route)
+                assert digest(found.canonical_json()) == row["digest"]
+                told = (found.components, found.holes, found.curves)
+                assert told == (row["components"], row["holes"], row["curves"])
+            rings.append(json.loads(found.canonical_json())["components"])
+        for side in (rings[1 : 1 + beside], rings[1 + beside :]):
+            assert all(each == side[0] for each in side)
+        counts = [(row["components"], row["holes"]) for row in value["expected"]]
+        told = [tuple(each) for each in value["degeneracy"]["below_at_above"]]
+        assert told == [counts[1], counts[0], counts[1 + beside]]
+
+
+@pytest.mark.parametrize("name", EXACT)
+def test_something_happens_at_the_radius(name: str) -> None:
+    for value in documents(name):
+        told = value["degeneracy"]
+        at = Fraction(told["at"])
+        assert told["events"]
+        for row in told["nearest"]:
+            assert Fraction(row["squared_distance"]) == at
+            assert len(row["points"]) > 1
+            x, y = (float(Fraction(c)) for c in row["place"])
+            places = [event["place"] for event in told["events"]]
+            size = 1 + abs(x) + abs(y)
+            on_ridge = name == "disc-flat-ridge"
+            assert on_ridge or any(abs(x - u) + abs(y - v) < 1e-9 * size for u, v in places)
+
+
+def test_families_show_what_their_titles_say() -> None:
+    def told(name: str) -> list[dict[str, Any]]:
+        return [value["degeneracy"] for value in documents(name)]
+
+    for name in ("disc-tips", "disc-walls", "disc-tips-and-walls"):
+        assert all(len(each["nearest"][0]["points"]) >= 4 for each in told(name))
+    for each in told("disc-tips"):
+        features = max(each["events"], key=lambda event: len(event["features"]))["features"]
+        assert sum(kind == "vertex" for kind, *_ in features) >= 4
+    for each in told("disc-walls"):
+        features = max(each["events"], key=lambda event: len(event["features"]))["features"]
+        assert sum(kind == "edge" for kind, *_ in features) >= 4
+    for name in ("disc-joint-at-corner", "disc-joint-at-saddle"):
+        assert all(each["nearest"][0]["joints"] for each in told(name))
+    for each in told("disc-flat-ridge"):
+        assert any(len(points) == 2 for points in each["tight_passages"])
+        assert any(event["kind"] == "ridge" for event in each["events"])
+    for each in told("disc-pinches"):
+        below, at, _ = each["below_at_above"]
+        assert below == [2, 0] and at[0] == 2 and at[1] >= len(each["nearest"]) - 1 > 0
+        assert not each["tight_passages"]
+
+
+@pytest.mark.parametrize("name", TWINS)
+def test_twins_are_nearly_so(name: str) -> None:
+    """A place is no longer as far from as many points as in the family, and events are near."""
+    for value in documents(name):
+        told = value["degeneracy"]
+        assert told["events_near"]
+        at = Fraction(told["at"])
+        squares = [Fraction(row["squared_distance"]) for row in told["nearest"]]
+        assert all(abs(square - at) < at / 2 for square in squares)
+
+
+@pytest.mark.parametrize("name", DISC_FAMILIES)
+def test_the_members_of_the_corpus_are_made_again(name: str) -> None:
+    """All of them, and no more: the same bytes."""
+    family = DISC_FAMILIES[name]
+    made = [DegenerateWithDisc.of(family, CORPUS_SEED, k) for k in range(COUNT_WITH_DISC)]
+    texts = {f"{each.id}.json": each.case_text for each in made}
+    folder = case_faults.CORPUS / name
+    assert texts == {path.name: path.read_text(encoding="utf-8") for path in folder.iterdir()}
+
+
+def test_the_corpus_is_in_form() -> None:
+    assert not list(case_faults.faults(again=False))
+    assert {path.name for path in case_faults.CORPUS.iterdir()} == set(DISC_FAMILIES)
+    assert not set(DISC_FAMILIES) & set(ALL_FAMILIES)
+
+
+CODE = f"""
+import hashlib
+from minkref.degeneracies.catalogue import DISC_FAMILIES
+from minkref.degeneracies.disc.case_document import DegenerateWithDisc
+for name, family in sorted(DISC_FAMILIES.items()):
+    text = DegenerateWithDisc.of(family, {SEED}, 0).case_text
+    print(name, hashlib.sha256(text.encode()).hexdigest())
+"""
+
+
+def test_a_member_depends_on_seed_and_number_only() -> None:
+    assert len(lines_under_two_hash_seeds(CODE)) == len(DISC_FAMILIES)
+
+
+@pytest.mark.parametrize(
+    ("spoil", "fault"),
+    [
+        (lambda v: v.pop("Q"), "'Q' is a required property"),
+        (lambda v: v.__setitem__("more", 1), "Additional properties"),
+        (lambda v: v["expected"][0].__setitem__("holes", 99), "expected is not what"),
+        (lambda v: v["expected"].reverse(), "not each radius"),
+        (lambda v: v["squared_radii"].reverse(), "id is not"),
+        (lambda v: v["degeneracy"].__setitem__("tight_passages", []), "degeneracy is not what"),
+        (lambda v: v["P"]["polygons"][0]["outer"].reverse(), "orientation"),
+        (lambda v: v.__setitem__("source", "minkref generate nothing"), "makes nothing"),
+    ],
+)
+def test_lint_finds_what_is_wrong(tmp_path: Path, spoil: Any, fault: str) -> None:
+    made = made_with_disc(DISC_FAMILIES["disc-flat-ridge"], SEED, 0)
+    path = Path(made.write(tmp_path)["case"])
+    assert not list(case_faults.faults(tmp_path))
+    value = json.loads(path.read_text(encoding="utf-8"))
+    spoil(value)
+    path.write_text(json.dumps(value), encoding="utf-8")
+    found = list(case_faults.faults(tmp_path))
+    assert any(fault in line for line in found), found
