@@ -25,7 +25,8 @@ auto with_paths(std::function<Case(Source&)> make, Source& random,
       const std::vector<Point> path = random_path(random, c.P, c.Q);
       const std::string fault = law(c, path);
       if (!fault.empty()) {
-        ADD_FAILURE() << "repetition " << i << ": " << fault << "\n" << text(c) << "\n"
+        ADD_FAILURE() << "repetition " << i << ": " << fault << "\n"
+                      << text(c) << "\n"
                       << "path " << text(path);
         return;
       }
@@ -74,8 +75,8 @@ bool is_valid_by_static_sum(const PolygonSet& robot, const PolygonSet& obstacles
   for (const ConvolutionEdge& edge : full_convolution(turned, obstacles)) {
     segments.push_back(at_scale(edge, turned, obstacles, scale));
   }
-  const Sum sum = minkowski_sum(turned, obstacles, scale, Route::definition, "rational",
-                                Passages::find);
+  const Sum sum =
+      minkowski_sum(turned, obstacles, scale, Route::definition, "rational", Passages::find);
   for (const TightPassage& passage : *sum.tight_passages) {
     for (std::size_t i = 0; i < passage.points.size(); ++i) {
       segments.push_back(
@@ -115,7 +116,8 @@ std::string scales_are_as_static_sums_say(const Case& c, const std::vector<Point
     std::vector<Rational> scales{Rational(1, 100), c.scale, 100};
     const Rational hair(1, 1000003);
     for (const PathBound& bound : found.bounds) {
-      scales.insert(scales.end(), {bound.scale, bound.scale * (1 - hair), bound.scale * (1 + hair)});
+      scales.insert(scales.end(),
+                    {bound.scale, bound.scale * (1 - hair), bound.scale * (1 + hair)});
     }
     for (const ScaleRange& range : found.valid) scales.push_back(range.sample());
     for (const Rational& scale : scales) {
@@ -261,7 +263,8 @@ TEST(ValidScales, DoNotChangeWhereAllIsScaledOrMoved) {
       return "moved together, other scales are valid";
     }
     std::vector<Point> back(path.rbegin(), path.rend());
-    if (valid_scales(c.P, c.Q, back).valid != expected.valid) return "another answer on the way back";
+    if (valid_scales(c.P, c.Q, back).valid != expected.valid)
+      return "another answer on the way back";
     return "";
   };
   with_paths(random_case, random, law)(60);
