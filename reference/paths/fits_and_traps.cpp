@@ -12,6 +12,7 @@
 #include "reference/plane/index/scale_index.hpp"
 #include "reference/plane/moving/interior_test.hpp"
 #include "reference/plane/passages/wedge_walks.hpp"
+#include "reference/plane/witness.hpp"
 
 namespace minkref::inline paths {
 namespace {
@@ -172,11 +173,36 @@ FreeScales trapped_scales(const PolygonSet& part, const PolygonSet& assembly, co
   });
 }
 
-ValidScales scales_that_fit_at(const PolygonSet& part, const PolygonSet& container, const Point& at,
-                               ContactRule rule) {
+FreeScales scales_that_fit_at(const PolygonSet& part, const PolygonSet& container, const Point& at,
+                              ContactRule rule) {
   const ContainerFrame frame(part, container, {at});
-  ValidScales result = valid_scales(part, frame.set, {at}, rule, frame.window);
-  for (PathBound& bound : result.bounds) bound.obstacle = frame.in_container(bound.obstacle);
+  const PolygonSet turned = half_turned(part);
+  ValidScales found = valid_scales(part, frame.set, {at}, rule, frame.window);
+  FreeScales result;
+  const auto prove = [&](const Rational& scale) {
+    const Contact contact = Membership(turned, frame.set, scale).contact(at);
+    const bool holds =
+        rule == ContactRule::allowed ? contact != Contact::overlapping : contact == Contact::empty;
+    if (holds != std::any_of(found.valid.begin(), found.valid.end(),
+                             [&](const ScaleRange& range) { return range.holds(scale); })) {
+      throw std::logic_error("the place at " + to_string(scale) + " gives another answer");
+    }
+    result.proofs.push_back({scale, holds});
+  };
+  for (std::size_t k = 0; k < found.bounds.size(); ++k) {
+    PathBound& bound = found.bounds[k];
+    const Rational scale = bound.scale;
+    bound.obstacle = frame.in_container(bound.obstacle);
+    result.bounds.push_back({scale, bound.blocks, "contact", bound.touching, bound});
+    if (k > 0 && found.bounds[k - 1].scale == scale) continue;  // a single scale
+    const auto next = std::find_if(found.bounds.begin(), found.bounds.end(),
+                                   [&](const PathBound& other) { return other.scale > scale; });
+    Rational hair = scale / (1 << 20);
+    if (k > 0) hair = std::min(hair, Rational((scale - found.bounds[k - 1].scale) / 2));
+    if (next != found.bounds.end()) hair = std::min(hair, Rational((next->scale - scale) / 2));
+    for (const Rational& one : {Rational(scale - hair), scale, Rational(scale + hair)}) prove(one);
+  }
+  result.scales = std::move(found.valid);
   return result;
 }
 

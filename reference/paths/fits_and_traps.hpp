@@ -44,8 +44,8 @@ FreeScales trapped_scales(const PolygonSet& part, const PolygonSet& assembly, co
 /// The scales at which the part lies in the container (with contact forbidden in its interior): at
 /// a place, at some place, or at two places and all along some way from one to the other. Throws
 /// BadInput as above, and "point-part" where the part is a point.
-ValidScales scales_that_fit_at(const PolygonSet& part, const PolygonSet& container, const Point& at,
-                               ContactRule rule = ContactRule::allowed);
+FreeScales scales_that_fit_at(const PolygonSet& part, const PolygonSet& container, const Point& at,
+                              ContactRule rule = ContactRule::allowed);
 FreeScales scales_that_fit(const PolygonSet& part, const PolygonSet& container,
                            ContactRule rule = ContactRule::allowed);
 FreeScales scales_that_pass(const PolygonSet& part, const PolygonSet& container, const Point& from,

@@ -81,11 +81,11 @@ TEST(ScalesThatFit, OfARectangleInAnother) {
   EXPECT_EQ(text(scales_that_fit(part, container).scales), "(0, 3] ");
   EXPECT_EQ(text(scales_that_fit(part, container, ContactRule::forbidden).scales), "(0, 3) ");
   const PolygonSet square = rectangle(-half, -half, half, half);
-  const ValidScales at = scales_that_fit_at(square, container, {1, 1});
-  EXPECT_EQ(text(at.valid), "(0, 2] ");
+  const FreeScales at = scales_that_fit_at(square, container, {1, 1});
+  EXPECT_EQ(text(at.scales), "(0, 2] ");
   ASSERT_EQ(at.bounds.size(), 1U);
-  EXPECT_EQ(at.bounds[0].obstacle.id, (VertexId{0, 0}));
-  EXPECT_FALSE(at.bounds[0].obstacle.is_edge);
+  EXPECT_EQ(at.bounds[0].contact->obstacle.id, (VertexId{0, 0}));
+  EXPECT_FALSE(at.bounds[0].contact->obstacle.is_edge);
 }
 
 /// A ring fits into an equal one at scale 1, around the island; into the ring's width, which is 1,
