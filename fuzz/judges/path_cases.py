@@ -13,6 +13,7 @@ from minkref.fuzz.judges.small_operands import as_set, random_rings
 
 SIZE = 4
 SCALES = tuple(map(Fraction, ("1", "2", "1/2", "3/2", "1/3", "7/5")))
+Place = tuple[Fraction, Fraction]
 KINDS = ("along an edge", "on a critical position", "single place", "corridor")
 
 
@@ -23,7 +24,7 @@ class PathCase:
     name: str
     part: PolygonSet
     obstacles: PolygonSet
-    path: list[tuple[Fraction, Fraction]]
+    path: list[Place]
     kind: str
 
 
@@ -63,13 +64,14 @@ def _valid(dice: random.Random, far: int = 0) -> PolygonSet:
             drawn.validate("a drawn polygon")
         except ValueError:
             continue
-        return drawn.translated(dice.randint(-far, far), dice.randint(-far, far))
+        x, y = (str(dice.randint(-far, far)) for _ in range(2))
+        return drawn.translated(x, y)
 
 
 def _corridor(dice: random.Random, name: str, part: PolygonSet) -> PathCase:
     """Two walls, and a way along them: contact on both sides at one scale. Where the part is on one
     side of its origin, that scale alone is valid between others."""
-    part = part.translated(0, dice.choice((0, 5, -5)))
+    part = part.translated("0", dice.choice(("0", "5", "-5")))
     ys = [y for _, y in _corners(part)]
     low, high, s = min(ys), max(ys), dice.choice(SCALES)
     a, b = dice.randint(2, 5), dice.randint(2, 5)
@@ -85,17 +87,17 @@ def _corridor(dice: random.Random, name: str, part: PolygonSet) -> PathCase:
     )
 
 
-def _corners(shape: PolygonSet) -> list[tuple[Fraction, Fraction]]:
+def _corners(shape: PolygonSet) -> list[Place]:
     return [point for ring in fraction_rings(shape.to_json()) for point in ring]
 
 
-def _edge(dice: random.Random, shape: PolygonSet) -> tuple[Point, Point]:
+def _edge(dice: random.Random, shape: PolygonSet) -> tuple[Place, Place]:
     ring = dice.choice(fraction_rings(shape.to_json()))
     k = dice.randrange(len(ring))
     return ring[k], ring[(k + 1) % len(ring)]
 
 
-def _place(dice: random.Random) -> tuple[Fraction, Fraction]:
+def _place(dice: random.Random) -> Place:
     parts = dice.choice((1, 1, 2, 3))
     reach = 8 * parts
     return (

@@ -38,7 +38,7 @@ def way_out(
     region = _core.minkowski_sum(turned, assembly, str(scale), "definition").region
     rings = fraction_rings(region.canonical_json())
     corners = [p for ring in rings for p in ring]
-    far = max((abs(c) for p in (*corners, at) for c in p), default=Fraction(1)) + 1
+    far = max(abs(Fraction(c)) for p in (*corners, at) for c in p) + 1
     box = [(-far, -far), (far, -far), (far, far), (-far, far)]
     nodes: list[Point] = [at, *corners, *box]
     walls = [
