@@ -9,6 +9,7 @@
 #include <new>
 
 #include "python/core_convolution.hpp"
+#include "python/core_paths.hpp"
 #include "reference/error.hpp"
 #include "reference/memory.hpp"
 #include "reference/plane/convolution/convolution_size.hpp"
@@ -121,6 +122,7 @@ NB_MODULE(_core, module) {
   minkref::python::bind_arrangement(module);
   minkref::python::bind_dynamic(module);
   minkref::python::bind_index(module);
+  minkref::python::bind_paths(module);
   minkref::python::bind_timed_index(module);
   minkref::python::bind_comparison(module);
   minkref::python::bind_regions(module);

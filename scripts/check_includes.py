@@ -36,7 +36,8 @@ _AFTER_CRITICAL = tuple(f"reference/plane/{room}/" for room in ("history", "dyna
 # below them.
 APART = {
     "reference/number": ("reference/plane/", "reference/space/"),
-    "reference/plane": ("reference/space/",),
+    "reference/plane": ("reference/space/", "reference/paths/"),
+    "reference/paths": ("reference/space/", "reference/disc/"),
     "reference/plane/moving": ("reference/plane/critical/", *_AFTER_CRITICAL),
     "reference/plane/critical": _AFTER_CRITICAL,
     "reference/plane/history": _AFTER_CRITICAL[1:],

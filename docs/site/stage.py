@@ -29,6 +29,7 @@ GUIDE = (
     "formats",
     "command-line",
     "scale-index",
+    "paths",
     "disc",
     "convex-polyhedra",
     "first-finding",

@@ -106,6 +106,45 @@ CALLS |= {
     "ConvexCertificate P": (lambda x: minkref.ConvexCertificate(x, SIMPLEX), (minkref.Polyhedron,)),
     "SolidCertificate Q": (lambda x: minkref.SolidCertificate(SIMPLEX, x), (minkref.Polyhedron,)),
 }
+ORIGIN = [(0, 0)]
+CALLS |= {
+    "valid_scales robot": (
+        lambda x: minkref.valid_scales(x, SQUARE, ORIGIN),
+        (minkref.PolygonSet,),
+    ),
+    "valid_scales obstacles": (
+        lambda x: minkref.valid_scales(SQUARE, x, ORIGIN),
+        (minkref.PolygonSet,),
+    ),
+    "valid_scales path": (lambda x: minkref.valid_scales(SQUARE, SQUARE, x), (list,)),
+    "valid_scales contact": (lambda x: minkref.valid_scales(SQUARE, SQUARE, ORIGIN, x), (str,)),
+    "valid_scales route": (lambda x: minkref.valid_scales(SQUARE, SQUARE, ORIGIN, route=x), (str,)),
+    "valid_scales to_scale": (
+        lambda x: minkref.valid_scales(SQUARE, SQUARE, ORIGIN, to_scale=x),
+        (*NUMBERS, type(None)),
+    ),
+    "largest_fit part": (lambda x: minkref.largest_fit(x, SQUARE), (minkref.PolygonSet,)),
+    "largest_fit container": (lambda x: minkref.largest_fit(SQUARE, x), (minkref.PolygonSet,)),
+    "largest_fit at": (lambda x: minkref.largest_fit(SQUARE, SQUARE, x), (list, type(None))),
+    "largest_fit between": (
+        lambda x: minkref.largest_fit(SQUARE, SQUARE, None, x),
+        (list, type(None)),
+    ),
+    "largest_fit contact": (lambda x: minkref.largest_fit(SQUARE, SQUARE, contact=x), (str,)),
+    "trapped_scales part": (
+        lambda x: minkref.trapped_scales(x, SQUARE, (0, 0)),
+        (minkref.PolygonSet,),
+    ),
+    "trapped_scales assembly": (
+        lambda x: minkref.trapped_scales(SQUARE, x, (0, 0)),
+        (minkref.PolygonSet,),
+    ),
+    "trapped_scales at": (lambda x: minkref.trapped_scales(SQUARE, SQUARE, x), (tuple,)),
+    "trapped_scales from_scale": (
+        lambda x: minkref.trapped_scales(SQUARE, SQUARE, (0, 0), "allowed", x),
+        (*NUMBERS, type(None)),
+    ),
+}
 REFUSED = (minkref.BadInput, minkref.Refusal)
 
 

@@ -1,0 +1,148 @@
+"""`minkref path ROBOT OBSTACLES PATH`: the scales at which a part passes along a path."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+from minkref import _core
+from minkref.commands.line.memory import SMALLER, Memory, memory_wall
+from minkref.commands.line.options import Json, Schema, WindowFrom, WindowTo
+from minkref.commands.line.output import give, print_lines
+from minkref.commands.lists.path_rows import (
+    contact_document,
+    extreme_scales,
+    feature_text,
+    number_text,
+    point_text,
+    range_documents,
+    ranges_text,
+)
+from minkref.documents import (
+    Stopwatch,
+    as_text,
+    check_writable,
+    document,
+    refuse_overwriting,
+    write_atomically,
+)
+from minkref.errors import Refusal, choice, refusing
+from minkref.exact import read_window
+from minkref.operand import read_operand
+from minkref.path_text import read_path
+from minkref.path_values import CONTACTS, PATH_ROUTES
+
+EXAMPLES = """Examples:
+
+minkref path rod cells1815 "LINESTRING (0 0, 40 0)" --from 1/10 --to 10
+
+minkref path part.wkt obstacles.wkt way.csv --contact forbidden --json
+
+minkref path part.wkt obstacles.wkt way.geojson --route contacts -o valid.json"""
+
+MOST_ROWS = 20
+
+Robot = Annotated[str, typer.Argument(help="The part, scaled about its origin: a file or a model.")]
+Obstacles = Annotated[str, typer.Argument(help="What it must not meet: a file or a model.")]
+Contact = Annotated[
+    str,
+    typer.Option(
+        "--contact", help="allowed: the part may touch; forbidden: it may not.", metavar="RULE"
+    ),
+]
+
+
+def command(
+    robot: Robot,
+    obstacles: Obstacles,
+    path: Annotated[
+        str,
+        typer.Argument(help="Polyline of the part's origin: WKT, GeoJSON or CSV, file or text."),
+    ],
+    contact: Contact = "allowed",
+    from_scale: WindowFrom = None,
+    to_scale: WindowTo = None,
+    route: Annotated[
+        str, typer.Option("--route", help="pieces, contacts or index.", metavar="ROUTE")
+    ] = "pieces",
+    output: Annotated[
+        Path | None, typer.Option("-o", help="Write the JSON document here.", metavar="FILE")
+    ] = None,
+    memory: Memory = None,
+    json: Json = False,
+    schema: Schema = False,
+) -> None:
+    """Find all scales at which a part passes along a polyline without a collision: its origin moves
+    on the path, and it never turns. Exact: intervals with open and closed ends, single scales, and
+    for each bound the contact that causes it."""
+    watch = Stopwatch()
+    window = read_window(from_scale, to_scale)
+    check_words(contact=(contact, CONTACTS), route=(route, PATH_ROUTES))
+    if output is not None:
+        check_writable(output)
+    first, second, way = read_operand(robot), read_operand(obstacles), read_path(path)
+    if output is not None:
+        files = [first.file, second.file, *([way.file] if way.file else [])]
+        refuse_overwriting(output, files)
+    with memory_wall(memory, "the path", f"{robot} and {obstacles}", SMALLER):
+        ranges, bounds, statistics = refusing(
+            f"{robot}, {obstacles}",
+            lambda: _core.valid_scales(
+                first.set, second.set, way.points, contact, window[0], window[1], route
+            ),
+        )
+    value = document(
+        "path",
+        watch,
+        robot=first.name,
+        obstacles=second.name,
+        path=way.name,
+        vertices=len(way.points),
+        is_closed=len(way.points) > 1 and way.points[0] == way.points[-1],
+        contact=contact,
+        route=route,
+        **{"from": window[0], "to": window[1]},
+        motion="translations only, along the path",
+        valid=range_documents(ranges),
+        **extreme_scales(ranges),
+        star_shaped=_core.star_shaped(first.set),
+        bounds=[contact_document(row) for row in bounds],
+        statistics=dict(statistics),
+        warnings=first.warnings + second.warnings,
+        output=None if output is None else str(output),
+    )
+    if output is not None:
+        write_atomically(output, as_text(value))
+    give(value, json, _print)
+
+
+def check_words(**options: tuple[str, tuple[str, ...]]) -> None:
+    """Refuses an option whose word is none of those that it knows."""
+    for name, (word, known) in options.items():
+        if word not in known:
+            raise Refusal(
+                f"there is no {name} of this name", f"--{name} {word}", choice(word, known)
+            )
+
+
+def _print(value: dict[str, Any]) -> None:
+    star = "star-shaped about its origin" if value["star_shaped"] else "not star-shaped"
+    rows = [
+        ("part", f"{value['robot']}, {star}"),
+        ("path", f"{value['path']}, vertices {value['vertices']:,}, contact {value['contact']}"),
+        ("valid scales", ranges_text(value["valid"])),
+    ]
+    for bound in value["bounds"][:MOST_ROWS]:
+        at = bound["at"]
+        touching = f"{feature_text(bound['part'])} of the part, {feature_text(bound['obstacle'])}"
+        place = f"segment {at['segment']}, t = {number_text(at['t'])}, {point_text(at['point'])}"
+        rows.append(
+            (number_text(bound["scale"]), f"{bound['event']}: {touching} of the obstacles; {place}")
+        )
+    if len(value["bounds"]) > MOST_ROWS:
+        rows.append(("more", f"{len(value['bounds']) - MOST_ROWS:,}; --json prints all"))
+    if value["output"]:
+        rows.append(("written", value["output"]))
+    rows.append(("seconds", f"{value['seconds']:.3f}"))
+    print_lines(rows, value)

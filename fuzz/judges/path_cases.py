@@ -1,0 +1,110 @@
+"""Small random paths among small random obstacles; a third of them degenerate."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from minkref.api import PolygonSet
+from minkref.fuzz.geometry.plane import Point, fraction_rings
+from minkref.fuzz.judges.small_operands import as_set, random_rings
+
+SIZE = 4
+SCALES = tuple(map(Fraction, ("1", "2", "1/2", "3/2", "1/3", "7/5")))
+Place = tuple[Fraction, Fraction]
+KINDS = ("along an edge", "on a critical position", "single place", "corridor")
+
+
+@dataclass(frozen=True)
+class PathCase:
+    """`kind`: how it is degenerate, "general" where it is not meant to be."""
+
+    name: str
+    part: PolygonSet
+    obstacles: PolygonSet
+    path: list[Place]
+    kind: str
+
+
+def path_case(seed: int, index: int) -> PathCase:
+    """The same one for the same numbers."""
+    dice = random.Random(f"{seed}:{index}")
+    kind = KINDS[index // 3 % len(KINDS)] if index % 3 == 0 else "general"
+    part = _valid(dice)
+    if kind == "corridor":
+        return _corridor(dice, f"{seed}:{index}", part)
+    obstacles = _valid(dice, dice.randint(6, 10))
+    r, o = _corners(part), _corners(obstacles)
+    path = [_place(dice)]
+    for _ in range(dice.randrange(4)):
+        x, y = _place(dice)
+        path.append((path[-1][0] + x / 2, path[-1][1] + y / 2))
+    if kind == "along an edge":
+        a, b = _edge(dice, obstacles)
+        x, y = path[-1] if dice.random() < 0.5 else a
+        path = [*path[:-1], (x, y), (x + b[0] - a[0], y + b[1] - a[1])]
+    elif kind == "on a critical position":
+        s, a, b = dice.choice(SCALES), dice.choice(r), dice.choice(o)
+        path[dice.randrange(len(path))] = (b[0] - s * a[0], b[1] - s * a[1])
+    elif kind == "single place":
+        s, a, b = dice.choice(SCALES), dice.choice(r), dice.choice(o)
+        path = [(b[0] - s * a[0], b[1] - s * a[1])]
+    if dice.random() < 0.15:
+        path.append(path[0])
+    return PathCase(f"{seed}:{index}", part, obstacles, path, kind)
+
+
+def _valid(dice: random.Random, far: int = 0) -> PolygonSet:
+    """A polygon, moved by up to `far`."""
+    while True:
+        drawn = as_set(random_rings(dice, SIZE))
+        try:
+            drawn.validate("a drawn polygon")
+        except ValueError:
+            continue
+        x, y = (str(dice.randint(-far, far)) for _ in range(2))
+        return drawn.translated(x, y)
+
+
+def _corridor(dice: random.Random, name: str, part: PolygonSet) -> PathCase:
+    """Two walls, and a way along them: contact on both sides at one scale. Where the part is on one
+    side of its origin, that scale alone is valid between others."""
+    part = part.translated("0", dice.choice(("0", "5", "-5")))
+    ys = [y for _, y in _corners(part)]
+    low, high, s = min(ys), max(ys), dice.choice(SCALES)
+    a, b = dice.randint(2, 5), dice.randint(2, 5)
+    length = Fraction(dice.randint(0, 6))
+    walls = [
+        [(-20, s * low - a), (20, s * low - a), (20, s * low), (-20, s * low)],
+        [(-20, s * high), (20, s * high), (20, s * high + b), (-20, s * high + b)],
+    ]
+    obstacles = PolygonSet([[[(str(x), str(y)) for x, y in wall]] for wall in walls])
+    start = Fraction(dice.randint(-3, 3))
+    return PathCase(
+        name, part, obstacles, [(start, Fraction(0)), (start + length, Fraction(0))], "corridor"
+    )
+
+
+def _corners(shape: PolygonSet) -> list[Place]:
+    return [point for ring in fraction_rings(shape.to_json()) for point in ring]
+
+
+def _edge(dice: random.Random, shape: PolygonSet) -> tuple[Place, Place]:
+    ring = dice.choice(fraction_rings(shape.to_json()))
+    k = dice.randrange(len(ring))
+    return ring[k], ring[(k + 1) % len(ring)]
+
+
+def _place(dice: random.Random) -> Place:
+    parts = dice.choice((1, 1, 2, 3))
+    reach = 8 * parts
+    return (
+        Fraction(dice.randint(-reach, reach), parts),
+        Fraction(dice.randint(-reach, reach), parts),
+    )
+
+
+def texts(path: Sequence[Point]) -> list[tuple[str, str]]:
+    return [(str(x), str(y)) for x, y in path]

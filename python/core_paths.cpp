@@ -1,0 +1,151 @@
+// Valid scales of a path, fits and traps, in Python.
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "python/core.hpp"
+#include "python/core_fields.hpp"
+#include "python/core_paths.hpp"
+#include "python/core_timeline.hpp"
+#include "python/vector_caster.hpp"
+#include "reference/paths/fits_and_traps.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace minkref::python {
+namespace {
+
+using OptionalText = std::optional<std::string>;
+/// From, whether it belongs to the range, to (none: no end), whether that does.
+using RangeRow = std::tuple<std::string, bool, OptionalText, bool>;
+/// Whether it is an edge, ring, index.
+using FeatureRow = std::tuple<bool, std::uint32_t, std::uint32_t>;
+/// Scale, whether it blocks; segment, t and point of the path; features of the part and of the
+/// obstacles; where they touch.
+using PathBoundRow = std::tuple<std::string, bool, std::uint32_t, std::string, ExactPoint,
+                                FeatureRow, FeatureRow, ExactPoint>;
+/// Scale, whether the range ends there, event, place, contact.
+using FreeBoundRow =
+    std::tuple<std::string, bool, std::string, ExactPoint, std::optional<PathBoundRow>>;
+using PathAnswer = std::tuple<std::vector<RangeRow>, std::vector<PathBoundRow>, Fields>;
+using FreeAnswer = std::tuple<std::vector<RangeRow>, std::vector<FreeBoundRow>,
+                              std::vector<std::pair<std::string, bool>>, std::uint64_t>;
+
+std::vector<RangeRow> rows(const std::vector<ScaleRange>& ranges) {
+  std::vector<RangeRow> result;
+  for (const ScaleRange& range : ranges) {
+    OptionalText to;
+    if (range.to) to = to_string(range.to->scale);
+    result.emplace_back(to_string(range.from.scale), range.from_in(), to, range.to_in());
+  }
+  return result;
+}
+
+FeatureRow row(const TouchingFeature& feature) {
+  return {feature.is_edge, feature.id.ring, feature.id.index};
+}
+
+PathBoundRow row(const PathBound& bound) {
+  return {
+      to_string(bound.scale),     bound.blocks,    bound.at.segment,    to_string(bound.at.t),
+      to_strings(bound.at.point), row(bound.part), row(bound.obstacle), to_strings(bound.touching)};
+}
+
+Point point_of(const ExactPoint& text) {
+  return {parse_rational(text.first), parse_rational(text.second)};
+}
+
+PathAnswer answer(const ValidScales& found) {
+  std::vector<PathBoundRow> bounds;
+  for (const PathBound& bound : found.bounds) bounds.push_back(row(bound));
+  const nb::gil_scoped_acquire locked;
+  Fields fields;
+  const PathStatistics& statistics = found.statistics;
+  MINKREF_PUT(statistics, pieces_of_part, pieces_of_obstacles, triples, exact_triples,
+              critical_scales);
+  return {rows(found.valid), std::move(bounds), fields};
+}
+
+FreeAnswer answer(const FreeScales& found) {
+  std::vector<FreeBoundRow> bounds;
+  for (const FreeBound& bound : found.bounds) {
+    std::optional<PathBoundRow> contact;
+    if (bound.contact) contact = row(*bound.contact);
+    bounds.emplace_back(to_string(bound.scale), bound.ends, bound.event, to_strings(bound.at),
+                        std::move(contact));
+  }
+  std::vector<std::pair<std::string, bool>> proofs;
+  for (const StaticProof& proof : found.proofs) {
+    proofs.emplace_back(to_string(proof.scale), proof.holds);
+  }
+  return {rows(found.scales), std::move(bounds), std::move(proofs), found.critical_scales};
+}
+
+}  // namespace
+
+void bind_paths(nb::module_& module) {
+  module.def(
+      "valid_scales",
+      [](const Set& robot, const Set& obstacles, const std::vector<ExactPoint>& path,
+         const std::string& contact, const OptionalText& from, const OptionalText& to,
+         const std::string& route) {
+        std::vector<Point> points;
+        for (const ExactPoint& p : path) points.push_back(point_of(p));
+        const Computing computing;
+        return answer(valid_scales(robot.value, obstacles.value, points, contact_rule(contact),
+                                   window_of(from, to), path_route(route)));
+      },
+      "robot"_a, "obstacles"_a, "path"_a, "contact"_a = "allowed", "from_scale"_a = nb::none(),
+      "to_scale"_a = nb::none(), "route"_a = "pieces",
+      "(ranges, bounds, statistics) of a polyline: a range is (from, with it, to, with it), a "
+      "bound (scale, blocks, segment, t, place, part, obstacle, where they touch).");
+  module.def(
+      "star_shaped", [](const Set& robot) { return star_shaped(robot.value); }, "robot"_a,
+      Released(), "Whether each point of the set sees the origin in it.");
+  module.def(
+      "fit_at",
+      [](const Set& part, const Set& container, const ExactPoint& at, const std::string& contact) {
+        return answer(
+            scales_that_fit_at(part.value, container.value, point_of(at), contact_rule(contact)));
+      },
+      "part"_a, "container"_a, "at"_a, "contact"_a = "allowed", Released(),
+      "As fit_anywhere, of the scales at which the part at this place lies in the container.");
+  module.def(
+      "fit_anywhere",
+      [](const Set& part, const Set& container, const std::string& contact) {
+        return answer(scales_that_fit(part.value, container.value, contact_rule(contact)));
+      },
+      "part"_a, "container"_a, "contact"_a = "allowed", Released(),
+      "(ranges, bounds, proofs, critical scales); a bound is (scale, whether the range ends there, "
+      "event, place, contact).");
+  module.def(
+      "fit_between",
+      [](const Set& part, const Set& container, const ExactPoint& from, const ExactPoint& to,
+         const std::string& contact) {
+        return answer(scales_that_pass(part.value, container.value, point_of(from), point_of(to),
+                                       contact_rule(contact)));
+      },
+      "part"_a, "container"_a, "start"_a, "end"_a, "contact"_a = "allowed", Released(),
+      "As fit_anywhere, of the scales at which the part gets from one place to the other.");
+  module.def(
+      "trapped_scales",
+      [](const Set& part, const Set& assembly, const ExactPoint& at, const std::string& contact,
+         const OptionalText& from, const OptionalText& to) {
+        refuse_large_convolution(part.value, assembly.value);
+        return answer(trapped_scales(part.value, assembly.value, point_of(at),
+                                     contact_rule(contact), window_of(from, to)));
+      },
+      "part"_a, "assembly"_a, "at"_a, "contact"_a = "allowed", "from_scale"_a = nb::none(),
+      "to_scale"_a = nb::none(), Released(),
+      "As fit_anywhere, of the scales at which no translation takes the part away.");
+}
+
+}  // namespace minkref::python

@@ -1,0 +1,135 @@
+"""A path of the command line: a polyline in a file or a text, read exactly."""
+
+from __future__ import annotations
+
+import csv
+import json
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, NoReturn
+
+from minkref.errors import Refusal
+from minkref.exact import read_number
+from minkref.file_text import text_of_file
+from minkref.operand_text import is_text, source_of, text_and_form
+from minkref.terminal import escaped
+
+FORMATS = (".wkt", ".geojson", ".json", ".csv")
+MOST_VERTICES = 1_000_000
+ExactPoint = tuple[str, str]
+
+_LINE = re.compile(r"\s*(LINESTRING|POINT)\s*\((.*)\)\s*;?\s*", re.IGNORECASE | re.DOTALL)
+_MEND = "give two numbers, for example 1/3 and -0.25"
+
+
+@dataclass(frozen=True)
+class PathText:
+    """A polyline as it was read. `name`: what messages call it; `file`: None of an inline text."""
+
+    name: str
+    file: Path | None
+    points: list[ExactPoint]
+
+
+def read_path(name: str) -> PathText:
+    """A WKT LINESTRING or POINT, a GeoJSON LineString or Point (also in a Feature), or CSV with a
+    vertex `x,y` in each line, perhaps below a line of names. Numbers are those that the text says.
+    Refuses others with the file and the vertex. Linear."""
+    if not name:
+        raise Refusal("the name is empty", "PATH", f"name a file ({_endings()})", "no-such-file")
+    file = Path(name)
+    if file.is_file():
+        return _of_file(name, file)
+    if is_text(name):
+        text, form = text_and_form(name)
+        source = escaped(source_of(name))
+        points = _of_wkt(text, source) if form == "wkt" else _of_geojson(text, source)
+        return PathText(source, None, _counted(points, source))
+    raise Refusal("there is no such file", name, f"name a file ({_endings()})", "no-such-file")
+
+
+def _endings() -> str:
+    return ", ".join(FORMATS)
+
+
+def _of_file(name: str, file: Path) -> PathText:
+    source = escaped(name)
+    readers = {".wkt": _of_wkt, ".geojson": _of_geojson, ".json": _of_geojson, ".csv": _of_csv}
+    reader = readers.get(file.suffix.lower())
+    if reader is None:
+        raise Refusal(
+            f"a path has one of the endings {_endings()}", source, "rename it", "unknown-format"
+        )
+    text = text_of_file(file, source, "name a file that you may read")
+    return PathText(source, file, _counted(reader(text, source), source))
+
+
+def _counted(points: list[ExactPoint], source: str) -> list[ExactPoint]:
+    if not points:
+        raise Refusal("the path has no vertex", source, "give it one or more", "bad-path")
+    if len(points) > MOST_VERTICES:
+        what = f"the path has more than {MOST_VERTICES:,} vertices"
+        raise Refusal(what, source, "split it", "limit")
+    return points
+
+
+def _vertex(numbers: Iterable[Any], k: int, source: str) -> ExactPoint:
+    """The vertex k of the path, counted from 0."""
+    where = f"{source}, vertex {k}"
+    words = [str(number).strip() for number in numbers]
+    if len(words) != 2:
+        what = f"a vertex in the plane has two coordinates, not {len(words)}"
+        raise Refusal(what, where, _MEND, "bad-path")
+    x, y = (str(read_number(word, "coordinate", where, _MEND)) for word in words)
+    return x, y
+
+
+def _of_wkt(text: str, source: str) -> list[ExactPoint]:
+    found = _LINE.fullmatch(text.removeprefix("\ufeff"))
+    if found is None:
+        if re.fullmatch(r"\s*(LINESTRING|POINT)\s+EMPTY\s*", text, re.IGNORECASE):
+            return []
+        what = "this is not a WKT LINESTRING"
+        raise Refusal(what, source, "write LINESTRING (0 0, 4 0, 4 3)", "bad-path")
+    return [_vertex(part.split(), k, source) for k, part in enumerate(found[2].split(","))]
+
+
+def _of_geojson(text: str, source: str) -> list[ExactPoint]:
+    try:
+        value = json.loads(
+            text, parse_float=str, parse_int=str, parse_constant=lambda word: str(word)
+        )
+    except (ValueError, RecursionError) as error:
+        raise Refusal(f"this is not JSON: {error}", source, "correct it", "bad-path") from error
+    if isinstance(value, dict) and value.get("type") == "Feature":
+        value = value.get("geometry")
+    if not isinstance(value, dict) or value.get("type") not in ("LineString", "Point"):
+        _no_line(source)
+    places = value.get("coordinates")
+    if value["type"] == "Point":
+        places = [places]
+    if not isinstance(places, list):
+        _no_line(source)
+    points = []
+    for k, place in enumerate(places):
+        if not isinstance(place, list) or any(isinstance(n, list | dict) for n in place):
+            raise Refusal("this is not a position", f"{source}, vertex {k}", _MEND, "bad-path")
+        points.append(_vertex(place, k, source))
+    return points
+
+
+def _no_line(source: str) -> NoReturn:
+    mend = 'write {"type": "LineString", "coordinates": [[0, 0], [4, 3]]}'
+    raise Refusal("this is not a GeoJSON LineString", source, mend, "bad-path")
+
+
+def _of_csv(text: str, source: str) -> list[ExactPoint]:
+    try:
+        lines = [row for row in csv.reader(text.removeprefix("\ufeff").splitlines()) if row]
+    except csv.Error as error:
+        raise Refusal(f"this is not CSV: {error}", source, "correct it", "bad-path") from error
+    if lines and [word.strip().lower() for word in lines[0]] == ["x", "y"]:
+        lines = lines[1:]
+    return [_vertex(row, k, source) for k, row in enumerate(lines)]

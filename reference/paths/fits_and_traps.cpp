@@ -1,0 +1,230 @@
+#include "reference/paths/fits_and_traps.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "reference/error.hpp"
+#include "reference/paths/container_frame.hpp"
+#include "reference/paths/free_space.hpp"
+#include "reference/paths/routes.hpp"
+#include "reference/plane/critical/event_places.hpp"
+#include "reference/plane/dynamic/node_track.hpp"
+#include "reference/plane/index/scale_index.hpp"
+#include "reference/plane/moving/interior_test.hpp"
+#include "reference/plane/passages/wedge_walks.hpp"
+#include "reference/plane/witness.hpp"
+
+namespace minkref::inline paths {
+namespace {
+
+const char* word(TopologyEvent::Change change) {
+  switch (change) {
+    case TopologyEvent::Change::birth:
+      return "birth";
+    case TopologyEvent::Change::death:
+      return "death";
+    case TopologyEvent::Change::merge:
+      return "merge";
+    case TopologyEvent::Change::split:
+      return "split";
+    case TopologyEvent::Change::touch:
+      return "touch";
+  }
+  return "";
+}
+
+/// A question about the free places at one scale, asked at all.
+class FreePlaces {
+ public:
+  using Question = std::function<bool(const FreeSpace&)>;
+
+  FreePlaces(const PolygonSet& part, const PolygonSet& obstacles, std::vector<Point> places,
+             ContactRule rule, const ScaleWindow& window)
+      : part_(part),
+        obstacles_(obstacles),
+        places_(std::move(places)),
+        rule_(rule),
+        window_(window),
+        turned_(half_turned(part)),
+        index_(turned_, obstacles, window) {
+    const TopologyTimeline timeline = index_.timeline();
+    for (const TopologyEvent& event : timeline.topology) {
+      if (event.kind != FeatureKind::hole) continue;
+      add({index_.event(event.group), true, word(event.change), event.place, {}});
+    }
+    for (const Point& x : places_) {
+      for (PathBound& bound : valid_scales(part, obstacles, {x}, rule, window).bounds) {
+        FreeBound cause{bound.scale, true, "contact", bound.touching, std::move(bound)};
+        causes_.insert_or_assign(cause.scale, cause);
+      }
+    }
+    if (rule == ContactRule::allowed) add_free_vertices();
+  }
+
+  FreeScales answer(const Question& question) const {
+    std::vector<Rational> critical;
+    for (const auto& [scale, cause] : causes_) critical.push_back(scale);
+    FreeScales result;
+    const ScaleSet found = decided_at(critical, window_, [&](const Rational& scale) {
+      ++result.critical_scales;
+      return question(free_space(index_.sum(scale, passages())));
+    });
+    result.scales = found.ranges();
+    add_bounds(found, question, result);
+    return result;
+  }
+
+ private:
+  Passages passages() const {
+    return rule_ == ContactRule::allowed ? Passages::find : Passages::leave;
+  }
+  FreeSpace free_space(const Sum& sum) const { return {sum, rule_, places_}; }
+  void add(FreeBound cause) { causes_.try_emplace(cause.scale, cause); }
+
+  /// Where contacts meet in a place that is free: the corners of the free places in space and
+  /// scale. What is free at one scale only, or along tight passages, shows in these alone.
+  void add_free_vertices() {
+    for (const PolygonSet* set : {&part_, &obstacles_}) {
+      if (wedge_walks(*set)) {
+        throw BadInput("touching-rings",
+                       "rings touch, and then a part may pass with contact where no scale of the "
+                       "list of events shows it",
+                       "forbid contact, or part the rings by a little");
+      }
+    }
+    const ArrangementEvents events(turned_, obstacles_, window_);
+    const InteriorTest inside(turned_, obstacles_);
+    const auto offer = [&](const Rational& scale, const Point& at) {
+      if (causes_.contains(scale) || inside.inside(at, scale)) return;
+      add({scale, true, "touch", at, {}});
+    };
+    const std::size_t pairs = events.pairs().events.size();
+    constexpr std::size_t some = 1024;
+    for (std::size_t first = 0; first < pairs; first += some) {
+      for (const EventPlace& place :
+           event_places(events.pairs(), first, std::min(first + some, pairs), events.moving())) {
+        offer(place.scale, place.at);
+        if (place.to) offer(place.scale, *place.to);
+      }
+    }
+    for (const TripleEvent& triple : events.triples()) {
+      const Rational scale = triple_scale(triple, events.moving(), events.table());
+      offer(scale, node_track(events, triple.edge, triple.first).at(scale));
+    }
+  }
+
+  /// The causes at the ends, and static sums there and on either side of them.
+  void add_bounds(const ScaleSet& found, const Question& question, FreeScales& result) const {
+    const auto prove = [&](const Rational& scale) {
+      const Sum sum =
+          minkowski_sum(turned_, obstacles_, scale, Route::paper, "rational", passages());
+      const bool holds = question(free_space(sum));
+      if (holds != found.holds(scale)) {
+        throw std::logic_error("the static sum at " + to_string(scale) + " gives another answer");
+      }
+      result.proofs.push_back({scale, holds});
+    };
+    const ScaleRange all = range_of(window_);
+    Rational proven = 0;  // the last bound
+    const auto add_bound = [&](const ScaleCut& cut, bool ends) {
+      const auto cause = causes_.find(cut.scale);
+      if (cause == causes_.end()) throw std::logic_error("a scale without a cause");
+      FreeBound bound = cause->second;
+      bound.ends = ends;
+      result.bounds.push_back(std::move(bound));
+      if (proven == cut.scale) return;  // a single scale
+      proven = cut.scale;
+      const Rational before =
+          cause == causes_.begin() ? window_.from.value_or(Rational(0)) : std::prev(cause)->first;
+      const Rational hair = cut.scale / (1 << 20);
+      const Rational room = (cut.scale - before) / 2;
+      if (room > 0) prove(cut.scale - std::min(hair, room));
+      prove(cut.scale);
+      const auto next = std::next(cause);
+      Rational above = cut.scale + hair;
+      if (next != causes_.end()) above = std::min(above, Rational((cut.scale + next->first) / 2));
+      if (!window_.to || above <= *window_.to) prove(above);
+    };
+    for (const ScaleRange& range : found.ranges()) {
+      if (range.from != all.from) add_bound(range.from, false);
+      if (range.to != all.to) add_bound(*range.to, true);
+    }
+  }
+
+  const PolygonSet &part_, &obstacles_;
+  std::vector<Point> places_;
+  ContactRule rule_;
+  ScaleWindow window_;
+  PolygonSet turned_;
+  ScaleIndex index_;
+  std::map<Rational, FreeBound> causes_;  ///< by their scales, all critical ones
+};
+
+}  // namespace
+
+FreeScales trapped_scales(const PolygonSet& part, const PolygonSet& assembly, const Point& at,
+                          ContactRule rule, const ScaleWindow& window) {
+  refuse_bad_window(window);
+  if (part.empty() || assembly.empty()) return {};
+  refuse_bad_operands(part, assembly, 1);
+  return FreePlaces(part, assembly, {at}, rule, window).answer([&](const FreeSpace& free) {
+    const auto place = free.part_of(at);
+    return place && *place != 0;
+  });
+}
+
+FreeScales scales_that_fit_at(const PolygonSet& part, const PolygonSet& container, const Point& at,
+                              ContactRule rule) {
+  const ContainerFrame frame(part, container, {at});
+  const PolygonSet turned = half_turned(part);
+  ValidScales found = valid_scales(part, frame.set, {at}, rule, frame.window);
+  FreeScales result;
+  const auto prove = [&](const Rational& scale) {
+    const Contact contact = Membership(turned, frame.set, scale).contact(at);
+    const bool holds =
+        rule == ContactRule::allowed ? contact != Contact::overlapping : contact == Contact::empty;
+    if (holds != std::any_of(found.valid.begin(), found.valid.end(),
+                             [&](const ScaleRange& range) { return range.holds(scale); })) {
+      throw std::logic_error("the place at " + to_string(scale) + " gives another answer");
+    }
+    result.proofs.push_back({scale, holds});
+  };
+  for (std::size_t k = 0; k < found.bounds.size(); ++k) {
+    PathBound& bound = found.bounds[k];
+    const Rational scale = bound.scale;
+    bound.obstacle = frame.in_container(bound.obstacle);
+    result.bounds.push_back({scale, bound.blocks, "contact", bound.touching, bound});
+    if (k > 0 && found.bounds[k - 1].scale == scale) continue;  // a single scale
+    const auto next = std::find_if(found.bounds.begin(), found.bounds.end(),
+                                   [&](const PathBound& other) { return other.scale > scale; });
+    Rational hair = scale / (1 << 20);
+    if (k > 0) hair = std::min(hair, Rational((scale - found.bounds[k - 1].scale) / 2));
+    if (next != found.bounds.end()) hair = std::min(hair, Rational((next->scale - scale) / 2));
+    for (const Rational& one : {Rational(scale - hair), scale, Rational(scale + hair)}) prove(one);
+  }
+  result.scales = std::move(found.valid);
+  return result;
+}
+
+FreeScales scales_that_fit(const PolygonSet& part, const PolygonSet& container, ContactRule rule) {
+  const ContainerFrame frame(part, container, {});
+  return FreePlaces(part, frame.set, {}, rule, frame.window).answer([](const FreeSpace& free) {
+    return free.parts() > 1;
+  });
+}
+
+FreeScales scales_that_pass(const PolygonSet& part, const PolygonSet& container, const Point& from,
+                            const Point& to, ContactRule rule) {
+  const ContainerFrame frame(part, container, {from, to});
+  FreeScales result = FreePlaces(part, frame.set, {from, to}, rule, frame.window)
+                          .answer([&](const FreeSpace& free) {
+                            const auto a = free.part_of(from), b = free.part_of(to);
+                            return a && b && *a == *b;
+                          });
+  for (FreeBound& bound : result.bounds) {
+    if (bound.contact) bound.contact->obstacle = frame.in_container(bound.contact->obstacle);
+  }
+  return result;
+}
+
+}  // namespace minkref::inline paths

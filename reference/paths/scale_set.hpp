@@ -1,0 +1,56 @@
+// Sets of scales: finitely many intervals with open and closed ends, and single scales.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "reference/number/rational.hpp"
+#include "reference/plane/critical/scale_window.hpp"
+
+namespace minkref::inline paths {
+
+/// Where the scales are cut: just below a scale, or just above it.
+struct ScaleCut {
+  Rational scale;
+  bool above = false;
+
+  friend bool operator==(const ScaleCut&, const ScaleCut&) = default;
+  friend bool operator<(const ScaleCut& a, const ScaleCut& b) {
+    return a.scale != b.scale ? a.scale < b.scale : !a.above && b.above;
+  }
+};
+
+/// All scales between two cuts, one or more; without an end it goes on to infinity.
+struct ScaleRange {
+  ScaleCut from;
+  std::optional<ScaleCut> to;
+
+  bool from_in() const { return !from.above; }    ///< the least scale belongs to it
+  bool to_in() const { return to && to->above; }  ///< so does the greatest
+  bool is_one_scale() const { return to && from.scale == to->scale; }
+  bool holds(const Rational& scale) const;
+  /// A scale of the range; the only one, or one strictly between its ends.
+  Rational sample() const;
+  friend bool operator==(const ScaleRange&, const ScaleRange&) = default;
+};
+
+/// A union of ranges, kept sorted and apart.
+class ScaleSet {
+ public:
+  /// Adds what lies between two cuts; nothing where they are one or in the wrong order. Exact.
+  /// O(log n) and what is merged.
+  void add(const ScaleCut& from, const std::optional<ScaleCut>& to);
+  const std::vector<ScaleRange>& ranges() const { return ranges_; }
+  bool holds(const Rational& scale) const;
+
+  /// What is left of a closed window, open towards 0 and infinity where it has no bound. Exact.
+  std::vector<ScaleRange> left_of(const ScaleWindow& window) const;
+
+ private:
+  std::vector<ScaleRange> ranges_;
+};
+
+/// The cuts around a closed window.
+ScaleRange range_of(const ScaleWindow& window);
+
+}  // namespace minkref::inline paths

@@ -1,0 +1,220 @@
+"""Valid scales of paths, traps, and how fast they are found."""
+
+from __future__ import annotations
+
+import math
+import random
+import time
+from collections import Counter
+from fractions import Fraction
+from typing import Any
+
+import minkref
+from minkref.fuzz.judges.path_cases import PathCase, path_case
+from minkref.fuzz.judges.path_collisions import Collisions, by_slow_engine, by_triangles
+from minkref.fuzz.judges.path_traps import enclosing_ring, way_out
+from minkref.reports.evidence.framework.in_processes import in_processes
+from minkref.reports.evidence.framework.part import COMPARISON, READERS, REFERENCE, Findings
+
+SUBJECT = (
+    "Paths (Section 8.1): on random parts, obstacles and paths, a third degenerate, three routes "
+    "give the same valid scales; at, just below and just above each bound and in each range the "
+    "answer is that from the definition, for some of them by the slow engine; traps have an "
+    "enclosing ring, and what is no trap a way out; the time of a large path on one core."
+)
+MINUTES = (6, 0.2)
+ALONE = True  # it measures time
+DEPENDS = (*REFERENCE, *READERS, *COMPARISON, "oracle/slow/*.py")
+
+SEED = 3100
+CASES, QUICK_CASES = 500, 12
+SLOW, QUICK_SLOW = 200, 4
+TRAPS, QUICK_TRAPS = 200, 4
+HAIR = Fraction(1, 1 << 20)
+CONTACTS = ("allowed", "forbidden")
+SLOW_SCALES = 4
+TARGET_SECONDS = 1.0
+
+
+def run(findings: Findings, quick: bool) -> None:
+    _cases(findings, QUICK_CASES if quick else CASES, QUICK_SLOW if quick else SLOW)
+    _traps(findings, QUICK_TRAPS if quick else TRAPS)
+    _speed(findings)
+
+
+def _cases(findings: Findings, count: int, slow: int) -> None:
+    tally: Counter[str] = Counter()
+    faults: list[str] = []
+    tasks = [(index, index < slow) for index in range(count)]
+    for found in in_processes(judge, tasks, 50, "paths"):
+        tally.update(found["tally"])
+        faults += found["faults"]
+    findings.none("random paths: answers that differ", faults)
+    findings.equal("random paths", count, tally["cases"])
+    findings.equal("of them before the slow engine", slow, tally["slow cases"])
+    findings.note(
+        f"{tally['cases']:,} random paths ({tally['degenerate']:,} degenerate, seed {SEED}), "
+        f"contact allowed and forbidden: {tally['ranges']:,} ranges, {tally['single']:,} single "
+        f"scales, {tally['bounds']:,} bounds; {tally['scales']:,} scales from the definition, "
+        f"{tally['slow scales']:,} by the slow engine"
+    )
+    findings.figures["cases"] = dict(tally)
+
+
+def judge(task: tuple[int, bool]) -> dict[str, Any]:
+    """One case, with contact allowed and forbidden."""
+    index, slowly = task
+    case = path_case(SEED, index)
+    tally: Counter[str] = Counter(cases=1)
+    tally["degenerate"] += case.kind != "general"
+    tally["slow cases"] += slowly
+    faults = []
+    for contact in CONTACTS:
+        found = minkref.valid_scales(case.part, case.obstacles, case.path, contact)
+        for route in ("contacts", "index"):
+            other = minkref.valid_scales(case.part, case.obstacles, case.path, contact, route=route)
+            if other.ranges != found.ranges:
+                faults.append(f"{case.name} ({case.kind}), {contact}: {route} differs")
+        tally["ranges"] += len(found.ranges)
+        tally["single"] += sum(one.low == one.high for one in found.ranges)
+        tally["bounds"] += len(found.bounds)
+        faults += _scales(case, contact, found, slowly, tally)
+    return {"tally": tally, "faults": faults}
+
+
+def _scales(
+    case: PathCase, contact: str, found: minkref.ValidScales, slowly: bool, tally: Counter[str]
+) -> list[str]:
+    """Single scales from the definition."""
+    scales = {Fraction(1, 50), Fraction(1), Fraction(50)}
+    for bound in found.bounds:
+        scales |= {bound.scale, bound.scale * (1 - HAIR), bound.scale * (1 + HAIR)}
+    for one in found.ranges:
+        scales.add((one.low + one.high) / 2 if one.high is not None else 2 * one.low + 1)
+    collisions = Collisions(case.part, case.obstacles, case.path)
+    triangles = by_triangles(case.part, case.obstacles)
+    faults = []
+    for scale in sorted(scales):
+        tally["scales"] += 1
+        if collisions.collides(scale, contact, triangles) == (scale in found):
+            faults.append(f"{case.name} ({case.kind}), {contact}: wrong at {scale}")
+    if slowly:
+        dice = random.Random(case.name)
+        engine = by_slow_engine(case.part, case.obstacles)
+        for scale in dice.sample(sorted(scales), min(SLOW_SCALES, len(scales))):
+            tally["slow scales"] += 1
+            if collisions.collides(scale, contact, engine) == (scale in found):
+                faults.append(f"{case.name}, {contact}: the slow engine differs at {scale}")
+    return faults
+
+
+def _traps(findings: Findings, count: int) -> None:
+    tally: Counter[str] = Counter()
+    faults: list[str] = []
+    for found in in_processes(judge_trap, range(count), 50, "traps"):
+        tally.update(found["tally"])
+        faults += found["faults"]
+    findings.none("traps: answers without a ring or a way out", faults)
+    findings.law("traps with a ring", tally["rings"] >= count, count, tally["rings"])
+    findings.note(
+        f"{count:,} places in assemblies: {tally['rings']:,} scales of traps with an enclosing "
+        f"ring, {tally['ways']:,} other free scales with a way out"
+    )
+    findings.figures["traps"] = dict(tally)
+
+
+def judge_trap(index: int) -> dict[str, Any]:
+    """A place in a room with a door of random width."""
+    dice = random.Random(f"{SEED}:trap:{index}")
+    part, assembly, at = _trap(dice)
+    found = minkref.trapped_scales(part, assembly, at)
+    free = minkref.valid_scales(part, assembly, [at])
+    tally: Counter[str] = Counter(cases=1)
+    faults = []
+    scales = set()
+    for end in (*(bound.scale for bound in found.bounds), *(bound.scale for bound in free.bounds)):
+        scales |= {end * (1 - HAIR), end, end * (1 + HAIR)}
+    for one in (*found.ranges, *free.ranges):
+        scales.add((one.low + one.high) / 2 if one.high is not None else 2 * one.low + 1)
+    for scale in sorted(scales):
+        if scale not in free:
+            if scale in found:
+                faults.append(f"trap {index}: trapped at {scale}, where the place is not free")
+            continue
+        if scale in found:
+            at_bound = any(bound.scale == scale for bound in free.bounds)
+            ring = None if at_bound else enclosing_ring(part, assembly, at, scale)
+            tally["rings"] += ring is not None
+            if ring is None and not at_bound:
+                faults.append(f"trap {index}: no ring at {scale}")
+        else:
+            way = way_out(part, assembly, at, scale)
+            tally["ways"] += way is not None
+            if way is None:
+                faults.append(f"trap {index}: no way out at {scale}")
+    return {"tally": tally, "faults": faults}
+
+
+def _trap(dice: random.Random) -> tuple[minkref.PolygonSet, minkref.PolygonSet, Any]:
+    low, high = sorted(dice.sample(range(1, 12), 2))
+    bend = dice.randint(0, 2)
+    room = minkref.PolygonSet(
+        [
+            (-2, -2), (14, -2), (14, low - bend), (12, low), (12, 0), (0, 0), (0, 12), (12, 12),
+            (12, high), (14, high), (14, 14), (-2, 14),
+        ]
+    )  # fmt: skip
+    corners = dice.randint(3, 7)
+    turn = dice.random()
+    ring: list[tuple[int, int]] = []
+    for k in range(corners):
+        angle = 2 * math.pi * (k + turn) / corners
+        point = round(9 * math.cos(angle)), round(9 * math.sin(angle))
+        if point not in ring:
+            ring.append(point)
+    part = minkref.PolygonSet(ring).scaled("1/9")
+    return part, room, (Fraction(dice.randint(8, 16), 2), Fraction(dice.randint(8, 16), 2))
+
+
+def _speed(findings: Findings) -> None:
+    """Pillars in rows, a star-like part of 100 vertices, a way of 100 segments between them."""
+    part, obstacles, path = large_path()
+    began = time.perf_counter()
+    found = minkref.valid_scales(part, obstacles, path)
+    seconds = time.perf_counter() - began
+    findings.target(
+        "a path of 100 segments, obstacles of 1,000 vertices, a part of 100, on one core",
+        seconds < TARGET_SECONDS, f"below {TARGET_SECONDS:g} s", f"{seconds:.2f} s",
+    )  # fmt: skip
+    findings.note(
+        f"{found.statistics['triples']:,} triples, {found.statistics['exact_triples']:,} of them "
+        f"exact; valid: {', '.join(map(str, found.ranges))}"
+    )
+    findings.figures["speed"] = {"seconds": seconds, **found.statistics}
+
+
+def large_path() -> tuple[minkref.PolygonSet, minkref.PolygonSet, list[tuple[int, int]]]:
+    dice = random.Random(SEED)
+    ring = []
+    for k in range(100):
+        angle, radius = 2 * math.pi * k / 100, dice.randint(60, 100) * 1000
+        ring.append((round(radius * math.cos(angle)), round(radius * math.sin(angle))))
+    part = minkref.PolygonSet(ring).scaled("1/100000")
+    pillars: list[Any] = []
+    for row in range(10):
+        for column in range(10):
+            outline = [
+                (
+                    round(10000 * (10 * column + 3 * math.cos(2 * math.pi * k / 10))),
+                    round(10000 * (10 * row + 3 * math.sin(2 * math.pi * k / 10))),
+                )
+                for k in range(10)
+            ]
+            pillars.append([outline])
+    obstacles = minkref.PolygonSet(pillars).scaled("1/10000")
+    path = [(5, -8)]
+    for k in range(100):  # row by row, between the rows
+        row, step = divmod(k, 10)
+        x = 10 * step + 5 if row % 2 == 0 else 95 - 10 * step
+        path.append((x, 10 * row + 5 + (step % 3 - 1 if 0 < step < 9 else 0)))
+    return part, obstacles, path

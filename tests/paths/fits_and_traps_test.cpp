@@ -1,0 +1,178 @@
+// Fits and traps at single scales are as static sums by another route say.
+#include "reference/paths/fits_and_traps.hpp"
+
+#include <gtest/gtest.h>
+
+#include "reference/error.hpp"
+#include "reference/paths/container_frame.hpp"
+#include "reference/paths/free_space.hpp"
+#include "tests/paths/random_paths.hpp"
+
+namespace minkref::testing {
+namespace {
+
+PolygonSet rectangle(const Rational& x0, const Rational& y0, const Rational& x1,
+                     const Rational& y1) {
+  return {{{{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, {}}}};
+}
+
+/// A room [0, 4] x [0, 4] with a door of width 1 in the right wall.
+PolygonSet room_with_door() {
+  return {{{{{-1, -1},
+             {5, -1},
+             {5, Rational(3, 2)},
+             {4, Rational(3, 2)},
+             {4, 0},
+             {0, 0},
+             {0, 4},
+             {4, 4},
+             {4, Rational(5, 2)},
+             {5, Rational(5, 2)},
+             {5, 5},
+             {-1, 5}},
+            {}}}};
+}
+
+const Rational half(1, 2);
+
+TEST(TrappedScales, OfASquareInARoomAreThoseTooWideForTheDoor) {
+  const PolygonSet square = rectangle(-half, -half, half, half);
+  const auto allowed = trapped_scales(square, room_with_door(), {2, 2});
+  EXPECT_EQ(text(allowed.scales), "(1, 4] ");
+  ASSERT_EQ(allowed.bounds.size(), 2U);
+  EXPECT_EQ(allowed.bounds[0].event, "split");
+  EXPECT_EQ(allowed.bounds[1].event, "contact");
+  EXPECT_EQ(allowed.proofs.size(), 6U);
+  const auto forbidden = trapped_scales(square, room_with_door(), {2, 2}, ContactRule::forbidden);
+  EXPECT_EQ(text(forbidden.scales), "[1, 4) ");
+}
+
+/// A dumb-bell of a bar 3 s long: it gets out while s < 1/3 or so, but where it is rests free only
+/// at scales at which both its ends are in the room.
+TEST(TrappedScales, ArePartOfTheValidScalesOfThePlace) {
+  MINKREF_SEEDED(random, 3120);
+  expect_law(random, 15, lattice_pieces(2, 5), [](const Case& c) -> std::string {
+    Source own(7);
+    const Point at = random_path(own, c.P, c.Q)[0];
+    for (const ContactRule rule : {ContactRule::allowed, ContactRule::forbidden}) {
+      const auto free = valid_scales(c.P, c.Q, {at}, rule).valid;
+      const auto trapped = [&] {
+        try {
+          return trapped_scales(c.P, c.Q, at, rule).scales;
+        } catch (const BadInput& refused) {
+          if (refused.code() != "touching-rings") throw;
+          return std::vector<ScaleRange>{};
+        }
+      }();
+      for (const ScaleRange& range : trapped) {
+        if (std::none_of(free.begin(), free.end(), [&](const ScaleRange& of) {
+              return !(range.from < of.from) && (!of.to || (range.to && !(*of.to < *range.to)));
+            })) {
+          return "trapped at " + text(trapped) + ", free at " + text(free);
+        }
+      }
+    }
+    return "";
+  });
+}
+
+TEST(ScalesThatFit, OfARectangleInAnother) {
+  const PolygonSet part = rectangle(5, 5, 6, 6), container = rectangle(0, 0, 4, 3);
+  EXPECT_EQ(text(scales_that_fit(part, container).scales), "(0, 3] ");
+  EXPECT_EQ(text(scales_that_fit(part, container, ContactRule::forbidden).scales), "(0, 3) ");
+  const PolygonSet square = rectangle(-half, -half, half, half);
+  const FreeScales at = scales_that_fit_at(square, container, {1, 1});
+  EXPECT_EQ(text(at.scales), "(0, 2] ");
+  ASSERT_EQ(at.bounds.size(), 1U);
+  EXPECT_EQ(at.bounds[0].contact->obstacle.id, (VertexId{0, 0}));
+  EXPECT_FALSE(at.bounds[0].contact->obstacle.is_edge);
+}
+
+/// A ring fits into an equal one at scale 1, around the island; into the ring's width, which is 1,
+/// as long as it is at most that wide itself. No hole of any sum shows the scale 1.
+TEST(ScalesThatFit, OfARingInItselfAreASingleScaleAndThoseInItsWidth) {
+  PolygonSet ring = rectangle(-2, -2, 2, 2);
+  ring.polygons[0].holes.push_back({{-1, -1}, {-1, 1}, {1, 1}, {1, -1}});
+  EXPECT_EQ(text(scales_that_fit(ring, ring).scales), "(0, 1/4] [1, 1] ");
+  EXPECT_EQ(text(scales_that_fit(ring, ring, ContactRule::forbidden).scales), "(0, 1/4) ");
+}
+
+TEST(ScalesThatPass, AreThoseOfTheDoorBetweenTwoRooms) {
+  const PolygonSet rooms{{{{{0, 0},
+                            {4, 0},
+                            {4, 1},
+                            {5, 1},
+                            {5, 0},
+                            {9, 0},
+                            {9, 4},
+                            {5, 4},
+                            {5, 2},
+                            {4, 2},
+                            {4, 4},
+                            {0, 4}},
+                           {}}}};
+  const PolygonSet square = rectangle(-half, -half, half, half);
+  const auto passes = scales_that_pass(square, rooms, {2, 2}, {7, 2});
+  EXPECT_EQ(text(passes.scales), "(0, 1] ");
+  EXPECT_EQ(text(scales_that_pass(square, rooms, {2, 2}, {7, 2}, ContactRule::forbidden).scales),
+            "(0, 1) ");
+}
+
+TEST(ScalesThatFit, RefuseAPoint) {
+  const PolygonSet point{{{{{1, 0}}, {}}}};
+  EXPECT_THROW(scales_that_fit(point, rectangle(0, 0, 1, 1)), BadInput);
+  EXPECT_THROW(scales_that_fit(rectangle(0, 0, 1, 1), point), BadInput);
+}
+
+/// At scales drawn at random, at those of the list of events and between them.
+std::string as_static_sums_say(const Case& c) {
+  Source own(11);
+  const auto ends = random_path(own, c.P, c.Q);
+  for (const ContactRule rule : {ContactRule::allowed, ContactRule::forbidden}) {
+    FreeScales trapped, fits;
+    try {
+      trapped = trapped_scales(c.P, c.Q, ends[0], rule);
+      fits = scales_that_fit(c.P, c.Q, rule);
+    } catch (const BadInput& refused) {
+      if (refused.code() != "touching-rings") throw;
+      continue;
+    }
+    const ContainerFrame frame(c.P, c.Q, {});
+    std::vector<Rational> scales{Rational(1, 50), c.scale, 30};
+    for (int k = 0; k < 6; ++k) scales.push_back(Rational(own.between(1, 60), own.between(1, 20)));
+    for (const auto* found : {&trapped, &fits}) {
+      for (const ScaleRange& range : found->scales) scales.push_back(range.sample());
+    }
+    const auto holds = [](const FreeScales& found, const Rational& scale) {
+      return std::any_of(found.scales.begin(), found.scales.end(),
+                         [&](const ScaleRange& r) { return r.holds(scale); });
+    };
+    const PolygonSet turned = reflected_set(c.P);
+    for (const Rational& scale : scales) {
+      const FreeSpace about(
+          minkowski_sum(turned, c.Q, scale, Route::definition, "rational", Passages::find), rule,
+          {ends[0]});
+      const auto place = about.part_of(ends[0]);
+      if (holds(trapped, scale) != (place && *place != 0)) {
+        return "trapped at " + text(trapped.scales) + ", but not at scale " + to_string(scale);
+      }
+      if (scale > *frame.window.to) continue;
+      const FreeSpace inside(
+          minkowski_sum(turned, frame.set, scale, Route::definition, "rational", Passages::find),
+          rule, {});
+      if (holds(fits, scale) != (inside.parts() > 1)) {
+        return "fits at " + text(fits.scales) + ", but not as said at scale " + to_string(scale);
+      }
+    }
+  }
+  return "";
+}
+
+TEST(FreeScales, AreAsStaticSumsSayAtOtherScales) {
+  MINKREF_SEEDED(random, 3121);
+  expect_law(random, 12, random_case, as_static_sums_say);
+  expect_law(random, 12, lattice_pieces(2, 5), as_static_sums_say);
+}
+
+}  // namespace
+}  // namespace minkref::testing
