@@ -16,9 +16,9 @@
 #include "python/core_fields.hpp"
 #include "python/stopwatch.hpp"
 #include "python/vector_caster.hpp"
-#include "reference/disc/measure_terms.hpp"
-#include "reference/disc/offset_passages.hpp"
-#include "reference/disc/offset_region.hpp"
+#include "reference/disc/region/measure_terms.hpp"
+#include "reference/disc/region/offset_passages.hpp"
+#include "reference/disc/region/offset_region.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;

@@ -18,9 +18,9 @@
 #include "python/diagram_row.hpp"
 #include "python/stopwatch.hpp"
 #include "python/vector_caster.hpp"
-#include "reference/disc/index_measures.hpp"
-#include "reference/disc/index_region.hpp"
-#include "reference/disc/offset_region.hpp"
+#include "reference/disc/index/index_measures.hpp"
+#include "reference/disc/index/index_region.hpp"
+#include "reference/disc/region/offset_region.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -111,10 +111,9 @@ struct EventChanges {
 };
 
 /// By number of the event, and that of its radius.
-using ChangeRow = std::tuple<std::uint32_t, std::uint32_t,
-                             std::vector<std::pair<std::uint32_t, std::uint32_t>>,
-                             std::vector<std::uint32_t>,
-                             std::vector<std::pair<std::uint32_t, std::uint32_t>>>;
+using ChangeRow =
+    std::tuple<std::uint32_t, std::uint32_t, std::vector<std::pair<std::uint32_t, std::uint32_t>>,
+               std::vector<std::uint32_t>, std::vector<std::pair<std::uint32_t, std::uint32_t>>>;
 
 std::vector<ChangeRow> changes(const DiscIndex& self) {
   std::map<std::uint32_t, EventChanges> of_event;
@@ -207,8 +206,7 @@ void bind_disc_index(nb::module_& module) {
             find_vertices(self, radius, *found);
             return as_arrays(std::move(found));
           },
-          "radius"_a,
-          nb::sig("def vertices(self, radius: float) -> tuple[typing.Any, typing.Any]"),
+          "radius"_a, nb::sig("def vertices(self, radius: float) -> tuple[typing.Any, typing.Any]"),
           "x, y and a bound of the error of each vertex of the boundary, ring by ring, the sum on "
           "the left; and where rings start. At the radius of an event those just above.")
       .def(

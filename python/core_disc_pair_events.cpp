@@ -15,7 +15,7 @@
 #include "python/core.hpp"
 #include "python/stopwatch.hpp"
 #include "python/vector_caster.hpp"
-#include "reference/disc/pair_events.hpp"
+#include "reference/disc/pairs/pair_events.hpp"
 #include "reference/error.hpp"
 #include "reference/number/radicals/polynomial.hpp"
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "reference/disc/diagram_events.hpp"
+#include "reference/disc/diagram/diagram_events.hpp"
 
 namespace minkref::python {
 

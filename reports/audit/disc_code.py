@@ -13,7 +13,7 @@ from minkref.fuzz.judges.paper_disc import Feature, Vertex, touches
 from minkref.reports.audit.disc import exact
 from minkref.reports.audit.entry import CheckFailed, text
 
-CODE = ("reference/disc/feature_pair.hpp", "reference/disc/pair_contact.hpp")
+CODE = ("reference/disc/pairs/feature_pair.hpp", "reference/disc/pairs/pair_contact.hpp")
 
 
 @dataclass(frozen=True)

@@ -1,10 +1,10 @@
 // Sums with a disc from winding numbers of the convolution: known shapes, and the law that both
 // routes give one canonical form.
-#include "reference/disc/arc_convolution.hpp"
+#include "reference/disc/convolution/arc_convolution.hpp"
 
 #include <gtest/gtest.h>
 
-#include "reference/disc/offset_region.hpp"
+#include "reference/disc/region/offset_region.hpp"
 #include "tests/plane/random_polygons.hpp"
 
 namespace minkref {

@@ -1,9 +1,9 @@
 // The radii at which the boundary of a sum with a disc changes: between them it does not.
-#include "reference/disc/diagram_events.hpp"
+#include "reference/disc/diagram/diagram_events.hpp"
 
 #include <gtest/gtest.h>
 
-#include "reference/disc/offset_region.hpp"
+#include "reference/disc/region/offset_region.hpp"
 #include "tests/plane/random_polygons.hpp"
 
 namespace minkref {

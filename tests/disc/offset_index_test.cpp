@@ -1,14 +1,14 @@
 // What is read off the index is the static sum, at any radius; and so are the counts of its
 // history.
-#include "reference/disc/offset_index.hpp"
+#include "reference/disc/index/offset_index.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "reference/disc/index_measures.hpp"
-#include "reference/disc/index_region.hpp"
-#include "reference/disc/offset_region.hpp"
+#include "reference/disc/index/index_measures.hpp"
+#include "reference/disc/index/index_region.hpp"
+#include "reference/disc/region/offset_region.hpp"
 #include "reference/number/radicals/polynomial.hpp"
 #include "tests/plane/random_polygons.hpp"
 

@@ -1,5 +1,5 @@
 // Tight passages of sums with a disc: the definition, at points of a lattice and about each answer.
-#include "reference/disc/offset_passages.hpp"
+#include "reference/disc/region/offset_passages.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/disc/diagram_events.hpp"
+#include "reference/disc/diagram/diagram_events.hpp"
 #include "reference/number/radicals/root_text.hpp"
 #include "tests/plane/random_polygons.hpp"
 

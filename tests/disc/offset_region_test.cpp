@@ -1,5 +1,5 @@
 // Components, holes and the canonical form of sums with a disc.
-#include "reference/disc/offset_region.hpp"
+#include "reference/disc/region/offset_region.hpp"
 
 #include <gtest/gtest.h>
 

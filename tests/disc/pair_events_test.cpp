@@ -1,6 +1,6 @@
 // Radii at which two offset features start or stop to share points: between two of them, and at
 // each, the features share as many points as the list says, counted on curves that stand still.
-#include "reference/disc/pair_events.hpp"
+#include "reference/disc/pairs/pair_events.hpp"
 
 #include <gtest/gtest.h>
 

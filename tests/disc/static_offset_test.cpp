@@ -1,6 +1,6 @@
 // Offsets from the definition: distances of their pieces, and the area between those of sums with
 // polygons inside and outside of the disc.
-#include "reference/disc/static_offset.hpp"
+#include "reference/disc/distance/static_offset.hpp"
 
 #include <gtest/gtest.h>
 

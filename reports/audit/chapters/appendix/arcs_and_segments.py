@@ -189,7 +189,7 @@ WELL = [(-6, -3), (14, -3), (14, 5), (5, 5), (10, 0), (-2, 0), (0, 4), (-6, 4)]
     $s^2$ is the squared circumradius over $r^2$, a rational; two circles and a line, or a circle
     and two lines, give a quadratic equation over the field of the lengths.""",
     formula="Events of two arcs or segments are all events (Section 8.2, Appendix)",
-    code=("reference/disc/diagram_events.hpp", *CODE, *ORACLE),
+    code=("reference/disc/diagram/diagram_events.hpp", *CODE, *ORACLE),
 )
 def _(shown: Shown) -> None:
     """A polygon with two tips above a floor: by computer algebra the equation of its triple event

@@ -1,0 +1,38 @@
+// The canonical form of P ⊕ ρD: rings of curves (docs/disc.md).
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "reference/disc/curves/offset_patch.hpp"
+
+namespace minkref::inline disc {
+
+/// A circle or a line: the curve of a feature of P moved outwards by the radius.
+struct OffsetCurve {
+  bool is_arc;
+  Rational x, y;  ///< of an arc the centre, of a line its direction, in coprime integers
+  Rational c;     ///< of a line: N · p = c + ρ |N| for its points p, N = (y, -x)
+};
+OffsetCurve offset_curve(const OffsetCurves& curves, std::uint32_t feature);
+
+/// Features, one after the other, the sum on the left.
+struct FormRing {
+  std::vector<std::uint32_t> curves;
+  std::uint32_t id;  ///< what it stands for
+};
+struct FormComponent {
+  FormRing outer;
+  std::vector<FormRing> holes;
+};
+using OffsetForm = std::vector<FormComponent>;
+
+/// Puts rings, holes and components into the order of the form. O(n log n).
+void make_canonical(OffsetForm& form, const OffsetCurves& curves);
+
+/// Of a canonical form.
+std::string canonical_json(const OffsetForm& form, const OffsetCurves& curves,
+                           const Rational& squared_radius);
+
+}  // namespace minkref::inline disc

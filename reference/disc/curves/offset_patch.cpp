@@ -1,0 +1,170 @@
+#include "reference/disc/curves/offset_patch.hpp"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "reference/fault.hpp"
+
+namespace minkref::inline disc {
+namespace {
+
+struct Corner {
+  VertexId id;
+  Point at;
+};
+
+bool is_straight(const Point& a, const Point& b, const Point& c) {
+  const Direction in = from_to(a, b), out = from_to(b, c);
+  return cross(in, out) == 0 && dot(in, out) > 0;
+}
+
+Direction reversed(const Direction& a) { return {-a.x, -a.y}; }
+
+class Builder {
+ public:
+  void add(const Ring& ring, std::uint32_t number, std::uint32_t polygon) {
+    std::vector<Corner> corners;
+    const std::size_t n = ring.size();
+    for (std::size_t k = 0; k < n; ++k) {
+      if (n > 2 && is_straight(ring[(k + n - 1) % n], ring[k], ring[(k + 1) % n])) continue;
+      corners.push_back({{number, static_cast<std::uint32_t>(k)}, ring[k]});
+    }
+    if (corners.size() == 1) {
+      add_circle(corners[0].at, polygon);
+      return;
+    }
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      add_edge(corners[k], corners[(k + 1) % corners.size()], polygon);
+    }
+  }
+
+  /// Once all rings are there.
+  OffsetCurves finish() {
+    const auto edges = static_cast<std::uint32_t>(curves_.edges.size());
+    const auto offset = static_cast<std::uint32_t>(curves_.patches.size());
+    for (std::uint32_t k = 0; k < edges; ++k) {
+      const OffsetEdge& edge = curves_.edges[k];
+      curves_.patches.push_back({edge.feature, edge.polygon, k, {}, {}, {}, OffsetPatch::none});
+    }
+    for (std::uint32_t k = 0; k < edges; ++k) join(k, offset);
+    return std::move(curves_);
+  }
+
+ private:
+  std::uint32_t circle_about(const Point& p) {
+    const auto [found, is_new] =
+        circles_.try_emplace({p.x, p.y}, static_cast<std::uint32_t>(curves_.features.size()));
+    if (is_new) curves_.features.push_back({OffsetPatch::none, p, false});
+    return found->second;
+  }
+
+  std::uint32_t line_of(const Point& start, const Direction& along, std::uint32_t edge) {
+    const Direction way = primitive(along);
+    const auto [found, is_new] =
+        lines_.try_emplace({way.x, way.y, way.y * start.x - way.x * start.y},
+                           static_cast<std::uint32_t>(curves_.features.size()));
+    if (is_new) curves_.features.push_back({edge, {}, false});
+    return found->second;
+  }
+
+  void add_edge(const Corner& from, const Corner& to, std::uint32_t polygon) {
+    const Direction along = from_to(from.at, to.at);
+    Direction normal{along.y, -along.x};
+    if (planted(Fault::edges_moved_inwards)) normal = reversed(normal);
+    const std::uint32_t start = circle_about(from.at), end = circle_about(to.at);
+    const auto number = static_cast<std::uint32_t>(curves_.edges.size());
+    const std::uint32_t feature = line_of(from.at, along, number);
+    curves_.edges.push_back(
+        {from.id, polygon, from.at, to.at, along, normal, dot(along, along), feature, start, end});
+    leaving_[start].push_back(number);
+  }
+
+  /// An edge and the one that is next to it outside of P, counter-clockwise about its end. Where
+  /// they leave more than half a turn free there is an arc, and one in all about this place.
+  void join(std::uint32_t in, std::uint32_t offset) {
+    const OffsetEdge& edge = curves_.edges[in];
+    const Direction back = reversed(edge.along);
+    const std::vector<std::uint32_t>& leaving = leaving_[edge.end_feature];
+    const std::uint32_t out =
+        *std::min_element(leaving.begin(), leaving.end(), [&](std::uint32_t a, std::uint32_t b) {
+          return comes_before(back, curves_.edges[a].along, curves_.edges[b].along);
+        });
+    const Direction& ahead = curves_.edges[out].along;
+    const Rational turn = cross(back, ahead);
+    const bool is_flat = turn == 0 && dot(back, ahead) < 0;
+    if (turn > 0) return;
+    if (is_flat) {
+      curves_.patches[offset + in].next = offset + out;
+      return;
+    }
+    curves_.patches[offset + in].next = static_cast<std::uint32_t>(curves_.patches.size());
+    Direction from = edge.normal;
+    const Direction last = curves_.edges[out].normal;
+    while (dot(from, last) < 0) {
+      add_arc(edge.end, edge.end_feature, edge.polygon, from, turned(from));
+      from = turned(from);
+    }
+    add_arc(edge.end, edge.end_feature, edge.polygon, from, last);
+    curves_.patches.back().next = offset + out;
+  }
+
+  void add_arc(const Point& centre, std::uint32_t feature, std::uint32_t polygon,
+               const Direction& first, const Direction& last) {
+    const auto next = static_cast<std::uint32_t>(curves_.patches.size() + 1);
+    curves_.features[feature].has_arc = true;
+    curves_.patches.push_back({feature, polygon, OffsetPatch::none, centre, first, last, next});
+  }
+
+  void add_circle(const Point& centre, std::uint32_t polygon) {
+    const std::uint32_t feature = circle_about(centre);
+    const auto first = static_cast<std::uint32_t>(curves_.patches.size());
+    Direction from{1, 0};
+    for (int quarter = 0; quarter < 4; ++quarter) {
+      add_arc(centre, feature, polygon, from, turned(from));
+      from = turned(from);
+    }
+    curves_.patches.back().next = first;
+  }
+
+  OffsetCurves curves_;
+  std::map<std::pair<Rational, Rational>, std::uint32_t> circles_;
+  std::map<std::tuple<Rational, Rational, Rational>, std::uint32_t> lines_;
+  std::map<std::uint32_t, std::vector<std::uint32_t>> leaving_;  ///< edges, by where they start
+};
+
+}  // namespace
+
+bool comes_before(const Direction& from, const Direction& x, const Direction& y) {
+  const auto part = [&](const Direction& v) {
+    const Rational c = cross(from, v);
+    if (c > 0) return 0;
+    if (c < 0) return 2;
+    return dot(from, v) < 0 ? 1 : 3;
+  };
+  const int of_x = part(x), of_y = part(y);
+  return of_x != of_y ? of_x < of_y : cross(x, y) > 0;
+}
+
+Direction primitive(const Direction& d) {
+  namespace mp = boost::multiprecision;
+  const Rational common(mp::denominator(d.x) * mp::denominator(d.y));
+  const Integer x = mp::numerator(Rational(d.x * common)),
+                y = mp::numerator(Rational(d.y * common));
+  const Integer divisor = mp::gcd(x, y);
+  return {Rational(Integer(x / divisor)), Rational(Integer(y / divisor))};
+}
+
+OffsetCurves offset_curves(const PolygonSet& P) {
+  Builder builder;
+  std::uint32_t ring = 0, number = 0;
+  for (const Polygon& polygon : P.polygons) {
+    builder.add(polygon.outer, ring++, number);
+    for (const Ring& hole : polygon.holes) builder.add(hole, ring++, number);
+    ++number;
+  }
+  return builder.finish();
+}
+
+}  // namespace minkref::inline disc

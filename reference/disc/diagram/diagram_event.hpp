@@ -1,0 +1,72 @@
+// An event of the outer Voronoi diagram of P, and the places that features single out.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "reference/disc/diagram/equidistant.hpp"
+
+namespace minkref::inline disc {
+
+/// Numbers of features, ascending.
+using Features = std::vector<std::uint32_t>;
+
+/// A place outside of P, as far from three features or more, or right between two.
+struct DiagramEvent {
+  enum class Kind : std::uint8_t {
+    corner,   ///< of the diagram: curves start or stop to be on the boundary
+    joint,    ///< where a line goes on as an arc passes another curve
+    saddle,   ///< between two features: arcs, or an arc and a line, start to touch
+    ridge,    ///< between two that are opposite, where a third is as near: perhaps all between
+              ///< parallel edges is reached at once
+    maximum,  ///< of the distance from P: a hole ends
+  };
+  Kind kind;
+  Features features;  ///< all that are as near
+  /// Lines of them and the end of each that the place is right in front of.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> joints;
+  Vector<Interval> at;  ///< in the frame of the curves, and so is the squared radius
+  Interval squared_radius;
+  Features of;      ///< two or three of the features, which tell the place
+  unsigned branch;  ///< which of the places that they tell
+
+  /// How many points of P are as near.
+  std::size_t nearest_points() const { return features.size() - joints.size(); }
+};
+
+/// Some doubles around a number, by MPFR: intervals of doubles may leave nothing of a difference.
+inline Interval tight(const RootNumber& number) {
+  constexpr long precision = 256;
+  const MpfrInterval bounds = number.enclosure(precision);
+  return {Interval(bounds.low()).lower(), Interval(bounds.high()).upper()};
+}
+inline Equidistant<Interval> tight(const Equidistant<RootNumber>& place) {
+  return {{tight(place.at.x), tight(place.at.y)}, tight(place.squared_radius)};
+}
+
+/// The places that two or three features single out: none, one or two. Of intervals: throws
+/// UndecidedSign where they do not tell how many.
+template <class N>
+std::vector<Equidistant<N>> equidistant_places(const OffsetCurves& curves,
+                                               const Features& features) {
+  const auto site = [&](std::uint32_t feature) { return Site::of(curves, feature); };
+  if (features.size() == 2) {
+    return EquidistantPoints<N>::between(site(features[0]), site(features[1]));
+  }
+  for (const std::uint32_t line : features) {
+    const Site own = site(line);
+    if (own.is_point) continue;
+    for (const std::uint32_t end : features) {
+      const Site point = site(end);
+      if (!point.is_point || dot(own.normal, from_to(own.point, point.point)) != 0) continue;
+      const auto other = std::find_if(features.begin(), features.end(),
+                                      [&](std::uint32_t f) { return f != line && f != end; });
+      return EquidistantPoints<N>::in_front(point.point, own, site(*other));
+    }
+  }
+  return EquidistantPoints<N>::of(site(features[0]), site(features[1]), site(features[2]));
+}
+
+}  // namespace minkref::inline disc

@@ -1,0 +1,295 @@
+#include "reference/disc/diagram/diagram_events.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "reference/build/stage.hpp"
+#include "reference/disc/diagram/contact_envelope.hpp"
+#include "reference/disc/diagram/diagram_count.hpp"
+#include "reference/disc/diagram/event_prover.hpp"
+#include "reference/disc/diagram/many_bits.hpp"
+#include "reference/error.hpp"
+
+namespace minkref::inline disc {
+namespace {
+
+constexpr double same_cell = 1e-7;  // candidates in one are looked at one after the other
+
+/// Features that seem to be as near to a place and nearest to it.
+struct Candidate {
+  Features features;
+  Vector<double> near;
+};
+
+/// From where the features that a patch meets first change.
+template <class Real>
+std::vector<Candidate> candidates(const EdgeLookup& lookup, const BuildControl& control) {
+  const OffsetCurves& curves = lookup.curves();
+  const ContactEnvelopes<Real> envelopes(lookup);
+  std::vector<std::vector<FirstContact>> contacts(curves.patches.size());
+  in_parallel(contacts.size(), control, BuildProgress::Stage::patches, [&](unsigned) {
+    return [&](std::size_t k) { contacts[k] = envelopes.of(static_cast<std::uint32_t>(k)); };
+  });
+  std::vector<Candidate> found;
+  const auto add = [&](Features features, const Vector<double>& near) {
+    std::sort(features.begin(), features.end());
+    const bool are_three = std::adjacent_find(features.begin(), features.end()) == features.end();
+    if (are_three) found.push_back({std::move(features), near});
+  };
+  for (std::uint32_t k = 0; k < contacts.size(); ++k) {
+    const std::uint32_t own = curves.patches[k].feature, next = curves.patches[k].next;
+    const std::vector<FirstContact>& parts = contacts[k];
+    for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
+      add({own, parts[i].feature, parts[i + 1].feature}, parts[i].last);
+    }
+    if (next == OffsetPatch::none || parts.empty()) continue;
+    const std::uint32_t other = curves.patches[next].feature;
+    if (own != other) {
+      add({own, other, parts.back().feature}, parts.back().last);
+    } else if (!contacts[next].empty()) {
+      add({own, parts.back().feature, contacts[next].front().feature}, parts.back().last);
+    }
+  }
+  return found;
+}
+
+/// Events as they are found, each once.
+class Collection {
+ public:
+  Collection(const EdgeLookup& lookup, const BuildControl& control)
+      : lookup_(lookup), control_(control), prover_(lookup) {}
+
+  /// Those behind candidates.
+  void add(std::vector<Candidate> candidates) {
+    std::erase_if(candidates, [&](const Candidate& each) {
+      return std::any_of(each.features.begin(), each.features.end(), [&](std::uint32_t feature) {
+        const OffsetCurves::Feature& own = lookup_.curves().features[feature];
+        return own.edge == OffsetPatch::none && !own.has_arc;
+      });
+    });
+    const std::vector<std::vector<Candidate>> cells = by_cells(std::move(candidates));
+    std::vector<std::vector<DiagramEvent>> found(cells.size());
+    std::vector<std::uint64_t> exact_signs(control_.threads(), 0);
+    in_parallel(cells.size(), control_, BuildProgress::Stage::pairs, [&](unsigned thread) {
+      return [&, thread, prover = EventProver(lookup_)](std::size_t k) mutable {
+        found[k] = events_of(cells[k], prover);
+        exact_signs[thread] = prover.exact_signs;
+      };
+    });
+    for (const std::uint64_t signs : exact_signs) exact_signs_ += signs;
+    for (std::vector<DiagramEvent>& cell : found) {
+      for (DiagramEvent& event : cell) keep(std::move(event), events_, of_features_);
+    }
+  }
+
+  /// Where two features are nearest to each other: on a part of the diagram between them, which
+  /// starts at an event, or at infinity.
+  void add_saddles(const DiagramCount& count) {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    for (const HullGap& gap : count.gaps) pairs.insert(std::minmax(gap.from, gap.to));
+    for (const DiagramEvent& event : events_) {
+      for (std::size_t i = 0; i < event.features.size(); ++i) {
+        for (std::size_t k = i + 1; k < event.features.size(); ++k) {
+          pairs.insert({event.features[i], event.features[k]});
+        }
+      }
+    }
+    std::vector<Candidate> found;
+    for (const auto& [a, b] : pairs) {
+      const Site one = Site::of(lookup_.curves(), a), other = Site::of(lookup_.curves(), b);
+      if (!one.is_point && !other.is_point) continue;
+      for (const auto& place : EquidistantPoints<double>::between(one, other)) {
+        found.push_back({{a, b}, place.at});
+      }
+    }
+    add(std::move(found));
+  }
+
+  bool is_complete(const DiagramCount& count) const {
+    std::int64_t excess = 0;
+    std::set<std::pair<std::uint32_t, std::uint32_t>> joints;
+    for (const DiagramEvent& event : events_) {
+      const auto nearest = static_cast<std::int64_t>(event.nearest_points());
+      if (nearest > 2) excess += nearest - 2;
+      for (const auto& joint : event.joints) {
+        if (!joints.insert(joint).second) {
+          throw std::logic_error("two events are in front of one end of an edge");
+        }
+      }
+    }
+    if (excess > count.excess) throw std::logic_error("a diagram has too many corners");
+    return excess == count.excess && joints == count.joints;
+  }
+
+  std::uint64_t exact_signs() const { return exact_signs_; }
+  std::vector<DiagramEvent> events() && { return std::move(events_); }
+
+ private:
+  using OfFeatures = std::map<Features, std::vector<std::size_t>>;
+
+  /// Groups of candidates that are near to each other.
+  static std::vector<std::vector<Candidate>> by_cells(std::vector<Candidate> candidates) {
+    std::map<std::pair<double, double>, std::vector<Candidate>> cells;
+    for (Candidate& each : candidates) {
+      const bool is_finite = std::isfinite(each.near.x) && std::isfinite(each.near.y);
+      const auto cell = [&](double x) { return is_finite ? std::round(x / same_cell) : 0.0; };
+      cells[{cell(each.near.x), cell(each.near.y)}].push_back(std::move(each));
+    }
+    std::vector<std::vector<Candidate>> found;
+    for (auto& [cell, all] : cells) found.push_back(std::move(all));
+    return found;
+  }
+
+  static std::vector<DiagramEvent> events_of(const std::vector<Candidate>& cell,
+                                             EventProver& prover) {
+    std::vector<DiagramEvent> found;
+    OfFeatures of_features;
+    std::set<std::pair<Features, unsigned>> looked_at;
+    for (const Candidate& each : cell) {
+      const auto places = prover.places(each.features);
+      std::vector<double> far;
+      for (const auto& place : places) {
+        const double way = std::hypot(approximate(place.at.x) - each.near.x,
+                                      approximate(place.at.y) - each.near.y);
+        far.push_back(std::isfinite(way) ? way : 0);
+      }
+      for (unsigned branch = 0; branch < places.size(); ++branch) {
+        // The nearer one, or both where roundings may exchange them.
+        if (places.size() == 2 && far[branch] > 4 * far[1 - branch] && far[branch] > same_cell) {
+          continue;
+        }
+        if (!looked_at.insert({each.features, branch}).second) continue;
+        if (is_known(each.features, branch, places, found)) continue;
+        auto event = prover.event(each.features, branch, places[branch]);
+        if (event) keep(std::move(*event), found, of_features, prover);
+      }
+    }
+    return found;
+  }
+
+  /// Whether an event is as far from all of the features, and is not at their other place.
+  static bool is_known(const Features& features, unsigned branch,
+                       const std::vector<Equidistant<Interval>>& places,
+                       const std::vector<DiagramEvent>& events) {
+    if (features.size() < 3) return false;
+    return std::any_of(events.begin(), events.end(), [&](const DiagramEvent& event) {
+      return std::includes(event.features.begin(), event.features.end(), features.begin(),
+                           features.end()) &&
+             (places.size() == 1 || !box_of(event.at).overlaps(box_of(places[1 - branch].at)));
+    });
+  }
+
+  static void keep(DiagramEvent event, std::vector<DiagramEvent>& events, OfFeatures& of_features,
+                   const EventProver& prover) {
+    std::vector<std::size_t>& same = of_features[event.features];
+    for (const std::size_t number : same) {
+      if (prover.are_one(events[number], event)) return;
+    }
+    same.push_back(events.size());
+    events.push_back(std::move(event));
+  }
+  void keep(DiagramEvent event, std::vector<DiagramEvent>& events, OfFeatures& of_features) {
+    keep(std::move(event), events, of_features, prover_);
+  }
+
+  const EdgeLookup& lookup_;
+  const BuildControl& control_;
+  EventProver prover_;
+  std::vector<DiagramEvent> events_;
+  OfFeatures of_features_;
+  std::uint64_t exact_signs_ = 0;
+};
+
+/// With a box of a size about 1, so that no double is beyond its range.
+DiagramEvents in_unit_box(const PolygonSet& P) {
+  namespace mp = boost::multiprecision;
+  DiagramEvents result{{}, {0, 0}, 1, {}, {}, {}, 0};
+  std::optional<std::pair<Point, Point>> box;
+  const auto for_points = [](PolygonSet& set, auto&& look) {
+    for (Polygon& polygon : set.polygons) {
+      std::for_each(polygon.outer.begin(), polygon.outer.end(), look);
+      for (Ring& hole : polygon.holes) std::for_each(hole.begin(), hole.end(), look);
+    }
+  };
+  PolygonSet moved = P;
+  for_points(moved, [&](const Point& p) {
+    if (!box) box = {p, p};
+    box->first = {std::min(box->first.x, p.x), std::min(box->first.y, p.y)};
+    box->second = {std::max(box->second.x, p.x), std::max(box->second.y, p.y)};
+  });
+  if (box) {
+    result.origin = box->first;
+    const Rational size =
+        std::max(Rational(box->second.x - box->first.x), Rational(box->second.y - box->first.y));
+    if (size > 0) {
+      const auto bits = [](const Integer& number) { return static_cast<long>(mp::msb(number)); };
+      const long exponent = bits(mp::denominator(size)) - bits(mp::numerator(size));
+      const Rational power(Integer(1) << static_cast<unsigned>(std::abs(exponent)));
+      result.factor = exponent < 0 ? Rational(1 / power) : power;
+    }
+  }
+  for_points(moved, [&](Point& p) {
+    p = {(p.x - result.origin.x) * result.factor, (p.y - result.origin.y) * result.factor};
+  });
+  result.curves = offset_curves(moved);
+  return result;
+}
+
+}  // namespace
+
+Equidistant<RootNumber> DiagramEvents::exact(const DiagramEvent& event) const {
+  const auto found = equidistant_places<RootNumber>(curves, event.of).at(event.branch);
+  const RootNumber inverse(Rational(1 / factor));
+  return {inverse * found.at + numbers<RootNumber>(origin),
+          inverse * inverse * found.squared_radius};
+}
+
+Vector<Interval> DiagramEvents::place(const DiagramEvent& event) const {
+  return Interval(Rational(1 / factor)) * event.at + numbers<Interval>(origin);
+}
+
+Interval DiagramEvents::radius(const DiagramEvent& event) const {
+  return Interval(Rational(1 / factor)) * sqrt(event.squared_radius);
+}
+
+Point DiagramEvents::vertex(std::uint32_t feature) const {
+  const Point& p = curves.features[feature].centre;
+  return {p.x / factor + origin.x, p.y / factor + origin.y};
+}
+
+DiagramEvents diagram_events(const PolygonSet& P, const BuildOptions& options) {
+  DiagramEvents result = in_unit_box(P);
+  const EdgeLookup lookup(result.curves);
+  const BuildControl control(options, "the events");
+  result.walks = boundary_walks(lookup);
+  const DiagramCount count = diagram_count(result.curves, result.walks);
+  result.gaps = count.gaps;
+  Collection found(lookup, control);
+  found.add(candidates<double>(lookup, control));
+  if (!found.is_complete(count)) found.add(candidates<ManyBits<256>>(lookup, control));
+  if (!found.is_complete(count)) found.add(candidates<ManyBits<1024>>(lookup, control));
+  if (!found.is_complete(count)) {
+    throw LimitExceeded("too-near",
+                        "two places of events are nearer to each other than 1,024 bits tell",
+                        "move vertices that are almost, but not quite, as far from some place");
+  }
+  found.add_saddles(count);
+  result.exact_signs = found.exact_signs();
+  result.events = std::move(found).events();
+  std::sort(result.events.begin(), result.events.end(),
+            [&](const DiagramEvent& a, const DiagramEvent& b) {
+              if (a.squared_radius.upper() < b.squared_radius.lower()) return true;
+              if (a.squared_radius.lower() > b.squared_radius.upper()) return false;
+              const int order =
+                  compare(result.exact(a).squared_radius, result.exact(b).squared_radius);
+              return order != 0 ? order < 0 : a.features < b.features;
+            });
+  return result;
+}
+
+}  // namespace minkref::inline disc

@@ -1,0 +1,39 @@
+// Radii at which the boundary of P ⊕ ρD changes: corners of the outer Voronoi diagram of P, and
+// places between two features that are nearest to each other (Behar & Lien 2012, Appendix).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "reference/build/build_options.hpp"
+#include "reference/disc/diagram/diagram_count.hpp"
+#include "reference/disc/diagram/diagram_event.hpp"
+
+namespace minkref::inline disc {
+
+struct DiagramEvents {
+  OffsetCurves curves;  ///< of P moved from the origin and multiplied by a power of two
+  Point origin;
+  Rational factor;
+  BoundaryWalks walks;
+  std::vector<HullGap> gaps;         ///< of the convex hull, where the diagram goes on to infinity
+  std::vector<DiagramEvent> events;  ///< by radius, then by features
+  std::uint64_t exact_signs = 0;
+
+  /// They hold the place and the radius.
+  Vector<Interval> place(const DiagramEvent& event) const;
+  Interval radius(const DiagramEvent& event) const;
+  /// The place and the squared radius of an event, in roots.
+  Equidistant<RootNumber> exact(const DiagramEvent& event) const;
+  /// Of the feature of a vertex.
+  Point vertex(std::uint32_t feature) const;
+};
+
+/// Of a valid polygon set, a point or a segment. Candidates come from rounded envelopes; each is
+/// proven to be as far from its features and from nothing less. That none is missing is known from
+/// a count (DiagramCount, docs/disc.md); where it is not reached, envelopes of more bits are looked
+/// at. Throws LimitExceeded ("too-near") where 1,024 bits do not suffice. O(n log n + k) for k
+/// candidates that are compared.
+DiagramEvents diagram_events(const PolygonSet& P, const BuildOptions& options = {});
+
+}  // namespace minkref::inline disc

@@ -1,0 +1,48 @@
+// The outer Voronoi diagram of P as a graph: which events its parts join. Exact.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "reference/disc/diagram/diagram_events.hpp"
+
+namespace minkref::inline disc {
+
+/// One side of a part of the diagram, between two nodes that follow each other along the boundary
+/// of P, walked with P on the left. On it the radius only grows, or only shrinks, or stays.
+struct DiagramHalf {
+  std::uint32_t from, to;  ///< nodes
+  std::uint32_t twin;      ///< the other side, from `to` to `from`
+  std::uint32_t feature;   ///< that it is in front of; of the twin, the one across
+  /// The sides of the boundary in front of which its ends are.
+  std::uint32_t from_side, to_side;
+};
+
+/// Nodes: the events, by number; then the gaps of the hull, at infinity; then the reflex vertices.
+struct DiagramGraph {
+  std::size_t events, gaps, reflex_vertices;
+  std::vector<DiagramHalf> halves;  ///< in order along the walks
+  struct Walk {
+    std::uint32_t first, last;  ///< halves, last excluded
+  };
+  std::vector<Walk> walks;  ///< as those of the boundary
+  /// Where the boundary looks to the left at the leftmost vertex of a polygon: the half that is
+  /// there, or the last one before; none where its walk has none, or where P does not end there.
+  struct Leftmost {
+    std::uint32_t vertex, walk, half;
+  };
+  static constexpr std::uint32_t none = UINT32_MAX;
+  std::vector<Leftmost> leftmost;  ///< by polygon
+
+  bool is_event(std::uint32_t node) const { return node < events; }
+  bool is_infinite(std::uint32_t node) const { return node >= events && node < events + gaps; }
+  bool is_reflex(std::uint32_t node) const { return node >= events + gaps; }
+};
+
+/// Of complete events (diagram_events). About each event its nearest points are sorted by their
+/// directions; along the boundary of P those events are sorted to which a part of it is nearest.
+/// Each part of the diagram is found from both of its sides, or std::logic_error is thrown, which
+/// would be a fault. O(n log n).
+DiagramGraph diagram_graph(const DiagramEvents& diagram);
+
+}  // namespace minkref::inline disc

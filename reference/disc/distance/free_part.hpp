@@ -1,0 +1,21 @@
+// What of an offset curve no edge blocks.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "reference/disc/distance/blocked_part.hpp"
+
+namespace minkref::inline disc {
+
+/// A part of a patch that nothing blocks, closed and more than a point.
+struct FreePart {
+  std::uint32_t patch;
+  PatchPlace from, to;
+};
+
+/// In order along the patch, cut where another curve touches.
+std::vector<FreePart> free_parts(const PatchesAt& at, std::uint32_t patch,
+                                 std::vector<BlockedPart> blocked, OffsetCounts& counts);
+
+}  // namespace minkref::inline disc

@@ -1,0 +1,48 @@
+// Which edges of P may be nearer to an offset curve than the radius, and which curves lie inside.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "reference/disc/distance/blocked_part.hpp"
+#include "reference/plane/arrangement/box_tree.hpp"
+
+namespace minkref::inline disc {
+
+/// A tree of the edges, in doubles.
+class NearEdges {
+ public:
+  /// `at` must outlive it.
+  explicit NearEdges(const PatchesAt& at);
+
+  /// Those whose boxes are within the radius of the box around a patch; all that block it are among
+  /// them.
+  void find(std::uint32_t patch, std::vector<std::uint32_t>& found) const;
+
+  /// Whether a patch is certainly nearer to P than the radius, with both of its ends. It is taken
+  /// apart, and each part is in what is near a single edge, which is convex: the corners of a
+  /// polygon around the part are in it, by more than doubles can err.
+  bool is_inside(std::uint32_t patch) const;
+
+ private:
+  struct Spot {
+    double x, y;
+  };
+  /// A part of a patch: of an edge from one point to the other; of an arc between two unit vectors.
+  struct Part {
+    Spot first, last;
+  };
+  bool is_inside(std::uint32_t patch, const Part& part, int depth) const;
+  double squared_distance(std::uint32_t edge, const Spot& x) const;
+
+  const PatchesAt& at_;
+  struct Edge {
+    Spot start, along;
+    double inverse_square;
+  };
+  std::vector<Edge> edges_;
+  plane::BoxTree tree_;
+  double radius_, squared_limit_;
+};
+
+}  // namespace minkref::inline disc

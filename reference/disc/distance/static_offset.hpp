@@ -1,0 +1,35 @@
+// P ⊕ ρD at one radius, from the definition: what is at the distance ρ from P and not nearer.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "reference/build/build_options.hpp"
+#include "reference/disc/distance/blocked_part.hpp"
+
+namespace minkref::inline disc {
+
+/// A part of an offset curve on the boundary of the sum.
+struct OffsetPiece {
+  std::uint32_t patch;
+  PatchPlace from, to;
+};
+
+struct StaticOffset {
+  std::shared_ptr<const PatchesAt> at;
+  std::vector<OffsetPiece> pieces;
+  /// Each ring by the numbers of its pieces, one after the other, the sum on the left. Where
+  /// several meet at a point each goes round a wedge of the interior.
+  std::vector<std::vector<std::uint32_t>> rings;
+  OffsetCounts counts;
+};
+
+/// Of a valid polygon set, a point or a segment, squared_radius > 0. Exact. For each curve that is
+/// not certainly inside, all edges that may be nearer to it than the radius: O(n log n + k) for k
+/// such pairs, on `options.threads`. Throws std::logic_error where pieces do not close up, which
+/// would be a fault.
+StaticOffset static_offset(const PolygonSet& P, const Rational& squared_radius,
+                           const BuildOptions& options = {});
+
+}  // namespace minkref::inline disc

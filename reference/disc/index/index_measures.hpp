@@ -1,0 +1,46 @@
+// Area and length of P ⊕ ρD at any radius, without its boundary.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "reference/disc/index/offset_index.hpp"
+#include "reference/disc/region/offset_region.hpp"
+
+namespace minkref::inline disc {
+
+/// In front of each half of the diagram is a region between the boundary of P and the diagram. Of
+/// those that are reached as a whole, and of those that are not reached at all, sums are kept by
+/// radius; a query looks at the others only, those with a corner.
+class IndexMeasures {
+ public:
+  /// `index` must outlive it. O(n log n).
+  explicit IndexMeasures(const OffsetIndex& index);
+
+  /// Enclosed. `at` is the place of the radius. O(n) comparisons of whole numbers, and
+  /// O(k) for k corners.
+  OffsetMeasures at(const OffsetIndex::Place& at, const Interval& radius) const;
+
+ private:
+  /// A point of the diagram as a half sees it: how far along its line, or at which angle about its
+  /// vertex; and what tells the area up to there.
+  struct Seen {
+    Interval along;
+    Vector<Interval> at;
+    Interval radius;
+  };
+  Seen seen(std::uint32_t half, const Vector<Interval>& at, const Interval& radius) const;
+  Seen seen_at_node(std::uint32_t half, bool at_end) const;
+  Interval area_between(std::uint32_t half, const Seen& a, const Seen& b) const;
+
+  const OffsetIndex& index_;
+  std::vector<Vector<Interval>> middles_;    ///< by feature: of the arc about a vertex
+  std::vector<std::pair<Seen, Seen>> ends_;  ///< of halves
+  Interval area_;                            ///< of P
+  std::vector<Interval> reached_;            ///< by gap: areas in front of halves that are reached
+  std::vector<Interval> lengths_,
+      angles_;  ///< by gap: of what no half that is touched is in front of
+};
+
+}  // namespace minkref::inline disc

@@ -1,0 +1,227 @@
+#include "reference/disc/index/offset_index.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace minkref::inline disc {
+
+namespace {
+
+constexpr double unit = 0x1p-45;  // of the numbers of a motion
+
+/// At a radius that is known up to `slack`.
+BoundedPoint corner_of(const CornerMotion& m, double rho, double slack) {
+  const double way = rho - m.r;
+  const double terms = std::abs(m.q0) + std::abs(m.q1) * rho + m.q2 * rho * rho;
+  const double square = std::max(m.q0 + (m.q1 + m.q2 * rho) * rho, 0.0);
+  const double root = std::sqrt(square);
+  // Of the square; the root is off by that over the root, or by its root.
+  const double off = unit * terms + (std::abs(m.q1) + 2.1 * m.q2 * rho) * slack + 0x1p-1000;
+  const double root_off = root * root > off ? 2 * off / root : 2 * std::sqrt(off);
+  const double x = m.ax + way * m.bx + root * m.cx, y = m.ay + way * m.by + root * m.cy;
+  const double speed = std::abs(m.bx) + std::abs(m.by), turn = std::abs(m.cx) + std::abs(m.cy);
+  return {x, y,
+          m.error + unit * (std::abs(m.ax) + std::abs(m.ay) + rho * speed + root * turn) +
+              slack * speed + root_off * turn};
+}
+
+}  // namespace
+
+OffsetIndex::OffsetIndex(const PolygonSet& P, const BuildOptions& options)
+    : diagram_(diagram_events(P, options)), graph_(diagram_graph(diagram_)) {
+  number_radii();
+  count_sides();
+  place_joints();
+  for (std::uint32_t k = 0; k < graph_.halves.size(); ++k) {
+    const std::uint32_t twin = graph_.halves[k].twin;
+    motions_.push_back(twin < k ? motions_[twin] : corner_motion(diagram_, graph_, k));
+  }
+  scale_ = to_double(Rational(1 / diagram_.factor));
+  x_ = to_double(diagram_.origin.x);
+  y_ = to_double(diagram_.origin.y);
+  origin_error_ = 0x1p-52 * (std::abs(x_) + std::abs(y_));
+}
+
+/// Events are in the order of their radii.
+void OffsetIndex::number_radii() {
+  for (std::uint32_t k = 0; k < diagram_.events.size(); ++k) {
+    const Interval& squared = diagram_.events[k].squared_radius;
+    bool is_new = radii_.empty() || radii_.back().squared.upper() < squared.lower();
+    if (!is_new) {
+      const DiagramEvent& last = diagram_.events[radii_.back().event];
+      is_new = compare(diagram_.exact(last).squared_radius,
+                       diagram_.exact(diagram_.events[k]).squared_radius) < 0;
+    }
+    if (is_new) radii_.push_back({k, squared});
+    numbers_.push_back(radii());
+  }
+  for (const DiagramHalf& half : graph_.halves) {
+    const std::uint32_t from = radius_number(half.from), to = radius_number(half.to);
+    low_.push_back(std::min(from, to));
+    high_.push_back(std::max(from, to));
+    is_rising_.push_back(from < to);
+  }
+}
+
+/// How far each half goes along the sides of its walk.
+void OffsetIndex::count_sides() {
+  for (std::size_t number = 0; number < graph_.walks.size(); ++number) {
+    const DiagramGraph::Walk& walk = graph_.walks[number];
+    const BoundaryWalk& own = diagram_.walks.walks[number];
+    const std::uint32_t total = own.last - own.first;
+    const auto onwards = [&](std::uint32_t from, std::uint32_t to) {
+      return to >= from ? to - from : to + total - from;
+    };
+    std::uint32_t passed = 0;
+    for (std::uint32_t k = walk.first; k < walk.last; ++k) {
+      const DiagramHalf &half = graph_.halves[k],
+                        &before = graph_.halves[k == walk.first ? walk.last - 1 : k - 1];
+      const std::uint32_t start = passed + onwards(before.to_side, half.from_side);
+      passed = start + onwards(half.from_side, half.to_side);
+      starts_.push_back(start);
+      ends_.push_back(passed);
+    }
+    if (walk.first != walk.last && passed != total) {
+      throw std::logic_error("the diagram does not go once around a walk");
+    }
+  }
+}
+
+void OffsetIndex::place_joints() {
+  const std::vector<BoundarySide>& sides = diagram_.walks.sides;
+  for (const BoundaryWalk& walk : diagram_.walks.walks) {
+    for (std::uint32_t k = walk.first; k < walk.last; ++k) {
+      const BoundarySide &side = sides[k], &next = sides[k + 1 == walk.last ? walk.first : k + 1];
+      has_joint_.push_back(!side.ends_at_reflex && side.is_arc != next.is_arc ? 1 : 0);
+      const std::uint32_t edge = side.is_arc ? side.next : side.edge;
+      joints_.push_back(has_joint_.back() != 0
+                            ? joint_motion(diagram_.curves.features[side.to].centre,
+                                           diagram_.curves.edges[edge].normal)
+                            : JointMotion{});
+    }
+  }
+}
+
+OffsetIndex::Place OffsetIndex::place(const Rational& squared_radius) const {
+  const Rational squared = squared_radius * diagram_.factor * diagram_.factor;
+  const Interval near(squared);
+  const auto first = std::partition_point(radii_.begin(), radii_.end(), [&](const Radius& radius) {
+    return radius.squared.upper() < near.lower();
+  });
+  auto found = first;
+  bool at_event = false;
+  for (; found != radii_.end() && found->squared.lower() <= near.upper() && !at_event; ++found) {
+    const int order = compare(diagram_.exact(diagram_.events[found->event]).squared_radius,
+                              RootNumber(squared_radius));
+    if (order > 0) break;
+    at_event = order == 0;
+  }
+  return {static_cast<std::uint32_t>(found - radii_.begin()), at_event};
+}
+
+std::uint32_t OffsetIndex::sides_between(std::uint32_t walk, std::uint32_t entry,
+                                         std::uint32_t exit) const {
+  const BoundaryWalk& own = diagram_.walks.walks[walk];
+  return starts_[exit] + 1 - ends_[entry] + (exit <= entry ? own.last - own.first : 0);
+}
+
+void OffsetIndex::boundary(std::uint32_t gap, IndexBoundary& found) const {
+  found.clear();
+  const auto walks = static_cast<std::uint32_t>(graph_.walks.size());
+  // The corners in order along the walks: each starts a part of the boundary, or ends one.
+  thread_local std::vector<std::uint32_t> there, place, bounds, walk_of;
+  const std::size_t halves = low_.size();
+  there.resize(halves + 1);
+  place.resize(halves);
+  bounds.resize(walks + 1);
+  std::uint32_t count = 0;
+  for (std::uint32_t walk = 0; walk < walks; ++walk) {
+    bounds[walk] = count;
+    for (std::uint32_t k = graph_.walks[walk].first; k < graph_.walks[walk].last; ++k) {
+      there[count] = k;
+      place[k] = count;
+      count +=
+          static_cast<std::uint32_t>(low_[k] <= gap) & static_cast<std::uint32_t>(gap < high_[k]);
+    }
+  }
+  bounds[walks] = count;
+  walk_of.resize(count);
+  for (std::uint32_t walk = 0; walk < walks; ++walk) {
+    std::fill(walk_of.begin() + bounds[walk], walk_of.begin() + bounds[walk + 1], walk);
+  }
+  thread_local std::vector<char> is_done;
+  is_done.assign(count, 0);
+  for (std::uint32_t start = 0; start < count; ++start) {
+    if (is_done[start] != 0 || is_rising_[there[start]] == 0) continue;
+    IndexRing ring{static_cast<std::uint32_t>(found.corners.size()), 0, walk_of[start]};
+    for (std::uint32_t entry = start; is_done[entry] == 0;) {
+      is_done[entry] = 1;
+      const std::uint32_t walk = walk_of[entry],
+                          exit = entry + 1 == bounds[walk + 1] ? bounds[walk] : entry + 1;
+      const std::uint32_t half = there[entry], last = there[exit];
+      found.corners.push_back(
+          {half, walk, graph_.halves[half].to_side, sides_between(walk, half, last)});
+      entry = place[graph_.halves[last].twin];
+    }
+    ring.last_corner = static_cast<std::uint32_t>(found.corners.size());
+    found.rings.push_back(ring);
+  }
+  // Walks without corners: all of it is free, or nothing.
+  for (std::uint32_t walk = 0; walk < walks; ++walk) {
+    const DiagramGraph::Walk& own = graph_.walks[walk];
+    if (bounds[walk] != bounds[walk + 1]) continue;
+    if (own.first != own.last && low_[own.first] <= gap) continue;
+    const auto at = static_cast<std::uint32_t>(found.corners.size());
+    found.rings.push_back({at, at, walk});
+  }
+}
+
+BoundedPoint OffsetIndex::corner(std::uint32_t half, const Interval& radius) const {
+  return corner_of(motions_[half], approximate(radius), radius.upper() - radius.lower());
+}
+
+void OffsetIndex::vertices(const IndexBoundary& boundary, const Interval& radius,
+                           std::vector<BoundedPoint>& found,
+                           std::vector<std::uint32_t>& starts) const {
+  found.clear();
+  starts.clear();
+  const Interval in_frame = radius * Interval(diagram_.factor);
+  const double rho = approximate(in_frame), slack = in_frame.upper() - in_frame.lower();
+  const auto add = [&](double x, double y, double error) {
+    x *= scale_;
+    y *= scale_;
+    error = error * scale_ + origin_error_ + 0x1p-52 * (std::abs(x) + std::abs(y));
+    found.push_back({x + x_, y + y_, error * (1 + 0x1p-40)});
+  };
+  const auto add_joint = [&](std::uint32_t side) {
+    if (has_joint_[side] == 0) return;
+    const JointMotion& joint = joints_[side];
+    const double x = joint.ax + rho * joint.bx, y = joint.ay + rho * joint.by;
+    add(x, y, slack + unit * (std::abs(joint.ax) + std::abs(joint.ay) + rho));
+  };
+  const auto add_corner = [&](std::uint32_t half) {
+    const BoundedPoint found_there = corner_of(motions_[half], rho, slack);
+    add(found_there.x, found_there.y, found_there.error);
+  };
+  for (const IndexRing& ring : boundary.rings) {
+    starts.push_back(static_cast<std::uint32_t>(found.size()));
+    if (ring.first_corner == ring.last_corner) {
+      const BoundaryWalk& walk = diagram_.walks.walks[ring.walk];
+      for (std::uint32_t side = walk.first; side < walk.last; ++side) add_joint(side);
+    }
+    for (std::uint32_t k = ring.first_corner; k < ring.last_corner; ++k) {
+      const IndexCorner& corner = boundary.corners[k];
+      const BoundaryWalk& walk = diagram_.walks.walks[corner.walk];
+      add_corner(corner.half);
+      std::uint32_t side = corner.first_side;
+      for (std::uint32_t n = 1; n < corner.sides; ++n) {
+        add_joint(side);
+        side = side + 1 == walk.last ? walk.first : side + 1;
+      }
+    }
+  }
+}
+
+}  // namespace minkref::inline disc

@@ -1,0 +1,108 @@
+// P ⊕ ρD for all ρ: which parts of the outer Voronoi diagram its corners are on, between any two
+// events that follow each other.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "reference/disc/diagram/diagram_graph.hpp"
+#include "reference/disc/index/corner_motion.hpp"
+
+namespace minkref::inline disc {
+
+/// The boundary of the sum at one radius: rings, the sum on the left, as sides of P.
+struct IndexRing {
+  /// Corners, by the halves of the diagram that they are on: the ring starts to be on the boundary
+  /// there. None of a ring without corners, that of the walk.
+  std::uint32_t first_corner, last_corner;  ///< of IndexBoundary::corners, last excluded
+  std::uint32_t walk;
+};
+
+/// From one corner to the next: the sides of a walk from that of the first on, so many.
+struct IndexCorner {
+  std::uint32_t half;
+  std::uint32_t walk, first_side, sides;
+};
+
+struct IndexBoundary {
+  std::vector<IndexRing> rings;
+  std::vector<IndexCorner> corners;
+
+  void clear() {
+    rings.clear();
+    corners.clear();
+  }
+};
+
+/// A point, within `error` of where it is in each coordinate.
+struct BoundedPoint {
+  double x, y, error;
+};
+
+/// Built once. Each decision of a query is one about the order of the radius among those of events:
+/// exact.
+class OffsetIndex {
+ public:
+  /// Of a valid polygon set, a point or a segment. Errors and cost are those of diagram_events.
+  explicit OffsetIndex(const PolygonSet& P, const BuildOptions& options = {});
+
+  const DiagramEvents& diagram() const { return diagram_; }
+  const DiagramGraph& graph() const { return graph_; }
+  /// How many different radii there are at which something changes.
+  std::uint32_t radii() const { return static_cast<std::uint32_t>(radii_.size()); }
+  /// One of the events at the k-th radius, from 0 on.
+  std::uint32_t event_at(std::uint32_t radius) const { return radii_[radius].event; }
+
+  /// The number of the radius of a node, from 1 on: that of a reflex vertex is 0, and infinity
+  /// comes last. Of a half those of its lower and upper end.
+  std::uint32_t radius_number(std::uint32_t node) const {
+    if (graph_.is_event(node)) return numbers_[node];
+    return graph_.is_infinite(node) ? radii() + 1 : 0;
+  }
+  std::uint32_t low(std::uint32_t half) const { return low_[half]; }
+  std::uint32_t high(std::uint32_t half) const { return high_[half]; }
+  bool rises(std::uint32_t half) const { return is_rising_[half] != 0; }
+
+  struct Place {
+    std::uint32_t gap;  ///< how many radii of events are not above
+    bool at_event;      ///< the last of them is this one
+  };
+  /// Where a radius is among those of the events, by its square. Exact. O(log n).
+  Place place(const Rational& squared_radius) const;
+
+  /// The boundary at the radii of a gap. O(n), without branches, for n halves of the diagram.
+  void boundary(std::uint32_t gap, IndexBoundary& found) const;
+
+  /// All vertices of the boundary at a radius of the gap, ring by ring: corners, and joints, where
+  /// lines go on as arcs. `starts` are of rings. One rounded square root a corner; with bounds.
+  void vertices(const IndexBoundary& boundary, const Interval& radius,
+                std::vector<BoundedPoint>& found, std::vector<std::uint32_t>& starts) const;
+
+  /// The corner on a half that has one, in the frame of the curves as the radius is.
+  BoundedPoint corner(std::uint32_t half, const Interval& radius) const;
+
+ private:
+  struct Radius {
+    std::uint32_t event;
+    Interval squared;  ///< in the frame of the curves
+  };
+  void number_radii();
+  void count_sides();
+  void place_joints();
+  std::uint32_t sides_between(std::uint32_t walk, std::uint32_t entry, std::uint32_t exit) const;
+
+  DiagramEvents diagram_;
+  DiagramGraph graph_;
+  std::vector<Radius> radii_;
+  std::vector<std::uint32_t> numbers_;  ///< of the radii of events
+  std::vector<std::uint32_t> low_, high_;
+  std::vector<char> is_rising_;
+  std::vector<std::uint32_t> starts_, ends_;  ///< of halves: sides of the walk that are passed
+  std::vector<CornerMotion> motions_;         ///< by half
+  std::vector<std::uint8_t> has_joint_;       ///< by side: at its end
+  std::vector<JointMotion> joints_;
+  double scale_ = 1, x_ = 0, y_ = 0;  ///< from the frame of the curves to that of P
+  double origin_error_ = 0;
+};
+
+}  // namespace minkref::inline disc

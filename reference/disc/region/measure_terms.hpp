@@ -1,0 +1,27 @@
+// Area and length of P ⊕ ρD, exact, as sums of terms.
+#pragma once
+
+#include <vector>
+
+#include "reference/disc/region/offset_region.hpp"
+#include "reference/number/radicals/root_text.hpp"
+
+namespace minkref::inline disc {
+
+/// Counter-clockwise from one direction to another; equal directions are a whole turn.
+struct TermAngle {
+  RootPoint from, to;
+};
+
+/// With Θ the sum of the angles, in radians, the length is the sum of `length` and ρ Θ, and the
+/// area the sum of `area` and ρ² Θ / 2.
+struct MeasureTerms {
+  RootTerms length, area;
+  /// Of the arcs of the boundary, one for each curve between two corners or joints.
+  std::vector<TermAngle> angles;
+};
+
+/// Exact. O(n log n), and each corner in roots.
+MeasureTerms measure_terms(const OffsetRegion& region);
+
+}  // namespace minkref::inline disc
