@@ -313,6 +313,7 @@ void bind_disc_index(nb::module_& module) {
       .def("joins", &joins, "(radius or None, polygon, polygon): from where on components are one.")
       .def(
           "drawing", [](const DiscIndex& self) { return Drawing(self).fields(); },
+          nb::sig("def drawing(self) -> dict[str, typing.Any]"),
           "The boundary of P and the outer Voronoi diagram, in doubles: what the page of `minkref "
           "view P disc` has. Its fields are those of docs/command-line.md.")
       .def(

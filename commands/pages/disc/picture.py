@@ -25,7 +25,7 @@ def window_around(index: _core.DiscIndex, P: _core.PolygonSet) -> tuple[Fraction
     else:
         size = 0.0
         if not P.is_empty:
-            low_x, low_y, high_x, high_y = (float(Fraction(axis)) for axis in P.bounding_box())
+            low_x, low_y, high_x, high_y = P.bounding_box()
             size = max(high_x - low_x, high_y - low_y)
         first, last = (size or 1.0) / 100, size or 1.0
     if not (math.isfinite(last) and first > 0):
@@ -75,11 +75,7 @@ def _point(P: _core.PolygonSet, drawing: dict[str, Any]) -> list[float] | None:
     """P, if it is a point, which has no boundary to walk along; measured from the origin."""
     if P.is_empty or drawing["sides"]:
         return None
-    x, y = (Fraction(axis) for axis in P.bounding_box()[:2])
-    return [
-        double(axis - Fraction(o), "a coordinate")
-        for axis, o in zip((x, y), drawing["origin"], strict=True)
-    ]
+    return [axis - o for axis, o in zip(P.bounding_box()[:2], drawing["origin"], strict=True)]
 
 
 def counts(data: dict[str, Any]) -> dict[str, Any]:
