@@ -27,6 +27,7 @@ from minkref.commands.pages.plane.picture import Progress, Sums, Window, picture
 from minkref.commands.pages.plane.write_page import page
 from minkref.commands.paper_options import MOST_STEPS, STEPS, asked_program, told
 from minkref.commands.view_table import counts, print_view
+from minkref.disc.disc import is_disc
 from minkref.documents import Stopwatch, document
 from minkref.errors import Refusal, refusing
 from minkref.exact import read_scale
@@ -42,6 +43,8 @@ minkref view disc1 cells1815
 minkref view g1 g2 --from 1/2 --to 2 -o g1-g2.html
 
 minkref view g1 g2 --route paper-update --arithmetic double -o paper.html
+
+minkref view glyph1204 disc -o grown.html
 
 minkref view gs3 rod --scale 2,1/3,5 -o gs3-rod.html
 
@@ -121,24 +124,32 @@ def command(
     """Write one self-contained HTML page with a slider over the scale: the sum, its convolution,
     and the holes from birth to death. In space P and Q are polyhedra: the page shows the sum at
     each scale, lets you turn it and cut it open, and names the parents of its facets and
-    vertices."""
+    vertices. With `disc` as second operand the slider is the radius of a disc."""
+    of_scales = _given(
+        ("--route", route), ("--index", index),
+        ("--arithmetic", arithmetic), ("--form", as_read), ("--reading", reading or None),
+        ("--steps", steps),
+    )  # fmt: skip
+    of_space = _given(("--scale", scale), ("--scales", scales))
+    if is_disc(P) or is_disc(Q):
+        from minkref.commands.disc.view import view_with_disc
+
+        target = _page_target(output, json)
+        given = of_space + of_scales
+        view_with_disc(P, Q, from_scale, to_scale, given, target, json, memory)
+        return
     if in_space(P, Q):
-        given = _given(
-            ("--route", route), ("--index", index),
-            ("--arithmetic", arithmetic), ("--form", as_read), ("--reading", reading or None),
-            ("--steps", steps),
-        )  # fmt: skip
         from minkref.commands.space.view import view_in_space
 
         target = _page_target(output, json)
-        view_in_space(P, Q, from_scale, to_scale, scale, scales, given, target, json, memory)
+        view_in_space(P, Q, from_scale, to_scale, scale, scales, of_scales, target, json, memory)
         return
     watch = Stopwatch()
     if index is not None:
         bounds = refusing(str(index), lambda: _core.ScaleIndex.open(str(index)).window)
         from_scale = bounds[0] if from_scale is None else from_scale
         to_scale = bounds[1] if to_scale is None else to_scale
-    window = _window(from_scale, to_scale, _given(("--scale", scale), ("--scales", scales)))
+    window = _window(from_scale, to_scale, of_space)
     route = chosen_route(index, route, ROUTES)
     program = asked_program(route, arithmetic, as_read, reading, steps)
     target = _page_target(output, json)

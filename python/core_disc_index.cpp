@@ -5,6 +5,7 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
@@ -18,6 +19,7 @@
 #include "python/diagram_row.hpp"
 #include "python/stopwatch.hpp"
 #include "python/vector_caster.hpp"
+#include "reference/disc/index/corner_motion.hpp"
 #include "reference/disc/index/index_measures.hpp"
 #include "reference/disc/index/index_region.hpp"
 #include "reference/disc/region/offset_region.hpp"
@@ -146,6 +148,142 @@ std::vector<JoinRow> joins(const DiscIndex& self) {
   return rows;
 }
 
+/// The diagram as it is drawn: lengths in those of P, places measured from `origin`.
+class Drawing {
+ public:
+  explicit Drawing(const DiscIndex& index)
+      : self_(index),
+        index_(index.index),
+        diagram_(index.index.diagram()),
+        unit_(to_double(Rational(1 / diagram_.factor))) {}
+
+  nb::dict fields() const {
+    nb::dict all;
+    all["origin"] = std::pair(to_double(diagram_.origin.x), to_double(diagram_.origin.y));
+    std::vector<double> radii;
+    for (std::uint32_t k = 1; k <= index_.radii(); ++k) {
+      const auto [low, high] = self_.radius(k);
+      radii.push_back(low + (high - low) / 2);
+    }
+    all["radii"] = radii;
+    put_boundary(all);
+    put_events(all);
+    put_parts(all);
+    put_history(all);
+    return all;
+  }
+
+ private:
+  using Numbers = std::vector<std::uint32_t>;
+  template <std::size_t n>
+  using Rows = std::vector<std::array<std::uint32_t, n>>;
+
+  /// An array as a list of Python.
+  template <class Row>
+  static nb::list lists(const std::vector<Row>& rows) {
+    nb::list all;
+    for (const Row& row : rows) {
+      nb::list own;
+      for (const auto value : row) own.append(value);
+      all.append(own);
+    }
+    return all;
+  }
+
+  void put_boundary(nb::dict& all) const {
+    nb::list features;
+    for (const OffsetCurves::Feature& feature : diagram_.curves.features) {
+      if (feature.edge == OffsetPatch::none) {
+        const Point& at = feature.centre;
+        features.append(nb::make_tuple(unit_ * to_double(at.x), unit_ * to_double(at.y)));
+        continue;
+      }
+      const OffsetEdge& edge = diagram_.curves.edges[feature.edge];
+      const JointMotion joint = joint_motion(edge.start, edge.normal);
+      features.append(nb::make_tuple(joint.bx, joint.by, edge.id.ring, edge.id.index));
+    }
+    all["features"] = features;
+    Rows<6> sides;
+    for (const BoundarySide& side : diagram_.walks.sides) {
+      sides.push_back({side.feature, side.from, side.to, side.is_arc ? 1U : 0U,
+                       side.ends_at_reflex ? 1U : 0U, diagram_.curves.edges[side.edge].polygon});
+    }
+    all["sides"] = lists(sides);
+    Rows<4> walks;
+    for (std::size_t k = 0; k < diagram_.walks.walks.size(); ++k) {
+      const BoundaryWalk& walk = diagram_.walks.walks[k];
+      const DiagramGraph::Walk& own = index_.graph().walks[k];
+      walks.push_back({walk.first, walk.last, own.first, own.last});
+    }
+    all["walks"] = lists(walks);
+  }
+
+  void put_events(nb::dict& all) const {
+    std::string kinds;
+    std::vector<double> places;
+    std::vector<Numbers> features;
+    for (const DiagramEvent& event : diagram_.events) {
+      kinds += "cjsrm"[static_cast<std::size_t>(event.kind)];
+      places.push_back(unit_ * approximate(event.at.x));
+      places.push_back(unit_ * approximate(event.at.y));
+      features.push_back(event.features);
+    }
+    all["kinds"] = kinds;
+    all["places"] = places;
+    all["near"] = lists(features);
+    Rows<2> gaps;
+    for (const HullGap& gap : diagram_.gaps) gaps.push_back({gap.from, gap.to});
+    all["gaps"] = lists(gaps);
+  }
+
+  void put_parts(nb::dict& all) const {
+    Rows<5> halves;
+    std::vector<double> motions;
+    const std::vector<DiagramHalf>& own = index_.graph().halves;
+    for (std::uint32_t k = 0; k < own.size(); ++k) {
+      halves.push_back({own[k].from, own[k].to, own[k].twin, own[k].from_side, own[k].to_side});
+      if (own[k].twin < k) continue;
+      const CornerMotion m = corner_motion(diagram_, index_.graph(), k);
+      for (const double value : {unit_ * m.ax, unit_ * m.ay, unit_ * m.r, m.bx, m.by,
+                                 unit_ * unit_ * m.q0, unit_ * m.q1, m.q2, m.cx, m.cy}) {
+        motions.push_back(value);
+      }
+    }
+    all["halves"] = lists(halves);
+    all["motions"] = motions;
+    Numbers numbers;
+    const DiagramGraph& graph = index_.graph();
+    for (std::uint32_t k = 0; k < graph.events + graph.gaps + graph.reflex_vertices; ++k) {
+      numbers.push_back(index_.radius_number(k));
+    }
+    all["numbers"] = numbers;
+  }
+
+  void put_history(nb::dict& all) const {
+    const auto event = [](std::uint32_t number) -> nb::object {
+      if (number == DiagramGraph::none) return nb::none();
+      return nb::int_(number);
+    };
+    nb::list holes, joins;
+    for (const OffsetHole& hole : self_.history.all_holes) {
+      holes.append(
+          nb::make_tuple(hole.birth, hole.end, event(hole.born_at), hole.ends_at, hole.from));
+    }
+    all["holes"] = holes;
+    for (const ComponentJoin& join : self_.history.joins) {
+      joins.append(
+          nb::make_tuple(join.radius, join.at_radius ? 1 : 0, event(join.event), join.a, join.b));
+    }
+    all["joins"] = joins;
+    all["polygons"] = self_.history.polygons;
+  }
+
+  const DiscIndex& self_;
+  const OffsetIndex& index_;
+  const DiagramEvents& diagram_;
+  double unit_;  ///< a power of two
+};
+
 }  // namespace
 
 void bind_disc_index(nb::module_& module) {
@@ -190,6 +328,14 @@ void bind_disc_index(nb::module_& module) {
           },
           "squared_radius"_a, "Whether a radius is that of an event. Exact.")
       .def(
+          "place",
+          [](const DiscIndex& self, const std::string& squared_radius) {
+            const auto place = self.index.place(self.square(squared_radius));
+            return std::pair(place.gap, place.at_event);
+          },
+          "squared_radius"_a,
+          "How many radii of events are not above a radius; whether the last is this one. Exact.")
+      .def(
           "canonical_json",
           [](const DiscIndex& self, const std::string& squared_radius) {
             const Rational square = self.square(squared_radius);
@@ -209,14 +355,6 @@ void bind_disc_index(nb::module_& module) {
           "radius"_a, nb::sig("def vertices(self, radius: float) -> tuple[typing.Any, typing.Any]"),
           "x, y and a bound of the error of each vertex of the boundary, ring by ring, the sum on "
           "the left; and where rings start. At the radius of an event those just above.")
-      .def(
-          "place",
-          [](const DiscIndex& self, const std::string& squared_radius) {
-            const auto place = self.index.place(parse_rational(squared_radius));
-            return std::pair(place.gap, place.at_event);
-          },
-          "squared_radius"_a,
-          "How many radii of events are not above one, and whether the last is this. Exact.")
       .def(
           "rows",
           [](const DiscIndex& self, std::size_t first, std::size_t count) {
@@ -240,6 +378,11 @@ void bind_disc_index(nb::module_& module) {
       .def("holes", &holes,
            "(birth or None, end, place of the end, hole that it was a part of), numbered from 1.")
       .def("joins", &joins, "(radius or None, polygon, polygon): from where on components are one.")
+      .def(
+          "drawing", [](const DiscIndex& self) { return Drawing(self).fields(); },
+          nb::sig("def drawing(self) -> dict[str, typing.Any]"),
+          "The boundary of P and the outer Voronoi diagram, in doubles: what the page of `minkref "
+          "view P disc` has. Its fields are those of docs/command-line.md.")
       .def(
           "seconds_of_queries",
           [](const DiscIndex& self, const std::vector<double>& radii, unsigned rounds) {

@@ -12,21 +12,27 @@ from jinja2 import Environment, StrictUndefined, Template
 from minkref.version import version
 
 
-def page_template(package: str, scripts: Iterable[str]) -> tuple[Template, dict[str, str]]:
+def page_template(
+    package: str, scripts: Iterable[str], styles: Iterable[str] = ("style",)
+) -> tuple[Template, dict[str, str]]:
     """The template in the folder `page` of the package, and what it says of every page: the
-    version, the style, and the scripts in their order."""
+    version, the styles, and the scripts in their order. A name with a slash is of another page:
+    `plane/axis` is the script axis.js of the page in the plane."""
+    pages = resources.files("minkref.commands.pages")
     folder = resources.files(package) / "page"
-    shared = resources.files("minkref.commands.pages") / "page" / "shared.js"
 
     def text(name: str) -> str:
-        return (folder / name).read_text(encoding="utf-8")
+        *other, file = name.split("/")
+        where = pages.joinpath(*other, "page") if other else folder
+        return (where / file).read_text(encoding="utf-8")
 
     environment = Environment(
         autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True
     )
-    own = (text(f"{name}.js") for name in scripts)
-    script = "\n".join([shared.read_text(encoding="utf-8"), *own])
-    usual = {"version": version(), "style": text("style.css"), "script": script}
+    shared = (pages / "page" / "shared.js").read_text(encoding="utf-8")
+    script = "\n".join([shared, *(text(f"{name}.js") for name in scripts)])
+    style = "\n".join(text(f"{name}.css") for name in styles)
+    usual = {"version": version(), "style": style, "script": script}
     return environment.from_string(text("page.html.j2")), usual
 
 

@@ -1,4 +1,4 @@
-"""The page of `minkref view`: its size, and the rings that it draws against the sum."""
+"""The pages of `minkref view`: their size, and the rings that they draw against the sum."""
 
 from __future__ import annotations
 
@@ -11,22 +11,28 @@ from pathlib import Path
 from typing import Any
 
 from minkref import _core
+from minkref.commands.pages.disc import picture as disc_picture
+from minkref.commands.pages.disc.write_page import page as disc_page
 from minkref.commands.pages.plane.picture import Window, picture
 from minkref.commands.pages.plane.write_page import page
 from minkref.documents import write_atomically
 from minkref.fuzz.geometry.plane import read_shape
+from minkref.operand import Operand
 from minkref.reports.evidence.framework.browser import PACKAGES, absent, browser
 from minkref.reports.evidence.framework.operands import operand, tell_absent
 from minkref.reports.evidence.framework.part import MODELS, READERS, REFERENCE, Findings
+from minkref.reports.evidence.pages.disc_rings import ring_difference, true_rings
 
 SUBJECT = (
     "The page of disc1 + neuron over [1/10, 10]: at most 10 MB; in headless Chromium its rings at "
-    "50 random scales are those of the sum, in canonical order; a mark for each boundary event."
+    "50 random scales are those of the sum, in canonical order; a mark for each boundary event. "
+    "The page of neuron + disc: its arcs and lines are those of the sum at 50 random radii."
 )
 MINUTES = (1, 0.5)
 DEPENDS = (
     *REFERENCE, *READERS, *MODELS, "commands/pages/plane/*.py", "commands/pages/plane/page/*",
-    "commands/view.py", "fuzz/geometry/plane.py",
+    "commands/pages/disc/*.py", "commands/pages/disc/page/*", "commands/view.py",
+    "fuzz/geometry/plane.py", "reports/evidence/pages/*.py",
 )  # fmt: skip
 
 SEED = 2012
@@ -38,6 +44,7 @@ RINGS = """return arguments[0].map(
     (s) => window.minkref.rings(s).map((polygon) => [polygon.outer, ...polygon.holes]))"""
 MARKS = "return document.getElementById('marks').getAttribute('d').split('M').length - 1"
 Polygons = list[list[list[tuple[float, float]]]]  # per polygon its outer ring, then its holes
+OFFSETS = """return arguments[0].map((r) => window.minkref.rings(r).map((ring) => ring.pieces))"""
 
 
 def run(findings: Findings, quick: bool) -> None:
@@ -77,6 +84,7 @@ def run(findings: Findings, quick: bool) -> None:
         path = Path(folder, "view.html")
         write_atomically(path, text)
         _look(findings, path, data, (P.set, Q.set), count)
+        _look_at_disc(findings, path.with_name("disc.html"), Q, count)
 
 
 def _look(
@@ -137,3 +145,31 @@ def difference(got: Any, wanted: Polygons) -> float:
         return 0.0
     sides = [max(q[i] for q in points) - min(q[i] for q in points) for i in (0, 1)]
     return max(math.dist(p, q) for p, q in pairs) / (math.hypot(*sides) or 1.0)
+
+
+def _look_at_disc(findings: Findings, path: Path, P: Operand, count: int) -> None:
+    dice = random.Random(SEED)
+    index = _core.disc_index(P.set)
+    first, last = disc_picture.window_around(index, P.set)
+    data = disc_picture.picture(index, P.set, Window(str(first), str(last)))
+    write_atomically(path, disc_page(P.name, data))
+    # Where the events are, and some way beyond.
+    radii = [dice.choice(data["radii"]) * dice.uniform(0.8, 1.3) for _ in range(count)]
+    with browser() as window:
+        window.open(path)
+        marks = window.run(MARKS)
+        drawn = window.run(OFFSETS, radii)
+        messages = window.messages()
+    differences = [
+        ring_difference(got, true_rings(P.set, radius))
+        for radius, got in zip(radii, drawn, strict=True)
+    ]
+    findings.figures |= {
+        "bytes with a disc": path.stat().st_size,
+        "parts of the diagram": len(data["halves"]) // 2,
+        "greatest difference with a disc, in diagonals": max(differences),
+    }
+    alike = sum(found < CLOSE for found in differences)
+    findings.equal("radii whose rings are those of the sum", count, alike)
+    findings.equal("marks, one for each event with a disc", len(data["kinds"]), marks)
+    findings.none("errors of the page with a disc", len(messages))

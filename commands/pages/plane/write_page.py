@@ -8,8 +8,8 @@ from minkref.commands.pages.template import json_for_script, page_template
 from minkref.terminal import escaped
 
 SCRIPTS = (
-    "timeline", "canonical", "axis", "texts", "colours", "canvas", "drawing", "inputs", "strip",
-    "paper", "barcode", "events", "main",
+    "numbers", "timeline", "canonical", "axis", "texts", "colours", "canvas", "drawing", "inputs",
+    "strip", "paper", "barcode", "events", "pointer", "main",
 )  # fmt: skip
 
 

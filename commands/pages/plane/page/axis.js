@@ -30,14 +30,18 @@ function roundScales() {
   return found.filter((s) => s >= windowFirst * (1 - 1e-12) && s <= windowLast * (1 + 1e-12));
 }
 
-// Ticks from `left` to `left + width`, with labels at height `y`.
+// Ticks from `left` to `left + width`, with labels at height `y` where there is room for them.
 function axisTicks(left, width, top, bottom, y) {
   const group = svg("g", { class: "axis" });
+  let taken = -Infinity;
   for (const s of roundScales()) {
-    const x = left + width * shareOf(s);
+    const x = left + width * shareOf(s), half = 3.5 * String(s).length;
+    group.append(svg("line", { x1: x, x2: x, y1: top, y2: bottom }));
+    if (x - half < taken) continue;
     const text = svg("text", { x, y, "text-anchor": "middle" });
     text.textContent = String(s);
-    group.append(svg("line", { x1: x, x2: x, y1: top, y2: bottom }), text);
+    group.append(text);
+    taken = x + half + 3;
   }
   return group;
 }

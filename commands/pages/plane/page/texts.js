@@ -1,9 +1,6 @@
 // Scales, holes and events in words.
-const short = (number, digits = 6) => String(Number(Number(number).toPrecision(digits)));
 const kindNames = { b: "birth", d: "death", s: "swap", t: "touch" };
 
-// A long fraction is cut in running text; it is whole where it is chosen.
-const cut = (text) => (text.length > 24 ? `${text.slice(0, 11)}…${text.slice(-11)}` : text);
 const exactAndAbout = (event, whole = false) => {
   const exact = data.scales[event], about = short(data.about[event]);
   return exact === about ? exact : `${whole ? exact : cut(exact)} ≈ ${about}`;
@@ -17,11 +14,4 @@ const diedText = (life, whole) => (isInside(life[1]) ? `dies at ${exactAndAbout(
 
 function featureName(feature, id) {
   return feature === "h" && id === 0 ? "the outside" : `${names[feature]} ${id}`;
-}
-
-// A number or a fraction; NaN if it is neither.
-function scaleOf(text) {
-  const parts = text.trim().replace(",", ".").split("/");
-  if (parts.length > 2 || parts.some((part) => !/^\d*\.?\d+(e[+-]?\d+)?$|^\d+\.$/i.test(part.trim()))) return NaN;
-  return parts.length === 2 ? Number(parts[0]) / Number(parts[1]) : Number(parts[0]);
 }

@@ -9,16 +9,6 @@ const coordinate = (place, s) => data.tracks[2 * place] + data.tracks[2 * place 
 const xOf = (track, s) => coordinate(2 * track, s);
 const yOf = (track, s) => coordinate(2 * track + 1, s);
 
-// The first number in an ascending list that is greater than s: its place.
-function placeAfter(list, s) {
-  let low = 0, high = list.length;
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (list[middle] > s) high = middle; else low = middle + 1;
-  }
-  return low;
-}
-
 // State k begins at the boundary event k - 1; state 0 with the window.
 const timeline = {
   state: -1,

@@ -1,0 +1,45 @@
+// Holes by name, and counts, at any radius.
+const lifeOf = ([birth, end]) => (birth - 1 < endInside && end - 1 >= firstInside ? [birth - 1, end - 1] : null);
+const lives = { h: [null, ...data.holes.map(lifeOf)], c: [] };
+
+// The boundary between two radii, with the number of the hole in front of each ring, 0 for the outside.
+const boundary = {
+  gap: -1,
+  rings: [],
+
+  at(gap) {
+    if (gap === this.gap) return this.rings;
+    const holeOf = holesOfNodes(gap);
+    this.rings = data.point ? [{ walk: 0, corners: [], hole: 0 }] : ringsOf(gap).map((ring) => {
+      const half = ring.corners.length ? ring.corners[0].half : halves[walks[ring.walk].first];
+      const isFree = half && walks[ring.walk].first !== walks[ring.walk].end;
+      const node = isFree && data.numbers[half.to] > gap ? half.to : half?.from;
+      return { ...ring, hole: isFree ? holeOf(node) : 0 };
+    });
+    this.gap = gap;
+    return this.rings;
+  },
+};
+
+// What is left of the diagram beyond a radius falls into parts, one for each hole.
+function holesOfNodes(gap) {
+  const outside = data.numbers.length, roots = Int32Array.from({ length: outside + 1 }, (_, node) => node);
+  const root = (node) => {
+    while (roots[node] !== node) node = roots[node] = roots[roots[node]];
+    return node;
+  };
+  for (const { from, to, low } of halves) if (low > gap) roots[root(from)] = root(to);
+  for (let node = 0; node < outside; ++node) if (isInfinite(node)) roots[root(node)] = root(outside);
+  const names = new Map();
+  data.holes.forEach(([birth, end, , endsAt], i) => {
+    if (birth <= gap && gap < end) names.set(root(endsAt), i + 1);
+  });
+  return (node) => names.get(root(node)) ?? 0;
+}
+
+// At the radius of an event, where components that only touch are not one yet, or just anywhere.
+function countsAt(gap, isAtEvent) {
+  const holes = data.holes.filter(([birth, end]) => birth <= gap && gap < end).length;
+  const joined = data.joins.filter(([radius, atRadius]) => (isAtEvent && radius === gap ? atRadius : radius <= gap));
+  return { holes, components: data.polygons - joined.length };
+}

@@ -1,0 +1,121 @@
+// The boundary at any radius: its corners move along the parts of the diagram. As OffsetIndex has it.
+const halves = data.halves.map(([from, to, twin, fromSide, toSide]) => ({
+  from, to, twin, fromSide, toSide,
+  low: Math.min(data.numbers[from], data.numbers[to]),
+  high: Math.max(data.numbers[from], data.numbers[to]),
+  isRising: data.numbers[from] < data.numbers[to],
+}));
+let motionCount = 0;
+halves.forEach((half, k) => { half.motion = half.twin < k ? halves[half.twin].motion : motionCount++; });
+
+// How far each half goes along the sides of its walk.
+const walks = data.walks.map(([firstSide, endSide, first, end], walk) => {
+  const total = endSide - firstSide;
+  const onwards = (from, to) => (to >= from ? to - from : to + total - from);
+  let passed = 0;
+  for (let k = first; k < end; ++k) {
+    const half = halves[k], before = halves[k === first ? end - 1 : k - 1];
+    half.walk = walk;
+    half.start = passed + onwards(before.toSide, half.fromSide);
+    half.end = passed = half.start + onwards(half.fromSide, half.toSide);
+  }
+  return { firstSide, endSide, first, end, total };
+});
+
+// Sides, with the joint at the end of each: the vertex, and the line in front of whose end it is.
+const sides = data.sides.map(([feature, from, to, isArc]) => ({ feature, from, to, isArc: !!isArc, joint: null }));
+for (const { firstSide, endSide } of walks) {
+  for (let k = firstSide; k < endSide; ++k) {
+    const side = sides[k], next = sides[k + 1 === endSide ? firstSide : k + 1];
+    if (!data.sides[k][4] && side.isArc !== next.isArc) side.joint = [side.to, side.isArc ? next.feature : side.feature];
+  }
+}
+
+function jointAt([vertex, line], radius) {
+  const [x, y] = data.features[vertex], [nx, ny] = data.features[line];
+  return [x + radius * nx, y + radius * ny];
+}
+
+// a + (radius - r) b + root c
+function cornerAt(half, radius) {
+  const [ax, ay, r, bx, by, q0, q1, q2, cx, cy] = data.motions.slice(10 * half.motion, 10 * half.motion + 10);
+  const root = Math.sqrt(Math.max(q0 + (q1 + q2 * radius) * radius, 0)), way = radius - r;
+  return [ax + way * bx + root * cx, ay + way * by + root * cy];
+}
+
+// The rings between the radius number `gap` and the next: {walk, corners: [{half, side, count}]}; the
+// sides of the walk from that one on. A ring with no corners is all of its walk.
+function ringsOf(gap) {
+  const rings = [], place = new Int32Array(halves.length), there = [], bounds = [];
+  walks.forEach(({ first, end }) => {
+    bounds.push(there.length);
+    for (let k = first; k < end; ++k) {
+      place[k] = there.length;
+      if (halves[k].low <= gap && gap < halves[k].high) there.push(k);
+    }
+  });
+  bounds.push(there.length);
+  const isDone = new Uint8Array(there.length);
+  there.forEach((first, start) => {
+    if (isDone[start] || !halves[first].isRising) return;
+    const corners = [];
+    for (let entry = start; !isDone[entry];) {
+      isDone[entry] = 1;
+      const half = halves[there[entry]], walk = half.walk;
+      const exit = entry + 1 === bounds[walk + 1] ? bounds[walk] : entry + 1, last = halves[there[exit]];
+      const around = exit <= entry ? walks[walk].total : 0;
+      corners.push({ half, walk, side: half.toSide, count: last.start + 1 - half.end + around });
+      entry = place[last.twin];
+    }
+    rings.push({ walk: corners[0].walk, corners });
+  });
+  walks.forEach(({ first, end }, walk) => {
+    if (bounds[walk] !== bounds[walk + 1] || (first !== end && halves[first].low <= gap)) return;
+    rings.push({ walk, corners: [] });
+  });
+  return rings;
+}
+
+// Pieces of a ring at a radius, the sum on the left: {centre or null, from, to}.
+function piecesOf(ring, radius) {
+  if (data.point) {
+    const [x, y] = data.point, ends = [[x + radius, y], [x - radius, y]];
+    return ends.map((from, i) => ({ centre: data.point, from, to: ends[1 - i] }));
+  }
+  const pieces = [];
+  const follow = (from, side, count, walk, to) => {
+    for (let n = 1; n < count; ++n) {
+      if (sides[side].joint) {
+        const joint = jointAt(sides[side].joint, radius);
+        pieces.push({ centre: centreOf(side), from, to: joint });
+        from = joint;
+      }
+      side = side + 1 === walk.endSide ? walk.firstSide : side + 1;
+    }
+    if (to) pieces.push({ centre: centreOf(side), from, to });
+  };
+  if (!ring.corners.length) {
+    const walk = walks[ring.walk];
+    let side = walk.firstSide;
+    while (!sides[side].joint) ++side;
+    const start = jointAt(sides[side].joint, radius);
+    follow(start, side + 1 === walk.endSide ? walk.firstSide : side + 1, walk.total + 1, walk, null);
+    return pieces;
+  }
+  const places = ring.corners.map(({ half }) => cornerAt(half, radius));
+  ring.corners.forEach(({ side, count, walk }, i) => {
+    follow(places[i], side, count, walks[walk], places[(i + 1) % places.length]);
+  });
+  return pieces;
+}
+
+const centreOf = (side) => (sides[side].isArc ? data.features[sides[side].from] : null);
+
+// From one angle to the other, counter-clockwise. No arc is longer than half a turn, so what seems to be
+// is none, rounded.
+function turnOf({ centre: [x, y], from, to }) {
+  const start = Math.atan2(from[1] - y, from[0] - x);
+  let turn = Math.atan2(to[1] - y, to[0] - x) - start;
+  if (turn < 0) turn += 2 * Math.PI;
+  return { start, turn: turn > 1.5 * Math.PI ? 0 : turn };
+}
