@@ -117,8 +117,9 @@ def command(
         Path | None,
         typer.Option(
             "-o",
-            help="Write the sum to this file: .wkt, .geojson, .poly, .json or .svg; in space "
-            ".off, .obj, .stl, .ply or .json. `-`: print the sum alone on standard output.",
+            help="Write the sum to this file: .wkt, .geojson, .poly, .json or .svg; with a disc "
+            "also .dxf; in space .off, .obj, .stl, .ply or .json. `-`: print the sum alone on "
+            "standard output.",
             metavar="FILE",
         ),
     ] = None,

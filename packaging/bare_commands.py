@@ -55,6 +55,7 @@ STEPS = (
     step("targets", "minkref:paper"),
     step("sum g1 g2 --json", '"digest"'),
     step("sum g1 g2 --scale 7/5 --plot -o sum.svg", "\u286a", files=("sum.svg",)),
+    step("sum g1 disc:7/5 -o offset.dxf", extra="dxf", files=("offset.dxf",)),
     step("sum g1 g2 --arithmetic mpfr:64", "mpfr"),
     step("sum gs3 gs4 --scale 2,1/3,5 -o sum.off", files=("sum.off",)),
     step("sum g1 g2 --route paper-update --arithmetic mpfr:64", "another structure"),

@@ -22,8 +22,8 @@ from minkref.exact import digest, read_number, read_scale
 from minkref.operand import Operand, read_operand
 from minkref.output_target import Target, target_of
 
-FORMATS = ("json", "svg", "wkt", "geojson", "poly")
-WITH_ARCS = ("json", "svg")
+FORMATS = ("json", "svg", "dxf", "wkt", "geojson", "poly")
+WITH_ARCS = ("json", "svg", "dxf")
 DISC_ROUTES = ("definition", "paper")
 
 
@@ -156,7 +156,8 @@ def _tolerance(text: str | None, outside: bool, target: Target | None) -> Fracti
         raise Refusal(
             "this format has no arcs",
             target.name,
-            "say how far a polygon may be off, as --tolerance 1/1000; .json and .svg have arcs",
+            "say how far a polygon may be off, as --tolerance 1/1000; .json, .svg and .dxf have "
+            "arcs",
             "no-arcs",
         )
     where = f"--tolerance {text[:40]}"
@@ -180,6 +181,10 @@ def _written(
     """The text of the output, and whether it is exact."""
     if target.form == "json":
         return canonical + "\n", True
+    if target.form == "dxf":
+        from minkref.commands.disc.dxf import dxf_text
+
+        return dxf_text(found, target.name), False
     if target.form == "svg":
         from minkref.reports.offset_picture import offset_picture
 

@@ -5,11 +5,13 @@ from __future__ import annotations
 import json
 import math
 import re
+import sys
 from collections.abc import Callable
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
+import ezdxf
 import jsonschema
 import mpmath
 import pytest
@@ -175,6 +177,49 @@ def test_measures_of_a_square(minkref: Minkref) -> None:
     assert whole["angles"][0]["from"] == whole["angles"][0]["to"]
 
 
+@pytest.mark.parametrize("route", ["definition", "paper"])
+@pytest.mark.parametrize("radius", ["1/2", "sqrt:2", "3/4"])
+@pytest.mark.parametrize("shape", SHAPES)
+def test_a_drawing_has_arcs_as_bulges(
+    minkref: Minkref, tmp_path: Path, shape: str, radius: str, route: str
+) -> None:
+    """Read again by ezdxf: as many rings, whose area and length are those of the sum."""
+    file = tmp_path / "sum.dxf"
+    ran = minkref("sum", shape, f"disc:{radius}", "--route", route, "-o", file, "--json")
+    assert (ran.code, ran.json["output_exact"]) == (0, False)
+    rings = list(ezdxf.readfile(file).modelspace().query("LWPOLYLINE"))
+    components = ran.json["result"]["components"]
+    assert len(rings) == sum(1 + len(each["holes"]) for each in components)
+    area = length = 0.0
+    for ring in rings:
+        assert ring.closed and ring.dxf.layer == "SUM"
+        points = list(ring.get_points("xyb"))
+        for (x0, y0, bulge), (x1, y1, _) in zip(points, [*points[1:], points[0]], strict=True):
+            chord, angle = math.hypot(x1 - x0, y1 - y0), 4 * math.atan(bulge)
+            area += (x0 * y1 - x1 * y0) / 2
+            if bulge == 0:
+                length += chord
+                continue
+            r = chord / (2 * math.sin(angle / 2))
+            assert r == pytest.approx(math.sqrt(Fraction(ran.json["squared_radius"])))
+            area += r * r * (angle - math.sin(angle)) / 2
+            length += r * angle
+    assert area == pytest.approx(ran.json["area"]["low"], rel=1e-9)
+    assert length == pytest.approx(ran.json["length"]["low"], rel=1e-9)
+    text = file.read_bytes()
+    minkref("sum", shape, f"disc:{radius}", "--route", route, "-o", file)
+    assert file.read_bytes() == text
+
+
+def test_without_ezdxf_a_drawing_is_refused(
+    minkref: Minkref, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(sys.modules, "ezdxf", None)
+    ran = minkref("sum", SQUARE, "disc:1", "-o", tmp_path / "sum.dxf")
+    assert ran.code == 2 and "pip install 'minkref[dxf]'" in ran.err
+    assert not list(tmp_path.iterdir())
+
+
 @pytest.mark.parametrize("outside", [False, True])
 def test_a_polygon_within_a_tolerance(minkref: Minkref, tmp_path: Path, outside: bool) -> None:
     file = tmp_path / "sum.wkt"
@@ -227,7 +272,9 @@ def test_polygons_are_inside_and_outside(square: str, tolerance: str) -> None:
         (("disc:1", "-o", "sum.wkt"), "this format has no arcs"),
         (("disc:1", "-o", "sum.wkt", "--tolerance", "0"), "--tolerance"),
         (("disc:1", "-o", "sum.wkt", "--tolerance", "1e-12"), "corners"),
-        (("disc:1", "-o", "sum.dxf"), "sum.dxf"),
+        (("disc:1", "-o", "sum.dwg"), "sum.dwg"),
+        (("g1", "-o", "sum.dxf"), "sum.dxf"),
+        (("disc:1", "-o", "sum.dxf", "--tolerance", "1"), "--tolerance"),
         (("disc:1", "--measures"), "--measures"),
         (("g1", "--measures", "--json"), "--measures"),
         (("g1", "--tolerance", "1"), "--tolerance"),
