@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from minkref.api import PolygonSet
+from minkref.api import BadInput, PolygonSet
 from minkref.fuzz.geometry.plane import Point, fraction_rings
 from minkref.fuzz.judges.small_operands import as_set, random_rings
 
@@ -59,10 +59,10 @@ def path_case(seed: int, index: int) -> PathCase:
 def _valid(dice: random.Random, far: int = 0) -> PolygonSet:
     """A polygon, moved by up to `far`."""
     while True:
-        drawn = as_set(random_rings(dice, SIZE))
         try:
+            drawn = as_set(random_rings(dice, SIZE))
             drawn.validate("a drawn polygon")
-        except ValueError:
+        except BadInput:
             continue
         x, y = (str(dice.randint(-far, far)) for _ in range(2))
         return drawn.translated(x, y)

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Sequence
 from fractions import Fraction
 
+import minkref
 import sympy as sp
 from minkref import _core
 from minkref.fuzz.families.drawing import convex, reflected
 from minkref.fuzz.geometry.plane import cross, dot, minus, turn
 from minkref.fuzz.judges.paper_disc import circles, ring_touches
 from minkref.fuzz.judges.small_operands import star
+from minkref.path_values import PATH_ROUTES
 from minkref.reports.audit.disc import corner, crossing, exact, reflex_pairs, squared_distance
 from minkref.reports.audit.edges import Edge, Interval, answers, written
 from minkref.reports.audit.entry import Chapter, CheckFailed, Shown, Status, text
@@ -106,7 +109,7 @@ def _obstacle_in_the_way(ring: list[Place]) -> tuple[Fraction, _core.PolygonSet]
     scales are then a union of intervals, all of which have to be told: the first contact above the
     given size ends one of them, beyond which there may be others, and there may be no largest
     scale.""",
-    code=("reports/audit/paths.py",),
+    code=("reports/audit/paths.py", "reference/paths/valid_scales.hpp"),
 )  # fmt: skip
 def _(shown: Shown) -> None:
     """A box that does not have its reference point in it, and one obstacle: whether they overlap is
@@ -117,6 +120,8 @@ def _(shown: Shown) -> None:
     found = valid_scales(robot, obstacle, [HERE])
     shown.equal(r"valid scales of $R = [2, 3] \times [-1/2, 1/2]$ at $0$, with $O = [5, 6] \times "
                 "[-1, 1]$", _listed(found), "(0, 5/3] and [3, ∞)")  # fmt: skip
+    shown.equal("by the three routes of the code", _listed(_by_code(robot, obstacle, [HERE])),
+                _listed(found))  # fmt: skip
     for s in map(Fraction, ("1", "2", "7/2")):
         shown.draw(f"the robot at the scale {s}: {overlaps(robot, obstacle, s, HERE)}",
                    robot_on_path(robot, obstacle, [HERE], s))  # fmt: skip
@@ -127,11 +132,13 @@ def _(shown: Shown) -> None:
         robot, obstacle = _polygon(ring), operand([_drawn_obstacle(dice)])
         ends = [(dice.randint(-9, 9), dice.randint(-9, 9)) for _ in range(2 if k % 3 == 0 else 1)]
         found = valid_scales(robot, obstacle, _places(*ends))
+        if _by_code(robot, obstacle, _places(*ends)) != found:
+            raise CheckFailed(text((ring, obstacle.to_json(), ends, found)))
         if len(found) > 1 or any(x is not None and x[0] is not None for x in found):
             raise CheckFailed(text((ring, obstacle.to_json(), ends, found)))
         bounded += any(x is not None and x[1] is not None for x in found)
     shown.true(f"18 random robots that are star-shaped: one interval from 0, or none ({bounded} "
-               "have an end)", bounded > 6)  # fmt: skip
+               "have an end), also by the code", bounded > 6)  # fmt: skip
     refuted = 0
     while refuted < 18:
         ring = [(x + 5, y + 1) for x, y in _drawn_robot(dice)]
@@ -149,6 +156,19 @@ def _(shown: Shown) -> None:
         refuted += 1
     shown.tell(f"{refuted} random robots that are not: for each an obstacle that is not met at a "
                "small scale, is met at a greater one, and not at a still greater one.")  # fmt: skip
+
+
+def _by_code(
+    robot: _core.PolygonSet, obstacle: _core.PolygonSet, path: Sequence[Place]
+) -> list[Interval]:
+    """The same from the code of the command, by each of its routes."""
+    answers = []
+    for route in PATH_ROUTES:
+        found = minkref.valid_scales(robot, obstacle, path, route=route)
+        answers.append([(one.low or None, one.high) for one in found.ranges])
+    if answers != answers[:1] * len(answers):
+        raise CheckFailed(text((robot.to_json(), obstacle.to_json(), path, answers)))
+    return list(answers[0])
 
 
 def _listed(found: list[Interval]) -> str:
@@ -303,7 +323,7 @@ def _(shown: Shown) -> None:
     and equal to the bound only if the path is a widest one. It is where the place of the part comes
     to lie in a bounded component of the complement of $O \oplus (-s R)$, that is, where a hole of
     the sum is born around it: a topology event.""",
-    code=("reference/plane/history/topology_timeline.hpp", "reports/audit/paths.py"),
+    code=("reference/paths/fits_and_traps.hpp", "reports/audit/paths.py"),
 )
 def _(shown: Shown) -> None:
     """A cavity with two openings, of width 2 and 4, and a unit square in it: the valid scales of
@@ -324,8 +344,11 @@ def _(shown: Shown) -> None:
     for scale in ("3", "5"):
         contact = overlaps(robot, assembly, Fraction(scale), HERE)
         shown.equal(f"the part in the middle of the cavity, scale {scale}", contact, "empty")
-    shown.tell("So the part is trapped for $4 < s < 6$ and does not fit for $s > 6$; the path to "
-               "the right gives 2.")  # fmt: skip
+    trapped = minkref.trapped_scales(robot, assembly, HERE)
+    shown.equal("scales at which the code finds it trapped in the middle, contact allowed",
+                " and ".join(map(str, trapped.ranges)), "(4, 6]")  # fmt: skip
+    shown.tell(r"So the part is trapped for $4 < s \le 6$ and does not fit for $s > 6$; the path "
+               "to the right gives 2.")  # fmt: skip
     for way, path in paths.items():
         shown.draw(f"the part at the scale 3 on the path {'up' if way == 'up' else 'to the right'}",
                    robot_on_path(robot, assembly, path, Fraction(3)))  # fmt: skip
