@@ -13,16 +13,18 @@ import jsonschema
 import pytest
 from minkref.commands.schemas import schema
 from minkref.degeneracies import lint
-from minkref.degeneracies.catalogue import FAMILIES, SPACE_FAMILIES
+from minkref.degeneracies.catalogue import DISC_FAMILIES, FAMILIES, SPACE_FAMILIES
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES
+from minkref.degeneracies.make_corpus import COUNT_WITH_DISC
 from minkref.reports.audit.catalogue import ENTRIES
+from minkref.reports.degeneracies.page import case_paths_of_report
 
 
 def test_a_page_for_each_family(minkref: Any, tmp_path: Path) -> None:
     ran = minkref("report", "degeneracies", "-o", str(tmp_path / "pages"), "--json")
     assert ran.code == 0
     front = Path(ran.json["pages"][0]).read_text(encoding="utf-8")
-    assert f"{len(lint.case_paths(lint.CORPUS))} cases" in front
+    assert f"{len(case_paths_of_report(lint.CORPUS))} cases" in front
     for name in (*FAMILIES, *SPACE_FAMILIES, "found"):
         page = (tmp_path / "pages" / f"{name}.html").read_text(encoding="utf-8")
         assert f'href="{name}.html"' in front and page.count("<svg") >= 10
@@ -30,6 +32,10 @@ def test_a_page_for_each_family(minkref: Any, tmp_path: Path) -> None:
             r"(?<=[ML ])[^ MLZ\"]+(?=[ LZ])", "".join(re.findall(r' d="[^"]*"', page))
         )
         assert numbers and all(-1e4 < float(number) < 1e4 for number in numbers)
+    for name in DISC_FAMILIES:
+        page = (tmp_path / "pages" / f"{name}.html").read_text(encoding="utf-8")
+        assert f'href="{name}.html"' in front and page.count("<svg") >= 6
+        assert page.count("<tr>") == COUNT_WITH_DISC + 1 and len(re.findall("A[0-9]", page)) > 6
     for name in INVALID_FAMILIES:
         assert f'id="{name}"' in front
 

@@ -60,6 +60,27 @@ TEST(OffsetRegion, JoinsAcrossARidge) {
   EXPECT_EQ(counts(Q, Rational(1)), Counts(2, 0));
 }
 
+/// The first polygon has no part in the hole that the others leave, and is joined to them all the
+/// same.
+TEST(OffsetRegion, JoinsAcrossARidgeAlsoWithoutACommonRing) {
+  const Ring open{{0, 0}, {6, 0}, {6, 2}, {2, 2}, {2, 6}, {6, 6}, {6, 8}, {0, 8}};
+  const PolygonSet P{{{box(-4, 3, -2, 5), {}}, {open, {}}, {box(8, 0, 10, 8), {}}}};
+  EXPECT_EQ(counts(P, Rational(99, 100)), Counts(3, 0));
+  EXPECT_EQ(counts(P, Rational(1)), Counts(1, 1));
+  EXPECT_EQ(counts(P, Rational(101, 100)), Counts(1, 1));
+}
+
+/// A bump on a long plate: the edge of the plate is nearer to both ends of the arc about its tip,
+/// and farther from its middle.
+TEST(OffsetRegion, AnEdgeBlocksBothEndsOfAnArc) {
+  const PolygonSet P{{{{{-6, -5}, {6, -5}, {0, 0}}, {}}, {box(-300, -20, 300, -6), {}}}};
+  const OffsetRegion found = offset_region(P, Rational(10000));
+  EXPECT_EQ(canonical_json(found),
+            canonical_json(offset_region(P, Rational(10000), {}, OffsetRoute::paper)));
+  ASSERT_EQ(found.components.size(), 1U);
+  EXPECT_EQ(found.components[0].outer.curves.size(), 10U);
+}
+
 /// A frame with a slit between two points: the ring touches itself there, and is split.
 TEST(OffsetRegion, HasAHoleWhereItsBoundaryTouchesItself) {
   const PolygonSet P{{{{{0, 0},
