@@ -47,8 +47,19 @@ TEST(TrappedScales, OfASquareInARoomAreThoseTooWideForTheDoor) {
   EXPECT_EQ(text(forbidden.scales), "[1, 4) ");
 }
 
-/// A dumb-bell of a bar 3 s long: it gets out while s < 1/3 or so, but where it is rests free only
-/// at scales at which both its ends are in the room.
+TEST(TrappedScales, OfAWindowAreThoseInIt) {
+  const PolygonSet square = rectangle(-half, -half, half, half);
+  const auto in = [&](const Rational& from, const Rational& to, ContactRule rule) {
+    return text(trapped_scales(square, room_with_door(), {2, 2}, rule, {from, to}).scales);
+  };
+  EXPECT_EQ(in(1, 4, ContactRule::allowed), "(1, 4] ");
+  EXPECT_EQ(in(1, 4, ContactRule::forbidden), "[1, 4) ");
+  EXPECT_EQ(in(4, 5, ContactRule::allowed), "[4, 4] ");
+  EXPECT_EQ(in(half, 1, ContactRule::allowed), "none");
+  EXPECT_EQ(in(half, 1, ContactRule::forbidden), "[1, 1] ");
+  EXPECT_EQ(in(2, 3, ContactRule::allowed), "[2, 3] ");
+}
+
 TEST(TrappedScales, ArePartOfTheValidScalesOfThePlace) {
   MINKREF_SEEDED(random, 3120);
   expect_law(random, 15, lattice_pieces(2, 5), [](const Case& c) -> std::string {
