@@ -1,4 +1,6 @@
 // Valid scales of a path, fits and traps, in Python.
+#include "python/core_paths.hpp"
+
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
@@ -12,7 +14,6 @@
 
 #include "python/core.hpp"
 #include "python/core_fields.hpp"
-#include "python/core_paths.hpp"
 #include "python/core_timeline.hpp"
 #include "python/vector_caster.hpp"
 #include "reference/paths/fits_and_traps.hpp"

@@ -12,6 +12,7 @@ COMMANDS: dict[str, tuple[str, ...]] = {
     "convolution": ("convolution", "P", "Q", "--scale=S", "-o", "it.json"),
     "events": ("events", "P", "Q", "--from=S", "-o", "it.json"),
     "sweep": ("sweep", "P", "Q", "--from=S", "--to=2", "--steps=2", "-o", "it"),
+    "path": ("path", "P", "Q", "POINT(0 0)", "--from=S", "-o", "it.json"),
     "view": ("view", "P", "Q", "--from=S", "--to=2", "-o", "it.html"),
     "certify": ("certify", "P", "Q", "--scale=S", "-o", "it.cert.json"),
     "verify": ("verify", "minkref", "--case", "P+Q@S", "--junit", "it.xml", "--lines", "it.jsonl"),

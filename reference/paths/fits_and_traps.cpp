@@ -92,7 +92,7 @@ class FreePlaces {
                        "forbid contact, or part the rings by a little");
       }
     }
-    const ArrangementEvents events(turned_, obstacles_, window_);
+    const ArrangementEvents events(turned_, obstacles_, opened(window_));
     const InteriorTest inside(turned_, obstacles_);
     const auto offer = [&](const Rational& scale, const Point& at) {
       if (causes_.contains(scale) || inside.inside(at, scale)) return;

@@ -27,8 +27,8 @@ std::vector<PathBound> bounds_of(const PathProblem& problem, const std::vector<S
 /// The set -R, by a half-turn.
 PolygonSet half_turned(const PolygonSet& set);
 
-/// Decides the window scale by scale: at each critical scale, and at one between any two. Exact if
-/// between two critical scales nothing changes.
+/// Decides the window scale by scale: at its ends, at each critical scale, and at one between any
+/// two. Exact if between two critical scales nothing changes.
 ScaleSet decided_at(std::vector<Rational> critical, const ScaleWindow& window,
                     const std::function<bool(const Rational&)>& collides);
 

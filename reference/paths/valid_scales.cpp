@@ -22,6 +22,9 @@ PolygonSet half_turned(const PolygonSet& set) {
 ScaleSet decided_at(std::vector<Rational> critical, const ScaleWindow& window,
                     const std::function<bool(const Rational&)>& collides) {
   const ScaleRange all = range_of(window);
+  for (const auto& bound : {window.from, window.to}) {
+    if (bound) critical.push_back(*bound);  // something may happen there
+  }
   std::sort(critical.begin(), critical.end());
   critical.erase(std::unique(critical.begin(), critical.end()), critical.end());
   std::erase_if(critical, [&](const Rational& s) { return !all.holds(s); });

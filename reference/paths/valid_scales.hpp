@@ -66,7 +66,8 @@ struct ValidScales {
 /// place has a point in common. A point or a segment counts with its relative interior. Exact: a
 /// union of intervals, which may be single scales. Both sets must have passed `validate`. Throws
 /// BadInput ("bad-path" for a path without vertices, "bad-window", "degenerate-operands" where both
-/// are a point or a segment). O(k a b) in doubles for k segments and a, b convex pieces.
+/// are a point or a segment). O(k a b) in doubles for k segments and a, b convex pieces,
+/// memory O(k (a + b)).
 ValidScales valid_scales(const PolygonSet& robot, const PolygonSet& obstacles,
                          const std::vector<Point>& path, ContactRule rule = ContactRule::allowed,
                          const ScaleWindow& window = {}, PathRoute route = PathRoute::pieces);

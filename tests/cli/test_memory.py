@@ -25,6 +25,9 @@ COMMANDS = {
     "view": ("view", *LARGE, "-o", "out.html"),
     "certify": ("certify", *LARGE, "-o", "out.cert.json"),
     "index": ("index", *LARGE, "-o", "out.index"),
+    "path by its index": ("path", *LARGE, "POINT (0 0)", "--route", "index", "-o", "out.json"),
+    "fit": ("fit", *LARGE, "--anywhere"),
+    "trap": ("trap", *LARGE, "--at", "0,0"),
 }
 
 

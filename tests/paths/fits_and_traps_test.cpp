@@ -6,6 +6,7 @@
 #include "reference/error.hpp"
 #include "reference/paths/container_frame.hpp"
 #include "reference/paths/free_space.hpp"
+#include "reference/plane/dynamic/arrangement_events.hpp"
 #include "tests/paths/random_paths.hpp"
 
 namespace minkref::testing {
@@ -47,8 +48,19 @@ TEST(TrappedScales, OfASquareInARoomAreThoseTooWideForTheDoor) {
   EXPECT_EQ(text(forbidden.scales), "[1, 4) ");
 }
 
-/// A dumb-bell of a bar 3 s long: it gets out while s < 1/3 or so, but where it is rests free only
-/// at scales at which both its ends are in the room.
+TEST(TrappedScales, OfAWindowAreThoseInIt) {
+  const PolygonSet square = rectangle(-half, -half, half, half);
+  const auto in = [&](const Rational& from, const Rational& to, ContactRule rule) {
+    return text(trapped_scales(square, room_with_door(), {2, 2}, rule, {from, to}).scales);
+  };
+  EXPECT_EQ(in(1, 4, ContactRule::allowed), "(1, 4] ");
+  EXPECT_EQ(in(1, 4, ContactRule::forbidden), "[1, 4) ");
+  EXPECT_EQ(in(4, 5, ContactRule::allowed), "[4, 4] ");
+  EXPECT_EQ(in(half, 1, ContactRule::allowed), "none");
+  EXPECT_EQ(in(half, 1, ContactRule::forbidden), "[1, 1] ");
+  EXPECT_EQ(in(2, 3, ContactRule::allowed), "[2, 3] ");
+}
+
 TEST(TrappedScales, ArePartOfTheValidScalesOfThePlace) {
   MINKREF_SEEDED(random, 3120);
   expect_law(random, 15, lattice_pieces(2, 5), [](const Case& c) -> std::string {
@@ -172,6 +184,49 @@ TEST(FreeScales, AreAsStaticSumsSayAtOtherScales) {
   MINKREF_SEEDED(random, 3121);
   expect_law(random, 12, random_case, as_static_sums_say);
   expect_law(random, 12, lattice_pieces(2, 5), as_static_sums_say);
+}
+
+/// At the scale of every event of the arrangement, whether its place is free or not: none of those
+/// that are left out changes the answer.
+TEST(FreeScales, ChangeAtNoEventThatWasLeftOut) {
+  MINKREF_SEEDED(random, 3122);
+  expect_law(random, 30, lattice_pieces(2, 4), [](const Case& c) -> std::string {
+    const ContainerFrame frame(c.P, c.Q, {});
+    const PolygonSet turned = reflected_set(c.P);
+    const Point at = corners_of(c.Q)[0];
+    FreeScales trapped, fits;
+    try {
+      trapped = trapped_scales(c.P, c.Q, at);
+      fits = scales_that_fit(c.P, c.Q);
+    } catch (const BadInput& refused) {
+      if (refused.code() != "touching-rings") throw;
+      return "";
+    }
+    const auto differs = [&](const PolygonSet& obstacles, const FreeScales& found,
+                             const auto& question) -> std::string {
+      const ArrangementEvents events(turned, obstacles, {});
+      for (std::uint32_t k = 0; k < events.groups() && k < 400; ++k) {
+        const Rational scale = events.exact(k);
+        if (frame.window.to && scale > *frame.window.to) continue;
+        const FreeSpace free(
+            minkowski_sum(turned, obstacles, scale, Route::paper, "rational", Passages::find),
+            ContactRule::allowed, {at});
+        if (question(free) != std::any_of(found.scales.begin(), found.scales.end(),
+                                          [&](const ScaleRange& r) { return r.holds(scale); })) {
+          return text(found.scales) + " is wrong at scale " + to_string(scale);
+        }
+      }
+      return "";
+    };
+    const std::string wrong = differs(c.Q, trapped, [&](const FreeSpace& free) {
+      const auto place = free.part_of(at);
+      return place && *place != 0;
+    });
+    if (!wrong.empty()) return "trapped at " + wrong;
+    const std::string other =
+        differs(frame.set, fits, [](const FreeSpace& free) { return free.parts() > 1; });
+    return other.empty() ? "" : "fits at " + other;
+  });
 }
 
 }  // namespace

@@ -270,6 +270,33 @@ TEST(ValidScales, DoNotChangeWhereAllIsScaledOrMoved) {
   with_paths(random_case, random, law)(60);
 }
 
+/// Also where a window begins or ends at a bound.
+TEST(ValidScales, OfAWindowAreThoseInIt) {
+  MINKREF_SEEDED(random, 3108);
+  const auto law = [](const Case& c, const std::vector<Point>& path) -> std::string {
+    for (const ContactRule rule : rules) {
+      const ValidScales all = valid_scales(c.P, c.Q, path, rule);
+      ScaleWindow window{c.scale / 3, 2 * c.scale};
+      if (!all.bounds.empty()) window = {all.bounds.front().scale, all.bounds.back().scale};
+      for (const PathRoute route : {PathRoute::pieces, PathRoute::contacts, PathRoute::index}) {
+        const auto found = valid_scales(c.P, c.Q, path, rule, window, route).valid;
+        for (const Rational& s :
+             {*window.from, *window.to, Rational((*window.from + *window.to) / 2)}) {
+          if (holds(found, s) != holds(all.valid, s)) {
+            return "at scale " + to_string(s) + ": " + text(found) + ", of all " + text(all.valid);
+          }
+        }
+        if (!found.empty() && (found.front().from.scale < *window.from || !found.back().to ||
+                               *window.to < found.back().to->scale)) {
+          return "beyond the window: " + text(found);
+        }
+      }
+    }
+    return "";
+  };
+  with_paths(lattice_pieces(2, 3), random, law)(25);
+}
+
 TEST(StarShaped, PartsHaveOneIntervalFromZero) {
   MINKREF_SEEDED(random, 3107);
   const auto law = [](const Case& c, const std::vector<Point>& path) -> std::string {
