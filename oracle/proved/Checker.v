@@ -47,7 +47,7 @@ Definition holds (l : list vertex) (p : vertex) : bool :=
 Definition support (n : vertex) (l : list vertex) : Q :=
   match l with
   | [] => 0
-  | p :: r => fold_right (fun v m => greater_of (Qred (qdot n v)) m) (Qred (qdot n p)) r
+  | p :: r => fold_right (fun v m => greater_of (qdot n v) m) (qdot n p) r
   end.
 
 (** ** Edges that cancel: on each line, each point is the start of as many as it is the end of *)

@@ -60,12 +60,12 @@ Qed.
 Lemma support_real n l v : In v l -> dot (real n) (real v) <= Q2R (support n l).
 Proof.
   destruct l as [|p r]; unfold support; simpl; [tauto|]. rewrite <- real_dot.
-  set (m := fold_right (fun v m => greater_of (Qred (qdot n v)) m) (Qred (qdot n p))).
+  set (m := fold_right (fun v m => greater_of (qdot n v) m) (qdot n p)).
   assert (H : Q2R (qdot n p) <= Q2R (m r) /\ (In v r -> Q2R (qdot n v) <= Q2R (m r))).
   { induction r as [|w r IH]; simpl.
-    - rewrite Q2R_red. split; [lra|tauto].
-    - destruct IH as [I1 I2]. destruct (greater_real (Qred (qdot n w)) (m r)) as [M1 M2].
-      rewrite Q2R_red in M1. unfold m in *. simpl in *. split; [lra|].
+    - split; [lra|tauto].
+    - destruct IH as [I1 I2]. destruct (greater_real (qdot n w) (m r)) as [M1 M2].
+      unfold m in *. simpl in *. split; [lra|].
       intros [->|I]; [lra|]. specialize (I2 I). lra. }
   destruct H as [H1 H2]. intros [->|I]; auto.
 Qed.

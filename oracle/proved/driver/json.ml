@@ -162,6 +162,19 @@ let parse ~decimals text =
   if !at < n then no "its end";
   found
 
+(* The text of a value without white space, members in the order of their names *)
+let rec canonical_text = function
+  | Null -> "null"
+  | Bool found -> string_of_bool found
+  | Integer word -> Z.to_string (Z.of_string word)
+  | Decimal word -> word
+  | Text found -> Printf.sprintf "%S" found
+  | List found -> "[" ^ String.concat "," (List.map canonical_text found) ^ "]"
+  | Object found ->
+    let member (name, value) = Printf.sprintf "%S:%s" name (canonical_text value) in
+    let sorted = List.sort (fun (a, _) (b, _) -> compare a b) found in
+    "{" ^ String.concat "," (List.map member sorted) ^ "}"
+
 (* The members of an object in the order of [names]; no other may be there, and only those that
    end in ? may lack, and are Null then. *)
 let members value names =
