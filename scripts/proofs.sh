@@ -1,11 +1,12 @@
 #!/bin/bash
-# proofs.sh: the proofs of oracle/proved and the checker that is extracted from them, in build/proofs.
-# Installs Coq and OCaml as set_up.sh installs its packages; compiles every proof, has coqchk follow
-# them again, prints the axioms and stops with 1 where there is another one than those below.
+# proofs.sh: the proofs of oracle/proved and the checker that is extracted from them, in
+# build/proofs. Installs Coq and OCaml as set_up.sh installs its packages; compiles every proof, has
+# coqchk follow them again, prints the axioms, and stops with 1 where there is another one than
+# those below. Does nothing where nothing has changed.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-rooms=(Definitions Sums Crossings Fans Curves Unions Checker Rational Cancellation Bodies Scaling Trees
-  Theorems Axioms Extract)
+rooms=(Definitions Sums Crossings Fans Curves Unions Checker Rational Cancellation Bodies Scaling
+  Trees Theorems Axioms Extract)
 programs=(failure json sha256 inflate reading checker checked elaborate theorem claims main)
 # The classical real numbers of Coq's library, and functional extensionality.
 known="Coq.Logic.FunctionalExtensionality.functional_extensionality_dep
@@ -29,11 +30,12 @@ scripts/require_packages.sh "${packages[@]}"
 mkdir -p build/proofs build/stamps
 exec 9>build/stamps/proofs.lock
 flock 9
-key=$({ coqc --version; ocamlfind ocamlopt -version; cat oracle/proved/*.v oracle/proved/driver/*.ml "$0"; } |
-  sha256sum | cut -d' ' -f1)
-if [[ -f build/stamps/proofs && $(<build/stamps/proofs) == "$key" && -x build/proofs/minkref-check-proved ]]; then
+sources_of() { cat oracle/proved/*.v oracle/proved/driver/*.ml scripts/proofs.sh; }
+key=$({ coqc --version; ocamlfind ocamlopt -version; sources_of; } | sha256sum | cut -d' ' -f1)
+program=build/proofs/minkref-check-proved
+if [[ -f build/stamps/proofs && $(<build/stamps/proofs) == "$key" && -x $program ]]; then
   cat build/proofs/axioms.txt
-  say "the proofs have not changed: build/proofs/minkref-check-proved"
+  say "the proofs have not changed: $program"
   exit 0
 fi
 rm -rf build/proofs/* build/stamps/proofs
@@ -47,10 +49,16 @@ if grep -nEw 'Admitted|admit|Axiom|Axioms|Parameter|Parameters|Conjecture|Hypoth
   exit 1
 fi
 for room in "${rooms[@]}"; do
-  coqc -q -Q . Proved "$room.v" >"$room.log" || { say "$room.v does not hold" >&2; exit 1; }
+  coqc -q -Q . Proved "$room.v" >"$room.log" || {
+    say "$room.v does not hold" >&2
+    exit 1
+  }
 done
 say "${#rooms[@]} files of proofs and $(cat ./*.v | wc -l) lines are compiled, $((SECONDS - began)) s"
-coqchk -silent -o -Q . Proved Proved.Theorems >coqchk.txt 2>&1 || { cat coqchk.txt >&2; exit 1; }
+coqchk -silent -o -Q . Proved Proved.Theorems >coqchk.txt 2>&1 || {
+  cat coqchk.txt >&2
+  exit 1
+}
 say "coqchk has followed them again, $((SECONDS - began)) s"
 found=$(sed -n '/^\* Axioms:/,/^\* Constants/p' coqchk.txt | grep -E '^    ' | sed 's/ //g' || true)
 others=$(grep -vxF "$known" <<<"$found" || true)
@@ -68,14 +76,16 @@ fi
 cat axioms.txt
 
 sources=()
-for program in "${programs[@]}"; do
-  [[ $program == checker ]] && sources+=(checker.mli)
-  sources+=("$program.ml")
+for part in "${programs[@]}"; do
+  [[ $part == checker ]] && sources+=(checker.mli)
+  sources+=("$part.ml")
 done
-# What Coq has written is not ours to be warned of.
 ocamlfind ocamlopt -O3 -inline 200 -package zarith,unix -linkpkg -w +a-4-9-39-40-41-42-44-45-70 \
-  "${sources[@]}" -o minkref-check-proved >ocaml.log 2>&1 || { cat ocaml.log >&2; exit 1; }
+  "${sources[@]}" -o minkref-check-proved >ocaml.log 2>&1 || {
+  cat ocaml.log >&2
+  exit 1
+}
 cd ../..
 echo "$key" >build/stamps/proofs
-say "build/proofs/minkref-check-proved, $((SECONDS - began)) s"
+say "$program, $((SECONDS - began)) s"
 if [[ -x .venv/bin/python ]]; then .venv/bin/python scripts/link_package.py; fi

@@ -44,14 +44,17 @@ Qed.
 
 
 (** Triangles that turn left *)
-Definition closed_triangle (a b c p : point) : Prop := 0 <= orient a b p /\ 0 <= orient b c p /\ 0 <= orient c a p.
-Definition open_triangle (a b c p : point) : Prop := 0 < orient a b p /\ 0 < orient b c p /\ 0 < orient c a p.
+Definition closed_triangle (a b c p : point) : Prop := 0 <= orient a b p /\ 0 <= orient b c p /\
+  0 <= orient c a p.
+Definition open_triangle (a b c p : point) : Prop := 0 < orient a b p /\ 0 < orient b c p /\
+  0 < orient c a p.
 Definition crossing3 (a b c y : point) : Z := (crossing a b y + crossing b c y + crossing c a y)%Z.
 
 Lemma orient_sum a b c y : orient a b y + orient b c y + orient c a y = orient a b c.
 Proof. unfold orient; ring. Qed.
 Lemma orient_balance a b c y :
-  (fst a - fst y) * orient b c y + (fst b - fst y) * orient c a y + (fst c - fst y) * orient a b y = 0.
+  (fst a - fst y) * orient b c y + (fst b - fst y) * orient c a y + (fst c - fst y) * orient a b y
+    = 0.
 Proof. unfold orient; ring. Qed.
 
 Ltac split_decisions := repeat match goal with
@@ -76,8 +79,10 @@ Proof.
   destruct (Rle_dec al 0), (Rle_dec be 0), (Rle_dec ga 0);
     split_decisions; try lra; simpl;
   (split; [ first [left; reflexivity | right; reflexivity | exfalso; nra]
-          | split; [ intros K; first [discriminate K | clear K; repeat apply conj; nra | exfalso; nra]
-                   | intros (K1 & K2 & K3); first [reflexivity | exfalso; nra | exfalso; apply N; split; nra] ] ]).
+          | split; [ intros K; first [discriminate K | clear K; repeat apply conj; nra | exfalso;
+            nra]
+                   | intros (K1 & K2 & K3); first [reflexivity | exfalso; nra | exfalso; apply N;
+                     split; nra] ] ]).
 Qed.
 
 Lemma crossing_from_point a b y : crossing a b y =
@@ -88,12 +93,14 @@ Proof. unfold crossing. split_decisions; auto; exfalso; lra. Qed.
 
 Lemma triangle_crossing a b c y : 0 < orient a b c ->
   (crossing3 a b c y = 0%Z \/ crossing3 a b c y = 1%Z) /\
-  (crossing3 a b c y = 1%Z -> closed_triangle a b c y) /\ (open_triangle a b c y -> crossing3 a b c y = 1%Z).
+  (crossing3 a b c y = 1%Z -> closed_triangle a b c y) /\ (open_triangle a b c y ->
+    crossing3 a b c y = 1%Z).
 Proof.
   intros D. rewrite <- (orient_sum a b c y) in D.
   pose proof (orient_balance a b c y) as X.
   unfold crossing3, closed_triangle, open_triangle. rewrite !crossing_from_point.
   refine (triangle_crossing_cases _ _ _ (orient b c y) (orient c a y) (orient a b y) X _ _); [lra|].
-  intros [E1 E2]. rewrite orient_sum in D. assert (fst b = fst a) by lra. assert (fst c = fst a) by lra.
+  intros [E1 E2]. rewrite orient_sum in D. assert (fst b = fst a) by lra.
+    assert (fst c = fst a) by lra.
   unfold orient in D. rewrite H, H0 in D. lra.
 Qed.

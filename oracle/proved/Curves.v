@@ -18,15 +18,18 @@ Lemma soon_all {A} (P : A -> R -> Prop) l : (forall a, In a l -> soon (P a)) ->
 Proof.
   induction l as [|a l IH]; intros H.
   - exists 1. split; [lra|]. simpl; tauto.
-  - eapply soon_imp; [|apply soon_and; [apply (H a); simpl; auto | apply IH; intros; apply H; simpl; auto]].
+  - eapply soon_imp; [|apply soon_and; [apply (H a); simpl; auto | apply IH; intros; apply H;
+    simpl; auto]].
     simpl. intros t [K1 K2] b [<-|I]; auto.
 Qed.
 Lemma soon_exists P : soon P -> exists t, 0 < t /\ P t.
 Proof. intros (s & Hs & P1). exists (s/2). split; [lra|apply P1; lra]. Qed.
 
 (** Polynomials by their coefficients; the first that is not zero decides the sign. *)
-Fixpoint polynomial (l : list R) (t : R) : R := match l with [] => 0 | c :: r => c + t * polynomial r t end.
-Fixpoint leads_positive (l : list R) : Prop := match l with [] => False | c :: r => 0 < c \/ (c = 0 /\ leads_positive r) end.
+Fixpoint polynomial (l : list R) (t : R) : R :=
+  match l with [] => 0 | c :: r => c + t * polynomial r t end.
+Fixpoint leads_positive (l : list R) : Prop :=
+  match l with [] => False | c :: r => 0 < c \/ (c = 0 /\ leads_positive r) end.
 
 Lemma polynomial_bound l : exists M, 0 < M /\ forall t, 0 < t < 1 -> - M <= polynomial l t <= M.
 Proof.
@@ -51,7 +54,8 @@ Proof.
 Qed.
 
 (** The curve x + t d + (t^2, t^3) *)
-Definition curve (x d : point) (t : R) : point := (fst x + t * fst d + t * t, snd x + t * snd d + t * t * t).
+Definition curve (x d : point) (t : R) : point :=
+  (fst x + t * fst d + t * t, snd x + t * snd d + t * t * t).
 Definition turn (a b d : point) : R := (fst b - fst a) * snd d - (snd b - snd a) * fst d.
 Lemma curve_orient a b x d t : orient a b (curve x d t) =
   polynomial [orient a b x; turn a b d; - (snd b - snd a); fst b - fst a] t.
@@ -59,7 +63,8 @@ Proof. unfold orient, curve, turn; simpl; ring. Qed.
 
 Lemma curve_pos a b x d : 0 < orient a b x -> soon (fun t => 0 < orient a b (curve x d t)).
 Proof.
-  intros H. eapply soon_imp; [|apply soon_positive with (l := [orient a b x; turn a b d; - (snd b - snd a); fst b - fst a]);
+  intros H. eapply soon_imp; [|apply soon_positive with (l := [orient a b x; turn a b d;
+    - (snd b - snd a); fst b - fst a]);
     simpl; auto]. intros t. rewrite curve_orient. auto.
 Qed.
 Lemma curve_neg a b x d : orient a b x < 0 -> soon (fun t => orient a b (curve x d t) < 0).
@@ -73,7 +78,8 @@ Proof.
   assert (H : leads_positive l \/ leads_positive (map Ropp l)).
   { unfold l; simpl. destruct a as [ax ay], b as [bx b_y]; simpl in *.
     assert (M : bx - ax <> 0 \/ b_y - ay <> 0).
-    { destruct (Req_dec bx ax), (Req_dec b_y ay); try (left; lra); try (right; lra). subst; congruence. }
+    { destruct (Req_dec bx ax), (Req_dec b_y ay); try (left; lra); try (right; lra). subst;
+      congruence. }
     set (o := orient (ax, ay) (bx, b_y) x). set (e := turn (ax, ay) (bx, b_y) d).
     destruct (Rtotal_order o 0) as [|[|]], (Rtotal_order e 0) as [|[|]],
       (Rtotal_order (b_y - ay) 0) as [|[|]], (Rtotal_order (bx - ax) 0) as [|[|]]; lra. }
@@ -84,7 +90,8 @@ Proof.
 Qed.
 
 (** From a point of a closed triangle the curve to its middle goes inside. *)
-Definition middle (a b c : point) : point := ((fst a + fst b + fst c) / 3, (snd a + snd b + snd c) / 3).
+Definition middle (a b c : point) : point := ((fst a + fst b + fst c) / 3, (snd a + snd b + snd c)
+  / 3).
 Definition minus (p q : point) : point := (fst p - fst q, snd p - snd q).
 Lemma curve_inside a b c x : 0 < orient a b c -> closed_triangle a b c x ->
   soon (fun t => open_triangle a b c (curve x (minus (middle a b c) x) t)).
@@ -100,11 +107,13 @@ Proof.
       destruct H as [H|H]; [left; exact H|right; split; [auto|left; lra]]. }
   apply soon_and; [|apply soon_and]; apply K; auto; unfold orient, middle; simpl; field.
 Qed.
-Lemma curve_outside a b c x d : 0 < orient a b c -> ~ closed_triangle a b c x -> soon (fun t => ~ closed_triangle a b c (curve x d t)).
+Lemma curve_outside a b c x d : 0 < orient a b c -> ~ closed_triangle a b c x ->
+  soon (fun t => ~ closed_triangle a b c (curve x d t)).
 Proof.
   intros D N.
   assert (H : orient a b x < 0 \/ orient b c x < 0 \/ orient c a x < 0).
-  { unfold closed_triangle in N. destruct (Rlt_dec (orient a b x) 0), (Rlt_dec (orient b c x) 0), (Rlt_dec (orient c a x) 0);
+  { unfold closed_triangle in N. destruct (Rlt_dec (orient a b x) 0), (Rlt_dec (orient b c x) 0),
+    (Rlt_dec (orient c a x) 0);
     auto. exfalso; apply N; lra. }
   destruct H as [H|[H|H]]; eapply soon_imp; try apply (curve_neg _ _ _ d H);
   intros t; unfold closed_triangle; cbv beta; lra.
@@ -119,8 +128,10 @@ Proof.
     simpl. intros t [K1 K2]. apply Rabs_def1; nra. }
   eapply soon_imp; [|apply soon_and; [apply (K (fst d) 1 0)|apply (K (snd d) 0 1)]].
   unfold near, curve; simpl. intros t [K1 K2]. split.
-  - replace (fst x + t * fst d + t * t - fst x) with (t * fst d + t * t * 1 + t * t * t * 0) by ring. auto.
-  - replace (snd x + t * snd d + t * t * t - snd x) with (t * snd d + t * t * 0 + t * t * t * 1) by ring. auto.
+  - replace (fst x + t * fst d + t * t - fst x) with (t * fst d + t * t * 1 + t * t * t * 0) by
+    ring. auto.
+  - replace (snd x + t * snd d + t * t * t - snd x) with (t * snd d + t * t * 0 + t * t * t * 1) by
+    ring. auto.
 Qed.
 
 Lemma near_right a b x : orient a b x < 0 ->
@@ -132,10 +143,13 @@ Proof.
   intros y [N1 N2].
   assert (M : (A + B + 1) * (- orient a b x / (A + B + 1)) = - orient a b x) by (field; lra).
   set (e := - orient a b x / (A + B + 1)) in *.
-  assert (E : orient a b y = orient a b x + ((fst b - fst a) * (snd y - snd x) - (snd b - snd a) * (fst y - fst x)))
+  assert (E : orient a b y = orient a b x + ((fst b - fst a) * (snd y - snd x) - (snd b - snd a) *
+    (fst y - fst x)))
     by (unfold orient; ring).
-  assert (T : (fst b - fst a) * (snd y - snd x) - (snd b - snd a) * (fst y - fst x) <= A * e + B * e).
-  { apply Rle_trans with (Rabs ((fst b - fst a) * (snd y - snd x)) + Rabs ((snd b - snd a) * (fst y - fst x))).
+  assert (T : (fst b - fst a) * (snd y - snd x) - (snd b - snd a) * (fst y - fst x) <= A * e + B *
+    e).
+  { apply Rle_trans with (Rabs ((fst b - fst a) * (snd y - snd x)) + Rabs ((snd b - snd a) * (fst y
+    - fst x))).
     - pose proof (Rle_abs ((fst b - fst a) * (snd y - snd x))).
       pose proof (Rle_abs (- ((snd b - snd a) * (fst y - fst x)))). rewrite Rabs_Ropp in H3. lra.
     - rewrite !Rabs_mult. fold A B. apply Rplus_le_compat; apply Rmult_le_compat_l; lra. }
@@ -146,7 +160,8 @@ Lemma near_outside a b c x : 0 < orient a b c -> ~ closed_triangle a b c x ->
 Proof.
   intros D N.
   assert (H : orient a b x < 0 \/ orient b c x < 0 \/ orient c a x < 0).
-  { unfold closed_triangle in N. destruct (Rlt_dec (orient a b x) 0), (Rlt_dec (orient b c x) 0), (Rlt_dec (orient c a x) 0);
+  { unfold closed_triangle in N. destruct (Rlt_dec (orient a b x) 0), (Rlt_dec (orient b c x) 0),
+    (Rlt_dec (orient c a x) 0);
     auto. exfalso; apply N; lra. }
   destruct H as [H|[H|H]]; apply near_right in H; destruct H as (e & He & K); exists e; split; auto;
   intros y Y; specialize (K y Y); unfold closed_triangle; lra.

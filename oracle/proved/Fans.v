@@ -48,7 +48,8 @@ Lemma triangle_combination a b c p : 0 < orient a b c -> closed_triangle a b c p
   (open_triangle a b c p -> 0 < l /\ 0 < m /\ 0 < n).
 Proof.
   intros D (H1 & H2 & H3).
-  exists (orient b c p / orient a b c), (orient c a p / orient a b c), (orient a b p / orient a b c).
+  exists (orient b c p / orient a b c), (orient c a p / orient a b c), (orient a b p / orient a b
+    c).
   assert (P : forall x, 0 <= x -> 0 <= x / orient a b c).
   { intros x K. apply Rmult_le_pos; [lra|]. apply Rlt_le, Rinv_0_lt_compat, D. }
   assert (P' : forall x, 0 < x -> 0 < x / orient a b c).
@@ -56,27 +57,33 @@ Proof.
   repeat split; auto.
   - rewrite <- (orient_sum a b c p) in *. field. lra.
   - destruct p as [px py]. unfold combination. simpl. f_equal.
-    + apply Rmult_eq_reg_l with (orient a b c); [|lra]. field_simplify; [|lra]. unfold orient; simpl; ring.
-    + apply Rmult_eq_reg_l with (orient a b c); [|lra]. field_simplify; [|lra]. unfold orient; simpl; ring.
+    + apply Rmult_eq_reg_l with (orient a b c); [|lra]. field_simplify; [|lra]. unfold orient;
+      simpl; ring.
+    + apply Rmult_eq_reg_l with (orient a b c); [|lra]. field_simplify; [|lra]. unfold orient;
+      simpl; ring.
   - destruct H as (K1 & K2 & K3). auto.
   - destruct H as (K1 & K2 & K3). auto.
   - destruct H as (K1 & K2 & K3). auto.
 Qed.
 
 Definition dot (n p : point) : R := fst n * fst p + snd n * snd p.
-Lemma dot_combination n l m k a b c : dot n (combination l m k a b c) = l * dot n a + m * dot n b + k * dot n c.
+Lemma dot_combination n l m k a b c : dot n (combination l m k a b c) = l * dot n a + m * dot n b +
+  k * dot n c.
 Proof. unfold dot, combination; simpl; ring. Qed.
 Lemma triangle_le n M a b c p : 0 < orient a b c -> closed_triangle a b c p ->
   dot n a <= M -> dot n b <= M -> dot n c <= M -> dot n p <= M.
 Proof.
-  intros D T Ha Hb Hc. destruct (triangle_combination a b c p D T) as (l & m & k & L & Mm & K & S & -> & _).
+  intros D T Ha Hb Hc. destruct (triangle_combination a b c p D T) as (l & m & k & L & Mm & K & S &
+    -> & _).
   rewrite dot_combination. nra.
 Qed.
-Lemma triangle_lt n M a b c p : 0 < orient a b c -> open_triangle a b c p -> ~ (fst n = 0 /\ snd n = 0) ->
+Lemma triangle_lt n M a b c p : 0 < orient a b c -> open_triangle a b c p -> ~ (fst n = 0 /\
+  snd n = 0) ->
   dot n a <= M -> dot n b <= M -> dot n c <= M -> dot n p < M.
 Proof.
   intros D T N Ha Hb Hc.
-  assert (T' : closed_triangle a b c p) by (destruct T as (?&?&?); unfold closed_triangle; repeat split; lra).
+  assert (T' : closed_triangle a b c p) by (destruct T as (?&?&?); unfold closed_triangle;
+    repeat split; lra).
   destruct (triangle_combination a b c p D T') as (l & m & k & L & Mm & K & S & E & I).
   destruct (I T) as (L' & M' & K'). rewrite E, dot_combination.
   assert (Q : dot n a < M \/ dot n b < M \/ dot n c < M).

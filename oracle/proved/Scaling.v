@@ -5,7 +5,8 @@ Open Scope R_scope.
 
 Lemma orient_scale s a b y : orient (scale s a) (scale s b) (scale s y) = s * s * orient a b y.
 Proof. unfold orient, scale; simpl; ring. Qed.
-Lemma crossing_scale s a b y : 0 < s -> crossing (scale s a) (scale s b) (scale s y) = crossing a b y.
+Lemma crossing_scale s a b y : 0 < s -> crossing (scale s a) (scale s b) (scale s y) = crossing a b
+  y.
 Proof.
   intros S. unfold crossing. rewrite orient_scale. unfold scale; simpl.
   assert (SS : 0 < s * s) by nra.

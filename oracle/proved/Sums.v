@@ -14,7 +14,8 @@ Proof. induction l; simpl; [reflexivity|rewrite sumz_app, IHl; reflexivity]. Qed
 Lemma sumz_ext {A} (f g : A -> Z) l : (forall a, In a l -> f a = g a) -> sumz f l = sumz g l.
 Proof. induction l; simpl; intros; [reflexivity|rewrite H, IHl; auto]. Qed.
 Lemma sumz_ge0 {A} (f : A -> Z) l : (forall a, In a l -> (0 <= f a)%Z) -> (0 <= sumz f l)%Z.
-Proof. induction l; simpl; intros; [lia|]. pose proof (H a). pose proof (fun b K => H b (or_intror K)). intuition lia. Qed.
+Proof. induction l; simpl; intros; [lia|]. pose proof (H a).
+  pose proof (fun b K => H b (or_intror K)). intuition lia. Qed.
 Lemma sumz_ge1 {A} (f : A -> Z) l a :
   (forall a, In a l -> (0 <= f a)%Z) -> In a l -> (1 <= f a)%Z -> (1 <= sumz f l)%Z.
 Proof.

@@ -70,7 +70,8 @@ Proof.
       rewrite <- (scale_back (Q2R s) x S), E2, scale_back; auto.
     + destruct (B _ eq_refl) as (leaf & -> & E). rewrite One.
       destruct leaf as [|a' [|b' [|? ?]]]; try discriminate.
-      pose proof (f_equal (hd (0, 0)) E) as E1. pose proof (f_equal (fun l => hd (0, 0) (tl l)) E) as E2.
+      pose proof (f_equal (hd (0, 0)) E) as E1. pose proof (f_equal (fun l => hd (0, 0) (tl l)) E)
+        as E2.
       simpl in E1, E2 |- *. rewrite E1, E2.
       symmetry. apply on_segment_scale, S.
   - rewrite !andb_true_iff in H. destruct H as [[F D] B]. rewrite forallb_forall in F.

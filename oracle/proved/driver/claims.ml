@@ -30,7 +30,9 @@ let check_claim budget p q step claim =
       let s = number scale and digest = text digest in
       ignore (integer components, integer holes);
       require (Q.sign s > 0) "a scale is not positive";
-      let region = match step at with Region r -> Lazy.force r | _ -> fail Malformed "this is no sum's step" in
+      let region =
+        match step at with Region r -> Lazy.force r | _ -> fail Malformed "this is no sum's step"
+      in
       demand (Q.equal region.scale s) "the step is about another scale";
       demand (Reading.set_digest region.polygons = digest) "the digest is another";
       (match polygons with

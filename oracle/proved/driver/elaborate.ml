@@ -237,7 +237,8 @@ let element elements count p q s value =
 type region = { scale : Q.t; witness : Checked.witness; polygons : Reading.polygon list }
 
 let rotated ring =
-  let least = List.fold_left (fun m p -> if compare_points p m < 0 then p else m) (List.hd ring) ring in
+  let lesser p q = if compare_points q p < 0 then q else p in
+  let least = List.fold_left lesser (List.hd ring) ring in
   let rec go before = function
     | p :: rest when compare_points p least = 0 -> (p :: rest) @ List.rev before
     | p :: rest -> go (p :: before) rest
@@ -257,12 +258,15 @@ let in_order (polygons : Reading.polygon list) =
   List.sort compare (List.map turned polygons)
 
 let names =
-  [ "rule"; "scales"; "by"; "box"; "elements"; "cells"; "normals"; "proofs"; "contacts"; "polygons" ]
+  [ "rule"; "scales"; "by"; "box"; "elements"; "cells"; "normals"; "proofs"; "contacts";
+    "polygons" ]
 
 let eq_step p q (by_p, by_q) budget step =
   match members step names with
   | [ _; scales; _; box; elements; cells; normals; proofs; _; polygons ] ->
-    let s = match items scales with [ s ] -> number s | _ -> fail Malformed "one scale is missing" in
+    let s =
+      match items scales with [ s ] -> number s | _ -> fail Malformed "one scale is missing"
+    in
     require (Q.sign s > 0) "a scale is not positive";
     let of_p = side by_p budget s and of_q = side by_q budget Q.one in
     let x0, y0, x1, y1 =

@@ -248,7 +248,9 @@ let rational word =
       let whole, part =
         match String.index_opt mantissa '.' with
         | None -> (mantissa, "")
-        | Some i -> (String.sub mantissa 0 i, String.sub mantissa (i + 1) (String.length mantissa - i - 1))
+        | Some i ->
+          let rest = String.length mantissa - i - 1 in
+          (String.sub mantissa 0 i, String.sub mantissa (i + 1) rest)
       in
       if not (is_digits (whole ^ part)) then bad ();
       let digits = Q.of_bigint (Z.of_string (whole ^ part)) in

@@ -1,5 +1,5 @@
-(* minkref-check-proved: certificates (docs/certificates.md) by a checker that is proved right in Coq
-   (docs/proved.md). Limits and exit codes are those of the other checkers; 5: declined. *)
+(* minkref-check-proved: certificates (docs/certificates.md) by a checker that is proved right in
+   Coq (docs/proved.md). Limits and exit codes are those of the other checkers; 5: declined. *)
 
 open Failure
 
@@ -126,7 +126,9 @@ let check_file options file =
 let within_seconds seconds action =
   let late _ = fail Out_of_budget "a limit is reached (--seconds, --tests)" in
   if seconds <= 0. then late 0;
-  let set value = ignore (Unix.setitimer Unix.ITIMER_REAL { Unix.it_interval = 0.; it_value = value }) in
+  let set it_value =
+    ignore (Unix.setitimer Unix.ITIMER_REAL { Unix.it_interval = 0.; it_value })
+  in
   Sys.set_signal Sys.sigalrm (Sys.Signal_handle late);
   set (min seconds 1e9);
   Fun.protect ~finally:(fun () -> set 0.) action

@@ -1,5 +1,5 @@
-(* What a case says, and the text that a set is named by. Trusted: the theorem is about the sets that
-   are read here. *)
+(* What a case says, and the text that a set is named by. Trusted: the theorem is about the sets
+   that are read here. *)
 
 open Failure
 open Json
@@ -27,8 +27,8 @@ let doubled_area ring =
     in
     go Q.zero ring
 
-(* Outer rings run counter-clockwise and holes clockwise. A ring of one or two vertices, a point or a
-   segment, is the only one. *)
+(* Outer rings run counter-clockwise and holes clockwise. A ring of one or two vertices, a point or
+   a segment, is the only one. *)
 let operand name value =
   let ring value =
     let found = List.map point (items value) in

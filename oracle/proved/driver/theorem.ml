@@ -1,6 +1,27 @@
 (* A sum as a theorem in Coq: the statement in the notions of Definitions.v, proved by computing
    [check_sum] in Coq's kernel. Nothing here is trusted: the statement is there to be read. *)
 
+let head =
+  {|(** The Minkowski sum sP + Q of two sets of the plane, as a theorem.
+
+    The sets are given by their rings: outer ones counter-clockwise, holes clockwise. What the
+    statement means stands in Definitions.v of oracle/proved, and in docs/proved.md.
+    To check it: make proofs, then coqc -Q build/proofs Proved FILE *)
+From Proved Require Import Definitions Checker Theorems.
+Open Scope Q_scope.
+
+Definition s : Q := |}
+
+let foot =
+  {|Theorem this_is_the_sum : forall x : point,
+  set_of R' x <->
+  exists p q, set_of P p /\ set_of Q' q /\ x = add (scale (Q2R s) p) q.
+Proof.
+  apply (sum_is_right s P Q' R' everything). vm_compute. reflexivity.
+Qed.
+Print Assumptions this_is_the_sum.
+|}
+
 let write out s p other r (witness : Checker.witness) =
   let print format = Printf.fprintf out format in
   let list separator write values =
@@ -33,7 +54,8 @@ let write out s p other r (witness : Checker.witness) =
       list ";\n   " node members
   in
   let natural i = print "%d%%nat" i in
-  let solid (hull, leaves) = print "("; corners hull; print ", "; list "; " natural leaves; print ")" in
+  let solid (hull, leaves) = print "("; corners hull; print ", "; list "; " natural leaves;
+    print ")" in
   let tiled name (t : Checker.tiled) =
     print "Definition %s : tiled := {|\n  root := " name;
     node t.root;
@@ -53,12 +75,7 @@ let write out s p other r (witness : Checker.witness) =
      | Checker.Apart code -> print "Apart "; list "; " token code);
     print ")"
   in
-  print "(** The Minkowski sum sP + Q of two sets of the plane, as a theorem.\n\n";
-  print "    The sets are given by their rings: outer ones counter-clockwise, holes clockwise. What\n";
-  print "    the statement means stands in Definitions.v of oracle/proved, and in docs/proved.md.\n";
-  print "    To check it: make proofs, then coqc -Q build/proofs Proved FILE *)\n";
-  print "From Proved Require Import Definitions Checker Theorems.\nOpen Scope Q_scope.\n\n";
-  print "Definition s : Q := ";
+  output_string out head;
   number s;
   print ".\n";
   rings "P" p;
@@ -69,11 +86,8 @@ let write out s p other r (witness : Checker.witness) =
   tiled "pieces_of_Q" witness.of_Q;
   print "Definition proof_of_cells : list (list vertex * proof) :=\n  ";
   list ";\n   " cell witness.cells;
-  print ".\nDefinition everything : witness := {|\n  of_P := pieces_of_P; of_Q := pieces_of_Q;\n  box := ";
+  print ".\nDefinition everything : witness := {|\n";
+  print "  of_P := pieces_of_P; of_Q := pieces_of_Q;\n  box := ";
   corners witness.box;
   print ";\n  cells := proof_of_cells |}.\n\n";
-  print "Theorem this_is_the_sum : forall x : point,\n";
-  print "  set_of R' x <->\n";
-  print "  exists p q, set_of P p /\\ set_of Q' q /\\ x = add (scale (Q2R s) p) q.\n";
-  print "Proof.\n  apply (sum_is_right s P Q' R' everything). vm_compute. reflexivity.\nQed.\n";
-  print "Print Assumptions this_is_the_sum.\n"
+  output_string out foot
