@@ -66,15 +66,16 @@ type body = { corners : point list; rough : (float * float) array }
 let rough (x, y) = (Q.to_float x, Q.to_float y)
 let body corners = { corners; rough = Array.of_list (List.map rough corners) }
 
-(* How far inside a convex polygon a point is, about; without a meaning for fewer corners *)
+(* How far inside a convex polygon a point is, about; no number where doubles do not tell corners
+   apart *)
 let depth polygon (x, y) =
   let n = Array.length polygon in
-  let least = ref infinity in
+  let least = ref max_float in
   for i = 0 to n - 1 do
     let a, b = polygon.(i) and c, d = polygon.(if i + 1 = n then 0 else i + 1) in
     let u = c -. a and v = d -. b in
     let side = ((u *. (y -. b)) -. (v *. (x -. a))) /. Float.hypot u v in
-    if side < !least then least := side
+    if Float.is_nan side || side < !least then least := side
   done;
   !least
 
