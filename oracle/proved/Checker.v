@@ -192,3 +192,68 @@ Definition check_point (s : Q) (P Q : rings) (x p q : vertex) (of_P of_Q : tiled
   | Some a, Some b => holds a p && holds b q
   | _, _ => false
   end.
+
+(** Claim `sum`, its components. The covered cells come component after component. In each, every
+    cell but the first has an earlier one, by how far back it is, that lies on the other side of a
+    piece of edge around a point m; and its rim is given, as rings, each edge with the number of a
+    cell that is not covered and holds it. *)
+Record component := {
+  size : nat; links : list (nat * vertex); rim : list (list vertex * list nat) }.
+
+Fixpoint split_by {A} (sizes : list nat) (l : list A) : list (list A) :=
+  match sizes with
+  | [] => []
+  | n :: r => firstn n l :: split_by r (skipn n l)
+  end.
+Definition is_convex (l : list vertex) : bool :=
+  is_polygon l && no_null (ring_edges l) && forallb (is_left l) l.
+(** The edge of a convex cell that m is inside of, as its direction *)
+Definition side_of (cell : list vertex) (m : vertex) : option vertex :=
+  match filter (fun e => Qeq_bool (qorient (fst e) (snd e) m) 0) (ring_edges cell) with
+  | [e] => if is_left cell m then Some (qminus (snd e) (fst e)) else None
+  | _ => None
+  end.
+Definition is_link (c d : list vertex) (m : vertex) : bool :=
+  match side_of c m, side_of d m with
+  | Some u, Some v =>
+      Qeq_bool (fst u * snd v - snd u * fst v) 0 && less (fst u * fst v + snd u * snd v) 0
+  | _, _ => false
+  end.
+Fixpoint linked (before cells : list (list vertex)) (links : list (nat * vertex)) : bool :=
+  match cells, links with
+  | [], [] => true
+  | c :: r, (n, m) :: k =>
+      match nth_error before n with
+      | Some d => is_link d c m && linked (c :: before) r k
+      | None => false
+      end
+  | _, _ => false
+  end.
+Definition is_connected (cells : list (list vertex)) (links : list (nat * vertex)) : bool :=
+  match cells with [] => false | c :: r => linked [c] r links end.
+Definition on_rim (others : list (list vertex)) (ring : list vertex * list nat) : bool :=
+  all2 (fun e n => match nth_error others n with
+                   | Some c => is_left c (fst e) && is_left c (snd e)
+                   | None => false
+                   end) (ring_edges (fst ring)) (snd ring).
+Definition check_component (others cells : list (list vertex)) (c : component) : bool :=
+  forallb is_convex cells && is_connected cells (links c) &&
+  forallb (on_rim others) (rim c) &&
+  same_boundary (edges_of (map fst (rim c))) (flat_map ring_edges cells).
+Definition is_rectangle (l : list vertex) : bool :=
+  match l with
+  | [a; b; c; d] =>
+      Qeq_bool (snd a) (snd b) && Qeq_bool (snd c) (snd d) && Qeq_bool (fst a) (fst d) &&
+      Qeq_bool (fst b) (fst c) && less (fst a) (fst b) && less (snd a) (snd d)
+  | _ => false
+  end.
+Definition check_components (s : Q) (P Q R : rings) (w : witness) (cs : list component) : bool :=
+  check_sum s P Q R w &&
+  (if is_empty P || is_empty Q then match cs with [] => true | _ => false end
+   else
+     let yes := map fst (filter covered (cells w)) in
+     let no := map fst (filter (fun c => negb (covered c)) (cells w)) in
+     let parts := split_by (map size cs) yes in
+     is_rectangle (box w) && forallb is_convex no &&
+     Nat.eqb (length (concat parts)) (length yes) &&
+     all2 (check_component no) parts cs).

@@ -141,16 +141,33 @@ Proof.
   intros H. destruct (H 1 Rlt_0_1) as (y & _ & _ & W). simpl in W. lia.
 Qed.
 
+(** What [check_sum] has found where no operand is empty *)
+Lemma sum_parts s P Q R w : is_empty P || is_empty Q = false -> check_sum s P Q R w = true ->
+  (forall c, In c (cells w) -> is_polygon (fst c) = true) /\ check_box w = true /\
+  (forall x, set_of R x <-> union_of (all_triangles (covered_cells w)) x).
+Proof.
+  intros Em H. unfold check_sum in H. rewrite Em, !andb_true_iff in H.
+  destruct H as ((((((((S & Th) & HP) & HQ) & HB) & HC) & TR) & NR) & BR).
+  rewrite forallb_forall in HC.
+  assert (OC : forall c, In c (cells w) -> is_polygon (fst c) = true).
+  { intros c I. specialize (HC c I). unfold check_cell in HC. apply andb_prop in HC. tauto. }
+  split; [exact OC|split; [exact HB|]]. intros x.
+  apply negb_true_iff in TR. rewrite (set_of_fat R x TR), real_edges_of. apply region_is_union.
+  - apply all_positive. intros l. apply covered_are_polygons; auto.
+  - apply no_null_different, NR.
+  - intros y. rewrite <- turns_of_polygons. apply (same_boundary_same_turns _ _ BR).
+Qed.
+
 Theorem sum_is_right : forall (s : Q) (P Q R : rings) (w : witness),
   check_sum s P Q R w = true -> is_sum s P Q R.
 Proof.
-  intros s P Q R w H x. unfold in_sum. unfold check_sum in H.
+  intros s P Q R w H x. pose proof H as H0. unfold in_sum. unfold check_sum in H.
   destruct (is_empty P || is_empty Q) eqn:Em.
   - destruct R; try discriminate. split; intros K; [destruct (empty_set x K)|].
     destruct K as (p & q & Kp & Kq & _). apply orb_prop in Em.
     destruct Em as [Em|Em]; [destruct P|destruct Q]; try discriminate;
       [destruct (empty_set p Kp)|destruct (empty_set q Kq)].
-  - clear Em. rewrite !andb_true_iff in H.
+  - pose proof Em as Em0. clear Em. rewrite !andb_true_iff in H.
     destruct H as ((((((((S & Th) & HP) & HQ) & HB) & HC) & TR) & NR) & BR).
     apply less_real in S. rewrite Q2R_zero in S.
     assert (Z : 0 < Q2R 1) by (rewrite Q2R_one; lra).
@@ -169,12 +186,7 @@ Proof.
       destruct (snd c) as [|code]; [discriminate|].
       apply (follow_separates _ _ _ HC) with (a := root (of_P w)) (b := root (of_Q w)); simpl; auto.
       intros a b [K|[]]. injection K; intros; subst; auto. }
-    apply negb_true_iff in TR. rewrite (set_of_fat R x TR).
-    assert (Res : region (real_edges R) x <-> union_of (all_triangles (covered_cells w)) x).
-    { rewrite real_edges_of. apply region_is_union.
-      - apply all_positive. intros l. apply covered_are_polygons; auto.
-      - apply no_null_different, NR.
-      - intros y. rewrite <- turns_of_polygons. apply (same_boundary_same_turns _ _ BR). }
+    destruct (sum_parts s P Q R w Em0 H0) as (_ & _ & Res). specialize (Res x).
     rewrite Res. split.
     + intros U. apply union_of_all in U; [|intros l; apply covered_are_polygons; auto].
       destruct U as (l & I & Kx). apply in_map_iff in I. destruct I as (c & <- & I).

@@ -36,7 +36,7 @@ def square(tmp_path: Path) -> Path:
 def test_what_is_proved_and_what_is_not(square: Path, capsys: Any) -> None:
     assert run(["check", str(square), "--proved"]) == 0
     said = capsys.readouterr().out
-    assert "  proved: sum: at 1" in said and "  not proved: of sums" in said
+    assert "  proved: sum: at 1" in said and "  not proved: the holes of sums" in said
     assert run(["check", str(square), "--proved", "--json", "--case", str(square)]) == 2
     (row,) = json.loads(capsys.readouterr().out)["files"]
     assert row["verdict"] == "malformed" and "proved" not in row

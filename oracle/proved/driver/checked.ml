@@ -9,9 +9,9 @@ let fraction (q : Q.t) : Checker.q = { qnum = Q.num q; qden = Q.den q }
 let vertex (x, y) : Checker.vertex = (fraction x, fraction y)
 let vertices = List.map vertex
 
-let sum_holds s p q r witness =
-  Checker.check_sum (fraction s) (List.map vertices p) (List.map vertices q)
-    (List.map vertices r) witness
+let sum_holds s p q r witness components =
+  Checker.check_components (fraction s) (List.map vertices p) (List.map vertices q)
+    (List.map vertices r) witness components
 
 let point_holds s p q x part other tiled_p tiled_q i j =
   Checker.check_point (fraction s) (List.map vertices p) (List.map vertices q) (vertex x)
@@ -28,4 +28,11 @@ let apart corners code = (vertices corners, Checker.Apart code)
 let open_p = Checker.OpenP
 let open_q = Checker.OpenQ
 let normal n = Checker.Normal (vertex n)
+let component size links rim : Checker.component =
+  {
+    size;
+    links = List.map (fun (back, m) -> (back, vertex m)) links;
+    rim = List.map (fun (ring, others) -> (vertices ring, others)) rim;
+  }
+
 let witness of_P of_Q box cells : witness = { of_P; of_Q; box = vertices box; cells }

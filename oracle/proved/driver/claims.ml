@@ -28,7 +28,7 @@ let check_claim budget p q step claim =
     with
     | [ _; scale; at; components; holes; digest; polygons ] ->
       let s = number scale and digest = text digest in
-      ignore (integer components, integer holes);
+      ignore (integer holes);
       require (Q.sign s > 0) "a scale is not positive";
       let region =
         match step at with Region r -> Lazy.force r | _ -> fail Malformed "this is no sum's step"
@@ -40,14 +40,18 @@ let check_claim budget p q step claim =
        | given ->
          let same = canonical_text given = Reading.polygons_text region.polygons in
          demand same "the polygons are others");
+      let count = List.length region.components in
+      demand (Z.equal (integer components) (Z.of_int count)) "components are others";
       let result = Reading.rings_of region.polygons in
       demand
-        (Checked.sum_holds s (rings p) (rings q) result region.witness)
+        (Checked.sum_holds s (rings p) (rings q) result region.witness region.components)
         "the proved checker does not take this for a proof";
       let theorem out = Theorem.write out s (rings p) (rings q) result region.witness in
       Proved
         {
-          said = Printf.sprintf "sum: at %s, the set of points of digest %s" (Q.to_string s) digest;
+          said =
+            Printf.sprintf "sum: at %s, the set of points of digest %s, of %d components"
+              (Q.to_string s) digest count;
           theorem = Some theorem;
         }
     | _ -> assert false)

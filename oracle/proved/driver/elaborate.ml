@@ -235,7 +235,12 @@ let element elements count p q s value =
     | _ -> fail Malformed "there is no such element")
 
 (* Step `eq`: the witness, and the rings in canonical form *)
-type region = { scale : Q.t; witness : Checked.witness; polygons : Reading.polygon list }
+type region = {
+  scale : Q.t;
+  witness : Checked.witness;
+  components : Checker.component list;
+  polygons : Reading.polygon list;
+}
 
 let rotated ring =
   let lesser p q = if compare_points q p < 0 then q else p in
@@ -319,7 +324,17 @@ let eq_step p q (by_p, by_q) budget step =
     in
     let cells = items cells and proofs = items proofs in
     require (List.compare_lengths cells proofs = 0) "there are not as many proofs as cells";
-    let cells = List.map2 cell cells proofs in
+    let ids value = List.map (fun v -> index v (Array.length found)) (items value) in
+    let rings = List.map (fun polygon -> List.map ids (items polygon)) (items polygons) in
+    let is_covered proof = match items proof with Text "cov" :: _ -> true | _ -> false in
+    let point id =
+      match found.(id) with Point at -> at | Line _ -> fail Malformed "a corner is no point"
+    in
+    let order, components =
+      Classes.components (List.map ids cells) (List.map is_covered proofs) rings point
+    in
+    let made = Array.of_list (List.map2 cell cells proofs) in
+    let cells = List.map (fun i -> made.(i)) order in
     let ring value =
       let corners = straightened (List.map corner (items value)) in
       require (List.length corners > 2) "a ring has too few vertices";
@@ -332,5 +347,8 @@ let eq_step p q (by_p, by_q) budget step =
     in
     let polygons = in_order (List.map polygon (items polygons)) in
     let box = [ (x0, y0); (x1, y0); (x1, y1); (x0, y1) ] in
-    { scale = s; witness = Checked.witness (tiled of_p) (tiled of_q) box cells; polygons }
+    let witness = Checked.witness (tiled of_p) (tiled of_q) box cells in
+    let empty side = Array.length side.pieces.hulls = 0 in
+    let components = if empty of_p || empty of_q then [] else components in
+    { scale = s; witness; components; polygons }
   | _ -> assert false
