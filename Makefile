@@ -2,6 +2,7 @@
 #   make run                     reference against CGAL, a table, and build/report/index.html
 #   make test                    GoogleTest and pytest
 #   make evidence [ONLY="NAME ..."] [QUICK=1]
+#   make proofs                 the proofs of oracle/proved, and the checker that comes from them
 #   make lint | format
 #   make docs                    the documentation as a site, build/site/index.html
 #   make wheel | sdist           into dist/ [PYTHON=python3.12] [PROJECT=packaging/minkref-cgal] (docs/packages.md)
@@ -9,7 +10,7 @@
 #   make lock [UPGRADE=1]        requirements.txt and those of the site and the adapters, with digests
 SHELL := /bin/bash
 .DEFAULT_GOAL := run
-.PHONY: run test evidence lint format docs wheel sdist sbom lock setup environment clean
+.PHONY: run test evidence proofs lint format docs wheel sdist sbom lock setup environment clean
 
 CXX_SOURCES = $(shell find reference trials formats certify oracle python fuzz tests -name '*.cpp' -o -name '*.hpp')
 PYTHON_SOURCES = python commands strategies certify degeneracies docs/site fuzz oracle reports models tests scripts packaging
@@ -30,6 +31,9 @@ test: setup
 
 evidence: setup
 	.venv/bin/python reports/evidence/run.py $(ONLY) $(if $(QUICK),--quick)
+
+proofs:
+	@scripts/proofs.sh
 
 lint: setup
 	.venv/bin/clang-format --dry-run -Werror $(CXX_SOURCES)

@@ -16,6 +16,7 @@ from minkref.certify.certificate import Certificate, NoProof
 from minkref.certify.convex_certificate import ConvexCertificate
 from minkref.certify.solid_certificate import SolidCertificate
 from minkref.commands.certify_check import is_verified
+from minkref.commands.certify_theorem import HOW, check_theorem, write_theorem
 from minkref.commands.line.memory import SIMPLER, Memory, memory_wall
 from minkref.commands.line.options import FirstOperand, Json, Schema, SecondOperand
 from minkref.documents import (
@@ -46,6 +47,8 @@ minkref certify P.wkt Q.wkt --degeneracy 541/186 -o zero.cert.json
 minkref certify P.wkt Q.wkt --scale 2 --point 1/3,5 -o point.cert.json
 
 minkref certify g1 g2 --from 1 --to 11/10 -o interval.cert.json.gz
+
+minkref certify g1 g2 --scale 7/5 -o sum.cert.json --theorem sum.v
 
 minkref certify gs3 rod --scale 2,1/3,5 -o convex.cert.json
 
@@ -119,6 +122,15 @@ def command(
             "about as long as making it.",
         ),
     ] = True,
+    theorem: Annotated[
+        Path | None,
+        typer.Option(
+            "--theorem",
+            metavar="FILE.v",
+            help="Write the sum at --scale as a theorem of Coq too, proved by computation "
+            "(docs/proved.md; `make proofs` builds what it takes).",
+        ),
+    ] = None,
     memory: Memory = None,
     json: Json = False,
     schema: Schema = False,
@@ -132,9 +144,11 @@ def command(
     case = output.with_name(f"{stem}.case.json")
     wish = Wish(scale, event, from_scale, to_scale, degeneracy, point)
     wish.check()
+    if theorem is not None:
+        check_theorem(theorem, not in_space(P, Q), wish.is_sum())
     with memory_wall(memory, "the proof", f"{P} and {Q}", SIMPLER):
         files, make = (_in_space if in_space(P, Q) else _in_the_plane)(P, Q, wish)
-        for path in (output, case):
+        for path in (output, case, *([] if theorem is None else [theorem])):
             check_writable(path)
             refuse_overwriting(path, files)
         operands = f"{escaped(P)} and {escaped(Q)}"
@@ -144,6 +158,8 @@ def command(
         verified = is_verified(text, certificate.case(), operands) if check else None
     write_atomically(case, certificate.case())
     _write(output, text)
+    if theorem is not None:
+        write_theorem(theorem, output)
     value = document(
         "certify",
         watch,
@@ -152,6 +168,7 @@ def command(
         bytes=len(text.encode()),
         claims=certificate.claims,
         verified=verified,
+        **({} if theorem is None else {"theorem": str(theorem)}),
     )
     if json:
         sys.stdout.write(as_text(value))
@@ -161,6 +178,8 @@ def command(
             f"{value['seconds']:.2f} s\nits case: {escaped(str(case))}\n{CHECKED[verified]}"
             f"check it: minkref check {escaped(str(output))}\n"
         )
+        if theorem is not None:
+            sys.stdout.write(f"the theorem: {HOW} {escaped(str(theorem))}\n")
 
 
 def _in_the_plane(P: str, Q: str, wish: Wish) -> tuple[list[Path], Make]:
@@ -244,6 +263,10 @@ class Wish:
             mend = "choose --scale S [--point X,Y], --event S [--from A], --from A --to B, or "
             raise Refusal("these options do not go together", "options", mend + "--degeneracy S")
 
+    def is_sum(self) -> bool:
+        others = self.event, self.from_scale, self.to_scale, self.degeneracy, self.point
+        return all(option is None for option in others)
+
     def claim(self, certificate: Certificate) -> None:
         if self.event is not None:
             s = read_scale(self.event, "--event")
@@ -269,8 +292,7 @@ class Wish:
 
     def scaling(self) -> Scaling:
         """In space, where there are certificates of sums only."""
-        others = (self.event, self.from_scale, self.to_scale, self.degeneracy, self.point)
-        if any(option is not None for option in others):
+        if not self.is_sum():
             what = "in space there are certificates of sums only"
             raise Refusal(what, "options", "give --scale SX,SY,SZ and -o alone")
         return read_scaling("1" if self.scale is None else self.scale)

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Annotated, Any
 
 import typer
+from minkref.commands import check_proved
 from minkref.commands.line.options import Json, Schema
 from minkref.documents import Stopwatch, as_text, document
 from minkref.errors import Refusal
@@ -19,7 +20,9 @@ minkref check sum.cert.json
 
 minkref check certificates/ --json
 
-minkref check event.cert.json --case event.case.json --seconds 60"""
+minkref check event.cert.json --case event.case.json --seconds 60
+
+minkref check sum.cert.json --proved"""
 
 ENDINGS = ("*.cert.json", "*.cert.json.gz")
 MOST = 1e18
@@ -28,7 +31,9 @@ WORDS = {
     checker.REFUTED: "refuted",
     checker.MALFORMED: "malformed",
     checker.OUT_OF_BUDGET: "out of budget",
+    check_proved.DECLINED: "declined",
 }
+WORST = (checker.REFUTED, checker.MALFORMED, checker.OUT_OF_BUDGET, check_proved.DECLINED)
 
 
 def command(
@@ -55,6 +60,14 @@ def command(
             "--bytes", help="Largest size of a certificate or a case, unpacked.", min=0, max=MOST
         ),
     ] = 2**28,
+    proved: Annotated[
+        bool,
+        typer.Option(
+            "--proved",
+            help="Then also by the checker that is proved right in Coq (`make proofs` builds it). "
+            "It declines claims without a theorem: exit code 5.",
+        ),
+    ] = False,
     json: Json = False,
     schema: Schema = False,
 ) -> None:
@@ -62,22 +75,38 @@ def command(
     the code that made them, in the plane, of convex polyhedra (docs/certificates-convex.md) and of
     any polyhedra (docs/certificates-solids.md). The checker is a single file that also runs alone,
     oracle/checker/check.py. Exits with 0 if all are verified, 1 if one is refuted, 2 if one is
-    malformed or its case is missing, 4 if one is out of budget; 1 takes precedence over 2, and 2
-    over 4."""
+    malformed or its case is missing, 4 if one is out of budget, with --proved 5 if one has a claim
+    that is not proved; 1 takes precedence over 2, 2 over 4, and 4 over 5. What is proved:
+    docs/proved.md."""
     watch = Stopwatch()
+    if proved:
+        check_proved.program()
     rows = []
     for path in _found(files):
         code, message, claims = checker.verdict(path, case, seconds, tests, bytes_)
-        rows.append(
-            {"file": str(path), "verdict": WORDS[code], "message": message, "claims": claims}
-        )
+        row: dict[str, Any] = {"file": str(path), "verdict": WORDS[code]}
+        row |= {"message": message, "claims": claims}
+        if proved and code == checker.VERIFIED:
+            limits = {"--seconds": seconds, "--tests": tests, "--bytes": bytes_}
+            row |= _proved(path, case, limits)
+        rows.append(row)
         if not json:
-            _print(rows[-1])
+            _print(row)
     if json:
         sys.stdout.write(as_text(document("check", watch, files=rows)))
     verdicts = {row["verdict"] for row in rows}
-    worst = (checker.REFUTED, checker.MALFORMED, checker.OUT_OF_BUDGET)
-    raise typer.Exit(next((code for code in worst if WORDS[code] in verdicts), checker.VERIFIED))
+    raise typer.Exit(next((code for code in WORST if WORDS[code] in verdicts), checker.VERIFIED))
+
+
+def _proved(path: Path, case: Path | None, limits: dict[str, float]) -> dict[str, Any]:
+    """What the proved checker adds to a row. Its verdict is that of the row."""
+    options = [f"{name}={value!r}" for name, value in limits.items()]
+    options += [] if case is None else [f"--case={case}"]
+    found = check_proved.follow(path, *options)
+    return {
+        "verdict": found.word, "message": found.why,
+        "proved": found.proved, "not_proved": found.not_proved,
+    }  # fmt: skip
 
 
 def _found(files: list[Path]) -> list[Path]:
@@ -99,3 +128,6 @@ def _print(row: dict[str, Any]) -> None:
     sys.stdout.write(f"{escaped(row['file'])}: {row['verdict']}{message}\n")
     for claim in row["claims"]:
         sys.stdout.write(f"  {escaped(claim)}\n")
+    for name, word in (("proved", "proved"), ("not_proved", "not proved")):
+        for line in row.get(name, ()):
+            sys.stdout.write(f"  {word}: {escaped(line)}\n")

@@ -20,6 +20,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 PACKAGE = ROOT / "build" / "package"
 BUILD = ROOT / "build" / "release"
+PROVED = "minkref-check-proved"  # of `make proofs`
 
 
 def set_links(folder: Path, wanted: dict[Path, Path]) -> None:
@@ -93,6 +94,10 @@ def link_oracle(scripts: Path) -> None:
         for built in (BUILD / "oracle").glob(pattern):
             if built.is_file():
                 (scripts / built.name).symlink_to(built)
+    proved = ROOT / "build" / "proofs" / PROVED
+    (scripts / PROVED).unlink(missing_ok=True)
+    if proved.is_file():
+        (scripts / PROVED).symlink_to(proved)
 
 
 def main() -> None:

@@ -1,4 +1,4 @@
-"""Both checkers as commands, on many files at once."""
+"""The checkers as commands, on many files at once."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[3]
 CHECKER = ROOT / "oracle" / "checker" / "check.py"
-WORDS = {"verified": 0, "refuted": 1, "malformed": 2, "out of budget": 4}
-LINE = re.compile(r"^(\S.*): (verified|refuted|malformed|out of budget)(?:: (.*))?$")
+WORDS = {"verified": 0, "refuted": 1, "malformed": 2, "out of budget": 4, "declined": 5}
+LINE = re.compile(r"^(\S.*): (verified|refuted|malformed|out of budget|declined)(?:: (.*))?$")
 
 
 @dataclass(frozen=True)
@@ -36,6 +36,18 @@ def in_cpp() -> list[str]:
     program = found or shutil.which("minkref-check")
     if program is None:
         raise FileNotFoundError("minkref-check is not built: make setup")
+    return [program]
+
+
+def in_proved() -> list[str]:
+    """The one that is proved right in Coq. Raises FileNotFoundError if it is not built."""
+    name = "minkref-check-proved"
+    beside = Path(sys.executable).parent / name
+    built = ROOT / "build" / "proofs" / name
+    found = next((str(path) for path in (beside, built) if path.exists()), None)
+    program = found or shutil.which(name)
+    if program is None:
+        raise FileNotFoundError(f"{name} is not built: make proofs")
     return [program]
 
 

@@ -1,0 +1,36 @@
+"""`minkref certify --theorem FILE.v`: a sum as a theorem of Coq (docs/proved.md)."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from minkref.commands import check_proved
+from minkref.documents import check_writable, replacing
+from minkref.errors import Refusal
+
+NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*\.v", re.ASCII)
+HOW = "coqc -Q build/proofs Proved"  # in the source tree, after make proofs
+
+
+def check_theorem(path: Path, in_the_plane: bool, about_a_sum: bool) -> None:
+    """Refuses, before any work is done, what cannot be written."""
+    if not in_the_plane:
+        mend = "leave --theorem out"
+        raise Refusal("there are theorems of sums in the plane only", "--theorem", mend)
+    if not about_a_sum:
+        raise Refusal("a theorem is about a sum", "--theorem", "give --scale alone")
+    if not NAME.fullmatch(path.name):
+        mend = "name it FILE.v, of letters, digits and _"
+        raise Refusal("this is not the name of a file of Coq", str(path), mend)
+    check_proved.program()
+    check_writable(path)
+
+
+def write_theorem(path: Path, certificate: Path) -> None:
+    """States the sum of a certificate and proves it by computation. Raises RuntimeError where the
+    proved checker refuses the certificate: a fault of minkref."""
+    with replacing(path) as part:
+        found = check_proved.follow(certificate, f"--theorem={part}")
+        if found.word not in ("verified", "declined") or not found.proved:
+            raise RuntimeError(f"no theorem of {certificate}: {found.word}: {found.why}")

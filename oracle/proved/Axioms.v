@@ -1,0 +1,5 @@
+(** The axioms that the theorems rest on. *)
+From Proved Require Import Theorems Counting.
+Print Assumptions sum_is_right.
+Print Assumptions point_is_right.
+Print Assumptions components_are_right.

@@ -1,0 +1,187 @@
+(** Trees of pieces: what they hold (rule `pieces`), and codes that set all pairs of their pieces
+    apart from a cell (rule `eq`, `sep`). *)
+From Coq Require Import Lra Lia Psatz Bool.
+From Proved Require Import Definitions Sums Crossings Fans Curves Unions Checker Rational
+  Cancellation Bodies Scaling.
+Open Scope R_scope.
+
+Lemma node_induction (H : node -> Prop) : (forall v, H (Piece v)) ->
+  (forall h k, (forall c, In c k -> H c) -> H (Group h k)) -> forall n, H n.
+Proof.
+  intros H1 H2. fix F 1. intros [v|h k]; [apply H1|apply H2].
+  induction k as [|c k IH]; simpl; [tauto|]. intros d [<-|I]; [apply F|apply IH, I].
+Qed.
+
+(** A linear function is on each leaf at most what it is on the hull. *)
+Lemma tree_le n : is_tree n = true -> is_body (hull_of n) = true /\
+  forall l, In l (leaves n) -> is_body l = true /\
+    forall u M, (forall v, In v (hull_of n) -> dot u (real v) <= M) ->
+      forall v, In v l -> dot u (real v) <= M.
+Proof.
+  induction n as [v|h k IH] using node_induction; simpl; intros H.
+  - split; auto. intros l [<-|[]]. split; auto.
+  - apply andb_prop in H. destruct H as [O H]. split; auto. rewrite forallb_forall in H.
+    intros l I. apply in_flat_map in I. destruct I as (c & I & J).
+    specialize (H c I). apply andb_prop in H. destruct H as [Hc Hh].
+    destruct (IH c I Hc) as [Oc K]. destruct (K l J) as [Ol Kl]. split; auto.
+    intros u M B v V. apply (Kl u M); auto. intros w W. rewrite forallb_forall in Hh.
+    specialize (Hh w W). apply holds_real in Hh. eapply body_le with (l := h); eauto.
+    apply inside_body; auto.
+Qed.
+Lemma leaves_are_bodies n : is_tree n = true -> forall l, In l (leaves n) -> is_body l = true.
+Proof. intros O l I. destruct (tree_le n O) as [_ K]. apply (K l I). Qed.
+
+(** ** Operands *)
+Lemma thin_cases r : thin r = true -> (exists a, r = [[a]]) \/ (exists a b, r = [[a; b]]).
+Proof.
+  destruct r as [|[|a [|b [|c l]]] [|m r]]; try discriminate; eauto.
+Qed.
+Lemma set_of_fat r x : thin r = false -> set_of r x = region (real_edges r) x.
+Proof. destruct r as [|[|a [|b [|c l]]] [|m r]]; try discriminate; reflexivity. Qed.
+Lemma same_lists l k : all2 same l k = true -> map real l = map real k.
+Proof. apply all2_map, same_real. Qed.
+Lemma body_of_same l k x : map real l = map real k -> body l x -> body k x.
+Proof.
+  intros E. destruct l as [|a [|b [|c l]]], k as [|a' [|b' [|c' k]]]; try discriminate; auto.
+  - injection E as E1 E2. unfold body, real. rewrite E1, E2. auto.
+  - injection E as E1 E2 E3 E4. unfold body, real. rewrite E1, E2, E3, E4. auto.
+  - unfold body, triangles. rewrite E. auto.
+Qed.
+
+Theorem operand_is_leaves s r o : 0 < Q2R s -> check_operand s r o = true ->
+  forall x, set_of r x <-> exists l, In l (leaves (root o)) /\ body l (scale (Q2R s) x).
+Proof.
+  intros S H x. unfold check_operand in H. rewrite !andb_true_iff in H.
+  destruct H as [[O _] H]. destruct (thin r) eqn:T.
+  - assert (B : forall ring, r = [ring] -> exists leaf, leaves (root o) = [leaf] /\
+        map real leaf = map (scale (Q2R s)) (map real ring)).
+    { intros ring ->. simpl in H. destruct (leaves (root o)) as [|leaf [|? ?]]; try discriminate.
+      - exists leaf. split; auto. rewrite andb_true_r in H. apply same_lists in H.
+        rewrite <- H, !map_map. apply map_ext. intros. apply real_scaled.
+      - rewrite andb_false_r in H. discriminate. }
+    assert (One : forall leaf, (exists l, In l [leaf] /\ body l (scale (Q2R s) x)) <->
+        body leaf (scale (Q2R s) x)).
+    { intros leaf. split; [intros (l & [<-|[]] & K); auto|exists leaf; simpl; auto]. }
+    destruct (thin_cases r T) as [(a & ->)|(a & b & ->)].
+    + destruct (B _ eq_refl) as (leaf & -> & E). rewrite One.
+      destruct leaf as [|a' [|? ?]]; try discriminate.
+      pose proof (f_equal (hd (0, 0)) E) as E1. simpl in E1 |- *. rewrite E1.
+      split; [intros ->; auto|]. intros E2.
+      rewrite <- (scale_back (Q2R s) x S), E2, scale_back; auto.
+    + destruct (B _ eq_refl) as (leaf & -> & E). rewrite One.
+      destruct leaf as [|a' [|b' [|? ?]]]; try discriminate.
+      pose proof (f_equal (hd (0, 0)) E) as E1. pose proof (f_equal (fun l => hd (0, 0) (tl l)) E)
+        as E2.
+      simpl in E1, E2 |- *. rewrite E1, E2.
+      symmetry. apply on_segment_scale, S.
+  - rewrite !andb_true_iff in H. destruct H as [[F D] B]. rewrite forallb_forall in F.
+    rewrite (set_of_fat r x T), <- (region_scale_iff (Q2R s) _ x S), <- scaled_edges.
+    rewrite <- (union_of_all _ _ F). apply region_is_union.
+    + apply all_positive, F.
+    + apply no_null_different, D.
+    + intros y. rewrite <- turns_of_polygons. apply (same_boundary_same_turns _ _ B).
+Qed.
+
+(** ** Solids: what a solid holds, the leaves hold. *)
+Lemma pick_in l ns : forall k, pick l ns = Some k -> forall v, In v k -> In v l.
+Proof.
+  induction ns as [|n ns IH]; simpl; intros k H v I.
+  - injection H; intros; subst. destruct I.
+  - destruct (nth_error l n) eqn:E; [|discriminate]. destruct (pick l ns); [|discriminate].
+    injection H; intros; subst.
+    destruct I as [<-|I]; [eapply nth_error_In; eauto|eapply IH; eauto].
+Qed.
+Lemma solid_in_leaves ps d : is_solid ps d = true -> is_body (fst d) = true /\
+  forall x, body (fst d) x -> exists l, In l ps /\ body l x.
+Proof.
+  unfold is_solid. destruct (pick ps (snd d)) as [k|] eqn:E; [|discriminate].
+  assert (G : is_polygon (fst d) && forallb is_polygon k &&
+    same_boundary (ring_edges (fst d)) (flat_map ring_edges k) = true ->
+    is_body (fst d) = true /\ forall x, body (fst d) x -> exists l, In l ps /\ body l x).
+  { rewrite !andb_true_iff, forallb_forall. intros [[H1 H2] H3].
+    split; [apply polygon_is_body, H1|]. intros x X. rewrite polygon_body in X by auto.
+    assert (X' : union_of (all_triangles k) x).
+    { apply (same_count_same_union (triangles (fst d)) (all_triangles k)); auto.
+      - apply polygon_positive, H1.
+      - apply all_positive, H2.
+      - intros y. rewrite <- turns_of_polygon, <- turns_of_polygons.
+        apply (same_boundary_same_turns _ _ H3). }
+    apply union_of_all in X'; auto. destruct X' as (l & I & L). exists l. split; auto.
+    eapply pick_in; eauto. }
+  destruct k as [|l [|m k]]; auto. rewrite andb_true_iff. intros [H1 H2]. split; auto.
+  intros x X. exists l. split; [eapply pick_in; eauto; simpl; auto|].
+  eapply body_of_same; [apply same_lists, H2|exact X].
+Qed.
+
+(** ** Separation *)
+Definition separated (cell a b : list vertex) : Prop := exists n : point, exists ma mb : R,
+  ~ (fst n = 0 /\ snd n = 0) /\
+  (forall v, In v a -> dot n (real v) <= ma) /\ (forall v, In v b -> dot n (real v) <= mb) /\
+  (forall x, In x cell -> ma + mb <= dot n (real x)).
+Lemma separated_swap cell a b : separated cell a b -> separated cell b a.
+Proof.
+  intros (n & ma & mb & N & Ha & Hb & Hc). exists n, mb, ma. repeat split; auto.
+  intros x X. specialize (Hc x X). lra.
+Qed.
+
+Lemma tree_members h k c : is_tree (Group h k) = true -> In c k -> is_tree c = true.
+Proof.
+  simpl. intros W J. apply andb_prop in W. destruct W as [_ W]. rewrite forallb_forall in W.
+  specialize (W c J). apply andb_prop in W. tauto.
+Qed.
+Lemma normal_separates n cell a b la lb : is_tree a = true -> is_tree b = true ->
+  negb (Qeq_bool (fst n) 0 && Qeq_bool (snd n) 0) = true ->
+  forallb (fun x => Qle_bool (support n (hull_of a) + support n (hull_of b)) (qdot n x)) cell
+    = true ->
+  In la (leaves a) -> In lb (leaves b) -> separated cell la lb.
+Proof.
+  intros Wa Wb H1 H2 Ia Ib. rewrite forallb_forall in H2.
+  destruct (tree_le a Wa) as [_ Ka]. destruct (tree_le b Wb) as [_ Kb].
+  exists (real n), (Q2R (support n (hull_of a))), (Q2R (support n (hull_of b))).
+  repeat apply conj.
+  - intros [Z1 Z2]. apply negb_true_iff, andb_false_iff in H1.
+    unfold real in Z1, Z2; simpl in Z1, Z2. rewrite <- Q2R_zero in Z1, Z2.
+    apply eqR_Qeq, Qeq_bool_iff in Z1. apply eqR_Qeq, Qeq_bool_iff in Z2. destruct H1; congruence.
+  - apply (proj2 (Ka la Ia)). intros v V. apply support_real, V.
+  - apply (proj2 (Kb lb Ib)). intros v V. apply support_real, V.
+  - intros x X. rewrite <- real_dot, <- Q2R_plus. apply le_real, H2, X.
+Qed.
+
+Theorem follow_separates code cell : forall stack, follow code cell stack = true ->
+  (forall a b, In (a, b) stack -> is_tree a = true /\ is_tree b = true) ->
+  forall a b la lb, In (a, b) stack -> In la (leaves a) -> In lb (leaves b) ->
+    separated cell la lb.
+Proof.
+  induction code as [|i code IH]; intros stack H W a b la lb I Ia Ib.
+  - destruct stack; [destruct I|discriminate].
+  - destruct i; destruct stack as [|[x y] st]; try discriminate; simpl in H.
+    + destruct x as [v|h k]; try discriminate.
+      assert (W' : forall a b, In (a, b) (map (fun c => (c, y)) k ++ st) ->
+          is_tree a = true /\ is_tree b = true).
+      { intros a' b' J. apply in_app_or in J. destruct J as [J|J]; [|apply W; simpl; auto].
+        apply in_map_iff in J. destruct J as (c & E & J). injection E; intros; subst.
+        destruct (W (Group h k) b') as [W1 W2]; [simpl; auto|]. split; auto.
+        eapply tree_members; eauto. }
+      destruct I as [E|I].
+      * injection E; intros; subst. simpl in Ia. apply in_flat_map in Ia.
+        destruct Ia as (c & J & K). apply (IH _ H W' c b); auto.
+        apply in_or_app. left. apply in_map_iff. exists c; auto.
+      * apply (IH _ H W' a b); auto. apply in_or_app; auto.
+    + destruct y as [v|h k]; try discriminate.
+      assert (W' : forall a b, In (a, b) (map (fun c => (x, c)) k ++ st) ->
+          is_tree a = true /\ is_tree b = true).
+      { intros a' b' J. apply in_app_or in J. destruct J as [J|J]; [|apply W; simpl; auto].
+        apply in_map_iff in J. destruct J as (c & E & J). injection E; intros; subst.
+        destruct (W a' (Group h k)) as [W1 W2]; [simpl; auto|]. split; auto.
+        eapply tree_members; eauto. }
+      destruct I as [E|I].
+      * injection E; intros; subst. simpl in Ib. apply in_flat_map in Ib.
+        destruct Ib as (c & J & K). apply (IH _ H W' a c); auto.
+        apply in_or_app. left. apply in_map_iff. exists c; auto.
+      * apply (IH _ H W' a b); auto. apply in_or_app; auto.
+    + apply andb_prop in H. destruct H as [H1 H]. apply andb_prop in H1. destruct H1 as [H1 H2].
+      destruct I as [E|I];
+        [|apply (IH _ H (fun a b J => W a b (or_intror J)) a b); auto].
+      injection E; intros; subst. destruct (W a b) as [Wa Wb]; [simpl; auto|].
+      exact (normal_separates n cell a b la lb Wa Wb H1 H2 Ia Ib).
+Qed.

@@ -1,0 +1,38 @@
+(* The extracted checker, with zarith's fractions in front: both are a numerator and a positive
+   denominator. Trusted: [sum_holds] and [point_holds] hand over what they are given. *)
+
+type point = Q.t * Q.t
+type node = Checker.node
+type witness = Checker.witness
+
+let fraction (q : Q.t) : Checker.q = { qnum = Q.num q; qden = Q.den q }
+let vertex (x, y) : Checker.vertex = (fraction x, fraction y)
+let vertices = List.map vertex
+
+let sum_holds s p q r witness components =
+  Checker.check_components (fraction s) (List.map vertices p) (List.map vertices q)
+    (List.map vertices r) witness components
+
+let point_holds s p q x part other tiled_p tiled_q i j =
+  Checker.check_point (fraction s) (List.map vertices p) (List.map vertices q) (vertex x)
+    (vertex part) (vertex other) tiled_p tiled_q i j
+
+let piece corners = Checker.Piece (vertices corners)
+let group hull members = Checker.Group (vertices hull, members)
+
+let tiled root solids : Checker.tiled =
+  { root; solids = List.map (fun (hull, leaves) -> (vertices hull, leaves)) solids }
+
+let covered corners i j parts = (vertices corners, Checker.Covered (i, j, vertices parts))
+let apart corners code = (vertices corners, Checker.Apart code)
+let open_p = Checker.OpenP
+let open_q = Checker.OpenQ
+let normal n = Checker.Normal (vertex n)
+let component size links rim : Checker.component =
+  {
+    size;
+    links = List.map (fun (back, m) -> (back, vertex m)) links;
+    rim = List.map (fun (ring, others) -> (vertices ring, others)) rim;
+  }
+
+let witness of_P of_Q box cells : witness = { of_P; of_Q; box = vertices box; cells }

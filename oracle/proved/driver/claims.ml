@@ -1,0 +1,184 @@
+(* The claims of a certificate-v1. Trusted: what is said to be proved is what [Checked] was asked,
+   of the sets that [Reading] found. Those without a theorem are declined. *)
+
+open Failure
+open Json
+
+type step = Pieces of Elaborate.pieces | Region of Elaborate.region Lazy.t | Move
+
+type proved = { said : string; theorem : (out_channel -> unit) option }
+type outcome = Proved of proved | Not_proved of string
+
+let kinds = [ "sum"; "interval"; "event"; "point"; "passage"; "sign" ]
+
+let check_claim budget p q step claim =
+  budget 64;
+  let kind =
+    match claim with
+    | Object found -> (
+      match List.assoc_opt "claim" found with Some (Text kind) -> kind | _ -> "")
+    | _ -> ""
+  in
+  require (List.mem kind kinds) "there is no such claim";
+  let rings (o : Reading.operand) = Reading.rings_of o.polygons in
+  match kind with
+  | "sum" -> (
+    match
+      members claim [ "claim"; "scale"; "step"; "components"; "holes"; "digest"; "polygons?" ]
+    with
+    | [ _; scale; at; components; holes; digest; polygons ] ->
+      let s = number scale and digest = text digest in
+      ignore (integer holes);
+      require (Q.sign s > 0) "a scale is not positive";
+      let region =
+        match step at with Region r -> Lazy.force r | _ -> fail Malformed "this is no sum's step"
+      in
+      demand (Q.equal region.scale s) "the step is about another scale";
+      demand (Reading.set_digest region.polygons = digest) "the digest is another";
+      (match polygons with
+       | Null -> ()
+       | given ->
+         let same = canonical_text given = Reading.polygons_text region.polygons in
+         demand same "the polygons are others");
+      let count = List.length region.components in
+      demand (Z.equal (integer components) (Z.of_int count)) "components are others";
+      let result = Reading.rings_of region.polygons in
+      demand
+        (Checked.sum_holds s (rings p) (rings q) result region.witness region.components)
+        "the proved checker does not take this for a proof";
+      let theorem out = Theorem.write out s (rings p) (rings q) result region.witness in
+      Proved
+        {
+          said =
+            Printf.sprintf "sum: at %s, the set of points of digest %s, of %d components"
+              (Q.to_string s) digest count;
+          theorem = Some theorem;
+        }
+    | _ -> assert false)
+  | "point" -> (
+    match members claim [ "claim"; "scale"; "point"; "p"; "q"; "by"; "pieces" ] with
+    | [ _; scale; x; a; b; by; nodes ] ->
+      let s = number scale in
+      require (Q.sign s > 0) "a scale is not positive";
+      let x = Reading.point x and a = Reading.point a and b = Reading.point b in
+      let first, second = pair by and i, j = pair nodes in
+      let side name at node =
+        match step at with
+        | Pieces pieces ->
+          require (pieces.operand.name = name) "`by` is not of P and Q";
+          require (not (Reading.is_thin pieces.operand)) "a point or a segment has no pieces";
+          let found = Elaborate.side pieces budget Q.one in
+          let n = index node (Array.length pieces.hulls) in
+          require (pieces.children.(n) = []) "this is no piece";
+          require (Hashtbl.mem found.place n) "a piece is in no group";
+          (Elaborate.tiled found, Hashtbl.find found.place n)
+        | _ -> fail Malformed "this is no step of pieces"
+      in
+      let tiled_p, i = side "P" first i and tiled_q, j = side "Q" second j in
+      demand
+        (Checked.point_holds s (rings p) (rings q) x a b tiled_p tiled_q i j)
+        "the proved checker does not take this for a proof";
+      let shown (x, y) = Printf.sprintf "(%s, %s)" (Q.to_string x) (Q.to_string y) in
+      Proved
+        {
+          said = Printf.sprintf "point: %s at %s is a point of the sum" (shown x) (Q.to_string s);
+          theorem = None;
+        }
+    | _ -> assert false)
+  | kind -> Not_proved (kind ^ ": there is no theorem about this claim yet")
+
+(* Of each claim, whether it is proved; Not_verified where one does not hold. *)
+let check certificate read_case budget =
+  let form =
+    match certificate with
+    | Object found -> (
+      match List.assoc_opt "certificate" found with Some (Text form) -> form | _ -> "")
+    | _ -> ""
+  in
+  if List.mem form [ "convex-certificate-v1"; "solid-certificate-v1" ] then
+    fail Declined "there is no theorem about sums in space yet";
+  require (form = "certificate-v1") "this is no certificate-v1";
+  match
+    members certificate
+      [ "certificate"; "title?"; "comment?"; "producer?"; "case"; "steps"; "claims" ]
+  with
+  | [ _; title; comment; producer; case; steps; claims ] ->
+    List.iter
+      (function Null | Text _ -> () | _ -> fail Malformed "what carries no truth is no text")
+      [ title; comment; producer ];
+    let path, digest =
+      match members case [ "path"; "sha256" ] with
+      | [ path; digest ] -> (text path, text digest)
+      | _ -> assert false
+    in
+    let last = List.hd (List.rev (String.split_on_char '/' path)) in
+    require (not (String.contains path '\000' || last = "" || last = ".")) "no path of a case";
+    let p, q =
+      match read_case path with
+      | Object found ->
+        let operand name =
+          match List.assoc_opt name found with
+          | Some value -> Reading.operand name value
+          | None -> fail Malformed ("the case has no " ^ name)
+        in
+        (operand "P", operand "Q")
+      | _ -> fail Malformed "this is no case"
+    in
+    demand (Reading.case_digest p q = digest) "not the case that is certified";
+    require (not (Reading.is_thin p && Reading.is_thin q)) "both operands are points or segments";
+    let operand_of = function
+      | "P" -> p
+      | "Q" -> q
+      | _ -> fail Malformed "there is no such operand"
+    in
+    let given = Array.of_list (items steps) in
+    let made = Array.make (Array.length given) Move in
+    let used = Hashtbl.create 16 in
+    let step_before bound value =
+      let i = index value bound in
+      Hashtbl.replace used i ();
+      made.(i)
+    in
+    Array.iteri
+      (fun i step ->
+        within (Printf.sprintf "step %d" i) (fun () ->
+            let rule =
+              match step with
+              | Object found -> (
+                match List.assoc_opt "rule" found with Some (Text rule) -> rule | _ -> "")
+              | _ -> ""
+            in
+            let pieces_of value name =
+              match step_before i value with
+              | Pieces found when found.operand.name = name -> found
+              | _ -> fail Malformed "`by` is not of P and Q"
+            in
+            made.(i) <-
+              (match rule with
+               | "pieces" -> Pieces (Elaborate.pieces_step operand_of budget step)
+               | "eq" | "move" -> (
+                 match members step Elaborate.names with
+                 | _ :: _ :: by :: _ ->
+                   let a, b = pair by in
+                   let by = (pieces_of a "P", pieces_of b "Q") in
+                   if rule = "move" then Move
+                   else Region (lazy (Elaborate.eq_step p q by budget step))
+                 | _ -> assert false)
+               | _ -> fail Malformed "there is no such rule")))
+      given;
+    let claims = items claims in
+    require (claims <> []) "nothing is claimed";
+    let outcomes =
+      List.mapi
+        (fun i claim ->
+          within (Printf.sprintf "claim %d" i) (fun () ->
+              check_claim budget p q (step_before (Array.length given)) claim))
+        claims
+    in
+    let all_proved = List.for_all (function Proved _ -> true | _ -> false) outcomes in
+    require ((not all_proved) || Hashtbl.length used = Array.length given) "a step is not used";
+    require
+      (List.length (List.sort_uniq compare (List.map canonical_text claims)) = List.length claims)
+      "a claim is made twice";
+    outcomes
+  | _ -> assert false

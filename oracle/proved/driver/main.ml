@@ -1,0 +1,167 @@
+(* minkref-check-proved: certificates (docs/certificates.md) by a checker that is proved right in
+   Coq (docs/proved.md). Limits and exit codes are those of the other checkers; 5: declined. *)
+
+open Failure
+
+let usage =
+  "usage: minkref-check-proved [--case FILE] [--seconds N] [--tests N] [--bytes N] \
+   [--theorem FILE] FILE...\n\
+   FILE may be compressed by gzip. --theorem writes the sum that is claimed as a theorem of Coq.\n\
+   Exit codes: 0 proved, 1 refuted, 2 malformed, 4 out of budget, 5 declined: no theorem.\n"
+
+exception Wrong_usage
+
+type options = {
+  mutable case : string option;
+  mutable seconds : float;
+  mutable tests : float;
+  mutable bytes : float;
+  mutable theorem : string option;
+  mutable files : string list;  (* the last first *)
+}
+
+let options_of words =
+  let options =
+    { case = None; seconds = 600.; tests = 1e10; bytes = 268435456.; theorem = None; files = [] }
+  in
+  let limit word =
+    let plain = String.for_all (fun c -> String.contains "0123456789.eE+" c) word in
+    match float_of_string_opt word with
+    | Some found when plain && found >= 0. && found <= 1e18 -> found
+    | _ -> raise Wrong_usage
+  in
+  let set name value =
+    match name with
+    | "--case" -> options.case <- Some value
+    | "--seconds" -> options.seconds <- limit value
+    | "--tests" -> options.tests <- limit value
+    | "--bytes" -> options.bytes <- limit value
+    | "--theorem" -> options.theorem <- Some value
+    | _ -> raise Wrong_usage
+  in
+  let rec go = function
+    | [] -> ()
+    | "--" :: rest -> List.iter (fun file -> options.files <- file :: options.files) rest
+    | word :: rest when word <> "" && word.[0] = '-' -> (
+      match (String.index_opt word '=', rest) with
+      | Some i, _ ->
+        set (String.sub word 0 i) (String.sub word (i + 1) (String.length word - i - 1));
+        go rest
+      | None, value :: rest -> set word value; go rest
+      | None, [] -> raise Wrong_usage)
+    | word :: rest ->
+      options.files <- word :: options.files;
+      go rest
+  in
+  go words;
+  if options.files = [] || (options.theorem <> None && List.length options.files > 1) then
+    raise Wrong_usage;
+  options
+
+let demand_size size most =
+  if size > most then fail Out_of_budget "a file is too large (--bytes)"
+
+let read path most =
+  let absent () = fail Malformed (path ^ " cannot be read: it is no file") in
+  (match Unix.stat path with
+   | { Unix.st_kind = Unix.S_REG; _ } -> ()
+   | _ -> absent ()
+   | exception Unix.Unix_error _ -> absent ());
+  let text =
+    try
+      let file = open_in_bin path in
+      Fun.protect ~finally:(fun () -> close_in_noerr file) (fun () ->
+          let size = in_channel_length file in
+          demand_size size most;
+          really_input_string file size)
+    with Sys_error _ | End_of_file -> fail Malformed (path ^ " cannot be read")
+  in
+  if String.length text > 1 && text.[0] = '\x1f' && text.[1] = '\x8b' then begin
+    let found = Inflate.gunzip text most in
+    demand_size (String.length found) most;
+    found
+  end
+  else text
+
+(* A line without control characters *)
+let shown text =
+  let line = Buffer.create (String.length text) in
+  String.iter
+    (fun c ->
+      if c >= ' ' && c <> '\x7f' && c <> '\\' then Buffer.add_char line c
+      else Buffer.add_string line (Printf.sprintf "\\x%02x" (Char.code c)))
+    text;
+  Buffer.contents line
+
+let write_theorem path outcomes =
+  let written =
+    List.find_map
+      (function Claims.Proved { theorem = Some write; _ } -> Some write | _ -> None)
+      outcomes
+  in
+  match written with
+  | None -> fail Declined "no sum is claimed of which a theorem could be written"
+  | Some write ->
+    let out = open_out_bin path in
+    Fun.protect ~finally:(fun () -> close_out out) (fun () -> write out)
+
+let check_file options file =
+  let most = int_of_float (min options.bytes 4e18) in
+  let left = ref options.tests in
+  let budget tests =
+    left := !left -. float_of_int tests;
+    if !left < 0. then fail Out_of_budget "a limit is reached (--seconds, --tests)"
+  in
+  let read_case name =
+    let beside =
+      if Filename.is_relative name then Filename.concat (Filename.dirname file) name else name
+    in
+    Json.parse ~decimals:true (read (Option.value options.case ~default:beside) most)
+  in
+  let outcomes = Claims.check (Json.parse ~decimals:false (read file most)) read_case budget in
+  Option.iter (fun path -> write_theorem path outcomes) options.theorem;
+  outcomes
+
+(* A signal ends what takes longer than it may. *)
+let within_seconds seconds action =
+  let late _ = fail Out_of_budget "a limit is reached (--seconds, --tests)" in
+  if seconds <= 0. then late 0;
+  let set it_value =
+    ignore (Unix.setitimer Unix.ITIMER_REAL { Unix.it_interval = 0.; it_value })
+  in
+  Sys.set_signal Sys.sigalrm (Sys.Signal_handle late);
+  set (min seconds 1e9);
+  Fun.protect ~finally:(fun () -> set 0.) action
+
+let verdict options file =
+  try
+    let outcomes = within_seconds options.seconds (fun () -> check_file options file) in
+    let declined = List.exists (function Claims.Not_proved _ -> true | _ -> false) outcomes in
+    Printf.printf "%s: %s\n" (shown file)
+      (if declined then "declined: not every claim is proved" else "verified");
+    List.iter
+      (function
+        | Claims.Proved { said; _ } -> Printf.printf "  %s\n" (shown said)
+        | Claims.Not_proved why -> Printf.printf "  not proved: %s\n" (shown why))
+      outcomes;
+    if declined then 5 else 0
+  with
+  | Not_verified (code, why) ->
+    Printf.printf "%s: %s: %s\n" (shown file) (word code) (shown why);
+    exit_code code
+  | Out_of_memory | Stack_overflow ->
+    Printf.printf "%s: out of budget: there is too little memory\n" (shown file);
+    4
+
+let () =
+  match Array.to_list Sys.argv with
+  | [ _; "--help" ] -> print_string usage
+  | _ :: words -> (
+    match options_of words with
+    | options ->
+      let codes = List.map (verdict options) (List.rev options.files) in
+      let worst = List.find_opt (fun code -> List.mem code codes) [ 1; 2; 4; 5 ] in
+      (try flush stdout with Sys_error _ -> Unix._exit 70);
+      exit (Option.value worst ~default:0)
+    | exception Wrong_usage -> prerr_string usage; exit 2)
+  | [] -> exit 2

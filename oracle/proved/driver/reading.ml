@@ -1,0 +1,78 @@
+(* What a case says, and the text that a set is named by. Trusted: the theorem is about the sets
+   that are read here. *)
+
+open Failure
+open Json
+
+type point = Q.t * Q.t
+type polygon = { outer : point list; holes : point list list }
+
+type operand = { name : string; polygons : polygon list; vertices : point array }
+
+let rings_of polygons = List.concat_map (fun p -> p.outer :: p.holes) polygons
+
+let point value : point =
+  let x, y = pair value in
+  (number x, number y)
+
+let doubled_area ring =
+  match ring with
+  | [] -> Q.zero
+  | first :: _ ->
+    let rec go sum = function
+      | [] -> sum
+      | (x, y) :: rest ->
+        let u, v = match rest with next :: _ -> next | [] -> first in
+        go Q.(sum + ((x * v) - (u * y))) rest
+    in
+    go Q.zero ring
+
+(* Outer rings run counter-clockwise and holes clockwise. A ring of one or two vertices, a point or
+   a segment, is the only one. *)
+let operand name value =
+  let ring value =
+    let found = List.map point (items value) in
+    require (found <> []) (name ^ " has an empty ring");
+    found
+  in
+  let polygon value =
+    match members value [ "outer"; "holes?" ] with
+    | [ outer; holes ] ->
+      let outer = ring outer in
+      { outer; holes = (match holes with Null -> [] | _ -> List.map ring (items holes)) }
+    | _ -> assert false
+  in
+  let polygons =
+    match members value [ "polygons" ] with
+    | [ found ] -> List.map polygon (items found)
+    | _ -> assert false
+  in
+  let rings = rings_of polygons in
+  let thin = List.exists (fun ring -> List.length ring < 3) rings in
+  require ((not thin) || List.length rings = 1) (name ^ " has a ring of too few vertices");
+  if not thin then
+    List.iter
+      (fun p ->
+        let wrong = name ^ " has a ring that runs the wrong way" in
+        require (Q.sign (doubled_area p.outer) > 0) wrong;
+        List.iter (fun hole -> require (Q.sign (doubled_area hole) < 0) wrong) p.holes)
+      polygons;
+  { name; polygons; vertices = Array.of_list (List.concat rings) }
+
+let is_thin operand =
+  match rings_of operand.polygons with [ [ _ ] ] | [ [ _; _ ] ] -> true | _ -> false
+
+(* The JSON of polygons without white space, numbers in lowest terms: what is hashed *)
+let polygons_text polygons =
+  let vertex (x, y) = Printf.sprintf "[\"%s\",\"%s\"]" (Q.to_string x) (Q.to_string y) in
+  let list write values = "[" ^ String.concat "," (List.map write values) ^ "]" in
+  let ring = list vertex in
+  let polygon p = Printf.sprintf "{\"holes\":%s,\"outer\":%s}" (list ring p.holes) (ring p.outer) in
+  list polygon polygons
+
+let case_digest p q =
+  Sha256.hex_digest
+    (Printf.sprintf "{\"P\":%s,\"Q\":%s}" (polygons_text p.polygons) (polygons_text q.polygons))
+
+let set_digest polygons =
+  Sha256.hex_digest (Printf.sprintf "{\"polygons\":%s}" (polygons_text polygons))

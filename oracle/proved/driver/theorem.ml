@@ -1,0 +1,93 @@
+(* A sum as a theorem in Coq: the statement in the notions of Definitions.v, proved by computing
+   [check_sum] in Coq's kernel. Nothing here is trusted: the statement is there to be read. *)
+
+let head =
+  {|(** The Minkowski sum sP + Q of two sets of the plane, as a theorem.
+
+    The sets are given by their rings: outer ones counter-clockwise, holes clockwise. What the
+    statement means stands in Definitions.v of oracle/proved, and in docs/proved.md.
+    To check it: make proofs, then coqc -Q build/proofs Proved FILE *)
+From Proved Require Import Definitions Checker Theorems.
+Open Scope Q_scope.
+
+Definition s : Q := |}
+
+let foot =
+  {|Theorem this_is_the_sum : forall x : point,
+  set_of R' x <->
+  exists p q, set_of P p /\ set_of Q' q /\ x = add (scale (Q2R s) p) q.
+Proof.
+  apply (sum_is_right s P Q' R' everything). vm_compute. reflexivity.
+Qed.
+Print Assumptions this_is_the_sum.
+|}
+
+let write out s p other r (witness : Checker.witness) =
+  let print format = Printf.fprintf out format in
+  let list separator write values =
+    print "[";
+    List.iteri
+      (fun i value ->
+        if i > 0 then print "%s" separator;
+        write value)
+      values;
+    print "]"
+  in
+  let fraction num den =
+    if Z.sign num < 0 then print "(%s)" (Z.to_string num) else print "%s" (Z.to_string num);
+    if not (Z.equal den Z.one) then print "#%s" (Z.to_string den) else print "#1"
+  in
+  let number (q : Q.t) = fraction (Q.num q) (Q.den q) in
+  let given (x, y) = print "("; number x; print ", "; number y; print ")" in
+  let rings name value =
+    print "Definition %s : rings :=\n  " name;
+    list ";\n   " (list "; " given) value;
+    print ".\n"
+  in
+  let q (f : Checker.q) = fraction f.qnum f.qden in
+  let vertex (x, y) = print "("; q x; print ", "; q y; print ")" in
+  let corners = list "; " vertex in
+  let rec node = function
+    | Checker.Piece v -> print "Piece "; corners v
+    | Checker.Group (h, members) ->
+      print "Group "; corners h; print " ";
+      list ";\n   " node members
+  in
+  let natural i = print "%d%%nat" i in
+  let solid (hull, leaves) = print "("; corners hull; print ", "; list "; " natural leaves;
+    print ")" in
+  let tiled name (t : Checker.tiled) =
+    print "Definition %s : tiled := {|\n  root := " name;
+    node t.root;
+    print ";\n  solids := ";
+    list ";\n   " solid t.solids;
+    print " |}.\n"
+  in
+  let token = function
+    | Checker.OpenP -> print "OpenP"
+    | Checker.OpenQ -> print "OpenQ"
+    | Checker.Normal n -> print "Normal "; vertex n
+  in
+  let cell (at, proof) =
+    print "("; corners at; print ", ";
+    (match proof with
+     | Checker.Covered (i, j, parts) -> print "Covered %d%%nat %d%%nat " i j; corners parts
+     | Checker.Apart code -> print "Apart "; list "; " token code);
+    print ")"
+  in
+  output_string out head;
+  number s;
+  print ".\n";
+  rings "P" p;
+  rings "Q'" other;
+  rings "R'" r;
+  print "\n(** What the checker is given beside; nothing is believed of it. *)\n";
+  tiled "pieces_of_P" witness.of_P;
+  tiled "pieces_of_Q" witness.of_Q;
+  print "Definition proof_of_cells : list (list vertex * proof) :=\n  ";
+  list ";\n   " cell witness.cells;
+  print ".\nDefinition everything : witness := {|\n";
+  print "  of_P := pieces_of_P; of_Q := pieces_of_Q;\n  box := ";
+  corners witness.box;
+  print ";\n  cells := proof_of_cells |}.\n\n";
+  output_string out foot

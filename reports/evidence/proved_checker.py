@@ -1,0 +1,282 @@
+"""The checker that is proved right: whether it agrees with the others, what it declines, mutants,
+speed, and a theorem."""
+
+from __future__ import annotations
+
+import itertools
+import json
+import os
+import random
+import shutil
+import subprocess
+import tempfile
+import time
+from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+from minkref import _core
+from minkref.certify.certificate import Certificate
+from minkref.commands.check_proved import PROGRAM
+from minkref.fuzz.judges.certified_claims import Confirmation
+from minkref.fuzz.plane.case import Case
+from minkref.reports.evidence.certificates.certified_cases import (
+    cases,
+    events,
+    star,
+    wound,
+    written,
+)
+from minkref.reports.evidence.certificates.checkers import (
+    ROOT,
+    in_cpp,
+    in_proved,
+    in_python,
+    timed,
+    verdicts,
+)
+from minkref.reports.evidence.certificates.mutants import mutants
+from minkref.reports.evidence.framework.operands import operand, tell_absent
+from minkref.reports.evidence.framework.part import CERTIFY, READERS, REFERENCE, Findings
+
+SUBJECT = (
+    "The checker that is proved right in Coq, beside the two others: on fresh certificates of all "
+    "families and those of the corpus, how many it declines, mutants with a changed claim, "
+    "its speed on large sums, and a sum with a hole as a theorem that Coq takes."
+)
+MINUTES = (12, 0.1)
+DEPENDS = (
+    *REFERENCE, *READERS, *CERTIFY, "fuzz/families/*.py", "fuzz/judges/certified_claims.py",
+    "oracle/slow/*.py", "oracle/proved/*.v", "oracle/proved/driver/*.ml", "scripts/proofs.sh",
+    "degeneracies/corpus/*/*.cert.json",
+)  # fmt: skip
+
+SEED = 3232
+SUMS, EVENTS, MUTANTS = 2000, 40, 10_000
+QUICK_SUMS, QUICK_MUTANTS = 20, 60
+BATCH = 100
+TIMES = 10.0  # the C++ checker
+CORPUS = ROOT / "degeneracies" / "corpus"
+TOLD = (
+    "scale",
+    "components",
+    "digest",
+    "polygons",
+    "point",
+    "p",
+    "q",
+)  # what a claim says of a set or a point
+HOLED = "POLYGON((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 3, 3 3, 3 1, 1 1))"
+
+
+@dataclass
+class Tally:
+    codes: Counter[str] = field(default_factory=Counter)
+    disagree: list[str] = field(default_factory=list)
+
+
+def run(findings: Findings, quick: bool) -> None:
+    try:
+        in_proved()
+    except FileNotFoundError as error:
+        findings.note(f"{error}: nothing of this part was run")
+        findings.target(f"{PROGRAM} is built", False, "built", "absent")
+        return
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        _agree(findings, "fresh sums", _fresh(QUICK_SUMS if quick else SUMS), folder)
+        if not quick:
+            _corpus(findings)
+            _declined(findings, folder)
+            _speed(findings, folder)
+        _mutants(findings, QUICK_MUTANTS if quick else MUTANTS, folder)
+        _theorem(findings, folder)
+
+
+def _certified(case: Case) -> Certificate:
+    """The sum, and a point of it where there are pieces to show it."""
+    certificate = Certificate(case.P, case.Q)
+    certificate.sum(case.scale)
+    if case.P.is_region and case.Q.is_region:
+        region = json.loads(_core.minkowski_sum(case.P, case.Q, case.scale).region.to_json())
+        x, y = region["polygons"][0]["outer"][0]
+        certificate.point(case.scale, (str(x), str(y)))
+    return certificate
+
+
+def _fresh(count: int) -> Iterator[tuple[str, Certificate]]:
+    for case in itertools.islice(cases(SEED), count):
+        yield case.name.text, _certified(case)
+
+
+def _corpus(findings: Findings) -> None:
+    """The certificates of the corpus in the plane: each sum in them is proved."""
+    files = [
+        path
+        for path in sorted(CORPUS.rglob("*.cert.json"))
+        if '"certificate-v1"' in path.read_text(encoding="utf-8")
+    ]
+    theirs = Counter(verdict.code for verdict in verdicts(in_cpp(), files))
+    ours = Counter(verdict.code for verdict in verdicts(in_proved(), files))
+    ran = subprocess.run([*in_proved(), *map(str, files)], capture_output=True, text=True)
+    claimed = Counter(
+        claim["claim"]
+        for path in files
+        for claim in json.loads(path.read_text(encoding="utf-8"))["claims"]
+    )
+    found = Counter(
+        line.removeprefix("  ").partition(":")[0]
+        for line in ran.stdout.splitlines()
+        if line.startswith(("  sum:", "  point:"))
+    )
+    findings.equal(
+        "certificates of the corpus that the C++ checker verifies", len(files), theirs[0]
+    )
+    findings.none("of these refuted, malformed or out of budget by the proved one",
+                  ours.total() - ours[0] - ours[5])  # fmt: skip
+    findings.figures["certificates of the corpus: proved whole, declined for other claims"] = (
+        f"{ours[0]} and {ours[5]}"
+    )
+    for kind in ("sum", "point"):
+        findings.equal(f"claims `{kind}` of the corpus that are proved", claimed[kind], found[kind])
+    others = {kind: n for kind, n in sorted(claimed.items()) if kind not in ("sum", "point")}
+    findings.figures["claims of the corpus without a theorem"] = others
+
+
+def _agree(
+    findings: Findings, what: str, made: Iterator[tuple[str, Certificate]], folder: Path
+) -> None:
+    tally = Tally()
+    count = 0
+    while batch := list(itertools.islice(made, BATCH)):
+        files = [written(each, folder, f"{i}") for i, (_, each) in enumerate(batch)]
+        found = [verdicts(command, files) for command in (in_proved(), in_python(), in_cpp())]
+        for (name, _), *codes in zip(batch, *found, strict=True):
+            tally.codes[str(codes[0].code)] += 1
+            if len({verdict.code for verdict in codes}) > 1 or codes[0].code:
+                told = ", ".join(str(verdict.code) for verdict in codes)
+                tally.disagree.append(f"{name} (seed {SEED}): {told}: {codes[0].why}")
+        count += len(batch)
+    findings.none(f"{what}, on which the three do not all say verified", tally.disagree)
+    findings.law(f"{what} there are", count > 0, "some", f"{count:,}")
+    findings.figures[f"{what}: verified by all three"] = tally.codes["0"]
+    findings.figures[f"{what}: declined"] = tally.codes["5"]
+
+
+def _declined(findings: Findings, folder: Path) -> None:
+    """Certificates with tight passages, events and signs: verified by the others."""
+    made: list[Path] = []
+    for case, scale, before in itertools.islice(events(SEED, 1), EVENTS):
+        certificate = Certificate(case.P, case.Q)
+        certificate.event(scale, before)
+        certificate.degeneracy(scale)
+        made.append(written(certificate, folder, f"event{len(made)}"))
+    ours = Counter(verdict.code for verdict in verdicts(in_proved(), made))
+    theirs = Counter(verdict.code for verdict in verdicts(in_cpp(), made))
+    findings.equal("events and degeneracies that are declined, and never passed", EVENTS, ours[5])
+    findings.equal("events and degeneracies that the C++ checker verifies", EVENTS, theirs[0])
+
+
+def _is_changed(claims: Any, whole: list[dict[str, Any]]) -> bool:
+    """Whether another set or point is claimed."""
+
+    def is_old(claim: dict[str, Any]) -> bool:
+        told = [name for name in TOLD if name in claim]
+        return any(all(old.get(name) == claim[name] for name in told) for old in whole)
+
+    return not all(map(is_old, claims))
+
+
+def _mutants(findings: Findings, wanted: int, folder: Path) -> None:
+    """Claims changed, and in another batch the case (with its digest the old one)."""
+    accepted: list[str] = []
+    true = 0
+    refused: Counter[str] = Counter()
+    dice = random.Random(SEED)
+    for case in cases(SEED + 1):
+        if not 0 < case.P.vertices + case.Q.vertices < 40:
+            continue
+        certificate = _certified(case)
+        path = written(certificate, folder, "it")
+        value = json.loads(path.read_text(encoding="utf-8"))
+        for claim in value["claims"]:
+            if claim["claim"] == "sum":
+                region = _core.minkowski_sum(case.P, case.Q, case.scale).region
+                claim["polygons"] = json.loads(region.canonical_json())["polygons"]
+        changed = [
+            mutant
+            for mutant in mutants({"claims": value["claims"]}, 12, dice)
+            if _is_changed(mutant.value["claims"], value["claims"])
+        ][: min(BATCH, wanted - refused.total() - len(accepted) - true)]
+        files = []
+        confirmation = Confirmation(certificate.case())
+        for i, mutant in enumerate(changed):
+            files.append(folder / f"m{i}.cert.json")
+            files[-1].write_text(json.dumps({**value, **mutant.value}), encoding="utf-8")
+        for mutant, verdict in zip(changed, verdicts(in_proved(), files) if files else (),
+                                   strict=True):  # fmt: skip
+            if not verdict.code and confirmation.all_hold(mutant.value["claims"]):
+                true += 1  # a point that is one at another scale too
+            elif not verdict.code:
+                told = f"{case.name.text} (seed {SEED}): {mutant.way} at {mutant.path}"
+                accepted.append(told)
+            else:
+                refused[str(verdict.code)] += 1
+        if refused.total() + len(accepted) + true >= wanted:
+            break
+    findings.none(f"mutants with a changed claim that are accepted, of {wanted:,}", accepted)
+    findings.figures["mutants accepted whose other claim is true too, by the slow engine"] = true
+    words = {"1": "refuted", "2": "malformed", "4": "out of budget", "5": "declined"}
+    findings.figures["mutants refused"] = {words[code]: n for code, n in sorted(refused.items())}
+
+
+def _speed(findings: Findings, folder: Path) -> None:
+    """Processor time, against the C++ checker."""
+    tell_absent(findings, "monkey", "bird")
+    pairs = {
+        "monkey + bird": (operand("monkey").set, operand("bird").set),
+        "dog145 + g1": (operand("dog145").set, operand("g1").set),
+        "stars of 100 and 30": (star(100, SEED), star(30, SEED + 1)),
+        "spirals of 60 and 30": (wound(60, 16, Fraction(4)), wound(30, 1, Fraction(1, 2))),
+    }  # fmt: skip
+    for title, (P, Q) in pairs.items():
+        certificate = Certificate(P, Q)
+        certificate.sum("1")
+        file = written(certificate, folder, "large")
+        (ours, mine), (theirs, other) = timed(in_proved(), file), timed(in_cpp(), file)
+        findings.equal(f"{title}: verified by both", [0, 0], [ours.code, theirs.code])
+        findings.target(f"{title}: times the C++ checker", mine <= TIMES * other,
+                        f"at most {TIMES:.0f}", f"{mine / other:.1f}")  # fmt: skip
+        findings.figures[f"{title}: seconds, proved and C++"] = f"{mine:.2f} and {other:.2f}"
+
+
+def _theorem(findings: Findings, folder: Path) -> None:
+    coqc = shutil.which("coqc")
+    proofs = ROOT / "build" / "proofs"
+    if coqc is None or not (proofs / "Theorems.vo").exists():
+        findings.note("coqc or the compiled proofs are absent: no theorem was compiled")
+        return
+    P = _core.read_text(HOLED, "wkt", "a square ring")
+    certificate = Certificate(P, P)
+    certificate.sum("1/5")
+    holes = certificate.claims[0]["holes"]
+    file = written(certificate, folder, "holed")
+    theorem = folder / "holed.v"
+    subprocess.run([*in_proved(), f"--theorem={theorem}", str(file)], check=True,
+                   stdout=subprocess.DEVNULL)  # fmt: skip
+    command = [coqc, "-q", "-Q", str(proofs), "Proved", theorem.name]
+    text = theorem.read_text(encoding="utf-8")
+    began = time.perf_counter()
+    ran = subprocess.run(command, cwd=folder, capture_output=True, text=True, env={**os.environ})
+    findings.equal("holes of the sum that is stated as a theorem", 1, holes)
+    findings.equal("coqc takes the theorem: exit code", 0, ran.returncode)
+    findings.figures["the theorem: lines, seconds of coqc"] = (
+        f"{text.count(chr(10)):,}, {time.perf_counter() - began:.1f}"
+    )
+    theorem.write_text(text.replace("(24#5, 0#1)", "(23#5, 0#1)", 1), encoding="utf-8")
+    ran = subprocess.run(command, cwd=folder, capture_output=True, text=True)
+    findings.law("coqc refuses the same theorem of another sum", ran.returncode != 0, "not 0",
+                 ran.returncode)  # fmt: skip

@@ -1,0 +1,109 @@
+"""`minkref check --proved` and `minkref certify --theorem`."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import pytest
+import squares
+from minkref.commands import check_proved
+from minkref.commands.line.cli import run
+from minkref.reports.evidence.certificates.checkers import ROOT
+
+HOLED = "POLYGON((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 3, 3 3, 3 1, 1 1))"
+
+
+@pytest.fixture
+def holed(tmp_path: Path) -> str:
+    path = tmp_path / "holed.wkt"
+    path.write_text(HOLED, encoding="utf-8")
+    return str(path)
+
+
+@pytest.fixture
+def square(tmp_path: Path) -> Path:
+    (tmp_path / "case.json").write_text(json.dumps(squares.CASE), encoding="utf-8")
+    path = tmp_path / "it.cert.json"
+    path.write_text(json.dumps(squares.certificate()), encoding="utf-8")
+    return path
+
+
+@pytest.mark.usefixtures("proved")
+def test_what_is_proved_and_what_is_not(square: Path, capsys: Any) -> None:
+    assert run(["check", str(square), "--proved"]) == 0
+    said = capsys.readouterr().out
+    assert "  proved: sum: at 1" in said and "  not proved: the holes of sums" in said
+    assert run(["check", str(square), "--proved", "--json", "--case", str(square)]) == 2
+    (row,) = json.loads(capsys.readouterr().out)["files"]
+    assert row["verdict"] == "malformed" and "proved" not in row
+
+
+@pytest.mark.usefixtures("proved")
+@pytest.mark.parametrize("member", ["components", "holes"])
+def test_other_counts_are_refuted(square: Path, member: str) -> None:
+    """By the other checker, which goes first."""
+    value = squares.certificate()
+    value["claims"][0][member] += 1
+    square.write_text(json.dumps(value), encoding="utf-8")
+    assert run(["check", str(square), "--proved"]) == 1
+
+
+@pytest.mark.usefixtures("proved")
+def test_a_claim_without_a_theorem_is_declined(square: Path, capsys: Any) -> None:
+    square.write_text(json.dumps(squares.moving_certificate()), encoding="utf-8")
+    assert run(["check", str(square)]) == 0
+    assert run(["check", str(square), "--proved", "--json"]) == 5
+    (row,) = json.loads(capsys.readouterr().out.partition("\n{")[2].join(["{", ""]))["files"]
+    assert row["verdict"] == "declined" and len(row["proved"]) == 1
+    assert any("interval" in line for line in row["not_proved"])
+    # Refuted is worse than declined.
+    assert run(["check", str(square), str(square.with_name("nowhere")), "--proved"]) == 2
+
+
+def test_without_the_program(square: Path, capsys: Any, monkeypatch: Any) -> None:
+    monkeypatch.setattr(check_proved, "PROGRAM", "minkref-no-such-program")
+    assert run(["check", str(square), "--proved"]) == 2
+    assert "make proofs" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("options", "why"),
+    [
+        (["--point", "1,1", "--theorem", "it.v"], "a theorem is about a sum"),
+        (["--event", "2", "--theorem", "it.v"], "a theorem is about a sum"),
+        (["--theorem", "it.txt"], "not the name of a file of Coq"),
+        (["--theorem", "1.v"], "not the name of a file of Coq"),
+    ],
+)
+def test_no_theorem(holed: str, tmp_path: Path, capsys: Any, options: list[str], why: str) -> None:
+    assert run(["certify", holed, holed, *options, "-o", str(tmp_path / "it.cert.json")]) == 2
+    assert why in capsys.readouterr().err
+    assert not (tmp_path / "it.cert.json").exists()
+
+
+@pytest.mark.usefixtures("proved")
+def test_a_theorem_is_taken_by_coq_and_a_false_one_is_not(holed: str, tmp_path: Path) -> None:
+    """The sum of a square ring and a smaller one, which has a hole."""
+    coqc = shutil.which("coqc")
+    if coqc is None or not (ROOT / "build" / "proofs" / "Theorems.vo").exists():
+        pytest.skip("coqc or the compiled proofs are absent: make proofs")
+    theorem, out = tmp_path / "it.v", tmp_path / "it.cert.json"
+    options = ["--scale", "1/5", "-o", str(out), "--theorem", str(theorem)]
+    assert run(["certify", holed, holed, *options]) == 0
+    text = theorem.read_text(encoding="utf-8")
+    command = [coqc, "-q", "-Q", str(ROOT / "build" / "proofs"), "Proved", "it.v"]
+
+    def compiled() -> subprocess.CompletedProcess[str]:
+        return subprocess.run(command, cwd=tmp_path, capture_output=True, text=True)
+
+    ran = compiled()
+    assert ran.returncode == 0, ran.stderr
+    assert "functional_extensionality" in ran.stdout
+    wrong = text.replace("(24#5, 0#1)", "(23#5, 0#1)", 1)
+    assert wrong != text
+    theorem.write_text(wrong, encoding="utf-8")
+    assert compiled().returncode != 0

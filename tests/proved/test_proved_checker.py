@@ -1,0 +1,243 @@
+"""The proved checker takes what the others take, as far as it has theorems, and nothing false."""
+
+from __future__ import annotations
+
+import copy
+import gzip
+import json
+import random
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import pytest
+import squares
+from minkref import _core
+from minkref.certify.certificate import Certificate
+from minkref.fuzz.families.catalogue import FAMILIES
+from minkref.reports.evidence.certificates.certified_cases import written
+from minkref.reports.evidence.certificates.mutants import mutants
+from named_cases import named
+
+SEED = 11
+VERIFIED, REFUTED, MALFORMED, OUT_OF_BUDGET, DECLINED = 0, 1, 2, 4, 5
+POINT = {"claim": "point", "scale": "1", "point": ["3/2", "1"], "p": ["1", "1/2"],
+         "q": ["1/2", "1/2"], "by": [0, 1], "pieces": [0, 0]}  # fmt: skip
+SIGN = {"claim": "sign", "of": ["orientation", [[0, 0], [1, 0], [2, 0]]], "from": "1/2",
+        "to": "2", "sign": 1}  # fmt: skip
+HOLED = "POLYGON((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 3, 3 3, 3 1, 1 1))"
+THIN = ["POINT(1/3 2)", "LINESTRING(0 0, 1 1)", "LINESTRING(0 0, 0 5)", "POLYGON EMPTY"]
+
+
+def set_of(text: str) -> _core.PolygonSet:
+    return _core.read_text(text, "wkt", "a test")
+
+
+def test_a_sum_and_a_point(check_value: Any) -> None:
+    value = squares.certificate()
+    value["claims"][0]["polygons"] = squares.SUM
+    value["claims"].append(POINT)
+    code, said = check_value(value, squares.CASE)
+    assert code == VERIFIED, said
+    assert squares.CLAIM["digest"] in said and "(3/2, 1)" in said
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+def test_sums_of_all_families(check: Any, tmp_path: Path, family: str) -> None:
+    for index in range(3):
+        case = named(f"{family}:{SEED}:{index}")
+        if not any(o.is_region or o.is_empty for o in (case.P, case.Q)):
+            continue
+        certificate = Certificate(case.P, case.Q)
+        certificate.sum(case.scale)
+        code, said = check(written(certificate, tmp_path, "it"))
+        assert code == VERIFIED, (case.name.text, said)
+
+
+@pytest.mark.parametrize("thin", THIN)
+@pytest.mark.parametrize("first", [True, False])
+def test_points_segments_and_the_empty_set(
+    check: Any, tmp_path: Path, thin: str, first: bool
+) -> None:
+    operands = (set_of(thin), set_of(HOLED))
+    certificate = Certificate(*(operands if first else operands[::-1]))
+    certificate.sum("3/2")
+    code, said = check(written(certificate, tmp_path, "it"))
+    assert code == VERIFIED, said
+
+
+COMB = "POLYGON((0 0, 9 0, 9 3, 8 3, 8 1, 5 1, 5 3, 4 3, 4 1, 1 1, 1 3, 0 3, 0 0))"
+APART = "MULTIPOLYGON(((0 0, 1 0, 1 1, 0 1, 0 0)), ((5 0, 6 0, 6 1, 5 1, 5 0)))"
+TOUCHING = "MULTIPOLYGON(((0 0, 2 0, 2 2, 0 2, 0 0)), ((2 2, 4 2, 4 4, 2 4, 2 2)))"
+
+
+@pytest.mark.parametrize(
+    ("P", "Q", "scale", "components"),
+    [
+        (APART, HOLED, "1/10", 1),
+        (HOLED, APART, "1/10", 2),
+        (TOUCHING, "POINT(1 1)", "1", 2),
+        (TOUCHING, "LINESTRING(0 0, 1 -1)", "1", 1),
+        (APART, "LINESTRING(0 0, 0 1)", "3", 2),
+        (COMB, APART, "1/3", 2),
+        (TOUCHING, "POLYGON EMPTY", "1", 0),
+    ],
+)
+def test_components(
+    check: Any, tmp_path: Path, P: str, Q: str, scale: str, components: int
+) -> None:
+    certificate = Certificate(set_of(P), set_of(Q))
+    certificate.sum(scale)
+    assert certificate.claims[0]["components"] == components
+    code, said = check(written(certificate, tmp_path, "it"))
+    assert code == VERIFIED, said
+    assert f"of {components} components" in said
+
+
+def test_claims_without_a_theorem_are_declined(check_value: Any) -> None:
+    value = squares.moving_certificate()
+    value["claims"].append(SIGN)
+    code, said = check_value(value, squares.CASE)
+    assert code == DECLINED
+    assert "not proved: interval" in said and "not proved: sign" in said
+    assert "  sum: at 1" in said
+
+
+def test_events_and_passages_are_declined(check: Any, tmp_path: Path) -> None:
+    triangle, frame = set_of("POLYGON((-3 -2, 4 -1, 1 3, -3 -2))"), set_of(
+        "POLYGON((-40 -40, 40 -40, 40 40, -40 40, -40 -40), (0 20, 17 -11, -19 -9, 0 20))"
+    )  # fmt: skip
+    certificate = Certificate(triangle, frame)
+    certificate.event("541/186", "5/2", passages=True)
+    code, said = check(written(certificate, tmp_path, "it"))
+    assert code == DECLINED
+    assert "not proved: event" in said and "not proved: passage" in said
+
+
+TOLD = ("scale", "components", "digest", "polygons", "point", "p", "q")
+WHOLE = [{**squares.CLAIM, "polygons": squares.SUM}, POINT]
+
+
+def changed(value: dict[str, Any]) -> bool:
+    """Whether another set or point is claimed, not only other counts, steps or pieces."""
+
+    def is_old(claim: dict[str, Any]) -> bool:
+        told = [name for name in TOLD if name in claim]
+        return any(all(old.get(name) == claim[name] for name in told) for old in WHOLE)
+
+    return not all(map(is_old, value["claims"]))
+
+
+def test_no_mutant_with_a_changed_claim_is_accepted(check_value: Any) -> None:
+    value = squares.certificate()
+    value["claims"][0]["polygons"] = squares.SUM
+    value["claims"].append(POINT)
+    assert not changed(value)
+    count = 0
+    for mutant in mutants(value, 3, random.Random(SEED)):
+        if mutant.path[0] != "claims" or not changed(mutant.value):
+            continue
+        count += 1
+        assert check_value(mutant.value, squares.CASE)[0] != VERIFIED, (SEED, mutant)
+    assert count >= 40
+
+
+@pytest.mark.parametrize("by", ["1", "-1", "1/1000"])
+def test_a_result_that_is_moved_is_refuted(check_value: Any, by: str) -> None:
+    """Though the digest is that of what is claimed: the steps cannot prove it."""
+    value = squares.certificate()
+    step = value["steps"][2]
+    claim = value["claims"][0]
+    moved = copy.deepcopy(squares.SUM)
+    moved[0]["outer"][2][0] = str(Fraction(2) + Fraction(by))
+    claim["polygons"], claim["digest"] = moved, squares.digest_of_polygons(moved)
+    assert check_value(value, squares.CASE)[0] == REFUTED
+    # And with a ring of the step that is the one claimed: corner 10 is elsewhere.
+    step["elements"].append(["meet", 5, 3])
+    step["polygons"] = [[[8, 9, 8 + len(step["elements"]) - 5, 11]]]
+    spoilt = [["0", "0"], ["2", "0"], ["2", "3"], ["0", "2"]]
+    claim["polygons"] = [{"holes": [], "outer": spoilt}]
+    claim["digest"] = squares.digest_of_polygons(claim["polygons"])
+    assert check_value(value, squares.CASE)[0] == REFUTED
+
+
+@pytest.mark.parametrize(
+    ("spoil", "code"),
+    [
+        (lambda c: c["steps"][2]["proofs"].__setitem__(1, ["cov", 0, 0]), REFUTED),
+        (lambda c: c["steps"][2]["proofs"].__setitem__(0, ["sep", 0]), REFUTED),
+        (lambda c: c["steps"][2]["proofs"].__setitem__(1, ["sep"]), REFUTED),
+        (lambda c: c["steps"][2]["cells"].pop(), MALFORMED),
+        (lambda c: c["steps"][0].__setitem__("pieces", [[0, 1, 2]]), REFUTED),
+        (lambda c: c["steps"][2].__setitem__("box", ["0", "0", "1", "1"]), REFUTED),
+        (lambda c: c["claims"][0].__setitem__("components", 2), REFUTED),
+        (lambda c: c["claims"][0].__setitem__("components", 0), REFUTED),
+        (lambda c: c["steps"][2].__setitem__("polygons", []), REFUTED),
+        (lambda c: c["claims"][0].__setitem__("claim", "total"), MALFORMED),
+        (lambda c: c["claims"][0].pop("digest"), MALFORMED),
+        (lambda c: c.__setitem__("claims", []), MALFORMED),
+        (lambda c: c["claims"].append(c["claims"][0]), MALFORMED),
+        (lambda c: c["steps"].append(c["steps"][0]), MALFORMED),
+        (lambda c: c.__setitem__("certificate", "solid-certificate-v1"), DECLINED),
+    ],
+)
+def test_false_certificates(check_value: Any, spoil: Any, code: int) -> None:
+    value = squares.certificate()
+    spoil(value)
+    assert check_value(value, squares.CASE)[0] == code
+
+
+def test_another_case(check_value: Any) -> None:
+    case = copy.deepcopy(squares.CASE)
+    case["Q"]["polygons"][0]["outer"][2] = ["2", "1"]
+    assert check_value(squares.certificate(), case)[0] == REFUTED
+    value = squares.certificate()
+    value["case"]["sha256"] = squares.digest_of_case(case)
+    assert check_value(value, case)[0] == REFUTED
+
+
+@pytest.mark.parametrize("level", [0, 1, 9])
+def test_compressed_files(check_value: Any, check: Any, tmp_path: Path, level: int) -> None:
+    value = squares.certificate()
+    assert check_value(value, squares.CASE)[0] == VERIFIED
+    text = json.dumps(value).encode()
+    file = tmp_path / "packed.cert.json.gz"
+    packed = gzip.compress(text, level)
+    file.write_bytes(packed)
+    assert check(file)[0] == VERIFIED
+    assert check(file, "--bytes", str(len(text) - 1))[0] == OUT_OF_BUDGET
+    for spoilt in (packed[:-20], packed[:-1], packed + b"\0", packed + packed, packed[:9]):
+        file.write_bytes(spoilt)
+        assert check(file)[0] == MALFORMED
+    dice = random.Random(SEED)
+    for at in [0, 1, 2, 3, *dice.sample(range(10, len(packed)), 40)]:
+        other = bytes([packed[at] ^ dice.randrange(1, 256)])
+        file.write_bytes(packed[:at] + other + packed[at + 1 :])
+        assert check(file)[0] in (REFUTED, MALFORMED), (SEED, at)
+
+
+@pytest.mark.parametrize(
+    ("options", "code"),
+    [
+        (["--case", "nowhere.json"], MALFORMED),
+        (["--seconds", "0"], OUT_OF_BUDGET),
+        (["--tests", "10"], OUT_OF_BUDGET),
+        (["--bytes", "100"], OUT_OF_BUDGET),
+    ],
+)
+def test_limits_and_missing_files(
+    check_value: Any, check: Any, tmp_path: Path, options: list[str], code: int
+) -> None:
+    assert check_value(squares.certificate(), squares.CASE)[0] == VERIFIED
+    assert check(tmp_path / "it.cert.json", *options)[0] == code
+    assert check(tmp_path / "nowhere.cert.json")[0] == MALFORMED
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["", "{", "[]", "7", '{"certificate": 1}', '{"a": 1, "a": 2}', "[" * 100_000, '"\ud800"',
+     "NaN", '{"certificate": "certificate-v1"} x', "\ufeff{}", '"\\ud83d"'],
+)  # fmt: skip
+def test_what_is_no_certificate_is_malformed(check: Any, tmp_path: Path, text: str) -> None:
+    (tmp_path / "it.cert.json").write_bytes(text.encode("utf-8", "surrogatepass"))
+    assert check(tmp_path / "it.cert.json")[0] == MALFORMED
