@@ -38,6 +38,7 @@ GUIDE = (
     "security",
     "strategies",
     "certificates",
+    "proved",
     "certificates-convex",
     "certificates-solids",
     "degeneracies",
