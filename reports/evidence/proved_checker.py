@@ -47,7 +47,7 @@ SUBJECT = (
     "families and those of the corpus, how many it declines, mutants with a changed claim, "
     "its speed on large sums, and a sum with a hole as a theorem that Coq takes."
 )
-MINUTES = (12, 0.1)
+MINUTES = (4, 0.1)
 DEPENDS = (
     *REFERENCE, *READERS, *CERTIFY, "fuzz/families/*.py", "fuzz/judges/certified_claims.py",
     "oracle/slow/*.py", "oracle/proved/*.v", "oracle/proved/driver/*.ml", "scripts/proofs.sh",
