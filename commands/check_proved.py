@@ -47,8 +47,8 @@ def follow(path: Path, *options: str) -> Proof:
         told = ran.stderr[-400:].strip() or first[-400:]
         raise RuntimeError(f"{PROGRAM} ended with {ran.returncode}: {told}")
     not_proved = [line.removeprefix(NOT_PROVED) for line in rest if line.startswith(NOT_PROVED)]
-    told = (line.strip() for line in rest if not line.startswith(NOT_PROVED))
-    proved = [line.partition(" (not looked at:")[0] for line in told]
+    said = (line.strip() for line in rest if not line.startswith(NOT_PROVED))
+    proved = [line.partition(" (not looked at:")[0] for line in said]
     if any(line.startswith("sum:") for line in proved):
         not_proved.append(SET_ONLY)
     return Proof(word, first.rpartition(f": {word}")[2].removeprefix(": "), proved, not_proved)
