@@ -23,7 +23,7 @@ def check_theorem(path: Path, in_the_plane: bool, about_a_sum: bool) -> None:
     if not NAME.fullmatch(path.name):
         mend = "name it FILE.v, of letters, digits and _"
         raise Refusal("this is not the name of a file of Coq", str(path), mend)
-    check_proved.program()
+    check_proved.program("--theorem")
     check_writable(path)
 
 

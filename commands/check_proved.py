@@ -27,13 +27,13 @@ class Proof:
     not_proved: list[str]
 
 
-def program() -> str:
-    """The executable. Refuses where there is none."""
+def program(option: str = "--proved") -> str:
+    """The executable. Refuses the option that needs it where there is none."""
     beside = Path(sys.executable).parent / PROGRAM
     found = str(beside) if beside.exists() else shutil.which(PROGRAM)
     if found is None:
         mend = "`make proofs` in the source tree builds it (docs/proved.md)"
-        raise Refusal(f"{PROGRAM} is not built", "--proved", mend, "not-built")
+        raise Refusal(f"{PROGRAM} is not built", option, mend, "not-built")
     return found
 
 
@@ -47,7 +47,8 @@ def follow(path: Path, *options: str) -> Proof:
         told = ran.stderr[-400:].strip() or first[-400:]
         raise RuntimeError(f"{PROGRAM} ended with {ran.returncode}: {told}")
     not_proved = [line.removeprefix(NOT_PROVED) for line in rest if line.startswith(NOT_PROVED)]
-    proved = [line.strip() for line in rest if not line.startswith(NOT_PROVED)]
+    said = (line.strip() for line in rest if not line.startswith(NOT_PROVED))
+    proved = [line.partition(" (not looked at:")[0] for line in said]
     if any(line.startswith("sum:") for line in proved):
         not_proved.append(SET_ONLY)
     return Proof(word, first.rpartition(f": {word}")[2].removeprefix(": "), proved, not_proved)

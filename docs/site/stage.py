@@ -39,6 +39,7 @@ GUIDE = (
     "security",
     "strategies",
     "certificates",
+    "proved",
     "certificates-convex",
     "certificates-solids",
     "degeneracies",

@@ -187,6 +187,16 @@ def test_false_certificates(check_value: Any, spoil: Any, code: int) -> None:
     assert check_value(value, squares.CASE)[0] == code
 
 
+def test_a_tree_that_would_be_too_large_is_declined(check_value: Any) -> None:
+    """Groups of the two before: as many leaves as Fibonacci's 200th number. (The other checkers do
+    not open them.)"""
+    value = squares.certificate()
+    step = value["steps"][0]
+    step["pieces"] = [[0, 1, 2], [0, 2, 3]]
+    step["groups"] = [[n, n + 1] for n in range(200)]
+    assert check_value(value, squares.CASE)[0] == DECLINED
+
+
 def test_another_case(check_value: Any) -> None:
     case = copy.deepcopy(squares.CASE)
     case["Q"]["polygons"][0]["outer"][2] = ["2", "1"]

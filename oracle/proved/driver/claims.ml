@@ -50,7 +50,9 @@ let check_claim budget p q step claim =
       Proved
         {
           said =
-            Printf.sprintf "sum: at %s, the set of points of digest %s, of %d components"
+            Printf.sprintf
+              "sum: at %s, the set of points of digest %s, of %d components (not looked at: its \
+               holes, and whether its form is the canonical one)"
               (Q.to_string s) digest count;
           theorem = Some theorem;
         }

@@ -149,14 +149,18 @@ let pieces_step operand_of budget step =
     { operand; hulls; children }
   | _ -> assert false
 
-(* The tree of the last node, and which leaf of it each piece is *)
+(* The tree of the last node, and which leaf of it each piece is; of a group -1. The proof wants
+   each piece once; and where nodes are in two groups the tree could be as large as 2^n. *)
 let tree pieces budget s =
-  let place = Hashtbl.create 64 in
+  let place = Hashtbl.create 64 and count = ref 0 in
   let scaled = List.map (times s) in
   let rec node n =
     budget 1;
-    if pieces.children.(n) = [] then begin
-      if not (Hashtbl.mem place n) then Hashtbl.add place n (Hashtbl.length place);
+    if Hashtbl.mem place n then fail Declined "a node is in two groups: this is not followed";
+    let is_piece = pieces.children.(n) = [] in
+    Hashtbl.add place n (if is_piece then !count else -1);
+    if is_piece then begin
+      incr count;
       Checked.piece (scaled pieces.hulls.(n))
     end
     else Checked.group (scaled pieces.hulls.(n)) (List.map node pieces.children.(n))
@@ -167,10 +171,9 @@ let tree pieces budget s =
 
 (* The pieces below a node, as leaves of the tree *)
 let rec leaves pieces place n =
+  if not (Hashtbl.mem place n) then fail Declined "a solid is not below the last node";
   match pieces.children.(n) with
-  | [] ->
-    require (Hashtbl.mem place n) "a piece is in no group";
-    [ Hashtbl.find place n ]
+  | [] -> [ Hashtbl.find place n ]
   | children -> List.concat_map (leaves pieces place) children
 
 (* Solids get their numbers when they are first used. *)

@@ -152,6 +152,9 @@ let verdict options file =
   | Out_of_memory | Stack_overflow ->
     Printf.printf "%s: out of budget: there is too little memory\n" (shown file);
     4
+  | Sys_error why ->
+    Printf.printf "%s: malformed: %s\n" (shown file) (shown why);
+    2
 
 let () =
   match Array.to_list Sys.argv with
