@@ -29,7 +29,7 @@ from minkref.path_values import CONTACTS
 
 EXAMPLES = """Examples:
 
-minkref fit rod cells1815 --anywhere
+minkref fit disc1 g1 --anywhere
 
 minkref fit bolt.wkt slot.wkt --at 3,1/2
 

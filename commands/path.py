@@ -35,7 +35,7 @@ from minkref.path_values import CONTACTS, PATH_ROUTES
 
 EXAMPLES = """Examples:
 
-minkref path rod cells1815 "LINESTRING (0 0, 40 0)" --from 1/10 --to 10
+minkref path disc1 g2 "LINESTRING (-60 55, 60 55)"
 
 minkref path part.wkt obstacles.wkt way.csv --contact forbidden --json
 

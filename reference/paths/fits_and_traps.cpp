@@ -53,7 +53,9 @@ class FreePlaces {
       add({index_.event(event.group), true, word(event.change), event.place, {}});
     }
     for (const Point& x : places_) {
-      for (PathBound& bound : valid_scales(part, obstacles, {x}, rule, window).bounds) {
+      ValidScales found = valid_scales(part, obstacles, {x}, rule, window);
+      free_.push_back(std::move(found.valid));
+      for (PathBound& bound : found.bounds) {
         FreeBound cause{bound.scale, true, "contact", bound.touching, std::move(bound)};
         causes_.insert_or_assign(cause.scale, cause);
       }
@@ -67,6 +69,7 @@ class FreePlaces {
     FreeScales result;
     const ScaleSet found = decided_at(critical, window_, [&](const Rational& scale) {
       ++result.critical_scales;
+      if (const auto known = without_boundary(scale)) return *known;
       return question(free_space(index_.sum(scale, passages())));
     });
     result.scales = found.ranges();
@@ -77,6 +80,20 @@ class FreePlaces {
  private:
   Passages passages() const {
     return rule_ == ContactRule::allowed ? Passages::find : Passages::leave;
+  }
+  /// What the list of events, or a place that is not free, tells: with places that were asked for
+  /// all have to be free; without any, a hole of the sum is enough.
+  std::optional<bool> without_boundary(const Rational& scale) const {
+    for (const std::vector<ScaleRange>& free : free_) {
+      if (std::none_of(free.begin(), free.end(),
+                       [&](const ScaleRange& range) { return range.holds(scale); })) {
+        return false;
+      }
+    }
+    if (!places_.empty()) return std::nullopt;
+    if (index_.features(scale).holes > 0) return true;
+    if (rule_ == ContactRule::forbidden) return false;
+    return std::nullopt;
   }
   FreeSpace free_space(const Sum& sum) const { return {sum, rule_, places_}; }
   void add(FreeBound cause) { causes_.try_emplace(cause.scale, cause); }
@@ -157,7 +174,8 @@ class FreePlaces {
   ScaleWindow window_;
   PolygonSet turned_;
   ScaleIndex index_;
-  std::map<Rational, FreeBound> causes_;  ///< by their scales, all critical ones
+  std::vector<std::vector<ScaleRange>> free_;  ///< scales at which each place is free
+  std::map<Rational, FreeBound> causes_;       ///< by their scales, all critical ones
 };
 
 }  // namespace
