@@ -33,8 +33,7 @@ std::size_t curves_of_offset_near(const std::vector<Polygon>& polygons, const mp
                                   double tolerance) {
   CGAL::General_polygon_set_2<Traits> all;
   for (const Polygon& polygon : polygons) {
-    CGAL::Polygon_with_holes_2<Kernel> operand(
-        kernel_ring(polygon.outer, CGAL::COUNTERCLOCKWISE));
+    CGAL::Polygon_with_holes_2<Kernel> operand(kernel_ring(polygon.outer, CGAL::COUNTERCLOCKWISE));
     for (const Ring& hole : polygon.holes) operand.add_hole(kernel_ring(hole, CGAL::CLOCKWISE));
     all.join(CGAL::approximated_offset_2(operand, Kernel::FT(radius), tolerance));
   }

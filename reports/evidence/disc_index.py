@@ -25,7 +25,7 @@ SUBJECT = (
     "build and of a query of all vertices, with bounds, against CGAL's approximated and exact "
     "offsets in one run."
 )
-MINUTES = (25, 0.2)
+MINUTES = (12, 0.1)
 DEPENDS = (*AGAINST_CGAL, "reports/evidence/disc_sums.py")
 
 SEED = 1911
@@ -140,7 +140,7 @@ def _speed(name: str, quick: bool, findings: Findings) -> dict[str, Any]:
     radii = [bounds[k * (len(bounds) - 1) // 100] * 1.0000001 for k in range(100)]
     query = min(index.seconds_of_queries(radii, ROUNDS) for _ in range(5)) / len(radii)
     xmin, ymin, xmax, ymax = P.bounding_box()
-    radius = Fraction(round(float(max(xmax - xmin, ymax - ymin)) / 100 * 1000), 1000)
+    radius = Fraction(round(float(max(xmax - xmin, ymax - ymin)) / 300 * 1000), 1000)
     one = min(index.seconds_of_queries([float(radius)], ROUNDS) for _ in range(5))
     points, _ = index.vertices(float(radius))
     row: dict[str, Any] = {"model": known, "build": build, "query": query, "one": one,

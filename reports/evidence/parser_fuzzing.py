@@ -16,13 +16,13 @@ SUBJECT = (
     "libFuzzer (clang, address and undefined behaviour sanitizers) on every parser, those of "
     "meshes and of index files too, 5 minutes each: no finding left."
 )
-MINUTES = (26, 2.3)
+MINUTES = (26, 1.5)
 DEPENDS = (
     *READERS, "reference/number/*.?pp", "reference/space/*.?pp", "reference/plane/index/*.?pp",
     "reference/error.?pp", "tests/fuzzing/*",
 )  # fmt: skip
 
-SECONDS, QUICK_SECONDS = 300, 8
+SECONDS, QUICK_SECONDS = 300, 5
 BUILD = ROOT / "build" / "fuzzing"
 SEEDS = ROOT / "tests" / "fuzzing" / "corpus"
 FLAGS = ("-max_len=4096", "-timeout=20", "-rss_limit_mb=2500")
