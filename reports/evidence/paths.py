@@ -22,14 +22,14 @@ SUBJECT = (
     "answer is that from the definition, for some of them by the slow engine; traps have an "
     "enclosing ring, and what is no trap a way out; the time of a large path on one core."
 )
-MINUTES = (6, 0.2)
+MINUTES = (6, 0.1)
 ALONE = True  # it measures time
 DEPENDS = (*REFERENCE, *READERS, *COMPARISON, "oracle/slow/*.py")
 
 SEED = 3100
-CASES, QUICK_CASES = 500, 12
-SLOW, QUICK_SLOW = 200, 4
-TRAPS, QUICK_TRAPS = 200, 4
+CASES, QUICK_CASES = 500, 8
+SLOW, QUICK_SLOW = 200, 2
+TRAPS, QUICK_TRAPS = 200, 2
 HAIR = Fraction(1, 1 << 20)
 CONTACTS = ("allowed", "forbidden")
 SLOW_SCALES = 4
