@@ -21,6 +21,7 @@ from minkref.commands.line.options import (
 from minkref.commands.line.output import give, print_lines
 from minkref.commands.line.progress import progress
 from minkref.commands.lists.scale_index import build_index, cores
+from minkref.disc.disc import is_disc
 from minkref.documents import Stopwatch, check_writable, document, refuse_overwriting, replacing
 from minkref.errors import Refusal, refusing
 from minkref.exact import read_window
@@ -34,10 +35,12 @@ minkref index disc1 cells1815 -o cells.index
 
 minkref index glyph1204 glyph275 --from 1/10 --to 10 -o glyphs.index --json
 
-minkref sum disc1 cells1815 --index cells.index --scale 7/5"""
+minkref sum disc1 cells1815 --index cells.index --scale 7/5
+
+minkref index glyph1204 disc -o diagram.json"""
 
 MOST_THREADS = 256
-MOST_CHECKS = 10_000
+MOST_CHECKS, CHECKS = 10_000, 3
 
 
 def command(
@@ -56,13 +59,21 @@ def command(
         typer.Option(
             "--check", help="Compare the sums at N scales with the static route.", metavar="N"
         ),
-    ] = 3,
+    ] = CHECKS,
     json: Json = False,
     schema: Schema = False,
 ) -> None:
     """Find the boundary of the sum as a function of the scale: all its vertices, with the scales at
     which they exist, in ring order. `sum`, `sweep`, `events` and `view` then read any sum of the
-    window off it, exactly, with --index FILE."""
+    window off it, exactly, with --index FILE. With `disc` as second operand: the outer Voronoi
+    diagram of P, with all events, holes and components, as JSON."""
+    if is_disc(P) or is_disc(Q):
+        from minkref.commands.disc.index import index_with_disc
+
+        unknown = {"--from": from_scale is not None, "--to": to_scale is not None}
+        unknown["--check"] = check != CHECKS
+        index_with_disc(P, Q, unknown, threads, output, json, memory)
+        return
     watch = Stopwatch()
     window = read_window(from_scale, to_scale)
     _check_numbers(threads, check)

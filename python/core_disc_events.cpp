@@ -48,6 +48,16 @@ const char* name(DiagramEvent::Kind kind) {
   return "";
 }
 
+FeatureName feature_name(const DiagramEvents& found, std::uint32_t feature) {
+  const OffsetCurves::Feature& own = found.curves.features[feature];
+  if (own.edge == OffsetPatch::none) {
+    const Point at = found.vertex(feature);
+    return {"vertex", to_string(at.x), to_string(at.y)};
+  }
+  const VertexId& id = found.curves.edges[own.edge].id;
+  return {"edge", std::to_string(id.ring), std::to_string(id.index)};
+}
+
 DiagramRow diagram_row(const DiagramEvents& found, const DiagramEvent& event) {
   const Polynomial polynomial =
       without_multiple_roots(found.exact(event).squared_radius.polynomial());
@@ -59,14 +69,7 @@ DiagramRow diagram_row(const DiagramEvents& found, const DiagramEvent& event) {
   const Vector<Interval> place = found.place(event);
   std::vector<FeatureName> features;
   for (const std::uint32_t number : event.features) {
-    const OffsetCurves::Feature& feature = found.curves.features[number];
-    if (feature.edge == OffsetPatch::none) {
-      const Point at = found.vertex(number);
-      features.emplace_back("vertex", to_string(at.x), to_string(at.y));
-    } else {
-      const VertexId& id = found.curves.edges[feature.edge].id;
-      features.emplace_back("edge", std::to_string(id.ring), std::to_string(id.index));
-    }
+    features.push_back(feature_name(found, number));
   }
   return {name(event.kind),
           rational,

@@ -148,6 +148,42 @@ std::vector<JoinRow> joins(const DiscIndex& self) {
   return rows;
 }
 
+/// An end of a part of the diagram: "event" and its number; "vertex" and the coordinates of a
+/// reflex one; "infinity" and two vertices of the hull between which it is.
+using PartEnd = std::pair<std::string, std::vector<std::string>>;
+/// Both ends, and the features on the left and right of the way from the one to the other.
+using PartRow = std::tuple<PartEnd, PartEnd, FeatureName, FeatureName>;
+
+std::vector<PartRow> graph_parts(const DiscIndex& self) {
+  const DiagramEvents& diagram = self.index.diagram();
+  const DiagramGraph& graph = self.index.graph();
+  const auto end = [&](std::uint32_t node, std::uint32_t vertex) -> PartEnd {
+    if (graph.is_event(node)) return {"event", {std::to_string(node)}};
+    std::vector<std::uint32_t> vertices{vertex};
+    if (graph.is_infinite(node)) {
+      const HullGap& gap = diagram.gaps[node - graph.events];
+      vertices = {gap.from, gap.to};
+    }
+    std::vector<std::string> told;
+    for (const std::uint32_t each : vertices) {
+      const Point at = diagram.vertex(each);
+      told.push_back(to_string(at.x));
+      told.push_back(to_string(at.y));
+    }
+    return {graph.is_infinite(node) ? "infinity" : "vertex", told};
+  };
+  std::vector<PartRow> rows;
+  for (std::uint32_t k = 0; k < graph.halves.size(); ++k) {
+    const DiagramHalf& half = graph.halves[k];
+    if (half.twin < k) continue;
+    const auto& sides = diagram.walks.sides;
+    rows.emplace_back(end(half.from, sides[half.from_side].from),
+                      end(half.to, sides[half.to_side].to), feature_name(diagram, half.feature),
+                      feature_name(diagram, graph.halves[half.twin].feature));
+  }
+  return rows;
+}
+
 /// The diagram as it is drawn: lengths in those of P, places measured from `origin`.
 class Drawing {
  public:
@@ -371,6 +407,11 @@ void bind_disc_index(nb::module_& module) {
             return kinds;
           },
           "Of all events, in order.")
+      .def(
+          "graph", &graph_parts, Released(),
+          "Parts of the outer Voronoi diagram: their ends, (\"event\", [number]), (\"vertex\", [x, "
+          "y]) of a reflex vertex, or (\"infinity\", [x, y, x, y]) between two vertices of the "
+          "hull; and the two features that are nearest.")
       .def("changes", &changes,
            "(event, number of its radius from 1 on, holes that are born and the hole that each was "
            "a part of, holes that end, polygons whose components join), of events at which there "

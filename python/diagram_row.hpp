@@ -1,6 +1,7 @@
 // Events of the outer Voronoi diagram as Python has them.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -20,6 +21,7 @@ using DiagramRow =
                std::pair<double, double>, std::pair<double, double>, std::vector<FeatureName>>;
 
 const char* name(DiagramEvent::Kind kind);
+FeatureName feature_name(const DiagramEvents& found, std::uint32_t feature);
 
 DiagramRow diagram_row(const DiagramEvents& found, const DiagramEvent& event);
 

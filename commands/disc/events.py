@@ -117,7 +117,7 @@ class Boundary:
     def rows(self, limit: int | None) -> Iterator[Row]:
         """Their numbers are made exact one by one, which takes the most time."""
         for number in range(len(self.kinds))[:limit]:
-            yield {**_row(self._found.rows(number, 1)[0]), "changes": None}
+            yield {**event_row(self._found.rows(number, 1)[0]), "changes": None}
 
 
 class Topology:
@@ -141,7 +141,7 @@ class Topology:
     def rows(self, limit: int | None) -> Iterator[Row]:
         for event, _, born, ended, joined in self._changes[:limit]:
             yield {
-                **_row(self._index.rows(event, 1)[0]),
+                **event_row(self._index.rows(event, 1)[0]),
                 "changes": {
                     "born": [{"hole": hole, "of": of} for hole, of in born],
                     "ended": ended,
@@ -150,7 +150,7 @@ class Topology:
             }
 
 
-def _row(found: Any) -> Row:
+def event_row(found: Any) -> Row:
     kind, square, polynomial, radius, place, features = found
     return {
         "kind": kind,
@@ -158,11 +158,11 @@ def _row(found: Any) -> Row:
         "squared_radius": square,
         "polynomial": polynomial,
         "place": [c if math.isfinite(c) else None for c in place],
-        "features": [_feature(*feature) for feature in features],
+        "features": [feature_row(*feature) for feature in features],
     }
 
 
-def _feature(kind: str, first: str, second: str) -> Row:
+def feature_row(kind: str, first: str, second: str) -> Row:
     if kind == "vertex":
         return {"vertex": [first, second]}
     return {"edge": [int(first), int(second)]}
