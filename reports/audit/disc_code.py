@@ -3,6 +3,7 @@ sentences of the Appendix as printed, beside those of the symbolic oracle."""
 
 from __future__ import annotations
 
+import json
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -62,6 +63,13 @@ def polynomials_of_boundary(ring: Sequence[Vertex]) -> list[list[str]]:
     the code; monic, the lowest coefficient first."""
     found = _core.diagram_events(_polygon(ring))
     return [polynomial for _, _, polynomial, *_ in found.rows(0, len(found))]
+
+
+def lines_of_sum(ring: Sequence[Vertex]) -> list[tuple[str, ...]]:
+    """Of the offset edges on the boundary of the sum of a polygon with a disc, by the code: the
+    direction `(dx, dy)` and `c`, for which `dy x - dx y = c + s r |(dx, dy)|` at the scale s."""
+    components = json.loads(_core.offset(_polygon(ring), "1").canonical_json())["components"]
+    return [tuple(curve[1:]) for curve in components[0]["outer"] if curve[0] == "line"]
 
 
 def _polygon(ring: Sequence[Vertex]) -> _core.PolygonSet:

@@ -13,7 +13,7 @@ from minkref.fuzz.judges.paper_disc import Edge as Side
 from minkref.fuzz.judges.paper_disc import end_on_line, touches
 from minkref.fuzz.judges.paper_pairs import contact_interval
 from minkref.reports.audit.disc import along, exact, moving, squared_distance
-from minkref.reports.audit.disc_code import CODE, code_events, scales_by_both
+from minkref.reports.audit.disc_code import CODE, code_events, lines_of_sum, scales_by_both
 from minkref.reports.audit.edges import answers, written
 from minkref.reports.audit.entry import Chapter, CheckFailed, Shown, Status, text
 from minkref.reports.audit.pictures import moving_edges
@@ -56,12 +56,16 @@ def _(shown: Shown) -> None:
     the vector points into $P$ at each edge that turns its outer side to $c$. An offset edge is a
     T-edge at the vertex $r n$, so all of Section 4 applies to it, and the crossing of two moves
     along a line, at a constant rate.""",
-    code=("reference/plane/critical/line_intersection.hpp", *ORACLE),
+    code=(
+        "reference/plane/critical/line_intersection.hpp",
+        "reference/disc/curves/offset_form.hpp",
+        *ORACLE,
+    ),
 )
 def _(shown: Shown) -> None:
     """By computer algebra the ends are on the line, and the second derivative of the crossing of
     two lines is zero. For a box and the fixed centre 0, the exact distance of both places to the
-    box."""
+    box, and the line that the code has."""
     n, m, a, b = unit("t"), unit("u"), vector("a"), vector("b")
     shown.identity("$n \\cdot p(s) = n \\cdot a + s r$ for $p = a + r n$",
                    n.dot(a + r * n + (s - 1) * r * n) - n.dot(a) - s * r)  # fmt: skip
@@ -74,6 +78,8 @@ def _(shown: Shown) -> None:
     right, wrong = ((p[0] + sign, p[1]) for sign in (-1, 1))
     shown.different("$P = [10, 20] \\times [0, 10]$, $r = 1$, $c = 0$: where $(9, 5)$ is at "
                     "$s = 2$", wrong, right)  # fmt: skip
+    shown.true("the code has the line $-x = -10 + s r$ for that side: $x = 8$ at $s = 2$",
+               ("0", "-1", "-10") in lines_of_sum(ring))  # fmt: skip
     shown.equal("squared distance of both to $P$",
                 tuple(squared_distance(x, ring) for x in (wrong, right)), (0, 4))  # fmt: skip
 
