@@ -19,7 +19,7 @@ REPAIR = "minkref sweep gs3 rod --scales scalings.txt --repair literal"
 
 CRITICAL, PLANE = "reference/plane/critical", "reference/plane"
 DISC_PAIRS = "minkref events g1 disc --kind pair"
-DISC = "reference/disc"
+PAIRS, DIAGRAM = "reference/disc/pairs", "reference/disc/diagram"
 CONVEX, LITERAL = "reference/space/convex", "reference/space/paper"
 REPORT, BENCH = "reports/paper", "reports/bench"
 
@@ -208,27 +208,27 @@ SECTION_7 = (
 
 APPENDIX = (
     Statement("Appendix", r"$p(s) = p + (s - 1) r (\perp l)$, with the same centre $c$",
-              (f"{DISC}/offset_feature.hpp",), PRINTED, EXACT, DISC_PAIRS, ALGEBRA,
+              (f"{PAIRS}/offset_feature.hpp",), PRINTED, EXACT, DISC_PAIRS, ALGEBRA,
               ("disc-centre", "disc-moving-edges")),
     Statement("Appendix", "the crossing of two segments comes to an end: exactly two events, or "
               "none; those with $0 < t$ or $t > 1$ are rejected",
-              (f"{DISC}/pair_contact.hpp", f"{DISC}/feature_pair.hpp"), BOTH, EXACT,
+              (f"{PAIRS}/pair_contact.hpp", f"{PAIRS}/feature_pair.hpp"), BOTH, EXACT,
               f"{DISC_PAIRS} --form printed", SYMBOLIC,
               ("disc-two-events", "disc-rejected-parameters", "disc-parallel-edges",
                "disc-degree-of-scales")),
     Statement("Appendix", "circles touch in the middle of their centres",
-              (f"{DISC}/pair_contact.hpp",), PRINTED, EXACT, DISC_PAIRS, SYMBOLIC,
+              (f"{PAIRS}/pair_contact.hpp",), PRINTED, EXACT, DISC_PAIRS, SYMBOLIC,
               ("disc-circles-touch",)),
     Statement("Appendix", r"$I(s) = M(s) (\pm \perp (c_1, c_2))$, $M(s) = \sqrt{(s^2 - s_0^2) r} + "
-              r"y_{c_1}$, set equal to ends of arcs", (f"{DISC}/feature_pair.hpp",), BOTH, EXACT,
+              r"y_{c_1}$, set equal to ends of arcs", (f"{PAIRS}/feature_pair.hpp",), BOTH, EXACT,
               "minkref events g1 disc:2 --kind pair --form printed", SYMBOLIC,
               ("disc-magnitude", "disc-crossing-of-circles", "disc-ends-of-arcs",
                "disc-events-of-arcs")),
     Statement("Appendix", r"a circle touches the line of a segment at $s_0$, and crosses the line "
-              r"$x_0 = x_c - s_0 r$ after", (f"{DISC}/pair_contact.hpp",), BOTH, EXACT,
+              r"$x_0 = x_c - s_0 r$ after", (f"{PAIRS}/pair_contact.hpp",), BOTH, EXACT,
               f"{DISC_PAIRS} --form printed", SYMBOLIC, ("disc-tangent-line", "disc-line-moves")),
     Statement("Appendix", "events of two arcs or segments are all events",
-              (f"{DISC}/pair_events.hpp", f"{DISC}/diagram_events.hpp"), CORRECTED, EXACT,
+              (f"{PAIRS}/pair_events.hpp", f"{DIAGRAM}/diagram_events.hpp"), CORRECTED, EXACT,
               "minkref events g1 disc", SYMBOLIC, ("disc-kinds-of-events", "disc-triple-events")),
 )  # fmt: skip
 
