@@ -7,7 +7,8 @@
 namespace minkref::inline disc {
 namespace {
 
-constexpr double sharp = 0x1p-46;  // of a number
+constexpr double sharp = 0x1p-46;        // of a number
+constexpr double sharp_place = 0x1p-42;  // in the frame, whose size is about 1
 
 bool is_sharp_number(const Interval& value) {
   const double most = std::max(std::abs(value.lower()), std::abs(value.upper()));
@@ -97,7 +98,7 @@ class Corner {
       return std::max(width(place.at.x), width(place.at.y)) +
              width(radius) * (std::abs(motion.bx) + std::abs(motion.by));
     };
-    if (!(error_of() <= sharp)) {
+    if (!(error_of() <= sharp_place)) {
       place = tight(equidistant_places<RootNumber>(diagram_.curves, event.of)[event.branch]);
     }
     motion.ax = approximate(place.at.x);

@@ -50,6 +50,15 @@ IndexMeasures::IndexMeasures(const OffsetIndex& index)
     const Vector<Interval> x{Interval(1), Interval(0)}, y{Interval(0), Interval(1)};
     angle = Interval(4) * angle_between(x, y);
   }
+  for (const DiagramEvent& event : diagram.events) {
+    Equidistant<Interval> place{event.at, event.squared_radius};
+    const auto width = [](const Interval& value) { return value.upper() - value.lower(); };
+    constexpr double sharp = 0x1p-40;
+    if (width(place.at.x) + width(place.at.y) + width(place.squared_radius) > sharp) {
+      place = tight(equidistant_places<RootNumber>(curves, event.of)[event.branch]);
+    }
+    places_.push_back({place.at, sqrt(place.squared_radius)});
+  }
   const std::size_t gaps = index.radii() + 2;
   reached_.assign(gaps, Interval(0));
   lengths_.assign(gaps, Interval(0));
@@ -93,14 +102,7 @@ IndexMeasures::Seen IndexMeasures::seen_at_node(std::uint32_t half, bool at_end)
   const DiagramHalf& own = graph.halves[half];
   const std::uint32_t node = at_end ? own.to : own.from;
   if (graph.is_event(node)) {
-    const DiagramEvent& event = diagram.events[node];
-    Equidistant<Interval> place{event.at, event.squared_radius};
-    const auto width = [](const Interval& value) { return value.upper() - value.lower(); };
-    constexpr double sharp = 0x1p-46;
-    if (width(place.at.x) + width(place.at.y) + width(place.squared_radius) > sharp) {
-      place = tight(equidistant_places<RootNumber>(diagram.curves, event.of)[event.branch]);
-    }
-    return seen(half, place.at, sqrt(place.squared_radius));
+    return seen(half, places_[node].at, places_[node].squared_radius);
   }
   const auto& features = diagram.curves.features;
   if (graph.is_infinite(node)) {

@@ -35,10 +35,11 @@ class IndexMeasures {
   Interval area_between(std::uint32_t half, const Seen& a, const Seen& b) const;
 
   const OffsetIndex& index_;
-  std::vector<Vector<Interval>> middles_;    ///< by feature: of the arc about a vertex
-  std::vector<std::pair<Seen, Seen>> ends_;  ///< of halves
-  Interval area_;                            ///< of P
-  std::vector<Interval> reached_;            ///< by gap: areas in front of halves that are reached
+  std::vector<Vector<Interval>> middles_;      ///< by feature: of the arc about a vertex
+  std::vector<Equidistant<Interval>> places_;  ///< of events, with radii that are not squared
+  std::vector<std::pair<Seen, Seen>> ends_;    ///< of halves
+  Interval area_;                              ///< of P
+  std::vector<Interval> reached_;  ///< by gap: areas in front of halves that are reached
   std::vector<Interval> lengths_,
       angles_;  ///< by gap: of what no half that is touched is in front of
 };

@@ -137,16 +137,18 @@ void OffsetIndex::boundary(std::uint32_t gap, IndexBoundary& found) const {
   place.resize(halves);
   bounds.resize(walks + 1);
   std::uint32_t count = 0;
+  std::uint32_t* const next = there.data();
+  const std::uint32_t *const low = low_.data(), *const high = high_.data();
   for (std::uint32_t walk = 0; walk < walks; ++walk) {
     bounds[walk] = count;
     for (std::uint32_t k = graph_.walks[walk].first; k < graph_.walks[walk].last; ++k) {
-      there[count] = k;
-      place[k] = count;
+      next[count] = k;
       count +=
-          static_cast<std::uint32_t>(low_[k] <= gap) & static_cast<std::uint32_t>(gap < high_[k]);
+          static_cast<std::uint32_t>(low[k] <= gap) & static_cast<std::uint32_t>(gap < high[k]);
     }
   }
   bounds[walks] = count;
+  for (std::uint32_t k = 0; k < count; ++k) place[there[k]] = k;
   walk_of.resize(count);
   for (std::uint32_t walk = 0; walk < walks; ++walk) {
     std::fill(walk_of.begin() + bounds[walk], walk_of.begin() + bounds[walk + 1], walk);
