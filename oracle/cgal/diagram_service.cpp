@@ -4,12 +4,11 @@
 // "squared_radius": r, "sites": [site, site, site]}, ...]}, a site being ["x", "y"] or a segment,
 // with "seconds", or {"error": what}. Whoever runs it limits it.
 #include <chrono>
-#include <exception>
-#include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "oracle/cgal/diagram.hpp"
+#include "oracle/cgal/line_service.hpp"
 
 namespace {
 
@@ -53,14 +52,6 @@ json answer(const json& request) {
 }  // namespace
 
 int main() {
-  for (std::string line; std::getline(std::cin, line);) {
-    json found;
-    try {
-      found = answer(json::parse(line));
-    } catch (const std::exception& error) {  // CGAL's failures are exceptions too
-      found = {{"error", error.what()}};
-    }
-    std::cout << found.dump(-1, ' ', false, json::error_handler_t::replace) << std::endl;
-  }
+  minkref::cgal_oracle::answer_lines(answer);
   return 0;
 }

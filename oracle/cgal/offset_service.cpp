@@ -5,11 +5,10 @@
 // {"error": what}. With "tolerance": t in the question it is CGAL's approximated offset, of which
 // the answer has how many "curves" there are, and "seconds". Whoever runs it limits it.
 #include <chrono>
-#include <exception>
-#include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "oracle/cgal/line_service.hpp"
 #include "oracle/cgal/offset.hpp"
 
 namespace {
@@ -51,14 +50,6 @@ json answer(const json& request) {
 }  // namespace
 
 int main() {
-  for (std::string line; std::getline(std::cin, line);) {
-    json found;
-    try {
-      found = answer(json::parse(line));
-    } catch (const std::exception& error) {  // CGAL's failures are exceptions too
-      found = {{"error", error.what()}};
-    }
-    std::cout << found.dump(-1, ' ', false, json::error_handler_t::replace) << std::endl;
-  }
+  minkref::cgal_oracle::answer_lines(answer);
   return 0;
 }

@@ -86,11 +86,9 @@ class Builder {
   void join(std::uint32_t in, std::uint32_t offset) {
     const OffsetEdge& edge = curves_.edges[in];
     const Direction back = reversed(edge.along);
-    const std::vector<std::uint32_t>& leaving = leaving_[edge.end_feature];
     const std::uint32_t out =
-        *std::min_element(leaving.begin(), leaving.end(), [&](std::uint32_t a, std::uint32_t b) {
-          return comes_before(back, curves_.edges[a].along, curves_.edges[b].along);
-        });
+        next_outside(edge.along, leaving_[edge.end_feature],
+                     [&](std::uint32_t k) -> const Direction& { return curves_.edges[k].along; });
     const Direction& ahead = curves_.edges[out].along;
     const Rational turn = cross(back, ahead);
     const bool is_flat = turn == 0 && dot(back, ahead) < 0;

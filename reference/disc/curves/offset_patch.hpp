@@ -1,6 +1,7 @@
 // The offset curves of a polygon set: edges moved outwards by the radius, and arcs about vertices.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -24,6 +25,17 @@ inline Direction from_to(const Point& from, const Point& to) {
 
 /// Whether x comes before y, counter-clockwise from a direction, which itself comes last.
 bool comes_before(const Direction& from, const Direction& x, const Direction& y);
+
+/// Of some that leave a vertex the one that comes next outside of P, counter-clockwise from the way
+/// back along an edge that ends there. `along`: their directions.
+template <class Along>
+std::uint32_t next_outside(const Direction& in, const std::vector<std::uint32_t>& leaving,
+                           Along&& along) {
+  const Direction back{-in.x, -in.y};
+  return *std::min_element(leaving.begin(), leaving.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return comes_before(back, along(a), along(b));
+  });
+}
 
 /// In coprime integers; not zero.
 Direction primitive(const Direction& d);

@@ -39,11 +39,8 @@ class PartsOfEdges {
   const OffsetEdge& edge(std::uint32_t part) const { return curves_.edges[parts_[part].edge]; }
 
   std::uint32_t next(std::uint32_t part) const {
-    const Direction back{-edge(part).along.x, -edge(part).along.y};
-    const std::vector<std::uint32_t>& leaving = leaving_.at(parts_[part].to);
-    return *std::min_element(leaving.begin(), leaving.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return comes_before(back, edge(a).along, edge(b).along);
-    });
+    return next_outside(edge(part).along, leaving_.at(parts_[part].to),
+                        [&](std::uint32_t k) -> const Direction& { return edge(k).along; });
   }
 
  private:

@@ -11,7 +11,8 @@
 namespace minkref::inline disc {
 namespace {
 
-/// What roundings leave, as parts of 1.
+/// What roundings leave, as parts of 1. Nothing is decided by it: what is proposed is proven, and
+/// counted (DiagramCount); a proposal too few costs another round with more bits.
 template <class Real>
 struct Roundings {
   Real sliver, noise, lean, infinity;
