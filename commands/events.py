@@ -185,15 +185,16 @@ def command(
 
         given = {
             "--arithmetic": arithmetic != "rational", "--reading": bool(reading),
-            "--least-precision": least, "--route": route is not None,
-            "--index": index is not None, "--where": where is not None,
+            "--least-precision": least, "--route": route not in (None, "index"),
+            "--where": where is not None,
         }  # fmt: skip
         window_and_output = (from_scale, to_scale, limit, output, file_format, json, memory)
         if kind == "pair":
+            given["--index"] = index is not None
             pair_events_with_disc(P, Q, form, *window_and_output, given)
         else:
             given["--form"] = form != "corrected"
-            events_with_disc(P, Q, kind, *window_and_output, given)
+            events_with_disc(P, Q, kind, *window_and_output, index, given)
         return
     kind = kind or "pair"
     _check(kind, form, arithmetic, least, limit)

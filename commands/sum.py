@@ -174,12 +174,13 @@ def command(
     .json); one may be a plane polygon, a segment or a point. In another arithmetic, or by the
     paper's own program (--route paper-update), what these answer, with the exact sum beside it."""
     if is_disc(P) or is_disc(Q):
-        _refuse_without_arcs(index, arithmetic, as_read, reading, plot, passages)
+        _refuse_without_arcs(arithmetic, as_read, reading, plot, passages)
         from minkref.commands.disc.sum import sum_with_disc
 
         sum_with_disc(
-            P, Q, scale, route, output, form, only_sum, tolerance, outside, measures, memory, json
-        )
+            P, Q, scale, route, output, form, only_sum, tolerance, outside, measures, memory,
+            index, json,
+        )  # fmt: skip
         return
     options = {"--tolerance": tolerance is not None, "--outside": outside, "--measures": measures}
     for option, is_given in options.items():
@@ -242,7 +243,6 @@ def command(
 
 
 def _refuse_without_arcs(
-    index: Path | None,
     arithmetic: str,
     as_read: str | None,
     reading: list[str] | None,
@@ -251,7 +251,6 @@ def _refuse_without_arcs(
 ) -> None:
     """Options that sums with a disc do not have."""
     others = {
-        "--index": index is not None,
         "--arithmetic": arithmetic != "rational",
         "--form": as_read is not None,
         "--reading": bool(reading),

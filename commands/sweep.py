@@ -168,15 +168,14 @@ def command(
 
         radii = _scales(from_scale, to_scale, steps, scales_file)
         named = {
-            "--route": route,
-            "--index": index,
+            "--route": route if route != "index" else None,
             "--form": as_read,
             "--reading": reading,
             "--repair": repair,
         }
         unknown = {option: value is not None for option, value in named.items()}
         unknown |= {"--arithmetic": arithmetic != "rational", "--trace": trace}
-        sweep_with_disc(P, Q, radii, unknown, output, form, json, memory)
+        sweep_with_disc(P, Q, radii, index, unknown, output, form, json, memory)
         return
     if in_space(P, Q):
         given = _given(from_scale, to_scale, steps)

@@ -135,8 +135,8 @@ def command(
         from minkref.commands.disc.view import view_with_disc
 
         target = _page_target(output, json)
-        given = of_space + of_scales
-        view_with_disc(P, Q, from_scale, to_scale, given, target, json, memory)
+        given = of_space + [option for option in of_scales if option != "--index"]
+        view_with_disc(P, Q, from_scale, to_scale, index, given, target, json, memory)
         return
     if in_space(P, Q):
         from minkref.commands.space.view import view_in_space

@@ -1,4 +1,5 @@
 // Radii at which sums with a disc change, in Python.
+#include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
@@ -88,6 +89,14 @@ std::vector<DiagramRow> diagram_rows(const DiagramEvents& found, std::size_t fir
   return rows;
 }
 
+DiagramEvents diagram_of(const PolygonSet& P, unsigned threads,
+                         const std::optional<std::vector<PlaceRow>>& places) {
+  if (!places) return diagram_events(P, build_on(threads));
+  std::vector<FoundPlace> found;
+  for (const auto& [a, b, c, branch] : *places) found.push_back({{a, b, c}, branch});
+  return diagram_events(P, found, build_on(threads));
+}
+
 void bind_disc_events(nb::module_& module) {
   nb::class_<TimedDiagramEvents>(module, "DiagramEvents",
                                  "The radii at which P + a disc changes, ascending.")
@@ -114,9 +123,10 @@ void bind_disc_events(nb::module_& module) {
   module.def(
       "diagram_events",
       [](const Set& P, unsigned threads, const std::optional<std::string>& from,
-         const std::optional<std::string>& to) -> TimedDiagramEvents {
+         const std::optional<std::string>& to,
+         const std::optional<std::vector<PlaceRow>>& places) -> TimedDiagramEvents {
         const Stopwatch watch;
-        DiagramEvents found = diagram_events(P.value, build_on(threads));
+        DiagramEvents found = diagram_of(P.value, threads, places);
         const auto is_out = [&](const DiagramEvent& event) {
           const auto side = [&](const Rational& bound) {
             const Interval radius = found.radius(event);
@@ -130,10 +140,10 @@ void bind_disc_events(nb::module_& module) {
         return {std::move(found), watch.seconds()};
       },
       "P"_a, "threads"_a = 1, "from_squared"_a = nb::none(), "to_squared"_a = nb::none(),
-      Released(),
+      "places"_a = nb::none(), Released(),
       "Where and at which radii P + a disc about the origin changes, perhaps in a window of "
-      "squared "
-      "radii. Raises BadInput, LimitExceeded.");
+      "squared radii. `places`: what DiscIndex.places says of the same set: proven again, not "
+      "trusted. Raises BadInput, LimitExceeded.");
 }
 
 }  // namespace minkref::python

@@ -1,5 +1,6 @@
 // All radii of a sum with a disc, in Python.
 #include <nanobind/ndarray.h>
+#include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
@@ -31,10 +32,10 @@ namespace minkref::python {
 namespace {
 
 struct DiscIndex {
-  DiscIndex(PolygonSet set, const BuildOptions& options)
+  DiscIndex(PolygonSet set, DiagramEvents diagram)
       : P(std::move(set)),
         curves(offset_curves(P)),
-        index(P, options),
+        index(std::move(diagram)),
         history(offset_history(index)),
         regions(index, history, curves),
         measures(index) {}
@@ -180,6 +181,14 @@ std::vector<PartRow> graph_parts(const DiscIndex& self) {
     rows.emplace_back(end(half.from, sides[half.from_side].from),
                       end(half.to, sides[half.to_side].to), feature_name(diagram, half.feature),
                       feature_name(diagram, graph.halves[half.twin].feature));
+  }
+  return rows;
+}
+
+std::vector<PlaceRow> place_rows(const DiscIndex& self) {
+  std::vector<PlaceRow> rows;
+  for (const auto& [of, branch] : self.index.diagram().places()) {
+    rows.push_back({of[0], of[1], of[2], branch});
   }
   return rows;
 }
@@ -412,6 +421,10 @@ void bind_disc_index(nb::module_& module) {
           "Parts of the outer Voronoi diagram: their ends, (\"event\", [number]), (\"vertex\", [x, "
           "y]) of a reflex vertex, or (\"infinity\", [x, y, x, y]) between two vertices of the "
           "hull; and the two features that are nearest.")
+      .def(
+          "places", &place_rows,
+          "Three features, by number, and a branch, for each event of three features or more: what "
+          "disc_index proves again.")
       .def("changes", &changes,
            "(event, number of its radius from 1 on, holes that are born and the hole that each was "
            "a part of, holes that end, polygons whose components join), of events at which there "
@@ -439,14 +452,16 @@ void bind_disc_index(nb::module_& module) {
           "Of all vertices at each of some radii, without Python.");
   module.def(
       "disc_index",
-      [](const Set& P, unsigned threads) -> DiscIndex* {
+      [](const Set& P, unsigned threads,
+         const std::optional<std::vector<PlaceRow>>& places) -> DiscIndex* {
         const Stopwatch watch;
-        auto index = std::make_unique<DiscIndex>(P.value, build_on(threads));
+        auto index = std::make_unique<DiscIndex>(P.value, diagram_of(P.value, threads, places));
         index->seconds = watch.seconds();
         return index.release();
       },
-      "P"_a, "threads"_a = 1, Released(),
-      "P + a disc about the origin at all radii. Raises BadInput, LimitExceeded.");
+      "P"_a, "threads"_a = 1, "places"_a = nb::none(), Released(),
+      "P + a disc about the origin at all radii. `places`: what DiscIndex.places says of the same "
+      "set: they are proven again, not trusted. Raises BadInput, LimitExceeded.");
 }
 
 }  // namespace minkref::python

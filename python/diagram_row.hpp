@@ -1,6 +1,7 @@
 // Events of the outer Voronoi diagram as Python has them.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -28,5 +29,12 @@ DiagramRow diagram_row(const DiagramEvents& found, const DiagramEvent& event);
 /// Some of them, from a number on.
 std::vector<DiagramRow> diagram_rows(const DiagramEvents& found, std::size_t first,
                                      std::size_t count);
+
+/// Three features and a branch.
+using PlaceRow = std::array<std::uint32_t, 4>;
+
+/// Of a set: found, or proven again from what was found before.
+DiagramEvents diagram_of(const PolygonSet& P, unsigned threads,
+                         const std::optional<std::vector<PlaceRow>>& places);
 
 }  // namespace minkref::python

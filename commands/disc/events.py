@@ -12,12 +12,13 @@ from pathlib import Path
 from typing import Any
 
 from minkref import _core
+from minkref.commands.disc.index_file import Places, from_places
 from minkref.commands.disc.sum import enclosed
 from minkref.commands.line.memory import SIMPLER, memory_wall
-from minkref.commands.lists.scale_index import cores
+from minkref.commands.lists.scale_index import cores, refuse_overwriting_index
 from minkref.disc.disc import ANY
 from minkref.documents import Stopwatch, as_text, document, listing, refuse_overwriting
-from minkref.errors import Refusal, choice, refusing
+from minkref.errors import Refusal, choice
 from minkref.exact import read_scale
 from minkref.operand import read_operand
 from minkref.output_target import target_of
@@ -41,6 +42,7 @@ def events_with_disc(
     form: str | None,
     json_document: bool,
     memory: int | None,
+    index: Path | None,
     given: dict[str, bool],
 ) -> None:
     """The command, its options read but not yet checked. `given`: options that there are not."""
@@ -71,10 +73,14 @@ def events_with_disc(
         operand = read_operand(P)
         if output is not None:
             refuse_overwriting(output, [operand.file])
+            refuse_overwriting_index(output, index)
         squares = [None if bound is None else str(bound**2) for bound in bounds]
-        listed: Boundary | Topology = refusing(
-            operand.name,
-            lambda: (Boundary if chosen == KINDS[0] else Topology)(operand.set, squares),
+        listed: Boundary | Topology = from_places(
+            index,
+            operand,
+            lambda places: (Boundary if chosen == KINDS[0] else Topology)(
+                operand.set, squares, places
+            ),
         )
     rows = listed.rows(limit)
     head = document(
@@ -108,8 +114,10 @@ def events_with_disc(
 class Boundary:
     """All events in a window of squared radii."""
 
-    def __init__(self, P: _core.PolygonSet, squares: list[str | None]) -> None:
-        self._found = _core.diagram_events(P, cores(), squares[0], squares[1])
+    def __init__(
+        self, P: _core.PolygonSet, squares: list[str | None], places: Places | None
+    ) -> None:
+        self._found = _core.diagram_events(P, cores(), squares[0], squares[1], places)
         self.seconds = self._found.seconds
         self.exact_signs = self._found.exact_signs
         self.kinds = self._found.kinds()
@@ -123,8 +131,10 @@ class Boundary:
 class Topology:
     """Those at which holes or components change."""
 
-    def __init__(self, P: _core.PolygonSet, squares: list[str | None]) -> None:
-        self._index = _core.disc_index(P, cores())
+    def __init__(
+        self, P: _core.PolygonSet, squares: list[str | None], places: Places | None
+    ) -> None:
+        self._index = _core.disc_index(P, cores(), places)
         self.seconds = self._index.seconds
         self.exact_signs = self._index.exact_signs
         changes = self._index.changes()

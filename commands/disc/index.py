@@ -8,13 +8,14 @@ from typing import Any
 
 from minkref import _core
 from minkref.commands.disc.events import event_row, feature_row
+from minkref.commands.disc.index_file import disc_index_of
 from minkref.commands.disc.sum import enclosed
 from minkref.commands.line.memory import SMALLER, memory_wall
 from minkref.commands.line.output import give, print_lines
 from minkref.commands.lists.scale_index import cores
 from minkref.disc.disc import ANY
 from minkref.documents import Stopwatch, document, listing, refuse_overwriting
-from minkref.errors import Refusal, refusing
+from minkref.errors import Refusal
 from minkref.operand import read_operand
 from minkref.output_target import target_of
 
@@ -43,7 +44,7 @@ def index_with_disc(
     operand = read_operand(P)
     refuse_overwriting(output, [operand.file])
     with memory_wall(memory, "the index of all radii", P, SMALLER):
-        index = refusing(operand.name, lambda: _core.disc_index(operand.set, threads or cores()))
+        index = disc_index_of(None, operand, threads)
     parts = index.graph()
     value = document(
         "index",
@@ -65,6 +66,7 @@ def index_with_disc(
         ],
     )
     head = {name: value[name] for name in value if name != "events"}  # they come last
+    head["places"] = index.places()
     head["parts"] = [_part(*part) for part in parts]
     target.write_pieces(listing(head, "events", _events(index)))
     give(value, json_document, _print)

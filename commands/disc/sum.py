@@ -10,21 +10,23 @@ from pathlib import Path
 from typing import Any
 
 from minkref import _core
+from minkref.commands.disc.index_file import from_places
+from minkref.commands.disc.indexed_sum import IndexedSum
 from minkref.commands.line.memory import SIMPLER, memory_wall
 from minkref.commands.line.output import give, print_lines, written_row
-from minkref.commands.lists.scale_index import cores
+from minkref.commands.lists.scale_index import cores, chosen_route, refuse_overwriting_index
 from minkref.commands.sum_table import passage_rows
 from minkref.disc.disc import Disc, is_disc, read_disc
 from minkref.disc.polygons import polygon_near
 from minkref.documents import Stopwatch, document, refuse_overwriting
-from minkref.errors import Refusal, choice, refusing
+from minkref.errors import Refusal, refusing
 from minkref.exact import digest, read_number, read_scale
 from minkref.operand import Operand, read_operand
 from minkref.output_target import Target, target_of
 
 FORMATS = ("json", "svg", "dxf", "wkt", "geojson", "poly")
 WITH_ARCS = ("json", "svg", "dxf")
-DISC_ROUTES = ("definition", "paper")
+DISC_ROUTES = ("definition", "paper", "index")
 
 
 def sum_with_disc(
@@ -39,15 +41,16 @@ def sum_with_disc(
     outside: bool,
     with_measures: bool,
     memory: int | None,
+    index: Path | None,
     json_document: bool,
 ) -> None:
     """The command, its options read but not yet checked: one of the operands names a disc."""
     watch = Stopwatch()
     factor = Fraction(read_scale(scale))
-    route = route or DISC_ROUTES[0]
-    if route not in DISC_ROUTES:
-        mend = f"with a disc: {choice(route, DISC_ROUTES)}"
-        raise Refusal(f"there is no route {route!r} with a disc", "--route", mend)
+    route = chosen_route(index, route, DISC_ROUTES)
+    if index is not None and factor != 1:
+        mend = "leave out the scale, or the index"
+        raise Refusal("the index is that of P as it is", f"--scale {scale}", mend)
     target = target_of(output, form, FORMATS, "json", json_document)
     within = _tolerance(tolerance, outside, target)
     if with_measures and not json_document:
@@ -59,10 +62,9 @@ def sum_with_disc(
         operand = read_operand(Q if is_disc(P) else P)
         if output is not None:
             refuse_overwriting(output, [operand.file])
+            refuse_overwriting_index(output, index)
         other = operand.set if is_disc(P) else operand.set.scaled(str(factor))
-        found = refusing(
-            operand.name, lambda: _core.offset(other, str(disc.squared_radius), cores(), route)
-        )
+        found = _found(operand, other, str(disc.squared_radius), route, index)
         canonical = found.canonical_json()
         written = None
         if target is not None:
@@ -92,7 +94,19 @@ def sum_with_disc(
     give(value, json_document, lambda value: _print(value, operand))
 
 
-def described(found: _core.Offset, canonical: str) -> dict[str, Any]:
+def _found(
+    operand: Operand, other: _core.PolygonSet, square: str, route: str, index: Path | None
+) -> _core.Offset | IndexedSum:
+    """`other`: the operand, scaled."""
+    if route != "index":
+        return refusing(operand.name, lambda: _core.offset(other, square, cores(), route))
+    built = from_places(
+        index, operand, lambda places: _core.disc_index(other, cores(), places)
+    )
+    return IndexedSum(built, other, square)
+
+
+def described(found: _core.Offset | IndexedSum, canonical: str) -> dict[str, Any]:
     """What a document says of a sum with a disc."""
     return {
         "digest": digest(canonical),
@@ -170,7 +184,7 @@ def _tolerance(text: str | None, outside: bool, target: Target | None) -> Fracti
 
 def _written(
     target: Target,
-    found: _core.Offset,
+    found: _core.Offset | IndexedSum,
     other: _core.PolygonSet,
     disc: Disc,
     canonical: str,
@@ -184,17 +198,21 @@ def _written(
     if target.form == "dxf":
         from minkref.commands.disc.dxf import dxf_text
 
-        return dxf_text(found, target.name), False
+        return dxf_text(_drawn(found), target.name), False
     if target.form == "svg":
         from minkref.reports.offset_picture import offset_picture
 
         radius = math.sqrt(disc.squared_radius)
         caption = f"the sum with a disc of radius {radius:g}"
-        return offset_picture(found, None if only_sum else other, radius, caption), False
+        return offset_picture(_drawn(found), None if only_sum else other, radius, caption), False
     assert within is not None
     polygon = polygon_near(disc, within, outside)
     near = _core.minkowski_sum(other, polygon, "1").region
     return refusing(target.name, lambda: _core.write(near, target.form)), False
+
+
+def _drawn(found: _core.Offset | IndexedSum) -> _core.Offset:
+    return found.static if isinstance(found, IndexedSum) else found
 
 
 def _print(value: dict[str, Any], operand: Operand) -> None:

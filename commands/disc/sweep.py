@@ -8,17 +8,17 @@ from pathlib import Path
 from typing import Any
 
 from minkref import _core
+from minkref.commands.disc.index_file import disc_index_of
 from minkref.commands.disc.sum import enclosed
 from minkref.commands.line.memory import SMALLER, memory_wall
 from minkref.commands.line.output import plain_table
 from minkref.commands.line.progress import progress
 from minkref.commands.lists.row_spool import Row, RowSpool
-from minkref.commands.lists.scale_index import cores
 from minkref.commands.lists.sweep_folder import sweep_folder
 from minkref.commands.lists.sweep_rows import SHOWN, Setting, print_sweep, sweep_rows, write_index
 from minkref.disc.disc import ANY
 from minkref.documents import Stopwatch, document, listing
-from minkref.errors import Refusal, refusing
+from minkref.errors import Refusal
 from minkref.exact import approximate, digest
 from minkref.operand import read_operand
 from minkref.signals import ending_in_order
@@ -31,6 +31,7 @@ def sweep_with_disc(
     P: str,
     Q: str,
     radii: list[str],
+    index_file: Path | None,
     given: dict[str, bool],
     output: Path | None,
     form: str | None,
@@ -51,11 +52,11 @@ def sweep_with_disc(
     folder = sweep_folder(output, form, FORMATS)
     operand = read_operand(P)
     if folder is not None:
-        folder.refuse_overwriting([operand.file])
+        folder.refuse_overwriting([operand.file, *([index_file] if index_file else [])])
     wall = memory_wall(memory, "the index of all radii", P, SMALLER)
     with wall, ending_in_order(), progress(len(radii)) as line:
-        line.now("finding all events")
-        index = refusing(operand.name, lambda: _core.disc_index(operand.set, cores()))
+        line.now("finding all events" if index_file is None else "proving all events again")
+        index = disc_index_of(index_file, operand)
         setting = Setting[str, tuple[str, str]](
             lambda radius: escaped(radius)[:20],
             lambda found, kind: _text(operand.set, *found, kind),

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from pathlib import Path
 from typing import Any
 
 from minkref import _core
+from minkref.commands.disc.index_file import disc_index_of
 from minkref.commands.line.memory import SMALLER, memory_wall
 from minkref.commands.line.output import give, print_lines
 from minkref.commands.line.progress import progress
-from minkref.commands.lists.scale_index import cores
+from minkref.commands.lists.scale_index import refuse_overwriting_index
 from minkref.commands.pages.disc.picture import counts, picture, window_around
 from minkref.commands.pages.disc.write_page import page
 from minkref.commands.pages.plane.picture import Window
@@ -29,6 +31,7 @@ def view_with_disc(
     Q: str,
     first: str | None,
     last: str | None,
+    index_file: Path | None,
     given: list[str],
     target: Target,
     json: bool,
@@ -49,10 +52,11 @@ def view_with_disc(
     operand = read_operand(P)
     if not target.is_standard_output:
         refuse_overwriting(target.path, [operand.file])
+        refuse_overwriting_index(target.path, index_file)
     with memory_wall(memory, "the index of all radii", P, SMALLER), ending_in_order():
         with progress(1) as line:
-            line.now("finding all events")
-            index = refusing(operand.name, lambda: _core.disc_index(operand.set, cores()))
+            line.now("finding all events" if index_file is None else "proving all events again")
+            index = disc_index_of(index_file, operand)
         window = _window(bounds, index, operand.set)
         data = refusing(operand.name, lambda: picture(index, operand.set, window))
         count = target.write_pieces([page(operand.name, data)])

@@ -155,6 +155,40 @@ TEST(DiagramEvents, OfCornersThatAlmostCoincide) {
   }
 }
 
+/// Places that were found before are proven, not trusted.
+TEST(DiagramEvents, AreProvenAgainFromTheirPlaces) {
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    testing::Source random(seed);
+    const PolygonSet P = testing::random_region(random, 4);
+    const DiagramEvents found = diagram_events(P);
+    std::vector<FoundPlace> places = found.places();
+    const DiagramEvents again = diagram_events(P, places);
+    ASSERT_EQ(again.events.size(), found.events.size());
+    for (std::size_t k = 0; k < found.events.size(); ++k) {
+      ASSERT_EQ(again.events[k].features, found.events[k].features);
+      ASSERT_EQ(again.events[k].kind, found.events[k].kind);
+      ASSERT_EQ(compare(again.exact(again.events[k]).squared_radius,
+                        found.exact(found.events[k]).squared_radius),
+                0);
+    }
+    if (places.empty()) continue;
+    const std::size_t one = random.below(static_cast<unsigned>(places.size()));
+    std::vector<FoundPlace> fewer = places;
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(one));
+    ASSERT_THROW(diagram_events(P, fewer), BadInput);
+    for (const std::vector<std::uint32_t>& of :
+         {std::vector<std::uint32_t>{0, 1}, {2, 1, 0}, {1, 1, 2}, {0, 1, 4'000'000}}) {
+      std::vector<FoundPlace> wrong = places;
+      wrong[one].of = of;
+      ASSERT_THROW(diagram_events(P, wrong), BadInput);
+    }
+    // A place too many is no event, and left out.
+    places.push_back({{0, 1, 2}, 9});
+    ASSERT_EQ(diagram_events(P, places).events.size(), found.events.size());
+  }
+}
+
 TEST(DiagramEvents, OfAConvexSetAreNone) {
   EXPECT_TRUE(diagram_events({{{{{0, 0}, {3, 0}, {1, 2}}, {}}}}).events.empty());
   EXPECT_TRUE(diagram_events({{{{{0, 0}, {3, 4}}, {}}}}).events.empty());

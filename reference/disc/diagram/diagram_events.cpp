@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -84,6 +85,24 @@ class Collection {
     for (const std::uint64_t signs : exact_signs) exact_signs_ += signs;
     for (std::vector<DiagramEvent>& cell : found) {
       for (DiagramEvent& event : cell) keep(std::move(event), events_, of_features_);
+    }
+  }
+
+  /// Those at places that are to be proven, whatever they are.
+  void add_places(const std::vector<FoundPlace>& places) {
+    std::vector<std::optional<DiagramEvent>> found(places.size());
+    std::vector<std::uint64_t> exact_signs(control_.threads(), 0);
+    in_parallel(places.size(), control_, BuildProgress::Stage::pairs, [&](unsigned thread) {
+      return [&, thread, prover = EventProver(lookup_)](std::size_t k) mutable {
+        const auto at = prover.places(places[k].of);
+        if (places[k].branch >= at.size()) return;
+        found[k] = prover.event(places[k].of, places[k].branch, at[places[k].branch]);
+        exact_signs[thread] = prover.exact_signs;
+      };
+    });
+    for (const std::uint64_t signs : exact_signs) exact_signs_ += signs;
+    for (std::optional<DiagramEvent>& event : found) {
+      if (event) keep(std::move(*event), events_, of_features_);
     }
   }
 
@@ -240,6 +259,54 @@ DiagramEvents in_unit_box(const PolygonSet& P) {
   return result;
 }
 
+struct Search {
+  const EdgeLookup& lookup;
+  const BuildControl& control;
+  const DiagramCount& count;
+};
+
+/// `find_corners(search, found)` adds all events with three features or more, or throws.
+template <class FindCorners>
+DiagramEvents complete_events(const PolygonSet& P, const BuildOptions& options,
+                              FindCorners&& find_corners) {
+  DiagramEvents result = in_unit_box(P);
+  const EdgeLookup lookup(result.curves);
+  const BuildControl control(options, "the events");
+  result.walks = boundary_walks(lookup);
+  const DiagramCount count = diagram_count(result.curves, result.walks);
+  result.gaps = count.gaps;
+  Collection found(lookup, control);
+  find_corners(Search{lookup, control, count}, found);
+  found.add_saddles(count);
+  result.exact_signs = found.exact_signs();
+  result.events = std::move(found).events();
+  std::sort(result.events.begin(), result.events.end(),
+            [&](const DiagramEvent& a, const DiagramEvent& b) {
+              if (a.squared_radius.upper() < b.squared_radius.lower()) return true;
+              if (a.squared_radius.lower() > b.squared_radius.upper()) return false;
+              const int order =
+                  compare(result.exact(a).squared_radius, result.exact(b).squared_radius);
+              return order != 0 ? order < 0 : a.features < b.features;
+            });
+  return result;
+}
+
+/// Three features each, ascending, that have a part of the offset.
+bool are_possible(const std::vector<FoundPlace>& places, const OffsetCurves& curves) {
+  return std::all_of(places.begin(), places.end(), [&](const FoundPlace& place) {
+    return place.of.size() == 3 &&
+           std::adjacent_find(place.of.begin(), place.of.end(), std::greater_equal<>()) ==
+               place.of.end() &&
+           place.of.back() < curves.features.size() &&
+           std::all_of(
+               place.of.begin(), place.of.end(),
+               [&](std::uint32_t feature) {
+                 return curves.features[feature].edge != OffsetPatch::none ||
+                        curves.features[feature].has_arc;
+               });
+  });
+}
+
 }  // namespace
 
 Equidistant<RootNumber> DiagramEvents::exact(const DiagramEvent& event) const {
@@ -262,34 +329,37 @@ Point DiagramEvents::vertex(std::uint32_t feature) const {
   return {p.x / factor + origin.x, p.y / factor + origin.y};
 }
 
+std::vector<FoundPlace> DiagramEvents::places() const {
+  std::vector<FoundPlace> found;
+  for (const DiagramEvent& event : events) {
+    if (event.of.size() == 3) found.push_back({event.of, event.branch});
+  }
+  return found;
+}
+
 DiagramEvents diagram_events(const PolygonSet& P, const BuildOptions& options) {
-  DiagramEvents result = in_unit_box(P);
-  const EdgeLookup lookup(result.curves);
-  const BuildControl control(options, "the events");
-  result.walks = boundary_walks(lookup);
-  const DiagramCount count = diagram_count(result.curves, result.walks);
-  result.gaps = count.gaps;
-  Collection found(lookup, control);
-  found.add(candidates<double>(lookup, control));
-  if (!found.is_complete(count)) found.add(candidates<ManyBits<256>>(lookup, control));
-  if (!found.is_complete(count)) found.add(candidates<ManyBits<1024>>(lookup, control));
-  if (!found.is_complete(count)) {
+  return complete_events(P, options, [](const Search& search, Collection& found) {
+    found.add(candidates<double>(search.lookup, search.control));
+    const auto is_complete = [&] { return found.is_complete(search.count); };
+    if (!is_complete()) found.add(candidates<ManyBits<256>>(search.lookup, search.control));
+    if (!is_complete()) found.add(candidates<ManyBits<1024>>(search.lookup, search.control));
+    if (is_complete()) return;
     throw LimitExceeded("too-near",
                         "two places of events are nearer to each other than 1,024 bits tell",
                         "move vertices that are almost, but not quite, as far from some place");
-  }
-  found.add_saddles(count);
-  result.exact_signs = found.exact_signs();
-  result.events = std::move(found).events();
-  std::sort(result.events.begin(), result.events.end(),
-            [&](const DiagramEvent& a, const DiagramEvent& b) {
-              if (a.squared_radius.upper() < b.squared_radius.lower()) return true;
-              if (a.squared_radius.lower() > b.squared_radius.upper()) return false;
-              const int order =
-                  compare(result.exact(a).squared_radius, result.exact(b).squared_radius);
-              return order != 0 ? order < 0 : a.features < b.features;
-            });
-  return result;
+  });
+}
+
+DiagramEvents diagram_events(const PolygonSet& P, const std::vector<FoundPlace>& places,
+                             const BuildOptions& options) {
+  return complete_events(P, options, [&](const Search& search, Collection& found) {
+    if (are_possible(places, search.lookup.curves())) {
+      found.add_places(places);
+      if (found.is_complete(search.count)) return;
+    }
+    throw BadInput("other-places", "the places of events are not those of this set",
+                   "give the set that they were found for");
+  });
 }
 
 }  // namespace minkref::inline disc

@@ -11,6 +11,12 @@
 
 namespace minkref::inline disc {
 
+/// Where an event with three features or more was found: DiagramEvent::of and its branch.
+struct FoundPlace {
+  Features of;
+  unsigned branch;
+};
+
 struct DiagramEvents {
   OffsetCurves curves;  ///< of P moved from the origin and multiplied by a power of two
   Point origin;
@@ -27,6 +33,8 @@ struct DiagramEvents {
   Equidistant<RootNumber> exact(const DiagramEvent& event) const;
   /// Of the feature of a vertex.
   Point vertex(std::uint32_t feature) const;
+  /// What diagram_events takes to prove the list again, quicker than it was found.
+  std::vector<FoundPlace> places() const;
 };
 
 /// Of a valid polygon set, a point or a segment. Candidates come from rounded envelopes; each is
@@ -35,5 +43,11 @@ struct DiagramEvents {
 /// at. Throws LimitExceeded ("too-near") where 1,024 bits do not suffice. O(n log n + k) for k
 /// candidates that are compared.
 DiagramEvents diagram_events(const PolygonSet& P, const BuildOptions& options = {});
+
+/// The same, with places that were found before as candidates, and no others. They are trusted no
+/// more than an envelope is: each is proven, and the count tells that none is missing. Throws
+/// BadInput ("other-places") where they are not those of P. O(n log n).
+DiagramEvents diagram_events(const PolygonSet& P, const std::vector<FoundPlace>& places,
+                             const BuildOptions& options = {});
 
 }  // namespace minkref::inline disc

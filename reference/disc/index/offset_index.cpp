@@ -29,8 +29,8 @@ BoundedPoint corner_of(const CornerMotion& m, double rho, double slack) {
 
 }  // namespace
 
-OffsetIndex::OffsetIndex(const PolygonSet& P, const BuildOptions& options)
-    : diagram_(diagram_events(P, options)), graph_(diagram_graph(diagram_)) {
+OffsetIndex::OffsetIndex(DiagramEvents diagram)
+    : diagram_(std::move(diagram)), graph_(diagram_graph(diagram_)) {
   number_radii();
   count_sides();
   place_joints();

@@ -44,7 +44,10 @@ struct BoundedPoint {
 class OffsetIndex {
  public:
   /// Of a valid polygon set, a point or a segment. Errors and cost are those of diagram_events.
-  explicit OffsetIndex(const PolygonSet& P, const BuildOptions& options = {});
+  explicit OffsetIndex(const PolygonSet& P, const BuildOptions& options = {})
+      : OffsetIndex(diagram_events(P, options)) {}
+  /// Of all events.
+  explicit OffsetIndex(DiagramEvents diagram);
 
   const DiagramEvents& diagram() const { return diagram_; }
   const DiagramGraph& graph() const { return graph_; }
