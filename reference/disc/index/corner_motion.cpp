@@ -161,8 +161,9 @@ CornerMotion corner_motion(const DiagramEvents& diagram, const DiagramGraph& gra
 
 JointMotion joint_motion(const Point& end, const Direction& normal) {
   const double length = std::sqrt(to_double(dot(normal, normal)));
-  return {to_double(end.x), to_double(end.y), to_double(normal.x) / length,
-          to_double(normal.y) / length};
+  const double x = to_double(end.x), y = to_double(end.y);
+  return {x, y, to_double(normal.x) / length, to_double(normal.y) / length,
+          0x1p-51 * (std::abs(x) + std::abs(y))};
 }
 
 }  // namespace minkref::inline disc

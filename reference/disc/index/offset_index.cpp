@@ -9,20 +9,21 @@ namespace minkref::inline disc {
 
 namespace {
 
-constexpr double unit = 0x1p-45;  // of the numbers of a motion
+constexpr double unit = 0x1p-45;          // of the numbers of a motion
+constexpr std::uint32_t most_spans = 64;  // of gaps
 
 /// At a radius that is known up to `slack`.
 BoundedPoint corner_of(const CornerMotion& m, double rho, double slack) {
+  constexpr double turn = 1.5;  // at least the sum of both coordinates of a unit vector
   const double way = rho - m.r;
   const double terms = std::abs(m.q0) + std::abs(m.q1) * rho + m.q2 * rho * rho;
   const double square = std::max(m.q0 + (m.q1 + m.q2 * rho) * rho, 0.0);
   const double root = std::sqrt(square);
   // Of the square; the root is off by that over the root, or by its root.
   const double off = unit * terms + (std::abs(m.q1) + 2.1 * m.q2 * rho) * slack + 0x1p-1000;
-  const double root_off = root * root > off ? 2 * off / root : 2 * std::sqrt(off);
-  const double x = m.ax + way * m.bx + root * m.cx, y = m.ay + way * m.by + root * m.cy;
-  const double speed = std::abs(m.bx) + std::abs(m.by), turn = std::abs(m.cx) + std::abs(m.cy);
-  return {x, y,
+  const double root_off = square > off ? 2 * off / root : 2 * std::sqrt(off);
+  const double speed = std::abs(m.bx) + std::abs(m.by);
+  return {m.ax + way * m.bx + root * m.cx, m.ay + way * m.by + root * m.cy,
           m.error + unit * (std::abs(m.ax) + std::abs(m.ay) + rho * speed + root * turn) +
               slack * speed + root_off * turn};
 }
@@ -32,6 +33,7 @@ BoundedPoint corner_of(const CornerMotion& m, double rho, double slack) {
 OffsetIndex::OffsetIndex(DiagramEvents diagram)
     : diagram_(std::move(diagram)), graph_(diagram_graph(diagram_)) {
   number_radii();
+  part_gaps();
   count_sides();
   place_joints();
   for (std::uint32_t k = 0; k < graph_.halves.size(); ++k) {
@@ -65,6 +67,25 @@ void OffsetIndex::number_radii() {
   }
 }
 
+/// Into so many spans that each has about as many halves as its gaps, and all together not too
+/// many.
+void OffsetIndex::part_gaps() {
+  const std::uint32_t gaps = radii() + 1;
+  gaps_of_span_ = (gaps + most_spans - 1) / most_spans;
+  spans_.resize((gaps + gaps_of_span_ - 1) / gaps_of_span_);
+  for (std::uint32_t number = 0; number < spans_.size(); ++number) {
+    Span& span = spans_[number];
+    const std::uint32_t first = number * gaps_of_span_, last = first + gaps_of_span_;
+    for (const DiagramGraph::Walk& walk : graph_.walks) {
+      span.bounds.push_back(static_cast<std::uint32_t>(span.halves.size()));
+      for (std::uint32_t k = walk.first; k < walk.last; ++k) {
+        if (low_[k] < last && first < high_[k]) span.halves.push_back({k, low_[k], high_[k]});
+      }
+    }
+    span.bounds.push_back(static_cast<std::uint32_t>(span.halves.size()));
+  }
+}
+
 /// How far each half goes along the sides of its walk.
 void OffsetIndex::count_sides() {
   for (std::size_t number = 0; number < graph_.walks.size(); ++number) {
@@ -80,8 +101,7 @@ void OffsetIndex::count_sides() {
                         &before = graph_.halves[k == walk.first ? walk.last - 1 : k - 1];
       const std::uint32_t start = passed + onwards(before.to_side, half.from_side);
       passed = start + onwards(half.from_side, half.to_side);
-      starts_.push_back(start);
-      ends_.push_back(passed);
+      ways_.push_back({half.twin, half.to_side, start, passed});
     }
     if (walk.first != walk.last && passed != total) {
       throw std::logic_error("the diagram does not go once around a walk");
@@ -94,14 +114,13 @@ void OffsetIndex::place_joints() {
   for (const BoundaryWalk& walk : diagram_.walks.walks) {
     for (std::uint32_t k = walk.first; k < walk.last; ++k) {
       const BoundarySide &side = sides[k], &next = sides[k + 1 == walk.last ? walk.first : k + 1];
-      has_joint_.push_back(!side.ends_at_reflex && side.is_arc != next.is_arc ? 1 : 0);
+      joints_before_.push_back(static_cast<std::uint32_t>(joints_.size()));
+      if (side.ends_at_reflex || side.is_arc == next.is_arc) continue;
       const std::uint32_t edge = side.is_arc ? side.next : side.edge;
-      joints_.push_back(has_joint_.back() != 0
-                            ? joint_motion(diagram_.curves.features[side.to].centre,
-                                           diagram_.curves.edges[edge].normal)
-                            : JointMotion{});
+      joints_.push_back(joint_motion(diagram_.vertex(side.to), diagram_.curves.edges[edge].normal));
     }
   }
+  joints_before_.push_back(static_cast<std::uint32_t>(joints_.size()));
 }
 
 OffsetIndex::Place OffsetIndex::place(const Rational& squared_radius) const {
@@ -124,7 +143,7 @@ OffsetIndex::Place OffsetIndex::place(const Rational& squared_radius) const {
 std::uint32_t OffsetIndex::sides_between(std::uint32_t walk, std::uint32_t entry,
                                          std::uint32_t exit) const {
   const BoundaryWalk& own = diagram_.walks.walks[walk];
-  return starts_[exit] + 1 - ends_[entry] + (exit <= entry ? own.last - own.first : 0);
+  return ways_[exit].start + 1 - ways_[entry].end + (exit <= entry ? own.last - own.first : 0);
 }
 
 void OffsetIndex::boundary(std::uint32_t gap, IndexBoundary& found) const {
@@ -133,18 +152,19 @@ void OffsetIndex::boundary(std::uint32_t gap, IndexBoundary& found) const {
   // The corners in order along the walks: each starts a part of the boundary, or ends one.
   thread_local std::vector<std::uint32_t> there, place, bounds, walk_of;
   const std::size_t halves = low_.size();
+  const Span& span = spans_[gap / gaps_of_span_];
   there.resize(halves + 1);
   place.resize(halves);
   bounds.resize(walks + 1);
   std::uint32_t count = 0;
   std::uint32_t* const next = there.data();
-  const std::uint32_t *const low = low_.data(), *const high = high_.data();
   for (std::uint32_t walk = 0; walk < walks; ++walk) {
     bounds[walk] = count;
-    for (std::uint32_t k = graph_.walks[walk].first; k < graph_.walks[walk].last; ++k) {
-      next[count] = k;
+    for (std::uint32_t n = span.bounds[walk]; n < span.bounds[walk + 1]; ++n) {
+      const Span::Half& half = span.halves[n];
+      next[count] = half.number;
       count +=
-          static_cast<std::uint32_t>(low[k] <= gap) & static_cast<std::uint32_t>(gap < high[k]);
+          static_cast<std::uint32_t>(half.low <= gap) & static_cast<std::uint32_t>(gap < half.high);
     }
   }
   bounds[walks] = count;
@@ -163,9 +183,8 @@ void OffsetIndex::boundary(std::uint32_t gap, IndexBoundary& found) const {
       const std::uint32_t walk = walk_of[entry],
                           exit = entry + 1 == bounds[walk + 1] ? bounds[walk] : entry + 1;
       const std::uint32_t half = there[entry], last = there[exit];
-      found.corners.push_back(
-          {half, walk, graph_.halves[half].to_side, sides_between(walk, half, last)});
-      entry = place[graph_.halves[last].twin];
+      found.corners.push_back({half, walk, ways_[half].to_side, sides_between(walk, half, last)});
+      entry = place[ways_[last].twin];
     }
     ring.last_corner = static_cast<std::uint32_t>(found.corners.size());
     found.rings.push_back(ring);
@@ -184,46 +203,61 @@ BoundedPoint OffsetIndex::corner(std::uint32_t half, const Interval& radius) con
   return corner_of(motions_[half], approximate(radius), radius.upper() - radius.lower());
 }
 
+/// Calls do(first, last) for the joints at the ends of so many sides of a walk, which may go on
+/// from its last side to its first.
+template <class Do>
+void OffsetIndex::for_joints(std::uint32_t walk, std::uint32_t side, std::uint32_t sides,
+                             Do&& act) const {
+  const BoundaryWalk& own = diagram_.walks.walks[walk];
+  const std::uint32_t end = side + sides, stop = std::min(end, own.last);
+  act(joints_before_[side], joints_before_[stop]);
+  if (end > stop) act(joints_before_[own.first], joints_before_[own.first + (end - stop)]);
+}
+
 void OffsetIndex::vertices(const IndexBoundary& boundary, const Interval& radius,
                            std::vector<BoundedPoint>& found,
                            std::vector<std::uint32_t>& starts) const {
-  found.clear();
   starts.clear();
-  const Interval in_frame = radius * Interval(diagram_.factor);
-  const double rho = approximate(in_frame), slack = in_frame.upper() - in_frame.lower();
-  const auto add = [&](double x, double y, double error) {
-    x *= scale_;
-    y *= scale_;
-    error = error * scale_ + origin_error_ + 0x1p-52 * (std::abs(x) + std::abs(y));
-    found.push_back({x + x_, y + y_, error * (1 + 0x1p-40)});
-  };
-  const auto add_joint = [&](std::uint32_t side) {
-    if (has_joint_[side] == 0) return;
-    const JointMotion& joint = joints_[side];
-    const double x = joint.ax + rho * joint.bx, y = joint.ay + rho * joint.by;
-    add(x, y, slack + unit * (std::abs(joint.ax) + std::abs(joint.ay) + rho));
-  };
-  const auto add_corner = [&](std::uint32_t half) {
-    const BoundedPoint found_there = corner_of(motions_[half], rho, slack);
-    add(found_there.x, found_there.y, found_there.error);
-  };
-  for (const IndexRing& ring : boundary.rings) {
-    starts.push_back(static_cast<std::uint32_t>(found.size()));
-    if (ring.first_corner == ring.last_corner) {
-      const BoundaryWalk& walk = diagram_.walks.walks[ring.walk];
-      for (std::uint32_t side = walk.first; side < walk.last; ++side) add_joint(side);
-    }
-    for (std::uint32_t k = ring.first_corner; k < ring.last_corner; ++k) {
-      const IndexCorner& corner = boundary.corners[k];
-      const BoundaryWalk& walk = diagram_.walks.walks[corner.walk];
-      add_corner(corner.half);
-      std::uint32_t side = corner.first_side;
-      for (std::uint32_t n = 1; n < corner.sides; ++n) {
-        add_joint(side);
-        side = side + 1 == walk.last ? walk.first : side + 1;
+  const auto for_all = [&](auto&& start_ring, auto&& add_corner, auto&& add_joints) {
+    for (const IndexRing& ring : boundary.rings) {
+      start_ring();
+      if (ring.first_corner == ring.last_corner) {
+        const BoundaryWalk& walk = diagram_.walks.walks[ring.walk];
+        add_joints(joints_before_[walk.first], joints_before_[walk.last]);
+      }
+      for (std::uint32_t k = ring.first_corner; k < ring.last_corner; ++k) {
+        const IndexCorner& corner = boundary.corners[k];
+        add_corner(corner.half);
+        for_joints(corner.walk, corner.first_side, corner.sides - 1, add_joints);
       }
     }
-  }
+  };
+  std::size_t count = boundary.corners.size();
+  for_all([] {}, [](std::uint32_t) {},
+          [&](std::uint32_t first, std::uint32_t last) { count += last - first; });
+  found.resize(count);
+
+  const double rho = approximate(radius), slack = radius.upper() - radius.lower();
+  const Interval in_frame = radius * Interval(diagram_.factor);
+  const double rho_in_frame = approximate(in_frame),
+               slack_in_frame = in_frame.upper() - in_frame.lower();
+  const double joint_error = slack + unit * rho;
+  constexpr double rounded_up = 1 + 0x1p-40;
+  BoundedPoint* next = found.data();
+  for_all([&] { starts.push_back(static_cast<std::uint32_t>(next - found.data())); },
+          [&](std::uint32_t half) {
+            const BoundedPoint there = corner_of(motions_[half], rho_in_frame, slack_in_frame);
+            const double x = there.x * scale_, y = there.y * scale_;
+            const double error =
+                there.error * scale_ + origin_error_ + 0x1p-52 * (std::abs(x) + std::abs(y));
+            *next++ = {x + x_, y + y_, error * rounded_up};
+          },
+          [&](std::uint32_t first, std::uint32_t last) {
+            for (const JointMotion* joint = &joints_[first]; first < last; ++first, ++joint) {
+              *next++ = {joint->ax + rho * joint->bx, joint->ay + rho * joint->by,
+                         (joint->error + joint_error) * rounded_up};
+            }
+          });
 }
 
 }  // namespace minkref::inline disc

@@ -73,7 +73,7 @@ class OffsetIndex {
   /// Where a radius is among those of the events, by its square. Exact. O(log n).
   Place place(const Rational& squared_radius) const;
 
-  /// The boundary at the radii of a gap. O(n), without branches, for n halves of the diagram.
+  /// The boundary at the radii of a gap. O(n) for n halves of the diagram with a corner near it.
   void boundary(std::uint32_t gap, IndexBoundary& found) const;
 
   /// All vertices of the boundary at a radius of the gap, ring by ring: corners, and joints, where
@@ -89,9 +89,21 @@ class OffsetIndex {
     std::uint32_t event;
     Interval squared;  ///< in the frame of the curves
   };
+  /// Some gaps that follow each other, and the halves that have a corner in one of them, in order
+  /// along the walks.
+  struct Span {
+    struct Half {
+      std::uint32_t number, low, high;
+    };
+    std::vector<Half> halves;
+    std::vector<std::uint32_t> bounds;  ///< of walks
+  };
   void number_radii();
+  void part_gaps();
   void count_sides();
   void place_joints();
+  template <class Do>
+  void for_joints(std::uint32_t walk, std::uint32_t side, std::uint32_t sides, Do&& act) const;
   std::uint32_t sides_between(std::uint32_t walk, std::uint32_t entry, std::uint32_t exit) const;
 
   DiagramEvents diagram_;
@@ -100,11 +112,18 @@ class OffsetIndex {
   std::vector<std::uint32_t> numbers_;  ///< of the radii of events
   std::vector<std::uint32_t> low_, high_;
   std::vector<char> is_rising_;
-  std::vector<std::uint32_t> starts_, ends_;  ///< of halves: sides of the walk that are passed
+  std::uint32_t gaps_of_span_ = 1;
+  std::vector<Span> spans_;
+  /// What links corners to rings, of halves.
+  struct Way {
+    std::uint32_t twin, to_side;
+    std::uint32_t start, end;  ///< sides of the walk that are passed
+  };
+  std::vector<Way> ways_;
   std::vector<CornerMotion> motions_;         ///< by half
-  std::vector<std::uint8_t> has_joint_;       ///< by side: at its end
-  std::vector<JointMotion> joints_;
-  double scale_ = 1, x_ = 0, y_ = 0;  ///< from the frame of the curves to that of P
+  std::vector<JointMotion> joints_;           ///< in the order of the sides that they end
+  std::vector<std::uint32_t> joints_before_;  ///< by side
+  double scale_ = 1, x_ = 0, y_ = 0;          ///< from the frame of the curves to that of P
   double origin_error_ = 0;
 };
 
