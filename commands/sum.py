@@ -243,11 +243,7 @@ def command(
 
 
 def _refuse_without_arcs(
-    arithmetic: str,
-    as_read: str | None,
-    reading: list[str] | None,
-    plot: bool,
-    passages: bool,
+    arithmetic: str, as_read: str | None, reading: list[str] | None, plot: bool, passages: bool
 ) -> None:
     """Options that sums with a disc do not have."""
     others = {

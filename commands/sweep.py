@@ -167,7 +167,7 @@ def command(
         from minkref.commands.disc.sweep import sweep_with_disc
 
         radii = _scales(from_scale, to_scale, steps, scales_file)
-        named = {
+        named: dict[str, object] = {
             "--route": route if route != "index" else None,
             "--form": as_read,
             "--reading": reading,

@@ -14,7 +14,7 @@ from minkref.commands.disc.index_file import from_places
 from minkref.commands.disc.indexed_sum import IndexedSum
 from minkref.commands.line.memory import SIMPLER, memory_wall
 from minkref.commands.line.output import give, print_lines, written_row
-from minkref.commands.lists.scale_index import cores, chosen_route, refuse_overwriting_index
+from minkref.commands.lists.scale_index import chosen_route, cores, refuse_overwriting_index
 from minkref.commands.sum_table import passage_rows
 from minkref.disc.disc import Disc, is_disc, read_disc
 from minkref.disc.polygons import polygon_near
@@ -100,9 +100,7 @@ def _found(
     """`other`: the operand, scaled."""
     if route != "index":
         return refusing(operand.name, lambda: _core.offset(other, square, cores(), route))
-    built = from_places(
-        index, operand, lambda places: _core.disc_index(other, cores(), places)
-    )
+    built = from_places(index, operand, lambda places: _core.disc_index(other, cores(), places))
     return IndexedSum(built, other, square)
 
 

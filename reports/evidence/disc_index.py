@@ -14,6 +14,7 @@ from typing import Any
 from minkref import _core
 from minkref.fuzz.judges.offset_cgal import OffsetJudge
 from minkref.fuzz.judges.offset_comparison import grid_set
+from minkref.fuzz.judges.offset_sandwich import sandwich
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.operands import operand, tell_absent
 from minkref.reports.evidence.framework.part import AGAINST_CGAL, Findings
@@ -21,9 +22,10 @@ from minkref.reports.evidence.framework.part import AGAINST_CGAL, Findings
 SUBJECT = (
     "The index of all radii of a sum with a disc: canonical form, components, holes, area and "
     "length read off at 1,000 radii of each of the paper's polygons, between events and at those "
-    "of rational square, are those of the static sum; sets of cells of a grid too. Seconds to "
-    "build and of a query of all vertices, with bounds, against CGAL's approximated and exact "
-    "offsets in one run."
+    "of rational square, are those of the static sum; sets of cells of a grid too. Area, "
+    "components and holes fit between those of sums with polygons of 72 corners in and around the "
+    "disc. Seconds to build and of a query of all vertices, with bounds, against CGAL's "
+    "approximated and exact offsets in one run."
 )
 MINUTES = (12, 0.1)
 DEPENDS = (*AGAINST_CGAL, "reports/evidence/disc_sums.py")
@@ -34,6 +36,8 @@ RADII, QUICK_RADII = 1000, 10
 LARGE = ("neuron", "monkey", "bird")
 ROUNDS = 20
 BUILDS = 5
+WITHIN = Fraction(1, 1000)  # of the radius: polygons of 72 corners
+PARTS = (Fraction(1, 300), Fraction(7, 300), Fraction(1, 15))  # radii, of the length of the box
 TOLERANCE = 1e-3  # of CGAL's approximated offset, as a part of the radius
 EXACT_SECONDS = 120.0
 
@@ -42,6 +46,12 @@ EXACT_SECONDS = 120.0
 class Looked:
     counts: Counter[str] = field(default_factory=Counter)
     faults: list[str] = field(default_factory=list)
+    misfits: list[str] = field(default_factory=list)  # between polygons
+
+    def add(self, other: Looked) -> None:
+        self.counts.update(other.counts)
+        self.faults += other.faults
+        self.misfits += other.misfits
 
 
 def compare_at(index: _core.DiscIndex, P: _core.PolygonSet, square: Fraction, looked: Looked,
@@ -58,6 +68,9 @@ def compare_at(index: _core.DiscIndex, P: _core.PolygonSet, square: Fraction, lo
         same &= low <= most and least <= high
     if not same:
         looked.faults.append(f"{where}, squared radius {square}")
+    told = sandwich(P, square, index.counts(text), index.measures(text)[0], WITHIN)
+    looked.counts["with as many holes by polygons in and around the disc"] += told.same_holes
+    looked.misfits += [f"{where}, squared radius {square}: {fault}" for fault in told.faults]
 
 
 def squares(index: _core.DiscIndex, P: _core.PolygonSet, wanted: int,
@@ -113,20 +126,23 @@ def run(findings: Findings, quick: bool) -> None:
     tasks = [(name, part, count) for name in models for part in range(1 if quick else 20)]
     speeds = [_speed(name, quick, findings) for name in models]
     for looked in in_processes(of_grid, range(QUICK_SETS if quick else SETS), each=20):
-        all_looked.counts.update(looked.counts)
-        all_looked.faults += looked.faults
+        all_looked.add(looked)
     for looked in in_processes(of_model, tasks, each=1):
-        all_looked.counts.update(looked.counts)
-        all_looked.faults += looked.faults
+        all_looked.add(looked)
     counts = all_looked.counts
     findings.none("radii at which what is read off is not the static sum", all_looked.faults)
+    findings.none(
+        "radii at which it does not fit between polygons in and around the disc", all_looked.misfits
+    )
     looked_at = counts["at events"] + counts["between events"]
     wanted = 100 if quick else 7000
     findings.law("radii compared", looked_at >= wanted, f"{wanted:,}", f"{looked_at:,}")
     findings.note(
         f"seed {SEED}: {counts['sets']:,} sets of cells and {len(models)} large polygons, "
         f"{counts['between events']:,} radii between events, {counts['at events']:,} at events; "
-        f"{counts['holes']:,} holes in all"
+        f"{counts['holes']:,} holes in all; at "
+        f"{counts['with as many holes by polygons in and around the disc']:,} radii sums with "
+        "polygons in and around the disc have one number of holes, that of the disc"
     )
     findings.figures = {"counts": dict(counts), "speed": speeds}
 
@@ -136,38 +152,57 @@ def _speed(name: str, quick: bool, findings: Findings) -> dict[str, Any]:
     builds = [_core.disc_index(P, 2) for _ in range(1 if quick else BUILDS)]
     build = statistics.median(index.seconds for index in builds)
     index = builds[0]
+    again = min(_core.disc_index(P, 2, index.places()).seconds for _ in builds)
     bounds = [low for low, _ in index.radii()]
     radii = [bounds[k * (len(bounds) - 1) // 100] * 1.0000001 for k in range(100)]
     query = min(index.seconds_of_queries(radii, ROUNDS) for _ in range(5)) / len(radii)
-    xmin, ymin, xmax, ymax = P.bounding_box()
-    radius = Fraction(round(float(max(xmax - xmin, ymax - ymin)) / 300 * 1000), 1000)
-    one = min(index.seconds_of_queries([float(radius)], ROUNDS) for _ in range(5))
-    points, _ = index.vertices(float(radius))
-    row: dict[str, Any] = {"model": known, "build": build, "query": query, "one": one,
-                           "events": len(index), "parts": index.parts}  # fmt: skip
-    with OffsetJudge(20.0 if quick else EXACT_SECONDS) as judge:
-        rings = json.loads(P.canonical_json())
-        near = judge.seconds_near(rings, radius, TOLERANCE * float(radius))
-        exact = None if quick else judge.offset(rings, radius).seconds
-    row |= {"cgal_near": near, "cgal_exact": exact}
     findings.note(
         f"{known} ({P.vertices:,} vertices): {len(index):,} radii of events, {index.parts:,} parts "
-        f"of the diagram; built in {build:.3f} s on two threads; a query of all vertices "
-        f"{query * 1e6:.1f} µs in the mean of 100 radii, {one * 1e6:.1f} µs at radius {radius}, "
-        f"{len(points):,} vertices, the largest bound of an error "
-        f"{max((float(p[2]) for p in points), default=0):.1g}; CGAL's approximated offset there "
-        f"{_told(near)}, its exact one {_told(exact)}"
+        f"of the diagram; built in {build:.3f} s on two threads, proven again from a file in "
+        f"{again:.3f} s; a query of all vertices {query * 1e6:.1f} µs in the mean of 100 radii"
     )
     if name == "neuron":
         findings.target(f"{known}: seconds to build the index, two threads", build <= 0.3,
                         "at most 0.3", f"{build:.3f}")  # fmt: skip
+    xmin, ymin, xmax, ymax = P.bounding_box()
+    size = max(xmax - xmin, ymax - ymin)
+    radii_of_cgal = [Fraction(round(float(size * part) * 1000), 1000) for part in PARTS]
+    return {
+        "model": known, "build": build, "again": again, "query": query, "events": len(index),
+        "parts": index.parts,
+        "beside cgal": [
+            _beside_cgal(known, P, index, radius, quick, findings)
+            for radius in (radii_of_cgal[:1] if quick else radii_of_cgal)
+        ],
+    }  # fmt: skip
+
+
+def _beside_cgal(name: str, P: _core.PolygonSet, index: _core.DiscIndex, radius: Fraction,
+                 quick: bool, findings: Findings) -> dict[str, Any]:  # fmt: skip
+    """A query at one radius, and CGAL's offsets there."""
+    one = min(index.seconds_of_queries([float(radius)], ROUNDS) for _ in range(5))
+    points, _ = index.vertices(float(radius))
+    rings = json.loads(P.canonical_json())
+    with OffsetJudge(20.0 if quick else EXACT_SECONDS) as judge:
+        near = judge.seconds_near(rings, radius, TOLERANCE * float(radius))
+    with OffsetJudge(EXACT_SECONDS) as judge:
+        exact = None if quick else judge.offset(rings, radius).seconds
+    findings.note(
+        f"{name}, radius {radius}: a query of all {len(points):,} vertices {one * 1e6:.1f} µs, the "
+        f"largest bound of an error {max((float(p[2]) for p in points), default=0):.1g}; CGAL's "
+        f"approximated offset {_told(near, one)}, its exact one {_told(exact, one)}"
+    )
+    if name.startswith("neuron") and not quick:
         for what, theirs, wanted in (("approximated", near, 10_000), ("exact", exact, 500_000)):
             ratio = None if theirs is None else theirs / one
-            findings.target(f"{known}: CGAL's {what} offset over a query at radius {radius}",
+            findings.target(f"{name}: CGAL's {what} offset over a query at radius {radius}",
                             ratio is not None and ratio >= wanted, f"{wanted:,}",
                             "no answer" if ratio is None else f"{ratio:,.0f}")  # fmt: skip
-    return row
+    return {"radius": str(radius), "query": one, "vertices": len(points), "cgal_near": near,
+            "cgal_exact": exact}  # fmt: skip
 
 
-def _told(seconds: float | None) -> str:
-    return "has no answer" if seconds is None else f"{seconds:.2f} s"
+def _told(seconds: float | None, query: float) -> str:
+    if seconds is None:
+        return "has no answer"
+    return f"{seconds:.2f} s, {seconds / query:,.0f} queries"

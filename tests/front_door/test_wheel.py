@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import json
 import shutil
 import subprocess
@@ -11,6 +12,7 @@ import zipfile
 from pathlib import Path
 
 import pytest
+from minkref.commands.line.command_group import COMMANDS
 
 ROOT = Path(__file__).resolve().parents[2]
 PACKAGING = ROOT / "packaging"
@@ -39,6 +41,13 @@ def test_wheel_brings_gmp_and_mpfr_and_the_licences(wheel: Path) -> None:
     assert licences == kept
     assert not [name for name in names if name.endswith((".cpp", ".hpp", "CMakeLists.txt"))
                 and "adapters/" not in name and "libraries/" not in name]  # fmt: skip
+
+
+def test_every_command_is_tried_on_a_bare_machine(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Also where there is no bubblewrap, and so no bare machine."""
+    monkeypatch.syspath_prepend(str(PACKAGING))
+    steps = importlib.import_module("bare_commands").STEPS
+    assert {step.words[0] for step in steps} >= set(COMMANDS)
 
 
 @pytest.mark.skipif(not shutil.which("bwrap"), reason="no bubblewrap: no bare machine")

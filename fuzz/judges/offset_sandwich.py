@@ -1,0 +1,49 @@
+"""Sums with a disc between those with polygons in and around it, by the routes of polygons."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from minkref import _core
+from minkref.disc.disc import Disc
+from minkref.disc.polygons import polygon_near
+
+Bounds = tuple[float, float]
+
+
+@dataclass
+class Sandwich:
+    """What does not fit, and whether both polygons have one number of holes, which then is that of
+    the disc."""
+
+    corners: int  # of the polygon in the disc
+    areas: tuple[Fraction, Fraction]
+    same_holes: bool
+    faults: list[str] = field(default_factory=list)
+
+
+def sandwich(
+    P: _core.PolygonSet, squared_radius: Fraction, counts: tuple[int, int], area: Bounds,
+    within: Fraction,
+) -> Sandwich:  # fmt: skip
+    """`counts`: components and holes of the sum; `within`: how far the polygons may be from the
+    circle, as a part of the radius. A larger set has the larger sum: areas grow, components only
+    join. Holes do both; but where both polygons have as many of them, so has the disc."""
+    disc = Disc("", squared_radius)
+    tolerance = disc.bounds(80)[0] * within
+    polygons = [polygon_near(disc, tolerance, outside) for outside in (False, True)]
+    inner, outer = (_core.minkowski_sum(P, Q, "1") for Q in polygons)
+    areas = Fraction(inner.region.area()), Fraction(outer.region.area())
+    found = Sandwich(polygons[0].vertices, areas, inner.holes == outer.holes)
+    components, holes = counts
+    low, high = (Fraction(bound) for bound in area)
+    if not (areas[0] <= high and low <= areas[1]):
+        found.faults.append(f"area {float(low)}, not from {float(areas[0])} to {float(areas[1])}")
+    if not outer.components <= components <= inner.components:
+        found.faults.append(
+            f"{components} components, not from {outer.components} to {inner.components}"
+        )
+    if found.same_holes and holes != inner.holes:
+        found.faults.append(f"{holes} holes, not {inner.holes}")
+    return found
