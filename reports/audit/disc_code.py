@@ -52,6 +52,16 @@ def scales_by_both(first: Feature, second: Feature, radius: int) -> list[Any]:
     return [value / radius for value in values]
 
 
+def scales_of_ends(first: Feature, second: Feature) -> list[Any]:
+    """Those at which an end of the first, an arc, is on the circle of the second, by the code; of a
+    disc of radius 1. Ascending."""
+    return [
+        _root(found)
+        for _, found, _, contacts in _core.disc_pair(_texts(first), _texts(second))
+        if any(contact[:2] == ("end on circle", "a") for contact in contacts)
+    ]
+
+
 def contacts_of_ring(ring: Sequence[Vertex]) -> int:
     """Of all pairs of features of a polygon, by the code."""
     found = _core.disc_pair_events(_polygon(ring))

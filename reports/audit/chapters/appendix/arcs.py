@@ -8,7 +8,7 @@ from fractions import Fraction
 import sympy as sp
 from minkref.fuzz.judges.paper_disc import Corner, circles, end_on_circle, touches
 from minkref.reports.audit.disc import exact
-from minkref.reports.audit.disc_code import CODE, code_events, scales_by_both
+from minkref.reports.audit.disc_code import CODE, code_events, scales_by_both, scales_of_ends
 from minkref.reports.audit.entry import Chapter, Shown, Status
 from minkref.reports.audit.sketches import arcs_at
 from minkref.reports.audit.symbolic_disc import FIVES, corner_of_normals, normal, r, s, unit, vector
@@ -135,11 +135,11 @@ def _(shown: Shown) -> None:
     $D = v - v'$ it is on the circle about $v'$ where $|D|^2 + 2 s r m \cdot D = 0$, which is
     linear, so at $s = -|D|^2 / (2 r m \cdot D)$ if $m \cdot D < 0$. Again $s^2$ is rational. No
     crossing of circles needs to be computed for it.""",
-    code=ORACLE,
+    code=(*CODE, *ORACLE),
 )
 def _(shown: Shown) -> None:
     """By computer algebra. Three arcs about one vertex have ends that come to a circle 0, 1 and 2
-    times, by the formula and by the symbolic oracle."""
+    times, by the formula, by the symbolic oracle and by the code."""
     D, m = vector("D"), unit("t")
     x = D + s * r * m
     condition = x.dot(x) - (s * r) ** 2
@@ -147,7 +147,7 @@ def _(shown: Shown) -> None:
                    condition - D.dot(D) - 2 * s * r * m.dot(D))  # fmt: skip
     shown.identity("it holds at $s = -|D|^2 / (2 r m \\cdot D)$",
                    condition.subs(s, -D.dot(D) / (2 * r * m.dot(D))))  # fmt: skip
-    target = corner_of_normals((0, 0), (3, -4), (4, 3))
+    target = corner_of_normals((0, 0), (3, -4), (3, 4))
     for normals, wanted in (
         (((0, -5), (4, 3)), ()),
         (((0, 5), (-4, 3)), (Fraction(15, 4),)),
@@ -157,9 +157,9 @@ def _(shown: Shown) -> None:
         by_formula = tuple(sorted(Fraction(-36, 2 * 6 * x) * 5 for x, _ in normals if x < 0))
         roots = [end_on_circle(1, arc[:2], target, 1), end_on_circle(0, arc[1:], target, 1)]
         told = sorted(exact(x) for x in roots if x.case == "once")
-        same = told == [sp.Rational(str(x)) for x in by_formula]
-        shown.true(f"arc about $(6, 0)$ from the direction {normals[0]} to {normals[1]}: oracle "
-                   "and formula agree", same)  # fmt: skip
+        same = told == [sp.Rational(str(x)) for x in by_formula] == scales_of_ends(arc, target)
+        shown.true(f"arc about $(6, 0)$ from the direction {normals[0]} to {normals[1]}: oracle, "
+                   "code and formula agree", same)  # fmt: skip
         shown.equal("scales at which an end of it is on the circle about $0$, $r = 1$",
                     by_formula or "none", wanted or "none")  # fmt: skip
 

@@ -13,7 +13,13 @@ from minkref.fuzz.judges.paper_disc import Edge as Side
 from minkref.fuzz.judges.paper_disc import end_on_line, touches
 from minkref.fuzz.judges.paper_pairs import contact_interval
 from minkref.reports.audit.disc import along, exact, moving, squared_distance
-from minkref.reports.audit.disc_code import CODE, code_events, lines_of_sum, scales_by_both
+from minkref.reports.audit.disc_code import (
+    CODE,
+    code_events,
+    lines_of_sum,
+    polynomials_of_boundary,
+    scales_by_both,
+)
 from minkref.reports.audit.edges import answers, written
 from minkref.reports.audit.entry import Chapter, CheckFailed, Shown, Status, text
 from minkref.reports.audit.pictures import moving_edges
@@ -33,14 +39,22 @@ ORACLE = ("oracle/symbolic/disc.py", "oracle/symbolic/derive_disc.py")
     right=r"""$s Q = \{s q\}$, as in the rest of the paper, has the centre $s c$. The Appendix
     holds for $c = 0$, or if the disc is scaled about its own centre: both sums differ by the
     translation $(s - 1) c$, and their events are the same.""",
-    code=("docs/definitions.md",),
+    code=("docs/definitions.md", "reference/disc/diagram/diagram_events.hpp"),
 )
 def _(shown: Shown) -> None:
-    """By computer algebra, for a point of the circle."""
+    """By computer algebra, for a point of the circle. By the code, for a polygon that is moved by a
+    centre: the events of its sum with a disc, which is about the origin, stay."""
     c, u = vector("c"), unit("t")
     gap = s * (c + r * u) - (c + s * r * u) - (s - 1) * c
     shown.identity("$s (c + r u) = c + s r u + (s - 1) c$, first coordinate", gap[0])
     shown.identity("$s (c + r u) = c + s r u + (s - 1) c$, second coordinate", gap[1])
+    ring = [(0, 0), (9, 0), (9, 7), (6, 2), (2, 5)]
+    moved = [(x + 7, y - 5) for x, y in ring]
+    events = polynomials_of_boundary(ring)
+    shown.equal("events of the boundary, by the code, of a polygon and of it moved by "
+                "$(7, -5)$", len(events), len(polynomials_of_boundary(moved)))  # fmt: skip
+    shown.true("there are some, and their squares have the same polynomials",
+               bool(events) and events == polynomials_of_boundary(moved))  # fmt: skip
 
 
 @PART.entry(
