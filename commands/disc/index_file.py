@@ -10,9 +10,11 @@ from typing import Any, TypeVar
 from minkref import _core
 from minkref.commands.lists.scale_index import cores
 from minkref.errors import Refusal, refusing
+from minkref.file_text import text_of_file
 from minkref.operand import Operand
 
 MOST = 1 << 32  # features and branches are numbers below
+LONGEST = 1 << 30  # bytes of a file
 
 
 Places = list[tuple[int, int, int, int]]
@@ -41,20 +43,19 @@ def from_places(path: Path | None, P: Operand, make: Callable[[Places | None], F
 
 
 def _places(path: Path) -> Places:
-    def refused(problem: str) -> Refusal:
-        return Refusal(
-            problem, str(path), f"write one: minkref index P disc -o {path.stem}.json", "no-index"
-        )
+    mend = "write one: minkref index P disc -o FILE.json"
+    text = text_of_file(path, str(path), mend, LONGEST)
+
+    def refused(why: str) -> Refusal:
+        return Refusal(f"this is no index of all radii: {why}", str(path), mend, "not-an-index")
 
     try:
-        value: Any = json.loads(path.read_bytes())
-    except OSError as error:
-        raise refused(f"the index cannot be read: {error.strerror or error}") from error
+        value: Any = json.loads(text)
     except (ValueError, RecursionError) as error:
-        raise refused("this is no index of all radii of a disc: it is not JSON") from error
+        raise refused("it is not JSON") from error
     rows = value.get("places") if isinstance(value, dict) else None
     if not isinstance(rows, list) or not all(map(_is_place, rows)):
-        raise refused("this is no index of all radii of a disc: it has no list of places")
+        raise refused("it has no list of places")
     return [tuple(row) for row in rows]
 
 

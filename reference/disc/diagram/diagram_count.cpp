@@ -62,12 +62,12 @@ DiagramCount diagram_count(const OffsetCurves& curves, const BoundaryWalks& walk
   }
   // Rays that never leave what is nearest to the end.
   std::erase_if(count.joints, [&](const auto& joint) {
-    const auto& [line, end] = joint;
-    const auto found = beside.find(end);
+    const auto found = beside.find(joint.second);
     if (found == beside.end()) return false;
-    const Direction& normal = curves.edges[curves.features[line].edge].normal;
+    const Direction& normal = curves.edges[curves.features[joint.first].edge].normal;
+    const Point& end = curves.features[joint.second].centre;
     const auto is_behind = [&](std::uint32_t other) {
-      return dot(normal, from_to(curves.features[end].centre, curves.features[other].centre)) <= 0;
+      return dot(normal, from_to(end, curves.features[other].centre)) <= 0;
     };
     return is_behind(found->second.first) && is_behind(found->second.second);
   });
