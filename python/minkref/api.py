@@ -33,11 +33,13 @@ from minkref.certify.solid_certificate import SolidCertificate as SolidCertifica
 from minkref.convolution_values import Convolution as Convolution
 from minkref.convolution_values import ConvolutionEdge as ConvolutionEdge
 from minkref.convolution_values import convolution as convolution
+from minkref.disc.offset_index import OffsetEvent as OffsetEvent
+from minkref.disc.offset_index import OffsetIndex as OffsetIndex
+from minkref.disc.offset_index import square_of
 from minkref.errors import Refusal as Refusal
 from minkref.event_values import Event as Event
 from minkref.event_values import Events as Events
 from minkref.event_values import events as events
-from minkref.exact import read_number
 from minkref.operand import is_utf8, read_set
 from minkref.parents import passages_of
 from minkref.path_values import FreeScales as FreeScales
@@ -101,16 +103,7 @@ def offset(
     in O((n + k) log n) for k pairs of its curves. Raises BadInput. Behar & Lien 2012, Sec. 3 and
     Appendix; docs/disc.md."""
     _validate(P=P)
-    if (radius is None) == (squared_radius is None):
-        raise Refusal("one radius is asked for", "offset", "give radius or squared_radius")
-    if radius is not None:
-        where, mend = f"radius {radius}", "give a positive number, as 7/5"
-        value = read_number(number("radius", radius), "radius", where, mend)
-        if value <= 0:
-            raise Refusal("the radius is not above 0", where, mend, "bad-radius")
-        square = str(value**2)
-    else:
-        square = number("squared_radius", squared_radius)
+    square = square_of(radius, squared_radius, "offset")
     return _core.offset(P, square, max(1, whole("threads", threads)), text_of("route", route))
 
 

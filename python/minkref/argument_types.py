@@ -4,12 +4,14 @@ expected (TypeError), and exact numbers of Python are taken as such."""
 from __future__ import annotations
 
 import inspect
+import math
 from collections.abc import Callable
 from functools import wraps
 from numbers import Rational
 from typing import Any
 
 from minkref import _core
+from minkref.errors import Refusal
 
 SET = "a PolygonSet; minkref.PolygonSet(...) makes one"
 TEXT = "a str"
@@ -71,6 +73,16 @@ def whole(name: str, value: Any) -> int:
     if isinstance(value, bool) or not isinstance(value, int):
         raise _wrong(name, "an int", value)
     return value
+
+
+def double(name: str, value: Any) -> float:
+    """Above 0 and below infinity."""
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        raise _wrong(name, "a float", value)
+    if not 0 < value < math.inf:
+        mend = "give a float above 0 and below infinity"
+        raise Refusal(f"the {name} is {value}", name, mend, f"bad-{name}")
+    return float(value)
 
 
 def truth(name: str, value: Any) -> bool:

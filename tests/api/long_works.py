@@ -82,7 +82,7 @@ def works() -> dict[str, Callable[[], object]]:
         "arrangement events": lambda: _core.ArrangementEvents(large, small),
         "dynamic sum": lambda: _core.DynamicSum(large, small, "1/2", "2"),
         "index": lambda: _core.ScaleIndex(star(300), comb(250), "1/2", "2"),
-        "proof of a sum": lambda: _proof(star(40), comb(30)),
+        "proof of a sum": lambda: _proof(star(80), comb(60)),
         "decision": lambda: _core.decide(disc(20_000), disc(20_001), "1", "0", "0"),
         "validation": lambda: disc(600_000).validate(),
         "reading": lambda: _core.read_text(written(), "wkt"),

@@ -106,6 +106,15 @@ CALLS |= {
     "ConvexCertificate P": (lambda x: minkref.ConvexCertificate(x, SIMPLEX), (minkref.Polyhedron,)),
     "SolidCertificate Q": (lambda x: minkref.SolidCertificate(SIMPLEX, x), (minkref.Polyhedron,)),
 }
+grown = minkref.OffsetIndex(SQUARE)
+CALLS |= {
+    "OffsetIndex P": (minkref.OffsetIndex, (minkref.PolygonSet,)),
+    "OffsetIndex threads": (lambda x: minkref.OffsetIndex(SQUARE, x), (int,)),
+    "components_and_holes radius": (grown.components_and_holes, (*NUMBERS, type(None))),
+    "area_and_length radius": (grown.area_and_length, (*NUMBERS, type(None))),
+    "canonical_json radius": (grown.canonical_json, (*NUMBERS, type(None))),
+    "vertices radius": (grown.vertices, (int, float)),
+}
 ORIGIN = [(0, 0)]
 CALLS |= {
     "valid_scales robot": (

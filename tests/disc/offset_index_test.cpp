@@ -150,6 +150,34 @@ TEST(OffsetIndex, HasTheCountsAtEvents) {
   EXPECT_GT(looked_at, 100U);
 }
 
+/// A bound of 0 at a radius below the range of doubles was no bound.
+TEST(OffsetIndex, HasBoundsAtRadiiOfAllMagnitudes) {
+  const Rational third(1, 3);
+  const Built built({{{{{0, 0}, {third, 0}, {third, third}, {0, third}}, {}}}});
+  for (const double radius : {0x1p-1073, 1e-320, 1e-300, 0.1, 7.0, 1e300}) {
+    const Rational r = from_double(radius), over = third + r;
+    const std::vector<Point> expected{{0, -r},       {third, -r}, {over, 0},   {over, third},
+                                      {third, over}, {0, over},   {-r, third}, {-r, 0}};
+    IndexBoundary boundary;
+    built.index.boundary(0, boundary);
+    std::vector<BoundedPoint> found;
+    std::vector<std::uint32_t> starts;
+    built.index.vertices(boundary, Interval(radius), found, starts);
+    ASSERT_EQ(found.size(), expected.size());
+    for (const Point& vertex : expected) {
+      const auto is_near = [&](double x, const Rational& y, double error) {
+        return abs(Rational(from_double(x) - y)) <= from_double(error);
+      };
+      EXPECT_TRUE(std::any_of(found.begin(), found.end(),
+                              [&](const BoundedPoint& p) {
+                                return is_near(p.x, vertex.x, p.error) &&
+                                       is_near(p.y, vertex.y, p.error);
+                              }))
+          << radius << ": " << vertex.x << ", " << vertex.y;
+    }
+  }
+}
+
 TEST(OffsetIndex, OfAPointASegmentAndNothing) {
   for (const PolygonSet& P : {PolygonSet{{{{{1, 2}}, {}}}}, PolygonSet{{{{{0, 0}, {3, 4}}, {}}}},
                               PolygonSet{}, PolygonSet{{{{{0, 0}, {3, 0}, {1, 2}}, {}}}}}) {

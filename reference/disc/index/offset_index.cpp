@@ -10,6 +10,7 @@ namespace minkref::inline disc {
 namespace {
 
 constexpr double unit = 0x1p-45;          // of the numbers of a motion
+constexpr double least = 0x1p-1070;       // more than what is lost below the range of doubles
 constexpr std::uint32_t most_spans = 64;  // of gaps
 
 /// At a radius that is known up to `slack`.
@@ -241,15 +242,15 @@ void OffsetIndex::vertices(const IndexBoundary& boundary, const Interval& radius
   const Interval in_frame = radius * Interval(diagram_.factor);
   const double rho_in_frame = approximate(in_frame),
                slack_in_frame = in_frame.upper() - in_frame.lower();
-  const double joint_error = slack + unit * rho;
+  const double joint_error = slack + unit * rho + least;
   constexpr double rounded_up = 1 + 0x1p-40;
   BoundedPoint* next = found.data();
   for_all([&] { starts.push_back(static_cast<std::uint32_t>(next - found.data())); },
           [&](std::uint32_t half) {
             const BoundedPoint there = corner_of(motions_[half], rho_in_frame, slack_in_frame);
             const double x = there.x * scale_, y = there.y * scale_;
-            const double error =
-                there.error * scale_ + origin_error_ + 0x1p-52 * (std::abs(x) + std::abs(y));
+            const double error = there.error * scale_ + origin_error_ +
+                                 0x1p-52 * (std::abs(x) + std::abs(y)) + least;
             *next++ = {x + x_, y + y_, error * rounded_up};
           },
           [&](std::uint32_t first, std::uint32_t last) {

@@ -1,0 +1,104 @@
+"""A sum with a disc at all radii, as a value."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from minkref import _core
+from minkref.argument_types import double, expect_sets, number, whole
+from minkref.errors import Refusal
+from minkref.exact import read_number
+
+Number = str | int | Fraction
+Bounds = tuple[float, float]
+
+
+def square_of(radius: Number | None, squared_radius: Number | None, where: str) -> str:
+    """The square of a radius of which it or the radius is given."""
+    if (radius is None) == (squared_radius is None):
+        raise Refusal("one radius is asked for", where, "give radius or squared_radius")
+    name, given = ("squared_radius", squared_radius) if radius is None else ("radius", radius)
+    place, mend = f"{name} {given}", "give a positive number, as 7/5"
+    value = read_number(number(name, given), name.replace("_", " "), place, mend)
+    if value <= 0:
+        raise Refusal(f"the {name.replace('_', ' ')} is not above 0", place, mend, "bad-radius")
+    return str(value if radius is None else value**2)
+
+
+@dataclass(frozen=True)
+class OffsetEvent:
+    """Where the boundary changes. `kind`: corner, joint, saddle, ridge or maximum. The radius lies
+    between two doubles; its square is a root of the polynomial, the lowest coefficient first, and
+    `squared_radius` where that is known to be rational. `place`: rounded. `features`: all that are
+    as near, as ("vertex", x, y) or ("edge", ring, number). Terms: docs/disc.md."""
+
+    kind: str
+    radius: Bounds
+    squared_radius: Fraction | None
+    polynomial: tuple[Fraction, ...]
+    place: tuple[float, float]
+    features: tuple[tuple[str, str, str], ...]
+
+
+class OffsetIndex:
+    """`P` + a disc about the origin at all radii: the outer Voronoi diagram of P, found once; any
+    radius is then read off. Exact: the events are proven, and that none is missing. The build takes
+    O(n log n + k) for k candidates that are compared, on `threads`; P may be a segment or a point,
+    and is validated first. Raises BadInput; LimitExceeded where 1,024 bits do not tell two places
+    apart. Behar & Lien 2012, Appendix; docs/disc.md."""
+
+    def __init__(self, P: _core.PolygonSet, threads: int = 1) -> None:
+        expect_sets(P=P)
+        P.validate("P")
+        self._index = _core.disc_index(P, max(1, whole("threads", threads)))
+
+    def __len__(self) -> int:
+        return len(self._index)
+
+    def __repr__(self) -> str:
+        return f"<OffsetIndex: {len(self)} radii of events, {self._index.parts} parts>"
+
+    @property
+    def radii(self) -> list[Bounds]:
+        """Bounds of the radii of events, each radius once, ascending."""
+        return self._index.radii()
+
+    def events(self) -> list[OffsetEvent]:
+        """All of them, by radius. Some 30 µs for each."""
+        return [_event(*row) for row in self._index.rows(0, len(self._index.kinds()))]
+
+    def components_and_holes(
+        self, radius: Number | None = None, squared_radius: Number | None = None
+    ) -> tuple[int, int]:
+        """Exact, at events too. O(n)."""
+        return self._index.counts(square_of(radius, squared_radius, "components_and_holes"))
+
+    def area_and_length(
+        self, radius: Number | None = None, squared_radius: Number | None = None
+    ) -> tuple[Bounds, Bounds]:
+        """Of the sum and of its boundary, each between two doubles, without the boundary. O(n)
+        comparisons of whole numbers, and O(k) for k corners."""
+        return self._index.measures(square_of(radius, squared_radius, "area_and_length"))
+
+    def canonical_json(
+        self, radius: Number | None = None, squared_radius: Number | None = None
+    ) -> str:
+        """The canonical form, exact: read off in O(n log n), or at the radius of an event that of
+        the static sum."""
+        return self._index.canonical_json(square_of(radius, squared_radius, "canonical_json"))
+
+    def vertices(self, radius: float) -> tuple[Any, Any]:
+        """All vertices of the boundary, ring by ring, the sum on the left: an array of x, y and a
+        bound of the error of both; and the row at which each ring starts. At the radius of an event
+        those just above it. Microseconds."""
+        return self._index.vertices(double("radius", radius))
+
+
+def _event(kind: str, square: str | None, polynomial: Any, radius: Bounds, place: Any,
+           features: Any) -> OffsetEvent:  # fmt: skip
+    return OffsetEvent(
+        kind, radius, None if square is None else Fraction(square),
+        tuple(map(Fraction, polynomial)), place, tuple(features),
+    )  # fmt: skip
