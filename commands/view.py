@@ -135,7 +135,8 @@ def command(
         from minkref.commands.disc.view import view_with_disc
 
         target = _page_target(output, json)
-        given = of_space + [option for option in of_scales if option != "--index"]
+        taken = ("--index", "--route") if route == "index" else ("--index",)
+        given = of_space + [option for option in of_scales if option not in taken]
         view_with_disc(P, Q, from_scale, to_scale, index, given, target, json, memory)
         return
     if in_space(P, Q):
