@@ -14,7 +14,7 @@ PROGRAM = "minkref-check-proved"
 WORDS = {0: "verified", 1: "refuted", 2: "malformed", 4: "out of budget", 5: "declined"}
 DECLINED = 5
 NOT_PROVED = "  not proved: "
-SET_ONLY = "the holes of sums, and that their form is the canonical one"
+SET_ONLY = "that the form of sums is the canonical one"
 
 
 @dataclass(frozen=True)

@@ -1,5 +1,6 @@
 (** The axioms that the theorems rest on. *)
-From Proved Require Import Theorems Counting.
+From Proved Require Import Theorems Counting Holes.
 Print Assumptions sum_is_right.
 Print Assumptions point_is_right.
 Print Assumptions components_are_right.
+Print Assumptions holes_are_right.

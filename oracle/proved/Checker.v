@@ -236,10 +236,13 @@ Definition on_rim (others : list (list vertex)) (ring : list vertex * list nat) 
                    | Some c => is_left c (fst e) && is_left c (snd e)
                    | None => false
                    end) (ring_edges (fst ring)) (snd ring).
-Definition check_component (others cells : list (list vertex)) (c : component) : bool :=
-  forallb is_convex cells && is_connected cells (links c) &&
+Definition is_class (cells : list (list vertex)) (c : component) : bool :=
+  forallb is_convex cells && is_connected cells (links c).
+Definition has_rim (others cells : list (list vertex)) (c : component) : bool :=
   forallb (on_rim others) (rim c) &&
   same_boundary (edges_of (map fst (rim c))) (flat_map ring_edges cells).
+Definition check_component (others cells : list (list vertex)) (c : component) : bool :=
+  is_class cells c && has_rim others cells c.
 Definition is_rectangle (l : list vertex) : bool :=
   match l with
   | [a; b; c; d] =>
@@ -257,3 +260,30 @@ Definition check_components (s : Q) (P Q R : rings) (w : witness) (cs : list com
      is_rectangle (box w) && forallb is_convex no &&
      Nat.eqb (length (concat parts)) (length yes) &&
      all2 (check_component no) parts cs).
+
+(** Claim `sum`, its holes. The other cells come class after class, first that of the outside: one
+    of its first cell's corners is on a wall of the box. The box is larger than the covered cells
+    and the holes. *)
+Definition is_strictly_in (l : list vertex) (p : vertex) : bool :=
+  forallb (fun e => less 0 (qorient (fst e) (snd e) p)) (ring_edges l).
+Definition reaches_wall (l : list vertex) (cells : list (list vertex)) : bool :=
+  match cells with
+  | c :: _ => existsb (fun v => negb (is_strictly_in l v)) c
+  | [] => false
+  end.
+Definition check_holes (s : Q) (P Q R : rings) (w : witness) (cs : list component)
+    (outside : component) (hs : list component) : bool :=
+  check_components s P Q R w cs &&
+  (if is_empty P || is_empty Q then match hs with [] => true | _ => false end
+   else
+     let yes := map fst (filter covered (cells w)) in
+     let no := map fst (filter (fun c => negb (covered c)) (cells w)) in
+     let parts := split_by (map size (outside :: hs)) no in
+     Nat.eqb (length (concat parts)) (length no) &&
+     match parts with
+     | first :: holes =>
+         is_class first outside && reaches_wall (box w) first &&
+         all2 (check_component yes) holes hs &&
+         forallb (forallb (is_strictly_in (box w))) (yes ++ concat holes)
+     | [] => false
+     end).

@@ -80,71 +80,23 @@ Proof.
   apply N, K1.
 Qed.
 
-(** One class of covered cells, with its rim *)
+(** One class of covered cells *)
 Section Class.
 Variable cells : list (list vertex).
 Variable c : component.
 Hypothesis inside_yes : forall l, In l cells -> In l yes.
-Hypothesis checked : check_component no cells c = true.
+Hypothesis one_class : is_class cells c = true.
 
 Definition class (x : point) : Prop :=
   interior covered_set x /\ union_of (all_triangles cells) x.
 
 Lemma class_convex l : In l cells -> is_convex l = true.
 Proof.
-  intros I. unfold check_component in checked. rewrite !andb_true_iff, !forallb_forall in checked.
-  apply checked, I.
+  intros I. unfold is_class in one_class. rewrite andb_true_iff, forallb_forall in one_class.
+  apply one_class, I.
 Qed.
 Lemma class_positive : positive (all_triangles cells).
 Proof. apply all_positive. intros l I. apply convex_polygon, class_convex, I. Qed.
-
-Definition rim_rings : rings := map fst (rim c).
-Lemma rim_turns y : winding (real_edges rim_rings) y = sumz (crossing_of y) (all_triangles cells).
-Proof.
-  unfold check_component in checked. rewrite !andb_true_iff in checked.
-  destruct checked as [_ B]. rewrite real_edges_of, <- turns_of_polygons.
-  apply (same_boundary_same_turns _ _ B).
-Qed.
-Lemma rim_in_others a b : In (a, b) (edges_of rim_rings) ->
-  exists l, In l no /\ left_of l (real a) /\ left_of l (real b).
-Proof.
-  unfold check_component in checked. rewrite !andb_true_iff, !forallb_forall in checked.
-  destruct checked as [[_ B] _]. unfold edges_of, rim_rings. intros I.
-  apply in_flat_map in I. destruct I as (ring & J & I). apply in_map_iff in J.
-  destruct J as ([r ns] & <- & J). specialize (B _ J). unfold on_rim in B. simpl in B, I.
-  destruct (all2_partner _ _ _ B (a, b) I) as (n & E). cbn [fst snd] in E.
-  destruct (nth_error no n) as [l|] eqn:El; [|discriminate]. apply andb_prop in E.
-  exists l. split; [eapply nth_error_In; eauto|]. split; apply is_left_real; tauto.
-Qed.
-Lemma rim_constant x : interior covered_set x -> exists e, 0 < e /\ forall y, near e x y ->
-  winding (real_edges rim_rings) y = winding (real_edges rim_rings) x.
-Proof.
-  intros X.
-  assert (E : real_edges rim_rings = flat_map ring_edges (map (map real) rim_rings))
-    by (unfold real_edges; rewrite !flat_map_concat_map, map_map; reflexivity).
-  rewrite E. apply rings_near. rewrite <- E, real_edges_of. intros a b I S.
-  apply in_map_iff in I. destruct I as ([u v] & K & I). unfold real_edge in K. simpl in K.
-  assert (a = real u /\ b = real v) as [-> ->] by (split; congruence).
-  destruct (rim_in_others u v I) as (l & J & La & Lb).
-  exact (not_in_others l x J (left_on_segment l _ _ x La Lb S) X).
-Qed.
-Lemma class_by_winding x : interior covered_set x ->
-  (union_of (all_triangles cells) x <-> (1 <= winding (real_edges rim_rings) x)%Z).
-Proof.
-  intros X. split.
-  - intros (u & v & w & I & K). destruct (rim_constant x X) as (e & He & N).
-    destruct (soon_exists _ (soon_and _ _ (curve_near e x (minus (middle u v w) x) He)
-      (curve_inside u v w x (class_positive _ _ _ I) K))) as (t & _ & K1 & K2).
-    rewrite <- (N _ K1), rim_turns. apply (union_counted _ _ u v w); auto. apply class_positive.
-  - rewrite rim_turns. apply counted_union, class_positive.
-Qed.
-Theorem class_open x : class x -> interior class x.
-Proof.
-  intros [X Y]. apply (class_by_winding x X) in Y. destruct (rim_constant x X) as (e & He & N).
-  destruct (interior_is_open _ x X) as (f & Hf & M). exists (Rmin e f).
-  split; [apply Rmin_glb_lt; auto|]. intros y Z. apply near_min in Z. destruct Z as [Z1 Z2].
-  split; [apply M, Z2|]. apply class_by_winding; [apply M, Z2|]. rewrite (N y Z1). auto.
-Qed.
 
 (** Paths in a class *)
 Lemma left_in_class l x : In l cells -> left_of l x -> interior covered_set x -> class x.
@@ -257,8 +209,8 @@ Qed.
 Lemma first_and_links : exists first others, cells = first :: others /\
   linked [first] others (links c) = true.
 Proof.
-  pose proof checked as H. unfold check_component in H. rewrite !andb_true_iff in H.
-  destruct H as [[[_ Co] _] _]. unfold is_connected in Co. revert Co.
+  pose proof one_class as Co. unfold is_class in Co. rewrite andb_true_iff in Co.
+  destruct Co as [_ Co]. unfold is_connected in Co. revert Co.
   generalize cells. intros [|first others] Co; [discriminate|]. exists first, others. auto.
 Qed.
 Theorem class_joined x y : class x -> class y -> joined class x y.
@@ -291,5 +243,56 @@ Proof.
   exists m. apply (left_in_class l); auto; [apply strict_left, M|].
   apply (strict_in_interior l); auto.
 Qed.
+
+(** The rim of a class: the class is open. *)
+Hypothesis rim_holds : has_rim no cells c = true.
+Definition rim_rings : rings := map fst (rim c).
+Lemma rim_turns y : winding (real_edges rim_rings) y = sumz (crossing_of y) (all_triangles cells).
+Proof.
+  unfold has_rim in rim_holds. rewrite andb_true_iff in rim_holds.
+  destruct rim_holds as [_ B]. rewrite real_edges_of, <- turns_of_polygons.
+  apply (same_boundary_same_turns _ _ B).
+Qed.
+Lemma rim_in_others a b : In (a, b) (edges_of rim_rings) ->
+  exists l, In l no /\ left_of l (real a) /\ left_of l (real b).
+Proof.
+  unfold has_rim in rim_holds. rewrite andb_true_iff, forallb_forall in rim_holds.
+  destruct rim_holds as [B _]. unfold edges_of, rim_rings. intros I.
+  apply in_flat_map in I. destruct I as (ring & J & I). apply in_map_iff in J.
+  destruct J as ([r ns] & <- & J). specialize (B _ J). unfold on_rim in B. simpl in B, I.
+  destruct (all2_partner _ _ _ B (a, b) I) as (n & E). cbn [fst snd] in E.
+  destruct (nth_error no n) as [l|] eqn:El; [|discriminate]. apply andb_prop in E.
+  exists l. split; [eapply nth_error_In; eauto|]. split; apply is_left_real; tauto.
+Qed.
+Lemma rim_constant x : interior covered_set x -> exists e, 0 < e /\ forall y, near e x y ->
+  winding (real_edges rim_rings) y = winding (real_edges rim_rings) x.
+Proof.
+  intros X.
+  assert (E : real_edges rim_rings = flat_map ring_edges (map (map real) rim_rings))
+    by (unfold real_edges; rewrite !flat_map_concat_map, map_map; reflexivity).
+  rewrite E. apply rings_near. rewrite <- E, real_edges_of. intros a b I S.
+  apply in_map_iff in I. destruct I as ([u v] & K & I). unfold real_edge in K. simpl in K.
+  assert (a = real u /\ b = real v) as [-> ->] by (split; congruence).
+  destruct (rim_in_others u v I) as (l & J & La & Lb).
+  exact (not_in_others l x J (left_on_segment l _ _ x La Lb S) X).
+Qed.
+Lemma class_by_winding x : interior covered_set x ->
+  (union_of (all_triangles cells) x <-> (1 <= winding (real_edges rim_rings) x)%Z).
+Proof.
+  intros X. split.
+  - intros (u & v & w & I & K). destruct (rim_constant x X) as (e & He & N).
+    destruct (soon_exists _ (soon_and _ _ (curve_near e x (minus (middle u v w) x) He)
+      (curve_inside u v w x (class_positive _ _ _ I) K))) as (t & _ & K1 & K2).
+    rewrite <- (N _ K1), rim_turns. apply (union_counted _ _ u v w); auto. apply class_positive.
+  - rewrite rim_turns. apply counted_union, class_positive.
+Qed.
+Theorem class_open x : class x -> interior class x.
+Proof.
+  intros [X Y]. apply (class_by_winding x X) in Y. destruct (rim_constant x X) as (e & He & N).
+  destruct (interior_is_open _ x X) as (f & Hf & M). exists (Rmin e f).
+  split; [apply Rmin_glb_lt; auto|]. intros y Z. apply near_min in Z. destruct Z as [Z1 Z2].
+  split; [apply M, Z2|]. apply class_by_winding; [apply M, Z2|]. rewrite (N y Z1). auto.
+Qed.
+
 End Class.
 End Classes.

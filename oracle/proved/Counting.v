@@ -1,4 +1,5 @@
-(** The number of components: [components_are_right]. *)
+(** Classes of cells fall into components, and the number of those of the interior:
+    [components_are_right]. *)
 From Coq Require Import Lra Lia Psatz Bool.
 From Proved Require Import Definitions Sums Crossings Fans Curves Unions Local Checker Rational
   Cancellation Bodies Scaling Trees Theorems Components Classes.
@@ -71,90 +72,154 @@ Lemma interior_same (S T : point -> Prop) x : (forall y, S y <-> T y) -> interio
   interior T x.
 Proof. intros H (e & He & N). exists e. split; auto. intros y Y. apply H, N, Y. Qed.
 
+(** Classes of cells of yes, each with its rim: no point of them is in two. *)
+Section Parts.
+Variable yes no : list (list vertex).
+Variable parts : list (list (list vertex)).
+Hypothesis yes_polygons : forall l, In l yes -> is_polygon l = true.
+Hypothesis no_convex : forall l, In l no -> is_convex l = true.
+Hypothesis once : forall y, (sumz (crossing_of y) (all_triangles no)
+  + sumz (crossing_of y) (all_triangles yes) <= 1)%Z.
+Hypothesis whole : exists rest, yes = rest ++ concat parts.
+Hypothesis checked : forall i part, nth_error parts i = Some part ->
+  exists c, check_component no part c = true.
+
+Definition part_set (i : nat) (x : point) : Prop :=
+  exists part, nth_error parts i = Some part /\ class yes part x.
+
+Lemma part_in_yes i part : nth_error parts i = Some part -> forall l, In l part -> In l yes.
+Proof.
+  intros E l I. destruct whole as (rest & ->). apply in_or_app. right.
+  apply in_concat. exists part. split; auto. eapply nth_error_In; eauto.
+Qed.
+Lemma part_number i x : part_set i x -> (i < length parts)%nat.
+Proof. intros (part & E & _). apply nth_error_Some. congruence. Qed.
+Lemma two_part_sets i j x : part_set i x -> part_set j x -> i = j.
+Proof.
+  intros (a & Ea & X & Ua) (b & Eb & _ & Ub).
+  destruct (Nat.eq_dec i j) as [|N]; auto. exfalso.
+  destruct (checked i a Ea) as (c & Hc). destruct (checked j b Eb) as (d & Hd).
+  unfold check_component in Hc, Hd. apply andb_prop in Hc. apply andb_prop in Hd.
+  apply (class_by_winding yes no yes_polygons no_convex once a c (proj1 Hc) (proj2 Hc) x X) in Ua.
+  apply (class_by_winding yes no yes_polygons no_convex once b d (proj1 Hd) (proj2 Hd) x X) in Ub.
+  rewrite (rim_turns no a c (proj2 Hc)) in Ua. rewrite (rim_turns no b d (proj2 Hd)) in Ub.
+  destruct whole as (rest & W). pose proof yes_polygons as Yes. rewrite W in Yes.
+  assert (Hr : forall l, In l rest -> is_polygon l = true)
+    by (intros l I; apply Yes, in_or_app; auto).
+  assert (Hp : forall l, In l (concat parts) -> is_polygon l = true)
+    by (intros l I; apply Yes, in_or_app; auto).
+  pose proof (two_parts parts x Hp i j a b N Ea Eb) as T.
+  pose proof (count_positive rest x Hr). specialize (once x).
+  rewrite W, all_triangles_app, sumz_app in once.
+  assert (0 <= sumz (crossing_of x) (all_triangles no))%Z; [|lia].
+  apply count_positive. intros l K. apply convex_polygon, no_convex, K.
+Qed.
+Lemma part_set_open i x : part_set i x -> interior (part_set i) x.
+Proof.
+  intros (part & E & X). destruct (checked i part E) as (c & Hc).
+  unfold check_component in Hc. apply andb_prop in Hc.
+  apply (interior_same (class yes part)).
+  - intros y. split; [intros Y; exists part; auto|].
+    intros (part' & E2 & Y). replace part with part' by congruence. exact Y.
+  - apply (class_open yes no yes_polygons no_convex once part c (proj1 Hc) (proj2 Hc) x X).
+Qed.
+Lemma joined_in (S T : point -> Prop) x y : (forall p, S p -> T p) -> joined S x y ->
+  joined T x y.
+Proof. intros H J. induction J; [apply here|]. eapply farther; eauto. Qed.
+Lemma part_set_joined i x y : part_set i x -> part_set i y -> joined (part_set i) x y.
+Proof.
+  intros (part & E & X) (part' & E' & Y). replace part' with part in Y by congruence.
+  destruct (checked i part E) as (c & Hc). apply andb_prop in Hc.
+  apply (joined_in (class yes part)); [intros p L; exists part; auto|].
+  apply (class_joined yes part c (part_in_yes i part E) (proj1 Hc)); auto.
+Qed.
+Lemma part_set_not_empty i : (i < length parts)%nat -> exists x, part_set i x.
+Proof.
+  intros I. apply nth_error_Some in I. destruct (nth_error parts i) as [part|] eqn:E; [|congruence].
+  destruct (checked i part E) as (c & Hc). apply andb_prop in Hc.
+  destruct (class_not_empty yes part c (part_in_yes i part E) (proj1 Hc)) as (x & X).
+  exists x, part. auto.
+Qed.
+End Parts.
+
+(** The cells of a witness: the box counts each point once at most. *)
+Definition other_cells (w : witness) : list (list vertex) :=
+  map fst (filter (fun c => negb (covered c)) (cells w)).
+Lemma cells_once w : check_box w = true -> is_rectangle (box w) = true ->
+  forall y, (sumz (crossing_of y) (all_triangles (other_cells w))
+    + sumz (crossing_of y) (all_triangles (covered_cells w)) <= 1)%Z.
+Proof.
+  intros HB HR y. unfold check_box in HB. rewrite !andb_true_iff in HB. destruct HB as [_ HB].
+  pose proof (rectangle_once _ HR y) as One.
+  rewrite (same_boundary_same_turns _ _ HB y) in One. clear - One.
+  replace (flat_map (fun c => ring_edges (fst c)) (cells w))
+    with (flat_map ring_edges (map fst (cells w))) in One
+    by (rewrite !flat_map_concat_map, map_map; reflexivity).
+  rewrite turns_of_polygons in One. unfold other_cells, covered_cells. revert One.
+  unfold all_triangles. generalize (cells w). intros l.
+  assert (E : sumz (crossing_of y) (flat_map triangles (map fst l))
+    = (sumz (crossing_of y)
+         (flat_map triangles (map fst (filter (fun c => negb (covered c)) l)))
+       + sumz (crossing_of y) (flat_map triangles (map fst (filter covered l))))%Z).
+  { induction l as [|c l IH]; simpl; auto. rewrite sumz_app, IH.
+    destruct (covered c); simpl; rewrite sumz_app; lia. }
+  lia.
+Qed.
+
+(** What [check_components] has found where no operand is empty *)
+Definition parts_of (w : witness) (cs : list component) : list (list (list vertex)) :=
+  split_by (map size cs) (covered_cells w).
+Lemma component_parts s P Q R w cs : is_empty P || is_empty Q = false ->
+  check_components s P Q R w cs = true ->
+  is_rectangle (box w) = true /\ (forall l, In l (other_cells w) -> is_convex l = true) /\
+  concat (parts_of w cs) = covered_cells w /\ length (parts_of w cs) = length cs /\
+  (forall i part, nth_error (parts_of w cs) i = Some part ->
+    exists c, check_component (other_cells w) part c = true).
+Proof.
+  intros Em H. unfold check_components in H. rewrite Em, !andb_true_iff, forallb_forall in H.
+  destruct H as [_ [[[HR HN] HL] HA]].
+  split; [exact HR|split; [exact HN|split; [apply split_by_whole, HL|split]]].
+  - apply (all2_length _ _ _ HA).
+  - intros i part E. eapply all2_nth; eauto.
+Qed.
+
 Theorem components_are_right : forall (s : Q) (P Q R : rings) (w : witness) (cs : list component),
   check_components s P Q R w cs = true ->
   is_sum s P Q R /\ has_components (set_of R) (length cs).
 Proof.
-  intros s P Q R w cs H. unfold check_components in H. apply andb_prop in H. destruct H as [HS H].
+  intros s P Q R w cs H. assert (HS : check_sum s P Q R w = true)
+    by (unfold check_components in H; apply andb_prop in H; tauto).
   split; [apply (sum_is_right s P Q R w HS)|].
   destruct (is_empty P || is_empty Q) eqn:Em.
-  - destruct cs; [|discriminate]. exists (fun _ _ => False). split; [|intros i I; simpl in I; lia].
+  - unfold check_components in H. rewrite Em in H. apply andb_prop in H. destruct H as [_ H].
+    destruct cs; [|discriminate]. exists (fun _ _ => False). split; [|intros i I; simpl in I; lia].
     intros x. split; [|intros (i & I & _); simpl in I; lia]. intros (e & He & N).
     exfalso. unfold check_sum in HS. rewrite Em in HS. destruct R; [|discriminate].
     apply (empty_set x), N, near_self, He.
-  - destruct (sum_parts s P Q R w Em HS) as (OC & HB & Res).
-    rewrite !andb_true_iff, forallb_forall in H. destruct H as [[[HR HN] HL] HA].
-    set (yes := map fst (filter covered (cells w))) in *.
-    set (no := map fst (filter (fun c => negb (covered c)) (cells w))) in *.
-    set (parts := split_by (map size cs) yes) in *.
-    assert (Whole : concat parts = yes) by (apply split_by_whole, HL).
-    assert (Yes : forall l, In l yes -> is_polygon l = true)
+  - destruct (sum_parts s P Q R w Em HS) as (OC & HB & Same).
+    destruct (component_parts s P Q R w cs Em H) as (HR & HN & Whole & Len & Chk).
+    assert (Yes : forall l, In l (covered_cells w) -> is_polygon l = true)
       by (intros l; apply (covered_are_polygons w OC)).
-    assert (Once : forall y, (sumz (crossing_of y) (all_triangles no)
-        + sumz (crossing_of y) (all_triangles yes) <= 1)%Z).
-    { intros y. unfold check_box in HB. rewrite !andb_true_iff in HB. destruct HB as [_ HB].
-      pose proof (rectangle_once _ HR y) as One.
-      rewrite (same_boundary_same_turns _ _ HB y) in One. clear - One.
-      replace (flat_map (fun c => ring_edges (fst c)) (cells w))
-        with (flat_map ring_edges (map fst (cells w))) in One
-        by (rewrite !flat_map_concat_map, map_map; reflexivity).
-      rewrite turns_of_polygons in One. unfold yes, no. revert One.
-      unfold all_triangles. generalize (cells w). intros l.
-      assert (E : sumz (crossing_of y) (flat_map triangles (map fst l))
-        = (sumz (crossing_of y)
-             (flat_map triangles (map fst (filter (fun c => negb (covered c)) l)))
-           + sumz (crossing_of y) (flat_map triangles (map fst (filter covered l))))%Z).
-      { induction l as [|c l IH]; simpl; auto. rewrite sumz_app, IH.
-        destruct (covered c); simpl; rewrite sumz_app; lia. }
-      lia. }
-    assert (In_yes : forall i part, nth_error parts i = Some part ->
-        forall l, In l part -> In l yes).
-    { intros i part E l I. rewrite <- Whole. apply in_concat. exists part.
-      split; auto. eapply nth_error_In; eauto. }
-    assert (Len : length parts = length cs) by (apply (all2_length _ _ _ HA)).
-    assert (Chk : forall i part, nth_error parts i = Some part ->
-        exists c, check_component no part c = true)
-      by (intros i part E; eapply all2_nth; eauto).
-    assert (Same : forall x, set_of R x <-> covered_set yes x) by exact Res.
-    exists (fun i x => exists part, nth_error parts i = Some part /\ class yes part x). split.
+    pose proof (cells_once w HB HR) as Once.
+    assert (W : exists rest, covered_cells w = rest ++ concat (parts_of w cs))
+      by (exists []; auto).
+    exists (part_set (covered_cells w) (parts_of w cs)). rewrite <- Len. split.
     + intros x. split.
       * intros X. apply (interior_same _ _ x Same) in X.
-        assert (U := interior_in yes x X). unfold covered_set in U.
+        assert (U := interior_in _ x X). unfold covered_set in U.
         apply union_of_all in U; auto. destruct U as (l & I & B).
         rewrite <- Whole in I. apply in_concat in I. destruct I as (part & I & J).
-        apply In_nth_error in I. destruct I as (i & E). exists i. split.
-        { rewrite <- Len. apply nth_error_Some. congruence. }
-        exists part. split; auto. split; auto. apply union_of_all.
-        { intros k K. apply Yes, (In_yes i part E k K). }
-        exists l; auto.
+        apply In_nth_error in I. destruct I as (i & E).
+        assert (PS : part_set (covered_cells w) (parts_of w cs) i x).
+        { exists part. split; auto. split; auto. apply union_of_all.
+          - intros k K. apply Yes. eapply part_in_yes; eauto.
+          - exists l; auto. }
+        exists i. split; auto. eapply part_number; eauto.
       * intros (i & _ & part & _ & X & _).
         apply (interior_same _ _ x (fun y => iff_sym (Same y)) X).
-    + intros i I. rewrite <- Len in I. apply nth_error_Some in I.
-      destruct (nth_error parts i) as [part|] eqn:E; [|congruence]. clear I.
-      destruct (Chk i part E) as (c & Hc). pose proof (In_yes i part E) as Sub.
-      split; [|split; [|split]].
-      * destruct (class_not_empty yes no part c Sub Hc) as (x & X). exists x, part. auto.
-      * intros x (part' & E' & X). injection E'; intros <-.
-        apply (interior_same (class yes part)).
-        { intros y. split; [intros Y; exists part; auto|].
-          intros (part' & E2 & Y). injection E2; intros <-. exact Y. }
-        apply (class_open yes no Yes HN Once part c Hc x X).
-      * intros x y (part1 & E1 & X) (part2 & E2 & Y).
-        injection E1; intros <-. injection E2; intros <-.
-        assert (J := class_joined yes no part c Sub Hc x y X Y). clear - J.
-          induction J as [|y z J IH K].
-        { apply here. }
-        eapply farther; [exact IH|]. intros p L. exists part. auto.
-      * intros j x _ (part1 & E1 & X1 & U1) (part2 & E2 & _ & U2).
-        injection E1; intros <-. destruct (Nat.eq_dec i j) as [|N]; auto. exfalso.
-        destruct (Chk j part2 E2) as (c2 & Hc2). pose proof (In_yes j part2 E2) as Sub2.
-        apply (class_by_winding yes no Yes HN Once part c Hc x X1) in U1.
-        apply (class_by_winding yes no Yes HN Once part2 c2 Hc2 x X1) in U2.
-        rewrite (rim_turns no part c Hc) in U1. rewrite (rim_turns no part2 c2 Hc2) in U2.
-        assert (YesW : forall l, In l (concat parts) -> is_polygon l = true)
-          by (rewrite Whole; exact Yes).
-        pose proof (two_parts parts x YesW i j part part2 N E E2) as T.
-        rewrite Whole in T. specialize (Once x).
-        assert (0 <= sumz (crossing_of x) (all_triangles no))%Z; [|lia].
-        apply count_positive. intros l K. apply convex_polygon, HN, K.
+    + intros i I. split; [|split; [|split]].
+      * eapply part_set_not_empty; eauto.
+      * intros x. eapply part_set_open; eauto.
+      * intros x y. eapply part_set_joined; eauto.
+      * intros j x _. eapply two_part_sets; eauto.
 Qed.

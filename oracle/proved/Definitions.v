@@ -1,9 +1,8 @@
-(** What has to be believed: the theorems of this room are about these notions, those of
-    docs/certificates.md, and no others. Numbers of files are rational (Q), points real (R). *)
+(** What has to be believed: the theorems are about these notions, those of docs/certificates.md.
+    Numbers of files are rational (Q), points real (R). *)
 From Coq Require Export Reals QArith Qreals ZArith List.
 Export ListNotations.
 Open Scope R_scope.
-
 Definition point := (R * R)%type.
 Definition add (p q : point) : point := (fst p + fst q, snd p + snd q).
 Definition scale (s : R) (p : point) : point := (s * fst p, s * snd p).
@@ -15,8 +14,7 @@ Definition on_segment (a b y : point) : Prop :=
   exists t, 0 <= t <= 1 /\ y = (fst a + t * (fst b - fst a), snd a + t * (snd b - snd a)).
 
 (** How the edge from a to b crosses the ray from y upwards: 1 where it comes from the right, -1
-    where it comes from the left, else 0. Of its ends the left one counts and the right one does
-    not. *)
+    where from the left, else 0. Of its ends the left one counts and the right one does not. *)
 Definition crossing (a b y : point) : Z :=
   if Rle_dec (fst a) (fst y) then
     if Rlt_dec (fst y) (fst b) then if Rlt_dec (orient a b y) 0 then (-1)%Z else 0%Z else 0%Z
@@ -26,7 +24,6 @@ Definition crossing (a b y : point) : Z :=
 (** How often closed rings, given by their edges, wind around a point that is on none of them *)
 Definition winding (edges : list (point * point)) (y : point) : Z :=
   fold_right (fun e n => (crossing (fst e) (snd e) y + n)%Z) 0%Z edges.
-
 Definition near (e : R) (x y : point) : Prop :=
   Rabs (fst y - fst x) < e /\ Rabs (snd y - snd x) < e.
 
@@ -61,19 +58,22 @@ Definition set_of (r : rings) (x : point) : Prop :=
 (** The Minkowski sum: all s p + q with p of P and q of Q *)
 Definition in_sum (s : Q) (P Q : rings) (x : point) : Prop :=
   exists p q, set_of P p /\ set_of Q q /\ x = add (scale (Q2R s) p) q.
-Definition is_sum (s : Q) (P Q R : rings) : Prop :=
-  forall x : point, set_of R x <-> in_sum s P Q x.
+Definition is_sum (s : Q) (P Q R : rings) := forall x : point, set_of R x <-> in_sum s P Q x.
 
-(** The interior has n components: it falls into n sets, none empty, no two with a common point,
-    each open, and in each any two points are joined by a path of straight steps. *)
-Definition interior (S : point -> Prop) (x : point) : Prop :=
-  exists e, 0 < e /\ forall y, near e x y -> S y.
+(** A set falls into n components: sets C 0, C 1, ..., none empty, no two with a common point, each
+    open, and in each any two points are joined by a path of straight steps. *)
+Definition interior (S : point -> Prop) x := exists e, 0 < e /\ forall y, near e x y -> S y.
 Inductive joined (S : point -> Prop) (x : point) : point -> Prop :=
 | here : joined S x x
 | farther y z : joined S x y -> (forall p, on_segment y z p -> S p) -> joined S x z.
-Definition has_components (S : point -> Prop) (n : nat) : Prop :=
-  exists C : nat -> point -> Prop,
-    (forall x, interior S x <-> exists i, (i < n)%nat /\ C i x) /\
-    forall i, (i < n)%nat -> (exists x, C i x) /\ (forall x, C i x -> interior (C i) x) /\
-      (forall x y, C i x -> C i y -> joined (C i) x y) /\
-      (forall j x, (j < n)%nat -> C i x -> C j x -> i = j).
+Definition falls_into (S : point -> Prop) (C : nat -> point -> Prop) (n : nat) : Prop :=
+  (forall x, S x <-> exists i, (i < n)%nat /\ C i x) /\
+  forall i, (i < n)%nat -> (exists x, C i x) /\ (forall x, C i x -> interior (C i) x) /\
+    (forall x y, C i x -> C i y -> joined (C i) x y) /\
+    (forall j x, (j < n)%nat -> C i x -> C j x -> i = j).
+(** Components are those of the interior; holes the bounded ones of the complement, all but C 0. *)
+Definition has_components (S : point -> Prop) n := exists C, falls_into (interior S) C n.
+Definition bounded (S : point -> Prop) : Prop := exists r, forall x, S x -> near r (0, 0) x.
+Definition has_holes (S : point -> Prop) (n : nat) : Prop := exists C,
+  falls_into (fun x => ~ S x) C (1 + n) /\
+  forall i, (i < 1 + n)%nat -> (bounded (C i) <-> i <> 0%nat).

@@ -36,7 +36,7 @@ def square(tmp_path: Path) -> Path:
 def test_what_is_proved_and_what_is_not(square: Path, capsys: Any) -> None:
     assert run(["check", str(square), "--proved"]) == 0
     said = capsys.readouterr().out
-    assert "  proved: sum: at 1" in said and "  not proved: the holes of sums" in said
+    assert "  proved: sum: at 1" in said and "  not proved: that the form" in said
     assert run(["check", str(square), "--proved", "--json", "--case", str(square)]) == 2
     (row,) = json.loads(capsys.readouterr().out)["files"]
     assert row["verdict"] == "malformed" and "proved" not in row
@@ -89,7 +89,7 @@ def test_no_theorem(holed: str, tmp_path: Path, capsys: Any, options: list[str],
 def test_a_theorem_is_taken_by_coq_and_a_false_one_is_not(holed: str, tmp_path: Path) -> None:
     """The sum of a square ring and a smaller one, which has a hole."""
     coqc = shutil.which("coqc")
-    if coqc is None or not (ROOT / "build" / "proofs" / "Theorems.vo").exists():
+    if coqc is None or not (ROOT / "build" / "proofs" / "Holes.vo").exists():
         pytest.skip("coqc or the compiled proofs are absent: make proofs")
     theorem, out = tmp_path / "it.v", tmp_path / "it.cert.json"
     options = ["--scale", "1/5", "-o", str(out), "--theorem", str(theorem)]
@@ -103,7 +103,12 @@ def test_a_theorem_is_taken_by_coq_and_a_false_one_is_not(holed: str, tmp_path: 
     ran = compiled()
     assert ran.returncode == 0, ran.stderr
     assert "functional_extensionality" in ran.stdout
-    wrong = text.replace("(24#5, 0#1)", "(23#5, 0#1)", 1)
-    assert wrong != text
-    theorem.write_text(wrong, encoding="utf-8")
-    assert compiled().returncode != 0
+    for old, new in (
+        ("(24#5, 0#1)", "(23#5, 0#1)"),
+        ("has_components (set_of R') 1", "has_components (set_of R') 2"),
+        ("has_holes (set_of R') 1", "has_holes (set_of R') 0"),
+        ("size := 1%nat", "size := 0%nat"),
+    ):
+        assert old in text
+        theorem.write_text(text.replace(old, new, 1), encoding="utf-8")
+        assert compiled().returncode != 0, new

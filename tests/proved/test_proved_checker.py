@@ -69,29 +69,51 @@ def test_points_segments_and_the_empty_set(
 COMB = "POLYGON((0 0, 9 0, 9 3, 8 3, 8 1, 5 1, 5 3, 4 3, 4 1, 1 1, 1 3, 0 3, 0 0))"
 APART = "MULTIPOLYGON(((0 0, 1 0, 1 1, 0 1, 0 0)), ((5 0, 6 0, 6 1, 5 1, 5 0)))"
 TOUCHING = "MULTIPOLYGON(((0 0, 2 0, 2 2, 0 2, 0 0)), ((2 2, 4 2, 4 4, 2 4, 2 2)))"
+ISLAND = (
+    "MULTIPOLYGON(((0 0, 9 0, 9 9, 0 9, 0 0), (1 1, 1 8, 8 8, 8 1, 1 1)), "
+    "((3 3, 6 3, 6 6, 3 6, 3 3), (4 4, 4 5, 5 5, 5 4, 4 4)))"
+)
+PINCHED = "POLYGON((0 0, 6 0, 6 4, 0 4, 0 0), (1 2, 2 3, 3 2, 2 1, 1 2), (3 2, 4 3, 5 2, 4 1, 3 2))"
+RINGED = "POLYGON((0 0, 4 0, 4 4, 0 4, 0 0), (0 2, 2 4, 4 2, 2 0, 0 2))"
 
 
 @pytest.mark.parametrize(
-    ("P", "Q", "scale", "components"),
+    ("P", "Q", "scale", "counts"),
     [
-        (APART, HOLED, "1/10", 1),
-        (HOLED, APART, "1/10", 2),
-        (TOUCHING, "POINT(1 1)", "1", 2),
-        (TOUCHING, "LINESTRING(0 0, 1 -1)", "1", 1),
-        (APART, "LINESTRING(0 0, 0 1)", "3", 2),
-        (COMB, APART, "1/3", 2),
-        (TOUCHING, "POLYGON EMPTY", "1", 0),
+        (APART, HOLED, "1/10", (1, 1)),
+        (HOLED, APART, "1/10", (2, 0)),
+        (TOUCHING, "POINT(1 1)", "1", (2, 0)),
+        (TOUCHING, "LINESTRING(0 0, 1 -1)", "1", (1, 0)),
+        (APART, "LINESTRING(0 0, 0 1)", "3", (2, 0)),
+        (COMB, APART, "1/3", (2, 0)),
+        (TOUCHING, "POLYGON EMPTY", "1", (0, 0)),
+        (ISLAND, "POINT(0 0)", "1", (2, 2)),
+        (APART, ISLAND, "1/8", (2, 2)),
+        (APART, ISLAND, "1/2", (1, 6)),
+        (PINCHED, "LINESTRING(0 0, 1/3 0)", "2", (1, 2)),
+        (RINGED, "POINT(0 0)", "1", (4, 1)),
+        (RINGED, HOLED, "1/20", (1, 1)),
     ],
 )
-def test_components(
-    check: Any, tmp_path: Path, P: str, Q: str, scale: str, components: int
+def test_components_and_holes(
+    check: Any, tmp_path: Path, P: str, Q: str, scale: str, counts: tuple[int, int]
 ) -> None:
+    """A hole pinched at a point is two; one that touches the outer ring bounds components."""
     certificate = Certificate(set_of(P), set_of(Q))
     certificate.sum(scale)
-    assert certificate.claims[0]["components"] == components
-    code, said = check(written(certificate, tmp_path, "it"))
+    claim = certificate.claims[0]
+    assert (claim["components"], claim["holes"]) == counts
+    path = written(certificate, tmp_path, "it")
+    code, said = check(path)
     assert code == VERIFIED, said
-    assert f"of {components} components" in said
+    assert "of {} components and {} holes".format(*counts) in said
+    value = json.loads(path.read_text(encoding="utf-8"))
+    for member in ("components", "holes"):
+        for by in (-1, 1, 7):
+            other = copy.deepcopy(value)
+            other["claims"][0][member] += by
+            path.write_text(json.dumps(other), encoding="utf-8")
+            assert check(path)[0] in (REFUTED, MALFORMED), (member, by)
 
 
 def test_claims_without_a_theorem_are_declined(check_value: Any) -> None:
@@ -114,7 +136,7 @@ def test_events_and_passages_are_declined(check: Any, tmp_path: Path) -> None:
     assert "not proved: event" in said and "not proved: passage" in said
 
 
-TOLD = ("scale", "components", "digest", "polygons", "point", "p", "q")
+TOLD = ("scale", "components", "holes", "digest", "polygons", "point", "p", "q")
 WHOLE = [{**squares.CLAIM, "polygons": squares.SUM}, POINT]
 
 
@@ -172,6 +194,9 @@ def test_a_result_that_is_moved_is_refuted(check_value: Any, by: str) -> None:
         (lambda c: c["steps"][2].__setitem__("box", ["0", "0", "1", "1"]), REFUTED),
         (lambda c: c["claims"][0].__setitem__("components", 2), REFUTED),
         (lambda c: c["claims"][0].__setitem__("components", 0), REFUTED),
+        (lambda c: c["claims"][0].__setitem__("holes", 1), REFUTED),
+        (lambda c: c["claims"][0].__setitem__("holes", -1), REFUTED),
+        (lambda c: c["steps"][2].__setitem__("box", ["0", "0", "2", "2"]), REFUTED),
         (lambda c: c["steps"][2].__setitem__("polygons", []), REFUTED),
         (lambda c: c["claims"][0].__setitem__("claim", "total"), MALFORMED),
         (lambda c: c["claims"][0].pop("digest"), MALFORMED),

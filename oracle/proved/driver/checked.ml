@@ -9,9 +9,9 @@ let fraction (q : Q.t) : Checker.q = { qnum = Q.num q; qden = Q.den q }
 let vertex (x, y) : Checker.vertex = (fraction x, fraction y)
 let vertices = List.map vertex
 
-let sum_holds s p q r witness components =
-  Checker.check_components (fraction s) (List.map vertices p) (List.map vertices q)
-    (List.map vertices r) witness components
+let sum_holds s p q r witness components outside holes =
+  Checker.check_holes (fraction s) (List.map vertices p) (List.map vertices q)
+    (List.map vertices r) witness components outside holes
 
 let point_holds s p q x part other tiled_p tiled_q i j =
   Checker.check_point (fraction s) (List.map vertices p) (List.map vertices q) (vertex x)

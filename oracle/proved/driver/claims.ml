@@ -28,7 +28,6 @@ let check_claim budget p q step claim =
     with
     | [ _; scale; at; components; holes; digest; polygons ] ->
       let s = number scale and digest = text digest in
-      ignore (integer holes);
       require (Q.sign s > 0) "a scale is not positive";
       let region =
         match step at with Region r -> Lazy.force r | _ -> fail Malformed "this is no sum's step"
@@ -42,18 +41,24 @@ let check_claim budget p q step claim =
          demand same "the polygons are others");
       let count = List.length region.components in
       demand (Z.equal (integer components) (Z.of_int count)) "components are others";
+      let enclosed = List.length region.holes in
+      demand (Z.equal (integer holes) (Z.of_int enclosed)) "holes are others";
       let result = Reading.rings_of region.polygons in
       demand
-        (Checked.sum_holds s (rings p) (rings q) result region.witness region.components)
+        (Checked.sum_holds s (rings p) (rings q) result region.witness region.components
+           region.outside region.holes)
         "the proved checker does not take this for a proof";
-      let theorem out = Theorem.write out s (rings p) (rings q) result region.witness in
+      let theorem out =
+        Theorem.write out s (rings p) (rings q) result region.witness region.components
+          region.outside region.holes
+      in
       Proved
         {
           said =
             Printf.sprintf
-              "sum: at %s, the set of points of digest %s, of %d components (not looked at: its \
-               holes, and whether its form is the canonical one)"
-              (Q.to_string s) digest count;
+              "sum: at %s, the set of points of digest %s, of %d components and %d holes (not \
+               looked at: whether its form is the canonical one)"
+              (Q.to_string s) digest count enclosed;
           theorem = Some theorem;
         }
     | _ -> assert false)

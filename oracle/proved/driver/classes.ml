@@ -1,5 +1,5 @@
-(* The components of a sum, for the proved checker: its covered cells, class after class, each cell
-   after one that it shares an edge with. Not trusted. *)
+(* The components and the holes of a sum, for the proved checker: cells class after class, each
+   cell after one that it shares an edge with. Not trusted. *)
 
 open Failure
 
@@ -8,16 +8,35 @@ let edges_of ring =
   let n = Array.length at in
   List.init n (fun i -> (at.(i), at.((i + 1) mod n)))
 
-(* Cells and rings by the numbers of their corners; the order of the cells, and the components *)
-let components cells is_covered polygons point =
+type found = {
+  order : int list;  (* the cells: those covered, the outside, the holes *)
+  components : Checker.component list;
+  outside : Checker.component;
+  holes : Checker.component list;
+}
+
+(* Edges that leave each point as often as they come to it, as rings. Each edge has a tag. *)
+let rings_of edges =
+  let leaving = Hashtbl.create 64 in
+  List.iter (fun ((u, _) as edge, tag) -> Hashtbl.add leaving u (edge, tag)) edges;
+  let rec walk first at ring =
+    match Hashtbl.find_opt leaving at with
+    | None -> fail Refuted "a hole's rim is not closed"
+    | Some (((u, v), _) as step) ->
+      Hashtbl.remove leaving u;
+      if v = first then List.rev (step :: ring) else walk first v (step :: ring)
+  in
+  List.filter_map
+    (fun ((u, _), _) -> if Hashtbl.mem leaving u then Some (walk u u []) else None)
+    edges
+
+(* Cells and rings by the numbers of their corners *)
+let found cells is_covered polygons point =
   let cells = Array.of_list cells and is_covered = Array.of_list is_covered in
   let count = Array.length cells in
   let owner = Hashtbl.create (4 * count) in
   Array.iteri (fun i cell -> List.iter (fun e -> Hashtbl.replace owner e i) (edges_of cell)) cells;
   let across (u, v) = Hashtbl.find_opt owner (v, u) in
-  let others = List.filter (fun i -> not is_covered.(i)) (List.init count Fun.id) in
-  let number = Hashtbl.create 64 in
-  List.iteri (fun n i -> Hashtbl.add number i n) others;
   let half = Q.of_ints 1 2 in
   let middle u v =
     let (a, b), (c, d) = (point u, point v) in
@@ -35,7 +54,7 @@ let components cells is_covered polygons point =
       List.iter
         (fun (u, v) ->
           match across (u, v) with
-          | Some next when is_covered.(next) && not seen.(next) ->
+          | Some next when is_covered.(next) = is_covered.(cell) && not seen.(next) ->
             seen.(next) <- true;
             Queue.add (next, !size) queue;
             links := (!size - 1 - place, middle u v) :: !links;
@@ -45,15 +64,7 @@ let components cells is_covered polygons point =
     done;
     (List.rev !order, List.rev !links)
   in
-  let rim polygon =
-    let other edge =
-      match across edge with
-      | Some i when not is_covered.(i) -> Hashtbl.find number i
-      | _ -> fail Refuted "a ring is not on the boundary"
-    in
-    List.map (fun ring -> (List.map point ring, List.map other (edges_of ring))) polygon
-  in
-  let classes =
+  let firsts =
     List.map
       (fun polygon ->
         let first =
@@ -62,13 +73,53 @@ let components cells is_covered polygons point =
           | _ -> fail Malformed "a polygon has no ring"
         in
         match first with
-        | Some i when is_covered.(i) && not seen.(i) ->
-          let order, links = gather i in
-          (order, Checked.component (List.length order) links (rim polygon))
+        | Some i when is_covered.(i) && not seen.(i) -> gather i
         | _ -> fail Refuted "a polygon is not a component")
       polygons
   in
+  let all = List.init count Fun.id in
   demand
-    (List.for_all (fun i -> seen.(i) || not is_covered.(i)) (List.init count Fun.id))
+    (List.for_all (fun i -> seen.(i) || not is_covered.(i)) all)
     "a component has no polygon";
-  (List.concat_map fst classes @ others, List.map snd classes)
+  let at_wall i = List.exists (fun edge -> across edge = None) (edges_of cells.(i)) in
+  let outside =
+    match List.find_opt (fun i -> (not is_covered.(i)) && at_wall i) all with
+    | Some i -> gather i
+    | None -> fail Refuted "no cell is outside"
+  in
+  let holes = List.filter_map (fun i -> if seen.(i) then None else Some (gather i)) all in
+  let covered = List.concat_map fst firsts and others = List.concat_map fst (outside :: holes) in
+  let number = Array.make count 0 in
+  let give cells = List.iteri (fun n i -> number.(i) <- n) cells in
+  give covered;
+  give others;
+  let beyond covered edge =
+    match across edge with
+    | Some i when is_covered.(i) <> covered -> number.(i)
+    | _ -> fail Refuted "a ring is not on the boundary"
+  in
+  let component (order, links) polygon =
+    let rim ring = (List.map point ring, List.map (beyond true) (edges_of ring)) in
+    Checked.component (List.length order) links (List.map rim polygon)
+  in
+  let hole (order, links) =
+    let edges =
+      List.concat_map
+        (fun i ->
+          List.filter_map
+            (fun edge ->
+              match across edge with
+              | Some j when not is_covered.(j) -> None
+              | _ -> Some (edge, beyond false edge))
+            (edges_of cells.(i)))
+        order
+    in
+    let ring steps = (List.map (fun ((u, _), _) -> point u) steps, List.map snd steps) in
+    Checked.component (List.length order) links (List.map ring (rings_of edges))
+  in
+  {
+    order = covered @ others;
+    components = List.map2 component firsts polygons;
+    outside = Checked.component (List.length (fst outside)) (snd outside) [];
+    holes = List.map hole holes;
+  }

@@ -242,6 +242,8 @@ type region = {
   scale : Q.t;
   witness : Checked.witness;
   components : Checker.component list;
+  outside : Checker.component;
+  holes : Checker.component list;
   polygons : Reading.polygon list;
 }
 
@@ -333,11 +335,11 @@ let eq_step p q (by_p, by_q) budget step =
     let point id =
       match found.(id) with Point at -> at | Line _ -> fail Malformed "a corner is no point"
     in
-    let order, components =
-      Classes.components (List.map ids cells) (List.map is_covered proofs) rings point
+    let classes =
+      Classes.found (List.map ids cells) (List.map is_covered proofs) rings point
     in
     let made = Array.of_list (List.map2 cell cells proofs) in
-    let cells = List.map (fun i -> made.(i)) order in
+    let cells = List.map (fun i -> made.(i)) classes.order in
     let ring value =
       let corners = straightened (List.map corner (items value)) in
       require (List.length corners > 2) "a ring has too few vertices";
@@ -352,6 +354,8 @@ let eq_step p q (by_p, by_q) budget step =
     let box = [ (x0, y0); (x1, y0); (x1, y1); (x0, y1) ] in
     let witness = Checked.witness (tiled of_p) (tiled of_q) box cells in
     let empty side = Array.length side.pieces.hulls = 0 in
-    let components = if empty of_p || empty of_q then [] else components in
-    { scale = s; witness; components; polygons }
+    let of_no_empty_sum classes = if empty of_p || empty of_q then [] else classes in
+    let components = of_no_empty_sum classes.components in
+    let holes = of_no_empty_sum classes.holes in
+    { scale = s; witness; components; outside = classes.outside; holes; polygons }
   | _ -> assert false

@@ -1,28 +1,32 @@
 (* A sum as a theorem in Coq: the statement in the notions of Definitions.v, proved by computing
-   [check_sum] in Coq's kernel. Nothing here is trusted: the statement is there to be read. *)
+   [check_holes] in Coq's kernel. Nothing here is trusted: the statement is there to be read. *)
 
 let head =
-  {|(** The Minkowski sum sP + Q of two sets of the plane, as a theorem.
+  {|(** The Minkowski sum sP + Q of two sets of the plane, its components and holes, as a theorem.
 
     The sets are given by their rings: outer ones counter-clockwise, holes clockwise. What the
     statement means stands in Definitions.v of oracle/proved, and in docs/proved.md.
     To check it: make proofs, then coqc -Q build/proofs Proved FILE *)
-From Proved Require Import Definitions Checker Theorems.
+From Proved Require Import Definitions Checker Holes.
 Open Scope Q_scope.
 
 Definition s : Q := |}
 
-let foot =
-  {|Theorem this_is_the_sum : forall x : point,
-  set_of R' x <->
-  exists p q, set_of P p /\ set_of Q' q /\ x = add (scale (Q2R s) p) q.
+let foot components holes =
+  Printf.sprintf
+    {|Theorem this_is_the_sum :
+  (forall x : point, set_of R' x <->
+    exists p q, set_of P p /\ set_of Q' q /\ x = add (scale (Q2R s) p) q) /\
+  has_components (set_of R') %d /\ has_holes (set_of R') %d.
 Proof.
-  apply (sum_is_right s P Q' R' everything). vm_compute. reflexivity.
+  apply (holes_are_right s P Q' R' everything components outside holes).
+  vm_compute. reflexivity.
 Qed.
 Print Assumptions this_is_the_sum.
 |}
+    components holes
 
-let write out s p other r (witness : Checker.witness) =
+let write out s p other r (witness : Checker.witness) components outside holes =
   let print format = Printf.fprintf out format in
   let list separator write values =
     print "[";
@@ -89,5 +93,22 @@ let write out s p other r (witness : Checker.witness) =
   print ".\nDefinition everything : witness := {|\n";
   print "  of_P := pieces_of_P; of_Q := pieces_of_Q;\n  box := ";
   corners witness.box;
-  print ";\n  cells := proof_of_cells |}.\n\n";
-  output_string out foot
+  print ";\n  cells := proof_of_cells |}.\n";
+  let component (c : Checker.component) =
+    print "{| size := "; natural c.size; print "; links := ";
+    list "; " (fun (back, m) -> print "("; natural back; print ", "; vertex m; print ")") c.links;
+    print ";\n    rim := ";
+    list ";\n     "
+      (fun (ring, others) ->
+        print "("; corners ring; print ", "; list "; " natural others; print ")")
+      c.rim;
+    print " |}"
+  in
+  print "Definition components : list component :=\n  ";
+  list ";\n   " component components;
+  print ".\nDefinition outside : component := ";
+  component outside;
+  print ".\nDefinition holes : list component :=\n  ";
+  list ";\n   " component holes;
+  print ".\n\n";
+  output_string out (foot (List.length components) (List.length holes))
