@@ -26,6 +26,8 @@ for function in (right, nothing):
         "capabilities": ["plane", "non-convex", "holes", "components"],
     }
 """
+#: A path as a word.
+WAY = '{"type":"LineString","coordinates":[[-60,55],[60,55]]}'
 FEW = ("--pairs", "5", "--no-models", "--family", "random")
 
 
@@ -68,6 +70,8 @@ STEPS = (
     step("view g1 g2", "view.html", files=("view.html",)),
     step("view g1 g2 --route paper-update --steps 3 -o paper.html", files=("paper.html",)),
     step("view gs3 gs4 -o space.html", extra="view", files=("space.html",)),
+    step(f"view disc1 g2 --path {WAY} -o way.html", "valid scales", files=("way.html",)),
+    step(f"path disc1 g2 {WAY} -o way.svg", "valid scales", files=("way.svg",)),
     step("certify g1 g2 -o sum.cert.json", files=("sum.cert.json",)),
     step("check sum.cert.json"),
     step("generate fits-hole --count 2 -o cases"),

@@ -15,6 +15,7 @@ from minkref.version import version
 if TYPE_CHECKING:
     from minkref.api import (
         BadInput,
+        BadPolygon,
         Certificate,
         ConvexCertificate,
         ConvexPolyhedron,
@@ -36,6 +37,7 @@ if TYPE_CHECKING:
         Sum,
         UndecidedSign,
         ValidScales,
+        bad_polygons,
         build_index,
         convex_sum,
         convolution,
@@ -62,6 +64,7 @@ __version__ = version()
 
 __all__ = [
     "BadInput",
+    "BadPolygon",
     "Certificate",
     "ConvexCertificate",
     "ConvexPolyhedron",
@@ -83,6 +86,7 @@ __all__ = [
     "Sum",
     "UndecidedSign",
     "ValidScales",
+    "bad_polygons",
     "build_index",
     "convex_sum",
     "convolution",
