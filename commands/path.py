@@ -39,7 +39,9 @@ minkref path disc1 g2 "LINESTRING (-60 55, 60 55)"
 
 minkref path part.wkt obstacles.wkt way.csv --contact forbidden --json
 
-minkref path part.wkt obstacles.wkt way.geojson --route contacts -o valid.json"""
+minkref path part.wkt obstacles.wkt way.geojson --route contacts -o valid.json
+
+minkref path part.wkt obstacles.wkt way.geojson -o valid.svg"""
 
 MOST_ROWS = 20
 
@@ -67,7 +69,13 @@ def command(
         str, typer.Option("--route", help="pieces, contacts or index.", metavar="ROUTE")
     ] = "pieces",
     output: Annotated[
-        Path | None, typer.Option("-o", help="Write the JSON document here.", metavar="FILE")
+        Path | None,
+        typer.Option(
+            "-o",
+            help="Write the JSON document here; to an .svg the diagram of places and scales that "
+            "collide.",
+            metavar="FILE",
+        ),
     ] = None,
     memory: Memory = None,
     json: Json = False,
@@ -92,6 +100,17 @@ def command(
                 first.set, second.set, way.points, contact, window[0], window[1], route
             ),
         )
+
+    def drawn() -> str:
+        from minkref.commands.pages.path.diagram_svg import diagram_svg
+        from minkref.commands.pages.path.picture import PathQuestion, picture, window_around
+
+        question = PathQuestion(first.set, second.set, way.points, contact)
+        shown = window_around(bounds, window[0], window[1])
+        where = f"{robot}, {obstacles}"
+        data = refusing(where, lambda: picture(question, ranges, bounds, shown))
+        return diagram_svg(data)
+
     value = document(
         "path",
         watch,
@@ -113,7 +132,8 @@ def command(
         output=None if output is None else str(output),
     )
     if output is not None:
-        write_atomically(output, as_text(value))
+        is_picture = output.suffix.lower() == ".svg"
+        write_atomically(output, drawn() if is_picture else as_text(value))
     give(value, json, _print)
 
 

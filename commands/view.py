@@ -46,6 +46,8 @@ minkref view g1 g2 --route paper-update --arithmetic double -o paper.html
 
 minkref view glyph1204 disc -o grown.html
 
+minkref view disc1 g2 --path "LINESTRING (-60 55, 60 55)" -o way.html
+
 minkref view gs3 rod --scale 2,1/3,5 -o gs3-rod.html
 
 minkref view gs3 rod --scales scales.txt -o gs3-rod.html"""
@@ -113,6 +115,23 @@ def command(
         ),
     ] = None,
     index: IndexFile = None,
+    path: Annotated[
+        str | None,
+        typer.Option(
+            "--path",
+            help="Show P, the part, on this polyline of its origin among the obstacles Q, and the "
+            "places and scales at which it collides: WKT, GeoJSON or CSV, file or text.",
+            metavar="PATH",
+        ),
+    ] = None,
+    contact: Annotated[
+        str | None,
+        typer.Option(
+            "--contact",
+            help="With --path: allowed (the default), the part may touch, or forbidden.",
+            metavar="RULE",
+        ),
+    ] = None,
     output: Annotated[
         Path,
         typer.Option("-o", help="The .html page to write; - is standard output.", metavar="FILE"),
@@ -124,13 +143,24 @@ def command(
     """Write one self-contained HTML page with a slider over the scale: the sum, its convolution,
     and the holes from birth to death. In space P and Q are polyhedra: the page shows the sum at
     each scale, lets you turn it and cut it open, and names the parents of its facets and
-    vertices. With `disc` as second operand the slider is the radius of a disc."""
+    vertices. With `disc` as second operand the slider is the radius of a disc. With --path the
+    page shows a part on a path: the scales at which it passes, and why at no others."""
     of_scales = _given(
         ("--route", route), ("--index", index),
         ("--arithmetic", arithmetic), ("--form", as_read), ("--reading", reading or None),
         ("--steps", steps),
     )  # fmt: skip
     of_space = _given(("--scale", scale), ("--scales", scales))
+    if path is not None:
+        from minkref.commands.path_view import view_with_path
+
+        target = _page_target(output, json)
+        window_given, given = (from_scale, to_scale), of_space + of_scales
+        rule = contact or "allowed"
+        view_with_path(P, Q, path, rule, window_given, given, target, json, memory)
+        return
+    if contact is not None:
+        raise Refusal("a rule of contact is one of a path", "--contact", "add --path PATH")
     if is_disc(P) or is_disc(Q):
         from minkref.commands.disc.view import view_with_disc
 

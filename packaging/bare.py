@@ -18,7 +18,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from bare_commands import FUNCTIONS, STEPS, WAY, Step, words_of
+from bare_commands import FUNCTIONS, STEPS, Step, words_of
 from bare_root import BareRoot
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -35,7 +35,6 @@ class BareMachine:
         self.wheel, self.environment, self.work = wheel, folder / "minkref", folder / "home"
         self.work.mkdir()
         (self.work / "functions.py").write_text(FUNCTIONS, encoding="utf-8")
-        (self.work / "way.csv").write_text(WAY, encoding="utf-8")
         self.uv("venv", "--python", python, str(self.environment))
         self.install()
         self.root = BareRoot(self.environment, self.work)

@@ -26,8 +26,8 @@ for function in (right, nothing):
         "capabilities": ["plane", "non-convex", "holes", "components"],
     }
 """
-#: A path, for whatever is to go along it.
-WAY = "0,0\n10,0\n"
+#: A path as a word.
+WAY = '{"type":"LineString","coordinates":[[-60,55],[60,55]]}'
 FEW = ("--pairs", "5", "--no-models", "--family", "random")
 
 
@@ -72,9 +72,10 @@ STEPS = (
     step("view gs3 gs4 -o space.html", extra="view", files=("space.html",)),
     step("index g1 disc -o disc.json", files=("disc.json",)),
     step("sum g1 disc:1/2 --index disc.json"),
-    step("path g2 g1 way.csv", "valid scales"),
     step("fit g2 g1 --at 0,0", "93/1360"),
     step("trap g2 g1 --at 0,0 --from 1 --to 2", "by translation"),
+    step(f"view disc1 g2 --path {WAY} -o way.html", "valid scales", files=("way.html",)),
+    step(f"path disc1 g2 {WAY} -o way.svg", "valid scales", files=("way.svg",)),
     step("certify g1 g2 -o sum.cert.json", files=("sum.cert.json",)),
     step("check sum.cert.json"),
     step("generate fits-hole --count 2 -o cases"),

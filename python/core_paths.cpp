@@ -17,6 +17,7 @@
 #include "python/core_timeline.hpp"
 #include "python/vector_caster.hpp"
 #include "reference/paths/fits_and_traps.hpp"
+#include "reference/paths/path_diagram.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -40,6 +41,16 @@ using PathAnswer = std::tuple<std::vector<RangeRow>, std::vector<PathBoundRow>, 
 using FreeAnswer = std::tuple<std::vector<RangeRow>, std::vector<FreeBoundRow>,
                               std::vector<std::pair<std::string, bool>>, std::uint64_t>;
 
+/// Segment, pieces of part and obstacles, corners (t, s).
+template <typename Number>
+using BadPolygonRow =
+    std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::vector<std::pair<Number, Number>>>;
+template <typename Number>
+using Pieces = std::vector<std::vector<std::pair<Number, Number>>>;
+template <typename Number>
+using DiagramAnswer =
+    std::tuple<Pieces<Number>, Pieces<Number>, std::vector<BadPolygonRow<Number>>>;
+
 std::vector<RangeRow> rows(const std::vector<ScaleRange>& ranges) {
   std::vector<RangeRow> result;
   for (const ScaleRange& range : ranges) {
@@ -62,6 +73,37 @@ PathBoundRow row(const PathBound& bound) {
 
 Point point_of(const ExactPoint& text) {
   return {parse_rational(text.first), parse_rational(text.second)};
+}
+
+template <typename Number>
+DiagramAnswer<Number> answer(const PathDiagram& found, Number (*number)(const Rational&)) {
+  const auto pieces_of = [&](const std::vector<ConvexCorners>& pieces) {
+    Pieces<Number> result;
+    for (const ConvexCorners& piece : pieces) {
+      auto& corners = result.emplace_back();
+      for (const Point& p : piece) corners.emplace_back(number(p.x), number(p.y));
+    }
+    return result;
+  };
+  std::vector<BadPolygonRow<Number>> polygons;
+  for (const BadPolygon& polygon : found.polygons) {
+    std::vector<std::pair<Number, Number>> corners;
+    for (const StripPoint& p : polygon.corners) corners.emplace_back(number(p.t), number(p.s));
+    polygons.emplace_back(polygon.segment, polygon.part, polygon.obstacle, std::move(corners));
+  }
+  return {pieces_of(found.part_pieces), pieces_of(found.obstacle_pieces), std::move(polygons)};
+}
+
+template <typename Number>
+DiagramAnswer<Number> diagram_of(const Set& robot, const Set& obstacles,
+                                 const std::vector<ExactPoint>& path, const std::string& contact,
+                                 const OptionalText& from, const std::string& to, std::size_t most,
+                                 Number (*number)(const Rational&)) {
+  std::vector<Point> points;
+  for (const ExactPoint& p : path) points.push_back(point_of(p));
+  return answer(path_diagram(robot.value, obstacles.value, points, contact_rule(contact),
+                             window_of(from, to), most),
+                number);
 }
 
 PathAnswer answer(const ValidScales& found) {
@@ -108,6 +150,29 @@ void bind_paths(nb::module_& module) {
       "to_scale"_a = nb::none(), "route"_a = "pieces",
       "(ranges, bounds, statistics) of a polyline: a range is (from, with it, to, with it), a "
       "bound (scale, blocks, segment, t, place, part, obstacle, where they touch).");
+  module.def(
+      "path_diagram",
+      [](const Set& robot, const Set& obstacles, const std::vector<ExactPoint>& path,
+         const std::string& contact, const OptionalText& from, const std::string& to,
+         std::size_t most) {
+        return diagram_of<std::string>(robot, obstacles, path, contact, from, to, most,
+                                       [](const Rational& x) { return to_string(x); });
+      },
+      "robot"_a, "obstacles"_a, "path"_a, "contact"_a, "from_scale"_a.none(), "to_scale"_a,
+      "most"_a, Released(),
+      "(pieces of the part, of the obstacles, bad polygons) of a path; a polygon is (segment, "
+      "piece "
+      "of the part, of the obstacles, corners (t, s)). Refuses more than `most` of them.");
+  module.def(
+      "path_drawing",
+      [](const Set& robot, const Set& obstacles, const std::vector<ExactPoint>& path,
+         const std::string& contact, const OptionalText& from, const std::string& to,
+         std::size_t most) {
+        return diagram_of<double>(robot, obstacles, path, contact, from, to, most,
+                                  [](const Rational& x) { return to_double(x); });
+      },
+      "robot"_a, "obstacles"_a, "path"_a, "contact"_a, "from_scale"_a.none(), "to_scale"_a,
+      "most"_a, Released(), "As path_diagram, in doubles.");
   module.def(
       "star_shaped", [](const Set& robot) { return star_shaped(robot.value); }, "robot"_a,
       Released(), "Whether each point of the set sees the origin in it.");

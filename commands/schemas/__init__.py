@@ -6,14 +6,16 @@ import json
 from importlib import resources
 from typing import Any
 
+KINDS = ("in_space", "with_disc", "with_disc_pairs", "with_path")
+
 
 def schema(command: str) -> dict[str, Any]:
     """The schema of all that `--json` prints: the document of the command, in the plane, with a
-    disc or in space, or a refusal."""
+    disc, with a path or in space, or a refusal."""
     result, error = result_schema(command), error_schema()
     top = {"$schema": result.pop("$schema"), "title": result.pop("title")}
     kinds = {"result": result, "error": error}
-    for where in ("in_space", "with_disc", "with_disc_pairs"):
+    for where in KINDS:
         if _file(f"{command}_{where}").is_file():
             kinds[f"result_{where}"] = result_schema(f"{command}_{where}")
             del kinds[f"result_{where}"]["title"]
@@ -21,7 +23,7 @@ def schema(command: str) -> dict[str, Any]:
     for kind in kinds.values():
         kind.pop("$schema", None)
         shared |= kind.pop("$defs", {})
-    names = ("result", "result_in_space", "result_with_disc", "result_with_disc_pairs", "error")
+    names = ("result", *(f"result_{where}" for where in KINDS), "error")
     return {
         **top,
         "oneOf": [{"$ref": f"#/$defs/{name}"} for name in names if name in kinds],

@@ -15,6 +15,7 @@ from minkref.version import version
 if TYPE_CHECKING:
     from minkref.api import (
         BadInput,
+        BadPolygon,
         Certificate,
         ConvexCertificate,
         ConvexPolyhedron,
@@ -38,6 +39,7 @@ if TYPE_CHECKING:
         Sum,
         UndecidedSign,
         ValidScales,
+        bad_polygons,
         build_index,
         convex_sum,
         convolution,
@@ -64,6 +66,7 @@ __version__ = version()
 
 __all__ = [
     "BadInput",
+    "BadPolygon",
     "Certificate",
     "ConvexCertificate",
     "ConvexPolyhedron",
@@ -87,6 +90,7 @@ __all__ = [
     "Sum",
     "UndecidedSign",
     "ValidScales",
+    "bad_polygons",
     "build_index",
     "convex_sum",
     "convolution",

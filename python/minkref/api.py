@@ -42,8 +42,10 @@ from minkref.event_values import Events as Events
 from minkref.event_values import events as events
 from minkref.operand import is_utf8, read_set
 from minkref.parents import passages_of
+from minkref.path_values import BadPolygon as BadPolygon
 from minkref.path_values import FreeScales as FreeScales
 from minkref.path_values import ValidScales as ValidScales
+from minkref.path_values import bad_polygons as bad_polygons
 from minkref.path_values import largest_fit as largest_fit
 from minkref.path_values import trapped_scales as trapped_scales
 from minkref.path_values import valid_scales as valid_scales

@@ -86,6 +86,18 @@ class ValidScales:
 
 
 @dataclass(frozen=True)
+class BadPolygon:
+    """Places and scales at which a convex piece of the part and one of the obstacles collide on a
+    segment of the path: a convex polygon with corners (t, s), counter-clockwise, t being how far
+    along the segment, s the scale. Pieces have their corners, those of the part at scale 1."""
+
+    segment: int
+    part: tuple[Place, ...]
+    obstacle: tuple[Place, ...]
+    corners: tuple[Place, ...]
+
+
+@dataclass(frozen=True)
 class FreeBound:
     """Where scales of a fit or a trap end (`ends`) or begin. `event`: "contact" where the part
     touches at a place that was asked for, as `contact` says; otherwise what happens to a hole of
@@ -158,6 +170,44 @@ def valid_scales(
         tuple(_path_bound(row) for row in rows[1]),
         _core.star_shaped(robot),
         dict(rows[2]),
+    )
+
+
+def bad_polygons(
+    robot: _core.PolygonSet,
+    obstacles: _core.PolygonSet,
+    path: Sequence[Sequence[Number]],
+    to_scale: Number,
+    contact: str = "allowed",
+    from_scale: Number | None = None,
+    most: int = 100_000,
+) -> tuple[BadPolygon, ...]:
+    """The picture that explains the valid scales up to one: the robot collides at the place t of a
+    segment, 0 < t < 1, and at a scale s inside of the window iff (t, s) is inside of one of these
+    convex polygons (with contact forbidden: inside or on a side). A scale inside of the window is
+    valid iff the line of this s meets none so. Exact. Cost: docs/paths.md, and an exact polygon for
+    each triple of two pieces and a segment that collides. Raises BadInput, Refusal; LimitExceeded
+    for more than `most` polygons."""
+    expect_sets(robot=robot, obstacles=obstacles)
+    robot.validate("robot")
+    obstacles.validate("obstacles")
+    if isinstance(most, bool) or not isinstance(most, int):
+        raise TypeError(f"most has to be an int, and is of type {type(most).__name__}")
+    part_pieces, obstacle_pieces, polygons = _core.path_diagram(
+        robot,
+        obstacles,
+        _path(path),
+        _one_of("contact", contact, CONTACTS),
+        None if from_scale is None else number("from_scale", from_scale),
+        number("to_scale", to_scale),
+        max(most, 0),
+    )
+    own, other = (
+        [tuple(map(_place, piece)) for piece in pieces] for pieces in (part_pieces, obstacle_pieces)
+    )
+    return tuple(
+        BadPolygon(segment, own[part], other[obstacle], tuple(map(_place, corners)))
+        for segment, part, obstacle, corners in polygons
     )
 
 

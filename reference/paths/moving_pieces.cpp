@@ -182,7 +182,7 @@ void MovingPieces::each(const std::vector<Gap>& gaps, bool touching,
   }
 }
 
-std::optional<StripScales> MovingPieces::scales(const Triple& triple) const {
+std::vector<StripCondition> MovingPieces::conditions(const Triple& triple) const {
   const Point& a = path_[triple.segment];
   const Point& b = path_[std::min<std::size_t>(triple.segment + 1, path_.size() - 1)];
   const Point along{b.x - a.x, b.y - a.y};
@@ -194,7 +194,25 @@ std::optional<StripScales> MovingPieces::scales(const Triple& triple) const {
                             n.x * a.x + n.y * a.y - obstacle.reach(n)});
     }
   }
-  return strip_scales(conditions, strict_, a == b);
+  return conditions;
+}
+
+bool MovingPieces::is_point(std::uint32_t segment) const {
+  return path_[segment] == path_[std::min<std::size_t>(segment + 1, path_.size() - 1)];
+}
+
+std::optional<StripScales> MovingPieces::scales(const Triple& triple) const {
+  const auto polygon = strip_polygon(conditions(triple), strict_, is_point(triple.segment));
+  if (!polygon) return std::nullopt;
+  return scales_of(*polygon);
+}
+
+std::optional<StripPolygon> MovingPieces::polygon(const Triple& triple, const Rational& from,
+                                                  const Rational& to) const {
+  std::vector<StripCondition> all = conditions(triple);
+  all.push_back({0, -1, from});
+  all.push_back({0, 1, -to});
+  return strip_polygon(all, strict_, is_point(triple.segment));
 }
 
 std::uint64_t MovingPieces::triples() const {

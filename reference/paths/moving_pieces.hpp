@@ -46,6 +46,11 @@ class MovingPieces {
   /// The scales at which a triple collides. Exact.
   std::optional<StripScales> scales(const Triple& triple) const;
 
+  /// The places and scales at which it does, between two scales, of which one is below the other.
+  /// Exact.
+  std::optional<StripPolygon> polygon(const Triple& triple, const Rational& from,
+                                      const Rational& to) const;
+
   const std::vector<SidedPiece>& robot() const { return robot_; }
   const std::vector<SidedPiece>& obstacles() const { return obstacles_; }
   std::uint64_t triples() const;
@@ -68,6 +73,8 @@ class MovingPieces {
                       bool touching) const;
   bool apart(const Triple& triple, const Gap& gap, bool touching) const;
   void put_in_order();
+  std::vector<StripCondition> conditions(const Triple& triple) const;
+  bool is_point(std::uint32_t segment) const;
 
   std::vector<SidedPiece> robot_, obstacles_;
   std::vector<Point> path_;

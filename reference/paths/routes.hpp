@@ -16,6 +16,10 @@ struct PathProblem {
   ScaleWindow window;
 };
 
+/// Throws BadInput: a window that is none, a path without vertices, both sets without area.
+void refuse_bad_problem(const PolygonSet& robot, const PolygonSet& obstacles,
+                        const std::vector<Point>& path, const ScaleWindow& window);
+
 ScaleSet collisions_of_pieces(const PathProblem& problem, PathStatistics& statistics);
 ScaleSet collisions_by_contacts(const PathProblem& problem, PathStatistics& statistics);
 ScaleSet collisions_by_index(const PathProblem& problem, PathStatistics& statistics);

@@ -26,8 +26,8 @@ Corner crossing(const Corner& a, const Rational& at_a, const Corner& b, const Ra
 
 }  // namespace
 
-std::optional<StripScales> strip_scales(const std::vector<StripCondition>& conditions, bool strict,
-                                        bool is_point) {
+std::optional<StripPolygon> strip_polygon(const std::vector<StripCondition>& conditions,
+                                          bool strict, bool is_point) {
   std::vector<Corner> polygon{{0, 0, false}};
   if (!is_point) polygon.push_back({1, 0, false});
   polygon.push_back({0, 0, true});
@@ -58,27 +58,31 @@ std::optional<StripScales> strip_scales(const std::vector<StripCondition>& condi
       return std::nullopt;
     }
   }
-  std::optional<StripScales> result;
-  bool endless = false;
-  for (const Corner& corner : polygon) {
+  StripPolygon result;
+  for (Corner& corner : polygon) {
     if (corner.far) {
-      endless = true;
-      continue;
-    }
-    if (!result) {
-      result = StripScales{corner.s, corner.s, corner.t, corner.t};
-      continue;
-    }
-    if (corner.s < result->from || (corner.s == result->from && corner.t < result->t_at_from)) {
-      result->from = corner.s;
-      result->t_at_from = corner.t;
-    }
-    if (corner.s > *result->to || (corner.s == *result->to && corner.t < result->t_at_to)) {
-      result->to = corner.s;
-      result->t_at_to = corner.t;
+      result.endless = true;
+    } else {
+      result.corners.push_back({std::move(corner.t), std::move(corner.s)});
     }
   }
-  if (endless) result->to.reset();
+  return result;
+}
+
+StripScales scales_of(const StripPolygon& polygon) {
+  const StripPoint& first = polygon.corners[0];
+  StripScales result{first.s, first.s, first.t, first.t};
+  for (const StripPoint& corner : polygon.corners) {
+    if (corner.s < result.from || (corner.s == result.from && corner.t < result.t_at_from)) {
+      result.from = corner.s;
+      result.t_at_from = corner.t;
+    }
+    if (corner.s > *result.to || (corner.s == *result.to && corner.t < result.t_at_to)) {
+      result.to = corner.s;
+      result.t_at_to = corner.t;
+    }
+  }
+  if (polygon.endless) result.to.reset();
   return result;
 }
 

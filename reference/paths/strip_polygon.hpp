@@ -13,17 +13,32 @@ struct StripCondition {
   Rational t_slope, s_slope, constant;
 };
 
-/// The scales of a convex polygon in (t, s), 0 <= t <= 1 and s >= 0, and the least t at its ends.
+/// A place of a segment, and a scale.
+struct StripPoint {
+  Rational t, s;
+  friend bool operator==(const StripPoint&, const StripPoint&) = default;
+};
+
+/// A convex polygon in (t, s), 0 <= t <= 1 and s >= 0, perhaps without area.
+struct StripPolygon {
+  std::vector<StripPoint> corners;  ///< counter-clockwise, one at least
+  bool endless = false;             ///< it goes on upwards
+};
+
+/// Its scales, and the least t at their ends.
 struct StripScales {
   Rational from;
   std::optional<Rational> to;  ///< none: all scales above `from`
   Rational t_at_from, t_at_to;
 };
 
-/// The scales at which some place of the segment meets all conditions; none where there is no
-/// scale. `strict`: the conditions exclude equality, the scales lie strictly between the ends.
-/// Otherwise both ends belong to them. `is_point`: t is 0 only. Exact. O(n^2) for n conditions.
-std::optional<StripScales> strip_scales(const std::vector<StripCondition>& conditions, bool strict,
-                                        bool is_point);
+/// The places of the segment and scales that meet all conditions: a polygon, of which the sides on
+/// a condition do not belong to the set where conditions are `strict` (they exclude equality);
+/// none where there is no place. `is_point`: t is 0 only. Exact. O(n^2) for n conditions.
+std::optional<StripPolygon> strip_polygon(const std::vector<StripCondition>& conditions,
+                                          bool strict, bool is_point);
+
+/// Exact. O(n).
+StripScales scales_of(const StripPolygon& polygon);
 
 }  // namespace minkref::inline paths

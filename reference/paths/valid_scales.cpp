@@ -43,21 +43,27 @@ ScaleSet decided_at(std::vector<Rational> critical, const ScaleWindow& window,
   return result;
 }
 
-ValidScales valid_scales(const PolygonSet& robot, const PolygonSet& obstacles,
-                         const std::vector<Point>& path, ContactRule rule,
-                         const ScaleWindow& window, PathRoute route) {
+void refuse_bad_problem(const PolygonSet& robot, const PolygonSet& obstacles,
+                        const std::vector<Point>& path, const ScaleWindow& window) {
   refuse_bad_window(window);
   if (path.empty()) {
     throw BadInput("bad-path", "a path has at least one vertex", "give it one");
   }
+  if (robot.empty() || obstacles.empty()) return;
+  if (!robot.is_region() && !obstacles.is_region()) {
+    throw BadInput("degenerate-operands", "both the part and the obstacles are without area",
+                   "only one of them may be a point or a segment");
+  }
+}
+
+ValidScales valid_scales(const PolygonSet& robot, const PolygonSet& obstacles,
+                         const std::vector<Point>& path, ContactRule rule,
+                         const ScaleWindow& window, PathRoute route) {
+  refuse_bad_problem(robot, obstacles, path, window);
   ValidScales result;
   if (robot.empty() || obstacles.empty()) {
     result.valid = ScaleSet().left_of(window);
     return result;
-  }
-  if (!robot.is_region() && !obstacles.is_region()) {
-    throw BadInput("degenerate-operands", "both the part and the obstacles are without area",
-                   "only one of them may be a point or a segment");
   }
   const PathProblem problem{robot, obstacles, path, rule, window};
   const auto collisions = route == PathRoute::pieces     ? collisions_of_pieces

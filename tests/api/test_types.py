@@ -132,6 +132,25 @@ CALLS |= {
         lambda x: minkref.valid_scales(SQUARE, SQUARE, ORIGIN, to_scale=x),
         (*NUMBERS, type(None)),
     ),
+    "bad_polygons robot": (
+        lambda x: minkref.bad_polygons(x, SQUARE, ORIGIN, 2),
+        (minkref.PolygonSet,),
+    ),
+    "bad_polygons obstacles": (
+        lambda x: minkref.bad_polygons(SQUARE, x, ORIGIN, 2),
+        (minkref.PolygonSet,),
+    ),
+    "bad_polygons path": (lambda x: minkref.bad_polygons(SQUARE, SQUARE, x, 2), (list,)),
+    "bad_polygons to_scale": (lambda x: minkref.bad_polygons(SQUARE, SQUARE, ORIGIN, x), NUMBERS),
+    "bad_polygons contact": (lambda x: minkref.bad_polygons(SQUARE, SQUARE, ORIGIN, 2, x), (str,)),
+    "bad_polygons from_scale": (
+        lambda x: minkref.bad_polygons(SQUARE, SQUARE, ORIGIN, 9, from_scale=x),
+        (*NUMBERS, type(None)),
+    ),
+    "bad_polygons most": (
+        lambda x: minkref.bad_polygons(SQUARE, SQUARE, ORIGIN, 2, most=x),
+        (int,),
+    ),
     "largest_fit part": (lambda x: minkref.largest_fit(x, SQUARE), (minkref.PolygonSet,)),
     "largest_fit container": (lambda x: minkref.largest_fit(SQUARE, x), (minkref.PolygonSet,)),
     "largest_fit at": (lambda x: minkref.largest_fit(SQUARE, SQUARE, x), (list, type(None))),

@@ -8,8 +8,9 @@ from minkref.commands.pages.template import json_for_script, page_template
 from minkref.terminal import escaped
 
 SCRIPTS = (
-    "plane/numbers", "plane/colours", "plane/canvas", "data", "plane/axis", "rings", "history",
-    "skeleton", "texts", "drawing", "strip", "plane/barcode", "events", "plane/pointer", "main",
+    "plane/numbers", "plane/colours", "plane/canvas", "data", "plane/svg", "plane/axis", "rings",
+    "history", "skeleton", "texts", "drawing", "marks", "plane/strip", "plane/barcode", "events",
+    "plane/pointer", "plane/controls", "main",
 )  # fmt: skip
 STYLES = ("plane/style", "style")
 

@@ -8,8 +8,8 @@ from minkref.commands.pages.template import json_for_script, page_template
 from minkref.terminal import escaped
 
 SCRIPTS = (
-    "numbers", "timeline", "canonical", "axis", "texts", "colours", "canvas", "drawing", "inputs",
-    "strip", "paper", "barcode", "events", "pointer", "main",
+    "numbers", "timeline", "canonical", "svg", "axis", "texts", "colours", "canvas", "drawing",
+    "inputs", "marks", "strip", "paper", "barcode", "events", "pointer", "controls", "main",
 )  # fmt: skip
 
 

@@ -147,34 +147,25 @@ const keys = {
   Escape: () => { chosen = null; showChosen(); show(); },
 };
 
+function enter(field) {
+  const r = scaleOf(field.value);
+  field.classList.toggle("bad", !(r >= windowFirst && r <= windowLast));
+  if (!field.classList.contains("bad")) moveTo(r);
+}
+
 function listen() {
   element("slider").addEventListener("input", (event) => moveTo(scaleAt(Number(event.target.value))));
-  element("previous").addEventListener("click", () => goToRadius(previousRadius()));
-  element("next").addEventListener("click", () => goToRadius(nextRadius()));
-  element("fit").addEventListener("click", () => { drawing.fit(radius); show(); });
-  for (const id of ["show-diagram", "follow"]) element(id).addEventListener("change", show);
+  listenToControls({
+    keys, enter, layOut,
+    previous: () => goToRadius(previousRadius()),
+    next: () => goToRadius(nextRadius()),
+    fit: () => { drawing.fit(radius); show(); },
+    redraw: ["show-diagram", "follow"],
+    recolour: () => { eventList.fill(); showChosen(); },
+  });
   element("show-all").addEventListener("change", () => { eventList.fill(); show(); });
-  const field = element("scale");
-  field.addEventListener("change", () => {
-    const r = scaleOf(field.value);
-    field.classList.toggle("bad", !(r >= windowFirst && r <= windowLast));
-    if (!field.classList.contains("bad")) moveTo(r);
-  });
-  addEventListener("keydown", (event) => {
-    if (event.target === field || event.ctrlKey || event.metaKey || event.altKey || !keys[event.key]) return;
-    if (["barcode", "events"].includes(event.target.id) && event.key !== "Escape" && !event.key.startsWith("Arrow")) return;
-    event.preventDefault();
-    keys[event.key](event);
-  });
   strip.listen();
-  listenToPicture();
-  addEventListener("resize", layOut);
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
-    style = getComputedStyle(document.documentElement);
-    eventList.fill();
-    showChosen();
-    layOut();
-  });
+  listenToPicture(holesAtPointer);
 }
 
 barcode.collect();

@@ -1,15 +1,8 @@
-// The logarithmic axis of scales, and elements of SVG.
+// The logarithmic axis of scales.
 const logFirst = Math.log(windowFirst), logLength = Math.log(windowLast) - Math.log(windowFirst);
 const shareOf = (s) => (Math.log(s) - logFirst) / logLength;  // 0 to 1 along the axis
 const clampScale = (s) => Math.min(Math.max(s, windowFirst), windowLast);
 const scaleAt = (share) => clampScale(Math.exp(logFirst + Math.min(Math.max(share, 0), 1) * logLength));
-
-function svg(name, attributes = {}, ...children) {
-  const element = document.createElementNS("http://www.w3.org/2000/svg", name);
-  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
-  element.append(...children);
-  return element;
-}
 
 // Round numbers of the window: 1, 2, 5 in each power of ten if there are several, else more.
 function roundScales() {
@@ -21,11 +14,7 @@ function roundScales() {
       for (const step of steps) found.push(Number(`${step}e${e}`));
     }
   } else {
-    const length = windowLast - windowFirst, unit = 10 ** Math.floor(Math.log10(length / 4));
-    const step = [1, 2, 5, 10].map((n) => n * unit).find((n) => length / n <= 8);
-    for (let i = Math.ceil(windowFirst / step); i * step <= windowLast * (1 + 1e-12); ++i) {
-      found.push(Number((i * step).toPrecision(12)));
-    }
+    found.push(...roundNumbers(windowFirst, windowLast));
   }
   return found.filter((s) => s >= windowFirst * (1 - 1e-12) && s <= windowLast * (1 + 1e-12));
 }

@@ -121,56 +121,25 @@ const keys = {
   Escape: () => { if (chosen) choose(chosen.feature, chosen.id); },
 };
 
-function listen() {
-  element("slider").addEventListener("input", (event) => moveTo(scaleAt(Number(event.target.value))));
-  element("previous").addEventListener("click", () => goToEvent(previousEvent()));
-  element("next").addEventListener("click", () => goToEvent(nextEvent()));
-  element("fit").addEventListener("click", () => { drawing.fit(scale); show(); });
-  for (const id of ["show-S", "show-T", "follow"]) element(id).addEventListener("change", show);
-  const field = element("scale");
-  field.addEventListener("change", () => {
-    const event = data.scales.indexOf(field.value.trim());
-    const s = scaleOf(field.value);
-    field.classList.toggle("bad", event < 0 && !(s >= windowFirst && s <= windowLast));
-    if (field.classList.contains("bad")) return;
-    if (event >= 0) goToEvent(event); else moveTo(s);
-  });
-  addEventListener("keydown", (event) => {
-    if (event.target === field || event.ctrlKey || event.metaKey || event.altKey || !keys[event.key]) return;
-    if (["barcode", "events"].includes(event.target.id) && event.key !== "Escape" && !event.key.startsWith("Arrow")) return;
-    event.preventDefault();
-    keys[event.key](event);
-  });
-  listenToStrip();
-  listenToPicture();
-  addEventListener("resize", layOut);
-  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
-    style = getComputedStyle(document.documentElement);
-    eventList.fill(goToTopology);
-    showChosen();
-    layOut();
-  });
+function enter(field) {
+  const event = data.scales.indexOf(field.value.trim()), s = scaleOf(field.value);
+  field.classList.toggle("bad", event < 0 && !(s >= windowFirst && s <= windowLast));
+  if (field.classList.contains("bad")) return;
+  if (event >= 0) goToEvent(event); else moveTo(s);
 }
 
-function listenToStrip() {
-  const x = (event) => event.clientX - strip.svg.getBoundingClientRect().left;
-  let dragged = false;
-  strip.svg.addEventListener("pointerdown", (event) => {
-    dragged = false;
-    strip.svg.setPointerCapture(event.pointerId);
-    const near = strip.eventNear(x(event), 4);
-    if (near >= 0) goToEvent(near); else moveTo(strip.scaleAt(x(event)));
+function listen() {
+  element("slider").addEventListener("input", (event) => moveTo(scaleAt(Number(event.target.value))));
+  listenToControls({
+    keys, enter, layOut,
+    previous: () => goToEvent(previousEvent()),
+    next: () => goToEvent(nextEvent()),
+    fit: () => { drawing.fit(scale); show(); },
+    redraw: ["show-S", "show-T", "follow"],
+    recolour: () => { eventList.fill(goToTopology); showChosen(); },
   });
-  strip.svg.addEventListener("pointermove", (event) => {
-    if (event.buttons & 1) {
-      if (Math.abs(event.movementX) > 0) dragged = true;
-      if (dragged) moveTo(strip.scaleAt(x(event)));
-      return;
-    }
-    const near = strip.eventNear(x(event), 4);
-    tip(near < 0 ? `s = ${short(strip.scaleAt(x(event)), 4)}` : `boundary event ${near + 1}: ${exactAndAbout(near)}`, event);
-  });
-  strip.svg.addEventListener("pointerleave", () => tip(""));
+  strip.listen();
+  listenToPicture(holesAtPointer);
 }
 
 function goToTopology(event, place, [, feature, change, before, after]) {

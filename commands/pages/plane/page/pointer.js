@@ -1,5 +1,12 @@
-// The picture under the mouse: it is dragged, zoomed by the wheel, and its holes are pointed at.
-function listenToPicture() {
+// The picture under the mouse: it is dragged, zoomed by the wheel, and what `things` find in it is pointed at.
+const holesAtPointer = {
+  find: (x, y) => drawing.holeAt(x, y),
+  tell: (id) => describe("h", id),
+  take: (id) => choose("h", id),
+};
+const nothingAtPointer = { find: () => null };
+
+function listenToPicture(things) {
   const canvas = drawing.canvas;
   const at = (event) => {
     const box = canvas.getBoundingClientRect();
@@ -22,14 +29,14 @@ function listenToPicture() {
       show();
       return;
     }
-    const id = drawing.holeAt(x, y);
+    const id = things.find(x, y);
     canvas.style.cursor = id === null ? "grab" : "pointer";
-    tip(id === null ? "" : describe("h", id), event);
+    tip(id === null ? "" : things.tell(id), event);
   });
   canvas.addEventListener("pointerup", (event) => {
-    const id = moved ? null : drawing.holeAt(...at(event));
+    const id = moved ? null : things.find(...at(event));
     start = null;
-    if (id !== null) choose("h", id);
+    if (id !== null) things.take(id);
   });
   canvas.addEventListener("pointerleave", () => tip(""));
   canvas.addEventListener("wheel", (event) => {

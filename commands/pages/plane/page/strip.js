@@ -1,4 +1,5 @@
-// The strip over the slider: a mark for each boundary event, taller ones where the topology changes.
+// The strip over the slider: a mark for each event, in groups, the taller ones where the topology changes. `marks` of
+// the page says which there are, at which scales, in words, and what comes of a click.
 const stripMargin = 8;  // half of the slider's thumb
 
 const strip = {
@@ -12,21 +13,12 @@ const strip = {
   draw() {
     this.width = Math.max(this.svg.clientWidth, 60);
     const inner = this.width - 2 * stripMargin;
-    const mark = (event, top) => `M${this.x(data.about[event]).toFixed(2)} ${top}V46`;
-    const paths = [svg("path", {
-      id: "marks", fill: "none", stroke: colour("mark"), "stroke-width": 1,
-      "stroke-opacity": data.about.length > 2 * inner ? 0.35 : 0.8,
-      d: data.about.map((_, event) => mark(event, 30)).join(""),
-    })];
-    for (const change of ["touch", "split", "merge", "death", "birth"]) {
-      const events = data.topology.filter((row) => row[2] === change).map((row) => row[0]);
-      paths.push(svg("path", {
-        fill: "none", stroke: colour(change), "stroke-width": 1.4,
-        "stroke-opacity": events.length > inner / 3 ? 0.55 : 0.95,
-        d: events.map((event) => mark(event, 12)).join(""),
-      }));
-    }
-    this.svg.replaceChildren(axisTicks(stripMargin, inner, 46, 51, 63), ...paths, ...paper.bars((s) => this.x(s)), this.cursor);
+    const paths = marks.groups().map(({ id, name, isTall, scales }) => svg("path", {
+      id, fill: "none", stroke: colour(name), "stroke-width": isTall ? 1.4 : 1,
+      "stroke-opacity": isTall ? (scales.length > inner / 3 ? 0.55 : 0.95) : (scales.length > 2 * inner ? 0.35 : 0.8),
+      d: scales.map((s) => `M${this.x(clampScale(s)).toFixed(2)} ${isTall ? 12 : 30}V46`).join(""),
+    }));
+    this.svg.replaceChildren(axisTicks(stripMargin, inner, 46, 51, 63), ...paths, ...marks.bars((s) => this.x(s)), this.cursor);
     this.svg.setAttribute("viewBox", `0 0 ${this.width} 66`);
   },
 
@@ -36,15 +28,36 @@ const strip = {
     this.cursor.setAttribute("x2", x);
   },
 
-  // The event whose mark is within some pixels of x, the nearest; or -1.
+  // The event, by the number of its scale, whose mark is within some pixels of x, the nearest; or -1.
   eventNear(x, pixels) {
-    const after = placeAfter(data.about, this.scaleAt(x));
+    const after = placeAfter(marks.scales, this.scaleAt(x));
     let best = -1, least = pixels;
     for (const event of [after - 1, after]) {
       if (!isInside(event)) continue;
-      const distance = Math.abs(this.x(data.about[event]) - x);
+      const distance = Math.abs(this.x(marks.scales[event]) - x);
       if (distance <= least) { best = event; least = distance; }
     }
     return best;
+  },
+
+  listen() {
+    const x = (event) => event.clientX - this.svg.getBoundingClientRect().left;
+    let dragged = false;
+    this.svg.addEventListener("pointerdown", (event) => {
+      dragged = false;
+      this.svg.setPointerCapture(event.pointerId);
+      const near = this.eventNear(x(event), 4);
+      if (near >= 0) marks.go(near); else moveTo(this.scaleAt(x(event)));
+    });
+    this.svg.addEventListener("pointermove", (event) => {
+      if (event.buttons & 1) {
+        if (Math.abs(event.movementX) > 0) dragged = true;
+        if (dragged) moveTo(this.scaleAt(x(event)));
+        return;
+      }
+      const near = this.eventNear(x(event), 4);
+      tip(near < 0 ? `${marks.letter} = ${short(this.scaleAt(x(event)), 4)}` : marks.tell(near), event);
+    });
+    this.svg.addEventListener("pointerleave", () => tip(""));
   },
 };

@@ -1,0 +1,25 @@
+// Contacts and places in words.
+function featureText(feature) {
+  const [kind, [ring, index]] = Object.entries(feature)[0];
+  return ring === 0 ? `${kind} ${index}` : `${kind} ${index} in ring ${ring}`;
+}
+
+const pointText = (point) => `(${point.map(cut).join(", ")})`;
+const exactAndAbout = (text, about) => (text === short(about) ? text : `${text} ≈ ${short(about)}`);
+const placeText = ({ segment, t, x, y }) => `segment ${segment}, t = ${short(t, 4)}, (${short(x, 5)}, ${short(y, 5)})`;
+const boundColour = { blocks: "death", frees: "birth" };
+
+function rangeText(range) {
+  if (range.from === range.to) return `${range.from} alone`;
+  return `${range.from_in ? "[" : "("}${range.from}, ${range.to ?? "infinity"}${range.to_in ? "]" : ")"}`;
+}
+
+// What a bound is: the lines of the box below the diagram.
+function boundLines(bound) {
+  const { at, about } = bound;
+  return [
+    `At the scale ${exactAndAbout(bound.scale, about.scale)} the contact ${bound.event === "blocks" ? "blocks: scales just above are not valid" : "frees: scales just below are not valid"}.`,
+    `${featureText(bound.part)} of the part and ${featureText(bound.obstacle)} of the obstacles touch at ${pointText(bound.touching)}.`,
+    `Segment ${at.segment} of the path, t = ${exactAndAbout(at.t, about.t)}, ${pointText(at.point)}.`,
+  ];
+}

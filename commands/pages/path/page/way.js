@@ -1,0 +1,22 @@
+// Places of the path by one number from 0 to 1, the length up to them over that of the path.
+const corners = [];
+for (let i = 0; i < data.path.length; i += 2) corners.push([data.path[i], data.path[i + 1]]);
+const reached = [0];  // at each corner
+for (let i = 1; i < corners.length; ++i) {
+  reached.push(reached[i - 1] + Math.hypot(corners[i][0] - corners[i - 1][0], corners[i][1] - corners[i - 1][1]));
+}
+const length = reached[reached.length - 1];
+const isOnePlace = !(length > 0);
+for (let i = 1; i < reached.length && !isOnePlace; ++i) reached[i] /= length;
+const hasLength = (segment) => !isOnePlace && reached[segment + 1] > reached[segment];
+
+const shareOfPlace = (segment, t) => (isOnePlace ? 0 : reached[segment] + t * ((reached[segment + 1] ?? 1) - reached[segment]));
+
+function placeAt(share) {
+  if (isOnePlace) return { segment: 0, t: 0, x: corners[0][0], y: corners[0][1] };
+  let segment = Math.min(Math.max(placeAfter(reached, share) - 1, 0), corners.length - 2);
+  while (segment > 0 && !hasLength(segment)) --segment;
+  const t = Math.min(Math.max((share - reached[segment]) / (reached[segment + 1] - reached[segment]), 0), 1);
+  const [a, b] = [corners[segment], corners[segment + 1]];
+  return { segment, t, x: a[0] + t * (b[0] - a[0]), y: a[1] + t * (b[1] - a[1]) };
+}
