@@ -5,19 +5,13 @@
 namespace minkref::inline paths {
 namespace {
 
-/// A corner of the polygon; `far`: the point at infinity that all lines of constant t share.
-struct Corner {
-  Rational t, s;
-  bool far = false;
-  friend bool operator==(const Corner&, const Corner&) = default;
-};
-
-Rational value_at(const StripCondition& c, const Corner& corner) {
+Rational value_at(const StripCondition& c, const StripCorner& corner) {
   if (corner.far) return c.s_slope;
   return c.t_slope * corner.t + c.s_slope * corner.s + c.constant;
 }
 
-Corner crossing(const Corner& a, const Rational& at_a, const Corner& b, const Rational& at_b) {
+StripCorner crossing(const StripCorner& a, const Rational& at_a, const StripCorner& b,
+                     const Rational& at_b) {
   if (a.far) return {b.t, b.s - at_b / at_a, false};
   if (b.far) return {a.t, a.s - at_a / at_b, false};
   const Rational part = at_a / (at_a - at_b);
@@ -26,23 +20,23 @@ Corner crossing(const Corner& a, const Rational& at_a, const Corner& b, const Ra
 
 }  // namespace
 
-std::optional<StripScales> strip_scales(const std::vector<StripCondition>& conditions, bool strict,
-                                        bool is_point) {
-  std::vector<Corner> polygon{{0, 0, false}};
+std::vector<StripCorner> strip_corners(const std::vector<StripCondition>& conditions, bool strict,
+                                       bool is_point) {
+  std::vector<StripCorner> polygon{{0, 0, false}};
   if (!is_point) polygon.push_back({1, 0, false});
   polygon.push_back({0, 0, true});
   std::vector<Rational> values;
   for (const StripCondition& condition : conditions) {
     values.clear();
     bool some_below = false;
-    for (const Corner& corner : polygon) {
+    for (const StripCorner& corner : polygon) {
       values.push_back(value_at(condition, corner));
       some_below = some_below || values.back() < 0;
     }
     // A corner strictly below: then so is a part of the inside. Otherwise nothing of it is.
-    if (strict && !some_below) return std::nullopt;
-    std::vector<Corner> rest;
-    const auto add = [&](Corner corner) {
+    if (strict && !some_below) return {};
+    std::vector<StripCorner> rest;
+    const auto add = [&](StripCorner corner) {
       if (rest.empty() || !(rest.back() == corner)) rest.push_back(std::move(corner));
     };
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -54,13 +48,18 @@ std::optional<StripScales> strip_scales(const std::vector<StripCondition>& condi
     }
     if (rest.size() > 1 && rest.front() == rest.back()) rest.pop_back();
     polygon = std::move(rest);
-    if (std::all_of(polygon.begin(), polygon.end(), [](const Corner& c) { return c.far; })) {
-      return std::nullopt;
+    if (std::all_of(polygon.begin(), polygon.end(), [](const StripCorner& c) { return c.far; })) {
+      return {};
     }
   }
+  return polygon;
+}
+
+std::optional<StripScales> strip_scales(const std::vector<StripCondition>& conditions, bool strict,
+                                        bool is_point) {
   std::optional<StripScales> result;
   bool endless = false;
-  for (const Corner& corner : polygon) {
+  for (const StripCorner& corner : strip_corners(conditions, strict, is_point)) {
     if (corner.far) {
       endless = true;
       continue;
