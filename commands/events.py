@@ -190,7 +190,7 @@ def command(
         }  # fmt: skip
         window_and_output = (from_scale, to_scale, limit, output, file_format, json, memory)
         if kind == "pair":
-            given["--index"] = index is not None
+            given |= {"--index": index is not None, "--route": route is not None}
             pair_events_with_disc(P, Q, form, *window_and_output, given)
         else:
             given["--form"] = form != "corrected"

@@ -21,11 +21,13 @@ from minkref.commands.lists.path_rows import (
     ranges_text,
 )
 from minkref.commands.path import MOST_ROWS, Contact, check_words
+from minkref.commands.space.path import fit_in_space
 from minkref.documents import Stopwatch, document
 from minkref.errors import Refusal, refusing
 from minkref.exact import read_point
 from minkref.operand import read_operand
-from minkref.path_values import CONTACTS
+from minkref.scale_ranges import CONTACTS
+from minkref.space.operand import in_space
 
 EXAMPLES = """Examples:
 
@@ -33,7 +35,9 @@ minkref fit disc1 g1 --anywhere
 
 minkref fit bolt.wkt slot.wkt --at 3,1/2
 
-minkref fit cutter.wkt pocket.wkt --between 2,2 7,2 --contact forbidden --json"""
+minkref fit cutter.wkt pocket.wkt --between 2,2 7,2 --contact forbidden --json
+
+minkref fit part.off housing.off --at 3,1/2,0"""
 
 Part = Annotated[str, typer.Argument(help="The part, scaled about its origin: a file or a model.")]
 
@@ -44,7 +48,10 @@ def command(
         str, typer.Argument(help="What the part is to lie in: a file or a model.")
     ],
     at: Annotated[
-        str | None, typer.Option("--at", help="With its origin at this place.", metavar="X,Y")
+        str | None,
+        typer.Option(
+            "--at", help="With its origin at this place; X,Y,Z in space.", metavar="X,Y[,Z]"
+        ),
     ] = None,
     anywhere: Annotated[bool, typer.Option("--anywhere", help="At some place.")] = False,
     between: Annotated[
@@ -59,13 +66,17 @@ def command(
     schema: Schema = False,
 ) -> None:
     """Find all scales at which a part lies in a container: at a place, somewhere, or all along a
-    way between two places, by translations only. Exact, and found again at, just below and just
-    above each bound by static sums."""
+    way between two places, by translations only; in space at a place. Exact, and found again at,
+    just below and just above each bound by static sums, in space by what the part's pieces
+    cover."""
     watch = Stopwatch()
     check_words(contact=(contact, CONTACTS))
     if (at is not None) + anywhere + (between is not None) != 1:
         mend = "give --at X,Y, --anywhere or --between X,Y X,Y"
         raise Refusal("one question is asked at a time", "minkref fit", mend)
+    if in_space(part, container):
+        give(fit_in_space(watch, part, container, at, contact, memory), json, _print)
+        return
     question = "at" if at is not None else "anywhere" if anywhere else "between"
     places = [read_point(at, "--at")] if at is not None else []
     places += [read_point(place, "--between") for place in between or ()]
@@ -115,14 +126,15 @@ def bound_rows(value: dict[str, Any]) -> list[tuple[str, str]]:
         told = (
             f"{bound['event']} of free places"
             if contact is None
-            else f"{feature_text(contact['part'])} of the part touches "
-            f"{feature_text(contact['obstacle'])}"
+            else f"{feature_text(contact['part'], 'dimension' in value)} of the part touches "
+            f"{feature_text(contact['obstacle'], 'dimension' in value)}"
         )
         side = "ends" if bound["ends"] else "begins"
         rows.append((number_text(bound["scale"]), f"{side}: {told}, {point_text(bound['at'])}"))
     if len(value["bounds"]) > MOST_ROWS:
         rows.append(("more", f"{len(value['bounds']) - MOST_ROWS:,}; --json prints all"))
-    rows.append(("found again", f"{len(value['proofs'])} static sums at and beside the bounds"))
+    how = "decisions" if "dimension" in value else "static sums"
+    rows.append(("found again", f"{len(value['proofs'])} {how} at and beside the bounds"))
     return rows
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -19,6 +20,7 @@ from minkref.commands.lists.path_rows import (
     range_documents,
     ranges_text,
 )
+from minkref.commands.space.path import path_in_space
 from minkref.documents import (
     Stopwatch,
     as_text,
@@ -31,7 +33,8 @@ from minkref.errors import Refusal, choice, refusing
 from minkref.exact import read_window
 from minkref.operand import read_operand
 from minkref.path_text import read_path
-from minkref.path_values import CONTACTS, PATH_ROUTES
+from minkref.scale_ranges import CONTACTS, PATH_ROUTES
+from minkref.space.operand import in_space
 
 EXAMPLES = """Examples:
 
@@ -41,7 +44,11 @@ minkref path part.wkt obstacles.wkt way.csv --contact forbidden --json
 
 minkref path part.wkt obstacles.wkt way.geojson --route contacts -o valid.json
 
-minkref path part.wkt obstacles.wkt way.geojson -o valid.svg"""
+minkref path part.wkt obstacles.wkt way.geojson -o valid.svg
+
+minkref path rod gs3 "LINESTRING Z (0 0 9, 0 0 0, 9 1/2 0)"
+
+minkref path part.off obstacles.stl way.csv --contact forbidden --to 2"""
 
 MOST_ROWS = 20
 
@@ -60,13 +67,19 @@ def command(
     obstacles: Obstacles,
     path: Annotated[
         str,
-        typer.Argument(help="Polyline of the part's origin: WKT, GeoJSON or CSV, file or text."),
+        typer.Argument(
+            help="Polyline of the part's origin: WKT, GeoJSON or CSV, file or text; in space with "
+            "three coordinates."
+        ),
     ],
     contact: Contact = "allowed",
     from_scale: WindowFrom = None,
     to_scale: WindowTo = None,
     route: Annotated[
-        str, typer.Option("--route", help="pieces, contacts or index.", metavar="ROUTE")
+        str,
+        typer.Option(
+            "--route", help="pieces, contacts or index; in space the first two.", metavar="ROUTE"
+        ),
     ] = "pieces",
     output: Annotated[
         Path | None,
@@ -82,13 +95,19 @@ def command(
     schema: Schema = False,
 ) -> None:
     """Find all scales at which a part passes along a polyline without a collision: its origin moves
-    on the path, and it never turns. Exact: intervals with open and closed ends, single scales, and
-    for each bound the contact that causes it."""
+    on the path, and it never turns. In the plane or in space. Exact: intervals with open and closed
+    ends, single scales, and for each bound the contact that causes it."""
     watch = Stopwatch()
     window = read_window(from_scale, to_scale)
     check_words(contact=(contact, CONTACTS), route=(route, PATH_ROUTES))
     if output is not None:
         check_writable(output)
+    if in_space(robot, obstacles):
+        if _is_picture(output):
+            raise Refusal("no picture is drawn in space", str(output), "name a .json file")
+        value = path_in_space(watch, robot, obstacles, path, contact, window, route, output, memory)
+        _finish(value, output, json)
+        return
     first, second, way = read_operand(robot), read_operand(obstacles), read_path(path)
     if output is not None:
         files = [first.file, second.file, *([way.file] if way.file else [])]
@@ -131,9 +150,19 @@ def command(
         warnings=first.warnings + second.warnings,
         output=None if output is None else str(output),
     )
+    _finish(value, output, json, drawn if _is_picture(output) else None)
+
+
+def _is_picture(output: Path | None) -> bool:
+    return output is not None and output.suffix.lower() == ".svg"
+
+
+def _finish(
+    value: dict[str, Any], output: Path | None, json: bool, drawn: Callable[[], str] | None = None
+) -> None:
+    """`drawn`: what makes the picture that is asked for."""
     if output is not None:
-        is_picture = output.suffix.lower() == ".svg"
-        write_atomically(output, drawn() if is_picture else as_text(value))
+        write_atomically(output, as_text(value) if drawn is None else drawn())
     give(value, json, _print)
 
 
@@ -155,7 +184,10 @@ def _print(value: dict[str, Any]) -> None:
     ]
     for bound in value["bounds"][:MOST_ROWS]:
         at = bound["at"]
-        touching = f"{feature_text(bound['part'])} of the part, {feature_text(bound['obstacle'])}"
+        part, obstacle = (
+            feature_text(bound[one], "dimension" in value) for one in ("part", "obstacle")
+        )
+        touching = f"{part} of the part, {obstacle}"
         place = f"segment {at['segment']}, t = {number_text(at['t'])}, {point_text(at['point'])}"
         rows.append(
             (number_text(bound["scale"]), f"{bound['event']}: {touching} of the obstacles; {place}")

@@ -17,7 +17,7 @@ from minkref.exact import read_scale
 from minkref.operand import read_operand
 from minkref.output_target import Target
 from minkref.path_text import read_path
-from minkref.path_values import CONTACTS
+from minkref.scale_ranges import CONTACTS
 
 
 def view_with_path(

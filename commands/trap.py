@@ -13,10 +13,11 @@ from minkref.commands.line.output import give, print_lines
 from minkref.commands.lists.path_rows import point_text, ranges_text
 from minkref.commands.path import Contact, check_words
 from minkref.documents import Stopwatch
-from minkref.errors import refusing
+from minkref.errors import Refusal, refusing
 from minkref.exact import read_point, read_window
 from minkref.operand import read_operand
-from minkref.path_values import CONTACTS
+from minkref.scale_ranges import CONTACTS
+from minkref.space.operand import in_space
 
 EXAMPLES = """Examples:
 
@@ -41,6 +42,9 @@ def command(
     found again at, just below and just above each bound by static sums."""
     watch = Stopwatch()
     check_words(contact=(contact, CONTACTS))
+    if in_space(part, assembly):
+        what = "traps are found in the plane"
+        raise Refusal(what, f"{part} and {assembly}", "give two polygon sets", "not-in-space")
     window = read_window(from_scale, to_scale)
     place = read_point(at, "--at")
     first, second = read_operand(part), read_operand(assembly)

@@ -123,6 +123,7 @@ NB_MODULE(_core, module) {
   minkref::python::bind_dynamic(module);
   minkref::python::bind_index(module);
   minkref::python::bind_paths(module);
+  minkref::python::bind_space_paths(module);
   minkref::python::bind_timed_index(module);
   minkref::python::bind_comparison(module);
   minkref::python::bind_regions(module);

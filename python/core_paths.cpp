@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "python/core.hpp"
-#include "python/core_fields.hpp"
 #include "python/core_timeline.hpp"
+#include "python/path_rows.hpp"
 #include "python/vector_caster.hpp"
 #include "reference/paths/fits_and_traps.hpp"
 #include "reference/paths/path_diagram.hpp"
@@ -25,9 +25,6 @@ using namespace nb::literals;
 namespace minkref::python {
 namespace {
 
-using OptionalText = std::optional<std::string>;
-/// From, whether it belongs to the range, to (none: no end), whether that does.
-using RangeRow = std::tuple<std::string, bool, OptionalText, bool>;
 /// Whether it is an edge, ring, index.
 using FeatureRow = std::tuple<bool, std::uint32_t, std::uint32_t>;
 /// Scale, whether it blocks; segment, t and point of the path; features of the part and of the
@@ -50,16 +47,6 @@ using Pieces = std::vector<std::vector<std::pair<Number, Number>>>;
 template <typename Number>
 using DiagramAnswer =
     std::tuple<Pieces<Number>, Pieces<Number>, std::vector<BadPolygonRow<Number>>>;
-
-std::vector<RangeRow> rows(const std::vector<ScaleRange>& ranges) {
-  std::vector<RangeRow> result;
-  for (const ScaleRange& range : ranges) {
-    OptionalText to;
-    if (range.to) to = to_string(range.to->scale);
-    result.emplace_back(to_string(range.from.scale), range.from_in(), to, range.to_in());
-  }
-  return result;
-}
 
 FeatureRow row(const TouchingFeature& feature) {
   return {feature.is_edge, feature.id.ring, feature.id.index};
@@ -110,11 +97,7 @@ PathAnswer answer(const ValidScales& found) {
   std::vector<PathBoundRow> bounds;
   for (const PathBound& bound : found.bounds) bounds.push_back(row(bound));
   const nb::gil_scoped_acquire locked;
-  Fields fields;
-  const PathStatistics& statistics = found.statistics;
-  MINKREF_PUT(statistics, pieces_of_part, pieces_of_obstacles, triples, exact_triples,
-              critical_scales);
-  return {rows(found.valid), std::move(bounds), fields};
+  return {range_rows(found.valid), std::move(bounds), statistics_fields(found.statistics)};
 }
 
 FreeAnswer answer(const FreeScales& found) {
@@ -129,7 +112,7 @@ FreeAnswer answer(const FreeScales& found) {
   for (const StaticProof& proof : found.proofs) {
     proofs.emplace_back(to_string(proof.scale), proof.holds);
   }
-  return {rows(found.scales), std::move(bounds), std::move(proofs), found.critical_scales};
+  return {range_rows(found.scales), std::move(bounds), std::move(proofs), found.critical_scales};
 }
 
 }  // namespace

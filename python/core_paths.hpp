@@ -6,5 +6,6 @@
 namespace minkref::python {
 
 void bind_paths(nanobind::module_& module);
+void bind_space_paths(nanobind::module_& module);
 
 }  // namespace minkref::python

@@ -49,6 +49,9 @@ APART = {
     "reference/space/critical": tuple(
         f"reference/space/{room}/" for room in ("convex", "definition", "paper")
     ),
+    "reference/space/paths": tuple(
+        f"reference/space/{room}/" for room in ("convex", "critical", "edges", "paper")
+    ),
     "reference/space/edges": tuple(
         f"reference/space/{room}/" for room in ("convex", "definition", "paper")
     ),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from minkref.exact import approximate
@@ -31,13 +31,21 @@ def extreme_scales(rows: Sequence[Any]) -> dict[str, Any]:
 
 
 def contact_document(row: Any) -> dict[str, Any]:
+    return _contact(row, _feature)
+
+
+def space_contact_document(row: Any) -> dict[str, Any]:
+    return _contact(row, lambda feature: {feature[0]: list(feature[1])})
+
+
+def _contact(row: Any, told: Callable[[Any], dict[str, list[int]]]) -> dict[str, Any]:
     scale, blocks, segment, t, point, part, obstacle, touching = row
     return {
         "scale": scale,
         "event": "blocks" if blocks else "frees",
         "at": {"segment": segment, "t": t, "point": list(point)},
-        "part": _feature(part),
-        "obstacle": _feature(obstacle),
+        "part": told(part),
+        "obstacle": told(obstacle),
         "touching": list(touching),
     }
 
@@ -74,8 +82,12 @@ def ranges_text(ranges: Sequence[dict[str, Any]]) -> str:
     return ", ".join(range_text(one) for one in ranges) or "none"
 
 
-def feature_text(feature: dict[str, list[int]]) -> str:
-    [(kind, (ring, index))] = feature.items()
+def feature_text(feature: dict[str, list[int]], in_space: bool = False) -> str:
+    """In the plane ring and index; in space the number of a vertex or face, the ends of an edge."""
+    [(kind, numbers)] = feature.items()
+    if in_space:
+        return f"{kind} {'-'.join(map(str, numbers))}"
+    ring, index = numbers
     return f"{kind} {index}" if ring == 0 else f"{kind} {index} in ring {ring}"
 
 

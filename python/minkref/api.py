@@ -49,6 +49,8 @@ from minkref.path_values import bad_polygons as bad_polygons
 from minkref.path_values import largest_fit as largest_fit
 from minkref.path_values import trapped_scales as trapped_scales
 from minkref.path_values import valid_scales as valid_scales
+from minkref.space.path_values import SpaceFitScales as SpaceFitScales
+from minkref.space.path_values import SpaceValidScales as SpaceValidScales
 
 BadInput = _core.BadInput
 ConvexPolyhedron = _core.ConvexPolyhedron

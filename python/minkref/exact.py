@@ -57,15 +57,26 @@ def read_window(first: str | None, last: str | None) -> list[str | None]:
 
 def read_point(text: str, option: str = "--point") -> tuple[str, str]:
     """`x,y` in lowest terms, each read as a scale is. Refuses what are not two finite numbers."""
-    where = f"{option} {text[:40]}{'...' if len(text) > 40 else ''}"
     mend = "give two numbers, for example 1/3,-0.25"
-    parts = text.split(",")
-    if len(text) > 2 * LONGEST_SCALE:
-        raise Refusal("the point has too many characters", where, mend, "limit")
-    if len(parts) != 2:
-        raise Refusal("this is not a point", where, mend, "point-not-two-numbers")
-    x, y = (str(read_number(part.strip(), "point", where, mend)) for part in parts)
+    x, y = _coordinates(text, option, 2, "point-not-two-numbers", mend)
     return x, y
+
+
+def read_space_point(text: str, option: str) -> tuple[str, str, str]:
+    """`x,y,z`, likewise."""
+    mend = "give three numbers, for example 1/3,-0.25,2"
+    x, y, z = _coordinates(text, option, 3, "point-not-three-numbers", mend)
+    return x, y, z
+
+
+def _coordinates(text: str, option: str, count: int, code: str, mend: str) -> list[str]:
+    where = f"{option} {text[:40]}{'...' if len(text) > 40 else ''}"
+    parts = text.split(",")
+    if len(text) > count * LONGEST_SCALE:
+        raise Refusal("the point has too many characters", where, mend, "limit")
+    if len(parts) != count:
+        raise Refusal("this is not a point", where, mend, code)
+    return [str(read_number(part.strip(), "point", where, mend)) for part in parts]
 
 
 def read_number(text: str, what: str, where: str, mend: str) -> Fraction:

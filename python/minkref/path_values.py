@@ -5,39 +5,31 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import Any, overload
 
 from minkref import _core
-from minkref.argument_types import expect_sets, number, text_of
-from minkref.errors import Refusal, choice
+from minkref.argument_types import expect_sets, number
+from minkref.errors import Refusal
+from minkref.scale_ranges import (
+    CONTACTS,
+    PATH_ROUTES,
+    Number,
+    ScalesInRanges,
+    coordinates,
+    path_of,
+    range_values,
+    window_of,
+    word_of,
+)
+from minkref.space.path_values import (
+    SpaceFitScales,
+    SpaceValidScales,
+    Surface,
+    fit_at_in_space,
+    valid_scales_in_space,
+)
 
-CONTACTS = ("allowed", "forbidden")
-PATH_ROUTES = ("pieces", "contacts", "index")
-Number = str | int | Fraction
 Place = tuple[Fraction, Fraction]
-POINT = "a pair of exact numbers: strs as '7/5' or '0.1', ints or Fractions"
-
-
-@dataclass(frozen=True)
-class ScaleRange:
-    """Scales from one to another; each end belongs to the range or does not. `high` is None where
-    there is no end. A single scale is a range with equal ends."""
-
-    low: Fraction
-    high: Fraction | None
-    low_in: bool
-    high_in: bool
-
-    def __contains__(self, scale: Number) -> bool:
-        value = Fraction(number("scale", scale))
-        above = value > self.low or (self.low_in and value == self.low)
-        return above and (
-            self.high is None or value < self.high or (self.high_in and value == self.high)
-        )
-
-    def __str__(self) -> str:
-        high = "inf" if self.high is None else str(self.high)
-        return f"{'[' if self.low_in else '('}{self.low}, {high}{']' if self.high_in else ')'}"
 
 
 @dataclass(frozen=True)
@@ -66,23 +58,14 @@ class PathBound:
 
 
 @dataclass(frozen=True)
-class ValidScales:
+class ValidScales(ScalesInRanges):
     """The scales at which a part passes along a path: `ranges`, ascending; `bounds`, the ends that
     are no end of the window; whether the part is `star_shaped` about its origin (the ranges are
     then one that starts at 0); how it was found (`statistics`)."""
 
-    ranges: tuple[ScaleRange, ...]
     bounds: tuple[PathBound, ...]
     star_shaped: bool
     statistics: dict[str, int]
-
-    def __contains__(self, scale: Number) -> bool:
-        return any(scale in one for one in self.ranges)
-
-    @property
-    def largest(self) -> Fraction | None:
-        """The least number that no valid scale exceeds; None where there is none, or no scale."""
-        return self.ranges[-1].high if self.ranges else None
 
 
 @dataclass(frozen=True)
@@ -111,62 +94,75 @@ class FreeBound:
 
 
 @dataclass(frozen=True)
-class FreeScales:
+class FreeScales(ScalesInRanges):
     """The scales at which a part fits, passes or is trapped, by translations alone: `ranges`,
     ascending; `bounds`, their ends; `proofs`, scales at, just below and just above each end and
     whether the static sum there has the property too."""
 
-    ranges: tuple[ScaleRange, ...]
     bounds: tuple[FreeBound, ...]
     proofs: tuple[tuple[Fraction, bool], ...]
 
-    def __contains__(self, scale: Number) -> bool:
-        return any(scale in one for one in self.ranges)
 
-    @property
-    def largest(self) -> Fraction | None:
-        """The least number that no scale exceeds; None where there is none, or no scale."""
-        return self.ranges[-1].high if self.ranges else None
-
-    @property
-    def smallest(self) -> Fraction | None:
-        """The greatest number that no scale is below; None where there is no scale."""
-        return self.ranges[0].low if self.ranges else None
-
-
+@overload
 def valid_scales(
     robot: _core.PolygonSet,
     obstacles: _core.PolygonSet,
+    path: Sequence[Sequence[Number]],
+    contact: str = ...,
+    from_scale: Number | None = ...,
+    to_scale: Number | None = ...,
+    route: str = ...,
+) -> ValidScales: ...
+@overload
+def valid_scales(
+    robot: Surface,
+    obstacles: Surface,
+    path: Sequence[Sequence[Number]],
+    contact: str = ...,
+    from_scale: Number | None = ...,
+    to_scale: Number | None = ...,
+    route: str = ...,
+) -> SpaceValidScales: ...
+def valid_scales(
+    robot: _core.PolygonSet | Surface,
+    obstacles: _core.PolygonSet | Surface,
     path: Sequence[Sequence[Number]],
     contact: str = "allowed",
     from_scale: Number | None = None,
     to_scale: Number | None = None,
     route: str = "pieces",
-) -> ValidScales:
+) -> ValidScales | SpaceValidScales:
     """The scales at which the robot, scaled about its origin and carried along the polyline with
     its origin on it, never turned, does not meet the obstacles: with contact allowed their
     interiors, with contact forbidden the closed sets. Exact: ranges with open and closed ends, and
     single scales. Without bounds, all scales above 0. `route`: pieces, contacts or index, which
-    share little. Both sets are validated first. Cost: docs/paths.md. Raises BadInput, Refusal."""
+    share little.
+
+    Both are sets in the plane, or both polyhedra, of any shape, and the path in space: then
+    `route` is pieces or contacts, and one of them may be a point, a segment or a plane polygon.
+    Both are validated first. Cost: docs/paths.md. Raises BadInput, Refusal."""
+    rule, way = word_of("contact", contact, CONTACTS), word_of("route", route, PATH_ROUTES)
+    window = window_of(from_scale, to_scale)
+    if isinstance(robot, Surface):
+        return valid_scales_in_space(robot, obstacles, path, rule, window, way)
+    return _valid_scales_in_the_plane(robot, obstacles, path, rule, window, way)
+
+
+def _valid_scales_in_the_plane(
+    robot: _core.PolygonSet,
+    obstacles: Any,
+    path: Any,
+    rule: str,
+    window: tuple[str | None, str | None],
+    way: str,
+) -> ValidScales:
     expect_sets(robot=robot, obstacles=obstacles)
+    places = [(x, y) for x, y in path_of(path, 2)]
     robot.validate("robot")
     obstacles.validate("obstacles")
-    places = _path(path)
-    bounds = [
-        None if bound is None else number(name, bound)
-        for name, bound in (("from_scale", from_scale), ("to_scale", to_scale))
-    ]
-    rows = _core.valid_scales(
-        robot,
-        obstacles,
-        places,
-        _one_of("contact", contact, CONTACTS),
-        bounds[0],
-        bounds[1],
-        _one_of("route", route, PATH_ROUTES),
-    )
+    rows = _core.valid_scales(robot, obstacles, places, rule, *window, way)
     return ValidScales(
-        _ranges(rows[0]),
+        range_values(rows[0]),
         tuple(_path_bound(row) for row in rows[1]),
         _core.star_shaped(robot),
         dict(rows[2]),
@@ -196,9 +192,9 @@ def bad_polygons(
     part_pieces, obstacle_pieces, polygons = _core.path_diagram(
         robot,
         obstacles,
-        _path(path),
-        _one_of("contact", contact, CONTACTS),
-        None if from_scale is None else number("from_scale", from_scale),
+        [(x, y) for x, y in path_of(path, 2)],
+        word_of("contact", contact, CONTACTS),
+        window_of(from_scale, None)[0],
         number("to_scale", to_scale),
         max(most, 0),
     )
@@ -211,25 +207,52 @@ def bad_polygons(
     )
 
 
+@overload
 def largest_fit(
     part: _core.PolygonSet,
     container: _core.PolygonSet,
+    at: Sequence[Number] | None = ...,
+    between: Sequence[Sequence[Number]] | None = ...,
+    contact: str = ...,
+) -> FreeScales: ...
+@overload
+def largest_fit(
+    part: Surface,
+    container: Surface,
+    at: Sequence[Number] | None = ...,
+    between: Sequence[Sequence[Number]] | None = ...,
+    contact: str = ...,
+) -> SpaceFitScales: ...
+def largest_fit(
+    part: _core.PolygonSet | Surface,
+    container: _core.PolygonSet | Surface,
     at: Sequence[Number] | None = None,
     between: Sequence[Sequence[Number]] | None = None,
     contact: str = "allowed",
-) -> FreeScales:
+) -> FreeScales | SpaceFitScales:
     """The scales at which the part, scaled about its origin, lies in the container: with its origin
     at a place (`at`), at some place (neither `at` nor `between`), or at two places and all along
     some way from one to the other (`between`), by translations. `largest` is the scale that is
-    asked for as a rule. Exact. Both sets are validated first. Cost: docs/paths.md. Raises BadInput,
-    Refusal."""
-    expect_sets(part=part, container=container)
-    part.validate("part")
-    container.validate("container")
-    rule = _one_of("contact", contact, CONTACTS)
+    asked for as a rule. Exact. Both sets are validated first. Of polyhedra, `at` alone is answered.
+    Cost: docs/paths.md. Raises BadInput, Refusal."""
+    rule = word_of("contact", contact, CONTACTS)
     if at is not None and between is not None:
         what = "a place and two places are different questions"
         raise Refusal(what, "largest_fit", "give `at` or `between`, or neither")
+    if isinstance(part, Surface):
+        if at is None:
+            what = "in space a fit is found at one place"
+            raise Refusal(what, "largest_fit", "give `at`")
+        return fit_at_in_space(part, container, at, rule)
+    return _fit_in_the_plane(part, container, at, between, rule)
+
+
+def _fit_in_the_plane(
+    part: _core.PolygonSet, container: Any, at: Any, between: Any, rule: str
+) -> FreeScales:
+    expect_sets(part=part, container=container)
+    part.validate("part")
+    container.validate("container")
     if at is not None:
         return _free(_core.fit_at(part, container, _point("at", at), rule))
     if between is None:
@@ -256,39 +279,14 @@ def trapped_scales(
     part.validate("part")
     assembly.validate("assembly")
     place = _point("at", at)
-    bounds = [
-        None if bound is None else number(name, bound)
-        for name, bound in (("from_scale", from_scale), ("to_scale", to_scale))
-    ]
-    rule = _one_of("contact", contact, CONTACTS)
-    return _free(_core.trapped_scales(part, assembly, place, rule, bounds[0], bounds[1]))
-
-
-def _one_of(name: str, value: Any, known: Sequence[str]) -> str:
-    word = text_of(name, value)
-    if word not in known:
-        raise Refusal(f"there is no {name} {word!r}", name, choice(word, known))
-    return word
+    window = window_of(from_scale, to_scale)
+    rule = word_of("contact", contact, CONTACTS)
+    return _free(_core.trapped_scales(part, assembly, place, rule, *window))
 
 
 def _point(name: str, value: Any) -> tuple[str, str]:
-    if isinstance(value, str) or not isinstance(value, Sequence) or len(value) != 2:
-        raise TypeError(f"{name} has to be {POINT}, and is of type {type(value).__name__}")
-    x, y = (number(name, one) for one in value)
+    x, y = coordinates(name, value, 2)
     return x, y
-
-
-def _path(path: Any) -> list[tuple[str, str]]:
-    if isinstance(path, str | bytes) or not isinstance(path, Sequence):
-        raise TypeError(f"path has to be a list of points, and is of type {type(path).__name__}")
-    return [_point("path", place) for place in path]
-
-
-def _ranges(rows: Sequence[Any]) -> tuple[ScaleRange, ...]:
-    return tuple(
-        ScaleRange(Fraction(low), None if high is None else Fraction(high), low_in, high_in)
-        for low, low_in, high, high_in in rows
-    )
 
 
 def _place(row: tuple[str, str]) -> Place:
@@ -312,7 +310,7 @@ def _path_bound(row: Any) -> PathBound:
 def _free(rows: Any) -> FreeScales:
     ranges, bounds, proofs, _ = rows
     return FreeScales(
-        _ranges(ranges),
+        range_values(ranges),
         tuple(
             FreeBound(
                 Fraction(scale),

@@ -1,9 +1,8 @@
 #include <algorithm>
-#include <map>
 #include <tuple>
 
-#include "reference/error.hpp"
 #include "reference/paths/moving_pieces.hpp"
+#include "reference/paths/piece_collisions.hpp"
 #include "reference/paths/routes.hpp"
 
 namespace minkref::inline paths {
@@ -79,51 +78,15 @@ std::optional<TouchingPoint> touching(const PathProblem& problem, const ConvexCo
 }  // namespace
 
 std::vector<PathBound> bounds_of(const PathProblem& problem, const std::vector<ScaleRange>& valid) {
-  struct End {
-    std::optional<PathPlace> at;
-    MovingPieces::Triple triple;
-  };
-  std::map<std::pair<Rational, bool>, End> ends;  // scale, whether it blocks
-  const ScaleRange all = range_of(problem.window);
-  std::vector<MovingPieces::Gap> gaps;
-  const auto want = [&](const ScaleCut& cut, bool blocks) {
-    if (!ends.try_emplace({cut.scale, blocks}).second) return;
-    const Enclosure about = enclose(cut.scale);
-    gaps.push_back({about.lower, about.upper});
-  };
-  for (const ScaleRange& range : valid) {
-    if (range.from != all.from) want(range.from, false);
-    if (range.to != all.to) want(*range.to, true);
-  }
-  if (ends.empty()) return {};
-  MovingPieces pieces(problem.robot, problem.obstacles, problem.path,
-                      problem.rule == ContactRule::allowed);
-  pieces.each(gaps, true, [&](const MovingPieces::Triple& triple) {
-    const auto found = pieces.scales(triple);
-    if (!found) return;
-    const auto offer = [&](const Rational& scale, bool blocks, const Rational& t) {
-      const auto end = ends.find({scale, blocks});
-      if (end == ends.end()) return;
-      const PathPlace place = pieces.place(triple.segment, t);
-      const auto order = [](const PathPlace& at, const MovingPieces::Triple& of) {
-        return std::tie(at.segment, at.t, of.robot, of.obstacle);
-      };
-      if (end->second.at && order(*end->second.at, end->second.triple) <= order(place, triple)) {
-        return;
-      }
-      end->second = {place, triple};
-    };
-    offer(found->from, true, found->t_at_from);
-    if (found->to) offer(*found->to, false, found->t_at_to);
-  });
+  const MovingPieces pieces = moving_pieces(problem.robot, problem.obstacles, problem.path,
+                                            problem.rule == ContactRule::allowed);
   std::vector<PathBound> bounds;
-  for (const auto& [name, end] : ends) {
-    if (!end.at) throw std::logic_error("no pair of pieces ends at a bound of the valid scales");
-    const auto where =
-        touching(problem, pieces.robot()[end.triple.robot].corners,
-                 pieces.obstacles()[end.triple.obstacle].corners, end.at->point, name.first);
+  for (const auto& [scale, blocks, at, triple] :
+       ends_of_collisions(pieces, problem.window, valid)) {
+    const auto where = touching(problem, pieces.robot()[triple.robot].corners,
+                                pieces.obstacles()[triple.obstacle].corners, at.point, scale);
     if (!where) throw std::logic_error("pieces do not touch at a bound of the valid scales");
-    bounds.push_back({name.first, name.second, *end.at, where->part, where->obstacle, where->at});
+    bounds.push_back({scale, blocks, at, where->part, where->obstacle, where->at});
   }
   return bounds;
 }

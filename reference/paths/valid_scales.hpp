@@ -22,11 +22,13 @@ enum class PathRoute : std::uint8_t {
 
 /// A place on a polyline: on the segment from vertex `segment` to the next, at (1 - t) of the one
 /// and t of the other. Of a path of one vertex, segment 0 and t = 0.
-struct PathPlace {
+template <class PointType>
+struct PathPlaceOf {
   std::uint32_t segment = 0;
   Rational t;
-  Point point;
+  PointType point;
 };
+using PathPlace = PathPlaceOf<Point>;
 
 /// A vertex, or the edge that starts there.
 struct TouchingFeature {
@@ -36,15 +38,17 @@ struct TouchingFeature {
 };
 
 /// Where valid scales end or begin, and the contact that is the cause.
-struct PathBound {
+template <class PointType, class Feature>
+struct PathBoundOf {
   Rational scale;
   /// Scales just above are not valid since the part then meets the obstacles at the place: they
   /// block it. Otherwise scales just below are not, and there they free it.
   bool blocks = true;
-  PathPlace at;
-  TouchingFeature part, obstacle;  ///< touch at that place, at that scale
-  Point touching;                  ///< where
+  PathPlaceOf<PointType> at;
+  Feature part, obstacle;  ///< touch at that place, at that scale
+  PointType touching;      ///< where
 };
+using PathBound = PathBoundOf<Point, TouchingFeature>;
 
 struct PathStatistics {
   std::uint64_t pieces_of_part = 0, pieces_of_obstacles = 0;
@@ -53,12 +57,13 @@ struct PathStatistics {
   std::uint64_t critical_scales = 0;  ///< that routes by critical scales looked at
 };
 
-struct ValidScales {
+template <class Bound>
+struct ValidScalesOf {
   std::vector<ScaleRange> valid;  ///< ascending, apart
-  std::vector<PathBound>
-      bounds;  ///< two at most for each range: ends that are no end of the window
+  std::vector<Bound> bounds;  ///< two at most for each range: ends that are no end of the window
   PathStatistics statistics;
 };
+using ValidScales = ValidScalesOf<PathBound>;
 
 /// The scales s of the window at which the part s R, carried along the polyline with its origin on
 /// it and never turned, does not meet the obstacles: with contact allowed, at which no place of the

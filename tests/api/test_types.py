@@ -119,13 +119,22 @@ ORIGIN = [(0, 0)]
 CALLS |= {
     "valid_scales robot": (
         lambda x: minkref.valid_scales(x, SQUARE, ORIGIN),
-        (minkref.PolygonSet,),
+        (minkref.PolygonSet, *SURFACES),
     ),
     "valid_scales obstacles": (
         lambda x: minkref.valid_scales(SQUARE, x, ORIGIN),
         (minkref.PolygonSet,),
     ),
+    "valid_scales obstacles in space": (
+        lambda x: minkref.valid_scales(SIMPLEX, x, [(0, 0, 0)]),
+        SURFACES,
+    ),
     "valid_scales path": (lambda x: minkref.valid_scales(SQUARE, SQUARE, x), (list,)),
+    "valid_scales path in space": (lambda x: minkref.valid_scales(SIMPLEX, BODY, x), (list,)),
+    "valid_scales route in space": (
+        lambda x: minkref.valid_scales(SIMPLEX, BODY, [(0, 0, 0)], route=x),
+        (str,),
+    ),
     "valid_scales contact": (lambda x: minkref.valid_scales(SQUARE, SQUARE, ORIGIN, x), (str,)),
     "valid_scales route": (lambda x: minkref.valid_scales(SQUARE, SQUARE, ORIGIN, route=x), (str,)),
     "valid_scales to_scale": (
@@ -151,7 +160,15 @@ CALLS |= {
         lambda x: minkref.bad_polygons(SQUARE, SQUARE, ORIGIN, 2, most=x),
         (int,),
     ),
-    "largest_fit part": (lambda x: minkref.largest_fit(x, SQUARE), (minkref.PolygonSet,)),
+    "largest_fit part": (lambda x: minkref.largest_fit(x, SQUARE), (minkref.PolygonSet, *SURFACES)),
+    "largest_fit container in space": (
+        lambda x: minkref.largest_fit(SIMPLEX, x, (0, 0, 0)),
+        SURFACES,
+    ),
+    "largest_fit at in space": (
+        lambda x: minkref.largest_fit(SIMPLEX, BODY, x),
+        (list, tuple, type(None)),
+    ),
     "largest_fit container": (lambda x: minkref.largest_fit(SQUARE, x), (minkref.PolygonSet,)),
     "largest_fit at": (lambda x: minkref.largest_fit(SQUARE, SQUARE, x), (list, type(None))),
     "largest_fit between": (

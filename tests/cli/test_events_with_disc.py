@@ -79,7 +79,7 @@ def test_what_people_see(minkref: Minkref) -> None:
         ("disc:2",),
         ("disc", "--kind", "triple"),
         ("disc", "--form", "printed"),
-        ("disc", "--route", "index"),
+        ("disc", "--route", "dynamic"),
         ("disc", "--where", "s > 1"),
         ("disc", "--arithmetic", "double"),
         ("disc", "--from", "2", "--to", "1"),

@@ -264,7 +264,7 @@ def test_polygons_are_inside_and_outside(square: str, tolerance: str) -> None:
         (("disc:sqrt:x",), "the radius"),
         (("disc:" + "9" * 1001,), "characters"),
         (("disc:1", "--route", "winding"), "--route"),
-        (("disc:1", "--route", "dynamic"), "with a disc: "),
+        (("disc:1", "--route", "dynamic"), "definition, paper, index"),
         (("disc:1", "--arithmetic", "double"), "--arithmetic"),
         (("disc:1", "--plot"), "--plot"),
         (("disc:1", "--tolerance", "1"), "--tolerance"),

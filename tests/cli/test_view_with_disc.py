@@ -148,7 +148,7 @@ def test_an_empty_operand_gives_a_page_of_an_empty_sum(minkref: Minkref, tmp_pat
         (("disc", "disc"), "minkref view P disc"),
         (("g1", "disc", "--route", "dynamic"), "--route"),
         (("g1", "disc", "--scale", "2"), "--scale"),
-        (("g1", "disc", "--index", "x"), "--index"),
+        (("g1", "disc", "--index", "x"), "cannot be read"),
         (("g1", "disc", "--from", "0"), "zero"),
         (("g1", "disc", "--from", "2", "--to", "1"), "empty or a single radius"),
         (("g1", "disc", "--from", "1", "--to", "1.0000000000001"), "too narrow"),

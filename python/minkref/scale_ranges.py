@@ -1,0 +1,95 @@
+"""Ranges of scales, the answers of paths, fits and traps, as values; and how arguments of these are
+read."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from minkref.argument_types import number, text_of
+from minkref.errors import Refusal, choice
+
+CONTACTS = ("allowed", "forbidden")
+PATH_ROUTES = ("pieces", "contacts", "index")
+Number = str | int | Fraction
+NUMBERS = "exact numbers: strs as '7/5' or '0.1', ints or Fractions"
+
+
+@dataclass(frozen=True)
+class ScaleRange:
+    """Scales from one to another; each end belongs to the range or does not. `high` is None where
+    there is no end. A single scale is a range with equal ends."""
+
+    low: Fraction
+    high: Fraction | None
+    low_in: bool
+    high_in: bool
+
+    def __contains__(self, scale: Number) -> bool:
+        value = Fraction(number("scale", scale))
+        above = value > self.low or (self.low_in and value == self.low)
+        return above and (
+            self.high is None or value < self.high or (self.high_in and value == self.high)
+        )
+
+    def __str__(self) -> str:
+        high = "inf" if self.high is None else str(self.high)
+        return f"{'[' if self.low_in else '('}{self.low}, {high}{']' if self.high_in else ')'}"
+
+
+@dataclass(frozen=True)
+class ScalesInRanges:
+    """Scales as `ranges`, ascending."""
+
+    ranges: tuple[ScaleRange, ...]
+
+    def __contains__(self, scale: Number) -> bool:
+        return any(scale in one for one in self.ranges)
+
+    @property
+    def largest(self) -> Fraction | None:
+        """The least number that no scale exceeds; None where there is none, or no scale."""
+        return self.ranges[-1].high if self.ranges else None
+
+    @property
+    def smallest(self) -> Fraction | None:
+        """The greatest number that no scale is below; None where there is no scale."""
+        return self.ranges[0].low if self.ranges else None
+
+
+def range_values(rows: Sequence[Any]) -> tuple[ScaleRange, ...]:
+    return tuple(
+        ScaleRange(Fraction(low), None if high is None else Fraction(high), low_in, high_in)
+        for low, low_in, high, high_in in rows
+    )
+
+
+def word_of(name: str, value: Any, known: Sequence[str]) -> str:
+    word = text_of(name, value)
+    if word not in known:
+        raise Refusal(f"there is no {name} {word!r}", name, choice(word, known))
+    return word
+
+
+def window_of(from_scale: Any, to_scale: Any) -> tuple[str | None, str | None]:
+    low, high = (
+        None if bound is None else number(name, bound)
+        for name, bound in (("from_scale", from_scale), ("to_scale", to_scale))
+    )
+    return low, high
+
+
+def coordinates(name: str, value: Any, count: int) -> list[str]:
+    """The texts of the numbers of a place."""
+    if isinstance(value, str) or not isinstance(value, Sequence) or len(value) != count:
+        told = f"{'a pair of' if count == 2 else 'three'} {NUMBERS}"
+        raise TypeError(f"{name} has to be {told}, and is of type {type(value).__name__}")
+    return [number(name, one) for one in value]
+
+
+def path_of(path: Any, count: int) -> list[list[str]]:
+    if isinstance(path, str | bytes) or not isinstance(path, Sequence):
+        raise TypeError(f"path has to be a list of points, and is of type {type(path).__name__}")
+    return [coordinates("path", place, count) for place in path]

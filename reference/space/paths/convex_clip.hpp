@@ -1,0 +1,25 @@
+// A polygon cut by the planes of a convex piece.
+#pragma once
+
+#include <vector>
+
+#include "reference/space/paths/exact_vectors.hpp"
+
+namespace minkref::inline space {
+
+/// What is below it: normal · x <= offset.
+struct HalfSpace {
+  SpacePoint normal;
+  Rational offset;
+};
+
+/// The part of a convex polygon (or segment, or point) that is below all planes; empty where there
+/// is none. Exact. O(n (n + k)) for n planes and k corners.
+std::vector<SpacePoint> below_all(std::vector<SpacePoint> ring,
+                                  const std::vector<HalfSpace>& planes);
+
+/// Whether some point of it is strictly below all planes. Exact.
+bool is_strictly_below_somewhere(const std::vector<SpacePoint>& ring,
+                                 const std::vector<HalfSpace>& planes);
+
+}  // namespace minkref::inline space
