@@ -1,39 +1,67 @@
 #include "reference/plane/history/boundary_regions.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <stdexcept>
 #include <unordered_map>
 
 #include "reference/no_entry.hpp"
+#include "reference/number/interval.hpp"
 
 namespace minkref::inline plane {
 namespace {
 
-/// Cycles as polygons at one scale.
+using NearPoint = std::array<Interval, 2>;
+
+NearPoint near(const Point& p) { return {Interval(p.x), Interval(p.y)}; }
+
+/// The sign of a value in intervals, or where these do not tell its own.
+template <class Exact>
+int sign_of(const Interval& near, Exact&& exact) {
+  if (const auto certain = certified_sign(near)) return *certain;
+  return sign(exact());
+}
+
+/// Cycles as polygons at one scale: in intervals, and exact where these do not tell.
 class CyclesAtScale {
  public:
   CyclesAtScale(const std::vector<Track>& tracks, const std::vector<BoundaryLink>& links,
-                const Rational& scale) {
+                const Rational& scale)
+      : tracks_(tracks), links_(links), scale_(scale) {
+    const Interval s(scale);
+    const auto at = [&](std::uint32_t track) {
+      const auto& [a, b] = tracks[track];
+      return NearPoint{Interval(a.x) + s * Interval(b.x), Interval(a.y) + s * Interval(b.y)};
+    };
     for (const BoundaryLink& link : links) {
-      from_.push_back(tracks[link.from].at(scale));
-      to_.push_back(tracks[link.to].at(scale));
+      from_.push_back(at(link.from));
+      to_.push_back(at(link.to));
     }
   }
 
   Point middle(std::uint32_t link) const {
-    return {(from_[link].x + to_[link].x) / 2, (from_[link].y + to_[link].y) / 2};
+    const Point a = from(link), b = to(link);
+    return {(a.x + b.x) / 2, (a.y + b.y) / 2};
   }
 
   /// Whether a cycle winds around a point that is not on it.
-  bool around(const BoundaryCycles& cycles, std::uint32_t cycle, const Point& m) const {
+  bool around(const BoundaryCycles& cycles, std::uint32_t cycle, const Point& m,
+              const NearPoint& near_m) const {
     bool inside = false;
     std::uint32_t k = cycles.cycles[cycle].first;
     do {
-      const Point &a = from_[k], &b = to_[k];
-      if ((a.y <= m.y) != (b.y <= m.y)) {
-        const Rational side = (b.x - a.x) * (m.y - a.y) - (b.y - a.y) * (m.x - a.x);
-        if ((sign(side) > 0) == (b.y > a.y)) inside = !inside;
+      const bool from_below =
+          is_not_above(from_[k][1], near_m[1], [&] { return from(k).y <= m.y; });
+      const bool to_below = is_not_above(to_[k][1], near_m[1], [&] { return to(k).y <= m.y; });
+      if (from_below != to_below) {
+        const auto &a = from_[k], &b = to_[k];
+        const int side =
+            sign_of((b[0] - a[0]) * (near_m[1] - a[1]) - (b[1] - a[1]) * (near_m[0] - a[0]), [&] {
+              const Point p = from(k), q = to(k);
+              return Rational((q.x - p.x) * (m.y - p.y) - (q.y - p.y) * (m.x - p.x));
+            });
+        if ((side > 0) == from_below) inside = !inside;
       }
       k = cycles.next[k];
     } while (k != cycles.cycles[cycle].first);
@@ -44,31 +72,44 @@ class CyclesAtScale {
     Rational doubled = 0;
     std::uint32_t k = cycles.cycles[cycle].first;
     do {
-      doubled += from_[k].x * to_[k].y - from_[k].y * to_[k].x;
+      const Point p = from(k), q = to(k);
+      doubled += p.x * q.y - p.y * q.x;
       k = cycles.next[k];
     } while (k != cycles.cycles[cycle].first);
     return abs(doubled);
   }
 
  private:
-  std::vector<Point> from_, to_;
+  template <class Exact>
+  static bool is_not_above(const Interval& y, const Interval& than, Exact&& exact) {
+    if (y.upper() <= than.lower()) return true;
+    if (y.lower() > than.upper()) return false;
+    return exact();
+  }
+  Point from(std::uint32_t link) const { return tracks_[links_[link].from].at(scale_); }
+  Point to(std::uint32_t link) const { return tracks_[links_[link].to].at(scale_); }
+
+  const std::vector<Track>& tracks_;
+  const std::vector<BoundaryLink>& links_;
+  const Rational& scale_;
+  std::vector<NearPoint> from_, to_;
 };
 
 /// The smallest of some cycles around a point; `no_entry` where there is none.
 std::uint32_t smallest_around(const BoundaryCycles& cycles,
                               const std::vector<std::uint32_t>& enclosing, const Point& point,
                               const CyclesAtScale& at_scale) {
-  std::uint32_t best = no_entry;
-  Rational size;
+  const NearPoint near_point = near(point);
+  std::vector<std::uint32_t> found;
   for (const std::uint32_t e : enclosing) {
-    if (!at_scale.around(cycles, e, point)) continue;
-    const Rational own = at_scale.magnitude(cycles, e);
-    if (best == no_entry || own < size) {
-      best = e;
-      size = own;
-    }
+    if (at_scale.around(cycles, e, point, near_point)) found.push_back(e);
   }
-  return best;
+  if (found.size() < 2) return found.empty() ? no_entry : found[0];
+  const auto smallest =
+      std::min_element(found.begin(), found.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return at_scale.magnitude(cycles, a) < at_scale.magnitude(cycles, b);
+      });
+  return *smallest;
 }
 
 /// Regions by their enclosing cycles (`left`: those that turn to the left); each other cycle
