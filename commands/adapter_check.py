@@ -20,6 +20,7 @@ from minkref.commands.line.target_options import (
 )
 from minkref.documents import Stopwatch, document
 from minkref.exits import ExitCode
+from minkref.fuzz.cases.verbs import PATH, RANGES
 from minkref.fuzz.isolation.isolation import AUTO, Isolation
 from minkref.fuzz.shrink.asker import Asker
 from minkref.fuzz.space.cells import Cell, surface_of
@@ -59,9 +60,13 @@ class Trying:
     P: str
     Q: str
     scale: str = "1"
+    path: dict[str, Any] | None = None  # a question about one, P being the part
 
     @property
     def literal(self) -> str:
+        if self.path is not None:
+            value = {"part": texts.loads(self.P), "obstacles": texts.loads(self.Q), **self.path}
+            return texts.dumps(value, separators=(",", ":"))
         value = {"P": texts.loads(self.P), "Q": texts.loads(self.Q), "scale": self.scale}
         return texts.dumps(value, separators=(",", ":"))
 
@@ -72,6 +77,25 @@ IN_PLANE = [
     Trying("a hook and a triangle: the hook is not convex", HOOK, TRIANGLE),
     Trying("a frame and a square: the hole becomes smaller", FRAME, SQUARE),
 ]
+
+
+PART = '{"polygons":[{"outer":[["2","0"],["3","0"],["3","1"],["2","1"]],"holes":[]}]}'
+WALLS = (
+    '{"polygons":[{"outer":[["1","0"],["4","0"],["4","1"],["1","1"]],"holes":[]},'
+    '{"outer":[["6","0"],["9","0"],["9","1"],["6","1"]],"holes":[]}]}'
+)
+WAY: dict[str, Any] = {"path": [["0", "0"], ["0", "1/2"]]}
+SCALES = {"scales": ["1/4", "1", "2", "3", "9/2", "5"]}
+ON_PATHS = [
+    Trying("a part on a path: it may touch, at 2 it passes", PART, WALLS, "1",
+           {**WAY, "contact": "allowed", **SCALES}),
+    Trying("the same, and it must not touch", PART, WALLS, "1",
+           {**WAY, "contact": "forbidden", **SCALES}),
+]  # fmt: skip
+ALL_ON_PATHS = [
+    Trying("all scales from 1/8 to 8, one of them alone", PART, WALLS, "1",
+           {**WAY, "contact": "allowed", "from": "1/8", "to": "8"}),
+]  # fmt: skip
 
 
 def _solid(*cells: Cell) -> str:
@@ -112,14 +136,16 @@ def command(
     schema: Schema = False,
 ) -> None:
     """Start an adapter, show what it declares and what that leaves out, and ask for four sums: two
-    of convex operands, one of an operand that is not convex, and one with a hole. Exits with 1 if a
+    of convex operands, one of an operand that is not convex, and one with a hole; and for paths, if
+    it declares them. Exits with 1 if a
     sum is proven wrong, 3 if the adapter breaks, and 2 if it does not start."""
     watch = Stopwatch()
     walls, limits = walls_and_limits(call_seconds, call_memory, call_processes, isolation, pass_env)
     (entry,), declarations = declarations_of([select_one(target)], limits)
     declared = declarations[entry.name]
     able = declared.capabilities
-    trials = [*(IN_PLANE if "plane" in able else ()), *(IN_SPACE if "space" in able else ())]
+    asked = {"plane": IN_PLANE, "space": IN_SPACE, PATH: ON_PATHS, RANGES: ALL_ON_PATHS}
+    trials = [trying for word, some in asked.items() if word in able for trying in some]
     with ending_in_order(), Asker(entry.name, limits) as asker:
         rows = [(trying, asker.ask(trying.literal)[1]) for trying in trials]
     code = _exit_code([outcome for _, outcome in rows])

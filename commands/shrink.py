@@ -105,7 +105,7 @@ def command(
         )
     if output is not None and not has_case_file(small):
         raise Refusal(
-            "case files in space are of convex polyhedra, and an operand is not convex",
+            "case files are of sums, in space of convex polyhedra: this case has none",
             str(output),
             "leave out -o: the case is printed as JSON",
         )

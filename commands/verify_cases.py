@@ -11,7 +11,7 @@ from minkref.fuzz.cases.case_files import CaseFiles, case_files
 from minkref.fuzz.cases.case_list import CaseList
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.no_case import NoCase
-from minkref.fuzz.cases.verbs import EVENTS, UPDATE
+from minkref.fuzz.cases.verbs import EVENTS, PATH, RANGES, UPDATE
 from minkref.fuzz.families.catalogue import FAMILIES
 from minkref.fuzz.plane.laws import LAWS
 from minkref.fuzz.settings import SETTINGS
@@ -68,6 +68,7 @@ def case_list(
         derived,
         files.names,
         "rejects-invalid" in able and fuzz and not families,
+        tuple(verb for verb in (PATH, RANGES) if verb in able and fuzz and not families),
         "rational" not in able,
     )
     if files.note is not None:

@@ -51,6 +51,11 @@ class Setting(ABC):
     def case_of(self, name: CaseName, operands: list[Any], scale: Any, where: str) -> AnyCase:
         """Of two sets as JSON values. Refuses what is no set."""
 
+    def question(self, name: CaseName, value: dict[str, Any], where: str) -> AnyCase | None:
+        """A case in another form than two operands and a scale, of its JSON value; None where it
+        is none. Refuses what is wrong with one."""
+        return None
+
     @abstractmethod
     def scales_in(self, value: dict[str, Any], path: Path) -> list[str]:
         """Those at which a case file asks for sums."""
@@ -95,8 +100,8 @@ class Setting(ABC):
     # Shrinking.
 
     @abstractmethod
-    def small_case(self, P: str, Q: str, scale: str) -> SmallCase:
-        """Of operands as JSON texts."""
+    def small_case(self, P: str, Q: str, scale: str, literal: str) -> SmallCase:
+        """Of operands as JSON texts, or of the text that names a case in another form."""
 
     @property
     @abstractmethod

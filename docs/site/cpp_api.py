@@ -65,7 +65,8 @@ def index(all_headers: list[Header]) -> str:
         rooms[str(Path(header.path).parent)].append(header)
     text = (
         "# The C++ library\n\n`find_package(minkref)` gives the target `minkref::reference`; "
-        "everything is in the namespace `minkref`, in which `plane` and `space` are inline. "
+        "everything is in the namespace `minkref`, in which `plane`, `paths`, `disc` and `space` "
+        "are inline. "
         "Start with [plane/sum.hpp](plane/sum.md), "
         "or with [the tutorial](../../docs/tutorials/cpp.md). "
         "These pages are made from the headers.\n"

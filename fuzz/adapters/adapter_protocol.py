@@ -13,6 +13,7 @@ from typing import Any, BinaryIO, TextIO
 
 Set = dict[str, Any]  # {"polygons": ...} or {"vertices": ..., "faces": ...}
 Sum = Callable[[Set, Set], dict[str, Any]]
+Path = Callable[[Set, Set, dict[str, Any]], dict[str, Any]]
 LONGEST_REASON = 4000  # characters
 
 
@@ -29,11 +30,14 @@ class Errored(Exception):
 
 
 class Adapter:
-    """Answers requests: `hello` is the declaration, `sum_of(sP, Q)` the members of a result."""
+    """Answers requests: `hello` is the declaration, `sum_of(sP, Q)` the members of a result, and
+    `path_of(P, Q, request)` those of the verb `path`."""
 
-    def __init__(self, hello: dict[str, Any], sum_of: Sum) -> None:
+    def __init__(self, hello: dict[str, Any], sum_of: Sum, path_of: Path | None = None) -> None:
         self.hello = hello
         self.sum_of = sum_of
+        self.path_of = path_of
+        self.P: Set | None = None
         self.Q: Set | None = None
 
     def answer(self, request: dict[str, Any]) -> dict[str, Any]:
@@ -43,12 +47,16 @@ class Adapter:
             if verb == "hello":
                 return {"status": "result", "protocol": "adapter-v1", **self.hello}
             if verb == "load":
-                self.Q = request["Q"]
+                self.P, self.Q = request.get("P"), request["Q"]
                 return {"status": "result"}
             if verb == "at":
                 if self.Q is None:
                     raise ValueError("`at` before any `load`")
                 return {"status": "result", **self.sum_of(request["sP"], self.Q)}
+            if verb == "path" and self.path_of is not None:
+                if self.P is None or self.Q is None:
+                    raise ValueError("`path` before any `load`")
+                return {"status": "result", **self.path_of(self.P, self.Q, request)}
             return {"status": "skipped", "reason": f"no verb {verb!r} here"}
         except Skipped as reason:
             return {"status": "skipped", "reason": str(reason)}
@@ -81,11 +89,16 @@ def streams() -> tuple[BinaryIO, TextIO]:
     return requests, answers
 
 
-def serve(hello: dict[str, Any], sum_of: Sum, given: tuple[BinaryIO, TextIO] | None = None) -> None:
+def serve(
+    hello: dict[str, Any],
+    sum_of: Sum,
+    given: tuple[BinaryIO, TextIO] | None = None,
+    path_of: Path | None = None,
+) -> None:
     """Answers until `stop` or the end of the input. `given`: the streams, where they are taken
-    already."""
+    already. `path_of`: what answers the verb `path`, of P, Q and the request."""
     requests, answers = given or streams()
-    adapter = Adapter(hello, sum_of)
+    adapter = Adapter(hello, sum_of, path_of)
     for line in requests:
         if not line.strip():
             continue

@@ -23,6 +23,7 @@ MUTANTS_PER_ROUND = 12
 MOST_PARENTS = 200
 DEEPEST_MUTANT = 4
 PROBES_PER_ROUND = 3
+PATHS_PER_ROUND = 3  # of each verb
 GRID_BITS = 24  # of cases for implementations on a grid, or in doubles
 CONVEX_FAMILIES = ("space-convex", "space-sphere")  # which most targets with updates take
 TOUCHING = "passing"  # the family whose topology events are of the kind `touch`
@@ -61,6 +62,7 @@ class CaseList:
     derived: bool = False
     files: tuple[str, ...] = ()
     invalid: bool = False  # also pairs of which one operand is invalid
+    paths: tuple[str, ...] = ()  # verbs of paths
     doubles: bool = False  # no target takes other numbers: each pair on a grid, too
     spent: float = 0.0  # seconds of an earlier part of the run
     notes: list[str] = field(default_factory=list)
@@ -121,7 +123,7 @@ class CaseList:
         """What tells one run from another."""
         names = ("seed", "pairs", "seconds", "named", "models", "families", "space", "laws")
         head: dict[str, object] = {name: getattr(self, name) for name in names}
-        more = ("derived", "files", "invalid", "doubles")
+        more = ("derived", "files", "invalid", "paths", "doubles")
         return {**head, **{name: getattr(self, name) for name in more}}
 
     def miss(self) -> None:
@@ -142,6 +144,7 @@ class CaseList:
                     yield CaseName(f"{family}:{self.seed}:{index}", family)
                 if self.invalid:
                     yield CaseName(f"invalid:{self.seed}:{index}", "invalid input")
+                yield from self._paths(index)
         for index in itertools.count():
             yield from self._round(index)
             yield Wait.FOR_ALL
@@ -160,6 +163,7 @@ class CaseList:
             yield CaseName(f"{family}:{self.seed}:{index // rounds}", family)
         if self.invalid:
             yield CaseName(f"invalid:{self.seed}:{index}", "invalid input")
+        yield from self._paths(index)
         for family in dice.sample(self.families, min(PROBES_PER_ROUND, len(self.families))):
             for probe in sorted(dice.sample(range(9), 3)):
                 text = f"probe:{probe}({texts[family]})"
@@ -185,6 +189,14 @@ class CaseList:
         for k in range(min(MUTANTS_PER_ROUND, len(self._parents))):
             parent = dice.choice(self._parents)
             yield CaseName(f"mutant:{index * MUTANTS_PER_ROUND + k}({parent})", "mutants")
+
+    def _paths(self, index: int) -> Iterator[CaseName]:
+        """Several in each round: small cases, of four kinds."""
+        end = "-grid" if self.doubles else ""
+        for verb in self.paths:
+            for k in range(PATHS_PER_ROUND):
+                number = index * PATHS_PER_ROUND + k
+                yield CaseName(f"{verb}{end}:{self.seed}:{number}", "paths")
 
     def _far_and_large(self, index: int, texts: dict[str, str]) -> Iterator[CaseName]:
         """Cases of this round, another family each time, with numbers far from 1 and with many

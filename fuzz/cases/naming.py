@@ -13,6 +13,9 @@ LAW(NAME)                 the case changed so that a law tells the sum: swap, qu
 update(NAME)              the case by the verb `update` from another scale
 events(NAME)              the scales at which the topology of the sum changes
 invalid:SEED:INDEX        operands of which one is invalid
+path:SEED:INDEX           a part on a path, at given scales (path-grid: on a grid of doubles)
+path-ranges:SEED:INDEX    the same, all valid scales of a window (path-ranges-grid: on a grid)
+{"part":...,"obstacles":...,"path":...,"contact":...,"scales":[...]}   such a case itself
 """
 
 from __future__ import annotations
@@ -92,6 +95,9 @@ def _literal(name: CaseName) -> AnyCase:
     mend = 'write {"P":{"polygons":[...]},"Q":{"polygons":[...]},"scale":"3/2"}'
     try:
         value: Any = json.loads(name.text, parse_float=str)
+        for setting in SETTINGS:
+            if (asked := setting.question(name, value, where)) is not None:
+                return asked
         operands = [value["P"], value["Q"]]
         scale = value.get("scale", "1")
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:

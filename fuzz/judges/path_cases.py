@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import random
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -54,6 +55,49 @@ def path_case(seed: int, index: int) -> PathCase:
     if dice.random() < 0.15:
         path.append(path[0])
     return PathCase(f"{seed}:{index}", part, obstacles, path, kind)
+
+
+def case_in_a_hole(seed: int, index: int) -> PathCase:
+    """A path in the hole of a frame, as a part in a container has it."""
+    dice = random.Random(f"hole {seed}:{index}")
+    part = _valid(dice)
+    while True:
+        corners = sorted({(_far(dice), _far(dice)) for _ in range(dice.randint(4, 9))}, key=_angle)
+        frame = [(-20, -20), (20, -20), (20, 20), (-20, 20)]
+        obstacles = PolygonSet([[_texts(frame), _texts(corners[::-1])]])
+        try:
+            obstacles.validate("a drawn frame")
+        except BadInput:
+            continue
+        break
+    path = [(x / 4, y / 4) for x, y in (_place(dice) for _ in range(dice.randint(1, 4)))]
+    return PathCase(f"hole {seed}:{index}", part, obstacles, path, "in a hole")
+
+
+def case_past_a_corner(seed: int, index: int) -> PathCase:
+    """A long segment that passes a corner of the obstacles somewhere: the part collides on a short
+    part of it."""
+    dice = random.Random(f"corner {seed}:{index}")
+    part, obstacles = _valid(dice), _valid(dice, 6)
+    s, r, o = dice.choice(SCALES), dice.choice(_corners(part)), dice.choice(_corners(obstacles))
+    dx, dy = dice.choice([(a, b) for a in range(-3, 4) for b in range(-3, 4) if a or b])
+    aside = Fraction(dice.randint(-4, 4), 8)
+    x, y = o[0] - s * r[0] - aside * dy, o[1] - s * r[1] + aside * dx
+    before, after = dice.randint(5, 30), dice.randint(5, 30)
+    path = [(x - before * dx, y - before * dy), (x + after * dx, y + after * dy)]
+    return PathCase(f"corner {seed}:{index}", part, obstacles, path, "past a corner")
+
+
+def _far(dice: random.Random) -> int:
+    return dice.choice((-1, 1)) * dice.randint(3, 15)
+
+
+def _angle(corner: tuple[int, int]) -> float:
+    return math.atan2(corner[1], corner[0])
+
+
+def _texts(ring: Sequence[tuple[int, int]]) -> list[tuple[str, str]]:
+    return [(str(x), str(y)) for x, y in ring]
 
 
 def _valid(dice: random.Random, far: int = 0) -> PolygonSet:

@@ -5,6 +5,7 @@ as a point, by the slow engine or by pairs of triangles. It knows no event and n
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
 
@@ -34,6 +35,15 @@ def by_slow_engine(part: _core.PolygonSet, obstacles: _core.PolygonSet) -> Decid
     ]
 
 
+@dataclass(frozen=True)
+class Located:
+    """A place of a path: on the segment from one vertex to the next, how far along, the point."""
+
+    segment: int
+    t: Fraction
+    point: Point
+
+
 class Collisions:
     """Of one part, one set of obstacles and one path."""
 
@@ -47,19 +57,25 @@ class Collisions:
     def collides(self, scale: Fraction, contact: str, decide: Decide) -> bool:
         """With contact allowed, whether interiors meet at some place; else whether sets do."""
         bad = ("overlapping",) if contact == "allowed" else ("overlapping", "touching")
-        return any(decide(scale, x) in bad for x in self._places(scale))
+        return any(decide(scale, place.point) in bad for place in self.located(scale))
 
-    def _places(self, scale: Fraction) -> Iterator[Point]:
-        """Vertices first: most collisions show there."""
-        yield from self._path
+    def located(self, scale: Fraction) -> Iterator[Located]:
+        """Places that decide for all of the path. Vertices first: most collisions show there."""
+        last = len(self._path) - 1
+        for k, point in enumerate(self._path):
+            yield (
+                Located(k, Fraction(0), point)
+                if k < max(last, 1)
+                else Located(k - 1, Fraction(1), point)
+            )
         edges = list(self._edges(scale))
-        for a, b in pairwise(self._path):
+        for segment, (a, b) in enumerate(pairwise(self._path)):
             if a == b:
                 continue
             cuts = sorted({Fraction(0), Fraction(1), *_cuts(a, b, edges)})
             middles = [(s + t) / 2 for s, t in pairwise(cuts)]
             for t in (*middles, *cuts):
-                yield a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])
+                yield Located(segment, t, (a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])))
 
     def _edges(self, scale: Fraction) -> Iterator[tuple[Point, Point]]:
         """Each edge of one set at each vertex of the other, as a segment of places of the part."""

@@ -13,13 +13,16 @@ from minkref.exact import read_scale
 from minkref.fuzz.cases.any_case import AnyCase
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.no_case import NoCase
-from minkref.fuzz.cases.verbs import EVENTS, REJECTS, UPDATE
+from minkref.fuzz.cases.verbs import EVENTS, PATH, RANGES, REJECTS, UPDATE, is_path
 from minkref.fuzz.families.catalogue import FAMILIES
+from minkref.fuzz.plane import asked_path
+from minkref.fuzz.plane.asked_path import AskedPath, drawn_path, named_path
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.derived import derived
 from minkref.fuzz.plane.invalid_case import FAMILY, InvalidCase, load_invalid
 from minkref.fuzz.plane.protocol import plane_answer, sent_set
 from minkref.fuzz.plane.small_case import PlaneCase, smaller_in_plane
+from minkref.fuzz.plane.small_path import SmallPath, smaller_paths
 from minkref.fuzz.setting import Setting
 from minkref.fuzz.targets.answer import Answer
 from minkref.fuzz.targets.declaration import Declaration
@@ -35,7 +38,7 @@ class Plane(Setting):
 
     name, where, dimension = "plane", "in the plane", 2
     target = "minkref:paper"
-    verbs = (UPDATE, EVENTS, REJECTS)
+    verbs = (UPDATE, EVENTS, REJECTS, PATH, RANGES)
     never = frozenset({"non-uniform"})
     answer_is_no = "not a polygon set"
 
@@ -48,6 +51,9 @@ class Plane(Setting):
     def case_of(self, name: CaseName, operands: list[Any], scale: Any, where: str) -> Case:
         P, Q = (_valid(json.dumps(each), where) for each in operands)
         return Case(name, P, Q, read_scale(str(scale), where), "P", "Q", "named")
+
+    def question(self, name: CaseName, value: dict[str, Any], where: str) -> AskedPath | None:
+        return named_path(name, value, where) if "path" in value else None
 
     def scales_in(self, value: dict[str, Any], path: Path) -> list[str]:
         scales = value.get("scales")
@@ -65,9 +71,11 @@ class Plane(Setting):
 
     def drawn(
         self, name: CaseName, family: str, seed: int, index: int
-    ) -> Case | InvalidCase | None:
+    ) -> Case | InvalidCase | AskedPath | None:
         if family == FAMILY:
             return load_invalid(name, seed, index)
+        if family in asked_path.FAMILIES:
+            return drawn_path(name, family, seed, index)
         if family not in FAMILIES:
             return None
         pair = FAMILIES[family].pair(seed, index)
@@ -78,7 +86,7 @@ class Plane(Setting):
         self, base: AnyCase, name: CaseName, operation: str, number: int | None
     ) -> Case | None:
         if not isinstance(base, Case):
-            raise NoCase("nothing is got from an invalid case")
+            raise NoCase("nothing is got from a case of invalid operands, or of a path")
         return derived(base, name, operation, number)
 
     def sent(self, text: str, declaration: Declaration) -> Any:
@@ -96,15 +104,22 @@ class Plane(Setting):
 
         return PlaneAsking
 
-    def small_case(self, P: str, Q: str, scale: str) -> PlaneCase:
-        return PlaneCase.read(P, Q, scale)
+    def small_case(self, P: str, Q: str, scale: str, literal: str) -> PlaneCase | SmallPath:
+        return SmallPath.read(literal) if is_path(literal) else PlaneCase.read(P, Q, scale)
 
     @property
-    def smaller(self) -> Callable[[PlaneCase], Iterator[PlaneCase]]:
-        return smaller_in_plane
+    def smaller(self) -> Callable[[Any], Iterator[Any]]:
+        return _smaller
+
+    def has_case_file(self, literal: str) -> bool:
+        return not is_path(literal)
 
     def scales_of_file(self, scale: str) -> list[str]:
         return [scale]
+
+
+def _smaller(case: PlaneCase | SmallPath) -> Iterator[PlaneCase | SmallPath]:
+    return smaller_paths(case) if isinstance(case, SmallPath) else smaller_in_plane(case)
 
 
 def _valid(text: str, where: str) -> _core.PolygonSet:

@@ -37,7 +37,7 @@ class PlaneCase:
 
     @cached_property
     def literal(self) -> str:
-        value = {"P": _plain(self.P), "Q": _plain(self.Q), "scale": str(self.scale)}
+        value = {"P": plain_operand(self.P), "Q": plain_operand(self.Q), "scale": str(self.scale)}
         return json.dumps(value, separators=(",", ":"))
 
     @staticmethod
@@ -76,7 +76,7 @@ def _number(value: Fraction) -> int | str:
     return value.numerator if value.denominator == 1 else str(value)
 
 
-def _plain(operand: Operand) -> dict[str, Any]:
+def plain_operand(operand: Operand) -> dict[str, Any]:
     polygons = []
     for outer, *holes in operand:
         rings = [[[_number(x), _number(y)] for x, y in ring] for ring in (outer, *holes)]
@@ -109,7 +109,7 @@ def smaller_in_plane(case: PlaneCase) -> Iterator[PlaneCase]:
 def _candidates(case: PlaneCase) -> Iterator[PlaneCase]:
     if case.scale != 1:
         yield PlaneCase(case.P, case.Q, Fraction(1))
-        yield PlaneCase(_scaled(case.P, case.scale), case.Q, Fraction(1))
+        yield PlaneCase(scaled_operand(case.P, case.scale), case.Q, Fraction(1))
         yield PlaneCase(case.P, case.Q, Fraction(round(case.scale) or 1))
     for which, operand in enumerate(case.operands):
         for fewer in (*_fewer_polygons(operand), *_fewer_holes(operand)):
@@ -178,7 +178,7 @@ def _map(operand: Operand, image: Callable[[Point], Point]) -> Operand:
     )
 
 
-def _scaled(operand: Operand, factor: Fraction) -> Operand:
+def scaled_operand(operand: Operand, factor: Fraction) -> Operand:
     return _map(operand, lambda p: (factor * p[0], factor * p[1]))
 
 
@@ -186,28 +186,30 @@ def _moved(operand: Operand, by: Point) -> Operand:
     return _map(operand, lambda p: (p[0] + by[0], p[1] + by[1]))
 
 
-def _points(operand: Operand) -> list[Point]:
+def vertices_of(operand: Operand) -> list[Point]:
     return [point for polygon in operand for ring in polygon for point in ring]
 
 
 def _simpler_numbers(case: PlaneCase) -> Iterator[PlaneCase]:
     for which, operand in enumerate(case.operands):
-        points = _points(operand)
+        points = vertices_of(operand)
         if points:
             x, y = min(p[0] for p in points), min(p[1] for p in points)
             yield case.with_operand(which, _moved(operand, (-x, -y)))
-    both = _points(case.P) + _points(case.Q)
+    both = vertices_of(case.P) + vertices_of(case.Q)
     if both:
         denominator = lcm(*(number.denominator for point in both for number in point))
         divisor = gcd(*(int(number * denominator) for point in both for number in point))
         if divisor:
             factor = Fraction(denominator, divisor)
-            yield PlaneCase(_scaled(case.P, factor), _scaled(case.Q, factor), case.scale)
+            yield PlaneCase(
+                scaled_operand(case.P, factor), scaled_operand(case.Q, factor), case.scale
+            )
         for unit in (8, 4, 2, 1):
             step = Fraction(unit)
             yield PlaneCase(_rounded(case.P, step), _rounded(case.Q, step), case.scale)
         for factor in (Fraction(1, 16), Fraction(1, 4), Fraction(1, 2)):
-            P, Q = _scaled(case.P, factor), _scaled(case.Q, factor)
+            P, Q = scaled_operand(case.P, factor), scaled_operand(case.Q, factor)
             yield PlaneCase(_rounded(P, Fraction(1)), _rounded(Q, Fraction(1)), case.scale)
     for most in (1, 2, 4, 8, 16, 64):
         yield PlaneCase(
@@ -233,7 +235,7 @@ def _with_denominators(operand: Operand, most: int) -> Operand:
 
 def _ranked(operand: Operand) -> Operand:
     """Each coordinate by its place among the others: the order stays, the numbers are small."""
-    points = _points(operand)
+    points = vertices_of(operand)
     places = [
         {value: Fraction(k) for k, value in enumerate(sorted({p[axis] for p in points}))}
         for axis in (0, 1)
@@ -243,7 +245,7 @@ def _ranked(operand: Operand) -> Operand:
 
 def _gaps(operand: Operand, axis: int) -> list[tuple[Fraction, Fraction]]:
     """Where the operand can be made narrower: coordinates with more than 1 to the next."""
-    values = sorted({p[axis] for p in _points(operand)})
+    values = sorted({p[axis] for p in vertices_of(operand)})
     return [(a, b - a - 1) for a, b in pairwise(values) if b - a > 1]
 
 

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 
 from minkref.exits import ExitCode
 from minkref.fuzz.cases.case_list import CaseList, Wait
-from minkref.fuzz.cases.verbs import EVENTS, REJECTS, UPDATE
+from minkref.fuzz.cases.verbs import EVENTS, PATH, RANGES, REJECTS, UPDATE, is_path
 from minkref.fuzz.plane.invalid_case import FAMILY as INVALID
 from minkref.fuzz.plane.judgement import REFEREE
 from minkref.fuzz.run.ledger import Ledger
@@ -110,6 +110,9 @@ class Run:
 def verb_of(text: str) -> str:
     """The capability that a case asks for by its name, or the verb `at`."""
     verbs = {f"{UPDATE}(": UPDATE, f"{EVENTS}(": EVENTS, f"{INVALID}:": REJECTS}
+    verbs |= {f"{RANGES}:": RANGES, f"{RANGES}-": RANGES, f"{PATH}:": PATH, f"{PATH}-grid": PATH}
+    if is_path(text):
+        return PATH if '"scales"' in text else RANGES
     return next((verb for start, verb in verbs.items() if text.startswith(start)), "at")
 
 

@@ -68,7 +68,7 @@ def shrink_finding(
             return False
 
         case, setting = finding.case, setting_of(finding.case.dimension)
-        small = setting.small_case(finding.case.P, finding.case.Q, case.scale)
+        small = setting.small_case(finding.case.P, finding.case.Q, case.scale, literal)
         made = shrink(small, setting.smaller, still, most_calls)
         again = asker.ask(kept[0].name.text) if not silent else None
     if again is None:

@@ -82,7 +82,7 @@ class Space(Setting):
 
         return SpaceAsking
 
-    def small_case(self, P: str, Q: str, scale: str) -> SolidCase:
+    def small_case(self, P: str, Q: str, scale: str, literal: str) -> SolidCase:
         return SolidCase.read(P, Q, scale)
 
     @property

@@ -12,13 +12,16 @@ from typing import Any
 
 from minkref.errors import cut, message_of
 from minkref.fuzz.cases.any_case import AnyCase
+from minkref.fuzz.plane.asked_path import AskedPath
 from minkref.fuzz.plane.case import Case
+from minkref.fuzz.plane.path_claim import PathClaim
 from minkref.fuzz.settings import setting_of
 from minkref.fuzz.targets.adapter_process import AdapterProcess, Failure
 from minkref.fuzz.targets.answer import REGIONS, Answer, Limits, lacking, skipped
 from minkref.fuzz.targets.declaration import Declaration
-from minkref.fuzz.targets.numbers import Unreadable, received
+from minkref.fuzz.targets.numbers import Unreadable, double, received
 from minkref.fuzz.verdicts.verdict import Verdict
+from minkref.path_values import ScaleRange
 
 MOST_FAILED_STARTS = 3
 
@@ -143,7 +146,7 @@ class ProgramTarget:
 
 
 class AdapterTarget(ProgramTarget):
-    """Asks for updates and events, too."""
+    """Asks for updates, events and paths, too."""
 
     def updated_sum(self, before: AnyCase, case: AnyCase) -> Answer:
         """The sum by `update` from that of `before`, the same operands at another scale. In every
@@ -190,6 +193,30 @@ class AdapterTarget(ProgramTarget):
         answer = self._guarded(case, ask, "events")
         return (found, answer.declaration) if answer.verdict is None else answer
 
+    def path(self, case: AskedPath) -> tuple[PathClaim, Declaration] | Answer:
+        """What the target says of the scales of a path, and what it declares; else why nothing."""
+        found: list[PathClaim] = []
+
+        def ask(declaration: Declaration) -> Answer:
+            try:
+                self._load(case, declaration)
+            except Refused as refused:
+                return self._without_result(case, refused.value, declaration)
+            value = self._process.ask(
+                "path",
+                self.limits.seconds,
+                path=[[_sent(axis, declaration) for axis in point] for point in case.path],
+                contact=case.contact,
+                **case.asked,
+            )
+            if value["status"] != "result":
+                return self._without_result(case, value, declaration)
+            found.append(_claim(case, value, declaration))
+            return Answer(declaration=declaration)
+
+        answer = self._guarded(case, ask)
+        return (found[0], answer.declaration) if answer.verdict is None else answer
+
 
 class Refused(Exception):
     """The answer to `load`, which is no result."""
@@ -207,6 +234,42 @@ def _failed(failure: Failure, declaration: Declaration) -> Answer:
         declaration=declaration,
         log=failure.log,
     )
+
+
+def _sent(axis: Fraction, declaration: Declaration) -> str | float:
+    return str(axis) if declaration.numbers == "text" else double(str(axis))
+
+
+def _claim(case: AskedPath, value: dict[str, Any], declaration: Declaration) -> PathClaim:
+    """Raises Unreadable for what is none."""
+    if case.window is None:
+        valid = value.get("valid")
+        if not isinstance(valid, list) or not all(isinstance(one, bool) for one in valid):
+            raise Unreadable("valid is not a list of true and false")
+        if len(valid) != len(case.scales):
+            raise Unreadable(f"valid has {len(valid)} entries for {len(case.scales)} scales")
+        return PathClaim(tuple(valid))
+    ranges = value.get("ranges")
+    if not isinstance(ranges, list) or not all(isinstance(one, dict) for one in ranges):
+        raise Unreadable("ranges is not a list of objects")
+    return PathClaim(ranges=tuple(_range(one, declaration) for one in ranges))
+
+
+def _range(value: dict[str, Any], declaration: Declaration) -> ScaleRange:
+    """Ends belong to it unless it says that they do not; without an end it is that of the
+    window."""
+    if "from" not in value:
+        raise Unreadable("a range has no from")
+    low, high = (
+        None if value.get(word) is None else Fraction(_scale(value[word], declaration))
+        for word in ("from", "to")
+    )
+    ends_in = [value.get(word, True) for word in ("from_in", "to_in")]
+    if low is None or not all(isinstance(one, bool) for one in ends_in):
+        raise Unreadable("a range has from, to, from_in and to_in")
+    if high is not None and high < low:
+        raise Unreadable("a range ends before it begins")
+    return ScaleRange(low, high, ends_in[0], ends_in[1])
 
 
 def _scale(value: Any, declaration: Declaration) -> str:

@@ -24,7 +24,7 @@ class CgalMethod:
 
     def sum(self, case: AnyCase) -> Answer:
         if not isinstance(case, Case):
-            return skipped("does not declare space, or rejects-invalid")
+            return skipped("does not declare space, rejects-invalid, or path")
         answer = self._oracle.sum(case.scaled_P_json, case.Q_json)
         if answer.status != "result":
             return Answer(

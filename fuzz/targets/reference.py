@@ -38,7 +38,7 @@ class ReferenceTarget:
 
     def sum(self, case: AnyCase) -> Answer:
         if not isinstance(case, Case):
-            return skipped("does not declare space, or rejects-invalid")
+            return skipped("does not declare space, rejects-invalid, or path")
         if self.route in UPDATING:
             return self.updated_sum(case, case)
         return self._guarded(

@@ -44,6 +44,8 @@ class Reason(StrEnum):
     REJECTED_VALID = "rejected-valid"  # operands called invalid that are not
     PASSAGE_MISSED = "passage-missed"  # a tight passage
     PASSAGE_INVENTED = "passage-invented"
+    COLLISION_MISSED = "collision-missed"  # a scale at which a part collides is called valid
+    COLLISION_INVENTED = "collision-invented"  # a valid scale is not
 
 
 @dataclass(frozen=True)
@@ -59,6 +61,9 @@ class Witness:
     scale: str | None = None  # where it is not that of the case
     tolerance: str = "0"
     boundary: bool = False  # p and q on the boundaries of P and Q: the sum of these is meant
+    contact: str | None = None  # of a path: the rule; `point` is a place on it, and point + s p = q
+    on_path: tuple[str, str] | None = None  # the segment, and how far along it
+    places: int | None = None  # at none of so many, which decide for all, the part collides
 
     def document(self) -> dict[str, Any]:
         value: dict[str, Any] = {
@@ -71,6 +76,9 @@ class Witness:
             value["tolerance"] = self.tolerance
         if self.boundary:
             value["sum"] = "boundary"
+        if self.contact is not None:
+            on_path = list(self.on_path) if self.on_path else None
+            value |= {"contact": self.contact, "on_path": on_path, "places": self.places}
         return value if self.scale is None else {**value, "scale": self.scale}
 
 

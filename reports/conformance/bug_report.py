@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import re
 
+from minkref.fuzz.cases.verbs import is_path
 from minkref.fuzz.libraries.programs import library
 from minkref.fuzz.verdicts.verdict import Verdict
 from minkref.reports.conformance.case_view import CaseView, written
 from minkref.reports.conformance.markdown_text import plain
+from minkref.reports.conformance.path_words import path_argument, path_question
 from minkref.reports.conformance.words import meaning
 from minkref.terminal import escaped
 
@@ -53,6 +55,8 @@ def _input(view: CaseView) -> str:
     texts = [f"{name}: {text}" for name, text in view.operand_texts]
     if scale != "1":
         texts.append(f"scale: {scale}. The sum is that of P, scaled about the origin by it, and Q.")
+    if view.case.literal is not None and is_path(view.case.literal):
+        texts += ["P is the part, Q the obstacles.", *path_question(view.case.literal)]
     return "\n".join(texts)
 
 
@@ -60,6 +64,8 @@ def _expected(view: CaseView) -> list[str]:
     if view.invalid:
         return [view.refusal]
     witness = view.outcome.witness
+    if witness is not None and witness.contact is not None:
+        return path_argument(witness)
     lines = _block(written(view.expected)) if view.expected else ["An answer."]
     if view.expected is None and witness is not None:
         lines = []

@@ -9,6 +9,7 @@ from typing import Any
 from minkref import _core
 from minkref.errors import cut
 from minkref.fuzz.cases.case_name import CaseName
+from minkref.fuzz.cases.verbs import is_path
 from minkref.fuzz.libraries.program import Program
 from minkref.fuzz.libraries.programs import program, why_none
 from minkref.fuzz.plane.boundary_sum import MOST_PAIRS, boundary_sum
@@ -18,11 +19,13 @@ from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.verdicts.verdict import Outcome, Reason
 from minkref.reports.conformance.argument import argument_in_plane, point_text
+from minkref.reports.conformance.path_words import path_argument
 from minkref.reports.conformance.plane_pictures import (
     Picture,
     comparison_pictures,
     meeting_picture,
     operand_pictures,
+    placed_picture,
 )
 from minkref.reports.conformance.space_argument import argument_in_space
 from minkref.reports.conformance.space_pictures import (
@@ -121,6 +124,8 @@ def _view(finding: Finding, title: str, name: str, boundary: bool) -> CaseView:
         view.program = program(_without_witness(finding) if view.invalid else finding, name)
         if view.invalid:
             view.operands = operand_pictures(case.P, case.Q, case.scale)
+        elif case.literal is not None and is_path(case.literal):
+            _fill_path(view, case.P, case.Q)
         elif case.dimension == 3:
             _fill_space(view, case.P, case.Q)
         else:
@@ -133,6 +138,14 @@ def _view(finding: Finding, title: str, name: str, boundary: bool) -> CaseView:
 
 def _without_witness(finding: Finding) -> Finding:
     return Finding(replace(finding.outcome, witness=None), finding.case)
+
+
+def _fill_path(view: CaseView, part: str, obstacles: str) -> None:
+    view.operands = operand_pictures(part, obstacles, "1")
+    witness = view.outcome.witness
+    if witness is not None:
+        view.argument = path_argument(witness)
+        view.meeting = placed_picture(part, obstacles, witness)
 
 
 def _fill_plane(view: CaseView, P: str, Q: str, boundary: bool) -> None:

@@ -98,6 +98,17 @@ def meeting_picture(P: str, Q: str, scale: str, witness: Witness) -> Picture:
     return _drawn(sets, "the witness: sP (blue) and x - Q (ochre) do not meet")
 
 
+def placed_picture(part: str, obstacles: str, witness: Witness) -> Picture:
+    """The part at the scale and the place of a witness among the obstacles."""
+    x = _place(witness.point)
+    own = exact_polygons(_core.PolygonSet.from_json(part).scaled(witness.scale or "1"))
+    moved = [[[(x[0] + a, x[1] + b) for a, b in ring] for ring in polygon] for polygon in own]
+    sets = [("second clear", _exact(obstacles)), ("first clear", moved)]
+    caption = f"the part (blue) at the scale {witness.scale} at the place of the witness"
+    common = _place(witness.q) if witness.q else None
+    return _drawn(sets, caption, None, (None, common) if common else None)
+
+
 def _drawn(
     sets: list[Set],
     caption: str,

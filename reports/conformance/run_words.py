@@ -10,6 +10,7 @@ from minkref.fuzz.run.runner import Cell, Finding, Run
 from minkref.fuzz.shrink.finding import SmallFinding
 from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.verdicts.verdict import GOOD, Verdict, Witness
+from minkref.reports.conformance.path_words import path_witness_text
 from minkref.terminal import counted, escaped
 
 LACKING = "does not declare "
@@ -108,6 +109,8 @@ def _lines(finding: Finding) -> list[str]:
 
 def witness_text(witness: Witness, scale: str) -> str:
     """One sentence that can be checked by hand."""
+    if witness.contact is not None:
+        return path_witness_text(witness)
     point = f"({', '.join(witness.point)})"
     at = witness.scale or scale
     what = "the sum of the boundaries" if witness.boundary else "the sum"

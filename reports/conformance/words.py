@@ -35,6 +35,8 @@ REASONS = {
     Reason.REJECTED_VALID: "valid operands are called invalid",
     Reason.PASSAGE_MISSED: "a tight passage is not reported",
     Reason.PASSAGE_INVENTED: "a tight passage is reported where there is none",
+    Reason.COLLISION_MISSED: "a scale is called valid at which the part collides on the path",
+    Reason.COLLISION_INVENTED: "a scale is called not valid at which the part passes",
 }
 
 SIGNS = {

@@ -1,7 +1,8 @@
 // The sum of two unit squares at scale 3 is a square of side 4, by every route of the installed
-// library.
+// library; and a unit square on its way through a gap of width 2 may be twice as large.
 #include <iostream>
 
+#include "reference/paths/path_diagram.hpp"
 #include "reference/plane/boundary/canonical.hpp"
 #include "reference/plane/sum.hpp"
 
@@ -17,5 +18,18 @@ int main() {
       return 1;
     }
   }
-  return 0;
+  const auto wall = [](int x) -> minkref::Polygon {
+    return {{{x, 0}, {x + 5, 0}, {x + 5, 1}, {x, 1}}, {}};
+  };
+  const minkref::PolygonSet walls{{wall(-5), wall(2)}};
+  const auto found = minkref::valid_scales(square, walls, {{0, 3}, {0, -3}});
+  if (found.valid.size() != 1 || !found.valid[0].to || found.valid[0].to->scale != 2 ||
+      !found.valid[0].to_in() || found.bounds.size() != 1 || !found.bounds[0].blocks) {
+    return 2;
+  }
+  const minkref::ScaleWindow window{std::nullopt, minkref::Rational(3)};
+  const auto diagram = minkref::path_diagram(square, walls, {{0, 3}, {0, -3}},
+                                             minkref::ContactRule::allowed, window, 100);
+  std::cout << diagram.polygons.size() << " bad polygons\n";
+  return diagram.polygons.empty() ? 3 : 0;
 }

@@ -1,0 +1,15 @@
+"""What a target says of the scales at which a part passes along a path."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from minkref.path_values import ScaleRange
+
+
+@dataclass(frozen=True)
+class PathClaim:
+    """Of each scale that it was asked about, or all valid scales of the window."""
+
+    valid: tuple[bool, ...] = ()
+    ranges: tuple[ScaleRange, ...] | None = None
