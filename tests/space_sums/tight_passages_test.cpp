@@ -23,6 +23,7 @@ using polycubes::identity;
 using polycubes::is_valid;
 using polycubes::Matrix;
 using polycubes::solid;
+using polycubes::with;
 using polycubes::without;
 
 /// A relatively open element of the grid: of each coordinate twice the middle. Odd: an open
@@ -203,6 +204,31 @@ TEST(TightPassages, APlateInASlotOfItsThickness) {
 
 TEST(TightPassages, ThereAreNoneOfConvexOperands) {
   EXPECT_TRUE(expect_passages(block({0, 0, 0}, {2, 3, 1}), block({0, 0, 0}, {1, 1, 4})).empty());
+}
+
+/// Each point of the interior of P is a point of the sum of interiors: int P + {0}. No seam of
+/// convex pieces is a passage.
+TEST(TightPassages, ThereAreNoneOfAPoint) {
+  const Polyhedron point{{{0, 0, 0}}, {}};
+  for_each_seed(20, [&](std::mt19937& dice) {
+    const Cells P = polycubes::random_cells(dice, 3 + dice() % 6, 3);
+    if (!is_valid(solid(P))) return;
+    const Polyhedron body = solid(P, polycubes::random_matrix(dice, 3));
+    EXPECT_TRUE(tight_passages_in_space(body, point, {1, 1, 1}).empty());
+    EXPECT_TRUE(tight_passages_in_space(point, body, {1, 1, 1}).empty());
+  });
+}
+
+TEST(TightPassages, OfANeedleAreWhereItFits) {
+  const Polyhedron needle{{{0, 0, 0}, {1, 0, 0}}, {}};
+  const Cells angle = with(block({0, 0, 0}, {2, 1, 1}), {{0, 1, 0}});
+  EXPECT_TRUE(tight_passages_in_space(solid(angle), needle, {1, 1, 1}).empty());
+  const Cells fork = with(block({0, 0, 0}, {3, 1, 1}), {{0, 1, 0}, {2, 1, 0}});
+  const TightPassagesInSpace found = tight_passages_in_space(solid(fork), needle, {1, 1, 1});
+  ASSERT_EQ(found.sheets.size(), 1U);
+  EXPECT_TRUE(found.lines.empty() && found.points.empty());
+  EXPECT_EQ(found.sheets[0].plane, (OrientedPlane{{1, 0, 0}, 2}));
+  EXPECT_EQ(area(found.sheets[0].region), 1);
 }
 
 /// By the law alone, with whatever comes.

@@ -6,19 +6,27 @@
 #include "reference/fault.hpp"
 #include "reference/interrupt.hpp"
 #include "reference/space/definition/convex_pieces.hpp"
+#include "reference/space/definition/seam_covers.hpp"
 
 namespace minkref::inline space {
 
 std::vector<SumBody> summed_pieces(const Polyhedron& P, const Polyhedron& Q, const Scaling& scaling,
-                                   std::size_t most) {
+                                   std::size_t most, bool with_seams) {
   require_positive(scaling);
   if (P.empty() || Q.empty()) return {};
   if (!P.is_solid() && !Q.is_solid()) {
     throw BadInput("degenerate-operands", "both operands are points or segments",
                    "make one of them a solid (or the empty set)");
   }
-  const std::vector<Polyhedron> of_P = convex_pieces(scaled(P, scaling));
-  const std::vector<Polyhedron> of_Q = convex_pieces(Q);
+  const auto pieces = [&](const Polyhedron& operand, const Polyhedron& other) {
+    std::vector<Polyhedron> all = convex_pieces(operand);
+    if (with_seams && operand.is_solid() && !other.is_solid()) {
+      std::vector<Polyhedron> covers = seam_covers(operand, all);
+      all.insert(all.end(), covers.begin(), covers.end());
+    }
+    return all;
+  };
+  const std::vector<Polyhedron> of_P = pieces(scaled(P, scaling), Q), of_Q = pieces(Q, P);
   if (of_P.size() * of_Q.size() > most) {
     throw LimitExceeded("too-many-pairs",
                         "the operands have " + std::to_string(of_P.size()) + " and " +

@@ -261,7 +261,7 @@ std::string canonical_json(const TightPassagesInSpace& passages) {
 
 TightPassagesInSpace tight_passages_in_space(const Polyhedron& P, const Polyhedron& Q,
                                              const Scaling& scaling) {
-  return PassageSearch(summed_pieces(P, Q, scaling, most_pairs_for_passages)).run();
+  return PassageSearch(summed_pieces(P, Q, scaling, most_pairs_for_passages, true)).run();
 }
 
 }  // namespace minkref::inline space

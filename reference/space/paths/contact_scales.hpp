@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "reference/space/paths/exact_vectors.hpp"
+#include "reference/space/definition/exact_vectors.hpp"
 
 namespace minkref::inline space {
 

@@ -5,7 +5,7 @@
 
 #include "reference/paths/moving_pieces_of.hpp"
 #include "reference/space/box_tree.hpp"
-#include "reference/space/paths/exact_vectors.hpp"
+#include "reference/space/definition/exact_vectors.hpp"
 
 namespace minkref::inline space {
 

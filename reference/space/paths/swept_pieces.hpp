@@ -1,7 +1,7 @@
 // Whether a part collides on a path at one scale: what each piece of it sweeps, against obstacles.
 #pragma once
 
-#include "reference/space/paths/convex_clip.hpp"
+#include "reference/space/definition/convex_clip.hpp"
 #include "reference/space/paths/solid_piece.hpp"
 #include "reference/space/paths/valid_scales_in_space.hpp"
 

@@ -1,4 +1,4 @@
-#include "reference/space/paths/convex_clip.hpp"
+#include "reference/space/definition/convex_clip.hpp"
 
 #include <algorithm>
 #include <utility>
