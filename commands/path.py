@@ -19,6 +19,7 @@ from minkref.commands.lists.path_rows import (
     range_documents,
     ranges_text,
 )
+from minkref.commands.path_proof import Certify, proof_document, proof_files, proof_rows, proved
 from minkref.documents import (
     Stopwatch,
     as_text,
@@ -31,7 +32,7 @@ from minkref.errors import Refusal, choice, refusing
 from minkref.exact import read_window
 from minkref.operand import read_operand
 from minkref.path_text import read_path
-from minkref.path_values import CONTACTS, PATH_ROUTES
+from minkref.path_values import CONTACTS, PATH_ROUTES, scale_ranges
 
 EXAMPLES = """Examples:
 
@@ -39,7 +40,9 @@ minkref path disc1 g2 "LINESTRING (-60 55, 60 55)"
 
 minkref path part.wkt obstacles.wkt way.csv --contact forbidden --json
 
-minkref path part.wkt obstacles.wkt way.geojson --route contacts -o valid.json"""
+minkref path part.wkt obstacles.wkt way.geojson --route contacts -o valid.json
+
+minkref path part.wkt obstacles.wkt way.csv --certify valid.cert.json"""
 
 MOST_ROWS = 20
 
@@ -69,6 +72,7 @@ def command(
     output: Annotated[
         Path | None, typer.Option("-o", help="Write the JSON document here.", metavar="FILE")
     ] = None,
+    certify: Certify = None,
     memory: Memory = None,
     json: Json = False,
     schema: Schema = False,
@@ -82,15 +86,23 @@ def command(
     if output is not None:
         check_writable(output)
     first, second, way = read_operand(robot), read_operand(obstacles), read_path(path)
+    files = [first.file, second.file, *([way.file] if way.file else [])]
     if output is not None:
-        files = [first.file, second.file, *([way.file] if way.file else [])]
         refuse_overwriting(output, files)
+    proof = proof_files(certify, files, output)
     with memory_wall(memory, "the path", f"{robot} and {obstacles}", SMALLER):
         ranges, bounds, statistics = refusing(
             f"{robot}, {obstacles}",
             lambda: _core.valid_scales(
                 first.set, second.set, way.points, contact, window[0], window[1], route
             ),
+        )
+        proven = proved(
+            proof,
+            (first.name, second.name),
+            (first.set, second.set),
+            way.points,
+            lambda made: made.valid(contact, window[0], window[1], scale_ranges(ranges)),
         )
     value = document(
         "path",
@@ -111,7 +123,10 @@ def command(
         statistics=dict(statistics),
         warnings=first.warnings + second.warnings,
         output=None if output is None else str(output),
+        certificate=proof_document(proven),
     )
+    if proven is not None:
+        proven[0].write()
     if output is not None:
         write_atomically(output, as_text(value))
     give(value, json, _print)
@@ -144,5 +159,6 @@ def _print(value: dict[str, Any]) -> None:
         rows.append(("more", f"{len(value['bounds']) - MOST_ROWS:,}; --json prints all"))
     if value["output"]:
         rows.append(("written", value["output"]))
+    rows += proof_rows(value)
     rows.append(("seconds", f"{value['seconds']:.3f}"))
     print_lines(rows, value)

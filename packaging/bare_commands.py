@@ -26,6 +26,7 @@ for function in (right, nothing):
         "capabilities": ["plane", "non-convex", "holes", "components"],
     }
 """
+WAY = '{"type":"LineString","coordinates":[[-60,55],[60,55]]}'
 FEW = ("--pairs", "5", "--no-models", "--family", "random")
 
 
@@ -70,6 +71,9 @@ STEPS = (
     step("view gs3 gs4 -o space.html", extra="view", files=("space.html",)),
     step("certify g1 g2 -o sum.cert.json", files=("sum.cert.json",)),
     step("check sum.cert.json"),
+    step("fit disc1 g2 --at 0,0"),
+    step("trap disc1 g2 --at 0,0 --from 1/2 --to 1", "translation"),
+    step(f"path disc1 g2 {WAY} --certify way.cert.json", "valid", files=("way.cert.json",)),
     step("generate fits-hole --count 2 -o cases"),
     step("check cases"),
     step("adapter header", "minkref_adapter.h"),

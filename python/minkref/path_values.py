@@ -40,6 +40,25 @@ class ScaleRange:
         return f"{'[' if self.low_in else '('}{self.low}, {high}{']' if self.high_in else ')'}"
 
 
+def ranges_of(window: ScaleRange, valid: Sequence[ScaleRange]) -> list[tuple[ScaleRange, bool]]:
+    """A window in ranges that follow each other: those that are given, ascending, and what is
+    between them, which are the ones that are not valid."""
+    parts: list[tuple[ScaleRange, bool]] = []
+    low, low_in = window.low, window.low_in
+    for one in valid:
+        gap = ScaleRange(low, one.low, low_in, not one.low_in)
+        if gap.low < one.low or (gap.low_in and gap.high_in):
+            parts.append((gap, False))
+        parts.append((one, True))
+        if one.high is None:
+            return parts
+        low, low_in = one.high, not one.high_in
+    rest = ScaleRange(low, window.high, low_in, window.high_in)
+    if rest.high is None or low < rest.high or (low_in and rest.high_in):
+        parts.append((rest, False))
+    return parts
+
+
 @dataclass(frozen=True)
 class Feature:
     """A vertex, or the edge that starts at it (`is_edge`), by ring and index."""
@@ -154,7 +173,7 @@ def valid_scales(
         _one_of("route", route, PATH_ROUTES),
     )
     return ValidScales(
-        _ranges(rows[0]),
+        scale_ranges(rows[0]),
         tuple(_path_bound(row) for row in rows[1]),
         _core.star_shaped(robot),
         dict(rows[2]),
@@ -234,7 +253,8 @@ def _path(path: Any) -> list[tuple[str, str]]:
     return [_point("path", place) for place in path]
 
 
-def _ranges(rows: Sequence[Any]) -> tuple[ScaleRange, ...]:
+def scale_ranges(rows: Sequence[Any]) -> tuple[ScaleRange, ...]:
+    """Of rows (from, whether it belongs to the range, to, whether it does)."""
     return tuple(
         ScaleRange(Fraction(low), None if high is None else Fraction(high), low_in, high_in)
         for low, low_in, high, high_in in rows
@@ -262,7 +282,7 @@ def _path_bound(row: Any) -> PathBound:
 def _free(rows: Any) -> FreeScales:
     ranges, bounds, proofs, _ = rows
     return FreeScales(
-        _ranges(ranges),
+        scale_ranges(ranges),
         tuple(
             FreeBound(
                 Fraction(scale),
