@@ -266,12 +266,16 @@ class PathCertificate {
     const auto m = members(claim, "claim contact scales " + name + " claims");
     const bool strict = is_strict(*m[1]);
     const Scales all(*m[2]);
-    Cut reach = all.low;
-    std::vector<std::pair<Cut, Cut>> found;
+    std::vector<const Said*> parts;
     for (const Value& entry : items(*m[4])) {
       const auto& part = said_[index(entry, said_.size() - 1)];
       require(part && std::find(kinds.begin(), kinds.end(), part->kind) != kinds.end(),
               "a claim is of another kind");
+      parts.push_back(&*part);
+    }
+    Cut reach = all.low;
+    std::vector<std::pair<Cut, Cut>> found;
+    for (const Said* part : parts) {
       demand(part->strict == strict && part->scales.low == reach,
              "the claims do not follow each other, or are about another contact");
       reach = part->scales.high;
