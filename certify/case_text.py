@@ -20,7 +20,7 @@ def case_text(P: _core.PolygonSet, Q: _core.PolygonSet) -> str:
 
 def case_digest(P: _core.PolygonSet, Q: _core.PolygonSet) -> str:
     """SHA-256 of both operands with numbers in lowest terms (docs/certificates.md)."""
-    value = {"P": _polygons(P), "Q": _polygons(Q)}
+    value = {"P": plain_polygons(P), "Q": plain_polygons(Q)}
     return digest(json.dumps(value, sort_keys=True, separators=(",", ":")))
 
 
@@ -40,11 +40,12 @@ def ring_numbers(operand: _core.PolygonSet) -> list[range]:
 
 
 def _rings(operand: _core.PolygonSet) -> Iterator[list[list[str]]]:
-    for polygon in _polygons(operand):
+    for polygon in plain_polygons(operand):
         yield from (polygon["outer"], *polygon["holes"])
 
 
-def _polygons(operand: _core.PolygonSet) -> list[Any]:
+def plain_polygons(operand: _core.PolygonSet) -> list[Any]:
+    """Outer rings and holes of its polygons, numbers in lowest terms."""
     polygons = json.loads(operand.to_json())["polygons"]
     text = set_json((polygon["outer"], polygon.get("holes", [])) for polygon in polygons)
     value: list[Any] = json.loads(text)["polygons"]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import gzip
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -15,23 +14,14 @@ from minkref import _core
 from minkref.certify.certificate import Certificate, NoProof
 from minkref.certify.convex_certificate import ConvexCertificate
 from minkref.certify.solid_certificate import SolidCertificate
-from minkref.commands.certify_check import is_verified
+from minkref.commands.certificate_output import CHECKED, CertificateFiles
 from minkref.commands.certify_theorem import HOW, check_theorem, write_theorem
 from minkref.commands.line.memory import SIMPLER, Memory, memory_wall
 from minkref.commands.line.options import FirstOperand, Json, Schema, SecondOperand
-from minkref.documents import (
-    Stopwatch,
-    as_text,
-    check_writable,
-    document,
-    refuse_overwriting,
-    replacing,
-    write_atomically,
-)
+from minkref.documents import Stopwatch, as_text, check_writable, document, refuse_overwriting
 from minkref.errors import Refusal, refusing
 from minkref.exact import read_point, read_scale
 from minkref.operand import read_operand
-from minkref.output_target import refuse_stream
 from minkref.space.operand import SpaceOperand, in_space, read_summand
 from minkref.space.scaling import Scaling, read_scaling
 from minkref.terminal import escaped
@@ -54,13 +44,6 @@ minkref certify gs3 rod --scale 2,1/3,5 -o convex.cert.json
 
 minkref certify P.off Q.stl --scale 7/5 -o solids.cert.json"""
 
-
-# By whether the checker has verified it; none: it was not asked.
-CHECKED = {
-    True: "checked: verified\n",
-    False: "not checked: the budget of the checker does not suffice\n",
-    None: "not checked (--no-check)\n",
-}
 
 Make = Callable[[], Certificate | ConvexCertificate | SolidCertificate]
 
@@ -140,34 +123,31 @@ def command(
     docs/certificates-convex.md, for others docs/certificates-solids.md). It is checked before it is
     written; a certificate that is not a proof would be a fault of minkref, and is not written."""
     watch = Stopwatch()
-    stem = _stem(output)
-    case = output.with_name(f"{stem}.case.json")
+    files = CertificateFiles.of(output, "-o")
     wish = Wish(scale, event, from_scale, to_scale, degeneracy, point)
     wish.check()
     if theorem is not None:
         check_theorem(theorem, not in_space(P, Q), wish.is_sum())
     with memory_wall(memory, "the proof", f"{P} and {Q}", SIMPLER):
-        files, make = (_in_space if in_space(P, Q) else _in_the_plane)(P, Q, wish)
-        for path in (output, case, *([] if theorem is None else [theorem])):
-            check_writable(path)
-            refuse_overwriting(path, files)
+        sources, make = (_in_space if in_space(P, Q) else _in_the_plane)(P, Q, wish)
+        files.refuse(sources)
+        if theorem is not None:
+            check_writable(theorem)
+            refuse_overwriting(theorem, sources)
         operands = f"{escaped(P)} and {escaped(Q)}"
         certificate = refusing(operands, make)
-        _check_case(case, certificate.case())
-        text = certificate.text(case.name, operands)
-        verified = is_verified(text, certificate.case(), operands) if check else None
-    write_atomically(case, certificate.case())
-    _write(output, text)
+        checked = files.checked(certificate, operands, check)
+    checked.write()
     if theorem is not None:
         write_theorem(theorem, output)
     value = document(
         "certify",
         watch,
         output=str(output),
-        case=str(case),
-        bytes=len(text.encode()),
+        case=str(files.case),
+        bytes=checked.size,
         claims=certificate.claims,
-        verified=verified,
+        verified=checked.verified,
         **({} if theorem is None else {"theorem": str(theorem)}),
     )
     if json:
@@ -175,8 +155,8 @@ def command(
     else:
         sys.stdout.write(
             f"{escaped(str(output))}: {len(certificate.claims)} claims, {value['bytes']:,} bytes, "
-            f"{value['seconds']:.2f} s\nits case: {escaped(str(case))}\n{CHECKED[verified]}"
-            f"check it: minkref check {escaped(str(output))}\n"
+            f"{value['seconds']:.2f} s\nits case: {escaped(str(files.case))}\n"
+            f"{CHECKED[checked.verified]}\ncheck it: minkref check {escaped(str(output))}\n"
         )
         if theorem is not None:
             sys.stdout.write(f"the theorem: {HOW} {escaped(str(theorem))}\n")
@@ -223,22 +203,6 @@ def _refuse_thin(operand: SpaceOperand) -> None:
     if not operand.is_solid:
         mend = "give a polyhedron by its faces"
         raise Refusal("the operand has no volume", operand.name, mend, "not-solid")
-
-
-def _check_case(path: Path, text: str) -> None:
-    """Refuses to replace a file that is not this case."""
-    if path.exists() and path.read_bytes() != text.encode():
-        mend = "give -o another name, or remove it"
-        raise Refusal("another file has the name of the case", str(path), mend, "file-exists")
-
-
-def _stem(output: Path) -> str:
-    refuse_stream(output, "a certificate and its case are two files", "name it FILE.cert.json")
-    for ending in (".cert.json.gz", ".cert.json"):
-        if output.name.endswith(ending) and output.name != ending:
-            return output.name.removesuffix(ending)
-    mend = "name it FILE.cert.json, or FILE.cert.json.gz"
-    raise Refusal("this is not a name for a certificate", str(output), mend)
 
 
 @dataclass(frozen=True)
@@ -307,11 +271,3 @@ def _before(certificate: Certificate, scale: str) -> str:
     earlier = [Fraction(row[0]) for row in dynamic.boundary_events()]
     below = [s for s in earlier if s < Fraction(scale)]
     return str(max(below)) if below else str(Fraction(scale) / 2)
-
-
-def _write(output: Path, text: str) -> None:
-    if output.suffix != ".gz":
-        write_atomically(output, text)
-        return
-    with replacing(output) as part:
-        part.write_bytes(gzip.compress(text.encode(), mtime=0))

@@ -20,6 +20,7 @@ from minkref.commands.lists.path_rows import (
     range_documents,
     ranges_text,
 )
+from minkref.commands.path_proof import Certify, proof_document, proof_files, proof_rows, proved
 from minkref.commands.space.path import path_in_space
 from minkref.documents import (
     Stopwatch,
@@ -33,7 +34,7 @@ from minkref.errors import Refusal, choice, refusing
 from minkref.exact import read_window
 from minkref.operand import read_operand
 from minkref.path_text import read_path
-from minkref.scale_ranges import CONTACTS, PATH_ROUTES
+from minkref.scale_ranges import CONTACTS, PATH_ROUTES, range_values
 from minkref.space.operand import in_space
 
 EXAMPLES = """Examples:
@@ -48,7 +49,9 @@ minkref path part.wkt obstacles.wkt way.geojson -o valid.svg
 
 minkref path rod gs3 "LINESTRING Z (0 0 9, 0 0 0, 9 1/2 0)"
 
-minkref path part.off obstacles.stl way.csv --contact forbidden --to 2"""
+minkref path part.off obstacles.stl way.csv --contact forbidden --to 2
+
+minkref path part.wkt obstacles.wkt way.csv --certify valid.cert.json"""
 
 MOST_ROWS = 20
 
@@ -90,6 +93,7 @@ def command(
             metavar="FILE",
         ),
     ] = None,
+    certify: Certify = None,
     memory: Memory = None,
     json: Json = False,
     schema: Schema = False,
@@ -105,19 +109,29 @@ def command(
     if in_space(robot, obstacles):
         if _is_picture(output):
             raise Refusal("no picture is drawn in space", str(output), "name a .json file")
+        if certify is not None:
+            raise Refusal("there is no certificate in space", "--certify", "leave it out")
         value = path_in_space(watch, robot, obstacles, path, contact, window, route, output, memory)
         _finish(value, output, json)
         return
     first, second, way = read_operand(robot), read_operand(obstacles), read_path(path)
+    files = [first.file, second.file, *([way.file] if way.file else [])]
     if output is not None:
-        files = [first.file, second.file, *([way.file] if way.file else [])]
         refuse_overwriting(output, files)
+    proof = proof_files(certify, files, output)
     with memory_wall(memory, "the path", f"{robot} and {obstacles}", SMALLER):
         ranges, bounds, statistics = refusing(
             f"{robot}, {obstacles}",
             lambda: _core.valid_scales(
                 first.set, second.set, way.points, contact, window[0], window[1], route
             ),
+        )
+        proven = proved(
+            proof,
+            (first.name, second.name),
+            (first.set, second.set),
+            way.points,
+            lambda made: made.valid(contact, window[0], window[1], range_values(ranges)),
         )
 
     def drawn() -> str:
@@ -149,7 +163,10 @@ def command(
         statistics=dict(statistics),
         warnings=first.warnings + second.warnings,
         output=None if output is None else str(output),
+        certificate=proof_document(proven),
     )
+    if proven is not None:
+        proven[0].write()
     _finish(value, output, json, drawn if _is_picture(output) else None)
 
 
@@ -196,5 +213,6 @@ def _print(value: dict[str, Any]) -> None:
         rows.append(("more", f"{len(value['bounds']) - MOST_ROWS:,}; --json prints all"))
     if value["output"]:
         rows.append(("written", value["output"]))
+    rows += proof_rows(value)
     rows.append(("seconds", f"{value['seconds']:.3f}"))
     print_lines(rows, value)

@@ -12,18 +12,21 @@ from minkref.commands.line.options import Json, Schema, WindowFrom, WindowTo
 from minkref.commands.line.output import give, print_lines
 from minkref.commands.lists.path_rows import point_text, ranges_text
 from minkref.commands.path import Contact, check_words
+from minkref.commands.path_proof import Certify, proof_document, proof_files, proof_rows, proved
 from minkref.documents import Stopwatch
 from minkref.errors import Refusal, refusing
 from minkref.exact import read_point, read_window
 from minkref.operand import read_operand
-from minkref.scale_ranges import CONTACTS
+from minkref.scale_ranges import CONTACTS, range_values
 from minkref.space.operand import in_space
 
 EXAMPLES = """Examples:
 
 minkref trap ball.wkt cage.wkt --at 2,2
 
-minkref trap ball.wkt cage.wkt --at 2,2 --contact forbidden --from 1/2 --to 4 --json"""
+minkref trap ball.wkt cage.wkt --at 2,2 --contact forbidden --from 1/2 --to 4 --json
+
+minkref trap ball.wkt cage.wkt --at 2,2 --certify trap.cert.json"""
 
 
 def command(
@@ -33,6 +36,7 @@ def command(
     contact: Contact = "allowed",
     from_scale: WindowFrom = None,
     to_scale: WindowTo = None,
+    certify: Certify = None,
     memory: Memory = None,
     json: Json = False,
     schema: Schema = False,
@@ -48,12 +52,20 @@ def command(
     window = read_window(from_scale, to_scale)
     place = read_point(at, "--at")
     first, second = read_operand(part), read_operand(assembly)
+    proof = proof_files(certify, [first.file, second.file])
     with memory_wall(memory, "the trap", f"{part} and {assembly}", SMALLER):
         rows = refusing(
             f"{part}, {assembly}",
             lambda: _core.trapped_scales(
                 first.set, second.set, place, contact, window[0], window[1]
             ),
+        )
+        proven = proved(
+            proof,
+            (first.name, second.name),
+            (first.set, second.set),
+            [place],
+            lambda made: made.trap(contact, window[0], window[1], range_values(rows[0])),
         )
     value = free_document(
         "trap",
@@ -65,7 +77,10 @@ def command(
         contact=contact,
         **{"from": window[0], "to": window[1]},
         warnings=first.warnings + second.warnings,
+        certificate=proof_document(proven),
     )
+    if proven is not None:
+        proven[0].write()
     give(value, json, _print)
 
 
@@ -78,6 +93,7 @@ def _print(value: dict[str, Any]) -> None:
         ),
         ("motion", value["motion"]),
         *bound_rows(value),
+        *proof_rows(value),
         ("seconds", f"{value['seconds']:.3f}"),
     ]
     print_lines(rows, value)

@@ -78,6 +78,7 @@ STEPS = (
     step(f"path disc1 g2 {WAY} -o way.svg", "valid scales", files=("way.svg",)),
     step("certify g1 g2 -o sum.cert.json", files=("sum.cert.json",)),
     step("check sum.cert.json"),
+    step(f"path disc1 g2 {WAY} --certify way.cert.json", "valid", files=("way.cert.json",)),
     step("generate fits-hole --count 2 -o cases"),
     step("check cases"),
     step("adapter header", "minkref_adapter.h"),

@@ -42,6 +42,7 @@ GUIDE = (
     "proved",
     "certificates-convex",
     "certificates-solids",
+    "certificates-paths",
     "degeneracies",
     "roadmap",
 )

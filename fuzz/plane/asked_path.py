@@ -19,7 +19,7 @@ from minkref.fuzz.cases.verbs import PATH, RANGES
 from minkref.fuzz.geometry.plane import Point, written_rings
 from minkref.fuzz.judges.path_cases import Place, case_in_a_hole, case_past_a_corner, path_case
 from minkref.fuzz.plane.exact_shapes import set_of, shape_of
-from minkref.path_values import CONTACTS
+from minkref.scale_ranges import CONTACTS
 
 GRID = "-grid"  # at the end of a family: coordinates are multiples of UNIT
 UNIT = Fraction(1, 64)

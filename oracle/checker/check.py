@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """Checks certificates of Minkowski sums: `python3 check.py FILE...`. Of sums sP + Q in the plane
-(certificate-v1), of sums of convex polyhedra (convex-certificate-v1), and of sums of any polyhedra
-(solid-certificate-v1).
+(certificate-v1), of sums of convex polyhedra (convex-certificate-v1), of sums of any polyhedra
+(solid-certificate-v1), and of parts that move along paths in the plane (path-certificate-v1).
 
 It stands alone: this file and the standard library. What the members mean, what each rule demands
-and why that is enough: docs/certificates.md, docs/certificates-convex.md for convex polyhedra and
-docs/certificates-solids.md for others. Signs are decided in integers and fractions. What is
-unknown, unused or left over makes a certificate malformed. The parts: what all forms share; the
-plane; space, convex and not; the certificate as a whole.
+and why that is enough: docs/certificates.md, docs/certificates-convex.md for convex polyhedra,
+docs/certificates-solids.md for others and docs/certificates-paths.md for paths. Signs are decided
+in integers and fractions. What is unknown, unused or left over makes a certificate malformed. The
+parts: what all forms share; the plane, and paths in it; space, convex and not; the certificate as a
+whole.
 
 Exit codes: 0 verified; 1 refuted; 2 malformed, or its case is missing; 4 out of budget.
 """
@@ -27,9 +28,9 @@ from collections import Counter, defaultdict
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from fractions import Fraction
-from math import gcd, lcm
+from math import gcd, inf, lcm
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any, ClassVar, TypeVar
 
 VERIFIED, REFUTED, MALFORMED, OUT_OF_BUDGET = 0, 1, 2, 4
 NUMBER = re.compile(r"[+-]?(\d+(\.\d*)?|\.\d+)([eE][+-]?(\d{1,3}|1000))?|[+-]?\d+/\d+", re.ASCII)
@@ -37,7 +38,6 @@ SURROGATE = re.compile(r"(?<!\\)(\\\\)*\\u[dD][89a-fA-F]")
 MOST_DIGITS = 100_000  # of one number
 MOST_PAIRS = 20_000  # of pieces of solids
 AXES = ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1))
-CLAIMS = ("sum", "interval", "event", "point", "passage", "sign")
 
 Json = Any
 Kind = TypeVar("Kind")
@@ -46,6 +46,10 @@ Triple = tuple[Any, Any, Any]  # the point (x / w, y / w), w > 0; the line a x +
 Vertex = tuple[Fraction, ...]  # x, y; or x0, x1, y0, y1: the point (x0 + s x1, y0 + s y1)
 Rings = list[list[Vertex]]  # the outer one, and the holes
 Edge = tuple[int, int]
+Corner = tuple[
+    int, int, int
+]  # t, s, w: the part t / w of a segment, the scale s / w; w = 0: far up
+Cut = tuple[Any, bool]  # just below a scale; True: just above it
 SpaceVector = tuple[int, int, int]
 SpacePoint = tuple[Fraction, Fraction, Fraction]
 Homogeneous = tuple[int, int, int, int]  # the point (x / w, y / w, z / w), w > 0
@@ -273,6 +277,12 @@ def divides(A: list[Triple], B: list[Triple]) -> bool:
     return any(max(side) <= 0 for side in sides)
 
 
+def whole_normal(value: Vertex) -> Vector:
+    require(all(c.denominator == 1 for c in value), "a normal is not of whole numbers")
+    require(any(value), "a normal is zero")
+    return int(value[0]), int(value[1])
+
+
 def add_up_to_nothing(edges: Iterable[tuple[Any, Any, int]]) -> bool:
     """Whether directed edges, each so many times, cancel: on each line their ends do."""
     ends: dict[Any, int] = defaultdict(int)
@@ -370,7 +380,7 @@ class Region:
         for cell in range(len(self.cells)):
             self.check_cell(cell)
         self.check_box()
-        self.normals = [self.normal(vector(normal)) for normal in normals]
+        self.normals = [whole_normal(vector(normal)) for normal in normals]
         self.inside = set()
         for cell, (how, code) in enumerate(map(headed, items(proofs, len(self.cells)))):
             require(how in ("cov", "sep"), f"cell {cell} has no proof")
@@ -390,11 +400,6 @@ class Region:
         at = self.box[wall]
         normal = (at.denominator, 0) if wall % 2 == 0 else (0, at.denominator)
         return [(*normal, -at.numerator) for _ in self.scales]
-
-    def normal(self, value: Vertex) -> Vector:
-        require(all(c.denominator == 1 for c in value), "a normal is not of whole numbers")
-        require(any(value), "a normal is zero")
-        return int(value[0]), int(value[1])
 
     def point(self, value: Json) -> int:
         require(integer(value) in self.points, f"element {value} is no point before this")
@@ -584,9 +589,12 @@ class Proof:
     """The operands, and the steps and claims that hold so far. Each member of a claim is compared
     with what the steps have shown."""
 
+    rules: ClassVar[dict[Any, Any]] = {"pieces": Pieces, "eq": Region, "move": Region}
+    claims: ClassVar[Sequence[str]] = ("sum", "interval", "event", "point", "passage", "sign")
+
     def __init__(self, P: Operand, Q: Operand, budget: Budget) -> None:
         require(not (P.thin and Q.thin), "both operands are points or segments")
-        self.operands = {"P": P, "Q": Q}
+        self.operands = {P.name: P, Q.name: Q}
         self.steps: list[Any] = []
         self.used: set[int] = set()
         self.shown: list[Any] = []  # the region, or the regions, that a claim is about
@@ -603,7 +611,7 @@ class Proof:
             require(right, f"{o.name} has a ring that runs the wrong way")
 
     def operand(self, name: Json) -> Operand:
-        require(name in ("P", "Q"), f"{name!r} is no operand")
+        require(name in tuple(self.operands), f"{name!r} is no operand")
         return self.operands[name]
 
     def step(self, value: Json, kind: type[Kind]) -> Kind:
@@ -624,16 +632,31 @@ class Proof:
 
     def add_step(self, step: Json) -> None:
         rule = step.get("rule") if isinstance(step, dict) else None
-        require(rule in ("pieces", "eq", "move"), f"there is no rule {rule!r}")
-        self.steps.append((Pieces if rule == "pieces" else Region)(step, self))
+        require(rule in tuple(self.rules), f"there is no rule {rule!r}")
+        self.steps.append(self.rules[rule](step, self))
 
     def add_claim(self, claim: Json) -> None:
         self.spend(64)
         kind = claim.get("claim") if isinstance(claim, dict) else None
-        require(kind in CLAIMS, f"there is no claim {kind!r}")
+        require(kind in self.claims, f"there is no claim {kind!r}")
         said, shown = getattr(self, f"add_{kind}")(claim)
         self.said.append(f"{kind}: {said}")
         self.shown.append(shown)
+
+    def follow(self, steps: Json, claims: Json) -> list[str]:
+        """What is claimed."""
+        for what, entries, add in (
+            ("step", steps, self.add_step),
+            ("claim", claims, self.add_claim),
+        ):
+            twice = what == "claim" and len(set(map(digest_of, items(entries)))) < len(entries)
+            require(not twice, "a claim is made twice")
+            for i, entry in enumerate(items(entries)):
+                with within(f"{what} {i}"):
+                    add(entry)
+        require(bool(claims), "nothing is claimed")
+        require(len(self.used) == len(self.steps), "a step is not used")
+        return self.said
 
     def add_sum(self, claim: Json) -> tuple[str, Region]:
         """The sum at a scale, by its digest, and by its canonical form if that is given."""
@@ -745,6 +768,309 @@ class Proof:
                 at = self.operands[name].exact[index(i, len(self.operands[name].exact))]
                 x, y = (c + (s if name == "P" else 1) * d for c, d in zip((x, y), at, strict=True))
         return x, y, Fraction(1)
+
+
+# In the plane: a part R, scaled, that moves along a path among obstacles O.
+
+
+def places(value: Json) -> list[Vertex]:
+    require(bool(items(value)), "a path has no place")
+    return [vector(place) for place in value]
+
+
+def segments(path: list[Vertex]) -> list[tuple[Vertex, Vertex]]:
+    """Of one place a segment from it to itself."""
+    return list(itertools.pairwise(path)) or [(path[0], path[0])]
+
+
+def at_corners(f: Triple, cell: list[Corner]) -> list[int]:
+    return [f[0] * t + f[1] * s + f[2] * w for t, s, w in cell]
+
+
+def not_above(f: Triple, cell: list[Corner]) -> list[Corner]:
+    """What a convex polygon has where f <= 0."""
+    levels = at_corners(f, cell)
+    kept: list[Corner] = []
+    for i, (c, level) in enumerate(zip(cell, levels, strict=True)):
+        if level * levels[i - 1] < 0:
+            u, v = abs(level), abs(levels[i - 1])
+            t, s, w = (v * x + u * y for x, y in zip(c, cell[i - 1], strict=True))
+            kept.append((t // gcd(t, s, w), s // gcd(t, s, w), w // gcd(t, s, w)))
+        kept += [c] if level <= 0 else []
+    return list(dict.fromkeys(kept))
+
+
+def sides(ring: list[Triple]) -> list[Vector]:
+    """Normals of half-planes that have in common a convex polygon, a segment or a point."""
+    if len(ring) > 2:
+        return [(b[1] - a[1], a[0] - b[0]) for a, b in edges_of(ring)]
+    x, y = direction(ring[0], ring[1]) if len(ring) == 2 else (1, 0)
+    return [(x, y), (-x, -y), (y, -x), (-y, x)]
+
+
+def winds_around(ring: list[Vertex], x: Vertex) -> bool:
+    """Whether a closed polyline that misses a point leads around it."""
+    times = 0
+    for a, b in edges_of(ring):
+        if (a[1] <= x[1]) != (b[1] <= x[1]):
+            side = cross((b[0] - a[0], b[1] - a[1]), (x[0] - a[0], x[1] - a[1]))
+            times += (side > 0 and b[1] > a[1]) - (side < 0 and b[1] < a[1])
+    return times != 0
+
+
+class ScaleRange:
+    """All scales from one to another, each of which belongs to them or does not."""
+
+    def __init__(self, value: Json) -> None:
+        low, high, *self.is_in = members(value, "from to from_in to_in")
+        require(all(isinstance(told, bool) for told in self.is_in), "this is not true or false")
+        a, b = number(low), None if high is None else number(high)
+        self.ends = [(a.numerator, a.denominator), b.as_integer_ratio() if b else (1, 0)]
+        self.low: Cut = (a, not self.is_in[0])
+        self.high: Cut = (inf if b is None else b, self.is_in[1])
+        proper = a >= 0 and (a > 0 or not self.is_in[0]) and (b is not None or not self.is_in[1])
+        require(proper and self.low < self.high, f"{value} are no scales")
+
+    def cell(self) -> list[Corner]:
+        """A segment at all the scales."""
+        (s, w), (S, W) = self.ends
+        return list(dict.fromkeys([(0, s, w), (w, s, w), (W, S, W), (0, S, W)]))
+
+    def middle(self) -> Fraction:
+        """One of the scales."""
+        low, high = self.low[0], self.high[0]
+        return Fraction(low + 1 if high == inf else (low + high) / 2)
+
+    def meet(self, corners: list[Corner]) -> bool:
+        """Whether the hull of corners has a point at one of the scales, and not only at an end that
+        does not belong to them."""
+        out = [end for end, is_in in zip(self.ends, self.is_in, strict=True) if not is_in]
+        return bool(corners) and not any(all(s * W == S * w for _, s, w in corners) for S, W in out)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, ScaleRange) and (self.low, self.high) == (other.low, other.high)
+
+    def __str__(self) -> str:
+        ends = f"{self.low[0]}, {self.high[0]}"
+        return f"{'[' if self.is_in[0] else '('}{ends}{']' if self.is_in[1] else ')'}"
+
+
+class Way:
+    """A segment of places of R, in whole numbers."""
+
+    def __init__(self, by: tuple[Pieces, Pieces], ends: Sequence[Vertex], proof: Proof) -> None:
+        self.by, self.parts = by, lcm(*(c.denominator for end in ends for c in end))
+        unit = proof.unit * self.parts
+        self.start, self.end = ((int(x * unit), int(y * unit)) for x, y in ends)
+
+    def gap(self, normal: Vector, A: int, B: int) -> Triple:
+        """f, linear: positive at (t, s, w) where n (x + s a) > n b for all a in A, b in B."""
+        part, others = self.by
+        first, last = dot(normal, self.start), dot(normal, self.end)
+        least, most = -part.most(A, (-normal[0], -normal[1])), others.most(B, normal)
+        return last - first, self.parts * least, first - self.parts * most
+
+
+class Clear:
+    """`clear`: at no scale of a range a place of a path collides. For each segment a code follows
+    all pairs of pieces over the convex cell of all t and s: n takes away where normal n holds the
+    pair apart, until nothing is left; -1 and -2 split a node; -3 cuts the cell in the middle."""
+
+    def __init__(self, step: Json, proof: PathProof) -> None:
+        names = "rule by contact path scales normals codes"
+        by, contact, path, scales, normals, codes = members(step, names)[1:]
+        self.by, self.contact, self.proof = proof.pair(by), proof.contact(contact), proof
+        self.path = proof.path if path is None else places(path)
+        self.scales = ScaleRange(scales)
+        self.normals = [whole_normal(vector(normal)) for normal in items(normals)]
+        roots = [len(of.hulls) - 1 for of in self.by]  # -1: the set is empty
+        self.roots = [(roots[0], roots[1])] if min(roots) >= 0 else []
+        ways = segments(self.path)
+        for i, (ends, code) in enumerate(zip(ways, items(codes, len(ways)), strict=True)):
+            with within(f"segment {i}"):
+                self.follow(Way(self.by, ends, proof), items(code))
+
+    def left(self, cell: list[Corner], f: Triple) -> list[Corner]:
+        """What of a cell f does not hold apart."""
+        self.proof.spend(len(cell))
+        rest = not_above(f, cell)
+        overlap = self.contact == "forbidden" or min(at_corners(f, cell)) < 0
+        return rest if overlap and self.scales.meet(rest) else []
+
+    def follow(self, way: Way, code: list[Json]) -> None:
+        stack = [(self.scales.cell(), A, B) for A, B in self.roots]
+        for token in map(integer, code):
+            self.proof.spend(1)
+            demand(bool(stack), "a code goes on after its end")
+            cell, A, B = stack.pop()
+            if token in (-1, -2):
+                children = self.by[token + 2 == 0].children[A if token == -1 else B]
+                demand(bool(children), "a code splits a piece")
+                pairs = [(c, B) if token == -1 else (A, c) for c in reversed(children)]
+                stack += [(cell, *pair) for pair in pairs]
+            elif token == -3:
+                at = [Fraction(t, w) for t, _, w in cell if w]
+                u, v = ((min(at) + max(at)) / 2).as_integer_ratio()
+                stack += [(not_above(f, cell), A, B) for f in ((-v, 0, u), (v, 0, -u))]
+            else:
+                normal = self.normals[index(token, len(self.normals))]
+                rest = self.left(cell, way.gap(normal, A, B))
+                stack += [(rest, A, B)] if rest else []
+        demand(not stack, "a code ends too early")
+
+
+class PathProof(Proof):
+    """Of a case of R, O and a path."""
+
+    rules: ClassVar[dict[str, Any]] = {"pieces": Pieces, "clear": Clear}
+    claims = ("free", "hit", "valid", "escapes", "trapped", "trap")
+
+    def __init__(self, path: list[Vertex], sets: Sequence[Operand], budget: Budget) -> None:
+        super().__init__(sets[0], sets[1], budget)
+        self.path = path
+
+    def pair(self, by: Json) -> tuple[Pieces, Pieces]:
+        pair = [self.step(value, Pieces) for value in items(by, 2)]
+        require([of.operand.name for of in pair] == ["R", "O"], "`by` is not of R and O")
+        return pair[0], pair[1]
+
+    def nodes(self, by: tuple[Pieces, Pieces], value: Json) -> Edge:
+        A, B = (index(i, len(of.hulls)) for i, of in zip(items(value, 2), by, strict=True))
+        demand(by[0].solid[A] and by[1].solid[B], f"{A} or {B} is not convex")
+        return A, B
+
+    def contact(self, value: Json) -> str:
+        """With contact allowed both have an area: else seams of pieces would be let through."""
+        require(value in ("allowed", "forbidden"), f"there is no contact {value!r}")
+        thin = value == "allowed" and any(o.thin for o in self.operands.values())
+        require(not thin, "with contact allowed neither may be a point or a segment")
+        return str(value)
+
+    def clear(self, step: Json, contact: Json, scales: Json) -> Clear:
+        clear = self.step(step, Clear)
+        same = (clear.contact, clear.scales) == (self.contact(contact), ScaleRange(scales))
+        demand(same, "the step is about another contact, or other scales")
+        return clear
+
+    def add_free(self, claim: Json) -> tuple[str, Any]:
+        """At each scale of a range no place of the path collides."""
+        contact, scales, step = members(claim, "claim contact scales step")[1:]
+        clear = self.clear(step, contact, scales)
+        demand(clear.path == self.path, "the step is about another path")
+        return f"at {clear.scales}, contact {contact}", ("free", contact, clear.scales)
+
+    def add_hit(self, claim: Json) -> tuple[str, Any]:
+        """At each scale of a range some place of the path collides."""
+        contact, scales, by, hits = members(claim, "claim contact scales by hits")[1:]
+        contact, told, pair = self.contact(contact), ScaleRange(scales), self.pair(by)
+        reach = told.low
+        for i, hit in enumerate(items(hits)):
+            with within(f"hit {i}"):
+                low, high = self.hit(hit, contact == "allowed", pair)
+                demand(low <= reach < high, "it leaves out scales before it, or adds none")
+                reach = high
+        demand(reach >= told.high, "the hits do not reach to the last scale")
+        return f"at {told}, contact {contact}", ("hit", contact, told)
+
+    def hit(self, value: Json, strict: bool, by: tuple[Pieces, Pieces]) -> tuple[Cut, Cut]:
+        """Where its scales begin and end. A place, and a point that the part and the obstacles have
+        in common there, move linearly from each scale to the next; `up`: they stay for ever."""
+        segment, nodes, entries = members(value, "segment nodes points")
+        ways = segments(self.path)
+        start, end = ways[index(segment, len(ways))]
+        A, B = self.nodes(by, nodes)
+        of_A, of_B = sides(by[0].hulls[A]), sides(by[1].hulls[B])
+        up = items(entries)[-1:] == ["up"]
+        scales: list[Any] = []
+        levels: list[list[Any]] = []  # of the point across the sides of both pieces; positive: out
+        for entry in entries[: len(entries) - up]:
+            self.spend(len(of_A) + len(of_B))
+            t, s, point = items(entry, 3)
+            t, s, (x, y) = number(t), number(s), vector(point)
+            require(0 <= t <= 1 and s >= 0, "this is no place of a segment, or no scale")
+            off = tuple(p - (1 - t) * c - t * d for p, c, d in zip((x, y), start, end, strict=True))
+            outs = [self.unit * dot(n, off) - s * by[0].most(A, n) for n in of_A]
+            levels.append(outs + [self.unit * dot(n, (x, y)) - by[1].most(B, n) for n in of_B])
+            scales.append(s)
+        require(bool(scales), "a hit has no point")
+        require(scales == sorted(set(scales)), "the scales do not ascend")
+        if up:
+            levels.append([-by[0].most(A, n) for n in of_A] + [0 for _ in of_B])
+            scales.append(inf)
+        demand(all(max(level) <= 0 for level in levels), "a point is not in its piece")
+        if strict:
+            inner = all(max(level) < 0 for level in levels[1:-1])
+            pairs = itertools.pairwise(levels)
+            between = all(u < 0 or v < 0 for p in pairs for u, v in zip(*p, strict=True))
+            demand(inner and between, "a point is not in the interior of its piece")
+        ends = [not strict or max(level) < 0 for level in (levels[0], levels[-1])]
+        return (scales[0], not (ends[0] and scales[0] > 0)), (scales[-1], ends[1] and not up)
+
+    def add_valid(self, claim: Json) -> tuple[str, None]:
+        """Which of some scales are valid for the path: claims follow each other, free or hit."""
+        return self.answer(claim, "valid", ("free", "hit"))
+
+    def add_trap(self, claim: Json) -> tuple[str, None]:
+        """At which of some scales the part is trapped."""
+        return self.answer(claim, "trapped", ("trapped", "escapes", "hit"))
+
+    def answer(self, claim: Json, name: str, kinds: Sequence[str]) -> tuple[str, None]:
+        """`name`: the member with the scales of the claims of the first kind."""
+        contact, scales, told, claims = members(claim, f"claim contact scales {name} claims")[1:]
+        contact, window = self.contact(contact), ScaleRange(scales)
+        parts = [self.claim(value, tuple) for value in items(claims)]
+        require(all(part[0] in kinds for part in parts), "a claim is of another kind")
+        demand(all(part[1] == contact for part in parts), "a claim is about another contact")
+        ends = [window.low, *(part[2].high for part in parts)]
+        good = [part[2].low for part in parts] + [window.high] == ends
+        demand(good, "the claims do not follow each other from end to end")
+        groups = itertools.groupby(parts, key=lambda part: part[0] == kinds[0])
+        found = [
+            (g[0][2].low, g[-1][2].high) for has, g in ((h, list(g)) for h, g in groups) if has
+        ]
+        ranges = [*map(ScaleRange, items(told))]
+        demand([(one.low, one.high) for one in ranges] == found, "the scales are others")
+        return f"of {window}, contact {contact}: {', '.join(map(str, ranges)) or 'none'}", None
+
+    def place(self) -> Vertex:
+        require(len(self.path) == 1, "the path of the case is not one place")
+        return self.path[0]
+
+    def add_escapes(self, claim: Json) -> tuple[str, Any]:
+        """A way from the place to one from which the part may go on along the normal."""
+        contact, scales, step, normal = members(claim, "claim contact scales step normal")[1:]
+        clear = self.clear(step, contact, scales)
+        demand(clear.path[0] == self.place(), "the way begins elsewhere")
+        last = Way(clear.by, [clear.path[-1]] * 2, self)
+        out = whole_normal(vector(normal))
+        left = [clear.left(clear.scales.cell(), last.gap(out, *pair)) for pair in clear.roots]
+        demand(not any(left), "its end is not beyond all collisions")
+        return f"at {clear.scales}, contact {contact}", ("escapes", contact, clear.scales)
+
+    def add_trapped(self, claim: Json) -> tuple[str, Any]:
+        """The place is free, and a ring of places that collide leads around it. Its vertices move
+        linearly with the scale."""
+        names = "claim contact scales step by ring pairs"
+        contact, scales, step, by, ring, pairs = members(claim, names)[1:]
+        clear, by = self.clear(step, contact, scales), self.pair(by)
+        demand(clear.path == [self.place()], "the step is about another place")
+        corners = [tuple(map(number, items(corner, 4))) for corner in items(ring)]
+        ends = [(0, s, w) for s, w in clear.scales.ends]
+        for edge, nodes in zip(edges_of(corners), items(pairs, len(corners)), strict=True):
+            A, B = self.nodes(by, nodes)
+            of_A = [(-x, -y) for x, y in sides(by[0].hulls[A])]  # the sum is of B and -sA
+            for n, (x, X, y, Y) in itertools.product(of_A + sides(by[1].hulls[B]), edge):
+                self.spend(2)
+                far = self.unit * dot(n, (x, y)) - by[1].most(B, n)
+                grows = self.unit * dot(n, (X, Y)) - by[0].most(A, (-n[0], -n[1]))
+                levels = [grows * s + far * w for _, s, w in ends]
+                touch = [end for end, level in zip(ends, levels, strict=True) if level == 0]
+                inside = contact == "forbidden" or not clear.scales.meet(touch)
+                demand(max(levels) <= 0 and inside, f"an edge is not in the sum of {A} and {B}")
+        s = clear.scales.middle()
+        around = winds_around([at_scale(corner, s) for corner in corners], self.path[0])
+        demand(around, "the ring does not lead around the place")
+        return f"at {clear.scales}, contact {contact}", ("trapped", contact, clear.scales)
 
 
 # In space: surfaces whose vertices are whole numbers.
@@ -1412,16 +1738,16 @@ def of_the_plane(case: Json, digest: Json, steps: Json, claims: Json, budget: Bu
     """A certificate-v1."""
     P, Q = (Operand(case.get(operand), operand) for operand in "PQ")
     demand(digest_of({"P": P.plain, "Q": Q.plain}) == digest, "not the case that is certified")
-    proof = Proof(P, Q, budget)
-    for what, entries, add in (("step", steps, proof.add_step), ("claim", claims, proof.add_claim)):
-        twice = what == "claim" and len(set(map(digest_of, items(entries)))) < len(entries)
-        require(not twice, "a claim is made twice")
-        for i, entry in enumerate(items(entries)):
-            with within(f"{what} {i}"):
-                add(entry)
-    require(bool(claims), "nothing is claimed")
-    require(len(proof.used) == len(proof.steps), "a step is not used")
-    return proof.said
+    return Proof(P, Q, budget).follow(steps, claims)
+
+
+def of_paths(case: Json, digest: Json, steps: Json, claims: Json, budget: Budget) -> list[str]:
+    """A path-certificate-v1."""
+    sets = [Operand(case.get(operand), operand) for operand in "RO"]
+    path = places(case.get("path"))
+    plain = {one.name: one.plain for one in sets} | {"path": [[str(x), str(y)] for x, y in path]}
+    demand(digest_of(plain) == digest, "not the case that is certified")
+    return PathProof(path, sets, budget).follow(steps, claims)
 
 
 def of_convex_bodies(
@@ -1494,6 +1820,7 @@ FORMS: dict[Any, tuple[str, Checked]] = {  # and the member that holds the argum
     "certificate-v1": ("steps", of_the_plane),
     "convex-certificate-v1": ("sums", of_convex_bodies),
     "solid-certificate-v1": ("proof", of_solids),
+    "path-certificate-v1": ("steps", of_paths),
 }
 
 

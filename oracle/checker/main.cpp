@@ -13,6 +13,7 @@
 #include "oracle/checker/claims.hpp"
 #include "oracle/checker/convex.hpp"
 #include "oracle/checker/gzip.hpp"
+#include "oracle/checker/path.hpp"
 #include "oracle/checker/solid.hpp"
 
 namespace {
@@ -157,6 +158,7 @@ void check_file(const std::string& file, const Options& options) {
     const auto said =
         is_convex_certificate(certificate)  ? check_convex(certificate, read_case, budget)
         : is_solid_certificate(certificate) ? check_solids(certificate, read_case, budget)
+        : is_path_certificate(certificate)  ? check_paths(certificate, read_case, budget)
                                             : check(certificate, read_case, budget);
     std::cout << shown(file) << ": verified\n";
     for (const std::string& line : said) std::cout << "  " << shown(line) << "\n";

@@ -59,6 +59,25 @@ class ScalesInRanges:
         return self.ranges[0].low if self.ranges else None
 
 
+def ranges_of(window: ScaleRange, valid: Sequence[ScaleRange]) -> list[tuple[ScaleRange, bool]]:
+    """A window in ranges that follow each other: those that are given, ascending, and what is
+    between them, which are the ones that are not valid."""
+    parts: list[tuple[ScaleRange, bool]] = []
+    low, low_in = window.low, window.low_in
+    for one in valid:
+        gap = ScaleRange(low, one.low, low_in, not one.low_in)
+        if gap.low < one.low or (gap.low_in and gap.high_in):
+            parts.append((gap, False))
+        parts.append((one, True))
+        if one.high is None:
+            return parts
+        low, low_in = one.high, not one.high_in
+    rest = ScaleRange(low, window.high, low_in, window.high_in)
+    if rest.high is None or low < rest.high or (low_in and rest.high_in):
+        parts.append((rest, False))
+    return parts
+
+
 def range_values(rows: Sequence[Any]) -> tuple[ScaleRange, ...]:
     return tuple(
         ScaleRange(Fraction(low), None if high is None else Fraction(high), low_in, high_in)

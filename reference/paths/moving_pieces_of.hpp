@@ -280,14 +280,15 @@ void MovingPiecesOf<Geometry>::each(const std::vector<Gap>& gaps, bool touching,
   const auto near_some_gap = [&](const auto& apart_at) {
     return std::any_of(gaps.begin(), gaps.end(), [&](const Gap& gap) { return !apart_at(gap); });
   };
-  for (const auto& [segment, obstacle] : order_) {
+  for (const auto& pair : order_) {
     look_for_interrupt();
-    if (!near_some_gap(
-            [&](const Gap& gap) { return apart_from_all(segment, obstacle, gap, touching); })) {
+    if (!near_some_gap([&](const Gap& gap) {
+          return apart_from_all(pair.first, pair.second, gap, touching);
+        })) {
       continue;
     }
     for (std::uint32_t robot = 0; robot < robot_.size(); ++robot) {
-      const Triple triple{segment, robot, obstacle};
+      const Triple triple{pair.first, robot, pair.second};
       if (near_some_gap([&](const Gap& gap) { return apart(triple, gap, touching); })) {
         take(triple);
       }

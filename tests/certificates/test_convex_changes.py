@@ -4,12 +4,9 @@ one verdict, and what they still verify is true by the independent hull."""
 from __future__ import annotations
 
 import copy
-import json
 import random
 from collections.abc import Iterator
 from fractions import Fraction
-from functools import reduce
-from operator import getitem
 from pathlib import Path
 from typing import Any
 
@@ -18,8 +15,7 @@ import pytest
 from minkref.fuzz.space.generators.convex import random_hull
 from minkref.fuzz.space.hull import convex_hull, is_convex
 from minkref.fuzz.space.polyhedron import Polyhedron
-from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, verdicts
-from replacing import replaced
+from replacing import changed, verdicts_on
 
 Value = dict[str, Any]
 Change = tuple[Value, Value]  # certificate, case
@@ -49,39 +45,6 @@ PAIRS = {
     "random 1": random_pair(1),
     "random 2": random_pair(2),
 }
-
-
-def places(value: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
-    if path:
-        yield path
-    if not isinstance(value, dict | list):
-        return
-    for name in value if isinstance(value, dict) else range(len(value)):
-        yield from places(value[name], (*path, name))
-
-
-def others(value: Any) -> Iterator[Any]:
-    """What may stand there instead: near numbers, shorter, longer and reordered lists."""
-    if isinstance(value, int):
-        yield from (value - 1, value + 1, -value, value + 7, str(value))
-    elif isinstance(value, str):
-        if value.lstrip("-").replace("/", "").isdigit():
-            number = Fraction(value)
-            changed = (number + 1, number - 1, -number, number + Fraction(1, 1 << 70))
-            yield from map(str, (*changed, number * 2, number / 2))
-        yield from (value + "0", value[:-1])
-    elif isinstance(value, list):
-        yield from (value[1:], value[:-1], [*value, *value[-1:]], [*value[1:], *value[:1]])
-        yield from (value[::-1], [*value[1:2], *value[:1], *value[2:]], [])
-
-
-def changed(value: Value) -> Iterator[Value]:
-    """Each place in each way; an integer may stand for the text of it."""
-    for path in places(value):
-        present = reduce(getitem, path, value)
-        for other in others(present):
-            if other != present:
-                yield replaced(value, path, other)
 
 
 def changes(certificate: Value, case: Value) -> Iterator[Change]:
@@ -126,29 +89,13 @@ def in_numbers(entry: Value) -> Value:
     return result | ({"volume": Fraction(entry["volume"])} if "volume" in entry else {})
 
 
-def both_verdicts(folder: Path, given: list[Change]) -> list[int]:
-    """The codes, on which the two checkers agree."""
-    files = []
-    for number, (certificate, case) in enumerate(given):
-        inside = folder / str(number)
-        inside.mkdir()
-        (inside / "case.json").write_text(json.dumps(case), encoding="utf-8")
-        files.append(inside / "it.cert.json")
-        files[-1].write_text(json.dumps(certificate), encoding="utf-8")
-    python = verdicts(in_python(), files)
-    cpp = verdicts(in_cpp(), files)
-    for file, one, other in zip(files, python, cpp, strict=True):
-        assert one.code == other.code, (file.read_text(encoding="utf-8"), one.why, other.why)
-    return [one.code for one in python]
-
-
 @pytest.mark.parametrize("name", PAIRS)
 def test_every_change_is_refused_or_true(tmp_path: Path, name: str) -> None:
     P, Q = PAIRS[name]
     certificate = cubes.certificate_of(P, Q, SCALINGS if name == "cubes" else SCALINGS[1:])
     case = cubes.case_of(P, Q)
     given = list(changes(certificate, case))
-    codes = both_verdicts(tmp_path, [(certificate, case), *given])
+    codes = verdicts_on(tmp_path, [(certificate, case), *given])
     assert codes[0] == 0
     held = [one for one, code in zip(given, codes[1:], strict=True) if code == 0]
     assert all(is_true(*one) for one in held)

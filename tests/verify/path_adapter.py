@@ -30,7 +30,7 @@ from typing import Any
 
 import minkref
 from minkref.fuzz.geometry.plane import fraction_rings, hull
-from minkref.path_values import ScaleRange
+from minkref.scale_ranges import ScaleRange
 
 HAIR = Fraction(1, 10**12)
 TINY = Fraction(1, 2**40)

@@ -27,7 +27,7 @@ from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.verdicts.baseline import Baseline
 from minkref.fuzz.verdicts.verdict import GOOD, Reason, Verdict
-from minkref.path_values import ScaleRange
+from minkref.scale_ranges import ScaleRange
 
 ADAPTER = Path(__file__).parent / "path_adapter.py"
 SEED = 7
