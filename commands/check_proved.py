@@ -14,7 +14,6 @@ PROGRAM = "minkref-check-proved"
 WORDS = {0: "verified", 1: "refuted", 2: "malformed", 4: "out of budget", 5: "declined"}
 DECLINED = 5
 NOT_PROVED = "  not proved: "
-SET_ONLY = "that the form of sums is the canonical one"
 
 
 @dataclass(frozen=True)
@@ -47,8 +46,5 @@ def follow(path: Path, *options: str) -> Proof:
         told = ran.stderr[-400:].strip() or first[-400:]
         raise RuntimeError(f"{PROGRAM} ended with {ran.returncode}: {told}")
     not_proved = [line.removeprefix(NOT_PROVED) for line in rest if line.startswith(NOT_PROVED)]
-    said = (line.strip() for line in rest if not line.startswith(NOT_PROVED))
-    proved = [line.partition(" (not looked at:")[0] for line in said]
-    if any(line.startswith("sum:") for line in proved):
-        not_proved.append(SET_ONLY)
+    proved = [line.strip() for line in rest if not line.startswith(NOT_PROVED)]
     return Proof(word, first.rpartition(f": {word}")[2].removeprefix(": "), proved, not_proved)

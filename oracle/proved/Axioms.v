@@ -1,6 +1,7 @@
 (** The axioms that the theorems rest on. *)
-From Proved Require Import Theorems Counting Holes.
+From Proved Require Import Theorems Counting Holes Canonical.
 Print Assumptions sum_is_right.
 Print Assumptions point_is_right.
 Print Assumptions components_are_right.
 Print Assumptions holes_are_right.
+Print Assumptions form_is_right.

@@ -2,7 +2,7 @@
     looks for nothing itself. That it is right is proved in Theorems.v; nothing is assumed of w.
     Each part names the rule of docs/certificates.md that it checks. *)
 From Coq Require Import Bool Mergesort Orders.
-From Proved Require Import Definitions Fans.
+From Proved Require Import Definitions Form Fans.
 Open Scope Q_scope.
 
 Definition less (x y : Q) : bool := negb (Qle_bool y x).
@@ -287,3 +287,89 @@ Definition check_holes (s : Q) (P Q R : rings) (w : witness) (cs : list componen
          forallb (forallb (is_strictly_in (box w))) (yes ++ concat holes)
      | [] => false
      end).
+
+(** Claim `sum`, its canonical form: rings in order, without straight vertices. Each edge of polygon
+    i is a row of stretches, each with the numbers of a cell of class i on its left and of one that
+    is not covered on its right; the ends of the stretches of a ring differ. *)
+Definition qbefore (p q : vertex) : bool :=
+  less (fst p) (fst q) || (Qeq_bool (fst p) (fst q) && less (snd p) (snd q)).
+Fixpoint qring_before (l k : list vertex) : bool :=
+  match l, k with
+  | _, [] => false
+  | [], _ :: _ => true
+  | p :: l', q :: k' => qbefore p q || (same p q && qring_before l' k')
+  end.
+Fixpoint ascends {A} (f : A -> A -> bool) (l : list A) : bool :=
+  match l with
+  | x :: r => match r with y :: _ => f x y | [] => true end && ascends f r
+  | [] => true
+  end.
+Definition qarea (ring : list vertex) : Q :=
+  fold_right (fun e s => Qred (fst (fst e) * snd (snd e) - snd (fst e) * fst (snd e) + s)) 0
+    (ring_edges ring).
+Module Vertices <: TotalLeBool.
+  Definition t := vertex.
+  Definition leb (p q : vertex) : bool :=
+    less (fst p) (fst q) || (Qeq_bool (fst p) (fst q) && Qle_bool (snd p) (snd q)).
+  Theorem leb_total : forall p q, leb p q = true \/ leb q p = true.
+  Proof.
+    intros p q. unfold leb, less. destruct (Q_dec (fst p) (fst q)) as [[L|L]|E].
+    - left. apply orb_true_iff. left. apply negb_true_iff, not_true_iff_false.
+      rewrite Qle_bool_iff. apply Qlt_not_le, L.
+    - right. apply orb_true_iff. left. apply negb_true_iff, not_true_iff_false.
+      rewrite Qle_bool_iff. apply Qlt_not_le, L.
+    - rewrite !orb_true_iff, !andb_true_iff, !Qeq_bool_iff, !Qle_bool_iff.
+      destruct (Qlt_le_dec (snd p) (snd q)) as [L|L].
+      + left. right. split; [exact E|apply Qlt_le_weak, L].
+      + right. right. split; [symmetry; exact E|exact L].
+  Qed.
+End Vertices.
+Module VertexSort := Sort Vertices.
+
+Definition qmiddle (u v : vertex) : vertex :=
+  (Qred ((fst u + fst v) * (1 # 2)), Qred ((snd u + snd v) * (1 # 2))).
+Definition is_along (u v : vertex) : bool :=
+  Qeq_bool (fst u * snd v - snd u * fst v) 0 && less 0 (fst u * fst v + snd u * snd v).
+Definition has_side (cell : list vertex) (u v d : vertex) : bool :=
+  is_left cell u && is_left cell v &&
+  match side_of cell (qmiddle u v) with Some w => is_along w d | None => false end.
+Definition stretch := (nat * nat * vertex)%type. (* left cell, right cell, end *)
+Fixpoint check_side (cells others : list (list vertex)) (a b u : vertex) (l : list stretch) :
+    bool :=
+  match l with
+  | [] => same u b
+  | (i, j, v) :: r =>
+      Qeq_bool (qorient a b v) 0 && is_along (qminus b a) (qminus v u) &&
+      match nth_error cells i, nth_error others j with
+      | Some c, Some d => has_side c u v (qminus b a) && has_side d u v (qminus a b)
+      | _, _ => false
+      end && check_side cells others a b v r
+  end.
+Definition ends (stretches : list (list stretch)) : list vertex := map snd (concat stretches).
+Definition check_ring (cells others : list (list vertex)) (ring : list vertex)
+    (stretches : list (list stretch)) : bool :=
+  match ring with first :: rest => forallb (qbefore first) rest | [] => false end &&
+  forallb (fun t => let '((a, b), (_, c)) := t in negb (Qeq_bool (qorient a b c) 0))
+    (ring_edges (ring_edges ring)) &&
+  all2 (fun e l => check_side cells others (fst e) (snd e) (fst e) l) (ring_edges ring) stretches &&
+  ascends qbefore (VertexSort.sort (ends stretches)).
+Definition check_polygon (others cells : list (list vertex)) (p : polygon)
+    (stretches : list (list (list stretch))) : bool :=
+  less 0 (qarea (fst p)) && forallb (fun h => less (qarea h) 0) (snd p) &&
+  ascends qring_before (snd p) && all2 (check_ring cells others) (fst p :: snd p) stretches.
+Fixpoint all3 {A B C} (f : A -> B -> C -> bool) (l : list A) (k : list B) (m : list C) : bool :=
+  match l, k, m with
+  | [], [], [] => true
+  | x :: l', y :: k', z :: m' => f x y z && all3 f l' k' m'
+  | _, _, _ => false
+  end.
+Definition check_form (s : Q) (P Q : rings) (ps : list polygon) (w : witness)
+    (cs : list component) (outside : component) (hs : list component)
+    (stretches : list (list (list (list stretch)))) : bool :=
+  check_holes s P Q (rings_of ps) w cs outside hs &&
+  (if is_empty P || is_empty Q then true
+   else
+     let yes := map fst (filter covered (cells w)) in
+     let no := map fst (filter (fun c => negb (covered c)) (cells w)) in
+     all3 (check_polygon no) (split_by (map size cs) yes) ps stretches &&
+     ascends qring_before (map fst ps)).

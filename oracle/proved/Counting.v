@@ -183,6 +183,49 @@ Proof.
   - intros i part E. eapply all2_nth; eauto.
 Qed.
 
+Lemma parts_fall s P Q R w cs : is_empty P || is_empty Q = false ->
+  check_components s P Q R w cs = true ->
+  falls_into (interior (set_of R)) (part_set (covered_cells w) (parts_of w cs)) (length cs).
+Proof.
+  intros Em H. assert (HS : check_sum s P Q R w = true)
+    by (unfold check_components in H; apply andb_prop in H; tauto).
+  destruct (sum_parts s P Q R w Em HS) as (OC & HB & Same).
+  destruct (component_parts s P Q R w cs Em H) as (HR & HN & Whole & Len & Chk).
+  assert (Yes : forall l, In l (covered_cells w) -> is_polygon l = true)
+    by (intros l; apply (covered_are_polygons w OC)).
+  pose proof (cells_once w HB HR) as Once.
+  assert (W : exists rest, covered_cells w = rest ++ concat (parts_of w cs))
+    by (exists []; auto).
+  rewrite <- Len. split.
+  - intros x. split.
+    + intros X. apply (interior_same _ _ x Same) in X.
+      assert (U := interior_in _ x X). unfold covered_set in U.
+      apply union_of_all in U; auto. destruct U as (l & I & B).
+      rewrite <- Whole in I. apply in_concat in I. destruct I as (part & I & J).
+      apply In_nth_error in I. destruct I as (i & E).
+      assert (PS : part_set (covered_cells w) (parts_of w cs) i x).
+      { exists part. split; auto. split; auto. apply union_of_all.
+        - intros k K. apply Yes. eapply part_in_yes; eauto.
+        - exists l; auto. }
+      exists i. split; auto. eapply part_number; eauto.
+    + intros (i & _ & part & _ & X & _).
+      apply (interior_same _ _ x (fun y => iff_sym (Same y)) X).
+  - intros i I. split; [|split; [|split]].
+    + eapply part_set_not_empty; eauto.
+    + intros x. eapply part_set_open; eauto.
+    + intros x y. eapply part_set_joined; eauto.
+    + intros j x _. eapply two_part_sets; eauto.
+Qed.
+
+Lemma nothing_falls (S : point -> Prop) : (forall x, ~ S x) ->
+  falls_into (interior S) (fun _ _ => False) 0.
+Proof.
+  intros N. split; [|intros i I; lia]. intros x. split; [|intros (i & I & _); lia].
+  intros (e & He & K). exfalso. apply (N x), K, near_self, He.
+Qed.
+Lemma empty_sum s P Q R w : is_empty P || is_empty Q = true -> check_sum s P Q R w = true -> R = [].
+Proof. unfold check_sum. intros ->. destruct R; [auto|discriminate]. Qed.
+
 Theorem components_are_right : forall (s : Q) (P Q R : rings) (w : witness) (cs : list component),
   check_components s P Q R w cs = true ->
   is_sum s P Q R /\ has_components (set_of R) (length cs).
@@ -192,34 +235,7 @@ Proof.
   split; [apply (sum_is_right s P Q R w HS)|].
   destruct (is_empty P || is_empty Q) eqn:Em.
   - unfold check_components in H. rewrite Em in H. apply andb_prop in H. destruct H as [_ H].
-    destruct cs; [|discriminate]. exists (fun _ _ => False). split; [|intros i I; simpl in I; lia].
-    intros x. split; [|intros (i & I & _); simpl in I; lia]. intros (e & He & N).
-    exfalso. unfold check_sum in HS. rewrite Em in HS. destruct R; [|discriminate].
-    apply (empty_set x), N, near_self, He.
-  - destruct (sum_parts s P Q R w Em HS) as (OC & HB & Same).
-    destruct (component_parts s P Q R w cs Em H) as (HR & HN & Whole & Len & Chk).
-    assert (Yes : forall l, In l (covered_cells w) -> is_polygon l = true)
-      by (intros l; apply (covered_are_polygons w OC)).
-    pose proof (cells_once w HB HR) as Once.
-    assert (W : exists rest, covered_cells w = rest ++ concat (parts_of w cs))
-      by (exists []; auto).
-    exists (part_set (covered_cells w) (parts_of w cs)). rewrite <- Len. split.
-    + intros x. split.
-      * intros X. apply (interior_same _ _ x Same) in X.
-        assert (U := interior_in _ x X). unfold covered_set in U.
-        apply union_of_all in U; auto. destruct U as (l & I & B).
-        rewrite <- Whole in I. apply in_concat in I. destruct I as (part & I & J).
-        apply In_nth_error in I. destruct I as (i & E).
-        assert (PS : part_set (covered_cells w) (parts_of w cs) i x).
-        { exists part. split; auto. split; auto. apply union_of_all.
-          - intros k K. apply Yes. eapply part_in_yes; eauto.
-          - exists l; auto. }
-        exists i. split; auto. eapply part_number; eauto.
-      * intros (i & _ & part & _ & X & _).
-        apply (interior_same _ _ x (fun y => iff_sym (Same y)) X).
-    + intros i I. split; [|split; [|split]].
-      * eapply part_set_not_empty; eauto.
-      * intros x. eapply part_set_open; eauto.
-      * intros x y. eapply part_set_joined; eauto.
-      * intros j x _. eapply two_part_sets; eauto.
+    destruct cs; [|discriminate]. exists (fun _ _ => False).
+    rewrite (empty_sum s P Q R w Em HS). apply nothing_falls, empty_set.
+  - eexists. apply (parts_fall s P Q R w cs Em H).
 Qed.

@@ -4,4 +4,4 @@ From Coq Require Import Extraction ExtrOcamlBasic ExtrOcamlZBigInt ExtrOcamlNatI
 From Proved Require Import Checker.
 Extract Constant Z.ggcd => "(fun a b -> let g = Z.gcd a b in
   if Z.equal g Z.zero then (g, (Z.zero, Z.zero)) else (g, (Z.divexact a g, Z.divexact b g)))".
-Extraction "checker.ml" check_holes check_point.
+Extraction "checker.ml" check_form check_point.

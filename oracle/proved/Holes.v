@@ -356,8 +356,8 @@ Proof.
   assert (HS : check_sum s P Q R w = true)
     by (unfold check_components in HC; apply andb_prop in HC; tauto).
   destruct (is_empty P || is_empty Q) eqn:Em.
-  - destruct hs; [|discriminate]. apply nothing_has_holes. unfold check_sum in HS.
-    rewrite Em in HS. destruct R; [exact empty_set|discriminate].
+  - destruct hs; [|discriminate]. rewrite (empty_sum s P Q R w Em HS).
+    apply nothing_has_holes, empty_set.
   - destruct (sum_parts s P Q R w Em HS) as (OC & HB & Same).
     destruct (component_parts s P Q R w cs Em HC) as (HR & HN & Whole & _ & Chk).
     change (map fst (filter covered (cells w))) with (covered_cells w) in H.

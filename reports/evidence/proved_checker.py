@@ -258,7 +258,7 @@ def _speed(findings: Findings, folder: Path) -> None:
 def _theorem(findings: Findings, folder: Path) -> None:
     coqc = shutil.which("coqc")
     proofs = ROOT / "build" / "proofs"
-    if coqc is None or not (proofs / "Holes.vo").exists():
+    if coqc is None or not (proofs / "Canonical.vo").exists():
         findings.note("coqc or the compiled proofs are absent: no theorem was compiled")
         return
     P = _core.read_text(HOLED, "wkt", "a square ring")

@@ -106,7 +106,7 @@ def test_components_and_holes(
     path = written(certificate, tmp_path, "it")
     code, said = check(path)
     assert code == VERIFIED, said
-    assert "of {} components and {} holes".format(*counts) in said
+    assert "in canonical form, of {} components and {} holes".format(*counts) in said
     value = json.loads(path.read_text(encoding="utf-8"))
     for member in ("components", "holes"):
         for by in (-1, 1, 7):

@@ -2,6 +2,7 @@
    denominator. Trusted: [sum_holds] and [point_holds] hand over what they are given. *)
 
 type point = Q.t * Q.t
+type stretch = Checker.stretch
 type node = Checker.node
 type witness = Checker.witness
 
@@ -9,9 +10,10 @@ let fraction (q : Q.t) : Checker.q = { qnum = Q.num q; qden = Q.den q }
 let vertex (x, y) : Checker.vertex = (fraction x, fraction y)
 let vertices = List.map vertex
 
-let sum_holds s p q r witness components outside holes =
-  Checker.check_holes (fraction s) (List.map vertices p) (List.map vertices q)
-    (List.map vertices r) witness components outside holes
+let sum_holds s p q polygons witness components outside holes stretches =
+  let polygon (outer, holes) = (vertices outer, List.map vertices holes) in
+  Checker.check_form (fraction s) (List.map vertices p) (List.map vertices q)
+    (List.map polygon polygons) witness components outside holes stretches
 
 let point_holds s p q x part other tiled_p tiled_q i j =
   Checker.check_point (fraction s) (List.map vertices p) (List.map vertices q) (vertex x)
@@ -28,6 +30,7 @@ let apart corners code = (vertices corners, Checker.Apart code)
 let open_p = Checker.OpenP
 let open_q = Checker.OpenQ
 let normal n = Checker.Normal (vertex n)
+let stretch left right corner : stretch = ((left, right), vertex corner)
 let component size links rim : Checker.component =
   {
     size;

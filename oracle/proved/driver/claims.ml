@@ -43,21 +43,22 @@ let check_claim budget p q step claim =
       demand (Z.equal (integer components) (Z.of_int count)) "components are others";
       let enclosed = List.length region.holes in
       demand (Z.equal (integer holes) (Z.of_int enclosed)) "holes are others";
-      let result = Reading.rings_of region.polygons in
+      let parts (p : Reading.polygon) = (p.outer, p.holes) in
+      let result = List.map parts region.polygons in
       demand
-        (Checked.sum_holds s (rings p) (rings q) result region.witness region.components
-           region.outside region.holes)
+        (Checked.sum_holds s (rings p) (rings q) result region.witness
+           region.components region.outside region.holes region.stretches)
         "the proved checker does not take this for a proof";
       let theorem out =
         Theorem.write out s (rings p) (rings q) result region.witness region.components
-          region.outside region.holes
+          region.outside region.holes region.stretches
       in
       Proved
         {
           said =
             Printf.sprintf
-              "sum: at %s, the set of points of digest %s, of %d components and %d holes (not \
-               looked at: whether its form is the canonical one)"
+              "sum: at %s, the set of points of digest %s, in canonical form, of %d components and \
+               %d holes"
               (Q.to_string s) digest count enclosed;
           theorem = Some theorem;
         }

@@ -1,18 +1,16 @@
 (* The components and the holes of a sum, for the proved checker: cells class after class, each
-   cell after one that it shares an edge with. Not trusted. *)
+   cell after one that it shares an edge with; and the edges of its rings, as stretches between
+   cells. Not trusted. *)
 
 open Failure
-
-let edges_of ring =
-  let at = Array.of_list ring in
-  let n = Array.length at in
-  List.init n (fun i -> (at.(i), at.((i + 1) mod n)))
+open Rings
 
 type found = {
   order : int list;  (* the cells: those covered, the outside, the holes *)
   components : Checker.component list;
   outside : Checker.component;
   holes : Checker.component list;
+  stretches : Checked.stretch list list list list;  (* of each polygon, ring and edge *)
 }
 
 (* Edges that leave each point as often as they come to it, as rings. Each edge has a tag. *)
@@ -30,14 +28,14 @@ let rings_of edges =
     (fun ((u, _), _) -> if Hashtbl.mem leaving u then Some (walk u u []) else None)
     edges
 
-(* Cells and rings by the numbers of their corners *)
+(* Cells by the numbers of their corners; polygons in canonical order *)
 let found cells is_covered polygons point =
   let cells = Array.of_list cells and is_covered = Array.of_list is_covered in
   let count = Array.length cells in
   let owner = Hashtbl.create (4 * count) in
   Array.iteri (fun i cell -> List.iter (fun e -> Hashtbl.replace owner e i) (edges_of cell)) cells;
   let across (u, v) = Hashtbl.find_opt owner (v, u) in
-  let half = Q.of_ints 1 2 in
+  let half = Q.of_ints 1 2 and place = Array.make count 0 in
   let middle u v =
     let (a, b), (c, d) = (point u, point v) in
     (Q.mul half (Q.add a c), Q.mul half (Q.add b d))
@@ -49,7 +47,8 @@ let found cells is_covered polygons point =
     seen.(first) <- true;
     Queue.add (first, 0) queue;
     while not (Queue.is_empty queue) do
-      let cell, place = Queue.pop queue in
+      let cell, own = Queue.pop queue in
+      place.(cell) <- own;
       order := cell :: !order;
       List.iter
         (fun (u, v) ->
@@ -57,7 +56,7 @@ let found cells is_covered polygons point =
           | Some next when is_covered.(next) = is_covered.(cell) && not seen.(next) ->
             seen.(next) <- true;
             Queue.add (next, !size) queue;
-            links := (!size - 1 - place, middle u v) :: !links;
+            links := (!size - 1 - own, middle u v) :: !links;
             incr size
           | _ -> ())
         (edges_of cells.(cell))
@@ -69,8 +68,8 @@ let found cells is_covered polygons point =
       (fun polygon ->
         let first =
           match polygon with
-          | (u :: v :: _) :: _ -> Hashtbl.find_opt owner (u, v)
-          | _ -> fail Malformed "a polygon has no ring"
+          | { along = u :: v :: _; _ } :: _ -> Hashtbl.find_opt owner (u, v)
+          | _ -> assert false
         in
         match first with
         | Some i when is_covered.(i) && not seen.(i) -> gather i
@@ -99,8 +98,22 @@ let found cells is_covered polygons point =
     | _ -> fail Refuted "a ring is not on the boundary"
   in
   let component (order, links) polygon =
-    let rim ring = (List.map point ring, List.map (beyond true) (edges_of ring)) in
+    let rim ring = (List.map point ring.along, List.map (beyond true) (edges_of ring.along)) in
     Checked.component (List.length order) links (List.map rim polygon)
+  in
+  let edges ring =
+    let stretch ((_, v) as edge) =
+      Checked.stretch place.(Hashtbl.find owner edge) (beyond true edge) (point v)
+    in
+    (* From the last stretch to the first; at a vertex of the ring another edge begins. *)
+    let add ((u, _) as edge) (vertices, run, runs) =
+      match vertices with
+      | vertex :: before when compare_points (point u) vertex = 0 ->
+        (before, [], (stretch edge :: run) :: runs)
+      | _ -> (vertices, stretch edge :: run, runs)
+    in
+    let _, _, runs = List.fold_right add (edges_of ring.along) (List.rev ring.vertices, [], []) in
+    runs
   in
   let hole (order, links) =
     let edges =
@@ -122,4 +135,5 @@ let found cells is_covered polygons point =
     components = List.map2 component firsts polygons;
     outside = Checked.component (List.length (fst outside)) (snd outside) [];
     holes = List.map hole holes;
+    stretches = List.map (List.map edges) polygons;
   }

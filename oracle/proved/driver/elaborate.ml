@@ -4,32 +4,9 @@
 
 open Failure
 open Json
+open Rings
 
-type point = Q.t * Q.t
-
-let ( -- ) (a, b) (c, d) : point = (Q.sub a c, Q.sub b d)
-let ( ++ ) (a, b) (c, d) : point = (Q.add a c, Q.add b d)
-let cross (a, b) (c, d) = Q.sub (Q.mul a d) (Q.mul b c)
 let times s (x, y) : point = (Q.mul s x, Q.mul s y)
-let turn a b c = Q.sign (cross (b -- a) (c -- a))
-let compare_points (a, b) (c, d) = match Q.compare a c with 0 -> Q.compare b d | n -> n
-
-let edges_of ring =
-  match ring with
-  | [] -> []
-  | first :: _ ->
-    let rec go = function
-      | [] -> []
-      | [ last ] -> [ (last, first) ]
-      | a :: (b :: _ as rest) -> (a, b) :: go rest
-    in
-    go ring
-
-(* The vertices at which a ring turns *)
-let straightened ring =
-  let at = Array.of_list ring in
-  let n = Array.length at in
-  List.filteri (fun i _ -> n < 3 || turn at.((i + n - 1) mod n) at.(i) at.((i + 1) mod n) <> 0) ring
 
 let hull points =
   let sorted = List.sort_uniq compare_points points in
@@ -245,28 +222,8 @@ type region = {
   outside : Checker.component;
   holes : Checker.component list;
   polygons : Reading.polygon list;
+  stretches : Checked.stretch list list list list;
 }
-
-let rotated ring =
-  let lesser p q = if compare_points q p < 0 then q else p in
-  let least = List.fold_left lesser (List.hd ring) ring in
-  let rec go before = function
-    | p :: rest when compare_points p least = 0 -> (p :: rest) @ List.rev before
-    | p :: rest -> go (p :: before) rest
-    | [] -> ring
-  in
-  go [] ring
-
-let compare_rings = List.compare compare_points
-
-let in_order (polygons : Reading.polygon list) =
-  let turned ({ outer; holes } : Reading.polygon) : Reading.polygon =
-    { outer = rotated outer; holes = List.sort compare_rings (List.map rotated holes) }
-  in
-  let compare (a : Reading.polygon) (b : Reading.polygon) =
-    List.compare compare_rings (a.outer :: a.holes) (b.outer :: b.holes)
-  in
-  List.sort compare (List.map turned polygons)
 
 let names =
   [ "rule"; "scales"; "by"; "box"; "elements"; "cells"; "normals"; "proofs"; "contacts";
@@ -330,32 +287,28 @@ let eq_step p q (by_p, by_q) budget step =
     let cells = items cells and proofs = items proofs in
     require (List.compare_lengths cells proofs = 0) "there are not as many proofs as cells";
     let ids value = List.map (fun v -> index v (Array.length found)) (items value) in
-    let rings = List.map (fun polygon -> List.map ids (items polygon)) (items polygons) in
     let is_covered proof = match items proof with Text "cov" :: _ -> true | _ -> false in
     let point id =
       match found.(id) with Point at -> at | Line _ -> fail Malformed "a corner is no point"
     in
-    let classes =
-      Classes.found (List.map ids cells) (List.map is_covered proofs) rings point
+    let form =
+      in_order point (List.map (fun polygon -> List.map ids (items polygon)) (items polygons))
     in
+    let classes = Classes.found (List.map ids cells) (List.map is_covered proofs) form point in
     let made = Array.of_list (List.map2 cell cells proofs) in
     let cells = List.map (fun i -> made.(i)) classes.order in
-    let ring value =
-      let corners = straightened (List.map corner (items value)) in
-      require (List.length corners > 2) "a ring has too few vertices";
-      corners
-    in
-    let polygon value : Reading.polygon =
-      match List.map ring (items value) with
+    let polygon rings : Reading.polygon =
+      match List.map (fun ring -> ring.vertices) rings with
       | outer :: holes -> { outer; holes }
-      | [] -> fail Malformed "a polygon has no ring"
+      | [] -> assert false
     in
-    let polygons = in_order (List.map polygon (items polygons)) in
+    let polygons = List.map polygon form in
     let box = [ (x0, y0); (x1, y0); (x1, y1); (x0, y1) ] in
     let witness = Checked.witness (tiled of_p) (tiled of_q) box cells in
     let empty side = Array.length side.pieces.hulls = 0 in
     let of_no_empty_sum classes = if empty of_p || empty of_q then [] else classes in
     let components = of_no_empty_sum classes.components in
     let holes = of_no_empty_sum classes.holes in
-    { scale = s; witness; components; outside = classes.outside; holes; polygons }
+    let outside = classes.outside and stretches = classes.stretches in
+    { scale = s; witness; components; outside; holes; polygons; stretches }
   | _ -> assert false

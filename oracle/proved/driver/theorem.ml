@@ -1,13 +1,14 @@
 (* A sum as a theorem in Coq: the statement in the notions of Definitions.v, proved by computing
-   [check_holes] in Coq's kernel. Nothing here is trusted: the statement is there to be read. *)
+   [check_form] in Coq's kernel. Nothing here is trusted: the statement is there to be read. *)
 
 let head =
-  {|(** The Minkowski sum sP + Q of two sets of the plane, its components and holes, as a theorem.
+  {|(** The Minkowski sum sP + Q of two sets of the plane, its components, holes and
+    canonical form, as a theorem.
 
     The sets are given by their rings: outer ones counter-clockwise, holes clockwise. What the
-    statement means stands in Definitions.v of oracle/proved, and in docs/proved.md.
+    statement means stands in Definitions.v and Form.v of oracle/proved, and in docs/proved.md.
     To check it: make proofs, then coqc -Q build/proofs Proved FILE *)
-From Proved Require Import Definitions Checker Holes.
+From Proved Require Import Definitions Form Checker Canonical.
 Open Scope Q_scope.
 
 Definition s : Q := |}
@@ -15,18 +16,19 @@ Definition s : Q := |}
 let foot components holes =
   Printf.sprintf
     {|Theorem this_is_the_sum :
-  (forall x : point, set_of R' x <->
+  (forall x : point, set_of (rings_of R') x <->
     exists p q, set_of P p /\ set_of Q' q /\ x = add (scale (Q2R s) p) q) /\
-  has_components (set_of R') %d /\ has_holes (set_of R') %d.
+  has_components (set_of (rings_of R')) %d /\ has_holes (set_of (rings_of R')) %d /\
+  is_canonical (set_of (rings_of R')) R'.
 Proof.
-  apply (holes_are_right s P Q' R' everything components outside holes).
+  apply (form_is_right s P Q' R' everything components outside holes stretches).
   vm_compute. reflexivity.
 Qed.
 Print Assumptions this_is_the_sum.
 |}
     components holes
 
-let write out s p other r (witness : Checker.witness) components outside holes =
+let write out s p other polygons (witness : Checker.witness) components outside holes stretches =
   let print format = Printf.fprintf out format in
   let list separator write values =
     print "[";
@@ -84,7 +86,13 @@ let write out s p other r (witness : Checker.witness) components outside holes =
   print ".\n";
   rings "P" p;
   rings "Q'" other;
-  rings "R'" r;
+  print "Definition R' : list polygon :=\n  ";
+  let ring = list "; " given in
+  list ";\n   "
+    (fun (outer, holes) ->
+      print "("; ring outer; print ",\n    "; list ";\n     " ring holes; print ")")
+    polygons;
+  print ".\n";
   print "\n(** What the checker is given beside; nothing is believed of it. *)\n";
   tiled "pieces_of_P" witness.of_P;
   tiled "pieces_of_Q" witness.of_Q;
@@ -110,5 +118,10 @@ let write out s p other r (witness : Checker.witness) components outside holes =
   component outside;
   print ".\nDefinition holes : list component :=\n  ";
   list ";\n   " component holes;
+  print ".\nDefinition stretches : list (list (list (list stretch))) :=\n  ";
+  let stretch ((left, right), v) =
+    print "("; natural left; print ", "; natural right; print ", "; vertex v; print ")"
+  in
+  list ";\n   " (list ";\n    " (list ";\n     " (list "; " stretch))) stretches;
   print ".\n\n";
   output_string out (foot (List.length components) (List.length holes))
