@@ -17,8 +17,8 @@ from minkref.certify.certificate import NoProof
 from minkref.certify.path_certificate import PathCertificate
 from minkref.certify.scale_cells import document
 from minkref.fuzz.judges.path_cases import path_case
-from minkref.scale_ranges import ScaleRange
 from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, verdicts
+from minkref.scale_ranges import ScaleRange
 
 SEED = 29
 CONTACTS = ("allowed", "forbidden")
