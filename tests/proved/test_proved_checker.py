@@ -91,6 +91,7 @@ RINGED = "POLYGON((0 0, 4 0, 4 4, 0 4, 0 0), (0 2, 2 4, 4 2, 2 0, 0 2))"
         (ISLAND, "POINT(0 0)", "1", (2, 2)),
         (APART, ISLAND, "1/8", (2, 2)),
         (APART, ISLAND, "1/2", (1, 6)),
+        (PINCHED, "POINT(0 0)", "1", (1, 2)),
         (PINCHED, "LINESTRING(0 0, 1/3 0)", "2", (1, 2)),
         (RINGED, "POINT(0 0)", "1", (4, 1)),
         (RINGED, HOLED, "1/20", (1, 1)),
