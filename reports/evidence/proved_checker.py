@@ -115,9 +115,9 @@ def _certified(case: Case) -> Certificate:
         certificate.point(case.scale, (str(x), str(y)))
         s = Fraction(case.scale)
         with contextlib.suppress(NoProof):
-            certificate.sign(["orientation", [[0, 0], [1, 0], [2, 0]]], s / 2, 2 * s)
+            certificate.sign(("orientation", [[0, 0], [1, 0], [2, 0]]), s / 2, 2 * s)
         with contextlib.suppress(NoProof):
-            certificate.sign(["orientation", [[0, 0], [1, 0], [0, 1]]], s / 2, 2 * s)
+            certificate.sign(("orientation", [[0, 0], [1, 0], [0, 1]]), s / 2, 2 * s)
     return certificate
 
 
