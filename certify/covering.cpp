@@ -9,6 +9,7 @@ namespace minkref::certify {
 namespace {
 
 constexpr std::size_t most_candidates = 256;  // looked at before one of them is taken
+constexpr int most_points = 256;              // of a cell, until one is inside a sum of pieces
 
 struct Flat {
   double x, y;
@@ -83,15 +84,16 @@ std::optional<Covering::Candidate> Covering::best_for(const Cell& cell) const {
     const Place& place = complex_.corners()[c].place;
     flat.push_back({place.x, place.y});
   }
-  // Points inside the cell, none of them special.
-  for (int attempt = 0; attempt < 8; ++attempt) {
-    Rational x = 0, y = 0, weights = 0;
-    for (std::size_t i = 0; i < cell.corners.size(); ++i) {
-      const Point& p = complex_.corners()[cell.corners[i]].place.point;
-      const Rational weight = 1 + attempt * static_cast<int>((i * 7 + 3) % 5);
+  // Points inside the cell, with the powers of a number as the weights of its corners: on one line
+  // are those of two numbers at most, as going around the corners pass it twice at most.
+  for (int number = 1; number <= most_points; ++number) {
+    Rational x = 0, y = 0, weights = 0, weight = 1;
+    for (const std::uint32_t c : cell.corners) {
+      const Point& p = complex_.corners()[c].place.point;
       x += weight * p.x;
       y += weight * p.y;
       weights += weight;
+      weight *= number;
     }
     const Place inner(Point{x / weights, y / weights});
     std::optional<Candidate> best;

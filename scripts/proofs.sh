@@ -5,9 +5,9 @@
 # those below. What has not changed is not done again.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-rooms=(Definitions Form Sums Crossings Fans Curves Unions Local Checker Rational Cancellation Bodies
+rooms=(Definitions Form Predicates Sums Crossings Fans Curves Unions Local Checker Rational Cancellation Bodies
   Scaling Trees Theorems Components Classes Counting Holes Across Sides Overlaps Canonical
-  Axioms Extract)
+  Signs Passages Axioms Extract)
 programs=(failure json sha256 inflate reading rings checker checked classes elaborate theorem claims
   main)
 # The classical real numbers of Coq's library, and functional extensionality.
@@ -51,7 +51,7 @@ compile() (
     coqc -q -Q . Proved "$room.v" >"$room.log" || stop "$room.v does not hold"
   done
   say "${#rooms[@]} files, $(cat ./*.v | wc -l) lines: compiled, $((SECONDS - began)) s"
-  coqchk -silent -o -Q . Proved Proved.Canonical >coqchk.txt 2>&1 || {
+  coqchk -silent -o -Q . Proved Proved.Axioms >coqchk.txt 2>&1 || {
     cat coqchk.txt >&2
     exit 1
   }

@@ -136,6 +136,29 @@ Lemma operand_solids s r o : check_operand s r o = true ->
   forall d, In d (solids o) -> is_solid (leaves (root o)) d = true.
 Proof. unfold check_operand. rewrite !andb_true_iff, !forallb_forall. tauto. Qed.
 
+(** Covered cells are in the sum. *)
+Lemma cell_in_sum s P Q w c x : 0 < Q2R s -> check_operand s P (of_P w) = true ->
+  check_operand 1 Q (of_Q w) = true -> check_cell w c = true -> covered c = true ->
+  body (fst c) x -> in_sum s P Q x.
+Proof.
+  intros S HP HQ Hc Cc Kx. assert (Z : 0 < Q2R 1) by (rewrite Q2R_one; lra).
+  pose proof (operand_is_leaves _ _ _ S HP) as SP.
+  pose proof (operand_is_leaves _ _ _ Z HQ) as SQ.
+  unfold check_cell in Hc. apply andb_prop in Hc. destruct Hc as [Oc Hc].
+  unfold covered in Cc. destruct (snd c) as [i j parts|code]; [|discriminate].
+  destruct (nth_error (solids (of_P w)) i) as [a|] eqn:Ea; [|discriminate].
+  destruct (nth_error (solids (of_Q w)) j) as [b|] eqn:Eb; [|discriminate].
+  destruct (solid_in_leaves _ a (operand_solids _ _ _ HP a (nth_error_In _ _ Ea)))
+    as [Oa La].
+  destruct (solid_in_leaves _ b (operand_solids _ _ _ HQ b (nth_error_In _ _ Eb)))
+    as [Ob Lb].
+  destruct (covered_in_sum _ _ _ _ Oc Oa Ob Hc x Kx) as (p & q & Kp & Kq & ->).
+  exists (scale (/ Q2R s) p), q. split; [|split].
+  - apply SP. rewrite scale_forth by auto. apply La, Kp.
+  - apply SQ. rewrite scale_one. apply Lb, Kq.
+  - rewrite scale_forth; auto.
+Qed.
+
 Lemma empty_set x : ~ set_of [] x.
 Proof.
   intros H. destruct (H 1 Rlt_0_1) as (y & _ & _ & W). simpl in W. lia.
@@ -190,20 +213,8 @@ Proof.
     rewrite Res. split.
     + intros U. apply union_of_all in U; [|intros l; apply covered_are_polygons; auto].
       destruct U as (l & I & Kx). apply in_map_iff in I. destruct I as (c & <- & I).
-      apply filter_In in I. destruct I as [I Cc]. pose proof (HC c I) as Hc.
-      unfold check_cell in Hc. apply andb_prop in Hc. destruct Hc as [Oc Hc].
-      unfold covered in Cc. destruct (snd c) as [i j parts|code]; [|discriminate].
-      destruct (nth_error (solids (of_P w)) i) as [a|] eqn:Ea; [|discriminate].
-      destruct (nth_error (solids (of_Q w)) j) as [b|] eqn:Eb; [|discriminate].
-      destruct (solid_in_leaves _ a (operand_solids _ _ _ HP a (nth_error_In _ _ Ea)))
-        as [Oa La].
-      destruct (solid_in_leaves _ b (operand_solids _ _ _ HQ b (nth_error_In _ _ Eb)))
-        as [Ob Lb].
-      destruct (covered_in_sum _ _ _ _ Oc Oa Ob Hc x Kx) as (p & q & Kp & Kq & ->).
-      exists (scale (/ Q2R s) p), q. split; [|split].
-      * apply SP. rewrite scale_forth by auto. apply La, Kp.
-      * apply SQ. rewrite scale_one. apply Lb, Kq.
-      * rewrite scale_forth; auto.
+      apply filter_In in I. destruct I as [I Cc].
+      exact (cell_in_sum s P Q w c x S HP HQ (HC c I) Cc Kx).
     + intros (p & q & Hp & Hq & ->). apply SP in Hp. apply SQ in Hq. rewrite scale_one in Hq.
       destruct Hp as (la & Ia & Ka). destruct Hq as (lb & Ib & Kb).
       pose proof (leaves_are_bodies _ WP la Ia) as Ola.

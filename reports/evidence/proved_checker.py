@@ -3,6 +3,7 @@ speed, and a theorem."""
 
 from __future__ import annotations
 
+import contextlib
 import itertools
 import json
 import os
@@ -19,7 +20,7 @@ from pathlib import Path
 from typing import Any
 
 from minkref import _core
-from minkref.certify.certificate import Certificate
+from minkref.certify.certificate import Certificate, NoProof
 from minkref.commands.check_proved import PROGRAM
 from minkref.fuzz.judges.certified_claims import Confirmation
 from minkref.fuzz.plane.case import Case
@@ -69,7 +70,13 @@ TOLD = (
     "point",
     "p",
     "q",
-)  # what a claim says of a set or a point
+    "points",
+    "of",
+    "from",
+    "to",
+    "sign",
+)  # what a claim says
+PROVED = ("sum", "point", "passage", "sign")  # the claims with a theorem
 HOLED = "POLYGON((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 3, 3 3, 3 1, 1 1))"
 
 
@@ -98,13 +105,19 @@ def run(findings: Findings, quick: bool) -> None:
 
 
 def _certified(case: Case) -> Certificate:
-    """The sum, and a point of it where there are pieces to show it."""
+    """The sum with its tight passages, and where there are pieces to show it a point of it; and the
+    turn of three vertices of the convolution, if it has one sign from half the scale to double."""
     certificate = Certificate(case.P, case.Q)
-    certificate.sum(case.scale)
+    certificate.sum(case.scale, passages=True)
     if case.P.is_region and case.Q.is_region:
         region = json.loads(_core.minkowski_sum(case.P, case.Q, case.scale).region.to_json())
         x, y = region["polygons"][0]["outer"][0]
         certificate.point(case.scale, (str(x), str(y)))
+        s = Fraction(case.scale)
+        with contextlib.suppress(NoProof):
+            certificate.sign(("orientation", [[0, 0], [1, 0], [2, 0]]), s / 2, 2 * s)
+        with contextlib.suppress(NoProof):
+            certificate.sign(("orientation", [[0, 0], [1, 0], [0, 1]]), s / 2, 2 * s)
     return certificate
 
 
@@ -114,7 +127,7 @@ def _fresh(count: int) -> Iterator[tuple[str, Certificate]]:
 
 
 def _corpus(findings: Findings) -> None:
-    """The certificates of the corpus in the plane: each sum in them is proved."""
+    """The certificates of the corpus in the plane: each claim in them with a theorem is proved."""
     files = [
         path
         for path in sorted(CORPUS.rglob("*.cert.json"))
@@ -131,7 +144,7 @@ def _corpus(findings: Findings) -> None:
     found = Counter(
         line.removeprefix("  ").partition(":")[0]
         for line in ran.stdout.splitlines()
-        if line.startswith(("  sum:", "  point:"))
+        if line.startswith(tuple(f"  {kind}:" for kind in PROVED))
     )
     findings.equal(
         "certificates of the corpus that the C++ checker verifies", len(files), theirs[0]
@@ -141,9 +154,9 @@ def _corpus(findings: Findings) -> None:
     findings.figures["certificates of the corpus: proved whole, declined for other claims"] = (
         f"{ours[0]} and {ours[5]}"
     )
-    for kind in ("sum", "point"):
+    for kind in PROVED:
         findings.equal(f"claims `{kind}` of the corpus that are proved", claimed[kind], found[kind])
-    others = {kind: n for kind, n in sorted(claimed.items()) if kind not in ("sum", "point")}
+    others = {kind: n for kind, n in sorted(claimed.items()) if kind not in PROVED}
     findings.figures["claims of the corpus without a theorem"] = others
 
 
@@ -168,21 +181,27 @@ def _agree(
 
 
 def _declined(findings: Findings, folder: Path) -> None:
-    """Certificates with tight passages, events and signs: verified by the others."""
+    """Certificates of events, which have no theorem, and of degeneracies, which are signs: all are
+    verified by the C++ checker."""
     made: list[Path] = []
+    signs: list[Path] = []
     for case, scale, before in itertools.islice(events(SEED, 1), EVENTS):
         certificate = Certificate(case.P, case.Q)
         certificate.event(scale, before)
-        certificate.degeneracy(scale)
         made.append(written(certificate, folder, f"event{len(made)}"))
-    ours = Counter(verdict.code for verdict in verdicts(in_proved(), made))
-    theirs = Counter(verdict.code for verdict in verdicts(in_cpp(), made))
-    findings.equal("events and degeneracies that are declined, and never passed", EVENTS, ours[5])
-    findings.equal("events and degeneracies that the C++ checker verifies", EVENTS, theirs[0])
+        certificate = Certificate(case.P, case.Q)
+        certificate.degeneracy(scale)
+        signs.append(written(certificate, folder, f"degeneracy{len(signs)}"))
+    for what, files, code in (("events", made, 5), ("degeneracies", signs, 0)):
+        ours = Counter(verdict.code for verdict in verdicts(in_proved(), files))
+        theirs = Counter(verdict.code for verdict in verdicts(in_cpp(), files))
+        word = "declined, and never passed" if code else "proved"
+        findings.equal(f"{what} that are {word}", EVENTS, ours[code])
+        findings.equal(f"{what} that the C++ checker verifies", EVENTS, theirs[0])
 
 
 def _is_changed(claims: Any, whole: list[dict[str, Any]]) -> bool:
-    """Whether another set or point is claimed."""
+    """Whether another set, point, passage or sign is claimed."""
 
     def is_old(claim: dict[str, Any]) -> bool:
         told = [name for name in TOLD if name in claim]
@@ -211,7 +230,7 @@ def _mutants(findings: Findings, wanted: int, folder: Path) -> None:
             mutant
             for mutant in mutants({"claims": value["claims"]}, 12, dice)
             if _is_changed(mutant.value["claims"], value["claims"])
-        ][: min(BATCH, wanted - refused.total() - len(accepted) - true)]
+        ][: min(BATCH, wanted - refused.total() - len(accepted))]
         files = []
         confirmation = Confirmation(certificate.case())
         for i, mutant in enumerate(changed):
@@ -221,13 +240,13 @@ def _mutants(findings: Findings, wanted: int, folder: Path) -> None:
                                    strict=True):  # fmt: skip
             others = [claim for claim in mutant.value["claims"] if claim not in value["claims"]]
             if not verdict.code and confirmation.all_hold(others):
-                true += 1  # a point that is one at another scale too
+                true += 1  # a point at another scale, a sign between others
             elif not verdict.code:
                 told = f"{case.name.text} (seed {SEED}): {mutant.way} at {mutant.path}"
                 accepted.append(told)
             else:
                 refused[str(verdict.code)] += 1
-        if refused.total() + len(accepted) + true >= wanted:
+        if refused.total() + len(accepted) >= wanted:
             break
     findings.none(f"mutants with a changed claim that are accepted, of {wanted:,}", accepted)
     findings.figures["mutants accepted whose other claim is true too, by the slow engine"] = true

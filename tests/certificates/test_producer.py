@@ -149,6 +149,16 @@ def test_a_changed_sum_is_refused_or_still_proven(check: Any, tmp_path: Path, na
             assert code, (mutant, said)
 
 
+def test_a_cell_with_a_seam_through_its_middle(check: Any, tmp_path: Path) -> None:
+    """A cell of which many weighted means of the corners lie on one seam between two pieces."""
+    text = "POLYGON((0 0, 6 0, 6 4, 0 4, 0 0), (1 2, 3 2, 2 1, 1 2), (3 2, 5 2, 4 1, 3 2))"
+    P, Q = (_core.read_text(wkt, "wkt", "a test") for wkt in (text, "POINT(0 0)"))
+    certificate = Certificate(P, Q)
+    certificate.sum(1)
+    assert certificate.claims[0]["holes"] == 2
+    assert check(written(certificate, tmp_path))[0] == 0
+
+
 def test_coordinates_near_the_largest_double(check: Any, tmp_path: Path) -> None:
     """In doubles, sums and products of them are infinite, or no numbers: no filter may decide."""
     size = 2**1020

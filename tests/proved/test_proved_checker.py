@@ -15,6 +15,7 @@ import squares
 from minkref import _core
 from minkref.certify.certificate import Certificate
 from minkref.fuzz.families.catalogue import FAMILIES
+from minkref.fuzz.judges.certified_claims import Confirmation
 from minkref.reports.evidence.certificates.certified_cases import written
 from minkref.reports.evidence.certificates.mutants import mutants
 from named_cases import named
@@ -49,7 +50,7 @@ def test_sums_of_all_families(check: Any, tmp_path: Path, family: str) -> None:
         if not any(o.is_region or o.is_empty for o in (case.P, case.Q)):
             continue
         certificate = Certificate(case.P, case.Q)
-        certificate.sum(case.scale)
+        certificate.sum(case.scale, passages=True)
         code, said = check(written(certificate, tmp_path, "it"))
         assert code == VERIFIED, (case.name.text, said)
 
@@ -90,6 +91,7 @@ RINGED = "POLYGON((0 0, 4 0, 4 4, 0 4, 0 0), (0 2, 2 4, 4 2, 2 0, 0 2))"
         (ISLAND, "POINT(0 0)", "1", (2, 2)),
         (APART, ISLAND, "1/8", (2, 2)),
         (APART, ISLAND, "1/2", (1, 6)),
+        (PINCHED, "POINT(0 0)", "1", (1, 2)),
         (PINCHED, "LINESTRING(0 0, 1/3 0)", "2", (1, 2)),
         (RINGED, "POINT(0 0)", "1", (4, 1)),
         (RINGED, HOLED, "1/20", (1, 1)),
@@ -121,11 +123,11 @@ def test_claims_without_a_theorem_are_declined(check_value: Any) -> None:
     value["claims"].append(SIGN)
     code, said = check_value(value, squares.CASE)
     assert code == DECLINED
-    assert "not proved: interval" in said and "not proved: sign" in said
-    assert "  sum: at 1" in said
+    assert "not proved: interval" in said
+    assert "  sum: at 1" in said and "  sign: " in said
 
 
-def test_events_and_passages_are_declined(check: Any, tmp_path: Path) -> None:
+def test_events_are_declined(check: Any, tmp_path: Path) -> None:
     triangle, frame = set_of("POLYGON((-3 -2, 4 -1, 1 3, -3 -2))"), set_of(
         "POLYGON((-40 -40, 40 -40, 40 40, -40 40, -40 -40), (0 20, 17 -11, -19 -9, 0 20))"
     )  # fmt: skip
@@ -133,15 +135,16 @@ def test_events_and_passages_are_declined(check: Any, tmp_path: Path) -> None:
     certificate.event("541/186", "5/2", passages=True)
     code, said = check(written(certificate, tmp_path, "it"))
     assert code == DECLINED
-    assert "not proved: event" in said and "not proved: passage" in said
+    assert "not proved: event" in said and "  passage: at 541/186" in said
 
 
-TOLD = ("scale", "components", "holes", "digest", "polygons", "point", "p", "q")
-WHOLE = [{**squares.CLAIM, "polygons": squares.SUM}, POINT]
+TOLD = ("scale", "components", "holes", "digest", "polygons", "point", "p", "q", "of", "from",
+        "to", "sign")  # fmt: skip
+WHOLE = [{**squares.CLAIM, "polygons": squares.SUM}, POINT, SIGN]
 
 
 def changed(value: dict[str, Any]) -> bool:
-    """Whether another set or point is claimed, not only other counts, steps or pieces."""
+    """Whether another set, point or sign is claimed, not only other steps or pieces."""
 
     def is_old(claim: dict[str, Any]) -> bool:
         told = [name for name in TOLD if name in claim]
@@ -153,15 +156,20 @@ def changed(value: dict[str, Any]) -> bool:
 def test_no_mutant_with_a_changed_claim_is_accepted(check_value: Any) -> None:
     value = squares.certificate()
     value["claims"][0]["polygons"] = squares.SUM
-    value["claims"].append(POINT)
+    value["claims"] += [POINT, SIGN]
     assert not changed(value)
     count = 0
+    confirmation = Confirmation(json.dumps(squares.CASE))
     for mutant in mutants(value, 3, random.Random(SEED)):
         if mutant.path[0] != "claims" or not changed(mutant.value):
             continue
         count += 1
-        assert check_value(mutant.value, squares.CASE)[0] != VERIFIED, (SEED, mutant)
-    assert count >= 40
+        if check_value(mutant.value, squares.CASE)[0] == VERIFIED:
+            # A sign that is one between other scales or of other points too
+            others = [claim for claim in mutant.value["claims"] if claim not in value["claims"]]
+            assert [claim["claim"] for claim in others] == ["sign"], (SEED, mutant)
+            assert confirmation.all_hold(others), (SEED, mutant)
+    assert count >= 60
 
 
 @pytest.mark.parametrize("by", ["1", "-1", "1/1000"])

@@ -18,7 +18,7 @@ def without_comments(path: Path) -> str:
 
 
 def test_what_has_to_be_believed_is_short() -> None:
-    for name, most in (("Definitions.v", 80), ("Form.v", 60)):
+    for name, most in (("Definitions.v", 80), ("Form.v", 60), ("Predicates.v", 60)):
         lines = (ROOM / name).read_text(encoding="utf-8").splitlines()
         assert len(lines) <= most, name
         assert not re.search(r"\b(Lemma|Theorem)\b", without_comments(ROOM / name))

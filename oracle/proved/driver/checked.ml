@@ -1,8 +1,9 @@
 (* The extracted checker, with zarith's fractions in front: both are a numerator and a positive
-   denominator. Trusted: [sum_holds] and [point_holds] hand over what they are given. *)
+   denominator. Trusted: the four functions [..._holds] hand over what they are given. *)
 
 type point = Q.t * Q.t
 type stretch = Checker.stretch
+type token = Checker.token
 type node = Checker.node
 type witness = Checker.witness
 
@@ -19,6 +20,20 @@ let point_holds s p q x part other tiled_p tiled_q i j =
   Checker.check_point (fraction s) (List.map vertices p) (List.map vertices q) (vertex x)
     (vertex part) (vertex other) tiled_p tiled_q i j
 
+(* Vertex i of sP plus vertex j of Q *)
+type place = int option * int option
+
+let sign_holds p q of_ from to_ sign =
+  Checker.check_sign (fraction from) (fraction to_) (List.map vertices p) (List.map vertices q) of_
+    sign
+
+let orientation (a : place) (b : place) (c : place) = Checker.Orientation (a, b, c)
+let concurrent (a : place) b c d e f = Checker.Concurrent (a, b, c, d, e, f)
+
+let passage_holds s p q witness path contacts =
+  Checker.check_passage (fraction s) (List.map vertices p) (List.map vertices q) witness
+    (vertices path) contacts
+
 let piece corners = Checker.Piece (vertices corners)
 let group hull members = Checker.Group (vertices hull, members)
 
@@ -31,6 +46,7 @@ let open_p = Checker.OpenP
 let open_q = Checker.OpenQ
 let normal n = Checker.Normal (vertex n)
 let stretch left right corner : stretch = ((left, right), vertex corner)
+let contact normals on_left on_right : Checker.contact = { normals; on_left; on_right }
 let component size links rim : Checker.component =
   {
     size;

@@ -93,6 +93,74 @@ let check_claim budget p q step claim =
           theorem = None;
         }
     | _ -> assert false)
+  | "sign" -> (
+    match members claim [ "claim"; "of"; "from"; "to"; "sign" ] with
+    | [ _; predicate; from; to_; sign ] ->
+      let a = number from and b = number to_ and z = integer sign in
+      require (Q.sign a > 0 && Q.sign b > 0) "a scale is not positive";
+      require (Q.compare a b <= 0) "the scales do not ascend";
+      require (Z.compare (Z.abs z) Z.one <= 0) "this is no sign";
+      let place value : Checked.place =
+        let i, j = pair value in
+        let vertex (o : Reading.operand) = function
+          | Null -> None
+          | given -> Some (index given (Array.length o.vertices))
+        in
+        (vertex p i, vertex q j)
+      in
+      let name, entries = pair predicate in
+      let of_ =
+        match (text name, items entries) with
+        | "orientation", [ u; v; w ] -> Checked.orientation (place u) (place v) (place w)
+        | "concurrent", [ k; l; m ] ->
+          let (a, b), (c, d), (e, f) = (pair k, pair l, pair m) in
+          Checked.concurrent (place a) (place b) (place c) (place d) (place e) (place f)
+        | _ -> fail Malformed "there is no such predicate"
+      in
+      demand
+        (Checked.sign_holds (rings p) (rings q) of_ a b z)
+        "the proved checker does not take this for a proof";
+      Proved
+        {
+          said =
+            Printf.sprintf "sign: %s has the sign %s from %s to %s" (canonical_text predicate)
+              (Z.to_string z) (Q.to_string a) (Q.to_string b);
+          theorem = None;
+        }
+    | _ -> assert false)
+  | "passage" -> (
+    match members claim [ "claim"; "scale"; "step"; "points"; "path" ] with
+    | [ _; scale; at; points; path ] ->
+      let s = number scale in
+      require (Q.sign s > 0) "a scale is not positive";
+      let region =
+        match step at with Region r -> Lazy.force r | _ -> fail Malformed "this is no sum's step"
+      in
+      demand (Q.equal region.scale s) "the step is about another scale";
+      let thin = Reading.is_thin p || Reading.is_thin q in
+      require (not thin) "passages of a point or a segment are not proven by contacts";
+      let points = List.map Reading.point (items points) in
+      let found = List.map region.point (items path) in
+      require (found <> []) "a passage has no point";
+      let same (a, b) (c, d) = Q.equal a c && Q.equal b d in
+      demand
+        (List.compare_lengths points found = 0
+        && List.for_all2 (fun given (_, at) -> same given at) points found)
+        "the points are others";
+      demand
+        (Checked.passage_holds s (rings p) (rings q) region.witness points
+           (Elaborate.contacts region (List.map fst found)))
+        "the proved checker does not take this for a proof";
+      Proved
+        {
+          said =
+            Printf.sprintf "passage: at %s, of %d points, from (%s, %s)" (Q.to_string s)
+              (List.length points)
+              (Q.to_string (fst (List.hd points)))
+              (Q.to_string (snd (List.hd points)));
+          theorem = None;
+        }
+    | _ -> assert false)
   | kind -> Not_proved (kind ^ ": there is no theorem about this claim yet")
 
 (* Of each claim, whether it is proved; Not_verified where one does not hold. *)

@@ -11,6 +11,7 @@ type found = {
   outside : Checker.component;
   holes : Checker.component list;
   stretches : Checked.stretch list list list list;  (* of each polygon, ring and edge *)
+  beside : int * int -> int * int;  (* the covered cells on the left and on the right of an edge *)
 }
 
 (* Edges that leave each point as often as they come to it, as rings. Each edge has a tag. *)
@@ -130,10 +131,16 @@ let found cells is_covered polygons point =
     let ring steps = (List.map (fun ((u, _), _) -> point u) steps, List.map snd steps) in
     Checked.component (List.length order) links (List.map ring (rings_of edges))
   in
+  let beside edge =
+    match (Hashtbl.find_opt owner edge, across edge) with
+    | Some i, Some j when is_covered.(i) && is_covered.(j) -> (number.(i), number.(j))
+    | _ -> fail Refuted "a segment is not inside the sum"
+  in
   {
     order = covered @ others;
     components = List.map2 component firsts polygons;
     outside = Checked.component (List.length (fst outside)) (snd outside) [];
     holes = List.map hole holes;
     stretches = List.map (List.map edges) polygons;
+    beside;
   }

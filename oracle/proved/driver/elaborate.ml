@@ -223,6 +223,9 @@ type region = {
   holes : Checker.component list;
   polygons : Reading.polygon list;
   stretches : Checked.stretch list list list list;
+  point : Json.value -> int * point;  (* a point of the step, with its number *)
+  contacts : (int list, Checked.token list) Hashtbl.t;
+  beside : int * int -> int * int;
 }
 
 let names =
@@ -231,7 +234,7 @@ let names =
 
 let eq_step p q (by_p, by_q) budget step =
   match members step names with
-  | [ _; scales; _; box; elements; cells; normals; proofs; _; polygons ] ->
+  | [ _; scales; _; box; elements; cells; normals; proofs; contacts; polygons ] ->
     let s =
       match items scales with [ s ] -> number s | _ -> fail Malformed "one scale is missing"
     in
@@ -258,6 +261,16 @@ let eq_step p q (by_p, by_q) budget step =
       | Line _ -> fail Malformed "a corner is no point"
     in
     let normals = Array.of_list (List.map Reading.point (items normals)) in
+    let tokens corners code =
+      let token value =
+        budget (List.length corners);
+        let n = integer value in
+        if Z.equal n (Z.of_int (-1)) then Checked.open_p
+        else if Z.equal n (Z.of_int (-2)) then Checked.open_q
+        else Checked.normal normals.(index value (Array.length normals))
+      in
+      List.map token code
+    in
     let cell value proof =
       let corners = straightened (List.map corner (items value)) in
       budget (List.length corners);
@@ -273,15 +286,7 @@ let eq_step p q (by_p, by_q) budget step =
             corners
         in
         Checked.covered corners i j parts
-      | Text "sep" :: code ->
-        let token value =
-          budget (List.length corners);
-          let n = integer value in
-          if Z.equal n (Z.of_int (-1)) then Checked.open_p
-          else if Z.equal n (Z.of_int (-2)) then Checked.open_q
-          else Checked.normal normals.(index value (Array.length normals))
-        in
-        Checked.apart corners (List.map token code)
+      | Text "sep" :: code -> Checked.apart corners (tokens corners code)
       | _ -> fail Malformed "a cell has no proof"
     in
     let cells = items cells and proofs = items proofs in
@@ -309,6 +314,37 @@ let eq_step p q (by_p, by_q) budget step =
     let of_no_empty_sum classes = if empty of_p || empty of_q then [] else classes in
     let components = of_no_empty_sum classes.components in
     let holes = of_no_empty_sum classes.holes in
-    let outside = classes.outside and stretches = classes.stretches in
-    { scale = s; witness; components; outside; holes; polygons; stretches }
+    let outside = classes.outside and stretches = classes.stretches and beside = classes.beside in
+    let touching = Hashtbl.create 16 in
+    List.iter
+      (fun contact ->
+        match items contact with
+        | value :: code ->
+          let numbers = ids value in
+          Hashtbl.replace touching numbers (tokens (List.map point numbers) code)
+        | [] -> fail Malformed "a contact is empty")
+      (items contacts);
+    let point value =
+      let n = index value (Array.length found) in
+      (n, point n)
+    in
+    {
+      scale = s; witness; components; outside; holes; polygons; stretches; point;
+      contacts = touching; beside;
+    }
   | _ -> assert false
+
+(* The contacts of a path, for the proved checker *)
+let contacts region path =
+  let rec segments = function
+    | a :: (b :: _ as rest) -> [ a; b ] :: segments rest
+    | _ -> []
+  in
+  List.map
+    (fun numbers ->
+      match Hashtbl.find_opt region.contacts numbers with
+      | None -> fail Refuted "this is no contact"
+      | Some code ->
+        let left, right = match numbers with [ u; v ] -> region.beside (u, v) | _ -> (0, 0) in
+        Checked.contact code left right)
+    (match path with [ _ ] -> [ path ] | _ -> segments path)
