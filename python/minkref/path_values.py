@@ -10,9 +10,9 @@ from typing import Any, overload
 from minkref import _core
 from minkref.argument_types import expect_sets, number
 from minkref.errors import Refusal
+from minkref.scale_ranges import CONTACTS as CONTACTS
+from minkref.scale_ranges import PATH_ROUTES as PATH_ROUTES
 from minkref.scale_ranges import (
-    CONTACTS,
-    PATH_ROUTES,
     Number,
     ScalesInRanges,
     coordinates,
@@ -21,6 +21,7 @@ from minkref.scale_ranges import (
     window_of,
     word_of,
 )
+from minkref.scale_ranges import ScaleRange as ScaleRange
 from minkref.space.path_values import (
     SpaceFitScales,
     SpaceValidScales,

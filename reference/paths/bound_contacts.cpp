@@ -78,8 +78,8 @@ std::optional<TouchingPoint> touching(const PathProblem& problem, const ConvexCo
 }  // namespace
 
 std::vector<PathBound> bounds_of(const PathProblem& problem, const std::vector<ScaleRange>& valid) {
-  const MovingPieces pieces = moving_pieces(problem.robot, problem.obstacles, problem.path,
-                                            problem.rule == ContactRule::allowed);
+  const MovingPieces pieces(problem.robot, problem.obstacles, problem.path,
+                            problem.rule == ContactRule::allowed);
   std::vector<PathBound> bounds;
   for (const auto& [scale, blocks, at, triple] :
        ends_of_collisions(pieces, problem.window, valid)) {

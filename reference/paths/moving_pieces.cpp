@@ -56,10 +56,9 @@ std::vector<StripCondition> PathsInThePlane::conditions(const SidedPiece& robot,
 
 template class MovingPiecesOf<PathsInThePlane>;
 
-MovingPieces moving_pieces(const PolygonSet& robot, const PolygonSet& obstacles,
-                           const std::vector<Point>& path, bool strict) {
-  return {sided(open_pieces(half_turned(robot), strict && !obstacles.is_region())),
-          sided(open_pieces(obstacles, strict && !robot.is_region())), path, strict};
-}
+MovingPieces::MovingPieces(const PolygonSet& robot, const PolygonSet& obstacles,
+                           const std::vector<Point>& path, bool strict)
+    : MovingPiecesOf(sided(open_pieces(half_turned(robot), strict && !obstacles.is_region())),
+                     sided(open_pieces(obstacles, strict && !robot.is_region())), path, strict) {}
 
 }  // namespace minkref::inline paths

@@ -34,10 +34,12 @@ struct PathsInThePlane {
   }
 };
 extern template class MovingPiecesOf<PathsInThePlane>;
-using MovingPieces = MovingPiecesOf<PathsInThePlane>;
 
-/// Pieces of -R and of the obstacles.
-MovingPieces moving_pieces(const PolygonSet& robot, const PolygonSet& obstacles,
-                           const std::vector<Point>& path, bool strict);
+class MovingPieces : public MovingPiecesOf<PathsInThePlane> {
+ public:
+  /// Pieces of -R, which slide over the obstacles, and of these.
+  MovingPieces(const PolygonSet& robot, const PolygonSet& obstacles, const std::vector<Point>& path,
+               bool strict);
+};
 
 }  // namespace minkref::inline paths

@@ -17,9 +17,9 @@ std::vector<ScaleGap> gaps_of(const std::vector<ScaleRange>& ranges) {
 }
 
 ScaleSet collisions_of_pieces(const PathProblem& problem, PathStatistics& statistics) {
-  return collisions_of(moving_pieces(problem.robot, problem.obstacles, problem.path,
-                                     problem.rule == ContactRule::allowed),
-                       problem.window, statistics);
+  const MovingPieces pieces(problem.robot, problem.obstacles, problem.path,
+                            problem.rule == ContactRule::allowed);
+  return collisions_of(pieces, problem.window, statistics);
 }
 
 }  // namespace minkref::inline paths

@@ -24,12 +24,11 @@ SUBJECT = (
     "range the answer is that of the static sum there with its tight passages, for some of them of "
     "the slow engine; the time of large paths on one core."
 )
-MINUTES = (5, 0.2)
-ALONE = True  # it measures time
+MINUTES = (5, 0.1)
 DEPENDS = (*REFERENCE, *READERS, *COMPARISON, "oracle/slow/*.py")
 
 SEED = 3300
-CASES, QUICK_CASES = 210, 6
+CASES, QUICK_CASES = 210, 4
 SLOW, QUICK_SLOW = 84, 2
 HAIR = Fraction(1, 1 << 20)
 CONTACTS = ("allowed", "forbidden")
@@ -39,7 +38,7 @@ TARGET_SECONDS = 2.0
 
 def run(findings: Findings, quick: bool) -> None:
     _cases(findings, QUICK_CASES if quick else CASES, QUICK_SLOW if quick else SLOW)
-    _speed(findings, 31 if quick else 62)
+    _speed(findings, (31, 4) if quick else (62, 8))
 
 
 def _cases(findings: Findings, count: int, slow: int) -> None:
@@ -51,7 +50,8 @@ def _cases(findings: Findings, count: int, slow: int) -> None:
         faults += found["faults"]
     findings.none("random paths in space: answers that differ", faults)
     findings.equal("random paths in space", count, tally["cases"])
-    findings.equal("of them before the slow engine, or thin", slow, tally["slow cases"])
+    judged = tally["slow cases"]  # it has no operands without volume
+    findings.law("of them before the slow engine", judged * 2 > slow, f"half of {slow}", judged)
     findings.equal("scales that could not be decided", 0, tally["refused"])
     findings.note(
         f"{tally['cases']:,} random paths ({tally['degenerate']:,} degenerate, {tally['thin']:,} "
@@ -71,7 +71,7 @@ def judge(task: tuple[int, bool]) -> dict[str, Any]:
     tally: Counter[str] = Counter(cases=1)
     tally["degenerate"] += case.kind != "general"
     tally["thin"] += case.is_thin
-    tally["slow cases"] += slowly
+    tally["slow cases"] += slowly and not case.is_thin
     part, obstacles = core_polyhedron(case.part), core_polyhedron(case.obstacles)
     faults = []
     for contact in CONTACTS:
@@ -120,7 +120,7 @@ def _scales(
     return faults
 
 
-def _speed(findings: Findings, stretches: int) -> None:
+def _speed(findings: Findings, knot: tuple[int, int]) -> None:
     """Balls in a grid, a star-like part, a way of 100 segments between them; and through a knot,
     where to find the convex pieces takes longest."""
     part, obstacles, path = among_balls()
@@ -132,7 +132,7 @@ def _speed(findings: Findings, stretches: int) -> None:
     )  # fmt: skip
     findings.note(f"balls: {told}")
     findings.figures["balls"] = figures
-    part, obstacles, path = through_a_knot(stretches)
+    part, obstacles, path = through_a_knot(*knot)
     began = time.process_time()
     _core.convex_pieces(obstacles)
     pieces = time.process_time() - began
@@ -177,9 +177,11 @@ def among_balls() -> tuple[minkref.Polyhedron, minkref.Polyhedron, Path]:
     return part, minkref.Polyhedron(vertices, faces), path
 
 
-def through_a_knot(stretches: int) -> tuple[minkref.Polyhedron, minkref.Polyhedron, Path]:
+def through_a_knot(
+    stretches: int, section: int
+) -> tuple[minkref.Polyhedron, minkref.Polyhedron, Path]:
     """An angle of two arms through the middle of a trefoil, in a screw."""
-    knot = wide_knot(2, 3, stretches, 8, 1000)
+    knot = wide_knot(2, 3, stretches, section, 1000)
     angle = minkref.Polyhedron(
         [(-2, -2, -1), (3, -2, -1), (3, 0, -1), (0, 0, -1), (0, 3, -1), (-2, 3, -1),
          (-2, -2, 1), (3, -2, 1), (3, 0, 1), (0, 0, 1), (0, 3, 1), (-2, 3, 1)],

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "reference/error.hpp"
+#include "reference/space/paths/contact_scales.hpp"
 #include "tests/space_paths/random_space_paths.hpp"
 
 namespace minkref::testing {
@@ -228,6 +229,27 @@ TEST(SpacePaths, RefuseWhatHasNoAnswer) {
   EXPECT_THROW(valid_scales(cube, point, {at(0, 0, 0)}, ContactRule::allowed, {2, 1}), BadInput);
   EXPECT_THROW(valid_scales(cube, cube, {at(0, 0, 0)}, ContactRule::allowed, {}, PathRoute::index),
                BadInput);
+}
+
+/// Whatever else touches or overlaps there: on a path that is a place, on one that crosses the
+/// plane in which vertex and edge move, and on one in it.
+TEST(ContactScales, AreAllAtWhichAVertexComesToAnEdge) {
+  const Polyhedron part = box_from(at(-1, -1, -1), at(1, 1, 1));
+  const Polyhedron block = box_from(at(3, 3, -9), at(6, 6, 9));  // an edge x = 3, y = 3
+  for (const SpacePath& path : {SpacePath{at(6, 6, 0)}, SpacePath{at(5, 7, 0), at(7, 5, 0)},
+                                SpacePath{at(6, 6, 0), at(7, 7, 1)}}) {
+    const std::vector<Rational> scales = contact_scales(part, block, path);
+    EXPECT_TRUE(std::binary_search(scales.begin(), scales.end(), Rational(3)));
+  }
+}
+
+TEST(SpacePaths, RefuseMoreThanTheyHoldInMemory) {
+  Polyhedron many;
+  for (int k = 0; k < 100; ++k) {
+    many = surfaces::together({many, translated(box(1, 1, 1), at(2 * k, 0, 0))});
+  }
+  const SpacePath path(most_pairs_on_a_path / 100, at(0, 5, 0));
+  EXPECT_THROW(valid_scales(box(1, 1, 1), many, path), LimitExceeded);
 }
 
 /// All scaled together, all moved together, the way back, and a segment cut in two.

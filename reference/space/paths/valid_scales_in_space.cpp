@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "reference/error.hpp"
 #include "reference/paths/piece_collisions.hpp"
@@ -25,11 +27,23 @@ struct SpaceProblem {
   bool is_strict() const { return rule == ContactRule::allowed; }
 };
 
+void refuse_too_many(std::size_t robot, std::size_t obstacles, std::size_t vertices) {
+  if (robot * obstacles + vertices * (robot + obstacles) <= most_pairs_on_a_path) return;
+  throw LimitExceeded("too-many-pairs",
+                      "the part has " + std::to_string(robot) + " convex pieces, the obstacles " +
+                          std::to_string(obstacles) + ", and the path " + std::to_string(vertices) +
+                          " vertices: more pairs of them than the " +
+                          std::to_string(most_pairs_on_a_path) + " that are looked at",
+                      "split the path, or give simpler operands");
+}
+
 MovingSolids moving_solids(const SpaceProblem& problem) {
-  return {
-      open_pieces(half_turned(problem.robot), problem.is_strict() && is_thin(problem.obstacles)),
-      open_pieces(problem.obstacles, problem.is_strict() && is_thin(problem.robot)), problem.path,
-      problem.is_strict()};
+  std::vector<SolidPiece> robot =
+      open_pieces(half_turned(problem.robot), problem.is_strict() && is_thin(problem.obstacles));
+  std::vector<SolidPiece> obstacles =
+      open_pieces(problem.obstacles, problem.is_strict() && is_thin(problem.robot));
+  refuse_too_many(robot.size(), obstacles.size(), problem.path.size());
+  return {std::move(robot), std::move(obstacles), problem.path, problem.is_strict()};
 }
 
 ScaleSet collisions_by_contacts_in_space(const SpaceProblem& problem, PathStatistics& statistics) {

@@ -33,6 +33,9 @@ SpaceValidScales valid_scales(const Polyhedron& robot, const Polyhedron& obstacl
                               ContactRule rule = ContactRule::allowed,
                               const ScaleWindow& window = {}, PathRoute route = PathRoute::pieces);
 
+/// Of two pieces, or of a piece and a vertex of the path; some 300 bytes each.
+constexpr std::size_t most_pairs_on_a_path = std::size_t{1} << 22;
+
 /// Whether each point of the part sees the origin in it. Exact. Linear.
 bool star_shaped(const Polyhedron& robot);
 
