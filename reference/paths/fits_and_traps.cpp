@@ -7,6 +7,7 @@
 #include "reference/paths/container_frame.hpp"
 #include "reference/paths/free_space.hpp"
 #include "reference/paths/routes.hpp"
+#include "reference/paths/star_centre.hpp"
 #include "reference/plane/critical/event_places.hpp"
 #include "reference/plane/dynamic/node_track.hpp"
 #include "reference/plane/index/scale_index.hpp"
@@ -178,17 +179,133 @@ class FreePlaces {
   std::map<Rational, FreeBound> causes_;       ///< by their scales, all critical ones
 };
 
+using Question = FreePlaces::Question;
+
+/// What is asked, with single scales as static sums answer it.
+struct FreeProblem {
+  const PolygonSet &part, &obstacles;
+  std::vector<Point> places;
+  ContactRule rule;
+  PolygonSet turned;
+
+  FreeProblem(const PolygonSet& part_, const PolygonSet& obstacles_, std::vector<Point> places_,
+              ContactRule rule_)
+      : part(part_),
+        obstacles(obstacles_),
+        places(std::move(places_)),
+        rule(rule_),
+        turned(half_turned(part_)) {}
+
+  bool holds(const Question& question, const Rational& scale) const {
+    const Passages passages = rule == ContactRule::allowed ? Passages::find : Passages::leave;
+    const Sum sum = minkowski_sum(turned, obstacles, scale, Route::paper, "rational", passages);
+    return question(FreeSpace(sum, rule, places));
+  }
+  FreeScales answer(const Question& question, const ScaleWindow& window) const {
+    return FreePlaces(part, obstacles, places, rule, window).answer(question);
+  }
+};
+
+/// Two scales up to the first of which a question holds and from the second of which on it does
+/// not, near to each other. None where it does not hold at a small scale, or holds at `to`. For a
+/// question that holds up to some scale and no more above it.
+std::optional<std::pair<Rational, Rational>> bracket(
+    const std::function<bool(const Rational&)>& holds, const std::optional<Rational>& from,
+    const Rational& to) {
+  constexpr int most_halvings = 24, steps = 10;
+  if (holds(to)) return std::nullopt;
+  Rational low = to, high = to;
+  for (int k = 0; low == high; ++k) {
+    const Rational next = low / 2;
+    if (k == most_halvings || (from && next <= *from)) {
+      if (!from || !holds(*from)) return std::nullopt;
+      low = *from;
+    } else if (holds(next)) {
+      low = next;
+    } else {
+      low = high = next;
+    }
+  }
+  for (int k = 0; k < steps; ++k) {
+    Rational middle = (low + high) / 2;
+    (holds(middle) ? low : high) = std::move(middle);
+  }
+  // The scale that is looked for is no end of what is looked through, other than of the window.
+  const Rational wider = (high - low) / 3;
+  const Rational least = low - wider, most = high + wider;
+  return std::pair{from ? std::max(least, *from) : least, std::min(most, to)};
+}
+
+/// For a question that holds up to some scale and no more above it: down to 0.
+FreeScales up_to_a_scale(const FreeProblem& problem, const Question& question,
+                         const ScaleWindow& window) {
+  const auto found = bracket([&](const Rational& s) { return problem.holds(question, s); },
+                             std::nullopt, *window.to);
+  if (!found) return problem.answer(question, window);
+  FreeScales result = problem.answer(question, {found->first, found->second});
+  if (result.scales.size() != 1 || result.scales[0].from != ScaleCut{found->first, false}) {
+    throw std::logic_error("a smaller part has less room");
+  }
+  result.scales[0].from = {0, true};
+  return result;
+}
+
+/// The scales at which a part that is star-shaped about its origin is free at a place are those up
+/// to one, and so are those at which it also gets away; trapped it is between the two. None where
+/// no bracket is found.
+std::optional<FreeScales> narrowed_trap(const FreeProblem& problem, const Question& trapped,
+                                        const ScaleWindow& window) {
+  const Point& at = problem.places[0];
+  const ValidScales free =
+      valid_scales(problem.part, problem.obstacles, {at}, problem.rule, window);
+  if (free.valid.empty()) return FreeScales{};
+  if (free.bounds.empty() && !window.to) return std::nullopt;
+  const Rational to = window.to ? *window.to : Rational(2 * free.bounds[0].scale);
+  const auto escapes = [&](const FreeSpace& space) {
+    const auto place = space.part_of(at);
+    return place && *place == 0;
+  };
+  const auto found =
+      bracket([&](const Rational& s) { return problem.holds(escapes, s); }, window.from, to);
+  if (!found) return std::nullopt;
+  FreeScales result = problem.answer(trapped, {found->first, found->second});
+  const ScaleCut end{found->second, true};
+  if (result.scales.empty() || result.scales.back().to != end) return result;
+  result.scales.back().to = free.valid[0].to;
+  if (free.bounds.empty()) return result;
+  const PathBound& last = free.bounds[0];
+  const Rational before = result.bounds.empty() ? found->first : result.bounds.back().scale;
+  result.bounds.push_back({last.scale, true, "contact", last.touching, last});
+  const Rational hair =
+      std::min(Rational(last.scale / (1 << 20)), Rational((last.scale - before) / 2));
+  for (const Rational& one :
+       {Rational(last.scale - hair), last.scale, Rational(last.scale + hair)}) {
+    if (window.to && one > *window.to) continue;
+    const bool holds = problem.holds(trapped, one);
+    if (holds != result.scales.back().holds(one)) {
+      throw std::logic_error("the static sum at " + to_string(one) + " gives another answer");
+    }
+    result.proofs.push_back({one, holds});
+  }
+  return result;
+}
+
 }  // namespace
 
 FreeScales trapped_scales(const PolygonSet& part, const PolygonSet& assembly, const Point& at,
-                          ContactRule rule, const ScaleWindow& window) {
+                          ContactRule rule, const ScaleWindow& window, FitSearch search) {
   refuse_bad_window(window);
   if (part.empty() || assembly.empty()) return {};
   refuse_bad_operands(part, assembly, 1);
-  return FreePlaces(part, assembly, {at}, rule, window).answer([&](const FreeSpace& free) {
+  const FreeProblem problem(part, assembly, {at}, rule);
+  const auto trapped = [&](const FreeSpace& free) {
     const auto place = free.part_of(at);
     return place && *place != 0;
-  });
+  };
+  if (search == FitSearch::narrowed && star_shaped(part)) {
+    if (auto found = narrowed_trap(problem, trapped, window)) return *std::move(found);
+  }
+  return problem.answer(trapped, window);
 }
 
 FreeScales scales_that_fit_at(const PolygonSet& part, const PolygonSet& container, const Point& at,
@@ -224,21 +341,27 @@ FreeScales scales_that_fit_at(const PolygonSet& part, const PolygonSet& containe
   return result;
 }
 
-FreeScales scales_that_fit(const PolygonSet& part, const PolygonSet& container, ContactRule rule) {
+FreeScales scales_that_fit(const PolygonSet& part, const PolygonSet& container, ContactRule rule,
+                           FitSearch search) {
   const ContainerFrame frame(part, container, {});
-  return FreePlaces(part, frame.set, {}, rule, frame.window).answer([](const FreeSpace& free) {
-    return free.parts() > 1;
-  });
+  const FreeProblem problem(part, frame.set, {}, rule);
+  const auto fits = [](const FreeSpace& free) { return free.parts() > 1; };
+  return search == FitSearch::narrowed && has_star_centre(part)
+             ? up_to_a_scale(problem, fits, frame.window)
+             : problem.answer(fits, frame.window);
 }
 
 FreeScales scales_that_pass(const PolygonSet& part, const PolygonSet& container, const Point& from,
-                            const Point& to, ContactRule rule) {
+                            const Point& to, ContactRule rule, FitSearch search) {
   const ContainerFrame frame(part, container, {from, to});
-  FreeScales result = FreePlaces(part, frame.set, {from, to}, rule, frame.window)
-                          .answer([&](const FreeSpace& free) {
-                            const auto a = free.part_of(from), b = free.part_of(to);
-                            return a && b && *a == *b;
-                          });
+  const FreeProblem problem(part, frame.set, {from, to}, rule);
+  const auto passes = [&](const FreeSpace& free) {
+    const auto a = free.part_of(from), b = free.part_of(to);
+    return a && b && *a == *b;
+  };
+  FreeScales result = search == FitSearch::narrowed && star_shaped(part)
+                          ? up_to_a_scale(problem, passes, frame.window)
+                          : problem.answer(passes, frame.window);
   for (FreeBound& bound : result.bounds) {
     if (bound.contact) bound.contact->obstacle = frame.in_container(bound.contact->obstacle);
   }

@@ -32,6 +32,12 @@ struct FreeScales {
   std::uint64_t critical_scales = 0;
 };
 
+/// How the scales are found at which the answer may change. `narrowed`: where the part has a point
+/// that sees all of it (for a trap and a way between places: that is its origin), what is asked
+/// holds up to some scale and no more above it. Sums at single scales bracket that scale, and the
+/// index is that of the bracket alone. `all`: of all scales, whatever the part.
+enum class FitSearch : std::uint8_t { narrowed, all };
+
 /// The scales at which the part may be at `at`, and no translation along which it does not collide
 /// takes it to infinity: its place lies in a bounded component of the free places (FreeSpace). A
 /// rotation may still free it. Critical scales are those of holes in the index, those at which the
@@ -39,7 +45,8 @@ struct FreeScales {
 /// in a free place. Exact. Throws BadInput as valid_scales, and "touching-rings" where contact is
 /// allowed and rings of a set touch.
 FreeScales trapped_scales(const PolygonSet& part, const PolygonSet& assembly, const Point& at,
-                          ContactRule rule = ContactRule::allowed, const ScaleWindow& window = {});
+                          ContactRule rule = ContactRule::allowed, const ScaleWindow& window = {},
+                          FitSearch search = FitSearch::narrowed);
 
 /// The scales at which the part lies in the container (with contact forbidden in its interior): at
 /// a place, at some place, or at two places and all along some way from one to the other. Throws
@@ -47,8 +54,10 @@ FreeScales trapped_scales(const PolygonSet& part, const PolygonSet& assembly, co
 FreeScales scales_that_fit_at(const PolygonSet& part, const PolygonSet& container, const Point& at,
                               ContactRule rule = ContactRule::allowed);
 FreeScales scales_that_fit(const PolygonSet& part, const PolygonSet& container,
-                           ContactRule rule = ContactRule::allowed);
+                           ContactRule rule = ContactRule::allowed,
+                           FitSearch search = FitSearch::narrowed);
 FreeScales scales_that_pass(const PolygonSet& part, const PolygonSet& container, const Point& from,
-                            const Point& to, ContactRule rule = ContactRule::allowed);
+                            const Point& to, ContactRule rule = ContactRule::allowed,
+                            FitSearch search = FitSearch::narrowed);
 
 }  // namespace minkref::inline paths

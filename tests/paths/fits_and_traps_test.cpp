@@ -6,6 +6,7 @@
 #include "reference/error.hpp"
 #include "reference/paths/container_frame.hpp"
 #include "reference/paths/free_space.hpp"
+#include "reference/paths/star_centre.hpp"
 #include "reference/plane/dynamic/arrangement_events.hpp"
 #include "tests/paths/random_paths.hpp"
 
@@ -184,6 +185,90 @@ TEST(FreeScales, AreAsStaticSumsSayAtOtherScales) {
   MINKREF_SEEDED(random, 3121);
   expect_law(random, 12, random_case, as_static_sums_say);
   expect_law(random, 12, lattice_pieces(2, 5), as_static_sums_say);
+}
+
+/// A convex or a star-shaped part, with its centre at the origin or not.
+PolygonSet star_shaped_part(Source& random, bool about_origin) {
+  const auto far = [&] { return Rational(random.between(1, 6), random.between(1, 3)); };
+  Ring ring{{far(), 0}, {0, far()}, {-far(), 0}, {0, -far()}};
+  if (random.below(2) == 0)
+    ring = {{far(), far()}, {-far(), far()}, {-far(), -far()}, {far(), -far()}};
+  PolygonSet part{{{ring, {}}}};
+  if (!about_origin) {
+    const Rational x = random.between(-9, 9), y = random.between(-9, 9);
+    for (Point& p : part.polygons[0].outer) p = {p.x + x, p.y + y};
+  }
+  return part;
+}
+
+std::string told(const FreeScales& found) {
+  std::string all = text(found.scales) + "|";
+  for (const FreeBound& bound : found.bounds) {
+    all += " " + to_string(bound.scale) + (bound.ends ? " ends" : " begins");
+  }
+  return all;
+}
+
+TEST(FreeScales, OfAStarShapedPartAreThoseOfAllScales) {
+  MINKREF_SEEDED(random, 3124);
+  expect_law(random, 25, lattice_pieces(2, 5), [&](const Case& c) -> std::string {
+    const Point at = random_path(random, c.P, c.Q)[0], other = random_path(random, c.P, c.Q)[0];
+    for (const ContactRule rule : {ContactRule::allowed, ContactRule::forbidden}) {
+      for (const bool about_origin : {true, false}) {
+        const PolygonSet part = star_shaped_part(random, about_origin);
+        if (about_origin && !star_shaped(part)) return "the part is not star-shaped";
+        const auto differ = [&](const auto& ask) -> std::string {
+          std::string narrowed, all;
+          try {
+            all = told(ask(FitSearch::all));
+            narrowed = told(ask(FitSearch::narrowed));
+          } catch (const BadInput& refused) {
+            if (refused.code() != "touching-rings") throw;
+          }
+          return narrowed == all ? "" : narrowed + " and not " + all;
+        };
+        const ScaleWindow window{Rational(random.between(1, 4), 4), Rational(random.between(2, 6))};
+        for (const std::string& fault : {
+                 differ([&](FitSearch s) { return scales_that_fit(part, c.Q, rule, s); }),
+                 differ(
+                     [&](FitSearch s) { return scales_that_pass(part, c.Q, at, other, rule, s); }),
+                 differ([&](FitSearch s) { return trapped_scales(part, c.Q, at, rule, {}, s); }),
+                 differ(
+                     [&](FitSearch s) { return trapped_scales(part, c.Q, at, rule, window, s); }),
+             }) {
+          if (!fault.empty()) return fault;
+        }
+      }
+    }
+    return "";
+  });
+}
+
+TEST(FreeScales, OfARoomWithADoorAreNarrowedToItsWidth) {
+  for (const ContactRule rule : {ContactRule::allowed, ContactRule::forbidden}) {
+    const PolygonSet square = rectangle(-half, -half, half, half);
+    const auto ask = [&](FitSearch search) {
+      return trapped_scales(square, room_with_door(), {2, 2}, rule, {}, search);
+    };
+    const FreeScales narrowed = ask(FitSearch::narrowed), all = ask(FitSearch::all);
+    EXPECT_EQ(told(narrowed), told(all));
+    EXPECT_EQ(narrowed.proofs.size(), all.proofs.size());
+    EXPECT_LE(narrowed.critical_scales, all.critical_scales);
+  }
+}
+
+TEST(StarCentre, IsFoundWhereThereIsOne) {
+  EXPECT_TRUE(has_star_centre(rectangle(3, 4, 5, 6)));
+  const PolygonSet angle{{{{{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 4}, {0, 4}}, {}}}};
+  EXPECT_TRUE(has_star_centre(angle));
+  const PolygonSet hook{{{{{0, 0}, {4, 0}, {4, 4}, {3, 4}, {3, 1}, {1, 1}, {1, 4}, {0, 4}}, {}}}};
+  EXPECT_FALSE(has_star_centre(hook));
+  // Seen from one point alone, and not quite.
+  const PolygonSet arrow{{{{{0, 0}, {4, -4}, {2, 0}, {4, 4}}, {}}}};
+  EXPECT_TRUE(has_star_centre(arrow));
+  const PolygonSet ring{{{{{0, 0}, {3, 0}, {3, 3}, {0, 3}}, {{{1, 1}, {1, 2}, {2, 2}, {2, 1}}}}}};
+  EXPECT_FALSE(has_star_centre(ring));
+  EXPECT_TRUE(has_star_centre({{{{{1, 1}, {2, 3}}, {}}}}));
 }
 
 /// At the scale of every event of the arrangement, whether its place is free or not: none of those
