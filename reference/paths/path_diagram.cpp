@@ -25,7 +25,7 @@ PathDiagram path_diagram(const PolygonSet& robot, const PolygonSet& obstacles,
   refuse_endless(window);
   PathDiagram result;
   if (robot.empty() || obstacles.empty()) return result;
-  const MovingPieces pieces = moving_pieces(robot, obstacles, path, rule == ContactRule::allowed);
+  const MovingPieces pieces(robot, obstacles, path, rule == ContactRule::allowed);
   const Rational from = window.from ? *window.from : Rational(0);
   const std::vector<MovingPieces::Gap> gaps{{enclose(from).lower, enclose(*window.to).upper}};
   pieces.each(gaps, false, [&](const MovingPieces::Triple& triple) {
