@@ -7,7 +7,7 @@ from typing import Any
 
 from minkref.commands.line.memory import SMALLER, memory_wall
 from minkref.commands.line.output import give, print_lines
-from minkref.commands.lists.path_rows import range_documents, ranges_text
+from minkref.commands.lists.path_rows import number_text, range_documents, ranges_text
 from minkref.commands.pages.path.picture import PathQuestion, picture, window_around
 from minkref.commands.pages.path.write_page import page
 from minkref.commands.path import check_words
@@ -18,6 +18,7 @@ from minkref.operand import read_operand
 from minkref.output_target import Target
 from minkref.path_text import read_path
 from minkref.scale_ranges import CONTACTS
+from minkref.terminal import counted
 
 
 def view_with_path(
@@ -74,11 +75,12 @@ def view_with_path(
 
 
 def _print(value: dict[str, Any]) -> None:
+    first, last = number_text(value["from"]), number_text(value["to"])
     rows = [
         ("part", f"{value['part']} among {value['obstacles']}, contact {value['contact']}"),
         ("path", value["path"]),
         ("valid scales", ranges_text(value["valid"])),
-        ("shown", f"[{value['from']}, {value['to']}], {value['polygons']:,} bad polygons"),
+        ("shown", f"[{first}, {last}], {counted(value['polygons'], 'bad polygon')}"),
         ("seconds", f"{value['seconds']:.3f}"),
         ("written", f"{value['output']}, {value['bytes']:,} bytes"),
     ]

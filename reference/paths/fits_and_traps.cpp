@@ -8,6 +8,7 @@
 #include "reference/paths/free_space.hpp"
 #include "reference/paths/routes.hpp"
 #include "reference/paths/star_centre.hpp"
+#include "reference/plane/boundary/canonical.hpp"
 #include "reference/plane/critical/event_places.hpp"
 #include "reference/plane/dynamic/node_track.hpp"
 #include "reference/plane/index/scale_index.hpp"
@@ -236,6 +237,53 @@ std::optional<std::pair<Rational, Rational>> bracket(
   return std::pair{from ? std::max(least, *from) : least, std::min(most, to)};
 }
 
+/// Rooms of the obstacles: the parts of their complement. A part that holds its origin never leaves
+/// the room in which that is, however small, other than through a point in which rings touch.
+class Rooms {
+ public:
+  explicit Rooms(const FreeProblem& problem)
+      : space_(of(problem.obstacles), ContactRule::forbidden, problem.places),
+        are_apart_(problem.rule == ContactRule::forbidden ||
+                   !(wedge_walks(problem.part) || wedge_walks(problem.obstacles))) {}
+
+  bool encloses(const Point& at) const {
+    const auto room = space_.part_of(at);
+    return are_apart_ && room && *room != 0;
+  }
+  bool parts(const Point& a, const Point& b) const {
+    const auto first = space_.part_of(a), second = space_.part_of(b);
+    return are_apart_ && first && second && *first != *second;
+  }
+
+ private:
+  static Sum of(const PolygonSet& obstacles) {
+    Sum sum;
+    if (obstacles.is_region()) sum.region = canonicalize(obstacles).region;
+    return sum;
+  }
+  FreeSpace space_;
+  bool are_apart_;
+};
+
+/// The contact at the greatest free scale of a place, where a trap ends, after the bounds that
+/// there are.
+void add_last_contact(const FreeProblem& problem, const Question& trapped,
+                      const ScaleWindow& window, const PathBound& last, const Rational& before,
+                      FreeScales& result) {
+  result.bounds.push_back({last.scale, true, "contact", last.touching, last});
+  Rational hair = last.scale / (1 << 20);
+  if (before < last.scale) hair = std::min(hair, Rational((last.scale - before) / 2));
+  for (const Rational& one :
+       {Rational(last.scale - hair), last.scale, Rational(last.scale + hair)}) {
+    if ((window.from && one < *window.from) || (window.to && one > *window.to)) continue;
+    const bool holds = problem.holds(trapped, one);
+    if (holds != result.scales.back().holds(one)) {
+      throw std::logic_error("the static sum at " + to_string(one) + " gives another answer");
+    }
+    result.proofs.push_back({one, holds});
+  }
+}
+
 /// For a question that holds up to some scale and no more above it: down to 0.
 FreeScales up_to_a_scale(const FreeProblem& problem, const Question& question,
                          const ScaleWindow& window) {
@@ -259,6 +307,15 @@ std::optional<FreeScales> narrowed_trap(const FreeProblem& problem, const Questi
   const ValidScales free =
       valid_scales(problem.part, problem.obstacles, {at}, problem.rule, window);
   if (free.valid.empty()) return FreeScales{};
+  if (Rooms(problem).encloses(at)) {
+    FreeScales result;
+    result.scales = free.valid;
+    if (!free.bounds.empty()) {
+      const Rational from = window.from ? *window.from : Rational(0);
+      add_last_contact(problem, trapped, window, free.bounds[0], from, result);
+    }
+    return result;
+  }
   if (free.bounds.empty() && !window.to) return std::nullopt;
   const Rational to = window.to ? *window.to : Rational(2 * free.bounds[0].scale);
   const auto escapes = [&](const FreeSpace& space) {
@@ -275,18 +332,7 @@ std::optional<FreeScales> narrowed_trap(const FreeProblem& problem, const Questi
   if (free.bounds.empty()) return result;
   const PathBound& last = free.bounds[0];
   const Rational before = result.bounds.empty() ? found->first : result.bounds.back().scale;
-  result.bounds.push_back({last.scale, true, "contact", last.touching, last});
-  const Rational hair =
-      std::min(Rational(last.scale / (1 << 20)), Rational((last.scale - before) / 2));
-  for (const Rational& one :
-       {Rational(last.scale - hair), last.scale, Rational(last.scale + hair)}) {
-    if (window.to && one > *window.to) continue;
-    const bool holds = problem.holds(trapped, one);
-    if (holds != result.scales.back().holds(one)) {
-      throw std::logic_error("the static sum at " + to_string(one) + " gives another answer");
-    }
-    result.proofs.push_back({one, holds});
-  }
+  add_last_contact(problem, trapped, window, last, before, result);
   return result;
 }
 
@@ -359,9 +405,15 @@ FreeScales scales_that_pass(const PolygonSet& part, const PolygonSet& container,
     const auto a = free.part_of(from), b = free.part_of(to);
     return a && b && *a == *b;
   };
-  FreeScales result = search == FitSearch::narrowed && star_shaped(part)
-                          ? up_to_a_scale(problem, passes, frame.window)
-                          : problem.answer(passes, frame.window);
+  const bool narrowed = search == FitSearch::narrowed && star_shaped(part);
+  if (narrowed) {
+    for (const Point& place : {from, to}) {
+      if (valid_scales(part, frame.set, {place}, rule, frame.window).valid.empty()) return {};
+    }
+    if (Rooms(problem).parts(from, to)) return {};
+  }
+  FreeScales result = narrowed ? up_to_a_scale(problem, passes, frame.window)
+                               : problem.answer(passes, frame.window);
   for (FreeBound& bound : result.bounds) {
     if (bound.contact) bound.contact->obstacle = frame.in_container(bound.contact->obstacle);
   }

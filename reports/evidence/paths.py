@@ -25,7 +25,7 @@ SUBJECT = (
     "enclosing ring, and what is no trap a way out; the time of a large path on one core, beside "
     "that of CGAL's sums at single scales, which bracket the same bound."
 )
-MINUTES = (7, 0.3)
+MINUTES = (7, 0.2)
 ALONE = True  # it measures time
 DEPENDS = (*REFERENCE, *READERS, *COMPARISON, *CGAL, "oracle/slow/*.py")
 

@@ -257,6 +257,33 @@ TEST(FreeScales, OfARoomWithADoorAreNarrowedToItsWidth) {
   }
 }
 
+/// Room that no door opens: trapped up to the scale that it holds, and no way to another room.
+TEST(FreeScales, OfAClosedRoomNeedNoEvents) {
+  const PolygonSet square = rectangle(-half, -half, half, half);
+  PolygonSet rooms = rectangle(-1, -1, 9, 5);
+  const auto hole = [](int left) -> Ring {
+    return {{left, 0}, {left, 4}, {left + 3, 4}, {left + 3, 0}};
+  };
+  rooms.polygons[0].holes = {hole(0), hole(5)};
+  PolygonSet container{
+      {{{{0, 0}, {3, 0}, {3, 4}, {0, 4}}, {}}, {{{5, 0}, {8, 0}, {8, 4}, {5, 4}}, {}}}};
+  for (const ContactRule rule : {ContactRule::allowed, ContactRule::forbidden}) {
+    for (const ScaleWindow& window :
+         {ScaleWindow{}, ScaleWindow{1, 2}, ScaleWindow{2, 9}, ScaleWindow{3, 4}}) {
+      const auto trapped = [&](FitSearch search) {
+        return trapped_scales(square, rooms, {Rational(3, 2), 2}, rule, window, search);
+      };
+      EXPECT_EQ(told(trapped(FitSearch::narrowed)), told(trapped(FitSearch::all)));
+    }
+    const auto pass = [&](const Point& from, FitSearch search) {
+      return told(scales_that_pass(square, container, from, {6, 2}, rule, search));
+    };
+    for (const Point& from : {Point{1, 2}, Point{7, 1}, Point{3, 2}, Point{4, 2}, Point{5, 4}}) {
+      EXPECT_EQ(pass(from, FitSearch::narrowed), pass(from, FitSearch::all));
+    }
+  }
+}
+
 TEST(StarCentre, IsFoundWhereThereIsOne) {
   EXPECT_TRUE(has_star_centre(rectangle(3, 4, 5, 6)));
   const PolygonSet angle{{{{{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 4}, {0, 4}}, {}}}};

@@ -1,6 +1,7 @@
 """An adapter that answers the verb `path`, in a way that the argument names.
 
 right           by the reference
+trapezoids      by pieces in plain fractions, single scales only
 rounded         each end of a range off by a hair, within a declared tolerance
 doubles         as rounded, takes doubles only and sends them
 coarse          looks at five places of each segment
@@ -31,6 +32,7 @@ from typing import Any
 import minkref
 from minkref.fuzz.geometry.plane import fraction_rings, hull
 from minkref.scale_ranges import ScaleRange
+from path_by_trapezoids import passes
 
 HAIR = Fraction(1, 10**12)
 TINY = Fraction(1, 2**40)
@@ -111,6 +113,10 @@ def rounded(one: ScaleRange) -> ScaleRange:
 
 
 def answer_path(way: str, part: Any, obstacles: Any, request: dict[str, Any]) -> dict[str, Any]:
+    if way == "trapezoids":
+        path = [(Fraction(x), Fraction(y)) for x, y in request["path"]]
+        scales, contact = map(Fraction, request["scales"]), request["contact"]
+        return {"valid": [passes(part, obstacles, path, scale, contact) for scale in scales]}
     found, nothing = valid(way, part, obstacles, request)
 
     def holds(scale: Fraction) -> bool:
@@ -136,6 +142,8 @@ def main(way: str) -> None:
     capabilities = ["plane", "non-convex", "holes", "components", "touching", "path", "path-ranges"]
     hello: dict[str, Any] = {"name": way, "version": "1", "arithmetic": "exact"}
     hello["capabilities"] = [*capabilities, "rational"]
+    if way == "trapezoids":
+        hello["capabilities"].remove("path-ranges")
     if way in ("rounded", "doubles"):
         hello |= {"arithmetic": "float64", "tolerance": {"relative": "1e-9"}}
     if way == "doubles":

@@ -82,6 +82,14 @@ def test_a_right_adapter_is_never_accused(way: str) -> None:
     assert done.asked[target(way), "path-ranges", 2] == COUNT + 6
 
 
+def test_another_right_adapter_is_never_accused() -> None:
+    """It shares nothing with the reference or the judge."""
+    print("seed", SEED)
+    done = verified("trapezoids", *names("path"), *(f"path-grid:{SEED}:{k}" for k in range(12)))
+    assert [found.case.name.text for found in done.findings] == []
+    assert done.asked[target("trapezoids"), "path", 2] == COUNT + 12
+
+
 @pytest.mark.parametrize(
     ("way", "verb", "reasons"),
     [

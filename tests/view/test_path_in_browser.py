@@ -213,6 +213,7 @@ def test_a_scale_is_typed_exactly(window: Browser, tmp_path: Path) -> None:
         ("POINT (1 1)", WALLS, "LINESTRING (0 0, 8 0)"),
         (PART, "LINESTRING (0 0, 9 3)", "LINESTRING (0 0, 0 0)"),
         (PART, WALLS, "LINESTRING (1e-9 0, 1e12 1)"),
+        (PART, WALLS, "LINESTRING (1e308 1e308, -1e308 -1e308)"),
         ("POLYGON((2e-30 0,3e-30 0,3e-30 1e-30,2e-30 0))", WALLS, "LINESTRING (0 0, 3 0)"),
     ],
 )
@@ -220,6 +221,7 @@ def test_unusual_paths_have_a_page(
     window: Browser, tmp_path: Path, part: str, obstacles: str, path: str
 ) -> None:
     opened(window, tmp_path, part, obstacles, "--path", path)
-    for key in ("ArrowRight", "ArrowUp", "PageUp", "End", "PageDown", "Home"):
+    for key in ("ArrowRight", "ArrowUp", "PageUp", "PageDown", "Home", "End"):
         press(window, key)
+    assert window.run("return window.minkref.place.share") == 1
     assert window.messages() == []

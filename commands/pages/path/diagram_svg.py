@@ -31,8 +31,10 @@ class _Diagram:
         numbers = data["path"]
         corners = list(zip(numbers[::2], numbers[1::2], strict=True))
         self._reached = [0.0]
+        farthest = max(map(abs, numbers)) or 1.0  # no length overflows
         for a, b in pairwise(corners):
-            self._reached.append(self._reached[-1] + math.dist(a, b))
+            step = math.dist([x / farthest for x in a], [x / farthest for x in b])
+            self._reached.append(self._reached[-1] + step)
 
     def svg(self) -> str:
         left, right, low = LEFT, WIDTH - RIGHT, self._y(self._first)

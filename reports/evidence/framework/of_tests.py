@@ -11,6 +11,7 @@ from minkref.reports.evidence.framework.store import ROOT
 
 SEEDED = ROOT / "tests" / "seeded"  # a small implementation, and faults to put into it
 PAGE_ALONE = ROOT / "tests" / "page_alone"  # adapters written from the page of the protocol alone
+VERIFY = ROOT / "tests" / "verify"  # adapters with planted faults
 
 
 def module(name: str, *folders: Path) -> Any:
@@ -31,6 +32,11 @@ def losing_a_hole() -> str:
     """The first seeded fault about holes that functions show as well as adapters."""
     faults = seeded_faults()
     return next(name for name in sorted(faults) if "hole" in name and not faults[name].needs_scale)
+
+
+def path_adapter(way: str) -> str:
+    """One that answers the verb `path`: the target."""
+    return f"cmd:{sys.executable} {VERIFY / 'path_adapter.py'} {way}"
 
 
 def seeded_adapter(fault: str) -> str:

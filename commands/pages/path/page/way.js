@@ -2,8 +2,10 @@
 const corners = [];
 for (let i = 0; i < data.path.length; i += 2) corners.push([data.path[i], data.path[i + 1]]);
 const reached = [0];  // at each corner
+const farthest = Math.max(...corners.map(([x, y]) => Math.max(Math.abs(x), Math.abs(y)))) || 1;  // no length overflows
 for (let i = 1; i < corners.length; ++i) {
-  reached.push(reached[i - 1] + Math.hypot(corners[i][0] - corners[i - 1][0], corners[i][1] - corners[i - 1][1]));
+  const [dx, dy] = [0, 1].map((axis) => corners[i][axis] / farthest - corners[i - 1][axis] / farthest);
+  reached.push(reached[i - 1] + Math.hypot(dx, dy));
 }
 const length = reached[reached.length - 1];
 const isOnePlace = !(length > 0);
