@@ -1011,7 +1011,8 @@ class PathProof(Proof):
         return self.answer(claim, "valid", ("free", "hit"))
 
     def add_trap(self, claim: Json) -> tuple[str, None]:
-        """At which of some scales the part is trapped."""
+        """At which of some scales the part is trapped at the place."""
+        self.place()
         return self.answer(claim, "trapped", ("trapped", "escapes", "hit"))
 
     def answer(self, claim: Json, name: str, kinds: Sequence[str]) -> tuple[str, None]:

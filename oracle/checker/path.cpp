@@ -102,7 +102,10 @@ class PathCertificate {
     if (kind == "free") return free(claim);
     if (kind == "hit") return hit(claim);
     if (kind == "valid") return answer(claim, "valid", {"free", "hit"});
-    if (kind == "trap") return answer(claim, "trapped", {"trapped", "escapes", "hit"});
+    if (kind == "trap") {
+      place();
+      return answer(claim, "trapped", {"trapped", "escapes", "hit"});
+    }
     if (kind == "escapes") return escapes(claim);
     if (kind == "trapped") return trapped(claim);
     throw NotVerified(Code::malformed, "there is no such claim");

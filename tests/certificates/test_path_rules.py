@@ -189,6 +189,21 @@ def test_a_trap_is_about_one_place(check_value: Any) -> None:
     assert (code, "not one place" in said) == (MALFORMED, True), said
 
 
+def test_a_path_that_collides_is_no_answer_about_a_place(check_value: Any) -> None:
+    """Some place of a path may collide at all scales, and another one be a trap."""
+    case = {**walls.CASE, "path": [["0", "0"], ["-1", "0"]]}
+    value = walls.certificate()
+    value["case"]["sha256"] = walls.digest_of_case(case)
+    value["steps"] = walls.PIECES
+    told = walls.CLAIMS[1]["scales"]
+    value["claims"] = [walls.CLAIMS[1], {"claim": "trap", "contact": "allowed", "scales": told,
+                                         "trapped": [], "claims": [0]}]  # fmt: skip
+    code, said = check_value(value, case)
+    assert (code, "not one place" in said) == (MALFORMED, True), said
+    value["claims"].pop()
+    assert check_value(value, case)[0] == 0
+
+
 @pytest.mark.parametrize("name", ["R", "O"])
 def test_a_thin_operand_may_not_touch(check_value: Any, name: str) -> None:
     """It may pass in the interior of the other, along a seam of its pieces."""
