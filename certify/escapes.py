@@ -85,7 +85,8 @@ class Escapes:
         last = min(cuts(free)[1], end)[0]
         if last == inf or (found and cuts(found[0].scales)[1] >= (last, False)):
             return found[0] if found else None
-        for along in (normal, *_straight_on(way, normal)):
+        ways_on: list[Sequence[Fraction | int]] = [normal, *_straight_on(way, normal)]
+        for along in ways_on:
             farther = [*way, self._beyond(way[-1], normal, along, (reach[0], Fraction(last)))]
             again, far = self._free(farther, reach), self._exits(farther[-1], normal)
             if again is not None and far is not None:
