@@ -15,6 +15,7 @@ from minkref.certify.moving_parts import Pair, Vector
 from minkref.certify.scale_cells import ALL, Cut, common, cuts
 from minkref.path_values import ScaleRange, valid_scales
 
+MOST_STEPS = 24  # of a way that are all tried
 AXES = ((-1, 0), (1, 0), (0, -1), (0, 1))
 
 
@@ -152,7 +153,7 @@ class Escapes:
         short = [way[0]]
         k = 0
         while k < len(way) - 1:
-            for j in range(len(way) - 1, k, -1):
+            for j in _steps(k, len(way) - 1):
                 if j == k + 1 or self._is_free(way[k], way[j], (low, high), contact):
                     short.append(way[j])
                     k = j
@@ -165,6 +166,14 @@ class Escapes:
         """At all scales strictly between two, or at one."""
         found = valid_scales(*self.sets, [start, end], contact, *scales).ranges
         return any(one.low <= scales[0] and one.high == scales[1] for one in found)
+
+
+def _steps(start: int, last: int) -> list[int]:
+    """Where to go on from a corner, the farthest first: all others of few, some of many."""
+    if last - start <= MOST_STEPS:
+        return list(range(last, start, -1))
+    some = [start + (1 << power) for power in range((last - start).bit_length())]
+    return [last, *reversed([k for k in some if k < last])]
 
 
 def _straight_on(way: Sequence[Place], normal: Vector) -> list[Place]:
