@@ -32,7 +32,7 @@ SUBJECT = (
     "changed in each way that fits: both checkers on each mutant; what they still verify, held "
     "against the valid scales and traps of the reference at all scales."
 )
-MINUTES = (4, 0.5)
+MINUTES = (1, 0.4)
 DEPENDS = (*REFERENCE, *READERS, *COMPARISON, *CERTIFY, *DEGENERACIES)
 
 SEED = 1975
