@@ -251,6 +251,20 @@ def test_a_thin_operand_that_may_not_touch_is_held_apart_strictly(check_value: A
         assert (code, "ends too early" in said) == (REFUTED, True), said
 
 
+def test_a_segment_without_length_is_a_point(check_value: Any) -> None:
+    """It collides where it is, and nowhere else: its edges have no directions."""
+    thin = [["1", "0"], ["1", "0"]]
+    case = {**walls.CASE, "R": walls.polygons(thin)}
+    for point, verdict in ((["2", "0"], 0), (["3", "1/2"], REFUTED), (["2", "1/2"], REFUTED)):
+        value = walls.certificate()
+        value["case"]["sha256"] = walls.digest_of_case(case)
+        value["steps"] = [{**walls.PIECES[0], "pieces": [[0, 1]]}, walls.PIECES[1]]
+        told = scales("2", "2", "[]")
+        value["claims"] = [walls.hit(told, 0, [["0", "2", point]], "forbidden")]
+        code, said = check_value(value, case)
+        assert code == verdict, said
+
+
 def test_an_empty_set_collides_nowhere(check_value: Any) -> None:
     case = {**walls.CASE, "O": {"polygons": []}}
     value = walls.certificate()
