@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from math import inf
 
 from minkref import _core
 from minkref.certify.convex_cells import Place
@@ -15,6 +16,7 @@ from minkref.certify.scale_cells import ALL, Cut, common, cuts
 from minkref.path_values import valid_scales
 from minkref.scale_ranges import ScaleRange
 
+MOST_STEPS = 24  # of a way that are all tried
 AXES = ((-1, 0), (1, 0), (0, -1), (0, 1))
 
 
@@ -39,46 +41,66 @@ class Escapes:
         if part.hulls and walls.hulls:
             self._normals = list(dict.fromkeys([*AXES, *pair.directions(part.root, walls.root)]))
 
-    def from_cut(self, s: Fraction, reach: Cut, contact: str) -> Escape | None:
+    def from_cut(self, s: Fraction, reach: Cut, end: Cut, contact: str) -> Escape | None:
         """A way out found at a scale, at which contact is allowed or forbidden as told, and the
-        range of scales from a cut on at which it is one. None where there is none, or the sum has
-        too many corners."""
-        found = self._best([self.at], reach)
-        if found is not None:
+        range of scales from a cut on, towards another, at which it is one. None where there is
+        none, or the sum has too many corners."""
+        found = self._best([self.at], reach, end)
+        if found is not None and cuts(found.scales)[1] >= end:
             return found
         try:
             way = FreeCells(*self.sets, s, contact, self.at).way(self.at)
         except OverflowError:
-            return None
-        return None if way is None else self._best(self._shortened(way, s, contact), reach)
+            return found
+        if way is not None:
+            other = self._best(self._shortened(way, s, contact), reach, end)
+            both = [one for one in (found, other) if one is not None]
+            return max(both, key=lambda one: cuts(one.scales)[1], default=None)
+        return found
 
-    def _best(self, way: list[Place], reach: Cut) -> Escape | None:
-        """The escape that holds longest from a cut on, of those that leave the way earliest."""
+    def _best(self, way: list[Place], reach: Cut, end: Cut) -> Escape | None:
+        """The escape that holds longest from a cut on; of several the one that leaves the way
+        earliest."""
+        best: Escape | None = None
         for k in range(len(way)):
-            found = [self._leaving(way[: k + 1], normal, reach) for normal in self._normals]
-            good = [one for one in found if one is not None]
-            if good:
-                return max(good, key=lambda one: cuts(one.scales)[1])
-        return None
+            free = self._free(way[: k + 1], reach)
+            if free is None:
+                break
+            for normal in self._normals:
+                found = self._leaving(way[: k + 1], normal, free, reach, end)
+                if found is None or (best and cuts(found.scales)[1] <= cuts(best.scales)[1]):
+                    continue
+                best = found
+                if cuts(best.scales)[1] >= end:
+                    return best
+        return best
 
-    def _leaving(self, way: list[Place], normal: Vector, reach: Cut) -> Escape | None:
-        """Along a normal. Where the end of a way is not beyond all that collides at scales at which
-        it is free, it goes on."""
+    def _leaving(
+        self, way: list[Place], normal: Vector, free: ScaleRange, reach: Cut, end: Cut
+    ) -> Escape | None:
+        """Along a normal: from the end of a way, or after it has gone on, straight or along the
+        normal, to where it is beyond all that collides, at all scales at which it is free."""
+        found: list[Escape] = []
         exits = self._exits(way[-1], normal)
-        if exits is None or not _begins(exits, reach):
-            return None
-        free = self._free(way, reach)
-        if free is None:
-            return None
-        scales = common(free, exits)
-        if free.high is not None and cuts(exits)[1] < cuts(free)[1]:
-            farther = [*way, self._beyond(way[-1], normal, free.high)]
+        if exits is not None:
+            found += self._if_it_begins(way, normal, common(free, exits), reach)
+        last = min(cuts(free)[1], end)[0]
+        if last == inf or (found and cuts(found[0].scales)[1] >= (last, False)):
+            return found[0] if found else None
+        ways_on: list[Sequence[Fraction | int]] = [normal, *_straight_on(way, normal)]
+        for along in ways_on:
+            farther = [*way, self._beyond(way[-1], normal, along, (reach[0], Fraction(last)))]
             again, far = self._free(farther, reach), self._exits(farther[-1], normal)
             if again is not None and far is not None:
-                way, scales = farther, common(again, far)
+                found += self._if_it_begins(farther, normal, common(again, far), reach)
+        return max(found, key=lambda one: cuts(one.scales)[1], default=None)
+
+    def _if_it_begins(
+        self, way: list[Place], normal: Vector, scales: ScaleRange | None, reach: Cut
+    ) -> list[Escape]:
         if scales is None or not _begins(scales, reach):
-            return None
-        return Escape(way, normal, scales)
+            return []
+        return [Escape(way, normal, scales)]
 
     def _free(self, way: Sequence[Place], reach: Cut) -> ScaleRange | None:
         """The range of scales from a cut on at which no place of a way collides."""
@@ -107,12 +129,19 @@ class Escapes:
             return ScaleRange(max(root, Fraction(0)), None, is_in, False)
         return ScaleRange(Fraction(0), root, False, weak) if root > 0 else None
 
-    def _beyond(self, place: Place, normal: Vector, s: Fraction) -> Place:
-        """On along a normal, to where a place is beyond all that collides at a scale."""
+    def _beyond(
+        self,
+        place: Place,
+        normal: Vector,
+        along: Sequence[Fraction | int],
+        scales: tuple[Fraction, Fraction],
+    ) -> Place:
+        """On along a direction, to where a place is beyond all that collides across a normal at two
+        scales, and so between."""
         c, d = self._level(place, normal)
-        missing = -(c + s * d) + 1
-        part = missing / (normal[0] ** 2 + normal[1] ** 2)
-        return place[0] + part * normal[0], place[1] + part * normal[1]
+        missing = max(1 - (c + s * d) for s in scales)
+        part = max(missing, Fraction(0)) / (normal[0] * along[0] + normal[1] * along[1])
+        return place[0] + part * along[0], place[1] + part * along[1]
 
     def _shortened(self, way: list[Place], s: Fraction, contact: str) -> list[Place]:
         """Without the corners that may be left out at all scales at which the way is free."""
@@ -125,7 +154,7 @@ class Escapes:
         short = [way[0]]
         k = 0
         while k < len(way) - 1:
-            for j in range(len(way) - 1, k, -1):
+            for j in _steps(k, len(way) - 1):
                 if j == k + 1 or self._is_free(way[k], way[j], (low, high), contact):
                     short.append(way[j])
                     k = j
@@ -138,6 +167,22 @@ class Escapes:
         """At all scales strictly between two, or at one."""
         found = valid_scales(*self.sets, [start, end], contact, *scales).ranges
         return any(one.low <= scales[0] and one.high == scales[1] for one in found)
+
+
+def _steps(start: int, last: int) -> list[int]:
+    """Where to go on from a corner, the farthest first: all others of few, some of many."""
+    if last - start <= MOST_STEPS:
+        return list(range(last, start, -1))
+    some = [start + (1 << power) for power in range((last - start).bit_length())]
+    return [last, *reversed([k for k in some if k < last])]
+
+
+def _straight_on(way: Sequence[Place], normal: Vector) -> list[Place]:
+    """The direction of the last segment, if it leads across a normal."""
+    if len(way) < 2:
+        return []
+    along = way[-1][0] - way[-2][0], way[-1][1] - way[-2][1]
+    return [along] if along[0] * normal[0] + along[1] * normal[1] > 0 else []
 
 
 def _begins(scales: ScaleRange, reach: Cut) -> bool:

@@ -27,6 +27,10 @@ from minkref.version import version
 
 PIECES = [0, 1]  # the numbers of their steps
 Number = str | int | Fraction
+THIN = (
+    "with contact allowed a point or a segment may pass along the seam of two pieces: there are "
+    "certificates of it with contact forbidden only"
+)
 
 
 class PathCertificate:
@@ -200,10 +204,7 @@ class PathCertificate:
 
     def _refuse_thin(self, contact: str) -> None:
         if contact == "allowed" and not all(o.is_region or o.is_empty for o in (self.R, self.O)):
-            raise NoProof(
-                "with contact allowed a point or a segment may pass along the seam of two pieces: "
-                "there are certificates of it with contact forbidden only"
-            )
+            raise NoProof(THIN)
 
     def _claim(self, claim: str, contact: str, scales: ScaleRange, **members: Any) -> int:
         told = {"claim": claim, "contact": contact, "scales": document(scales), **members}

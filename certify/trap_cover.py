@@ -10,7 +10,7 @@ from typing import Any
 from minkref import _core
 from minkref.certify.certificate import NoProof
 from minkref.certify.convex_cells import Place
-from minkref.certify.escapes import Escapes
+from minkref.certify.escapes import Escape, Escapes
 from minkref.certify.moving_parts import Pair, Vector
 from minkref.certify.rings import Ring, Rings
 from minkref.certify.scale_cells import Cut, between, cuts
@@ -19,6 +19,7 @@ from minkref.scale_ranges import ScaleRange
 
 MOST_ATTEMPTS = 24  # to find what holds just above a scale
 MOST_CLAIMS = 100
+FEW = 4
 
 RingAt = tuple[ScaleRange, dict[str, Any]]
 WayAt = tuple[ScaleRange, list[Place], Vector]
@@ -39,7 +40,11 @@ class TrapCover:
         """Ranges that follow each other, and the members `ring` and `pairs` of a claim."""
         found: list[RingAt] = []
 
-        def add(s: Fraction, reach: Cut, end: Cut) -> Cut | None:
+        def add(reach: Cut, end: Cut) -> Cut | None:
+            tried = (add_at(s, reach, end) for s in _candidates(reach, end))
+            return next((one for one in tried if one is not None and reach < one), None)
+
+        def add_at(s: Fraction, reach: Cut, end: Cut) -> Cut | None:
             ring = self._rings.around(s)
             if ring is None:
                 return None
@@ -62,36 +67,52 @@ class TrapCover:
         """Ranges that follow each other, a way out, and the direction in which it goes on."""
         found: list[WayAt] = []
 
-        def add(s: Fraction, reach: Cut, end: Cut) -> Cut | None:
-            # What only touches at s may have room just beside it.
-            for contact in dict.fromkeys((self._contact, "allowed")):
-                escape = self._escapes.from_cut(s, reach, contact)
-                if escape is not None:
-                    high = _simple(reach, cuts(escape.scales)[1], end)
-                    part = between(reach, high)
-                    if part is not None:
-                        found.append((part, escape.way, escape.normal))
-                        return high
-            return None
+        def add(reach: Cut, end: Cut) -> Cut | None:
+            best = self._longest_escape(reach, end)
+            if best is None:
+                return None
+            high = _simple(reach, cuts(best.scales)[1], end)
+            part = between(reach, high)
+            if part is not None:
+                found.append((part, best.way, best.normal))
+            return high
 
         self._follow(scales, add)
         return found
+
+    def _longest_escape(self, reach: Cut, end: Cut) -> Escape | None:
+        """Of the first few scales at which a way is looked for. What only touches at one may have
+        room just beside it."""
+        best: Escape | None = None
+        for number, s in enumerate(_candidates(reach, end), 1):
+            for contact in dict.fromkeys((self._contact, "allowed")):
+                one = self._escapes.from_cut(s, reach, end, contact)
+                if one is not None and (best is None or _last(one) > _last(best)):
+                    best = one
+                if best is not None and _last(best) >= end:
+                    return best
+            if best is not None and number >= FEW:
+                break
+        return best
 
     def _cuts(self, ring: Ring) -> tuple[Cut, Cut]:
         low: Cut = (ring.low, not (self._closed and ring.low > 0))
         return low, (inf, False) if ring.high is None else (ring.high, self._closed)
 
-    def _follow(self, scales: ScaleRange, add: Callable[[Fraction, Cut, Cut], Cut | None]) -> None:
+    def _follow(self, scales: ScaleRange, add: Callable[[Cut, Cut], Cut | None]) -> None:
         reach, end = cuts(scales)
         for _ in range(MOST_CLAIMS):
             if not reach < end:
                 return
-            tried = (add(s, reach, end) for s in _candidates(reach, end))
-            high = next((one for one in tried if one is not None and reach < one), None)
-            if high is None:
+            high = add(reach, end)
+            if high is None or not reach < high:
                 break
             reach = high
         raise NoProof(f"no ring or way out was found for all scales above {reach[0]}")
+
+
+def _last(escape: Escape) -> Cut:
+    return cuts(escape.scales)[1]
 
 
 def _simple(low: Cut, high: Cut, end: Cut) -> Cut:

@@ -6,7 +6,7 @@ from typing import Any
 
 from minkref.commands.line.options import Json, Schema
 from minkref.commands.line.output import give, plain_table
-from minkref.degeneracies.catalogue import DISC_FAMILIES, SOLID_FAMILIES
+from minkref.degeneracies.catalogue import DISC_FAMILIES, PATH_FAMILIES, SOLID_FAMILIES
 from minkref.degeneracies.catalogue import FAMILIES as DEGENERATE
 from minkref.degeneracies.catalogue import SPACE_FAMILIES as DEGENERATE_IN_SPACE
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, INVALID_MESH_FAMILIES
@@ -37,7 +37,7 @@ def command(json: Json = False, schema: Schema = False) -> None:
         for name, title in SPACE_FAMILIES.items()
     ]
     for dimension, groups in (
-        (2, (DEGENERATE, DISC_FAMILIES, INVALID_FAMILIES)),
+        (2, (DEGENERATE, DISC_FAMILIES, PATH_FAMILIES, INVALID_FAMILIES)),
         (3, (DEGENERATE_IN_SPACE, SOLID_FAMILIES, INVALID_MESH_FAMILIES)),
     ):
         titles = {name: family.title for group in groups for name, family in group.items()}

@@ -27,10 +27,18 @@ from minkref.degeneracies.catalogue import (
     ALL_FAMILIES,
     DISC_FAMILIES,
     FAMILIES,
+    PATH_FAMILIES,
     SOLID_FAMILIES,
     SPACE_FAMILIES,
 )
-from minkref.degeneracies.files import FileRow, Made, made_invalid, made_member, made_with_disc
+from minkref.degeneracies.files import (
+    FileRow,
+    Made,
+    made_invalid,
+    made_member,
+    made_path,
+    made_with_disc,
+)
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, INVALID_MESH_FAMILIES
 from minkref.documents import Stopwatch, document, listing
 from minkref.errors import Refusal, nearest, refusal_of
@@ -55,11 +63,13 @@ minkref generate solids --count 2 -o solids
 
 minkref generate disc --count 2 -o discs
 
+minkref generate paths --count 2 -o paths && minkref check paths
+
 minkref generate invalid --count 3 -o bad
 
 minkref verify cgal-reduced --suite corpus --corpus cases"""
 
-ALL, SPACE, SOLIDS, DISC = "all", "space", "solids", "disc"
+ALL, SPACE, SOLIDS, DISC, PATHS = "all", "space", "solids", "disc", "paths"
 INVALID, INVALID_MESH = "invalid", "invalid-mesh"
 REFUSED = INVALID_FAMILIES | INVALID_MESH_FAMILIES
 DEFAULT_FOLDER = "degenerate-cases"
@@ -76,9 +86,9 @@ def command(
         typer.Argument(
             help="Families (`minkref families`). all: the families in the plane with "
             "certificates; space: those of convex bodies in space; solids: of polyhedra of any "
-            "shape, disc: of a polygon set and a disc, both without certificates; invalid, "
-            "invalid-mesh: input that must be refused.",
-            metavar="FAMILY|all|space|solids|disc|invalid|invalid-mesh",
+            "shape, disc: of a polygon set and a disc, both without certificates; paths: of parts "
+            "on paths, and traps; invalid, invalid-mesh: input that must be refused.",
+            metavar="FAMILY|all|space|solids|disc|paths|invalid|invalid-mesh",
         ),
     ],
     count: Annotated[
@@ -168,7 +178,7 @@ def command(
         f"{counted(total, 'case')}, {value['different']:,} different, {value['bytes']:,} bytes, "
         f"{value['cases_per_second']:.1f} a second\n"
     )
-    if any(name in FAMILIES or name in SPACE_FAMILIES for name in names):
+    if any(name in (*FAMILIES, *SPACE_FAMILIES, *PATH_FAMILIES) for name in names):
         sys.stdout.write(f"check them: minkref check {_quoted(output)}\n")
 
 
@@ -201,6 +211,7 @@ def _chosen(families: list[str]) -> list[str]:
         SPACE: list(SPACE_FAMILIES),
         SOLIDS: list(SOLID_FAMILIES),
         DISC: list(DISC_FAMILIES),
+        PATHS: list(PATH_FAMILIES),
         INVALID: list(INVALID_FAMILIES),
         INVALID_MESH: list(INVALID_MESH_FAMILIES),
     }
@@ -209,7 +220,8 @@ def _chosen(families: list[str]) -> list[str]:
     if unknown:
         mend = (
             f"{nearest(unknown[0], known)}`minkref families` lists all families: name some that it "
-            f"says `generate` makes, {ALL}, {SPACE}, {SOLIDS}, {DISC}, {INVALID} or {INVALID_MESH}"
+            f"says `generate` makes, {ALL}, {SPACE}, {SOLIDS}, {DISC}, {PATHS}, {INVALID} or "
+            f"{INVALID_MESH}"
         )
         raise Refusal("there is no such family", escaped(unknown[0]), mend, "unknown-family")
     return list(dict.fromkeys(name for word in families for name in known[word]))
@@ -228,9 +240,10 @@ def _numbers(count: int | None, index: int | None) -> range:
 
 
 def _check_size(size: int | None, names: list[str]) -> None:
-    invalid = next((name for name in names if name in REFUSED), None)
-    if size is not None and invalid is not None:
-        what = f"{invalid} is a family of invalid input, which has no size"
+    sizeless = next((name for name in names if name in REFUSED or name in PATH_FAMILIES), None)
+    if size is not None and sizeless is not None:
+        kind = "invalid input" if sizeless in REFUSED else "paths"
+        what = f"{sizeless} is a family of {kind}, which has no size"
         raise Refusal(what, f"--size {size}", "leave out --size, or this family")
 
 
@@ -280,6 +293,8 @@ def _make(task: Task) -> Made:
     try:
         if name in REFUSED:
             return made_invalid(REFUSED[name], seed, index)
+        if name in PATH_FAMILIES:
+            return made_path(PATH_FAMILIES[name], seed, index)
         if name in DISC_FAMILIES:
             return made_with_disc(DISC_FAMILIES[name], seed, index, size)
         return made_member(ALL_FAMILIES[name], seed, index, size)

@@ -1,11 +1,14 @@
 """The families by name, in the order of their subjects: those of the plane, those of convex bodies
-in space, those of polyhedra of any shape, and those of a polygon set and a disc."""
+in space, those of polyhedra of any shape, those of a polygon set and a disc, and those of paths and
+traps."""
 
 from __future__ import annotations
 
 from minkref.degeneracies.disc import across, around, nearly
 from minkref.degeneracies.disc.draft import DiscFamily
 from minkref.degeneracies.draft import Family
+from minkref.degeneracies.paths import along, traps
+from minkref.degeneracies.paths.draft import PathFamily
 from minkref.degeneracies.plane import (
     contacts,
     convolutions,
@@ -52,6 +55,10 @@ SOLID_FAMILIES: dict[str, SolidFamily] = {
 
 DISC_FAMILIES: dict[str, DiscFamily] = {
     family.name: family for module in (around, across, nearly) for family in module.FAMILIES
+}
+
+PATH_FAMILIES: dict[str, PathFamily] = {
+    family.name: family for module in (along, traps) for family in module.FAMILIES
 }
 
 # Those of case-v1.

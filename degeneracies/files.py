@@ -15,6 +15,8 @@ from minkref.degeneracies.draft import Family
 from minkref.degeneracies.found import Story
 from minkref.degeneracies.invalid.catalogue import invalid_member
 from minkref.degeneracies.invalid.member import InvalidFamily
+from minkref.degeneracies.paths.case_document import DegeneratePath
+from minkref.degeneracies.paths.draft import PathFamily
 from minkref.degeneracies.solids.case_document import DegenerateSolids
 from minkref.degeneracies.solids.draft import SolidFamily
 from minkref.degeneracies.space.case_document import DegenerateInSpace
@@ -95,6 +97,11 @@ def made_with_disc(family: DiscFamily, seed: int, index: int, size: int | None =
     return _made(DegenerateWithDisc.of(family, seed, index, size), index)
 
 
+def made_path(family: PathFamily, seed: int, index: int) -> Made:
+    """ID.json, of path-case-v1, and ID.cert.json."""
+    return _made(DegeneratePath.of(family, seed, index), index)
+
+
 def made_invalid(family: InvalidFamily, seed: int, index: int) -> Made:
     """ID.EXT, which must be refused; ID.refusal.json: what a message should say."""
     drawn = invalid_member(family, seed, index)
@@ -126,7 +133,7 @@ def write_found(story: Story, folder: Path) -> FileRow:
     return _made(Degenerate(story, story.value["source"], story.facts), 0).write(folder)
 
 
-def _made(made: AnyDegenerate | DegenerateWithDisc, index: int) -> Made:
+def _made(made: AnyDegenerate | DegenerateWithDisc | DegeneratePath, index: int) -> Made:
     case = f"{made.id}.json", made.case_text.encode()
     text = made.certificate_text
     certificate = None if text is None else (f"{made.id}.cert.json", text.encode())

@@ -10,18 +10,21 @@ from minkref.degeneracies.catalogue import (
     ALL_FAMILIES,
     DISC_FAMILIES,
     FAMILIES,
+    PATH_FAMILIES,
     SOLID_FAMILIES,
     SPACE_FAMILIES,
 )
 from minkref.degeneracies.disc.case_faults import CORPUS as CORPUS_WITH_DISC
-from minkref.degeneracies.files import made_with_disc, write_found, write_member
+from minkref.degeneracies.files import made_path, made_with_disc, write_found, write_member
 from minkref.degeneracies.found import FOUND
+from minkref.degeneracies.paths.case_faults import CORPUS as CORPUS_OF_PATHS
 
 SEED = 1
 COUNT = 11  # of each family in the plane
 COUNT_IN_SPACE = 3  # of each of convex bodies
 COUNT_OF_SOLIDS = 2  # of each of polyhedra of any shape
 COUNT_WITH_DISC = 3  # of each of a polygon set and a disc
+COUNT_OF_PATHS = 3  # of each of paths and traps
 CORPUS = Path(__file__).parent / "corpus"
 
 
@@ -57,12 +60,22 @@ def _make_with_disc(family: str, index: int, folder: Path) -> None:
     made_with_disc(DISC_FAMILIES[family], SEED, index).write(folder)
 
 
+def make_paths(folder: Path) -> None:
+    """Members of the families of paths and traps, which have a folder of their own."""
+    for family in PATH_FAMILIES.values():
+        for index in range(COUNT_OF_PATHS):
+            made_path(family, SEED, index).write(folder)
+
+
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description="Writes the corpus anew.")
     parser.add_argument("folder", nargs="?", type=Path, default=CORPUS, help="default: its own")
     parser.add_argument("--disc", action="store_true", help="those with a disc, into their folder")
+    parser.add_argument("--paths", action="store_true", help="paths and traps, into their folder")
     arguments = parser.parse_args()
-    if arguments.disc:
+    if arguments.paths:
+        make_paths(CORPUS_OF_PATHS if arguments.folder == CORPUS else arguments.folder)
+    elif arguments.disc:
         make_with_disc(CORPUS_WITH_DISC if arguments.folder == CORPUS else arguments.folder)
     else:
         make(arguments.folder)

@@ -801,10 +801,11 @@ def not_above(f: Triple, cell: list[Corner]) -> list[Corner]:
 
 
 def sides(ring: list[Triple]) -> list[Vector]:
-    """Normals of half-planes that have in common a convex polygon, a segment or a point."""
+    """Normals of half-planes that have in common a convex polygon, a segment or a point (also as a
+    segment without length)."""
     if len(ring) > 2:
         return [(b[1] - a[1], a[0] - b[0]) for a, b in edges_of(ring)]
-    x, y = direction(ring[0], ring[1]) if len(ring) == 2 else (1, 0)
+    x, y = direction(ring[0], ring[1]) if len(set(ring)) == 2 else (1, 0)
     return [(x, y), (-x, -y), (y, -x), (-y, x)]
 
 
@@ -927,7 +928,7 @@ class PathProof(Proof):
 
     def __init__(self, path: list[Vertex], sets: Sequence[Operand], budget: Budget) -> None:
         super().__init__(sets[0], sets[1], budget)
-        self.path = path
+        self.path, self.ways = path, segments(path)
 
     def pair(self, by: Json) -> tuple[Pieces, Pieces]:
         pair = [self.step(value, Pieces) for value in items(by, 2)]
@@ -976,8 +977,7 @@ class PathProof(Proof):
         """Where its scales begin and end. A place, and a point that the part and the obstacles have
         in common there, move linearly from each scale to the next; `up`: they stay for ever."""
         segment, nodes, entries = members(value, "segment nodes points")
-        ways = segments(self.path)
-        start, end = ways[index(segment, len(ways))]
+        start, end = self.ways[index(segment, len(self.ways))]
         A, B = self.nodes(by, nodes)
         of_A, of_B = sides(by[0].hulls[A]), sides(by[1].hulls[B])
         up = items(entries)[-1:] == ["up"]
@@ -1011,7 +1011,8 @@ class PathProof(Proof):
         return self.answer(claim, "valid", ("free", "hit"))
 
     def add_trap(self, claim: Json) -> tuple[str, None]:
-        """At which of some scales the part is trapped."""
+        """At which of some scales the part is trapped at the place."""
+        self.place()
         return self.answer(claim, "trapped", ("trapped", "escapes", "hit"))
 
     def answer(self, claim: Json, name: str, kinds: Sequence[str]) -> tuple[str, None]:

@@ -57,7 +57,10 @@ struct Said {
 class PathCertificate {
  public:
   PathCertificate(Operand R, Operand O, Path path, Budget& budget)
-      : operands_{std::move(R), std::move(O)}, path_(std::move(path)), budget_(budget) {
+      : operands_{std::move(R), std::move(O)},
+        path_(std::move(path)),
+        ways_(segments(path_)),
+        budget_(budget) {
     require(!(operands_[0].thin && operands_[1].thin), "both operands are points or segments");
     for (const Operand& operand : operands_) {
       for (const Point& p : operand.exact) {
@@ -102,7 +105,10 @@ class PathCertificate {
     if (kind == "free") return free(claim);
     if (kind == "hit") return hit(claim);
     if (kind == "valid") return answer(claim, "valid", {"free", "hit"});
-    if (kind == "trap") return answer(claim, "trapped", {"trapped", "escapes", "hit"});
+    if (kind == "trap") {
+      place();
+      return answer(claim, "trapped", {"trapped", "escapes", "hit"});
+    }
     if (kind == "escapes") return escapes(claim);
     if (kind == "trapped") return trapped(claim);
     throw NotVerified(Code::malformed, "there is no such claim");
@@ -204,8 +210,7 @@ class PathCertificate {
 
   std::pair<Cut, Cut> scales_of_hit(const Value& value, const PiecesOfBoth& by, bool interiors) {
     const auto m = members(value, "segment nodes points");
-    const auto ways = segments(path_);
-    const auto& [from, to] = ways[index(*m[0], ways.size())];
+    const auto& [from, to] = ways_[index(*m[0], ways_.size())];
     const auto [A, B] = nodes_of(by, *m[1]);
     const auto of_A = sides(by[0]->hulls[A]), of_B = sides(by[1]->hulls[B]);
     std::vector<Value> entries = items(*m[2]);
@@ -371,6 +376,7 @@ class PathCertificate {
 
   std::array<Operand, 2> operands_;
   Path path_;
+  std::vector<std::pair<Point, Point>> ways_;
   Budget& budget_;
   mpz_class unit_ = 1;
   Normals normals_;

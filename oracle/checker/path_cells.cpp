@@ -5,8 +5,10 @@
 namespace minkref::checker {
 namespace {
 
+/// Corners that are equal follow each other around a cell.
 void add(Cell& cell, Corner corner) {
-  if (std::find(cell.begin(), cell.end(), corner) == cell.end()) cell.push_back(std::move(corner));
+  const bool known = !cell.empty() && (cell.back() == corner || cell.front() == corner);
+  if (!known) cell.push_back(std::move(corner));
 }
 
 Corner corner_of(const mpz_class& part, const std::optional<mpq_class>& scale) {
@@ -144,7 +146,8 @@ std::vector<Vector> sides(const std::vector<Vector>& ring) {
     }
     return found;
   }
-  const Vector d = ring.size() == 2 ? minus(ring[1], ring[0]) : Vector{1, 0};
+  Vector d = ring.size() == 2 ? minus(ring[1], ring[0]) : Vector{1, 0};
+  if (d == Vector{0, 0}) d = {1, 0};  // a segment without length is a point
   return {d, {-d.x, -d.y}, {d.y, -d.x}, {-d.y, d.x}};
 }
 

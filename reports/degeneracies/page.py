@@ -11,10 +11,12 @@ from typing import Any
 
 from minkref import _core
 from minkref.degeneracies import found, lint
-from minkref.degeneracies.catalogue import ALL_FAMILIES, DISC_FAMILIES
+from minkref.degeneracies.catalogue import ALL_FAMILIES, DISC_FAMILIES, PATH_FAMILIES
 from minkref.degeneracies.disc.case_faults import CORPUS as CORPUS_WITH_DISC
 from minkref.degeneracies.flags import explained
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, invalid_member
+from minkref.degeneracies.paths.case_faults import CORPUS as CORPUS_OF_PATHS
+from minkref.degeneracies.paths.case_faults import case_paths as case_paths_of_paths
 from minkref.documents import check_writable, write_atomically
 from minkref.errors import Refusal, message_of
 from minkref.fuzz.space.case_file import is_in_space
@@ -25,6 +27,12 @@ from minkref.reports.degeneracies.disc_cases import (
     disc_case_pictures,
     disc_cases_in,
     disc_row,
+)
+from minkref.reports.degeneracies.path_cases import (
+    PathRow,
+    path_case_pictures,
+    path_cases_in,
+    path_row,
 )
 from minkref.reports.degeneracies.pictures import Drawn, case_pictures
 from minkref.reports.degeneracies.solid_pictures import solid_pictures
@@ -73,7 +81,7 @@ class SpaceRow:
     why: str
 
 
-AnyRow = Row | SpaceRow | SolidRow | DiscRow
+AnyRow = Row | SpaceRow | SolidRow | DiscRow | PathRow
 
 
 @dataclass(frozen=True)
@@ -102,8 +110,12 @@ class FamilyPage:
         return [row for row in self.rows if isinstance(row, DiscRow)]
 
     @property
+    def of_paths(self) -> list[PathRow]:
+        return [row for row in self.rows if isinstance(row, PathRow)]
+
+    @property
     def is_generated(self) -> bool:
-        return self.name in ALL_FAMILIES or self.name in DISC_FAMILIES
+        return self.name in (*ALL_FAMILIES, *DISC_FAMILIES, *PATH_FAMILIES)
 
     @property
     def has_stories(self) -> bool:
@@ -133,10 +145,7 @@ def write_report(
     if INDEX in by_family:
         where = str(by_family[INDEX][0].parent)
         raise Refusal("the front page has this name", where, "give the folder another name")
-    pages = [
-        (_family_with_disc if name in DISC_FAMILIES else _family)(name, paths, reading)
-        for name, paths in sorted(by_family.items())
-    ]
+    pages = [_makes(name)(name, paths, reading) for name, paths in sorted(by_family.items())]
     invalid = [_invalid(name) for name in INVALID_FAMILIES]
     templates = environment("degeneracies")
     files = {
@@ -154,10 +163,31 @@ def write_report(
 
 
 def case_paths_of_report(corpus: Path) -> list[Path]:
-    """The cases of a folder; with the corpus of case-v1 those with a disc, which have a folder of
-    their own."""
-    more = lint.case_paths(CORPUS_WITH_DISC) if corpus == lint.CORPUS else []
+    """The cases of a folder; with the corpus of case-v1 those with a disc, and of paths and traps,
+    which have folders of their own."""
+    more: list[Path] = []
+    if corpus == lint.CORPUS:
+        more = [*lint.case_paths(CORPUS_WITH_DISC), *case_paths_of_paths(CORPUS_OF_PATHS)]
     return [*lint.case_paths(corpus), *more]
+
+
+def _makes(name: str) -> Callable[[str, list[Path], Callable[[str], None]], FamilyPage]:
+    """What makes the page of a family."""
+    if name in DISC_FAMILIES:
+        return _family_with_disc
+    return _family_of_paths if name in PATH_FAMILIES else _family
+
+
+def _family_of_paths(name: str, paths: list[Path], reading: Callable[[str], None]) -> FamilyPage:
+    family = PATH_FAMILIES[name]
+    rows: list[AnyRow] = []
+    drawings: list[tuple[AnyRow, list[Drawn]]] = []
+    for path, value in path_cases_in(paths):
+        reading(name)
+        rows.append(path_row(path, value))
+        if len(drawings) < DRAWN:
+            drawings.append((rows[-1], path_case_pictures(path, value)))
+    return FamilyPage(name, family.title, family.why, [], rows, drawings)
 
 
 def _family_with_disc(name: str, paths: list[Path], reading: Callable[[str], None]) -> FamilyPage:

@@ -1,4 +1,4 @@
-"""Valid scales of paths, traps, and how fast they are found."""
+"""Valid scales of paths, traps, their certificates, and how fast they are found."""
 
 from __future__ import annotations
 
@@ -10,24 +10,42 @@ from fractions import Fraction
 from typing import Any
 
 import minkref
+from minkref.certify.path_certificate import THIN
 from minkref.fuzz.cgal.oracle import CgalOracle
 from minkref.fuzz.judges.path_cases import PathCase, path_case
 from minkref.fuzz.judges.path_collisions import Collisions, by_slow_engine, by_triangles
 from minkref.fuzz.judges.path_sums import PathBySums
 from minkref.fuzz.judges.path_traps import enclosing_ring, way_out
+from minkref.reports.evidence.certificates.path_cases import (
+    Made,
+    checking_seconds,
+    faults,
+    figures,
+    joined,
+    made,
+)
 from minkref.reports.evidence.framework.in_processes import in_processes
-from minkref.reports.evidence.framework.part import CGAL, COMPARISON, READERS, REFERENCE, Findings
+from minkref.reports.evidence.framework.part import (
+    CERTIFY,
+    CGAL,
+    COMPARISON,
+    READERS,
+    REFERENCE,
+    Findings,
+)
 
 SUBJECT = (
     "Paths (Section 8.1): on random parts, obstacles and paths, a third degenerate, three routes "
     "give the same valid scales; at, just below and just above each bound and in each range the "
     "answer is that from the definition, for some of them by the slow engine; traps have an "
-    "enclosing ring, and what is no trap a way out; the time of a large path on one core, beside "
-    "that of CGAL's sums at single scales, which bracket the same bound."
+    "enclosing ring, and what is no trap a way out. Certificates of these answers, of all their "
+    "scales, before both checkers: rings and ways out of 200 traps, and the paths. The time of a "
+    "large path on one core, beside that of CGAL's sums at single scales, which bracket the same "
+    "bound."
 )
-MINUTES = (7, 0.2)
+MINUTES = (9, 0.2)
 ALONE = True  # it measures time
-DEPENDS = (*REFERENCE, *READERS, *COMPARISON, *CGAL, "oracle/slow/*.py")
+DEPENDS = (*REFERENCE, *READERS, *COMPARISON, *CERTIFY, *CGAL, "oracle/slow/*.py")
 
 SEED = 3100
 METHOD = "reduced"
@@ -42,6 +60,7 @@ RUNS = 3  # of which the shortest counts
 WIDTH, QUICK_WIDTH = Fraction(1, 1000), Fraction(1, 2)  # of the bracket by sums
 ABOVE = Fraction(4)  # a scale that is too large
 TARGET_RATIO = 10.0
+WORDS = {"trapped": "claims of a ring", "escapes": "claims of a way out", "hit": "claims of a hit"}
 
 
 def run(findings: Findings, quick: bool) -> None:
@@ -52,12 +71,24 @@ def run(findings: Findings, quick: bool) -> None:
 
 def _cases(findings: Findings, count: int, slow: int) -> None:
     tally: Counter[str] = Counter()
-    faults: list[str] = []
+    wrong: list[str] = []
+    unproven: list[str] = []
+    without: Counter[str] = Counter()
+    proofs = []
     tasks = [(index, index < slow) for index in range(count)]
     for found in in_processes(judge, tasks, 50, "paths"):
         tally.update(found["tally"])
-        faults += found["faults"]
-    findings.none("random paths: answers that differ", faults)
+        wrong += found["faults"]
+        unproven += found["unproven"]
+        without.update(found["without"])
+        proofs.append(found["proofs"])
+    findings.none("random paths: answers that differ", wrong)
+    findings.none("random paths: certificates that a checker does not verify", unproven)
+    proven = sum(one["certificates"] for one in proofs)
+    findings.equal(
+        "random paths: answers with a certificate, or a part or obstacles that are a segment or a "
+        "point and may touch", len(CONTACTS) * count, proven + without[THIN],
+    )  # fmt: skip
     findings.equal("random paths", count, tally["cases"])
     findings.equal("of them before the slow engine", slow, tally["slow cases"])
     findings.note(
@@ -67,6 +98,23 @@ def _cases(findings: Findings, count: int, slow: int) -> None:
         f"{tally['slow scales']:,} by the slow engine"
     )
     findings.figures["cases"] = dict(tally)
+    _certified(findings, "paths", proofs, without)
+
+
+def _certified(
+    findings: Findings, what: str, several: list[dict[str, float]], without: Counter[str]
+) -> None:
+    """`several`: of certificates that both checkers verified; `without`: why others have none."""
+    total = several[0]
+    for one in several[1:]:
+        total = joined(total, one)
+    told = "; ".join(f"{count} without: {why}" for why, count in sorted(without.items()))
+    findings.note(
+        f"certificates of {what}, of all their scales, verified by both checkers: "
+        f"{total['certificates']:,}, the largest {total['largest bytes']:,} bytes, the slowest "
+        f"made in {total['longest to make, s']:.2f} s" + (f"; {told}" if told else "")
+    )
+    findings.figures[f"certificates of {what}"] = {**total, "without": dict(without)}
 
 
 def judge(task: tuple[int, bool]) -> dict[str, Any]:
@@ -76,18 +124,32 @@ def judge(task: tuple[int, bool]) -> dict[str, Any]:
     tally: Counter[str] = Counter(cases=1)
     tally["degenerate"] += case.kind != "general"
     tally["slow cases"] += slowly
-    faults = []
+    wrong = []
+    certificates = []
     for contact in CONTACTS:
+        certificates.append(_path_proof(case, contact))
         found = minkref.valid_scales(case.part, case.obstacles, case.path, contact)
         for route in ("contacts", "index"):
             other = minkref.valid_scales(case.part, case.obstacles, case.path, contact, route=route)
             if other.ranges != found.ranges:
-                faults.append(f"{case.name} ({case.kind}), {contact}: {route} differs")
+                wrong.append(f"{case.name} ({case.kind}), {contact}: {route} differs")
         tally["ranges"] += len(found.ranges)
         tally["single"] += sum(one.low == one.high for one in found.ranges)
         tally["bounds"] += len(found.bounds)
-        faults += _scales(case, contact, found, slowly, tally)
-    return {"tally": tally, "faults": faults}
+        wrong += _scales(case, contact, found, slowly, tally)
+    return {"tally": tally, "faults": wrong, **_proofs(certificates)}
+
+
+def _path_proof(case: PathCase, contact: str) -> Made:
+    sets = case.part, case.obstacles
+    return made(f"{case.name}, {contact}", sets, case.path, lambda proof: proof.valid(contact))
+
+
+def _proofs(several: list[Made]) -> dict[str, Any]:
+    """Both checkers on those that there are."""
+    there = [one for one in several if one.certificate is not None]
+    without = Counter(one.why for one in several if one.certificate is None)
+    return {"unproven": faults(there), "without": without, "proofs": figures(there)}
 
 
 def _scales(
@@ -101,34 +163,49 @@ def _scales(
         scales.add((one.low + one.high) / 2 if one.high is not None else 2 * one.low + 1)
     collisions = Collisions(case.part, case.obstacles, case.path)
     triangles = by_triangles(case.part, case.obstacles)
-    faults = []
+    wrong = []
     for scale in sorted(scales):
         tally["scales"] += 1
         if collisions.collides(scale, contact, triangles) == (scale in found):
-            faults.append(f"{case.name} ({case.kind}), {contact}: wrong at {scale}")
+            wrong.append(f"{case.name} ({case.kind}), {contact}: wrong at {scale}")
     if slowly:
         dice = random.Random(case.name)
         engine = by_slow_engine(case.part, case.obstacles)
         for scale in dice.sample(sorted(scales), min(SLOW_SCALES, len(scales))):
             tally["slow scales"] += 1
             if collisions.collides(scale, contact, engine) == (scale in found):
-                faults.append(f"{case.name}, {contact}: the slow engine differs at {scale}")
-    return faults
+                wrong.append(f"{case.name}, {contact}: the slow engine differs at {scale}")
+    return wrong
 
 
 def _traps(findings: Findings, count: int) -> None:
     tally: Counter[str] = Counter()
-    faults: list[str] = []
+    wrong: list[str] = []
+    unproven: list[str] = []
+    without: Counter[str] = Counter()
+    proofs = []
     for found in in_processes(judge_trap, range(count), 50, "traps"):
         tally.update(found["tally"])
-        faults += found["faults"]
-    findings.none("traps: answers without a ring or a way out", faults)
+        wrong += found["faults"]
+        unproven += found["unproven"]
+        without.update(found["without"])
+        proofs.append(found["proofs"])
+    findings.none("traps: answers without a ring or a way out", wrong)
+    findings.none("traps: certificates that a checker does not verify", unproven)
+    proven = sum(one["certificates"] for one in proofs)
+    findings.equal("traps: answers with a certificate", len(CONTACTS) * count, proven)
     findings.law("traps with a ring", tally["rings"] >= count, count, tally["rings"])
     findings.note(
         f"{count:,} places in assemblies: {tally['rings']:,} scales of traps with an enclosing "
         f"ring, {tally['ways']:,} other free scales with a way out"
     )
+    findings.note(
+        f"the certificates of traps have {tally['claims of a ring']:,} rings, "
+        f"{tally['claims of a way out']:,} ways out and {tally['claims of a hit']:,} hits at the "
+        f"place, each for a range of scales or one; together they tell of all scales"
+    )
     findings.figures["traps"] = dict(tally)
+    _certified(findings, "traps", proofs, without)
 
 
 def judge_trap(index: int) -> dict[str, Any]:
@@ -138,7 +215,7 @@ def judge_trap(index: int) -> dict[str, Any]:
     found = minkref.trapped_scales(part, assembly, at)
     free = minkref.valid_scales(part, assembly, [at])
     tally: Counter[str] = Counter(cases=1)
-    faults = []
+    wrong = []
     scales = set()
     for end in (*(bound.scale for bound in found.bounds), *(bound.scale for bound in free.bounds)):
         scales |= {end * (1 - HAIR), end, end * (1 + HAIR)}
@@ -147,20 +224,29 @@ def judge_trap(index: int) -> dict[str, Any]:
     for scale in sorted(scales):
         if scale not in free:
             if scale in found:
-                faults.append(f"trap {index}: trapped at {scale}, where the place is not free")
+                wrong.append(f"trap {index}: trapped at {scale}, where the place is not free")
             continue
         if scale in found:
             at_bound = any(bound.scale == scale for bound in free.bounds)
             ring = None if at_bound else enclosing_ring(part, assembly, at, scale)
             tally["rings"] += ring is not None
             if ring is None and not at_bound:
-                faults.append(f"trap {index}: no ring at {scale}")
+                wrong.append(f"trap {index}: no ring at {scale}")
         else:
             way = way_out(part, assembly, at, scale)
             tally["ways"] += way is not None
             if way is None:
-                faults.append(f"trap {index}: no way out at {scale}")
-    return {"tally": tally, "faults": faults}
+                wrong.append(f"trap {index}: no way out at {scale}")
+    certificates = [_trap_proof(index, part, assembly, at, contact) for contact in CONTACTS]
+    for proof in certificates:
+        for claim in proof.certificate.claims if proof.certificate is not None else ():
+            tally[WORDS.get(claim["claim"], "claims of an answer")] += 1
+    return {"tally": tally, "faults": wrong, **_proofs(certificates)}
+
+
+def _trap_proof(index: int, part: Any, assembly: Any, at: Any, contact: str) -> Made:
+    name = f"trap {index}, {contact}"
+    return made(name, (part, assembly), [at], lambda proof: proof.trap(contact))
 
 
 def _trap(dice: random.Random) -> tuple[minkref.PolygonSet, minkref.PolygonSet, Any]:
@@ -202,6 +288,15 @@ def _speed(findings: Findings, width: Fraction) -> None:
         f"exact; valid: {', '.join(map(str, found.ranges))}"
     )
     findings.figures["speed"] = {"seconds": seconds, **found.statistics}
+    proof = made("the large path", (part, obstacles), path, lambda one: one.valid())
+    findings.none("the large path: checkers that do not verify its certificate", faults([proof]))
+    told = {**figures([proof]), **checking_seconds(proof)}
+    findings.note(
+        f"the certificate of that path: {told['largest bytes']:,} bytes, made in "
+        f"{told['longest to make, s']:.2f} s, checked in {told['check.py, s']:.2f} s (check.py) "
+        f"and {told['minkref-check, s']:.2f} s (minkref-check)"
+    )
+    findings.figures["certificate of the large path"] = told
     _beside_sums(findings, found, seconds, width)
 
 

@@ -189,6 +189,21 @@ def test_a_trap_is_about_one_place(check_value: Any) -> None:
     assert (code, "not one place" in said) == (MALFORMED, True), said
 
 
+def test_a_path_that_collides_is_no_answer_about_a_place(check_value: Any) -> None:
+    """Some place of a path may collide at all scales, and another one be a trap."""
+    case = {**walls.CASE, "path": [["0", "0"], ["-1", "0"]]}
+    value = walls.certificate()
+    value["case"]["sha256"] = walls.digest_of_case(case)
+    value["steps"] = walls.PIECES
+    told = walls.CLAIMS[1]["scales"]
+    value["claims"] = [walls.CLAIMS[1], {"claim": "trap", "contact": "allowed", "scales": told,
+                                         "trapped": [], "claims": [0]}]  # fmt: skip
+    code, said = check_value(value, case)
+    assert (code, "not one place" in said) == (MALFORMED, True), said
+    value["claims"].pop()
+    assert check_value(value, case)[0] == 0
+
+
 @pytest.mark.parametrize("name", ["R", "O"])
 def test_a_thin_operand_may_not_touch(check_value: Any, name: str) -> None:
     """It may pass in the interior of the other, along a seam of its pieces."""
@@ -234,6 +249,20 @@ def test_a_thin_operand_that_may_not_touch_is_held_apart_strictly(check_value: A
         value["steps"][2]["scales"] = value["claims"][0]["scales"] = spoilt
         code, said = check_value(value, case)
         assert (code, "ends too early" in said) == (REFUTED, True), said
+
+
+def test_a_segment_without_length_is_a_point(check_value: Any) -> None:
+    """It collides where it is, and nowhere else: its edges have no directions."""
+    thin = [["1", "0"], ["1", "0"]]
+    case = {**walls.CASE, "R": walls.polygons(thin)}
+    for point, verdict in ((["2", "0"], 0), (["3", "1/2"], REFUTED), (["2", "1/2"], REFUTED)):
+        value = walls.certificate()
+        value["case"]["sha256"] = walls.digest_of_case(case)
+        value["steps"] = [{**walls.PIECES[0], "pieces": [[0, 1]]}, walls.PIECES[1]]
+        told = scales("2", "2", "[]")
+        value["claims"] = [walls.hit(told, 0, [["0", "2", point]], "forbidden")]
+        code, said = check_value(value, case)
+        assert code == verdict, said
 
 
 def test_an_empty_set_collides_nowhere(check_value: Any) -> None:

@@ -9,6 +9,7 @@ from typing import Any
 import jsonschema
 import pytest
 from minkref.commands.schemas import schema
+from minkref.degeneracies.paths.case_faults import case_validator
 from minkref.reports.evidence.certificates.checkers import in_cpp, verdicts
 
 PART = "POLYGON((2 0,3 0,3 1,2 1,2 0))"
@@ -106,3 +107,10 @@ def test_what_has_no_certificate_is_refused(minkref: Any, tmp_path: Path) -> Non
     assert not file.exists()
     ran = minkref(*way, "--contact", "forbidden")
     assert (ran.code, "verified" in ran.out) == (0, True), ran.err
+
+
+def test_the_case_is_of_the_form_of_generated_ones(minkref: Any, tmp_path: Path) -> None:
+    for number, command in enumerate((PATH, TRAP)):
+        assert minkref(*command, "--certify", str(tmp_path / f"{number}.cert.json")).code == 0
+        value = json.loads((tmp_path / f"{number}.case.json").read_text(encoding="utf-8"))
+        case_validator().validate(value)

@@ -13,9 +13,9 @@ import jsonschema
 import pytest
 from minkref.commands.schemas import schema
 from minkref.degeneracies import lint
-from minkref.degeneracies.catalogue import DISC_FAMILIES, FAMILIES, SPACE_FAMILIES
+from minkref.degeneracies.catalogue import DISC_FAMILIES, FAMILIES, PATH_FAMILIES, SPACE_FAMILIES
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES
-from minkref.degeneracies.make_corpus import COUNT_WITH_DISC
+from minkref.degeneracies.make_corpus import COUNT_OF_PATHS, COUNT_WITH_DISC
 from minkref.reports.audit.catalogue import ENTRIES
 from minkref.reports.degeneracies.page import case_paths_of_report
 
@@ -36,6 +36,12 @@ def test_a_page_for_each_family(minkref: Any, tmp_path: Path) -> None:
         page = (tmp_path / "pages" / f"{name}.html").read_text(encoding="utf-8")
         assert f'href="{name}.html"' in front and page.count("<svg") >= 6
         assert page.count("<tr>") == COUNT_WITH_DISC + 1 and len(re.findall("A[0-9]", page)) > 6
+    for name in PATH_FAMILIES:
+        page = (tmp_path / "pages" / f"{name}.html").read_text(encoding="utf-8")
+        assert f'href="{name}.html"' in front and page.count("<svg") >= 6
+        assert page.count("<tr>") == COUNT_OF_PATHS + 1
+        numbers = re.findall(r"[ML ](-?[0-9.]+)", "".join(re.findall(r' d="[^"]*"', page)))
+        assert numbers and all(-400 < float(number) < 400 for number in numbers)
     for name in INVALID_FAMILIES:
         assert f'id="{name}"' in front
 

@@ -12,6 +12,7 @@ from typing import Any
 
 import pytest
 import squares
+import walls
 from minkref import _core
 from minkref.certify.certificate import Certificate
 from minkref.fuzz.families.catalogue import FAMILIES
@@ -125,6 +126,11 @@ def test_claims_without_a_theorem_are_declined(check_value: Any) -> None:
     assert code == DECLINED
     assert "not proved: interval" in said
     assert "  sum: at 1" in said and "  sign: " in said
+
+
+def test_paths_are_declined(check_value: Any) -> None:
+    code, said = check_value(walls.certificate(), walls.CASE)
+    assert (code, "no theorem about paths" in said) == (DECLINED, True)
 
 
 def test_events_are_declined(check: Any, tmp_path: Path) -> None:

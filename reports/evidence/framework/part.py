@@ -25,7 +25,7 @@ CONVEX = (
 CERTIFY = ("certify/*", "oracle/checker/*", "reports/evidence/certificates/*.py")
 DEGENERACIES = (
     "degeneracies/*.py", "degeneracies/plane/*.py", "degeneracies/space/*.py",
-    "degeneracies/solids/*.py",
+    "degeneracies/solids/*.py", "degeneracies/paths/*.py",
 )  # fmt: skip
 
 

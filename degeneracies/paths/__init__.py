@@ -1,0 +1,1 @@
+"""Degenerate paths of a part among obstacles, and traps."""

@@ -1,0 +1,22 @@
+"""Members of families of paths and traps: drawn until one belongs."""
+
+from __future__ import annotations
+
+from random import Random
+
+from minkref import _core
+from minkref.degeneracies.generate import PATIENCE, nothing_drawn
+from minkref.degeneracies.paths.draft import PathFacts, PathFamily
+
+
+def drawn_path(family: PathFamily, seed: int, index: int) -> PathFacts:
+    """The member of this number. It depends on nothing else, on any machine."""
+    dice = Random(f"minkref degeneracy {family.name} {seed} {index}")
+    for _ in range(PATIENCE):
+        try:
+            facts = PathFacts.of(family.draw(dice))
+        except _core.BadInput:
+            continue
+        if family.belongs(facts):
+            return facts
+    raise nothing_drawn(family.name, seed, index, None)

@@ -1,0 +1,191 @@
+"""Degenerate paths and traps: each member has what its family promises, decided here from the case
+file alone by pairs of triangles; certificates prove what is expected."""
+
+from __future__ import annotations
+
+import json
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import minkref
+import pytest
+from members import lines_under_two_hash_seeds
+from minkref.degeneracies.catalogue import ALL_FAMILIES, DISC_FAMILIES, PATH_FAMILIES
+from minkref.degeneracies.files import made_path
+from minkref.degeneracies.make_corpus import COUNT_OF_PATHS
+from minkref.degeneracies.make_corpus import SEED as CORPUS_SEED
+from minkref.degeneracies.paths import case_faults
+from minkref.degeneracies.paths.case_document import DegeneratePath
+from minkref.fuzz.judges.path_collisions import Collisions, by_triangles
+from minkref.fuzz.judges.path_traps import enclosing_ring, way_out
+from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, verdicts
+
+SEED = 31
+COUNT = 3
+HAIR = Fraction(1, 1 << 30)
+CONTACTS = ("allowed", "forbidden")
+PATHS = [name for name, family in PATH_FAMILIES.items() if not family.is_trap]
+TRAPS = [name for name, family in PATH_FAMILIES.items() if family.is_trap]
+_MADE: dict[str, list[DegeneratePath]] = {}
+
+
+def made(name: str) -> list[DegeneratePath]:
+    if name not in _MADE:
+        print(f"seed {SEED}")
+        _MADE[name] = [DegeneratePath.of(PATH_FAMILIES[name], SEED, k) for k in range(COUNT)]
+    return _MADE[name]
+
+
+def values(name: str) -> list[dict[str, Any]]:
+    """As their files have them."""
+    return [json.loads(one.case_text) for one in made(name)]
+
+
+class Asked:
+    """Whether the part collides, at a scale, along the path or a part of it."""
+
+    def __init__(self, value: dict[str, Any]) -> None:
+        self.sets = [minkref.read_text(json.dumps(value[name]), "json") for name in "RO"]
+        self.path = [(Fraction(x), Fraction(y)) for x, y in value["path"]]
+        self.decide = by_triangles(*self.sets)
+
+    def collides(self, scale: Fraction, contact: str, path: Any = None) -> bool:
+        way = Collisions(*self.sets, self.path if path is None else path)
+        return way.collides(scale, contact, self.decide)
+
+
+def holds(ranges: list[dict[str, Any]], scale: Fraction) -> bool:
+    def begins(one: dict[str, Any]) -> bool:
+        low = Fraction(one["from"])
+        return low < scale or (low == scale and one["from_in"])
+
+    def ends(one: dict[str, Any]) -> bool:
+        if one["to"] is None:
+            return True
+        return scale < Fraction(one["to"]) or (scale == Fraction(one["to"]) and one["to_in"])
+
+    return any(begins(one) and ends(one) for one in ranges)
+
+
+@pytest.mark.parametrize("name", PATHS)
+def test_valid_scales_are_what_is_expected(name: str) -> None:
+    """At each end, just beside it, and at the scale of the case."""
+    for value in values(name):
+        asked = Asked(value)
+        for contact in CONTACTS:
+            ranges = value["expected"]["valid"][contact]
+            ends = {Fraction(one[end]) for one in ranges for end in ("from", "to") if one[end]}
+            scales = {Fraction(value["degeneracy"]["at"])} | {
+                end * (1 + by) for end in ends if end for by in (-HAIR, 0, HAIR)
+            }
+            for scale in scales:
+                assert asked.collides(scale, contact) != holds(ranges, scale), (scale, contact)
+
+
+@pytest.mark.parametrize("name", TRAPS)
+def test_traps_are_what_is_expected(name: str) -> None:
+    """A ring around the place just on the one side of the scale, a way out on the other. (At the
+    scale itself, where there is no clearance, the certificates prove both.)"""
+    for value in values(name):
+        asked, s = Asked(value), Fraction(value["degeneracy"]["at"])
+        expected = value["expected"]["trapped"]
+        (place,) = asked.path
+        held, out = s * (1 + HAIR), s * (1 - HAIR)
+        if name == "trap-opens":
+            held, out = out, held
+        for contact in CONTACTS:
+            assert holds(expected[contact], held) and not holds(expected[contact], out)
+        assert [holds(expected[contact], s) for contact in CONTACTS] == [False, True]
+        assert enclosing_ring(*asked.sets, place, held) is not None
+        assert way_out(*asked.sets, place, out) is not None
+        assert not asked.collides(s, "forbidden")
+
+
+def test_families_show_what_their_titles_say() -> None:
+    for value in values("path-isolated-scale"):
+        at = value["degeneracy"]["at"]
+        alone = {"from": at, "to": at, "from_in": True, "to_in": True}
+        valid = value["expected"]["valid"]
+        assert alone in valid["allowed"] and alone not in valid["forbidden"]
+    for name in ("path-touches-for-an-instant", "path-along-an-edge", "path-corner-touches"):
+        for value in values(name):
+            asked, s = Asked(value), Fraction(value["degeneracy"]["at"])
+            assert [asked.collides(s, contact) for contact in CONTACTS] == [False, True]
+            ends = [asked.collides(s, "forbidden", [p]) for p in (asked.path[0], asked.path[1])]
+            corner = name == "path-corner-touches"
+            assert ends == {"path-along-an-edge": [True, True]}.get(name, [False, corner])
+    for one in made("path-beside-its-origin"):
+        assert not minkref.valid_scales(one.facts.part, one.facts.obstacles, [(0, 0)]).star_shaped
+        assert len(one.document["expected"]["valid"]["allowed"]) >= 3
+
+
+@pytest.mark.parametrize("name", PATH_FAMILIES)
+def test_certificates_prove_what_is_expected(tmp_path: Path, name: str) -> None:
+    asked = "trapped" if PATH_FAMILIES[name].is_trap else "valid"
+    for k in range(COUNT):
+        row = made_path(PATH_FAMILIES[name], SEED, k).write(tmp_path)
+        file = Path(str(row["certificate"]))
+        for command in (in_python(), in_cpp()):
+            (verdict,) = verdicts(command, [file])
+            assert verdict.code == 0, verdict.why
+        claims = json.loads(file.read_text(encoding="utf-8"))["claims"]
+        told = {one["contact"]: one[asked] for one in claims if asked in one}
+        assert told == json.loads(Path(row["case"]).read_text("utf-8"))["expected"][asked]
+    assert not list(case_faults.faults(tmp_path))
+
+
+@pytest.mark.parametrize("name", PATH_FAMILIES)
+def test_the_members_of_the_corpus_are_made_again(name: str) -> None:
+    """All of them, and no more: the same bytes."""
+    texts = {}
+    for k in range(COUNT_OF_PATHS):
+        one = DegeneratePath.of(PATH_FAMILIES[name], CORPUS_SEED, k)
+        texts |= {f"{one.id}.json": one.case_text, f"{one.id}.cert.json": one.certificate_text}
+    folder = case_faults.CORPUS / name
+    assert texts == {path.name: path.read_text(encoding="utf-8") for path in folder.iterdir()}
+
+
+def test_the_corpus_is_in_form() -> None:
+    assert not list(case_faults.faults(again=False))
+    assert {path.name for path in case_faults.CORPUS.iterdir()} == set(PATH_FAMILIES)
+    assert not set(PATH_FAMILIES) & (set(ALL_FAMILIES) | set(DISC_FAMILIES))
+
+
+CODE = f"""
+import hashlib
+from minkref.degeneracies.catalogue import PATH_FAMILIES
+from minkref.degeneracies.paths.case_document import DegeneratePath
+for name, family in sorted(PATH_FAMILIES.items()):
+    made = DegeneratePath.of(family, {SEED}, 0)
+    text = made.case_text + made.certificate_text
+    print(name, hashlib.sha256(text.encode()).hexdigest())
+"""
+
+
+def test_a_member_depends_on_seed_and_number_only() -> None:
+    assert len(lines_under_two_hash_seeds(CODE)) == len(PATH_FAMILIES)
+
+
+@pytest.mark.parametrize(
+    ("spoil", "fault"),
+    [
+        (lambda v: v.pop("path"), "'path' is a required property"),
+        (lambda v: v.__setitem__("more", 1), "Additional properties"),
+        (lambda v: v["expected"]["valid"]["allowed"].pop(), "the scales are not claimed"),
+        (lambda v: v["path"].append(["7", "7"]), "id is not"),
+        (lambda v: v["path"].append(["7", "7"]), "the certificate of another case"),
+        (lambda v: v["degeneracy"].__setitem__("at", "77"), "degeneracy is not what"),
+        (lambda v: v["R"]["polygons"][0]["outer"].reverse(), "orientation"),
+        (lambda v: v.__setitem__("source", "minkref generate nothing"), "makes nothing"),
+        (lambda v: v.__setitem__("certificate", "no.cert.json"), "is missing"),
+    ],
+)
+def test_lint_finds_what_is_wrong(tmp_path: Path, spoil: Any, fault: str) -> None:
+    path = Path(made_path(PATH_FAMILIES["path-isolated-scale"], SEED, 0).write(tmp_path)["case"])
+    assert not list(case_faults.faults(tmp_path))
+    value = json.loads(path.read_text(encoding="utf-8"))
+    spoil(value)
+    path.write_text(json.dumps(value), encoding="utf-8")
+    found = list(case_faults.faults(tmp_path))
+    assert any(fault in line for line in found), found
