@@ -95,10 +95,10 @@ class Within:
         return self.slack(scale) + (scale * TWO_STEPS if self.declared.numbers == "double" else 0)
 
     def __call__(self, scale: Fraction) -> Callable[[Fraction], bool]:
-        slack, beside = self.slack(scale), self._beside(scale)
+        slack, beside = self.slack(scale), self.beside(scale)
         return lambda listed: abs(listed - scale) <= slack or listed in beside
 
-    def _beside(self, scale: Fraction) -> set[Fraction]:
+    def beside(self, scale: Fraction) -> set[Fraction]:
         """The greatest double that is not above a scale, and the least that is not below it, where
         the target's numbers are doubles: then an exact one cannot say more either."""
         if self.declared.numbers != "double":

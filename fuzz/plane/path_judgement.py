@@ -10,6 +10,7 @@ from itertools import pairwise
 import minkref
 from minkref.fuzz.plane.asked_path import AskedPath
 from minkref.fuzz.plane.comparison import WitnessRefuted
+from minkref.fuzz.plane.event_judgement import Within
 from minkref.fuzz.plane.judgement import DOUBT, REFEREE, without_answer
 from minkref.fuzz.plane.path_claim import PathClaim
 from minkref.fuzz.plane.path_witness import ALLOWED, Asked, path_witness
@@ -55,6 +56,7 @@ def judge_path(
     decide collides. Where the definition refutes the reference, the target is undecided, and the
     referee is named."""
     sides = Sides.of(case, declared)
+    claim = _snapped(claim, declared, (sides.strict, sides.loose))
     differing = _differing(case, claim, sides)
     if not differing:
         return [Outcome(name, _good(case, claim, declared, sides))]
@@ -73,6 +75,27 @@ def judge_path(
         texts.append(f"the scale {scale} is {told}")
         witness = witness or found
     return [Outcome(name, Verdict.WRONG, tuple(reasons), message="; ".join(texts), witness=witness)]
+
+
+def _snapped(
+    claim: PathClaim, declared: Declaration, true: Sequence[minkref.ValidScales]
+) -> PathClaim:
+    """Where numbers are doubles, one next to the true end of a range stands for it."""
+    if claim.ranges is None or declared.numbers != "double":
+        return claim
+    within = Within(declared)
+    ends = {bound.scale for found in true for bound in found.bounds}
+    stands_for = {double: end for end in ends for double in within.beside(end)}
+
+    def snapped(end: Fraction | None) -> Fraction | None:
+        return end if end is None else stands_for.get(end, end)
+
+    return PathClaim(
+        ranges=tuple(
+            replace(one, low=stands_for.get(one.low, one.low), high=snapped(one.high))
+            for one in claim.ranges
+        )
+    )
 
 
 def _doubt(name: str, message: str) -> list[Outcome]:

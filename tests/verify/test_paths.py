@@ -4,6 +4,7 @@ cases shrink, declarations are kept."""
 from __future__ import annotations
 
 import json
+import math
 import sys
 from dataclasses import replace
 from fractions import Fraction
@@ -186,6 +187,21 @@ def test_ranges_are_compared_as_sets() -> None:
     assert judged(first, replace(two, high=Fraction(3)), last) == (MISSED,)
     assert judged() == (INVENTED,)
     assert judged(ScaleRange(Fraction(0), None, True, True)) == (MISSED,)
+
+
+def test_a_double_next_to_the_end_of_a_range_stands_for_it() -> None:
+    case = asked(literal(**{"from": "1/8", "to": "8"}))
+    exact = Declaration("doubles", numbers="double")
+    two, last = Fraction(2), ScaleRange(Fraction(9, 2), None, True, False)
+    near = Fraction(1 / 3)
+    for end in (near, Fraction(math.nextafter(1 / 3, 1))):
+        ranges = (ScaleRange(Fraction(0), end, False, True), ScaleRange(two, two, True, True), last)
+        (outcome,) = judge_path(case, "t", PathClaim(ranges=ranges), exact)
+        assert outcome.verdict is Verdict.PASS
+        assert judge_path(case, "t", PathClaim(ranges=ranges), EXACT)[0].verdict is Verdict.WRONG
+    far = Fraction(math.nextafter(1 / 3, 0))
+    ranges = (ScaleRange(Fraction(0), far, False, True), ScaleRange(two, two, True, True), last)
+    assert judge_path(case, "t", PathClaim(ranges=ranges), exact)[0].reasons == (INVENTED,)
 
 
 def test_a_tolerance_is_of_the_obstacles() -> None:
