@@ -153,3 +153,19 @@ def test_the_picture_has_each_polygon_range_and_bound(
     assert classes.count("alone") == single
     assert classes.count("range") == len(value["valid"]) - single
     assert classes.count("bad") >= 2
+
+
+def test_the_picture_of_the_docs_is_what_the_command_draws(
+    minkref: Minkref, tmp_path: Path
+) -> None:
+    bolt = "POLYGON ((-4 -30, 4 -30, 4 0, 9 0, 9 6, -9 6, -9 0, -4 0, -4 -30))"
+    bracket = (
+        "MULTIPOLYGON (((-24 -8, -4.2 -8, -4.2 0, -24 0, -24 -8)), "
+        "((4.3 -8, 24 -8, 24 10, 9.6 10, 9.6 0, 4.3 0, 4.3 -8)))"
+    )
+    way = "LINESTRING (-3 45, -3 34, 0 31.6, 0 0)"
+    minkref("path", bolt, bracket, way, "-o", tmp_path / "diagram.svg")
+    shown = Path(__file__).resolve().parents[2] / "docs" / "paths-diagram.svg"
+    assert (tmp_path / "diagram.svg").read_text(encoding="utf-8") == shown.read_text(
+        encoding="utf-8"
+    )
