@@ -64,8 +64,8 @@ def case_in_a_hole(seed: int, index: int) -> PathCase:
     while True:
         corners = sorted({(_far(dice), _far(dice)) for _ in range(dice.randint(4, 9))}, key=_angle)
         frame = [(-20, -20), (20, -20), (20, 20), (-20, 20)]
-        obstacles = PolygonSet([[_texts(frame), _texts(corners[::-1])]])
         try:
+            obstacles = PolygonSet([[_texts(frame), _texts(corners[::-1])]])
             obstacles.validate("a drawn frame")
         except BadInput:
             continue

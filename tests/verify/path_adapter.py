@@ -139,11 +139,13 @@ def answer_path(way: str, part: Any, obstacles: Any, request: dict[str, Any]) ->
 
 
 def main(way: str) -> None:
-    capabilities = ["plane", "non-convex", "holes", "components", "touching", "path", "path-ranges"]
+    capabilities = ["plane", "non-convex", "holes", "components", "touching", "point", "segment"]
+    capabilities += ["path", "path-ranges"]
     hello: dict[str, Any] = {"name": way, "version": "1", "arithmetic": "exact"}
     hello["capabilities"] = [*capabilities, "rational"]
     if way == "trapezoids":
-        hello["capabilities"].remove("path-ranges")
+        without = ("path-ranges", "point", "segment")
+        hello["capabilities"] = [word for word in hello["capabilities"] if word not in without]
     if way in ("rounded", "doubles"):
         hello |= {"arithmetic": "float64", "tolerance": {"relative": "1e-9"}}
     if way == "doubles":

@@ -17,6 +17,7 @@ from minkref.errors import Refusal
 from minkref.fuzz.cases import naming
 from minkref.fuzz.cases.case_list import CaseList, Wait
 from minkref.fuzz.cases.case_name import CaseName
+from minkref.fuzz.judges.path_cases import case_in_a_hole
 from minkref.fuzz.plane.asked_path import FAMILIES, AskedPath
 from minkref.fuzz.plane.path_claim import PathClaim
 from minkref.fuzz.plane.path_judgement import judge_path
@@ -254,6 +255,12 @@ def test_steps_are_smaller_and_cases() -> None:
     for step in steps[:: max(len(steps) // 12, 1)]:
         assert step.size < case.size
         assert SmallPath.read(asked(step.literal).literal).size <= step.size
+
+
+def test_there_are_cases_for_many_numbers() -> None:
+    """A drawn outline that is none is drawn again."""
+    for index in range(3, 400, 4):
+        assert case_in_a_hole(3170, index).obstacles.rings()
 
 
 def test_cases_have_names_that_reproduce_them() -> None:
