@@ -5,11 +5,11 @@
 # those below. What has not changed is not done again.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-rooms=(Definitions Form Predicates Sums Crossings Fans Curves Unions Local Checker Rational Cancellation Bodies
+rooms=(Order Definitions Form Predicates Space Sums Crossings Fans Curves Unions Local Checker Rational Cancellation Bodies
   Scaling Trees Theorems Components Classes Counting Holes Across Sides Overlaps Canonical
-  Signs Passages Axioms Extract)
-programs=(failure json sha256 inflate reading rings checker checked classes elaborate theorem claims
-  main)
+  Signs Passages Hulls Axioms Extract)
+programs=(failure json sha256 inflate reading rings checker checked classes elaborate hull_means
+  bodies theorem claims main)
 # The classical real numbers of Coq's library, and functional extensionality.
 known="Coq.Logic.FunctionalExtensionality.functional_extensionality_dep
 Coq.Reals.ClassicalDedekindReals.sig_not_dec

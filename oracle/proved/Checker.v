@@ -2,10 +2,10 @@
     looks for nothing itself. That it is right is proved in Theorems.v; nothing is assumed of w.
     Each part names the rule of docs/certificates.md that it checks. *)
 From Coq Require Import Bool Mergesort Orders.
+From Proved Require Export Order.
 From Proved Require Import Definitions Form Fans.
 Open Scope Q_scope.
 
-Definition less (x y : Q) : bool := negb (Qle_bool y x).
 Definition qorient (a b p : vertex) : Q :=
   (fst b - fst a) * (snd p - snd a) - (snd b - snd a) * (fst p - fst a).
 Definition qdot (n p : vertex) : Q := fst n * fst p + snd n * snd p.
@@ -298,11 +298,6 @@ Fixpoint qring_before (l k : list vertex) : bool :=
   | _, [] => false
   | [], _ :: _ => true
   | p :: l', q :: k' => qbefore p q || (same p q && qring_before l' k')
-  end.
-Fixpoint ascends {A} (f : A -> A -> bool) (l : list A) : bool :=
-  match l with
-  | x :: r => match r with y :: _ => f x y | [] => true end && ascends f r
-  | [] => true
   end.
 Definition qarea (ring : list vertex) : Q :=
   fold_right (fun e s => Qred (fst (fst e) * snd (snd e) - snd (fst e) * fst (snd e) + s)) 0

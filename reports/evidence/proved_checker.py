@@ -21,9 +21,12 @@ from typing import Any
 
 from minkref import _core
 from minkref.certify.certificate import Certificate, NoProof
+from minkref.certify.convex_certificate import convex_certificate
 from minkref.commands.check_proved import PROGRAM
 from minkref.fuzz.judges.certified_claims import Confirmation
 from minkref.fuzz.plane.case import Case
+from minkref.fuzz.space.generators.convex import random_hull, sphere
+from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.reports.evidence.certificates.certified_cases import (
     cases,
     events,
@@ -46,7 +49,8 @@ from minkref.reports.evidence.framework.part import CERTIFY, READERS, REFERENCE,
 SUBJECT = (
     "The checker that is proved right in Coq, beside the two others: on fresh certificates of all "
     "families and those of the corpus, how many it declines, mutants with a changed claim, "
-    "its speed on large sums, and a sum with a hole as a theorem that Coq takes."
+    "its speed on large sums, sums of convex polyhedra, and a sum with a hole as a theorem that "
+    "Coq takes."
 )
 MINUTES = (4, 0.1)
 DEPENDS = (
@@ -58,6 +62,8 @@ DEPENDS = (
 SEED = 3232
 SUMS, EVENTS, MUTANTS = 2000, 40, 10_000
 QUICK_SUMS, QUICK_MUTANTS = 20, 60
+BODIES, QUICK_BODIES = 200, 5
+SCALINGS = [("1", "1", "1"), ("1/2", "3", "7/5")]
 BATCH = 100
 TIMES = 10.0  # the C++ checker
 CORPUS = ROOT / "degeneracies" / "corpus"
@@ -101,6 +107,7 @@ def run(findings: Findings, quick: bool) -> None:
             _declined(findings, folder)
             _speed(findings, folder)
         _mutants(findings, QUICK_MUTANTS if quick else MUTANTS, folder)
+        _bodies(findings, folder, QUICK_BODIES if quick else BODIES)
         _theorem(findings, folder)
 
 
@@ -272,6 +279,47 @@ def _speed(findings: Findings, folder: Path) -> None:
         findings.target(f"{title}: times the C++ checker", mine <= TIMES * other,
                         f"at most {TIMES:.0f}", f"{mine / other:.1f}")  # fmt: skip
         findings.figures[f"{title}: seconds, proved and C++"] = f"{mine:.2f} and {other:.2f}"
+
+
+def _bodies(findings: Findings, folder: Path, count: int) -> None:
+    """Sums of convex polyhedra: fresh ones, and with changed claims."""
+    dice = random.Random(SEED)
+    made, changed = [], []
+    for i in range(count):
+        bodies = [random_hull(dice, dice.randint(4, 14), dice.randint(1, 6)) for _ in "PQ"]
+        made.append(_written_bodies(bodies, SCALINGS, folder, f"body{i}"))
+        value = json.loads(made[-1].read_text(encoding="utf-8"))
+        for j, mutant in enumerate(mutants({"claims": value["claims"]}, 1, dice)):
+            if all(claim in value["claims"] for claim in mutant.value["claims"]):
+                continue  # in another order, or fewer
+            changed.append(folder / f"body{i}.{j}.cert.json")
+            changed[-1].write_text(json.dumps({**value, **mutant.value}), encoding="utf-8")
+    codes = zip(*(verdicts(c, made) for c in (in_proved(), in_python(), in_cpp())), strict=True)
+    found = [{verdict.code for verdict in row} for row in codes]
+    findings.equal("sums of convex polyhedra verified by all three", count, found.count({0}))
+    accepted = [verdict for verdict in verdicts(in_proved(), changed) if not verdict.code]
+    findings.none(f"of {len(changed):,} with a changed claim, accepted", accepted)
+    large = [sphere(dice, 100, Fraction(size)) for size in (3, 1)]
+    file = _written_bodies(large, SCALINGS[:1], folder, "spheres")
+    (ours, mine), (theirs, other) = timed(in_proved(), file), timed(in_cpp(), file)
+    findings.equal("polyhedra of 102 vertices: verified by both", [0, 0], [ours.code, theirs.code])
+    findings.figures["polyhedra of 102 vertices: seconds, proved and C++"] = (
+        f"{mine:.2f} and {other:.2f}"
+    )
+
+
+def _written_bodies(
+    bodies: list[Polyhedron], scalings: list[tuple[str, str, str]], folder: Path, stem: str
+) -> Path:
+    P, Q = (
+        _core.Polyhedron([tuple(vertex) for vertex in value["vertices"]], value["faces"])
+        for value in (body.document() for body in bodies)
+    )
+    texts = convex_certificate(P, Q, scalings, f"{stem}.case.json", "evidence")
+    (folder / f"{stem}.case.json").write_text(texts.case, encoding="utf-8")
+    path = folder / f"{stem}.cert.json"
+    path.write_text(texts.certificate, encoding="utf-8")
+    return path
 
 
 def _theorem(findings: Findings, folder: Path) -> None:

@@ -1,5 +1,5 @@
 (* The extracted checker, with zarith's fractions in front: both are a numerator and a positive
-   denominator. Trusted: the four functions [..._holds] hand over what they are given. *)
+   denominator. Trusted: the functions [..._holds] and [volume] hand over what they are given. *)
 
 type point = Q.t * Q.t
 type stretch = Checker.stretch
@@ -33,6 +33,18 @@ let concurrent (a : place) b c d e f = Checker.Concurrent (a, b, c, d, e, f)
 let passage_holds s p q witness path contacts =
   Checker.check_passage (fraction s) (List.map vertices p) (List.map vertices q) witness
     (vertices path) contacts
+
+let vertex3 (x, y, z) : Checker.vertex3 = ((fraction x, fraction y), fraction z)
+let mesh (corners, faces) : Checker.mesh = (List.map vertex3 corners, faces)
+
+let body_holds s p q r pairs means =
+  let weights = List.map (fun (i, w) -> (i, fraction w)) in
+  Checker.check_body (vertex3 s) (mesh p) (mesh q) (mesh r) pairs
+    (List.map (List.map weights) means)
+
+let volume m : Q.t =
+  let found = Checker.volume (mesh m) in
+  Q.make found.qnum found.qden
 
 let piece corners = Checker.Piece (vertices corners)
 let group hull members = Checker.Group (vertices hull, members)

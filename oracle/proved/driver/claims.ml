@@ -163,33 +163,13 @@ let check_claim budget p q step claim =
     | _ -> assert false)
   | kind -> Not_proved (kind ^ ": there is no theorem about this claim yet")
 
-(* Of each claim, whether it is proved; Not_verified where one does not hold. *)
-let check certificate read_case budget =
-  let form =
-    match certificate with
-    | Object found -> (
-      match List.assoc_opt "certificate" found with Some (Text form) -> form | _ -> "")
-    | _ -> ""
-  in
-  if List.mem form [ "convex-certificate-v1"; "solid-certificate-v1" ] then
-    fail Declined "there is no theorem about sums in space yet";
-  if form = "path-certificate-v1" then fail Declined "there is no theorem about paths yet";
-  require (form = "certificate-v1") "this is no certificate-v1";
+let check_plane certificate read_case budget =
   match
     members certificate
       [ "certificate"; "title?"; "comment?"; "producer?"; "case"; "steps"; "claims" ]
   with
   | [ _; title; comment; producer; case; steps; claims ] ->
-    List.iter
-      (function Null | Text _ -> () | _ -> fail Malformed "what carries no truth is no text")
-      [ title; comment; producer ];
-    let path, digest =
-      match members case [ "path"; "sha256" ] with
-      | [ path; digest ] -> (text path, text digest)
-      | _ -> assert false
-    in
-    let last = List.hd (List.rev (String.split_on_char '/' path)) in
-    require (not (String.contains path '\000' || last = "" || last = ".")) "no path of a case";
+    let path, digest = Reading.head [ title; comment; producer ] case in
     let p, q =
       match read_case path with
       | Object found ->
@@ -259,3 +239,21 @@ let check certificate read_case budget =
       "a claim is made twice";
     outcomes
   | _ -> assert false
+
+(* Of each claim, whether it is proved; Not_verified where one does not hold. *)
+let check certificate read_case budget =
+  let form =
+    match certificate with
+    | Object found -> (
+      match List.assoc_opt "certificate" found with Some (Text form) -> form | _ -> "")
+    | _ -> ""
+  in
+  match form with
+  | "certificate-v1" -> check_plane certificate read_case budget
+  | "convex-certificate-v1" ->
+    List.map
+      (fun said -> Proved { said; theorem = None })
+      (Bodies.check certificate read_case budget)
+  | "solid-certificate-v1" -> fail Declined "there is no theorem about sums of any polyhedra yet"
+  | "path-certificate-v1" -> fail Declined "there is no theorem about paths yet"
+  | _ -> fail Malformed "there is no such form of certificates"

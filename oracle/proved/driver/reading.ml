@@ -76,3 +76,16 @@ let case_digest p q =
 
 let set_digest polygons =
   Sha256.hex_digest (Printf.sprintf "{\"polygons\":%s}" (polygons_text polygons))
+
+(* What carries no truth is text. The path of the case, and its digest *)
+let head texts case =
+  List.iter
+    (function Null | Text _ -> () | _ -> fail Malformed "what carries no truth is no text")
+    texts;
+  match members case [ "path"; "sha256" ] with
+  | [ path; digest ] ->
+    let path = text path in
+    let last = List.hd (List.rev (String.split_on_char '/' path)) in
+    require (not (String.contains path '\000' || last = "" || last = ".")) "no path of a case";
+    (path, text digest)
+  | _ -> assert false
