@@ -20,7 +20,7 @@ SUBJECT = (
     "finding, nothing undecided; adapters with one fault each: all are found, each finding with a "
     "witness."
 )
-MINUTES = (6, None)
+MINUTES = (3, None)
 DEPENDS = (*REFERENCE, *READERS, *COMPARISON, "oracle/slow/*.py", "tests/verify/path_*.py")
 
 SEED = 3170
