@@ -32,12 +32,12 @@ SUBJECT = (
     "changed in each way that fits: both checkers on each mutant; what they still verify, held "
     "against the valid scales and traps of the reference at all scales."
 )
-MINUTES = (1, 0.4)
+MINUTES = (1, 0.1)
 DEPENDS = (*REFERENCE, *READERS, *COMPARISON, *CERTIFY, *DEGENERACIES)
 
 SEED = 1975
-LEAST, QUICK_LEAST = 4000, 300
-RANDOM, QUICK_RANDOM = 6, 1  # random paths, beside a member of each family
+LEAST, QUICK_LEAST = 4000, 100
+RANDOM = 6  # random paths, beside a member of each family
 EACH = 4  # mutants of a field and a way, of one certificate
 BATCH = 100
 
@@ -82,10 +82,10 @@ def _certified(quick: bool) -> list[tuple[str, str, str]]:
     """Names, cases, certificates."""
     families = list(PATH_FAMILIES.values())
     made: list[tuple[str, PathCertificate]] = []
-    for family in families[-1:] if quick else families:
+    for family in families[:1] if quick else families:
         one = DegeneratePath.of(family, SEED, 0)
         made.append((one.id, one.certificate))
-    for index in range(QUICK_RANDOM if quick else RANDOM):
+    for index in range(0 if quick else RANDOM):
         case = path_case(SEED, index)
         certificate = PathCertificate(case.part, case.obstacles, case.path)
         certificate.valid("forbidden")

@@ -43,7 +43,7 @@ SUBJECT = (
     "large path on one core, beside that of CGAL's sums at single scales, which bracket the same "
     "bound."
 )
-MINUTES = (9, 0.2)
+MINUTES = (9, 0.1)
 ALONE = True  # it measures time
 DEPENDS = (*REFERENCE, *READERS, *COMPARISON, *CERTIFY, *CGAL, "oracle/slow/*.py")
 

@@ -14,7 +14,8 @@ import solid_pairs
 from minkref.fuzz.judges.certified_solids import SolidConfirmation
 from minkref.fuzz.space.cells import surface_of
 from minkref.fuzz.space.polyhedron import Polyhedron
-from test_convex_changes import Change, both_verdicts, changed, digest_if_it_has_one
+from replacing import changed, verdicts_on
+from test_convex_changes import Change, digest_if_it_has_one
 
 SEED, MOST = 71, 700
 PAIRS: dict[str, tuple[Polyhedron, Polyhedron, solid_pairs.Scaling]] = {
@@ -46,7 +47,7 @@ def test_every_change_is_refused_or_true(tmp_path: Path, name: str) -> None:
     given = changes(certificate, case)
     print(len(given), SEED)
     given = random.Random(SEED).sample(given, MOST)
-    codes = both_verdicts(tmp_path, [(certificate, case), *given])
+    codes = verdicts_on(tmp_path, [(certificate, case), *given])
     assert codes[0] == 0 and SolidConfirmation(case).all_hold(certificate["claims"])
     held = [one for one, code in zip(given, codes[1:], strict=True) if code == 0]
     different = {repr((one["claims"], of)): (one, of) for one, of in held}
