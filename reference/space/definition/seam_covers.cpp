@@ -190,7 +190,7 @@ class SeamCovers {
     std::set<SeamEnds, BySeamEnds> done;
     for (const SeamEnds& edge : edges_) {
       look_for_interrupt();
-      const auto& [a, b] = edge;
+      const SpacePoint &a = edge.first, &b = edge.second;
       const SpacePoint along = b - a;
       const Rational length = dot(along, along);
       std::vector<Rational> cuts{0, 1};
