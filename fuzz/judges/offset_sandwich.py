@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from dataclasses import dataclass, field
 from fractions import Fraction
 
@@ -30,6 +31,7 @@ def sandwich(
     """`counts`: components and holes of the sum; `within`: how far the polygons may be from the
     circle, as a part of the radius. A larger set has the larger sum: areas grow, components only
     join. Holes do both; but where both polygons have as many of them, so has the disc."""
+    sys.set_int_max_str_digits(0)  # exact areas have as many digits as they need
     disc = Disc("", squared_radius)
     tolerance = disc.bounds(80)[0] * within
     polygons = [polygon_near(disc, tolerance, outside) for outside in (False, True)]
