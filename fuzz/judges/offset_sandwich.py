@@ -24,14 +24,30 @@ class Sandwich:
     faults: list[str] = field(default_factory=list)
 
 
+FINER = (Fraction(1, 10**5), Fraction(3, 10**7))  # of the radius: 704 and 4,056 corners
+
+
 def sandwich(
     P: _core.PolygonSet, squared_radius: Fraction, counts: tuple[int, int], area: Bounds,
     within: Fraction,
 ) -> Sandwich:  # fmt: skip
     """`counts`: components and holes of the sum; `within`: how far the polygons may be from the
     circle, as a part of the radius. A larger set has the larger sum: areas grow, components only
-    join. Holes do both; but where both polygons have as many of them, so has the disc."""
+    join. Holes do both: where both polygons have another number of them than the disc, one may have
+    ended and one been born in between, so finer polygons are asked. A fault is what the finest
+    say."""
     sys.set_int_max_str_digits(0)  # exact areas have as many digits as they need
+    for fineness in (within, *(each for each in FINER if each < within)):
+        found = _with_polygons(P, squared_radius, counts, area, fineness)
+        if not found.faults:
+            break
+    return found
+
+
+def _with_polygons(
+    P: _core.PolygonSet, squared_radius: Fraction, counts: tuple[int, int], area: Bounds,
+    within: Fraction,
+) -> Sandwich:  # fmt: skip
     disc = Disc("", squared_radius)
     tolerance = disc.bounds(80)[0] * within
     polygons = [polygon_near(disc, tolerance, outside) for outside in (False, True)]

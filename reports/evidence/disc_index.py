@@ -39,7 +39,7 @@ BUILDS = 5
 WITHIN = Fraction(1, 1000)  # of the radius: polygons of 72 corners
 PARTS = (Fraction(1, 300), Fraction(7, 300), Fraction(1, 15))  # radii, of the length of the box
 TOLERANCE = 1e-3  # of CGAL's approximated offset, as a part of the radius
-EXACT_SECONDS = 120.0
+EXACT_SECONDS = 40.0
 
 
 @dataclass
