@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "oracle/checker/following.hpp"
 #include "oracle/checker/predicate.hpp"
 #include "oracle/checker/sha256.hpp"
 
@@ -254,15 +255,6 @@ class Certificate {
   std::vector<Shown> shown_;
 };
 
-template <class Use>
-void told(const std::string& where, Use&& use) {
-  try {
-    use();
-  } catch (const NotVerified& error) {
-    throw NotVerified(error.code, where + ": " + error.what());
-  }
-}
-
 }  // namespace
 
 std::vector<std::string> check(const Value& certificate,
@@ -291,20 +283,7 @@ std::vector<std::string> check(const Value& certificate,
   demand(of[1]->kind == Value::Kind::text && sha256(plain) == of[1]->text,
          "this is not the case that is certified");
   Certificate proof(std::move(sets[0]), std::move(sets[1]), budget);
-  std::size_t n = 0;
-  for (const Value& step : items(*m[5])) {
-    told("step " + std::to_string(n++), [&] { proof.add_step(step); });
-  }
-  std::set<std::string> different;
-  for (const Value& claim : items(*m[6])) {
-    require(different.insert(written_out(claim)).second, "a claim is made twice");
-  }
-  std::vector<std::string> said;
-  for (const Value& claim : items(*m[6])) {
-    told("claim " + std::to_string(said.size()), [&] { said.push_back(proof.add_claim(claim)); });
-  }
-  proof.end();
-  return said;
+  return followed(proof, *m[5], *m[6]);
 }
 
 }  // namespace minkref::checker

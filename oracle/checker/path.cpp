@@ -4,6 +4,7 @@
 #include <memory>
 #include <set>
 
+#include "oracle/checker/following.hpp"
 #include "oracle/checker/path_clear.hpp"
 #include "oracle/checker/sha256.hpp"
 
@@ -23,15 +24,6 @@ const Value* member_of(const Value& object, const std::string& name) {
 std::string word_of(const Value& object, const std::string& name) {
   const Value* found = member_of(object, name);
   return found != nullptr && found->kind == Value::Kind::text ? found->text : "?";
-}
-
-template <class Use>
-void told(const std::string& where, Use&& use) {
-  try {
-    use();
-  } catch (const NotVerified& error) {
-    throw NotVerified(error.code, where + ": " + error.what());
-  }
 }
 
 /// Whether a closed polyline that misses a point leads around it.
@@ -197,7 +189,7 @@ class PathCertificate {
     Cut reach = scales.low;
     std::size_t n = 0;
     for (const Value& one : items(*m[4])) {
-      told("hit " + std::to_string(n++), [&] {
+      within("hit " + std::to_string(n++), [&] {
         const auto [low, high] = scales_of_hit(one, by, !strict);
         demand(!(reach < low) && reach < high, "it leaves out scales before it, or adds none");
         reach = high;
@@ -420,20 +412,7 @@ std::vector<std::string> check_paths(const Value& certificate,
   demand(of[1]->kind == Value::Kind::text && sha256(text) == of[1]->text,
          "this is not the case that is certified");
   PathCertificate proof(std::move(part), std::move(obstacles), std::move(places), budget);
-  std::size_t n = 0;
-  for (const Value& step : items(*m[5])) {
-    told("step " + std::to_string(n++), [&] { proof.add_step(step); });
-  }
-  std::set<std::string> different;
-  for (const Value& claim : items(*m[6])) {
-    require(different.insert(written_out(claim)).second, "a claim is made twice");
-  }
-  std::vector<std::string> said;
-  for (const Value& claim : items(*m[6])) {
-    told("claim " + std::to_string(said.size()), [&] { said.push_back(proof.add_claim(claim)); });
-  }
-  proof.end();
-  return said;
+  return followed(proof, *m[5], *m[6]);
 }
 
 }  // namespace minkref::checker

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "oracle/checker/budget.hpp"
+#include "oracle/checker/following.hpp"
 #include "oracle/checker/json_value.hpp"
 #include "oracle/checker/reading.hpp"
 
@@ -76,16 +77,6 @@ InSpace open_in_space(const Value& certificate, const std::string& form,
 /// `unit` becomes what also makes the coordinates of these points whole.
 void add_denominators(const std::vector<Triple>& points, mpz_class& unit, Budget& budget);
 
-/// Follows an inner part; what is wrong there is said with its place.
-template <class Use>
-void within(const std::string& place, Use&& use) {
-  try {
-    use();
-  } catch (const NotVerified& error) {
-    throw NotVerified(error.code, place + ": " + error.what());
-  }
-}
-
 /// What is claimed of sums, a line a claim; `names`: what a claim says of one.
 template <class Sums>
 std::vector<std::string> check_claims(const Value& claims, const Sums& sums,
@@ -93,10 +84,7 @@ std::vector<std::string> check_claims(const Value& claims, const Sums& sums,
   std::set<Triple> scalings;
   for (const auto& sum : sums) scalings.insert(sum.scaling());
   require(scalings.size() == sums.size(), "two sums are at one scaling");
-  std::set<std::string> different;
-  for (const Value& claim : items(claims)) {
-    require(different.insert(written_out(claim)).second, "a claim is made twice");
-  }
+  require_different(claims);
   std::vector<std::string> said;
   std::set<std::uint32_t> used;
   for (const Value& claim : items(claims)) {
