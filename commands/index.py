@@ -66,7 +66,8 @@ def command(
     """Find the boundary of the sum as a function of the scale: all its vertices, with the scales at
     which they exist, in ring order. `sum`, `sweep`, `events` and `view` then read any sum of the
     window off it, exactly, with --index FILE. With `disc` as second operand: the outer Voronoi
-    diagram of P, with all events, holes and components, as JSON."""
+    diagram of P, with all events, holes and components, as JSON: the same commands read the sum
+    with a disc of any radius off it."""
     if is_disc(P) or is_disc(Q):
         from minkref.commands.disc.index import index_with_disc
 

@@ -99,7 +99,7 @@ def command(
             help=f"How it is computed: {', '.join(ROUTES)}. Default: {DEFAULT}, or index with "
             f"--index. In space: {', '.join(GENERAL_ROUTES)}, and of convex polyhedra also "
             f"{', '.join(SPACE_ROUTES)}. Default: {SPACE_ROUTES[0]} for these, else "
-            f"{GENERAL_ROUTES[0]}. With a disc: definition (the default) or paper.",
+            f"{GENERAL_ROUTES[0]}. With a disc: definition (the default), paper or index.",
         ),
     ] = None,
     index: IndexFile = None,
