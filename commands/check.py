@@ -89,7 +89,7 @@ def command(
         row |= {"message": message, "claims": claims}
         if proved and code == checker.VERIFIED:
             limits = {"--seconds": seconds, "--tests": tests, "--bytes": bytes_}
-            row |= _proved(path, case, limits)
+            row |= _proved(path, case, limits, claims)
         rows.append(row)
         if not json:
             _print(row)
@@ -99,14 +99,16 @@ def command(
     raise typer.Exit(next((code for code in WORST if WORDS[code] in verdicts), checker.VERIFIED))
 
 
-def _proved(path: Path, case: Path | None, limits: dict[str, float]) -> dict[str, Any]:
+def _proved(
+    path: Path, case: Path | None, limits: dict[str, float], claims: list[str]
+) -> dict[str, Any]:
     """What the proved checker adds to a row. Its verdict is that of the row."""
     options = [f"{name}={value!r}" for name, value in limits.items()]
     options += [] if case is None else [f"--case={case}"]
     found = check_proved.follow(path, *options)
     return {
-        "verdict": found.word, "message": found.why,
-        "proved": found.proved, "not_proved": found.not_proved,
+        "verdict": found.word, "message": found.why, "proved": found.proved,
+        "not_proved": [] if found.word == "verified" else claims,
     }  # fmt: skip
 
 

@@ -13,17 +13,15 @@ from minkref.errors import Refusal
 PROGRAM = "minkref-check-proved"
 WORDS = {0: "verified", 1: "refuted", 2: "malformed", 4: "out of budget", 5: "declined"}
 DECLINED = 5
-NOT_PROVED = "  not proved: "
 
 
 @dataclass(frozen=True)
 class Proof:
-    """What it says of one certificate: a word, why, what is proved, and what is not."""
+    """What it says of one certificate: a word, why, and what is proved."""
 
     word: str
     why: str
     proved: list[str]
-    not_proved: list[str]
 
 
 def program(option: str = "--proved") -> str:
@@ -45,6 +43,5 @@ def follow(path: Path, *options: str) -> Proof:
     if word is None or f": {word}" not in first:
         told = ran.stderr[-400:].strip() or first[-400:]
         raise RuntimeError(f"{PROGRAM} ended with {ran.returncode}: {told}")
-    not_proved = [line.removeprefix(NOT_PROVED) for line in rest if line.startswith(NOT_PROVED)]
-    proved = [line.strip() for line in rest if not line.startswith(NOT_PROVED)]
-    return Proof(word, first.rpartition(f": {word}")[2].removeprefix(": "), proved, not_proved)
+    proved = [line.strip() for line in rest]
+    return Proof(word, first.rpartition(f": {word}")[2].removeprefix(": "), proved)

@@ -5,11 +5,12 @@
 # those below. What has not changed is not done again.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-rooms=(Order Definitions Form Predicates Space Sums Crossings Fans Curves Unions Local Checker Rational Cancellation Bodies
-  Scaling Trees Theorems Components Classes Counting Holes Across Sides Overlaps Canonical
-  Signs Passages Hulls Axioms Extract)
-programs=(failure json sha256 inflate reading rings checker checked classes elaborate hull_means
-  bodies theorem claims main)
+rooms=(Order Definitions Form Predicates Moving Space Sums Crossings Fans Curves Unions Local
+  Numbers Checker Rational Values Corners Cancellation Bodies Scaling Trees Theorems Components
+  Classes Counting Holes Across Sides Overlaps Canonical Signs Passages Moves Events Hulls Axioms
+  Extract)
+programs=(failure json sha256 inflate reading rings checker checked classes pieces elaborate moving
+  hull_means bodies theorem intervals claims main)
 # The classical real numbers of Coq's library, and functional extensionality.
 known="Coq.Logic.FunctionalExtensionality.functional_extensionality_dep
 Coq.Reals.ClassicalDedekindReals.sig_not_dec

@@ -1,15 +1,18 @@
 (** Convex bodies: points, segments and polygons. *)
 From Coq Require Import Lra Lia Psatz Bool.
-From Proved Require Import Definitions Sums Crossings Fans Curves Unions Checker Rational
+From Proved Require Import Definitions Sums Crossings Fans Curves Unions Numbers Values Checker Corners
   Cancellation.
 Open Scope R_scope.
 
+Section Here.
+Context {now : scale_here}.
+
 (** The triangles of a polygon, and of several *)
-Definition triangles (l : list vertex) : list triangle := fan_of (map real l).
-Definition all_triangles (ls : list (list vertex)) : list triangle := flat_map triangles ls.
+Definition triangles (l : list corner) : list triangle := fan_of (map real l).
+Definition all_triangles (ls : list (list corner)) : list triangle := flat_map triangles ls.
 
 (** The set that a list of vertices stands for *)
-Definition body (l : list vertex) (x : point) : Prop :=
+Definition body (l : list corner) (x : point) : Prop :=
   match l with
   | [a] => x = real a
   | [a; b] => on_segment (real a) (real b) x
@@ -25,8 +28,8 @@ Proof.
   unfold triangles. intros H a b c I. rewrite fan_of_map in I. apply in_map_iff in I.
   destruct I as ([[x y] z] & E & I). injection E; intros; subst.
   destruct l as [|p [|q [|r l]]]; try discriminate. unfold is_polygon in H.
-  rewrite forallb_forall in H. specialize (H _ I). simpl in H. apply less_real in H.
-  rewrite real_orient, Q2R_zero in H. exact H.
+  rewrite forallb_forall in H. specialize (H _ I). simpl in H. apply lt_value in H.
+  rewrite real_orient, value_zero in H. exact H.
 Qed.
 Lemma triangle_corners l a b c : In (a, b, c) (triangles l) -> exists x y z,
   In x l /\ In y l /\ In z l /\ a = real x /\ b = real y /\ c = real z.
@@ -71,9 +74,9 @@ Proof.
 Qed.
 
 (** ** The checker's test [holds], on real points; convexity *)
-Definition left_of (l : list vertex) (x : point) : Prop :=
+Definition left_of (l : list corner) (x : point) : Prop :=
   forall a b, In (a, b) (ring_edges l) -> 0 <= orient (real a) (real b) x.
-Definition inside (l : list vertex) (x : point) : Prop :=
+Definition inside (l : list corner) (x : point) : Prop :=
   match l with
   | [a] => x = real a
   | [a; b] => on_segment (real a) (real b) x
@@ -83,13 +86,16 @@ Definition inside (l : list vertex) (x : point) : Prop :=
 Lemma is_left_real l p : is_left l p = true -> left_of l (real p).
 Proof.
   unfold is_left. rewrite forallb_forall. intros H a b I. specialize (H _ I).
-  apply le_real in H. simpl in H. rewrite real_orient, Q2R_zero in H. exact H.
+  apply le_value in H. simpl in H. rewrite real_orient, value_zero in H. exact H.
 Qed.
+Lemma is_left_le l p : is_left l p = true ->
+  forall a b, In (a, b) (ring_edges l) -> le zero (qorient a b p) = true.
+Proof. unfold is_left. rewrite forallb_forall. intros H a b I. apply (H (a, b) I). Qed.
 Lemma between_real x a b : between x a b = true ->
-  Q2R a <= Q2R x <= Q2R b \/ Q2R b <= Q2R x <= Q2R a.
+  value a <= value x <= value b \/ value b <= value x <= value a.
 Proof.
   unfold between. rewrite orb_true_iff, !andb_true_iff.
-  intros [[H1 H2]|[H1 H2]]; apply le_real in H1; apply le_real in H2; auto.
+  intros [[H1 H2]|[H1 H2]]; apply le_value in H1; apply le_value in H2; auto.
 Qed.
 Lemma fraction_between u v w : u <= v <= w \/ w <= v <= u -> u <> w ->
   exists t, 0 <= t <= 1 /\ v = u + t * (w - u).
@@ -126,7 +132,7 @@ Proof.
   - apply is_left_real.
   - intros H. symmetry. apply same_real, H.
   - rewrite !andb_true_iff. intros [[O X] Y]. apply segment_by_orient.
-    + apply eq_real in O. rewrite real_orient, Q2R_zero in O. exact O.
+    + apply equal_value in O. rewrite real_orient, value_zero in O. symmetry. exact O.
     + apply between_real, X.
     + apply between_real, Y.
   - apply is_left_real.
@@ -187,3 +193,4 @@ Proof.
   assert (dot m x <= - M); [|rewrite E in *; lra].
   apply (body_le l); auto. intros v I. rewrite E. specialize (H v I). lra.
 Qed.
+End Here.

@@ -1,19 +1,22 @@
-(** The checker: a program on rational numbers. It decides by the witness w whether R is sP + Q, and
-    looks for nothing itself. That it is right is proved in Theorems.v; nothing is assumed of w.
-    Each part names the rule of docs/certificates.md that it checks. *)
+(** The checker: a program on numbers that are rational, or move with the scale. It decides by the
+    witness w whether R is sP + Q, and looks for nothing itself. That it is right is proved in
+    Theorems.v and those that follow it; nothing is assumed of w. Each part names the rule of
+    docs/certificates.md that it checks. *)
 From Coq Require Import Bool Mergesort Orders.
-From Proved Require Export Order.
+From Proved Require Export Numbers.
 From Proved Require Import Definitions Form Fans.
 Open Scope Q_scope.
+Open Scope number_scope.
 
-Definition qorient (a b p : vertex) : Q :=
+Definition corner := (number * number)%type.
+Definition qorient (a b p : corner) : number :=
   (fst b - fst a) * (snd p - snd a) - (snd b - snd a) * (fst p - fst a).
-Definition qdot (n p : vertex) : Q := fst n * fst p + snd n * snd p.
-Definition qadd (p q : vertex) : vertex := (fst p + fst q, snd p + snd q).
-Definition qminus (p q : vertex) : vertex := (fst p - fst q, snd p - snd q).
-Definition scaled (s : Q) (p : vertex) : vertex := (Qred (s * fst p), Qred (s * snd p)).
-Definition same (a b : vertex) : bool := Qeq_bool (fst a) (fst b) && Qeq_bool (snd a) (snd b).
-Definition greater_of (x y : Q) : Q := if Qle_bool x y then y else x.
+Definition qdot (n p : corner) : number := fst n * fst p + snd n * snd p.
+Definition qadd (p q : corner) : corner := (fst p + fst q, snd p + snd q).
+Definition qminus (p q : corner) : corner := (fst p - fst q, snd p - snd q).
+Definition scaled (s : number) (p : corner) : corner := (reduced (s * fst p), reduced (s * snd p)).
+Definition same (a b : corner) : bool := equal (fst a) (fst b) && equal (snd a) (snd b).
+Definition distinct (a b : corner) : bool := differ (fst a) (fst b) || differ (snd a) (snd b).
 
 Fixpoint all2 {A B} (f : A -> B -> bool) (l : list A) (k : list B) : bool :=
   match l, k with
@@ -23,44 +26,56 @@ Fixpoint all2 {A B} (f : A -> B -> bool) (l : list A) (k : list B) : bool :=
   end.
 
 (** ** Convex bodies: points, segments, and polygons whose fan of triangles turns left *)
-Definition is_polygon (l : list vertex) : bool :=
+Definition is_polygon (l : list corner) : bool :=
   match l with
-  | _ :: _ :: _ :: _ => forallb (fun t => let '(a, b, c) := t in less 0 (qorient a b c)) (fan_of l)
+  | _ :: _ :: _ :: _ => forallb (fun t => let '(a, b, c) := t in lt zero (qorient a b c)) (fan_of l)
   | _ => false
   end.
-Definition is_body (l : list vertex) : bool :=
+Definition is_body (l : list corner) : bool :=
   match l with [_] | [_; _] => true | _ => is_polygon l end.
 
-Definition between (x a b : Q) : bool :=
-  (Qle_bool a x && Qle_bool x b) || (Qle_bool b x && Qle_bool x a).
-Definition is_left (l : list vertex) (p : vertex) : bool :=
-  forallb (fun e => Qle_bool 0 (qorient (fst e) (snd e) p)) (ring_edges l).
-Definition holds (l : list vertex) (p : vertex) : bool :=
+Definition between (x a b : number) : bool :=
+  (le a x && le x b) || (le b x && le x a).
+Definition is_left (l : list corner) (p : corner) : bool :=
+  forallb (fun e => le zero (qorient (fst e) (snd e) p)) (ring_edges l).
+Definition holds (l : list corner) (p : corner) : bool :=
   match l with
   | [a] => same a p
-  | [a; b] => Qeq_bool (qorient a b p) 0 && between (fst p) (fst a) (fst b)
+  | [a; b] => equal zero (qorient a b p) && between (fst p) (fst a) (fst b)
               && between (snd p) (snd a) (snd b)
   | _ => is_left l p
   end.
 
 (** The largest value of n on vertices *)
-Definition support (n : vertex) (l : list vertex) : Q :=
+Definition support (n : corner) (l : list corner) : number :=
   match l with
-  | [] => 0
+  | [] => zero
   | p :: r => fold_right (fun v m => greater_of (qdot n v) m) (qdot n p) r
   end.
 
-(** ** Edges that cancel: on each line, each point is the start of as many as it is the end of *)
-Definition key (m c x : Q) : list Z :=
-  [Qnum m; Z.pos (Qden m); Qnum c; Z.pos (Qden c); Qnum x; Z.pos (Qden x)].
-(** The line and the abscissa of each end; vertical edges are crossed by no vertical ray. *)
-Definition keys (e : vertex * vertex) : list (list Z * list Z) :=
+(** ** Edges that cancel: on each line, each point is the start of as many as it is the end of.
+    A key is a point of a line, by its abscissa; keys are sorted by their codes. *)
+Record key := { code : list Z; slope : number; offset : number; abscissa : number }.
+Definition code_of (a : number) : list Z :=
+  flat_map (fun q => [Qnum q; Z.pos (Qden q)]) (coefficients_of a).
+Definition key_of (m c x : number) : key :=
+  {| code := code_of m ++ code_of c ++ code_of x; slope := m; offset := c; abscissa := x |}.
+(** The keys of an edge's ends; vertical edges are crossed by no vertical ray. *)
+Definition keys (e : corner * corner) : option (list (key * key)) :=
   let '(a, b) := e in
-  if Qeq_bool (fst a) (fst b) then []
+  if equal (fst a) (fst b) then Some []
   else
-    let m := Qred ((snd b - snd a) / (fst b - fst a)) in
-    let c := Qred (snd a - m * fst a) in
-    [(key m c (Qred (fst a)), key m c (Qred (fst b)))].
+    let m := over (snd b - snd a) (fst b - fst a) in
+    let c := reduced (snd a - m * fst a) in
+    if differ (fst a) (fst b) && equal (snd b) (m * fst b + c) then
+      Some [(key_of m c (reduced (fst a)), key_of m c (reduced (fst b)))]
+    else None.
+Fixpoint all_keys (E : list (corner * corner)) : option (list (key * key)) :=
+  match E with
+  | [] => Some []
+  | e :: r =>
+      match keys e, all_keys r with Some k, Some l => Some (k ++ l) | _, _ => None end
+  end.
 
 Fixpoint comes_before (l k : list Z) : bool :=
   match l, k with
@@ -69,26 +84,30 @@ Fixpoint comes_before (l k : list Z) : bool :=
   | x :: l', y :: k' =>
       match Z.compare x y with Lt => true | Gt => false | Eq => comes_before l' k' end
   end.
+Lemma comes_before_total : forall a b, comes_before a b = true \/ comes_before b a = true.
+Proof.
+  induction a as [|x a IH]; intros [|y b]; simpl; auto.
+  rewrite (Z.compare_antisym x y). destruct (Z.compare x y); simpl; auto.
+Qed.
 Module Keys <: TotalLeBool.
-  Definition t := list Z.
-  Definition leb := comes_before.
-  Theorem leb_total : forall a b, leb a b = true \/ leb b a = true.
-  Proof.
-    induction a as [|x a IH]; intros [|y b]; simpl; auto.
-    rewrite (Z.compare_antisym x y). destruct (Z.compare x y); simpl; auto.
-  Qed.
+  Definition t := key.
+  Definition leb a b := comes_before (code a) (code b).
+  Definition leb_total a b := comes_before_total (code a) (code b).
 End Keys.
 Module KeySort := Sort Keys.
-Definition same_boundary (E F : list (vertex * vertex)) : bool :=
-  let e := flat_map keys E in
-  let f := flat_map keys F in
-  all2 (all2 Z.eqb) (KeySort.sort (map fst e ++ map snd f))
-                    (KeySort.sort (map snd e ++ map fst f)).
+Definition same_key (k l : key) : bool :=
+  equal (slope k) (slope l) && equal (offset k) (offset l) && equal (abscissa k) (abscissa l).
+Definition same_boundary (E F : list (corner * corner)) : bool :=
+  match all_keys E, all_keys F with
+  | Some e, Some f => all2 same_key (KeySort.sort (map fst e ++ map snd f))
+                                    (KeySort.sort (map snd e ++ map fst f))
+  | _, _ => false
+  end.
 
 (** ** Operands: rule `pieces`. Hulls of groups are given. *)
-Inductive node := Piece (v : list vertex) | Group (hull : list vertex) (members : list node).
-Definition hull_of (n : node) : list vertex := match n with Piece v => v | Group h _ => h end.
-Fixpoint leaves (n : node) : list (list vertex) :=
+Inductive node := Piece (v : list corner) | Group (hull : list corner) (members : list node).
+Definition hull_of (n : node) : list corner := match n with Piece v => v | Group h _ => h end.
+Fixpoint leaves (n : node) : list (list corner) :=
   match n with Piece v => [v] | Group _ k => flat_map leaves k end.
 Fixpoint is_tree (n : node) : bool :=
   match n with
@@ -96,16 +115,16 @@ Fixpoint is_tree (n : node) : bool :=
   | Group h k => is_body h && forallb (fun c => is_tree c && forallb (holds h) (hull_of c)) k
   end.
 
-Record tiled := { root : node; solids : list (list vertex * list nat) }.
+Record tiled := { root : node; solids : list (list corner * list nat) }.
 
-Fixpoint pick (l : list (list vertex)) (ns : list nat) : option (list (list vertex)) :=
+Fixpoint pick (l : list (list corner)) (ns : list nat) : option (list (list corner)) :=
   match ns with
   | [] => Some []
   | n :: r =>
       match nth_error l n, pick l r with Some v, Some k => Some (v :: k) | _, _ => None end
   end.
 (** A solid is a leaf, or a polygon that is tiled by leaves. *)
-Definition is_solid (ps : list (list vertex)) (solid : list vertex * list nat) : bool :=
+Definition is_solid (ps : list (list corner)) (solid : list corner * list nat) : bool :=
   match pick ps (snd solid) with
   | None => false
   | Some [l] => is_body (fst solid) && all2 same (fst solid) l
@@ -113,41 +132,40 @@ Definition is_solid (ps : list (list vertex)) (solid : list vertex * list nat) :
               same_boundary (ring_edges (fst solid)) (flat_map ring_edges k)
   end.
 
-Definition thin (r : rings) : bool := match r with [[_]] | [[_; _]] => true | _ => false end.
-Definition edges_of (r : rings) : list (vertex * vertex) := flat_map ring_edges r.
-Definition no_null (E : list (vertex * vertex)) : bool :=
-  forallb (fun e => negb (same (fst e) (snd e))) E.
+Definition thin {A} (r : rings A) : bool := match r with [[_]] | [[_; _]] => true | _ => false end.
+Definition no_null (E : list (corner * corner)) : bool :=
+  forallb (fun e => distinct (fst e) (snd e)) E.
 (** The tree o holds s times the set of the rings r. *)
-Definition check_operand (s : Q) (r : rings) (o : tiled) : bool :=
+Definition check_operand (s : number) (r : rings corner) (o : tiled) : bool :=
   is_tree (root o) && forallb (is_solid (leaves (root o))) (solids o) &&
   let k := map (map (scaled s)) r in
   if thin r then all2 (all2 same) k (leaves (root o))
-  else forallb is_polygon (leaves (root o)) && no_null (edges_of k) &&
-       same_boundary (edges_of k) (flat_map ring_edges (leaves (root o))).
+  else forallb is_polygon (leaves (root o)) && no_null (all_edges k) &&
+       same_boundary (all_edges k) (flat_map ring_edges (leaves (root o))).
 
 (** ** Cells: rule `eq`, with its proofs `cov` and `sep` *)
-Inductive token := OpenP | OpenQ | Normal (n : vertex).
-Fixpoint follow (code : list token) (cell : list vertex) (stack : list (node * node)) : bool :=
+Inductive token := OpenP | OpenQ | Normal (n : corner).
+Fixpoint follow (code : list token) (cell : list corner) (stack : list (node * node)) : bool :=
   match code, stack with
   | [], [] => true
   | OpenP :: r, (Group _ k, b) :: rest => follow r cell (map (fun c => (c, b)) k ++ rest)
   | OpenQ :: r, (a, Group _ k) :: rest => follow r cell (map (fun c => (a, c)) k ++ rest)
   | Normal n :: r, (a, b) :: rest =>
-      negb (Qeq_bool (fst n) 0 && Qeq_bool (snd n) 0) &&
+      distinct n (zero, zero) &&
       (let m := support n (hull_of a) + support n (hull_of b) in
-       forallb (fun x => Qle_bool m (qdot n x)) cell) &&
+       forallb (fun x => le m (qdot n x)) cell) &&
       follow r cell rest
   | _, _ => false
   end.
 
 Inductive proof :=
-| Covered (i j : nat) (parts : list vertex) (* solids of P and Q; of each corner, its point of P *)
+| Covered (i j : nat) (parts : list corner) (* solids of P and Q; of each corner, its point of P *)
 | Apart (code : list token).
 
 Record witness := {
-  of_P : tiled; of_Q : tiled; box : list vertex; cells : list (list vertex * proof) }.
+  of_P : tiled; of_Q : tiled; box : list corner; cells : list (list corner * proof) }.
 
-Definition check_cell (w : witness) (c : list vertex * proof) : bool :=
+Definition check_cell (w : witness) (c : list corner * proof) : bool :=
   is_polygon (fst c) &&
   match snd c with
   | Covered i j parts =>
@@ -158,36 +176,36 @@ Definition check_cell (w : witness) (c : list vertex * proof) : bool :=
       end
   | Apart code => follow code (fst c) [(root (of_P w), root (of_Q w))]
   end.
-Definition covered (c : list vertex * proof) : bool :=
+Definition covered (c : list corner * proof) : bool :=
   match snd c with Covered _ _ _ => true | _ => false end.
 
 (** The box has the sum of the two hulls on the left of each edge; cells tile it. *)
-Definition outward (e : vertex * vertex) : vertex :=
+Definition outward (e : corner * corner) : corner :=
   (snd (snd e) - snd (fst e), fst (fst e) - fst (snd e)).
 Definition check_box (w : witness) : bool :=
   is_polygon (box w) &&
-  forallb (fun e => Qle_bool (support (outward e) (hull_of (root (of_P w)))
+  forallb (fun e => le (support (outward e) (hull_of (root (of_P w)))
                               + support (outward e) (hull_of (root (of_Q w))))
                              (qdot (outward e) (fst e))) (ring_edges (box w)) &&
   same_boundary (ring_edges (box w)) (flat_map (fun c => ring_edges (fst c)) (cells w)).
 
 (** ** Claims *)
-Definition is_empty (r : rings) : bool := match r with [] => true | _ => false end.
+Definition is_empty {A} (r : rings A) : bool := match r with [] => true | _ => false end.
 
 (** Claim `sum`: R is sP + Q. *)
-Definition check_sum (s : Q) (P Q R : rings) (w : witness) : bool :=
+Definition check_sum (s : number) (P Q R : rings corner) (w : witness) : bool :=
   if is_empty P || is_empty Q then is_empty R
   else
-    less 0 s && negb (thin P && thin Q) &&
-    check_operand s P (of_P w) && check_operand 1 Q (of_Q w) &&
+    lt zero s && negb (thin P && thin Q) &&
+    check_operand s P (of_P w) && check_operand one Q (of_Q w) &&
     check_box w && forallb (check_cell w) (cells w) &&
-    negb (thin R) && no_null (edges_of R) &&
-    same_boundary (edges_of R) (flat_map ring_edges (map fst (filter covered (cells w)))).
+    negb (thin R) && no_null (all_edges R) &&
+    same_boundary (all_edges R) (flat_map ring_edges (map fst (filter covered (cells w)))).
 
 (** Claim `point`: x = s p + q, p in leaf i of P and q in leaf j of Q. *)
-Definition check_point (s : Q) (P Q : rings) (x p q : vertex) (of_P of_Q : tiled) (i j : nat) :
+Definition check_point (s : number) (P Q : rings corner) (x p q : corner) (of_P of_Q : tiled) (i j : nat) :
     bool :=
-  check_operand 1 P of_P && check_operand 1 Q of_Q && same x (qadd (scaled s p) q) &&
+  check_operand one P of_P && check_operand one Q of_Q && same x (qadd (scaled s p) q) &&
   match nth_error (leaves (root of_P)) i, nth_error (leaves (root of_Q)) j with
   | Some a, Some b => holds a p && holds b q
   | _, _ => false
@@ -198,28 +216,28 @@ Definition check_point (s : Q) (P Q : rings) (x p q : vertex) (of_P of_Q : tiled
     piece of edge around a point m; and its rim is given, as rings, each edge with the number of a
     cell that is not covered and holds it. *)
 Record component := {
-  size : nat; links : list (nat * vertex); rim : list (list vertex * list nat) }.
+  size : nat; links : list (nat * corner); rim : list (list corner * list nat) }.
 
 Fixpoint split_by {A} (sizes : list nat) (l : list A) : list (list A) :=
   match sizes with
   | [] => []
   | n :: r => firstn n l :: split_by r (skipn n l)
   end.
-Definition is_convex (l : list vertex) : bool :=
+Definition is_convex (l : list corner) : bool :=
   is_polygon l && no_null (ring_edges l) && forallb (is_left l) l.
 (** The edge of a convex cell that m is inside of, as its direction *)
-Definition side_of (cell : list vertex) (m : vertex) : option vertex :=
-  match filter (fun e => Qeq_bool (qorient (fst e) (snd e) m) 0) (ring_edges cell) with
+Definition side_of (cell : list corner) (m : corner) : option corner :=
+  match filter (fun e => equal zero (qorient (fst e) (snd e) m)) (ring_edges cell) with
   | [e] => if is_left cell m then Some (qminus (snd e) (fst e)) else None
   | _ => None
   end.
-Definition is_link (c d : list vertex) (m : vertex) : bool :=
+Definition is_link (c d : list corner) (m : corner) : bool :=
   match side_of c m, side_of d m with
   | Some u, Some v =>
-      Qeq_bool (fst u * snd v - snd u * fst v) 0 && less (fst u * fst v + snd u * snd v) 0
+      equal zero (fst u * snd v - snd u * fst v) && lt (fst u * fst v + snd u * snd v) zero
   | _, _ => false
   end.
-Fixpoint linked (before cells : list (list vertex)) (links : list (nat * vertex)) : bool :=
+Fixpoint linked (before cells : list (list corner)) (links : list (nat * corner)) : bool :=
   match cells, links with
   | [], [] => true
   | c :: r, (n, m) :: k =>
@@ -229,28 +247,28 @@ Fixpoint linked (before cells : list (list vertex)) (links : list (nat * vertex)
       end
   | _, _ => false
   end.
-Definition is_connected (cells : list (list vertex)) (links : list (nat * vertex)) : bool :=
+Definition is_connected (cells : list (list corner)) (links : list (nat * corner)) : bool :=
   match cells with [] => false | c :: r => linked [c] r links end.
-Definition on_rim (others : list (list vertex)) (ring : list vertex * list nat) : bool :=
+Definition on_rim (others : list (list corner)) (ring : list corner * list nat) : bool :=
   all2 (fun e n => match nth_error others n with
                    | Some c => is_left c (fst e) && is_left c (snd e)
                    | None => false
                    end) (ring_edges (fst ring)) (snd ring).
-Definition is_class (cells : list (list vertex)) (c : component) : bool :=
+Definition is_class (cells : list (list corner)) (c : component) : bool :=
   forallb is_convex cells && is_connected cells (links c).
-Definition has_rim (others cells : list (list vertex)) (c : component) : bool :=
+Definition has_rim (others cells : list (list corner)) (c : component) : bool :=
   forallb (on_rim others) (rim c) &&
-  same_boundary (edges_of (map fst (rim c))) (flat_map ring_edges cells).
-Definition check_component (others cells : list (list vertex)) (c : component) : bool :=
+  same_boundary (all_edges (map fst (rim c))) (flat_map ring_edges cells).
+Definition check_component (others cells : list (list corner)) (c : component) : bool :=
   is_class cells c && has_rim others cells c.
-Definition is_rectangle (l : list vertex) : bool :=
+Definition is_rectangle (l : list corner) : bool :=
   match l with
   | [a; b; c; d] =>
-      Qeq_bool (snd a) (snd b) && Qeq_bool (snd c) (snd d) && Qeq_bool (fst a) (fst d) &&
-      Qeq_bool (fst b) (fst c) && less (fst a) (fst b) && less (snd a) (snd d)
+      equal (snd a) (snd b) && equal (snd c) (snd d) && equal (fst a) (fst d) &&
+      equal (fst b) (fst c) && lt (fst a) (fst b) && lt (snd a) (snd d)
   | _ => false
   end.
-Definition check_components (s : Q) (P Q R : rings) (w : witness) (cs : list component) : bool :=
+Definition check_components (s : number) (P Q R : rings corner) (w : witness) (cs : list component) : bool :=
   check_sum s P Q R w &&
   (if is_empty P || is_empty Q then match cs with [] => true | _ => false end
    else
@@ -264,14 +282,16 @@ Definition check_components (s : Q) (P Q R : rings) (w : witness) (cs : list com
 (** Claim `sum`, its holes. The other cells come class after class, first that of the outside: one
     of its first cell's corners is on a wall of the box. The box is larger than the covered cells
     and the holes. *)
-Definition is_strictly_in (l : list vertex) (p : vertex) : bool :=
-  forallb (fun e => less 0 (qorient (fst e) (snd e) p)) (ring_edges l).
-Definition reaches_wall (l : list vertex) (cells : list (list vertex)) : bool :=
+Definition is_strictly_in (l : list corner) (p : corner) : bool :=
+  forallb (fun e => lt zero (qorient (fst e) (snd e) p)) (ring_edges l).
+Definition is_out (l : list corner) (p : corner) : bool :=
+  existsb (fun e => le (qorient (fst e) (snd e) p) zero) (ring_edges l).
+Definition reaches_wall (l : list corner) (cells : list (list corner)) : bool :=
   match cells with
-  | c :: _ => existsb (fun v => negb (is_strictly_in l v)) c
+  | c :: _ => existsb (is_out l) c
   | [] => false
   end.
-Definition check_holes (s : Q) (P Q R : rings) (w : witness) (cs : list component)
+Definition check_holes (s : number) (P Q R : rings corner) (w : witness) (cs : list component)
     (outside : component) (hs : list component) : bool :=
   check_components s P Q R w cs &&
   (if is_empty P || is_empty Q then match hs with [] => true | _ => false end
@@ -288,20 +308,25 @@ Definition check_holes (s : Q) (P Q R : rings) (w : witness) (cs : list componen
      | [] => false
      end).
 
-(** Claim `sum`, its canonical form: rings in order, without straight vertices. Each edge of polygon
+(** Claim `sum`, its canonical form: rings without straight vertices, in order. Each edge of polygon
     i is a row of stretches, each with the numbers of a cell of class i on its left and of one that
     is not covered on its right; the ends of the stretches of a ring differ. *)
-Definition qbefore (p q : vertex) : bool :=
-  less (fst p) (fst q) || (Qeq_bool (fst p) (fst q) && less (snd p) (snd q)).
-Fixpoint qring_before (l k : list vertex) : bool :=
+Definition qbefore (p q : corner) : bool :=
+  lt (fst p) (fst q) || (equal (fst p) (fst q) && lt (snd p) (snd q)).
+Fixpoint qring_before (l k : list corner) : bool :=
   match l, k with
   | _, [] => false
   | [], _ :: _ => true
   | p :: l', q :: k' => qbefore p q || (same p q && qring_before l' k')
   end.
-Definition qarea (ring : list vertex) : Q :=
-  fold_right (fun e s => Qred (fst (fst e) * snd (snd e) - snd (fst e) * fst (snd e) + s)) 0
+Definition qarea (ring : list corner) : number :=
+  fold_right (fun e s => reduced (fst (fst e) * snd (snd e) - snd (fst e) * fst (snd e) + s)) zero
     (ring_edges ring).
+
+(** Points that differ. Where none moves their order tells; else each is compared with all others,
+    by their least abscissae, until one's is greater than its own greatest. *)
+Definition sooner (p q : vertex) : bool :=
+  less (fst p) (fst q) || (Qeq_bool (fst p) (fst q) && less (snd p) (snd q)).
 Module Vertices <: TotalLeBool.
   Definition t := vertex.
   Definition leb (p q : vertex) : bool :=
@@ -320,51 +345,115 @@ Module Vertices <: TotalLeBool.
   Qed.
 End Vertices.
 Module VertexSort := Sort Vertices.
+Definition fixed_vertex (p : corner) : list vertex :=
+  match p with (Fixed x, Fixed y) => [(x, y)] | _ => [] end.
+(** The least and the greatest abscissa of a point that moves in a straight line *)
+Definition span := (Q * Q * corner)%type.
+Definition span_of (p : corner) : list span :=
+  match fst p with
+  | Fixed x => [(x, x, p)]
+  | Moving [a] => [(a, a, p)]
+  | Moving [a; b] => if Qle_bool a b then [(a, b, p)] else [(b, a, p)]
+  | _ => []
+  end.
+Module Spans <: TotalLeBool.
+  Definition t := span.
+  Definition leb (p q : span) : bool := Qle_bool (fst (fst p)) (fst (fst q)).
+  Theorem leb_total : forall p q, leb p q = true \/ leb q p = true.
+  Proof.
+    intros p q. unfold leb. rewrite !Qle_bool_iff.
+    destruct (Qlt_le_dec (fst (fst p)) (fst (fst q))) as [L|L]; auto. left. apply Qlt_le_weak, L.
+  Qed.
+End Spans.
+Module SpanSort := Sort Spans.
+(** Points that never meet differ always in one coordinate, or across the way from one to the other
+    at the second scale. *)
+Definition keep_apart (p q : corner) : bool :=
+  distinct p q ||
+  (let n := (Fixed (last (difference (snd q) (snd p)) 0%Q),
+             Fixed (Qopp (last (difference (fst q) (fst p)) 0%Q))) in
+   differ (qdot n p) (qdot n q)).
+Fixpoint is_clear (p : span) (l : list span) : bool :=
+  match l with
+  | [] => true
+  | q :: r => if less (snd (fst p)) (fst (fst q)) then true
+              else keep_apart (snd p) (snd q) && is_clear p r
+  end.
+Fixpoint are_clear (l : list span) : bool :=
+  match l with [] => true | p :: r => is_clear p r && are_clear r end.
+Definition all_differ (l : list corner) : bool :=
+  let vertices := flat_map fixed_vertex l in
+  if Nat.eqb (length vertices) (length l) then ascends sooner (VertexSort.sort vertices)
+  else
+    let spans := flat_map span_of l in
+    Nat.eqb (length spans) (length l) &&
+    let sorted := SpanSort.sort spans in ascends Spans.leb sorted && are_clear sorted.
 
-Definition qmiddle (u v : vertex) : vertex :=
-  (Qred ((fst u + fst v) * (1 # 2)), Qred ((snd u + snd v) * (1 # 2))).
-Definition is_along (u v : vertex) : bool :=
-  Qeq_bool (fst u * snd v - snd u * fst v) 0 && less 0 (fst u * fst v + snd u * snd v).
-Definition has_side (cell : list vertex) (u v d : vertex) : bool :=
+Definition qmiddle (u v : corner) : corner :=
+  (reduced (half * (fst u + fst v)), reduced (half * (snd u + snd v))).
+Definition is_along (u v : corner) : bool :=
+  equal zero (fst u * snd v - snd u * fst v) && lt zero (fst u * fst v + snd u * snd v).
+Definition has_side (cell : list corner) (u v d : corner) : bool :=
   is_left cell u && is_left cell v &&
   match side_of cell (qmiddle u v) with Some w => is_along w d | None => false end.
-Definition stretch := (nat * nat * vertex)%type. (* left cell, right cell, end *)
-Fixpoint check_side (cells others : list (list vertex)) (a b u : vertex) (l : list stretch) :
+Definition stretch := (nat * nat * corner)%type. (* left cell, right cell, end *)
+Fixpoint check_side (cells others : list (list corner)) (a b u : corner) (l : list stretch) :
     bool :=
   match l with
   | [] => same u b
   | (i, j, v) :: r =>
-      Qeq_bool (qorient a b v) 0 && is_along (qminus b a) (qminus v u) &&
+      equal zero (qorient a b v) && is_along (qminus b a) (qminus v u) &&
       match nth_error cells i, nth_error others j with
       | Some c, Some d => has_side c u v (qminus b a) && has_side d u v (qminus a b)
       | _, _ => false
       end && check_side cells others a b v r
   end.
-Definition ends (stretches : list (list stretch)) : list vertex := map snd (concat stretches).
-Definition check_ring (cells others : list (list vertex)) (ring : list vertex)
+Definition ends (stretches : list (list stretch)) : list corner := map snd (concat stretches).
+Definition check_ring (cells others : list (list corner)) (ring : list corner)
     (stretches : list (list stretch)) : bool :=
-  match ring with first :: rest => forallb (qbefore first) rest | [] => false end &&
-  forallb (fun t => let '((a, b), (_, c)) := t in negb (Qeq_bool (qorient a b c) 0))
+  forallb (fun t => let '((a, b), (_, c)) := t in differ zero (qorient a b c))
     (ring_edges (ring_edges ring)) &&
   all2 (fun e l => check_side cells others (fst e) (snd e) (fst e) l) (ring_edges ring) stretches &&
-  ascends qbefore (VertexSort.sort (ends stretches)).
-Definition check_polygon (others cells : list (list vertex)) (p : polygon)
+  all_differ (ends stretches).
+Definition check_polygon (others cells : list (list corner)) (p : polygon corner)
     (stretches : list (list (list stretch))) : bool :=
-  less 0 (qarea (fst p)) && forallb (fun h => less (qarea h) 0) (snd p) &&
-  ascends qring_before (snd p) && all2 (check_ring cells others) (fst p :: snd p) stretches.
+  lt zero (qarea (fst p)) && forallb (fun h => lt (qarea h) zero) (snd p) &&
+  all2 (check_ring cells others) (fst p :: snd p) stretches.
 Fixpoint all3 {A B C} (f : A -> B -> C -> bool) (l : list A) (k : list B) (m : list C) : bool :=
   match l, k, m with
   | [], [], [] => true
   | x :: l', y :: k', z :: m' => f x y z && all3 f l' k' m'
   | _, _, _ => false
   end.
-Definition check_form (s : Q) (P Q : rings) (ps : list polygon) (w : witness)
-    (cs : list component) (outside : component) (hs : list component)
-    (stretches : list (list (list (list stretch)))) : bool :=
-  check_holes s P Q (rings_of ps) w cs outside hs &&
+
+(** What the checker is given beside the sum *)
+Record derivation := {
+  region_of : witness; components_of : list component; outside_of : component;
+  holes_of : list component; rows_of : list (list (list (list stretch))) }.
+Definition check_figure (s : number) (P Q : rings corner) (ps : list (polygon corner))
+    (d : derivation) : bool :=
+  let w := region_of d in
+  check_holes s P Q (rings_of ps) w (components_of d) (outside_of d) (holes_of d) &&
   (if is_empty P || is_empty Q then true
    else
      let yes := map fst (filter covered (cells w)) in
      let no := map fst (filter (fun c => negb (covered c)) (cells w)) in
-     all3 (check_polygon no) (split_by (map size cs) yes) ps stretches &&
-     ascends qring_before (map fst ps)).
+     all3 (check_polygon no) (split_by (map size (components_of d)) yes) ps (rows_of d)).
+Definition is_least (ring : list corner) : bool :=
+  match ring with first :: rest => forallb (qbefore first) rest | [] => false end.
+Definition check_order (ps : list (polygon corner)) : bool :=
+  forallb is_least (rings_of ps) && forallb (fun p => ascends qring_before (snd p)) ps &&
+  ascends qring_before (map fst ps).
+
+(** ** Sets as they stand in files *)
+Definition fixed (v : vertex) : corner := (Fixed (fst v), Fixed (snd v)).
+Definition fixed_rings (r : rings vertex) : rings corner := map (map fixed) r.
+Definition fixed_polygons (ps : list (polygon vertex)) : list (polygon corner) :=
+  each_vertex fixed ps.
+Definition check_form (s : Q) (P Q : rings vertex) (ps : list (polygon vertex))
+    (d : derivation) : bool :=
+  check_figure (Fixed s) (fixed_rings P) (fixed_rings Q) (fixed_polygons ps) d &&
+  check_order (fixed_polygons ps).
+Definition check_one_point (s : Q) (P Q : rings vertex) (x p q : vertex) (of_P of_Q : tiled)
+    (i j : nat) : bool :=
+  check_point (Fixed s) (fixed_rings P) (fixed_rings Q) (fixed x) (fixed p) (fixed q) of_P of_Q i j.

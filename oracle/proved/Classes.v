@@ -1,8 +1,11 @@
 (** Classes of covered cells: each is open in the interior, and in each all points are joined. *)
 From Coq Require Import Lra Lia Psatz Bool Permutation.
-From Proved Require Import Definitions Sums Crossings Fans Curves Unions Local Checker Rational
+From Proved Require Import Definitions Sums Crossings Fans Curves Unions Local Numbers Values Checker Corners
   Cancellation Bodies Scaling Trees Theorems Components.
 Open Scope R_scope.
+
+Section Here.
+Context {now : scale_here}.
 
 (** The only edge that m is on, by its direction u: near m the cell is what is left of it. *)
 Definition along (u w : point) : R := fst u * snd w - snd u * fst w.
@@ -13,19 +16,19 @@ Proof.
   unfold side_of. intros H.
   destruct (filter _ (ring_edges l)) as [|[a b] [|? ?]] eqn:F; try discriminate.
   destruct (is_left l m) eqn:L; [|discriminate]. injection H; intros <-. cbn [fst snd].
-  apply is_left_real in L. split; [exact L|].
+  pose proof L as L'. apply is_left_real in L. split; [exact L|].
   assert (Z : orient (real a) (real b) (real m) = 0).
   { assert (I : In (a, b) [(a, b)]) by (simpl; auto). rewrite <- F in I.
-    apply filter_In in I. destruct I as [_ I]. apply eq_real in I. cbn [fst snd] in I.
-    rewrite real_orient, Q2R_zero in I. exact I. }
+    apply filter_In in I. destruct I as [_ I]. apply equal_value in I. cbn [fst snd] in I.
+    rewrite real_orient, value_zero in I. symmetry. exact I. }
   assert (G : forall p q, In (p, q) (ring_edges l) ->
       (p, q) = (a, b) \/ 0 < orient (real p) (real q) (real m)).
-  { intros p q I. specialize (L p q I). destruct (Qeq_bool (qorient p q m) 0) eqn:E.
+  { intros p q I. specialize (L p q I). destruct (equal zero (qorient p q m)) eqn:E.
     - left. assert (J : In (p, q) [(a, b)]).
       { rewrite <- F. apply filter_In. split; auto. }
       destruct J as [J|[]]. auto.
-    - right. destruct L as [L|L]; auto. exfalso. symmetry in L.
-      rewrite <- real_orient, <- Q2R_zero in L. apply eqR_Qeq, Qeq_bool_iff in L. congruence. }
+    - right. rewrite <- real_orient, <- value_zero. apply not_equal_value; auto.
+      apply (is_left_le l m L' p q I). }
   unfold left_of. clear F H L. induction (ring_edges l) as [|[p q] E IH].
   - exists 1. split; [lra|]. intros y _ _ ? ? [].
   - destruct IH as (e & He & K); [intros; apply G; simpl; auto|].
@@ -36,7 +39,7 @@ Proof.
       replace (orient (real a) (real b) y) with
         (along (real (qminus b a)) (minus y (real m)) + orient (real a) (real b) (real m)).
       * rewrite Z. lra.
-      * unfold along, orient, minus, qminus, real; cbn [fst snd]. rewrite !Q2R_minus. ring.
+      * unfold along, orient, minus, qminus, real; cbn [fst snd]. rewrite !value_minus. ring.
     + destruct (near_left _ _ _ S) as (f & Hf & M). exists (Rmin e f).
       split; [apply Rmin_glb_lt; auto|]. intros y Y W p' q' [I|I]; apply near_min in Y.
       * injection I; intros <- <-. specialize (M y (proj2 Y)). lra.
@@ -44,7 +47,7 @@ Proof.
 Qed.
 
 Section Classes.
-Variable yes no : list (list vertex). (* covered cells, and the others *)
+Variable yes no : list (list corner). (* covered cells, and the others *)
 Hypothesis yes_polygons : forall l, In l yes -> is_polygon l = true.
 Hypothesis no_convex : forall l, In l no -> is_convex l = true.
 Hypothesis once : forall y, (sumz (crossing_of y) (all_triangles no)
@@ -52,7 +55,7 @@ Hypothesis once : forall y, (sumz (crossing_of y) (all_triangles no)
 
 Definition covered_set (x : point) : Prop := union_of (all_triangles yes) x.
 
-Lemma triangle_of_cell (ls : list (list vertex)) l a b c :
+Lemma triangle_of_cell (ls : list (list corner)) l a b c :
   In l ls -> In (a, b, c) (triangles l) -> In (a, b, c) (all_triangles ls).
 Proof. intros I J. apply in_flat_map. exists l; auto. Qed.
 Lemma no_positive : positive (all_triangles no).
@@ -82,7 +85,7 @@ Qed.
 
 (** One class of covered cells *)
 Section Class.
-Variable cells : list (list vertex).
+Variable cells : list (list corner).
 Variable c : component.
 Hypothesis inside_yes : forall l, In l cells -> In l yes.
 Hypothesis one_class : is_class cells c = true.
@@ -130,7 +133,7 @@ Proof.
 Qed.
 
 (** All inner points of two cells are joined. *)
-Definition meets (l k : list vertex) : Prop :=
+Definition meets (l k : list corner) : Prop :=
   forall m n, strict l m -> strict k n -> joined class m n.
 Lemma meets_self l : In l cells -> meets l l.
 Proof.
@@ -160,17 +163,17 @@ Proof.
   destruct (side_of l m) as [u|] eqn:Eu; [|discriminate].
   destruct (side_of k m) as [v|] eqn:Ev; [|discriminate].
   apply andb_prop in H. destruct H as [H1 H2].
-  apply eq_real in H1. apply less_real in H2.
+  apply equal_value in H1. symmetry in H1. apply lt_value in H2.
   destruct (side_is l m u Eu) as (Lu & e & He & Nu).
   destruct (side_is k m v Ev) as (Lv & f & Hf & Nv).
   split; [exact Lu|split; [exact Lv|]]. exists (Rmin e f). split; [apply Rmin_glb_lt; auto|].
   intros y Y. apply near_min in Y. destruct Y as [Y1 Y2].
   specialize (Nu y Y1). specialize (Nv y Y2).
   set (w := minus y (real m)) in *.
-  rewrite Q2R_minus, !Q2R_mult, Q2R_zero in H1. rewrite Q2R_plus, !Q2R_mult, Q2R_zero in H2.
+  rewrite value_minus, !value_times, value_zero in H1. rewrite value_plus, !value_times, value_zero in H2.
   unfold along, real in Nu, Nv. cbn [fst snd] in Nu, Nv.
-  set (u1 := Q2R (fst u)) in *. set (u2 := Q2R (snd u)) in *.
-  set (v1 := Q2R (fst v)) in *. set (v2 := Q2R (snd v)) in *.
+  set (u1 := value (fst u)) in *. set (u2 := value (snd u)) in *.
+  set (v1 := value (fst v)) in *. set (v2 := value (snd v)) in *.
   destruct (Rle_dec 0 (u1 * snd w - u2 * fst w)) as [P|P].
   - apply (left_in_set l); auto.
   - apply (left_in_set k); auto. apply Nv.
@@ -246,18 +249,18 @@ Qed.
 
 (** The rim of a class: the class is open. *)
 Hypothesis rim_holds : has_rim no cells c = true.
-Definition rim_rings : rings := map fst (rim c).
+Definition rim_rings : rings corner := map fst (rim c).
 Lemma rim_turns y : winding (real_edges rim_rings) y = sumz (crossing_of y) (all_triangles cells).
 Proof.
   unfold has_rim in rim_holds. rewrite andb_true_iff in rim_holds.
   destruct rim_holds as [_ B]. rewrite real_edges_of, <- turns_of_polygons.
   apply (same_boundary_same_turns _ _ B).
 Qed.
-Lemma rim_in_others a b : In (a, b) (edges_of rim_rings) ->
+Lemma rim_in_others a b : In (a, b) (all_edges rim_rings) ->
   exists l, In l no /\ left_of l (real a) /\ left_of l (real b).
 Proof.
   unfold has_rim in rim_holds. rewrite andb_true_iff, forallb_forall in rim_holds.
-  destruct rim_holds as [B _]. unfold edges_of, rim_rings. intros I.
+  destruct rim_holds as [B _]. unfold all_edges, rim_rings. intros I.
   apply in_flat_map in I. destruct I as (ring & J & I). apply in_map_iff in J.
   destruct J as ([r ns] & <- & J). specialize (B _ J). unfold on_rim in B. simpl in B, I.
   destruct (all2_partner _ _ _ B (a, b) I) as (n & E). cbn [fst snd] in E.
@@ -268,8 +271,8 @@ Lemma rim_constant x : interior covered_set x -> exists e, 0 < e /\ forall y, ne
   winding (real_edges rim_rings) y = winding (real_edges rim_rings) x.
 Proof.
   intros X.
-  assert (E : real_edges rim_rings = flat_map ring_edges (map (map real) rim_rings))
-    by (unfold real_edges; rewrite !flat_map_concat_map, map_map; reflexivity).
+  assert (E : real_edges rim_rings = flat_map ring_edges (outline rim_rings))
+    by reflexivity.
   rewrite E. apply rings_near. rewrite <- E, real_edges_of. intros a b I S.
   apply in_map_iff in I. destruct I as ([u v] & K & I). unfold real_edge in K. simpl in K.
   assert (a = real u /\ b = real v) as [-> ->] by (split; congruence).
@@ -296,3 +299,4 @@ Qed.
 
 End Class.
 End Classes.
+End Here.

@@ -1,12 +1,15 @@
 (** Components of the sum: classes of covered cells that share pieces of edges are the components of
     its interior. *)
 From Coq Require Import Lra Lia Psatz Bool Permutation.
-From Proved Require Import Definitions Sums Crossings Fans Curves Unions Local Checker Rational
+From Proved Require Import Definitions Sums Crossings Fans Curves Unions Local Numbers Values Checker Corners
   Cancellation Bodies Scaling Trees Theorems.
 Open Scope R_scope.
 
+Section Here.
+Context {now : scale_here}.
+
 (** ** Convex cells *)
-Definition strict (l : list vertex) (x : point) : Prop :=
+Definition strict (l : list corner) (x : point) : Prop :=
   forall a b, In (a, b) (ring_edges l) -> 0 < orient (real a) (real b) x.
 
 Lemma strict_left l x : strict l x -> left_of l x.
@@ -92,7 +95,7 @@ Lemma rectangle_once l : is_rectangle l = true -> forall y, (turns (ring_edges l
 Proof.
   destruct l as [|a [|b [|c [|d [|? ?]]]]]; try discriminate. unfold is_rectangle.
   rewrite !andb_true_iff. intros [[[[[_ _] L] B] W] _] y.
-  apply eq_real in L. apply eq_real in B. apply less_real in W.
+  apply equal_value in L. apply equal_value in B. apply lt_value in W.
   unfold turns. simpl. unfold real_edge. cbn [fst snd].
   rewrite (crossing_vertical (real b) (real c)) by exact B.
   rewrite (crossing_vertical (real d) (real a)) by (symmetry; exact L).
@@ -146,3 +149,4 @@ Proof.
   induction 1; [apply here|]. eapply joined_join; [|exact IHjoined]. apply joined_step.
   intros p I. apply H0, segment_swap, I.
 Qed.
+End Here.

@@ -1,9 +1,12 @@
 (** Classes of cells fall into components, and the number of those of the interior:
     [components_are_right]. *)
 From Coq Require Import Lra Lia Psatz Bool.
-From Proved Require Import Definitions Sums Crossings Fans Curves Unions Local Checker Rational
+From Proved Require Import Definitions Sums Crossings Fans Curves Unions Local Numbers Values Checker Corners
   Cancellation Bodies Scaling Trees Theorems Components Classes.
 Open Scope R_scope.
+
+Section Here.
+Context {now : scale_here}.
 
 Lemma split_by_rest {A} sizes : forall l : list A, exists rest, l = concat (split_by sizes l) ++
   rest.
@@ -74,8 +77,8 @@ Proof. intros H (e & He & N). exists e. split; auto. intros y Y. apply H, N, Y. 
 
 (** Classes of cells of yes, each with its rim: no point of them is in two. *)
 Section Parts.
-Variable yes no : list (list vertex).
-Variable parts : list (list (list vertex)).
+Variable yes no : list (list corner).
+Variable parts : list (list (list corner)).
 Hypothesis yes_polygons : forall l, In l yes -> is_polygon l = true.
 Hypothesis no_convex : forall l, In l no -> is_convex l = true.
 Hypothesis once : forall y, (sumz (crossing_of y) (all_triangles no)
@@ -143,7 +146,7 @@ Qed.
 End Parts.
 
 (** The cells of a witness: the box counts each point once at most. *)
-Definition other_cells (w : witness) : list (list vertex) :=
+Definition other_cells (w : witness) : list (list corner) :=
   map fst (filter (fun c => negb (covered c)) (cells w)).
 Lemma cells_once w : check_box w = true -> is_rectangle (box w) = true ->
   forall y, (sumz (crossing_of y) (all_triangles (other_cells w))
@@ -167,7 +170,7 @@ Proof.
 Qed.
 
 (** What [check_components] has found where no operand is empty *)
-Definition parts_of (w : witness) (cs : list component) : list (list (list vertex)) :=
+Definition parts_of (w : witness) (cs : list component) : list (list (list corner)) :=
   split_by (map size cs) (covered_cells w).
 Lemma component_parts s P Q R w cs : is_empty P || is_empty Q = false ->
   check_components s P Q R w cs = true ->
@@ -185,7 +188,7 @@ Qed.
 
 Lemma parts_fall s P Q R w cs : is_empty P || is_empty Q = false ->
   check_components s P Q R w cs = true ->
-  falls_into (interior (set_of R)) (part_set (covered_cells w) (parts_of w cs)) (length cs).
+  falls_into (interior (set_of (outline R))) (part_set (covered_cells w) (parts_of w cs)) (length cs).
 Proof.
   intros Em H. assert (HS : check_sum s P Q R w = true)
     by (unfold check_components in H; apply andb_prop in H; tauto).
@@ -226,9 +229,9 @@ Qed.
 Lemma empty_sum s P Q R w : is_empty P || is_empty Q = true -> check_sum s P Q R w = true -> R = [].
 Proof. unfold check_sum. intros ->. destruct R; [auto|discriminate]. Qed.
 
-Theorem components_are_right : forall (s : Q) (P Q R : rings) (w : witness) (cs : list component),
+Theorem components_are_right : forall (s : number) (P Q R : rings corner) (w : witness) (cs : list component),
   check_components s P Q R w cs = true ->
-  is_sum s P Q R /\ has_components (set_of R) (length cs).
+  is_sum (value s) (outline P) (outline Q) (outline R) /\ has_components (set_of (outline R)) (length cs).
 Proof.
   intros s P Q R w cs H. assert (HS : check_sum s P Q R w = true)
     by (unfold check_components in H; apply andb_prop in H; tauto).
@@ -239,3 +242,4 @@ Proof.
     rewrite (empty_sum s P Q R w Em HS). apply nothing_falls, empty_set.
   - eexists. apply (parts_fall s P Q R w cs Em H).
 Qed.
+End Here.

@@ -41,24 +41,26 @@ Fixpoint path {A} (first previous : A) (rest : list A) : list (A * A) :=
 Definition ring_edges {A} (ring : list A) : list (A * A) :=
   match ring with [] => [] | first :: rest => path first first rest end.
 
-(** A set as a file gives it: its rings, outer ones and holes, with rational vertices. One ring of
-    one vertex is a point, one of two a segment; no ring is the empty set. *)
-Definition vertex := (Q * Q)%type.
-Definition rings := list (list vertex).
-Definition real (v : vertex) : point := (Q2R (fst v), Q2R (snd v)).
-Definition real_edges (r : rings) : list (point * point) :=
-  flat_map (fun ring => ring_edges (map real ring)) r.
-Definition set_of (r : rings) (x : point) : Prop :=
+(** A set is given by its rings, outer ones and holes. One ring of one point is that point, one of
+    two a segment; no ring is the empty set. *)
+Definition rings (A : Type) := list (list A).
+Definition all_edges {A} (r : rings A) : list (A * A) := flat_map ring_edges r.
+Definition set_of (r : rings point) (x : point) : Prop :=
   match r with
-  | [[a]] => x = real a
-  | [[a; b]] => on_segment (real a) (real b) x
-  | _ => region (real_edges r) x
+  | [[a]] => x = a
+  | [[a; b]] => on_segment a b x
+  | _ => region (all_edges r) x
   end.
 
 (** The Minkowski sum: all s p + q with p of P and q of Q *)
-Definition in_sum (s : Q) (P Q : rings) (x : point) : Prop :=
-  exists p q, set_of P p /\ set_of Q q /\ x = add (scale (Q2R s) p) q.
-Definition is_sum (s : Q) (P Q R : rings) := forall x : point, set_of R x <-> in_sum s P Q x.
+Definition in_sum (s : R) (P Q : rings point) (x : point) : Prop :=
+  exists p q, set_of P p /\ set_of Q q /\ x = add (scale s p) q.
+Definition is_sum (s : R) (P Q R : rings point) := forall x : point, set_of R x <-> in_sum s P Q x.
+
+(** The numbers of files are rational. *)
+Definition vertex := (Q * Q)%type.
+Definition point_of (v : vertex) : point := (Q2R (fst v), Q2R (snd v)).
+Definition points (r : rings vertex) : rings point := map (map point_of) r.
 
 (** A set falls into n components: sets C 0, C 1, ..., none empty, no two with a common point, each
     open, and in each any two points are joined by a path of straight steps. *)

@@ -1,18 +1,22 @@
 (** The number of holes: [holes_are_right]. The classes of cells that are not covered, but that of
     the outside, are the bounded components of the complement. *)
 From Coq Require Import Lra Lia Psatz Bool.
-From Proved Require Import Definitions Sums Crossings Fans Curves Unions Local Checker Rational
+From Proved Require Import Definitions Sums Crossings Fans Curves Unions Local Numbers Values Checker Corners
   Cancellation Bodies Scaling Trees Theorems Components Classes Counting.
 Open Scope R_scope.
 
-Lemma strictly_in_real l p : is_strictly_in l p = true <-> strict l (real p).
+Section Here.
+Context {now : scale_here}.
+
+Lemma strictly_in_real l p : is_strictly_in l p = true -> strict l (real p).
 Proof.
-  unfold is_strictly_in, strict. rewrite forallb_forall. split.
-  - intros H a b I. specialize (H _ I). apply less_real in H. cbn [fst snd] in H.
-    rewrite real_orient, Q2R_zero in H. exact H.
-  - intros H [a b] I. specialize (H a b I). cbn [fst snd]. unfold less.
-    destruct (Qle_bool (qorient a b p) 0) eqn:E; auto. apply le_real in E.
-    rewrite real_orient, Q2R_zero in E. lra.
+  unfold is_strictly_in, strict. rewrite forallb_forall. intros H a b I. specialize (H _ I).
+  apply lt_value in H. cbn [fst snd] in H. rewrite real_orient, value_zero in H. exact H.
+Qed.
+Lemma is_out_real l p : is_out l p = true -> ~ strict l (real p).
+Proof.
+  unfold is_out. rewrite existsb_exists. intros ([a b] & I & H) S. specialize (S a b I).
+  apply le_value in H. cbn [fst snd] in H. rewrite real_orient, value_zero in H. lra.
 Qed.
 Lemma strict_union l ls x : (forall k, In k ls -> is_polygon k = true) ->
   (forall k v, In k ls -> In v k -> strict l (real v)) -> union_of (all_triangles ls) x ->
@@ -39,11 +43,11 @@ Lemma rectangle_walls l : is_rectangle l = true -> exists x0 y0 x1 y1, x0 < x1 /
 Proof.
   destruct l as [|a [|b [|c [|d [|? ?]]]]]; try discriminate. unfold is_rectangle.
   rewrite !andb_true_iff. intros [[[[[B T] L] R] W] H].
-  apply eq_real in B. apply eq_real in T. apply eq_real in L. apply eq_real in R.
-  apply less_real in W. apply less_real in H.
-  exists (Q2R (fst a)), (Q2R (snd a)), (Q2R (fst b)), (Q2R (snd d)).
-  set (x0 := Q2R (fst a)) in *. set (y0 := Q2R (snd a)) in *.
-  set (x1 := Q2R (fst b)) in *. set (y1 := Q2R (snd d)) in *.
+  apply equal_value in B. apply equal_value in T. apply equal_value in L. apply equal_value in R.
+  apply lt_value in W. apply lt_value in H.
+  exists (value (fst a)), (value (snd a)), (value (fst b)), (value (snd d)).
+  set (x0 := value (fst a)) in *. set (y0 := value (snd a)) in *.
+  set (x1 := value (fst b)) in *. set (y1 := value (snd d)) in *.
   assert (E : forall p, orient (real a) (real b) p = (x1 - x0) * (snd p - y0) /\
     orient (real b) (real c) p = (y1 - y0) * (x1 - fst p) /\
     orient (real c) (real d) p = (x1 - x0) * (y1 - snd p) /\
@@ -92,11 +96,11 @@ Proof.
 Qed.
 
 Section Holes.
-Variable box : list vertex.
-Variable yes : list (list vertex). (* covered cells *)
-Variable outer : list (list vertex). (* the class of the outside *)
-Variable parts : list (list (list vertex)). (* the other classes of cells that are not covered *)
-Definition no : list (list vertex) := outer ++ concat parts.
+Variable box : list corner.
+Variable yes : list (list corner). (* covered cells *)
+Variable outer : list (list corner). (* the class of the outside *)
+Variable parts : list (list (list corner)). (* the other classes of cells that are not covered *)
+Definition no : list (list corner) := outer ++ concat parts.
 Hypothesis rectangle : is_rectangle box = true.
 Hypothesis box_cells : forall x, left_of box x ->
   covered_set yes x \/ covered_set no x.
@@ -262,7 +266,7 @@ Proof.
   destruct outer as [|l r]; [discriminate|]. apply existsb_exists in at_wall.
   destruct at_wall as (v & I & N). exists l, (real v).
   split; [simpl; auto|split; [apply convex_corner; auto; apply O; simpl; auto|]].
-  intros H. apply strictly_in_real in H. rewrite H in N. discriminate.
+  apply is_out_real, N.
 Qed.
 Lemma free_joined x y : free x -> free y -> joined free x y.
 Proof.
@@ -346,10 +350,10 @@ Proof.
     rewrite Rminus_0_r, Rabs_Rabsolu in K1. lra.
 Qed.
 
-Theorem holes_are_right : forall (s : Q) (P Q R : rings) (w : witness) (cs : list component)
+Theorem holes_are_right : forall (s : number) (P Q R : rings corner) (w : witness) (cs : list component)
     (outside : component) (hs : list component),
   check_holes s P Q R w cs outside hs = true ->
-  is_sum s P Q R /\ has_components (set_of R) (length cs) /\ has_holes (set_of R) (length hs).
+  is_sum (value s) (outline P) (outline Q) (outline R) /\ has_components (set_of (outline R)) (length cs) /\ has_holes (set_of (outline R)) (length hs).
 Proof.
   intros s P Q R w cs o hs H. unfold check_holes in H. apply andb_prop in H. destruct H as [HC H].
   destruct (components_are_right s P Q R w cs HC) as [IS CO]. split; [auto|split; [auto|]].
@@ -385,3 +389,4 @@ Proof.
     + intros l v I J. rewrite forallb_forall in H4. specialize (H4 l I).
       rewrite forallb_forall in H4. apply strictly_in_real, H4, J.
 Qed.
+End Here.

@@ -1,6 +1,6 @@
 (** Sums of convex polyhedra: a checker, and that what it takes is the sum as a set of points. *)
 From Coq Require Import Lra Lia Bool.
-From Proved Require Import Definitions Space Checker Rational.
+From Proved Require Import Definitions Space Checker Corners Rational.
 Open Scope Q_scope.
 
 (** ** The checker *)

@@ -262,24 +262,30 @@ Proof.
     apply (proj2 (Sf y (near_near r x (w t) y N Y3))); [apply Rf, Y2|]. apply (Sq y Y1), L.
 Qed.
 
-Lemma beyond_apart e f l k : apart e f -> fst e <> snd e -> fst f <> snd f -> is_row e l ->
-  is_row f k -> (forall v, In v l -> In v k -> False) ->
-  forall x, beyond_start e x -> beyond_start f x -> False.
+Lemma beyond_shared e f l k : apart e f -> fst e <> snd e -> fst f <> snd f -> is_row e l ->
+  is_row f k -> forall x, beyond_start e x -> beyond_start f x -> In x l /\ In x k.
 Proof.
-  intros Ap Ne Nf Re Rf Dis x [Xe Xa] [Xf Xc].
+  intros Ap Ne Nf Re Rf x [Xe Xa] [Xf Xc].
   destruct (row_cover _ _ _ _ _ _ Re (orient_start _ _) x Xe) as [|(p & v & Iv & P & Op & Xp & Cv)];
     [contradiction|].
   destruct (row_cover _ _ _ _ _ _ Rf (orient_start _ _) x Xf) as [|(q & u & Iu & Q & Oq & Xq & Cu)];
     [contradiction|].
   destruct Cu as [->|[Cu Bu]].
-  - destruct Cv as [->|[Cv Bv]]; [exact (Dis _ Iv Iu)|].
+  - destruct Cv as [->|[Cv Bv]]; [auto|]. exfalso.
     apply (stretches_apart f e q u u); auto.
     + intros y z Y1 Z1 Y2 Z2. apply Ap; auto.
     + apply inner_of_segment; auto.
     + apply P, Cv.
-  - apply (stretches_apart e f p v x); auto.
+  - exfalso. apply (stretches_apart e f p v x); auto.
     + tauto.
     + apply inner_of_segment; auto.
     + apply Q, Cu.
+Qed.
+Lemma beyond_apart e f l k : apart e f -> fst e <> snd e -> fst f <> snd f -> is_row e l ->
+  is_row f k -> (forall v, In v l -> In v k -> False) ->
+  forall x, beyond_start e x -> beyond_start f x -> False.
+Proof.
+  intros Ap Ne Nf Re Rf Dis x Xe Xf.
+  destruct (beyond_shared e f l k Ap Ne Nf Re Rf x Xe Xf) as [L K]. exact (Dis x L K).
 Qed.
 End Sided.

@@ -1,7 +1,10 @@
 (** A set that is scaled by s > 0 is the set of the scaled rings. *)
 From Coq Require Import Lra Lia Psatz Bool.
-From Proved Require Import Definitions Sums Crossings Fans Curves Unions Checker Rational.
+From Proved Require Import Definitions Sums Crossings Fans Curves Unions Numbers Values Checker Corners.
 Open Scope R_scope.
+
+Section Here.
+Context {now : scale_here}.
 
 Lemma orient_scale s a b y : orient (scale s a) (scale s b) (scale s y) = s * s * orient a b y.
 Proof. unfold orient, scale; simpl; ring. Qed.
@@ -27,8 +30,8 @@ Lemma scale_back s x : 0 < s -> scale (/ s) (scale s x) = x.
 Proof. intros. destruct x. unfold scale; simpl. f_equal; field; lra. Qed.
 Lemma scale_forth s x : 0 < s -> scale s (scale (/ s) x) = x.
 Proof. intros. destruct x. unfold scale; simpl. f_equal; field; lra. Qed.
-Lemma scale_one x : scale (Q2R 1) x = x.
-Proof. rewrite Q2R_one. destruct x. unfold scale; simpl. f_equal; ring. Qed.
+Lemma scale_one x : scale (value one) x = x.
+Proof. rewrite value_one. destruct x. unfold scale; simpl. f_equal; ring. Qed.
 
 Lemma on_segment_scale s a b y : 0 < s ->
   (on_segment (scale s a) (scale s b) (scale s y) <-> on_segment a b y).
@@ -73,15 +76,27 @@ Proof.
 Qed.
 
 (** The edges of the rings that the checker has scaled *)
-Lemma real_edges_of r : real_edges r = map real_edge (edges_of r).
+Definition outline (r : rings corner) : rings point := map (map real) r.
+Definition real_edges (r : rings corner) : list (point * point) := all_edges (outline r).
+Lemma real_edges_of r : real_edges r = map real_edge (all_edges r).
 Proof.
-  unfold real_edges, edges_of. induction r as [|l r IH]; simpl; auto.
+  unfold real_edges, outline, all_edges. induction r as [|l r IH]; simpl; auto.
   rewrite map_app, <- IH, ring_edges_map. reflexivity.
 Qed.
 Lemma scaled_edges s r :
-  map real_edge (edges_of (map (map (scaled s)) r)) = map (both (scale (Q2R s))) (real_edges r).
+  map real_edge (all_edges (map (map (scaled s)) r)) = map (both (scale (value s))) (real_edges r).
 Proof.
-  rewrite <- real_edges_of. unfold real_edges. induction r as [|l r IH]; simpl; auto.
+  rewrite <- real_edges_of. unfold real_edges, outline, all_edges. induction r as [|l r IH]; simpl; auto.
   rewrite map_app, <- IH. f_equal. rewrite <- ring_edges_map, !map_map. f_equal.
   apply map_ext. intros a. apply real_scaled.
 Qed.
+
+(** What does not move *)
+Lemma real_fixed v : real (fixed v) = point_of v.
+Proof. reflexivity. Qed.
+Lemma outline_fixed r : outline (fixed_rings r) = points r.
+Proof.
+  unfold outline, fixed_rings, points. rewrite map_map. apply map_ext. intros l.
+  rewrite map_map. reflexivity.
+Qed.
+End Here.

@@ -1,9 +1,12 @@
 (** Edges as rows of stretches between cells: a covered cell on the left of each, one that is not
     covered on its right. *)
 From Coq Require Import Lra Lia Psatz Bool Permutation.
-From Proved Require Import Definitions Form Sums Crossings Fans Curves Unions Local Checker Rational
+From Proved Require Import Definitions Form Sums Crossings Fans Curves Unions Local Numbers Values Checker Corners
   Cancellation Bodies Scaling Trees Theorems Components Classes Across.
 Open Scope R_scope.
+
+Section Here.
+Context {now : scale_here}.
 
 Definition shifted (x d : point) (t : R) : point := (fst x + t * fst d, snd x + t * snd d).
 
@@ -158,8 +161,8 @@ Qed.
 Lemma real_qmiddle u v : real (qmiddle u v) = ((fst (real u) + fst (real v)) / 2,
   (snd (real u) + snd (real v)) / 2).
 Proof.
-  unfold real, qmiddle; simpl. rewrite !Q2R_red, !Q2R_mult, !Q2R_plus.
-  replace (Q2R (1 # 2)) with (/ 2) by (unfold Q2R; simpl; lra). reflexivity.
+  unfold real, qmiddle; simpl. rewrite !value_reduced, !value_times, !value_plus.
+  rewrite value_half. f_equal; field.
 Qed.
 Lemma has_side_near cell u v d x : has_side cell u v d = true -> inner (real u) (real v) x ->
   exists r, 0 < r /\ forall y, near r x y -> 0 < along (real d) (minus y x) -> strict cell y.
@@ -168,13 +171,13 @@ Proof.
   apply is_left_real in Hu. apply is_left_real in Hv.
   destruct (side_of cell (qmiddle u v)) as [w|] eqn:W; [|discriminate].
   unfold is_along in H. apply andb_prop in H. destruct H as [H1 H2].
-  apply eq_real in H1. apply less_real in H2.
-  rewrite Q2R_minus, !Q2R_mult, Q2R_zero in H1. rewrite Q2R_plus, !Q2R_mult, Q2R_zero in H2.
+  apply equal_value in H1. symmetry in H1. apply lt_value in H2.
+  rewrite value_minus, !value_times, value_zero in H1. rewrite value_plus, !value_times, value_zero in H2.
   unfold side_of in W.
   destruct (filter _ (ring_edges cell)) as [|[a b] [|? ?]] eqn:F; try discriminate.
   destruct (is_left cell (qmiddle u v)) eqn:L; [|discriminate]. injection W; intros <-.
   cbn [fst snd] in *.
-  apply is_left_real in L.
+  pose proof L as L'. apply is_left_real in L.
   assert (M : forall p q, orient p q (real (qmiddle u v))
     = (orient p q (real u) + orient p q (real v)) / 2).
   { intros p q. rewrite real_qmiddle. unfold orient; simpl. field. }
@@ -184,22 +187,23 @@ Proof.
   assert (G : forall p q, In (p, q) (ring_edges cell) ->
     ((p, q) = (a, b) /\ orient (real p) (real q) x = 0) \/ 0 < orient (real p) (real q) x).
   { intros p q I. specialize (Hu p q I). specialize (Hv p q I).
-    destruct (Qeq_bool (qorient p q (qmiddle u v)) 0) eqn:E.
+    destruct (equal zero (qorient p q (qmiddle u v))) eqn:E.
     - left. split.
       + assert (J : In (p, q) [(a, b)]) by (rewrite <- F; apply filter_In; auto).
         destruct J as [J|[]]. auto.
-      + apply eq_real in E. rewrite real_orient, Q2R_zero, M in E. rewrite Ox.
+      + apply equal_value in E. symmetry in E. rewrite real_orient, value_zero, M in E. rewrite Ox.
         replace (orient (real p) (real q) (real u)) with 0 by lra.
         replace (orient (real p) (real q) (real v)) with 0 by lra. ring.
     - right. specialize (L p q I). rewrite M in L.
       assert (N : orient (real p) (real q) (real (qmiddle u v)) <> 0).
-      { intros Z. rewrite <- real_orient, <- Q2R_zero in Z.
-        apply eqR_Qeq, Qeq_bool_iff in Z. congruence. }
+      { intros Z. rewrite <- real_orient in Z.
+        pose proof (not_equal_value _ _ (is_left_le cell _ L' p q I) E) as K.
+        rewrite value_zero in K. lra. }
       rewrite M in N. rewrite Ox.
       set (f := orient (real p) (real q) (real u)) in *.
       set (g := orient (real p) (real q) (real v)) in *.
       destruct (Rlt_dec 0 f); [|assert (0 < g) by lra]; nra. }
-  clear F L Hu Hv. unfold strict. induction (ring_edges cell) as [|[p q] E IH].
+  clear F L L' Hu Hv. unfold strict. induction (ring_edges cell) as [|[p q] E IH].
   - exists 1. split; [lra|]. intros y _ _ ? ? [].
   - destruct IH as (r & Hr & K); [intros; apply G; simpl; auto|].
     destruct (G p q (or_introl eq_refl)) as [[S Z]|S].
@@ -215,7 +219,7 @@ Proof.
 Qed.
 
 Section Cells.
-Variable yes no : list (list vertex).
+Variable yes no : list (list corner).
 Hypothesis yes_polygons : forall l, In l yes -> is_polygon l = true.
 Hypothesis no_convex : forall l, In l no -> is_convex l = true.
 Hypothesis once : forall y, (sumz (crossing_of y) (all_triangles no)
@@ -236,7 +240,7 @@ Proof.
     exists u, v, w. split; auto. eapply triangle_of_cell; eauto.
 Qed.
 
-Variable part : list (list vertex).
+Variable part : list (list corner).
 Variable c : component.
 Hypothesis part_in_yes : forall l, In l part -> In l yes.
 Hypothesis one_class : is_class part c = true.
@@ -252,11 +256,11 @@ Proof.
     destruct (nth_error no j) as [o|] eqn:Eo; [|discriminate].
     apply nth_error_In in Ed. apply nth_error_In in Eo.
     apply andb_prop in H3. destruct H3 as [Hd Ho]. cbn [map snd].
-    apply eq_real in H1. rewrite real_orient, Q2R_zero in H1.
+    apply equal_value in H1. symmetry in H1. rewrite real_orient, value_zero in H1.
     apply row_stretch; [|apply IH; auto].
-    unfold is_along in H2. apply andb_prop in H2. destruct H2 as [_ H2]. apply less_real in H2.
+    unfold is_along in H2. apply andb_prop in H2. destruct H2 as [_ H2]. apply lt_value in H2.
     split; [exact H1|split].
-    + rewrite Q2R_zero, Q2R_plus, !Q2R_mult in H2. rewrite <- !real_minus.
+    + rewrite value_zero, value_plus, !value_times in H2. rewrite <- !real_minus.
       unfold dot, real; cbn [fst snd]. lra.
     + intros x X.
       destruct (has_side_near d u v _ x Hd X) as (r & Hr & Kd).
@@ -275,3 +279,4 @@ Proof.
         unfold along, minus in *; cbn [fst snd] in *. lra.
 Qed.
 End Cells.
+End Here.

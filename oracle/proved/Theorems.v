@@ -1,9 +1,12 @@
 (** What the checker proves: [sum_is_right] and [point_is_right]. Their statements use the notions
     of Definitions.v alone. *)
 From Coq Require Import Lra Lia Psatz Bool.
-From Proved Require Import Definitions Sums Crossings Fans Curves Unions Checker Rational
+From Proved Require Import Definitions Sums Crossings Fans Curves Unions Numbers Values Checker Corners
   Cancellation Bodies Scaling Trees.
 Open Scope R_scope.
+
+Section Here.
+Context {now : scale_here}.
 
 Lemma add_commutes p q : add p q = add q p.
 Proof. unfold add; f_equal; ring. Qed.
@@ -45,19 +48,19 @@ Proof.
   set (n := outward (u, v)) in *.
   destruct (tree_le _ Wa) as [_ Na]. destruct (tree_le _ Wb) as [_ Nb].
   destruct (Na la Ia) as [Ola Da]. destruct (Nb lb Ib) as [Olb Db].
-  apply le_real in H. rewrite Q2R_plus, real_dot in H.
-  assert (S1 : dot (real n) p <= Q2R (support n (hull_of (root (of_P w))))).
+  apply le_value in H. rewrite value_plus, real_dot in H.
+  assert (S1 : dot (real n) p <= value (support n (hull_of (root (of_P w))))).
   { apply (body_le la); auto. apply Da. intros z Z. apply support_real, Z. }
-  assert (S2 : dot (real n) q <= Q2R (support n (hull_of (root (of_Q w))))).
+  assert (S2 : dot (real n) q <= value (support n (hull_of (root (of_Q w))))).
   { apply (body_le lb); auto. apply Db. intros z Z. apply support_real, Z. }
   assert (E : orient (real u) (real v) (add p q)
       = dot (real n) (real u) - dot (real n) p - dot (real n) q).
-  { unfold orient, dot, add, n, outward, real; cbn [fst snd]. rewrite !Q2R_minus. ring. }
+  { unfold orient, dot, add, n, outward, real; cbn [fst snd]. rewrite !value_minus. ring. }
   rewrite E. lra.
 Qed.
 
 (** ** What is in the sum is covered (rule `eq`, `sep`). *)
-Definition covered_cells (w : witness) : list (list vertex) := map fst (filter covered (cells w)).
+Definition covered_cells (w : witness) : list (list corner) := map fst (filter covered (cells w)).
 
 Section NothingIsMissed.
 Variable w : witness.
@@ -137,11 +140,11 @@ Lemma operand_solids s r o : check_operand s r o = true ->
 Proof. unfold check_operand. rewrite !andb_true_iff, !forallb_forall. tauto. Qed.
 
 (** Covered cells are in the sum. *)
-Lemma cell_in_sum s P Q w c x : 0 < Q2R s -> check_operand s P (of_P w) = true ->
-  check_operand 1 Q (of_Q w) = true -> check_cell w c = true -> covered c = true ->
-  body (fst c) x -> in_sum s P Q x.
+Lemma cell_in_sum s P Q w c x : 0 < value s -> check_operand s P (of_P w) = true ->
+  check_operand one Q (of_Q w) = true -> check_cell w c = true -> covered c = true ->
+  body (fst c) x -> in_sum (value s) (outline P) (outline Q) x.
 Proof.
-  intros S HP HQ Hc Cc Kx. assert (Z : 0 < Q2R 1) by (rewrite Q2R_one; lra).
+  intros S HP HQ Hc Cc Kx. assert (Z : 0 < value one) by (rewrite value_one; lra).
   pose proof (operand_is_leaves _ _ _ S HP) as SP.
   pose proof (operand_is_leaves _ _ _ Z HQ) as SQ.
   unfold check_cell in Hc. apply andb_prop in Hc. destruct Hc as [Oc Hc].
@@ -153,7 +156,7 @@ Proof.
   destruct (solid_in_leaves _ b (operand_solids _ _ _ HQ b (nth_error_In _ _ Eb)))
     as [Ob Lb].
   destruct (covered_in_sum _ _ _ _ Oc Oa Ob Hc x Kx) as (p & q & Kp & Kq & ->).
-  exists (scale (/ Q2R s) p), q. split; [|split].
+  exists (scale (/ value s) p), q. split; [|split].
   - apply SP. rewrite scale_forth by auto. apply La, Kp.
   - apply SQ. rewrite scale_one. apply Lb, Kq.
   - rewrite scale_forth; auto.
@@ -167,7 +170,7 @@ Qed.
 (** What [check_sum] has found where no operand is empty *)
 Lemma sum_parts s P Q R w : is_empty P || is_empty Q = false -> check_sum s P Q R w = true ->
   (forall c, In c (cells w) -> is_polygon (fst c) = true) /\ check_box w = true /\
-  (forall x, set_of R x <-> union_of (all_triangles (covered_cells w)) x).
+  (forall x, set_of (outline R) x <-> union_of (all_triangles (covered_cells w)) x).
 Proof.
   intros Em H. unfold check_sum in H. rewrite Em, !andb_true_iff in H.
   destruct H as ((((((((S & Th) & HP) & HQ) & HB) & HC) & TR) & NR) & BR).
@@ -181,8 +184,8 @@ Proof.
   - intros y. rewrite <- turns_of_polygons. apply (same_boundary_same_turns _ _ BR).
 Qed.
 
-Theorem sum_is_right : forall (s : Q) (P Q R : rings) (w : witness),
-  check_sum s P Q R w = true -> is_sum s P Q R.
+Theorem sum_is_right : forall (s : number) (P Q R : rings corner) (w : witness),
+  check_sum s P Q R w = true -> is_sum (value s) (outline P) (outline Q) (outline R).
 Proof.
   intros s P Q R w H x. pose proof H as H0. unfold in_sum. unfold check_sum in H.
   destruct (is_empty P || is_empty Q) eqn:Em.
@@ -192,8 +195,8 @@ Proof.
       [destruct (empty_set p Kp)|destruct (empty_set q Kq)].
   - pose proof Em as Em0. clear Em. rewrite !andb_true_iff in H.
     destruct H as ((((((((S & Th) & HP) & HQ) & HB) & HC) & TR) & NR) & BR).
-    apply less_real in S. rewrite Q2R_zero in S.
-    assert (Z : 0 < Q2R 1) by (rewrite Q2R_one; lra).
+    apply lt_value in S. rewrite value_zero in S.
+    assert (Z : 0 < value one) by (rewrite value_one; lra).
     pose proof (operand_is_leaves _ _ _ S HP) as SP.
     pose proof (operand_is_leaves _ _ _ Z HQ) as SQ.
     pose proof (operand_tree _ _ _ HP) as WP. pose proof (operand_tree _ _ _ HQ) as WQ.
@@ -231,30 +234,31 @@ Proof.
 Qed.
 
 (** ** Single points *)
-Theorem point_is_right : forall (s : Q) (P Q : rings) (x p q : vertex) (of_P of_Q : tiled)
+Theorem point_is_right : forall (s : number) (P Q : rings corner) (x p q : corner) (of_P of_Q : tiled)
     (i j : nat),
   check_point s P Q x p q of_P of_Q i j = true ->
-  set_of P (real p) /\ set_of Q (real q) /\ real x = add (scale (Q2R s) (real p)) (real q).
+  set_of (outline P) (real p) /\ set_of (outline Q) (real q) /\ real x = add (scale (value s) (real p)) (real q).
 Proof.
   intros s P Q x p q oP oQ i j H. unfold check_point in H. rewrite !andb_true_iff in H.
   destruct H as [[[HP HQ] E] H].
-  assert (Z : 0 < Q2R 1) by (rewrite Q2R_one; lra).
+  assert (Z : 0 < value one) by (rewrite value_one; lra).
   destruct (nth_error (leaves (root oP)) i) as [a|] eqn:Ea; [|discriminate].
   destruct (nth_error (leaves (root oQ)) j) as [b|] eqn:Eb; [|discriminate].
   apply nth_error_In in Ea. apply nth_error_In in Eb.
   apply andb_prop in H. destruct H as [Ha Hb].
   apply same_real in E. rewrite real_add, real_scaled in E. split; [|split]; auto.
-  - apply (operand_is_leaves 1 P oP Z HP). exists a. split; auto. rewrite scale_one.
+  - apply (operand_is_leaves one P oP Z HP). exists a. split; auto. rewrite scale_one.
     apply inside_body; [|apply holds_real, Ha].
     apply (leaves_are_bodies _ (operand_tree _ _ _ HP) a Ea).
-  - apply (operand_is_leaves 1 Q oQ Z HQ). exists b. split; auto. rewrite scale_one.
+  - apply (operand_is_leaves one Q oQ Z HQ). exists b. split; auto. rewrite scale_one.
     apply inside_body; [|apply holds_real, Hb].
     apply (leaves_are_bodies _ (operand_tree _ _ _ HQ) b Eb).
 Qed.
 
 Corollary point_in_sum s P Q x p q of_P of_Q i j :
-  check_point s P Q x p q of_P of_Q i j = true -> in_sum s P Q (real x).
+  check_point s P Q x p q of_P of_Q i j = true -> in_sum (value s) (outline P) (outline Q) (real x).
 Proof.
   intros H. destruct (point_is_right _ _ _ _ _ _ _ _ _ _ H) as (Hp & Hq & E).
   exists (real p), (real q). auto.
 Qed.
+End Here.

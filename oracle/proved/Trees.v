@@ -1,9 +1,12 @@
 (** Trees of pieces: what they hold (rule `pieces`), and codes that set all pairs of their pieces
     apart from a cell (rule `eq`, `sep`). *)
 From Coq Require Import Lra Lia Psatz Bool.
-From Proved Require Import Definitions Sums Crossings Fans Curves Unions Checker Rational
+From Proved Require Import Definitions Sums Crossings Fans Curves Unions Numbers Values Checker Corners
   Cancellation Bodies Scaling.
 Open Scope R_scope.
+
+Section Here.
+Context {now : scale_here}.
 
 Lemma node_induction (H : node -> Prop) : (forall v, H (Piece v)) ->
   (forall h k, (forall c, In c k -> H c) -> H (Group h k)) -> forall n, H n.
@@ -32,11 +35,11 @@ Lemma leaves_are_bodies n : is_tree n = true -> forall l, In l (leaves n) -> is_
 Proof. intros O l I. destruct (tree_le n O) as [_ K]. apply (K l I). Qed.
 
 (** ** Operands *)
-Lemma thin_cases r : thin r = true -> (exists a, r = [[a]]) \/ (exists a b, r = [[a; b]]).
+Lemma thin_cases {A} (r : rings A) : thin r = true -> (exists a, r = [[a]]) \/ (exists a b, r = [[a; b]]).
 Proof.
   destruct r as [|[|a [|b [|c l]]] [|m r]]; try discriminate; eauto.
 Qed.
-Lemma set_of_fat r x : thin r = false -> set_of r x = region (real_edges r) x.
+Lemma set_of_fat r x : thin r = false -> set_of (outline r) x = region (real_edges r) x.
 Proof. destruct r as [|[|a [|b [|c l]]] [|m r]]; try discriminate; reflexivity. Qed.
 Lemma same_lists l k : all2 same l k = true -> map real l = map real k.
 Proof. apply all2_map, same_real. Qed.
@@ -48,26 +51,26 @@ Proof.
   - unfold body, triangles. rewrite E. auto.
 Qed.
 
-Theorem operand_is_leaves s r o : 0 < Q2R s -> check_operand s r o = true ->
-  forall x, set_of r x <-> exists l, In l (leaves (root o)) /\ body l (scale (Q2R s) x).
+Theorem operand_is_leaves s r o : 0 < value s -> check_operand s r o = true ->
+  forall x, set_of (outline r) x <-> exists l, In l (leaves (root o)) /\ body l (scale (value s) x).
 Proof.
   intros S H x. unfold check_operand in H. rewrite !andb_true_iff in H.
   destruct H as [[O _] H]. destruct (thin r) eqn:T.
   - assert (B : forall ring, r = [ring] -> exists leaf, leaves (root o) = [leaf] /\
-        map real leaf = map (scale (Q2R s)) (map real ring)).
+        map real leaf = map (scale (value s)) (map real ring)).
     { intros ring ->. simpl in H. destruct (leaves (root o)) as [|leaf [|? ?]]; try discriminate.
       - exists leaf. split; auto. rewrite andb_true_r in H. apply same_lists in H.
         rewrite <- H, !map_map. apply map_ext. intros. apply real_scaled.
       - rewrite andb_false_r in H. discriminate. }
-    assert (One : forall leaf, (exists l, In l [leaf] /\ body l (scale (Q2R s) x)) <->
-        body leaf (scale (Q2R s) x)).
+    assert (One : forall leaf, (exists l, In l [leaf] /\ body l (scale (value s) x)) <->
+        body leaf (scale (value s) x)).
     { intros leaf. split; [intros (l & [<-|[]] & K); auto|exists leaf; simpl; auto]. }
     destruct (thin_cases r T) as [(a & ->)|(a & b & ->)].
     + destruct (B _ eq_refl) as (leaf & -> & E). rewrite One.
       destruct leaf as [|a' [|? ?]]; try discriminate.
       pose proof (f_equal (hd (0, 0)) E) as E1. simpl in E1 |- *. rewrite E1.
       split; [intros ->; auto|]. intros E2.
-      rewrite <- (scale_back (Q2R s) x S), E2, scale_back; auto.
+      rewrite <- (scale_back (value s) x S), E2, scale_back; auto.
     + destruct (B _ eq_refl) as (leaf & -> & E). rewrite One.
       destruct leaf as [|a' [|b' [|? ?]]]; try discriminate.
       pose proof (f_equal (hd (0, 0)) E) as E1. pose proof (f_equal (fun l => hd (0, 0) (tl l)) E)
@@ -75,7 +78,7 @@ Proof.
       simpl in E1, E2 |- *. rewrite E1, E2.
       symmetry. apply on_segment_scale, S.
   - rewrite !andb_true_iff in H. destruct H as [[F D] B]. rewrite forallb_forall in F.
-    rewrite (set_of_fat r x T), <- (region_scale_iff (Q2R s) _ x S), <- scaled_edges.
+    rewrite (set_of_fat r x T), <- (region_scale_iff (value s) _ x S), <- scaled_edges.
     rewrite <- (union_of_all _ _ F). apply region_is_union.
     + apply all_positive, F.
     + apply no_null_different, D.
@@ -114,7 +117,7 @@ Proof.
 Qed.
 
 (** ** Separation *)
-Definition separated (cell a b : list vertex) : Prop := exists n : point, exists ma mb : R,
+Definition separated (cell a b : list corner) : Prop := exists n : point, exists ma mb : R,
   ~ (fst n = 0 /\ snd n = 0) /\
   (forall v, In v a -> dot n (real v) <= ma) /\ (forall v, In v b -> dot n (real v) <= mb) /\
   (forall x, In x cell -> ma + mb <= dot n (real x)).
@@ -130,21 +133,20 @@ Proof.
   specialize (W c J). apply andb_prop in W. tauto.
 Qed.
 Lemma normal_separates n cell a b la lb : is_tree a = true -> is_tree b = true ->
-  negb (Qeq_bool (fst n) 0 && Qeq_bool (snd n) 0) = true ->
-  forallb (fun x => Qle_bool (support n (hull_of a) + support n (hull_of b)) (qdot n x)) cell
+  distinct n (zero, zero) = true ->
+  forallb (fun x => le (nplus (support n (hull_of a)) (support n (hull_of b))) (qdot n x)) cell
     = true ->
   In la (leaves a) -> In lb (leaves b) -> separated cell la lb.
 Proof.
   intros Wa Wb H1 H2 Ia Ib. rewrite forallb_forall in H2.
   destruct (tree_le a Wa) as [_ Ka]. destruct (tree_le b Wb) as [_ Kb].
-  exists (real n), (Q2R (support n (hull_of a))), (Q2R (support n (hull_of b))).
+  exists (real n), (value (support n (hull_of a))), (value (support n (hull_of b))).
   repeat apply conj.
-  - intros [Z1 Z2]. apply negb_true_iff, andb_false_iff in H1.
-    unfold real in Z1, Z2; simpl in Z1, Z2. rewrite <- Q2R_zero in Z1, Z2.
-    apply eqR_Qeq, Qeq_bool_iff in Z1. apply eqR_Qeq, Qeq_bool_iff in Z2. destruct H1; congruence.
+  - intros [Z1 Z2]. apply distinct_real in H1. apply H1. unfold real at 2. cbn [fst snd].
+    rewrite value_zero. destruct (real n). simpl in *. congruence.
   - apply (proj2 (Ka la Ia)). intros v V. apply support_real, V.
   - apply (proj2 (Kb lb Ib)). intros v V. apply support_real, V.
-  - intros x X. rewrite <- real_dot, <- Q2R_plus. apply le_real, H2, X.
+  - intros x X. rewrite <- real_dot, <- value_plus. apply le_value, H2, X.
 Qed.
 
 Theorem follow_separates code cell : forall stack, follow code cell stack = true ->
@@ -185,3 +187,4 @@ Proof.
       injection E; intros; subst. destruct (W a b) as [Wa Wb]; [simpl; auto|].
       exact (normal_separates n cell a b la lb Wa Wb H1 H2 Ia Ib).
 Qed.
+End Here.

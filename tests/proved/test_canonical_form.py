@@ -6,6 +6,7 @@ import re
 import shutil
 import subprocess
 from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -41,7 +42,7 @@ def from_another_vertex(polygons: list[Any], rows: list[Any]) -> Form:
 def with_a_straight_vertex(polygons: list[Any], rows: list[Any]) -> Form:
     row = next(row for row in rows[0][0] if len(row) > 1)
     at = rows[0][0].index(row)
-    polygons[0][0].insert(at + 1, row[0][2])
+    polygons[0][0].insert(at + 1, row[0][2].vertex)
     rows[0][0][at : at + 1] = [row[:1], row[1:]]
     return polygons, rows
 
@@ -85,7 +86,16 @@ def with_cells_exchanged(polygons: list[Any], rows: list[Any]) -> Form:
     return polygons, rows
 
 
+@dataclass(frozen=True)
+class Corner:
+    """A vertex as the checker has it"""
+
+    vertex: tuple[str, str]
+
+
 def in_coq(value: Any) -> str:
+    if isinstance(value, Corner):
+        return f"fixed {in_coq(value.vertex)}"
     if isinstance(value, list):
         return f"[{'; '.join(map(in_coq, value))}]"
     if isinstance(value, tuple):
@@ -98,7 +108,8 @@ def from_coq(text: str, name: str) -> Any:
     found = re.search(rf"Definition {name} : [^\n]* :=\n(.*?)\.\n", text, re.DOTALL)
     assert found is not None
     plain = re.sub(r"(\(-\d+\)|\d+)#(\d+)", r"'\1#\2'", found[1]).replace("%nat", "")
-    return eval(plain.replace(";", ","), {"__builtins__": {}})
+    names = {"__builtins__": {}, "fixed": lambda x, y: Corner((x, y))}
+    return eval(plain.replace(";", ","), names)
 
 
 @pytest.mark.parametrize(
@@ -133,12 +144,16 @@ def test_other_forms_of_a_set(
     )  # fmt: skip
     text = theorem.read_text(encoding="utf-8").partition("Theorem this_is_the_sum")[0]
     polygons = [list(each) for each in from_coq(text, "R'")]
-    changed, rows = change(polygons, from_coq(text, "stretches"))
+    changed, rows = change(polygons, from_coq(text, "rows"))
     text += f"""
-Definition other : list polygon := {in_coq([tuple(each) for each in changed])}.
-Definition rows : list (list (list (list stretch))) := {in_coq(rows)}.
-Eval vm_compute in check_holes s P Q' (rings_of other) everything components outside holes.
-Eval vm_compute in check_form s P Q' other everything components outside holes rows.
+Definition other : list (polygon vertex) := {in_coq([tuple(each) for each in changed])}.
+Definition others : list (list (list (list stretch))) := {in_coq(rows)}.
+Definition given : derivation := {{|
+  region_of := proof_of_region; components_of := components; outside_of := outside;
+  holes_of := holes; rows_of := others |}}.
+Eval vm_compute in check_holes (Fixed s) (fixed_rings P) (fixed_rings Q')
+  (fixed_rings (rings_of other)) proof_of_region components outside holes.
+Eval vm_compute in check_form s P Q' other given.
 """
     theorem.write_text(text, encoding="utf-8")
     ran = subprocess.run(

@@ -119,29 +119,9 @@ def test_components_and_holes(
             assert check(path)[0] in (REFUTED, MALFORMED), (member, by)
 
 
-def test_claims_without_a_theorem_are_declined(check_value: Any) -> None:
-    value = squares.moving_certificate()
-    value["claims"].append(SIGN)
-    code, said = check_value(value, squares.CASE)
-    assert code == DECLINED
-    assert "not proved: interval" in said
-    assert "  sum: at 1" in said and "  sign: " in said
-
-
 def test_paths_are_declined(check_value: Any) -> None:
     code, said = check_value(walls.certificate(), walls.CASE)
     assert (code, "no theorem about paths" in said) == (DECLINED, True)
-
-
-def test_events_are_declined(check: Any, tmp_path: Path) -> None:
-    triangle, frame = set_of("POLYGON((-3 -2, 4 -1, 1 3, -3 -2))"), set_of(
-        "POLYGON((-40 -40, 40 -40, 40 40, -40 40, -40 -40), (0 20, 17 -11, -19 -9, 0 20))"
-    )  # fmt: skip
-    certificate = Certificate(triangle, frame)
-    certificate.event("541/186", "5/2", passages=True)
-    code, said = check(written(certificate, tmp_path, "it"))
-    assert code == DECLINED
-    assert "not proved: event" in said and "  passage: at 541/186" in said
 
 
 TOLD = ("scale", "components", "holes", "digest", "polygons", "point", "p", "q", "of", "from",

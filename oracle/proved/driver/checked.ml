@@ -2,37 +2,80 @@
    denominator. Trusted: the functions [..._holds] and [volume] hand over what they are given. *)
 
 type point = Q.t * Q.t
+type corner = Checker.corner
 type stretch = Checker.stretch
 type token = Checker.token
 type node = Checker.node
 type witness = Checker.witness
+type derivation = Checker.derivation
 
 let fraction (q : Q.t) : Checker.q = { qnum = Q.num q; qden = Q.den q }
 let vertex (x, y) : Checker.vertex = (fraction x, fraction y)
 let vertices = List.map vertex
+let rings = List.map vertices
+let polygon vertex (p : 'v Reading.polygon) =
+  (List.map vertex p.outer, List.map (List.map vertex) p.holes)
 
-let sum_holds s p q polygons witness components outside holes stretches =
-  let polygon (outer, holes) = (vertices outer, List.map vertices holes) in
-  Checker.check_form (fraction s) (List.map vertices p) (List.map vertices q)
-    (List.map polygon polygons) witness components outside holes stretches
+let sum_holds s p q polygons derivation =
+  Checker.check_form (fraction s) (rings p) (rings q)
+    (List.map (polygon vertex) polygons)
+    derivation
 
 let point_holds s p q x part other tiled_p tiled_q i j =
-  Checker.check_point (fraction s) (List.map vertices p) (List.map vertices q) (vertex x)
-    (vertex part) (vertex other) tiled_p tiled_q i j
+  Checker.check_one_point (fraction s) (rings p) (rings q) (vertex x) (vertex part) (vertex other)
+    tiled_p tiled_q i j
 
 (* Vertex i of sP plus vertex j of Q *)
 type place = int option * int option
 
 let sign_holds p q of_ from to_ sign =
-  Checker.check_sign (fraction from) (fraction to_) (List.map vertices p) (List.map vertices q) of_
-    sign
+  Checker.check_sign (fraction from) (fraction to_) (rings p) (rings q) of_ sign
 
 let orientation (a : place) (b : place) (c : place) = Checker.Orientation (a, b, c)
 let concurrent (a : place) b c d e f = Checker.Concurrent (a, b, c, d, e, f)
 
-let passage_holds s p q witness path contacts =
-  Checker.check_passage (fraction s) (List.map vertices p) (List.map vertices q) witness
-    (vertices path) contacts
+let passage_holds s p q derivation path contacts =
+  let { Checker.region_of; _ } = derivation in
+  Checker.check_one_passage (fraction s) (rings p) (rings q) region_of (vertices path) contacts
+
+(* The state of a sum: polygons, touching points, and how many holes *)
+type 'v state = { polygons : 'v Reading.polygon list; touching : 'v list; enclosed : int }
+
+let state vertex { polygons; touching; enclosed } =
+  ((List.map (polygon vertex) polygons, List.map vertex touching), enclosed)
+
+let mover (m : Reading.mover) : Checker.mover =
+  ((fraction m.x0, fraction m.x1), (fraction m.y0, fraction m.y1))
+
+(* What moves between two scales: a derivation of the first `move`, and then in turn of the sum at
+   each scale between and of the next `move` *)
+type interval = {
+  from : Q.t;
+  upto : Q.t;
+  figure : Reading.mover state;
+  first : derivation;
+  rest : (Q.t * derivation * derivation) list;
+}
+
+let part_of_event { figure; first; rest; _ } : Checker.part_of_event =
+  {
+    figure_there = state mover figure;
+    first_move = first;
+    more_moves = List.map (fun (s, there, next) -> ((fraction s, there), next)) rest;
+  }
+
+let interval_holds p q interval =
+  let { Checker.figure_there; first_move; more_moves } = part_of_event interval in
+  Checker.check_interval (fraction interval.from) (fraction interval.upto) (rings p) (rings q)
+    figure_there first_move more_moves
+
+let event_holds p q before s there derivation after change =
+  Checker.check_event (fraction before.from) (fraction s) (fraction after.upto) (rings p) (rings q)
+    (part_of_event before) (part_of_event after) (state vertex there) derivation change
+
+let is_of_boundary = function
+  | Checker.Another_after _ | Checker.Another_there _ -> true
+  | Checker.Other_numbers -> false
 
 let vertex3 (x, y, z) : Checker.vertex3 = ((fraction x, fraction y), fraction z)
 let mesh (corners, faces) : Checker.mesh = (List.map vertex3 corners, faces)
@@ -46,24 +89,26 @@ let volume m : Q.t =
   let found = Checker.volume (mesh m) in
   Q.make found.qnum found.qden
 
-let piece corners = Checker.Piece (vertices corners)
-let group hull members = Checker.Group (vertices hull, members)
+(* A corner at one scale, or at both ends of a `move` *)
+let corner places : corner =
+  match List.split places with
+  | [ x ], [ y ] -> (Checker.Fixed (fraction x), Checker.Fixed (fraction y))
+  | xs, ys -> (Checker.Moving (List.map fraction xs), Checker.Moving (List.map fraction ys))
 
-let tiled root solids : Checker.tiled =
-  { root; solids = List.map (fun (hull, leaves) -> (vertices hull, leaves)) solids }
-
-let covered corners i j parts = (vertices corners, Checker.Covered (i, j, vertices parts))
-let apart corners code = (vertices corners, Checker.Apart code)
+let fixed v = corner [ v ]
+let origin = fixed (Q.zero, Q.zero)
+let piece corners = Checker.Piece corners
+let group hull members = Checker.Group (hull, members)
+let tiled root solids : Checker.tiled = { root; solids }
+let covered corners i j parts = (corners, Checker.Covered (i, j, parts))
+let apart corners code = (corners, Checker.Apart code)
 let open_p = Checker.OpenP
 let open_q = Checker.OpenQ
-let normal n = Checker.Normal (vertex n)
-let stretch left right corner : stretch = ((left, right), vertex corner)
+let normal n = Checker.Normal (fixed n)
+let stretch left right corner : stretch = ((left, right), corner)
 let contact normals on_left on_right : Checker.contact = { normals; on_left; on_right }
-let component size links rim : Checker.component =
-  {
-    size;
-    links = List.map (fun (back, m) -> (back, vertex m)) links;
-    rim = List.map (fun (ring, others) -> (vertices ring, others)) rim;
-  }
+let component size links rim : Checker.component = { size; links; rim }
+let witness of_P of_Q box cells : witness = { of_P; of_Q; box; cells }
 
-let witness of_P of_Q box cells : witness = { of_P; of_Q; box = vertices box; cells }
+let derivation region_of components_of outside_of holes_of rows_of : derivation =
+  { region_of; components_of; outside_of; holes_of; rows_of }

@@ -1,17 +1,26 @@
 (* The claims of a certificate-v1. Trusted: what is said to be proved is what [Checked] was asked,
-   of the sets that [Reading] found. Those without a theorem are declined. *)
+   of the sets that [Reading] found. *)
 
 open Failure
 open Json
 
-type step = Pieces of Elaborate.pieces | Region of Elaborate.region Lazy.t | Move
+type step = Pieces of Pieces.pieces | Region of Elaborate.region Lazy.t
+
+(* A claim: what is said if it holds, and whether it does. What an event is proved with is not
+   asked again. *)
+type claim = {
+  said : string;
+  theorem : (out_channel -> unit) option;
+  shown : Intervals.shown;
+  holds : bool Lazy.t;
+  mutable follows : bool;
+}
 
 type proved = { said : string; theorem : (out_channel -> unit) option }
-type outcome = Proved of proved | Not_proved of string
 
 let kinds = [ "sum"; "interval"; "event"; "point"; "passage"; "sign" ]
 
-let check_claim budget p q step claim =
+let check_claim budget p q step claim_of claim =
   budget 64;
   let kind =
     match claim with
@@ -21,53 +30,65 @@ let check_claim budget p q step claim =
   in
   require (List.mem kind kinds) "there is no such claim";
   let rings (o : Reading.operand) = Reading.rings_of o.polygons in
+  let region at =
+    match step at with Region r -> Lazy.force r | _ -> fail Malformed "this is no sum's step"
+  in
+  let at_scale s at =
+    let region = region at in
+    demand (List.equal Q.equal region.Elaborate.scales [ s ]) "the step is about another scale";
+    region
+  in
+  let found ?theorem ?(shown = Intervals.Another) said holds =
+    { said = kind ^ ": " ^ said; theorem; shown; holds; follows = false }
+  in
   match kind with
   | "sum" -> (
     match
       members claim [ "claim"; "scale"; "step"; "components"; "holes"; "digest"; "polygons?" ]
     with
     | [ _; scale; at; components; holes; digest; polygons ] ->
-      let s = number scale and digest = text digest in
-      require (Q.sign s > 0) "a scale is not positive";
-      let region =
-        match step at with Region r -> Lazy.force r | _ -> fail Malformed "this is no sum's step"
-      in
-      demand (Q.equal region.scale s) "the step is about another scale";
-      demand (Reading.set_digest region.polygons = digest) "the digest is another";
+      let s = Intervals.scale_of scale and digest = text digest in
+      let region = at_scale s at in
+      let derivation = region.derivation region.form in
+      let enclosed = List.length derivation.holes_of in
+      let there = Moving.there region enclosed in
+      let result = there.polygons in
+      demand (Reading.digest_of (Reading.polygons_text result) = digest) "the digest is another";
       (match polygons with
        | Null -> ()
        | given ->
-         let same = canonical_text given = Reading.polygons_text region.polygons in
+         let same = canonical_text given = Reading.polygons_text result in
          demand same "the polygons are others");
-      let count = List.length region.components in
+      let count = List.length result in
       demand (Z.equal (integer components) (Z.of_int count)) "components are others";
-      let enclosed = List.length region.holes in
       demand (Z.equal (integer holes) (Z.of_int enclosed)) "holes are others";
-      let parts (p : Reading.polygon) = (p.outer, p.holes) in
-      let result = List.map parts region.polygons in
-      demand
-        (Checked.sum_holds s (rings p) (rings q) result region.witness
-           region.components region.outside region.holes region.stretches)
-        "the proved checker does not take this for a proof";
-      let theorem out =
-        Theorem.write out s (rings p) (rings q) result region.witness region.components
-          region.outside region.holes region.stretches
+      let said =
+        Printf.sprintf
+          "at %s, the set of points of digest %s, in canonical form, of %d components and %d holes"
+          (Q.to_string s) digest count enclosed
       in
-      Proved
-        {
-          said =
-            Printf.sprintf
-              "sum: at %s, the set of points of digest %s, in canonical form, of %d components and \
-               %d holes"
-              (Q.to_string s) digest count enclosed;
-          theorem = Some theorem;
-        }
+      found said
+        ~theorem:(fun out -> Theorem.write out s (rings p) (rings q) result derivation)
+        ~shown:(Sum { scale = s; there; derivation })
+        (lazy (Checked.sum_holds s (rings p) (rings q) result derivation))
     | _ -> assert false)
+  | "interval" ->
+    let interval, digest, said, holds = Intervals.interval (rings p) (rings q) region claim in
+    found said ~shown:(Interval (interval, digest)) holds
+  | "event" ->
+    let asked = ref [] in
+    let shown value =
+      let (other : claim) = claim_of value in
+      asked := other :: !asked;
+      other.shown
+    in
+    let said = Intervals.event (rings p) (rings q) shown claim in
+    List.iter (fun (other : claim) -> other.follows <- true) !asked;
+    found said (lazy true)
   | "point" -> (
     match members claim [ "claim"; "scale"; "point"; "p"; "q"; "by"; "pieces" ] with
     | [ _; scale; x; a; b; by; nodes ] ->
-      let s = number scale in
-      require (Q.sign s > 0) "a scale is not positive";
+      let s = Intervals.scale_of scale in
       let x = Reading.point x and a = Reading.point a and b = Reading.point b in
       let first, second = pair by and i, j = pair nodes in
       let side name at node =
@@ -75,23 +96,18 @@ let check_claim budget p q step claim =
         | Pieces pieces ->
           require (pieces.operand.name = name) "`by` is not of P and Q";
           require (not (Reading.is_thin pieces.operand)) "a point or a segment has no pieces";
-          let found = Elaborate.side pieces budget Q.one in
+          let side = Pieces.side pieces budget [ Q.one ] in
           let n = index node (Array.length pieces.hulls) in
           require (pieces.children.(n) = []) "this is no piece";
-          require (Hashtbl.mem found.place n) "a piece is in no group";
-          (Elaborate.tiled found, Hashtbl.find found.place n)
+          require (Hashtbl.mem side.place n) "a piece is in no group";
+          (Pieces.tiled side, Hashtbl.find side.place n)
         | _ -> fail Malformed "this is no step of pieces"
       in
       let tiled_p, i = side "P" first i and tiled_q, j = side "Q" second j in
-      demand
-        (Checked.point_holds s (rings p) (rings q) x a b tiled_p tiled_q i j)
-        "the proved checker does not take this for a proof";
       let shown (x, y) = Printf.sprintf "(%s, %s)" (Q.to_string x) (Q.to_string y) in
-      Proved
-        {
-          said = Printf.sprintf "point: %s at %s is a point of the sum" (shown x) (Q.to_string s);
-          theorem = None;
-        }
+      found
+        (Printf.sprintf "%s at %s is a point of the sum" (shown x) (Q.to_string s))
+        (lazy (Checked.point_holds s (rings p) (rings q) x a b tiled_p tiled_q i j))
     | _ -> assert false)
   | "sign" -> (
     match members claim [ "claim"; "of"; "from"; "to"; "sign" ] with
@@ -117,51 +133,39 @@ let check_claim budget p q step claim =
           Checked.concurrent (place a) (place b) (place c) (place d) (place e) (place f)
         | _ -> fail Malformed "there is no such predicate"
       in
-      demand
-        (Checked.sign_holds (rings p) (rings q) of_ a b z)
-        "the proved checker does not take this for a proof";
-      Proved
-        {
-          said =
-            Printf.sprintf "sign: %s has the sign %s from %s to %s" (canonical_text predicate)
-              (Z.to_string z) (Q.to_string a) (Q.to_string b);
-          theorem = None;
-        }
+      found
+        (Printf.sprintf "%s has the sign %s from %s to %s" (canonical_text predicate)
+           (Z.to_string z) (Q.to_string a) (Q.to_string b))
+        (lazy (Checked.sign_holds (rings p) (rings q) of_ a b z))
     | _ -> assert false)
   | "passage" -> (
     match members claim [ "claim"; "scale"; "step"; "points"; "path" ] with
     | [ _; scale; at; points; path ] ->
-      let s = number scale in
-      require (Q.sign s > 0) "a scale is not positive";
-      let region =
-        match step at with Region r -> Lazy.force r | _ -> fail Malformed "this is no sum's step"
-      in
-      demand (Q.equal region.scale s) "the step is about another scale";
+      let s = Intervals.scale_of scale in
+      let region = at_scale s at in
       let thin = Reading.is_thin p || Reading.is_thin q in
       require (not thin) "passages of a point or a segment are not proven by contacts";
       let points = List.map Reading.point (items points) in
-      let found = List.map region.point (items path) in
-      require (found <> []) "a passage has no point";
-      let same (a, b) (c, d) = Q.equal a c && Q.equal b d in
+      let met = List.map region.point (items path) in
+      require (met <> []) "a passage has no point";
+      let same (a, b) at =
+        match at with [ (c, d) ] -> Q.equal a c && Q.equal b d | _ -> false
+      in
       demand
-        (List.compare_lengths points found = 0
-        && List.for_all2 (fun given (_, at) -> same given at) points found)
+        (List.compare_lengths points met = 0
+        && List.for_all2 (fun given (_, at) -> same given at) points met)
         "the points are others";
-      demand
-        (Checked.passage_holds s (rings p) (rings q) region.witness points
-           (Elaborate.contacts region (List.map fst found)))
-        "the proved checker does not take this for a proof";
-      Proved
-        {
-          said =
-            Printf.sprintf "passage: at %s, of %d points, from (%s, %s)" (Q.to_string s)
-              (List.length points)
-              (Q.to_string (fst (List.hd points)))
-              (Q.to_string (snd (List.hd points)));
-          theorem = None;
-        }
+      let contacts = Elaborate.contacts region (List.map fst met) in
+      let x, y = List.hd points in
+      found
+        (Printf.sprintf "at %s, of %d points, from (%s, %s)" (Q.to_string s) (List.length points)
+           (Q.to_string x) (Q.to_string y))
+        (lazy
+          (Checked.passage_holds s (rings p) (rings q)
+             (region.derivation region.form)
+             points contacts))
     | _ -> assert false)
-  | kind -> Not_proved (kind ^ ": there is no theorem about this claim yet")
+  | _ -> assert false
 
 let check_plane certificate read_case budget =
   match
@@ -189,12 +193,12 @@ let check_plane certificate read_case budget =
       | _ -> fail Malformed "there is no such operand"
     in
     let given = Array.of_list (items steps) in
-    let made = Array.make (Array.length given) Move in
+    let made = Array.make (Array.length given) None in
     let used = Hashtbl.create 16 in
     let step_before bound value =
       let i = index value bound in
       Hashtbl.replace used i ();
-      made.(i)
+      Option.get made.(i)
     in
     Array.iteri
       (fun i step ->
@@ -210,37 +214,44 @@ let check_plane certificate read_case budget =
               | Pieces found when found.operand.name = name -> found
               | _ -> fail Malformed "`by` is not of P and Q"
             in
-            made.(i) <-
-              (match rule with
-               | "pieces" -> Pieces (Elaborate.pieces_step operand_of budget step)
-               | "eq" | "move" -> (
-                 match members step Elaborate.names with
-                 | _ :: _ :: by :: _ ->
-                   let a, b = pair by in
-                   let by = (pieces_of a "P", pieces_of b "Q") in
-                   if rule = "move" then Move
-                   else Region (lazy (Elaborate.eq_step p q by budget step))
-                 | _ -> assert false)
-               | _ -> fail Malformed "there is no such rule")))
+            let step =
+              match rule with
+              | "pieces" -> Pieces (Pieces.pieces_step operand_of budget step)
+              | "eq" | "move" -> (
+                match members step Elaborate.names with
+                | _ :: _ :: by :: _ ->
+                  let a, b = pair by in
+                  let by = (pieces_of a "P", pieces_of b "Q") in
+                  Region (lazy (Elaborate.region p q by budget step))
+                | _ -> assert false)
+              | _ -> fail Malformed "there is no such rule"
+            in
+            made.(i) <- Some step))
       given;
     let claims = items claims in
     require (claims <> []) "nothing is claimed";
-    let outcomes =
-      List.mapi
-        (fun i claim ->
-          within (Printf.sprintf "claim %d" i) (fun () ->
-              check_claim budget p q (step_before (Array.length given)) claim))
-        claims
-    in
-    let all_proved = List.for_all (function Proved _ -> true | _ -> false) outcomes in
-    require ((not all_proved) || Hashtbl.length used = Array.length given) "a step is not used";
+    let found = Array.make (List.length claims) None in
+    let place i = Printf.sprintf "claim %d" i in
+    List.iteri
+      (fun i claim ->
+        let claim_of value = Option.get found.(index value i) in
+        let step = step_before (Array.length given) in
+        found.(i) <- Some (within (place i) (fun () -> check_claim budget p q step claim_of claim)))
+      claims;
+    require (Hashtbl.length used = Array.length given) "a step is not used";
     require
       (List.length (List.sort_uniq compare (List.map canonical_text claims)) = List.length claims)
       "a claim is made twice";
-    outcomes
+    let proved i claim =
+      let { said; theorem; holds; follows; _ } : claim = Option.get claim in
+      within (place i) (fun () ->
+          demand (follows || Lazy.force holds) "the proved checker does not take this for a proof");
+      ({ said; theorem } : proved)
+    in
+    List.mapi proved (Array.to_list found)
   | _ -> assert false
 
-(* Of each claim, whether it is proved; Not_verified where one does not hold. *)
+(* What is proved; Not_verified where a claim does not hold *)
 let check certificate read_case budget =
   let form =
     match certificate with
@@ -252,7 +263,7 @@ let check certificate read_case budget =
   | "certificate-v1" -> check_plane certificate read_case budget
   | "convex-certificate-v1" ->
     List.map
-      (fun said -> Proved { said; theorem = None })
+      (fun said : proved -> { said; theorem = None })
       (Bodies.check certificate read_case budget)
   | "solid-certificate-v1" -> fail Declined "there is no theorem about sums of any polyhedra yet"
   | "path-certificate-v1" -> fail Declined "there is no theorem about paths yet"

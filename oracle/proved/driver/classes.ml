@@ -10,7 +10,7 @@ type found = {
   components : Checker.component list;
   outside : Checker.component;
   holes : Checker.component list;
-  stretches : Checked.stretch list list list list;  (* of each polygon, ring and edge *)
+  rows : Checked.stretch list list list list;  (* of each polygon, ring and edge *)
   beside : int * int -> int * int;  (* the covered cells on the left and on the right of an edge *)
 }
 
@@ -29,18 +29,15 @@ let rings_of edges =
     (fun ((u, _), _) -> if Hashtbl.mem leaving u then Some (walk u u []) else None)
     edges
 
-(* Cells by the numbers of their corners; polygons in canonical order *)
-let found cells is_covered polygons point =
+(* Cells by the numbers of their corners; polygons in the order that they are claimed in. [corner]
+   is a point for the checker, [middle] that of two. *)
+let found cells is_covered polygons corner middle =
   let cells = Array.of_list cells and is_covered = Array.of_list is_covered in
   let count = Array.length cells in
   let owner = Hashtbl.create (4 * count) in
   Array.iteri (fun i cell -> List.iter (fun e -> Hashtbl.replace owner e i) (edges_of cell)) cells;
   let across (u, v) = Hashtbl.find_opt owner (v, u) in
-  let half = Q.of_ints 1 2 and place = Array.make count 0 in
-  let middle u v =
-    let (a, b), (c, d) = (point u, point v) in
-    (Q.mul half (Q.add a c), Q.mul half (Q.add b d))
-  in
+  let place = Array.make count 0 in
   let seen = Array.make count false in
   (* A class by breadth: its cells in order, and for each but the first how far back its link is *)
   let gather first =
@@ -99,21 +96,21 @@ let found cells is_covered polygons point =
     | _ -> fail Refuted "a ring is not on the boundary"
   in
   let component (order, links) polygon =
-    let rim ring = (List.map point ring.along, List.map (beyond true) (edges_of ring.along)) in
+    let rim ring = (List.map corner ring.along, List.map (beyond true) (edges_of ring.along)) in
     Checked.component (List.length order) links (List.map rim polygon)
   in
   let edges ring =
     let stretch ((_, v) as edge) =
-      Checked.stretch place.(Hashtbl.find owner edge) (beyond true edge) (point v)
+      Checked.stretch place.(Hashtbl.find owner edge) (beyond true edge) (corner v)
     in
     (* From the last stretch to the first; at a vertex of the ring another edge begins. *)
     let add ((u, _) as edge) (vertices, run, runs) =
       match vertices with
-      | vertex :: before when compare_points (point u) vertex = 0 ->
+      | vertex :: before when u = vertex ->
         (before, [], (stretch edge :: run) :: runs)
       | _ -> (vertices, stretch edge :: run, runs)
     in
-    let _, _, runs = List.fold_right add (edges_of ring.along) (List.rev ring.vertices, [], []) in
+    let _, _, runs = List.fold_right add (edges_of ring.along) (List.rev ring.turns, [], []) in
     runs
   in
   let hole (order, links) =
@@ -128,7 +125,7 @@ let found cells is_covered polygons point =
             (edges_of cells.(i)))
         order
     in
-    let ring steps = (List.map (fun ((u, _), _) -> point u) steps, List.map snd steps) in
+    let ring steps = (List.map (fun ((u, _), _) -> corner u) steps, List.map snd steps) in
     Checked.component (List.length order) links (List.map ring (rings_of edges))
   in
   let beside edge =
@@ -141,6 +138,6 @@ let found cells is_covered polygons point =
     components = List.map2 component firsts polygons;
     outside = Checked.component (List.length (fst outside)) (snd outside) [];
     holes = List.map hole holes;
-    stretches = List.map (List.map edges) polygons;
+    rows = List.map (List.map edges) polygons;
     beside;
   }

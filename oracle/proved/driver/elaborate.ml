@@ -1,183 +1,11 @@
-(* From the steps of a certificate to witnesses of the proved checker. Not trusted: it works out the
-   points of cells, hulls, and for each corner of a covered cell a point of P that leaves one of Q.
-   Where it is wrong, the checker says no. *)
+(* From the steps `eq` and `move` of a certificate to what the proved checker is given. Not trusted:
+   it works out the points of cells, at both ends of a `move`. Where it is wrong, the checker says
+   no. *)
 
 open Failure
 open Json
 open Rings
-
-let times s (x, y) : point = (Q.mul s x, Q.mul s y)
-
-let hull points =
-  let sorted = List.sort_uniq compare_points points in
-  let chain run =
-    let rec add p = function
-      | b :: a :: rest when turn a b p <= 0 -> add p (a :: rest)
-      | found -> p :: found
-    in
-    match List.fold_left (fun found p -> add p found) [] run with
-    | _ :: rest -> List.rev rest
-    | [] -> []
-  in
-  match sorted with [ _ ] -> sorted | _ -> chain sorted @ chain (List.rev sorted)
-
-(* What a convex body has on the left of lines *)
-let clipped body lines =
-  let clip body (u, v) =
-    let side p = cross (v -- u) (p -- u) in
-    List.concat_map
-      (fun (p, q) ->
-        let a = side p and b = side q in
-        let kept = if Q.sign a >= 0 then [ p ] else [] in
-        if Q.sign a * Q.sign b < 0 then
-          let t = Q.div a (Q.sub a b) in
-          kept @ [ p ++ times t (q -- p) ]
-        else kept)
-      (edges_of body)
-  in
-  List.fold_left clip body lines
-
-(* Corners in doubles, which propose: what they leave open is decided exactly. *)
-type body = { corners : point list; rough : (float * float) array }
-
-let rough (x, y) = (Q.to_float x, Q.to_float y)
-let body corners = { corners; rough = Array.of_list (List.map rough corners) }
-
-(* How far inside a convex polygon a point is, about; no number where doubles do not tell corners
-   apart *)
-let depth polygon (x, y) =
-  let n = Array.length polygon in
-  let least = ref max_float in
-  for i = 0 to n - 1 do
-    let a, b = polygon.(i) and c, d = polygon.(if i + 1 = n then 0 else i + 1) in
-    let u = c -. a and v = d -. b in
-    let side = ((u *. (y -. b)) -. (v *. (x -. a))) /. Float.hypot u v in
-    if Float.is_nan side || side < !least then least := side
-  done;
-  !least
-
-let is_inside polygon p =
-  List.for_all (fun (u, v) -> Q.sign (cross (v -- u) (p -- u)) >= 0) (edges_of polygon)
-
-(* A point p of a with x - p in b: a corner of one, if one will do; else by cutting *)
-let part x a b =
-  let by_cutting () =
-    let mirrored = List.map (fun p -> x -- p) in
-    let found =
-      if List.length b.corners > 2 then clipped a.corners (edges_of (mirrored b.corners))
-      else clipped (mirrored b.corners) (edges_of a.corners)
-    in
-    match found with p :: _ -> p | [] -> fail Refuted "a covered cell has a corner outside"
-  in
-  if Array.length a.rough < 3 || Array.length b.rough < 3 then by_cutting ()
-  else begin
-    let x', y' = rough x in
-    let best = ref neg_infinity and choice = ref (-1) and of_a = ref true in
-    let try_corners corners other own =
-      Array.iteri
-        (fun i (u, v) ->
-          let found = depth other (x' -. u, y' -. v) in
-          if found > !best then (best := found; choice := i; of_a := own))
-        corners
-    in
-    try_corners a.rough b.rough true;
-    if !best <= 0. then try_corners b.rough a.rough false;
-    if !choice < 0 then by_cutting ()
-    else begin
-      let size = Array.fold_left (fun m (u, v) -> Float.max m (Float.abs u +. Float.abs v)) 1. in
-      let doubt = 1e-9 *. (Float.abs x' +. Float.abs y' +. size a.rough +. size b.rough) in
-      let p = if !of_a then List.nth a.corners !choice else x -- List.nth b.corners !choice in
-      let certain () =
-        if !of_a then is_inside b.corners (x -- p) else is_inside a.corners p
-      in
-      if !best > doubt || (!best > -.doubt && certain ()) then p else by_cutting ()
-    end
-  end
-
-(* Step `pieces`: its nodes, not scaled *)
-type pieces = {
-  operand : Reading.operand;
-  hulls : point list array;  (* corners only *)
-  children : int list array;  (* none of a piece *)
-}
-
-let pieces_step operand_of budget step =
-  match members step [ "rule"; "of"; "pieces"; "groups" ] with
-  | [ _; of_; pieces; groups ] ->
-    let operand : Reading.operand = operand_of (text of_) in
-    let vertices = operand.vertices in
-    let corner value = vertices.(index value (Array.length vertices)) in
-    let pieces = List.map (fun piece -> List.map corner (items piece)) (items pieces) in
-    budget (List.length (List.concat pieces));
-    let count = List.length pieces in
-    let groups = Array.of_list (List.map items (items groups)) in
-    let hulls = Array.make (count + Array.length groups) []
-    and children = Array.make (count + Array.length groups) [] in
-    List.iteri (fun i piece -> hulls.(i) <- straightened piece) pieces;
-    Array.iteri
-      (fun i group ->
-        let own = count + i in
-        children.(own) <- List.map (fun value -> index value own) group;
-        let corners = List.concat_map (fun child -> hulls.(child)) children.(own) in
-        require (corners <> []) "a group has no member";
-        budget (List.length corners);
-        hulls.(own) <- hull corners)
-      groups;
-    { operand; hulls; children }
-  | _ -> assert false
-
-(* The tree of the last node, and which leaf of it each piece is; of a group -1. The proof wants
-   each piece once; and where nodes are in two groups the tree could be as large as 2^n. *)
-let tree pieces budget s =
-  let place = Hashtbl.create 64 and count = ref 0 in
-  let scaled = List.map (times s) in
-  let rec node n =
-    budget 1;
-    if Hashtbl.mem place n then fail Declined "a node is in two groups: this is not followed";
-    let is_piece = pieces.children.(n) = [] in
-    Hashtbl.add place n (if is_piece then !count else -1);
-    if is_piece then begin
-      incr count;
-      Checked.piece (scaled pieces.hulls.(n))
-    end
-    else Checked.group (scaled pieces.hulls.(n)) (List.map node pieces.children.(n))
-  in
-  let count = Array.length pieces.hulls in
-  let root = if count = 0 then Checked.piece [] else node (count - 1) in
-  (root, place)
-
-(* The pieces below a node, as leaves of the tree *)
-let rec leaves pieces place n =
-  if not (Hashtbl.mem place n) then fail Declined "a solid is not below the last node";
-  match pieces.children.(n) with
-  | [] -> [ Hashtbl.find place n ]
-  | children -> List.concat_map (leaves pieces place) children
-
-(* Solids get their numbers when they are first used. *)
-type side = {
-  pieces : pieces;
-  factor : Q.t;
-  root : Checked.node;
-  place : (int, int) Hashtbl.t;
-  bodies : (int, int * body) Hashtbl.t;
-  mutable solids : (point list * int list) list;  (* the last first *)
-}
-
-let side pieces budget factor =
-  let root, place = tree pieces budget factor in
-  { pieces; factor; root; place; bodies = Hashtbl.create 64; solids = [] }
-
-let solid side n =
-  match Hashtbl.find_opt side.bodies n with
-  | Some found -> found
-  | None ->
-    let corners = List.map (times side.factor) side.pieces.hulls.(n) in
-    let found = (Hashtbl.length side.bodies, body corners) in
-    Hashtbl.add side.bodies n found;
-    side.solids <- (corners, leaves side.pieces side.place n) :: side.solids;
-    found
-
-let tiled side = Checked.tiled side.root (List.rev side.solids)
+open Pieces
 
 (* Elements: a line is the points z with normal * z = offset. *)
 type element = Line of point * Q.t | Point of point
@@ -214,16 +42,14 @@ let element elements count p q s value =
       | Line _ -> fail Malformed "a line is up of no point")
     | _ -> fail Malformed "there is no such element")
 
-(* Step `eq`: the witness, and the rings in canonical form *)
+(* What a step says of the sum: its rings in canonical form, and what proves it, with polygons and
+   rings in this order or another one. *)
 type region = {
-  scale : Q.t;
-  witness : Checked.witness;
-  components : Checker.component list;
-  outside : Checker.component;
-  holes : Checker.component list;
-  polygons : Reading.polygon list;
-  stretches : Checked.stretch list list list list;
-  point : Json.value -> int * point;  (* a point of the step, with its number *)
+  scales : Q.t list;
+  form : Rings.ring list list;
+  place : int -> places;  (* a point of the step, by its number *)
+  point : Json.value -> int * places;
+  derivation : Rings.ring list list -> Checked.derivation;
   contacts : (int list, Checked.token list) Hashtbl.t;
   beside : int * int -> int * int;
 }
@@ -232,38 +58,77 @@ let names =
   [ "rule"; "scales"; "by"; "box"; "elements"; "cells"; "normals"; "proofs"; "contacts";
     "polygons" ]
 
-let eq_step p q (by_p, by_q) budget step =
+(* A vertex as it moves between the ends of a step: (x0 + s x1, y0 + s y1) *)
+let mover scales places : Reading.mover =
+  match (scales, places) with
+  | [ a; b ], [ p; q ] ->
+    let x1, y1 = times (Q.inv (Q.sub b a)) (q -- p) in
+    let x0, y0 = p -- times a (x1, y1) in
+    { x0; x1; y0; y1 }
+  | _, [ (x0, y0) ] -> { x0; x1 = Q.zero; y0; y1 = Q.zero }
+  | _ -> invalid_arg "mover"
+
+let compare_movers (m : Reading.mover) (n : Reading.mover) =
+  List.compare Q.compare [ m.x0; m.x1; m.y0; m.y1 ] [ n.x0; n.x1; n.y0; n.y1 ]
+
+let walls box =
+  match List.map number (items box) with
+  | [ a; b; c; d ] -> (a, b, c, d)
+  | _ -> fail Malformed "a box has four walls"
+
+(* All elements of a step at one of its scales *)
+let elements_at p q budget box given s =
+  let x0, y0, x1, y1 = box in
+  let found = Array.make (4 + List.length given) (Line ((Q.one, Q.zero), x0)) in
+  found.(1) <- Line ((Q.zero, Q.one), y0);
+  found.(2) <- Line ((Q.one, Q.zero), x1);
+  found.(3) <- Line ((Q.zero, Q.one), y1);
+  List.iteri
+    (fun i value ->
+      budget 1;
+      found.(4 + i) <- element found (4 + i) p q s value)
+    given;
+  found
+
+let region p q (by_p, by_q) budget step =
   match members step names with
-  | [ _; scales; _; box; elements; cells; normals; proofs; contacts; polygons ] ->
-    let s =
-      match items scales with [ s ] -> number s | _ -> fail Malformed "one scale is missing"
+  | [ rule; scales; _; box; elements; cells; normals; proofs; contacts; polygons ] ->
+    let scales = List.map number (items scales) in
+    require (List.for_all (fun s -> Q.sign s > 0) scales) "a scale is not positive";
+    (match (text rule, scales) with
+     | "eq", [ _ ] -> ()
+     | "move", [ a; b ] -> require (Q.compare a b < 0) "the scales do not ascend"
+     | _ -> fail Malformed "a scale is missing, or there is one more");
+    let of_p = side by_p budget scales
+    and of_q = side by_q budget (List.map (fun _ -> Q.one) scales) in
+    let ((x0, y0, x1, y1) as box) = walls box in
+    let ends = List.map (elements_at p q budget box (items elements)) scales in
+    let count = Array.length (List.hd ends) in
+    let places =
+      Array.init count (fun i ->
+          List.filter_map (fun found -> match found.(i) with Point at -> Some at | _ -> None) ends)
     in
-    require (Q.sign s > 0) "a scale is not positive";
-    let of_p = side by_p budget s and of_q = side by_q budget Q.one in
-    let x0, y0, x1, y1 =
-      match List.map number (items box) with
-      | [ a; b; c; d ] -> (a, b, c, d)
-      | _ -> fail Malformed "a box has four walls"
+    let corners = Array.map (function [] -> Checked.origin | at -> Checked.corner at) places in
+    let middles = Array.map (function [] -> (Q.zero, Q.zero) | at -> Rings.middle at) places in
+    let place id =
+      match places.(id) with [] -> fail Malformed "a corner is no point" | found -> found
     in
-    let given = items elements in
-    let found = Array.make (4 + List.length given) (Line ((Q.one, Q.zero), x0)) in
-    found.(1) <- Line ((Q.zero, Q.one), y0);
-    found.(2) <- Line ((Q.one, Q.zero), x1);
-    found.(3) <- Line ((Q.zero, Q.one), y1);
-    List.iteri
-      (fun i value ->
-        budget 1;
-        found.(4 + i) <- element found (4 + i) p q s value)
-      given;
-    let corner value =
-      match found.(index value (Array.length found)) with
-      | Point at -> at
-      | Line _ -> fail Malformed "a corner is no point"
+    let number_of value =
+      let id = index value count in
+      ignore (place id);
+      id
+    in
+    let ids value = List.map number_of (items value) in
+    let corner id = corners.(id) and where id = middles.(id) in
+    let half = Q.of_ints 1 2 in
+    let middle u v =
+      Checked.corner (List.map2 (fun p q -> times half (p ++ q)) (place u) (place v))
     in
     let normals = Array.of_list (List.map Reading.point (items normals)) in
     let tokens corners code =
+      let cost = List.length corners * List.length scales in
       let token value =
-        budget (List.length corners);
+        budget cost;
         let n = integer value in
         if Z.equal n (Z.of_int (-1)) then Checked.open_p
         else if Z.equal n (Z.of_int (-2)) then Checked.open_q
@@ -271,67 +136,70 @@ let eq_step p q (by_p, by_q) budget step =
       in
       List.map token code
     in
-    let cell value proof =
-      let corners = straightened (List.map corner (items value)) in
-      budget (List.length corners);
+    let cell ids proof =
+      let turns = turning where ids in
+      budget (List.length turns);
+      let corners = List.map corner turns in
       match items proof with
       | Text "cov" :: [ a; b ] ->
         let node side value = index value (Array.length side.pieces.hulls) in
         let i, first = solid of_p (node of_p a) and j, second = solid of_q (node of_q b) in
+        let cost bodies = List.fold_left (fun n b -> n + Array.length b.rough) 0 bodies in
         let parts =
           List.map
-            (fun x ->
-              budget (Array.length first.rough + Array.length second.rough);
-              part x first second)
-            corners
+            (fun id ->
+              budget (cost first + cost second);
+              Checked.corner (part (place id) first second))
+            turns
         in
         Checked.covered corners i j parts
-      | Text "sep" :: code -> Checked.apart corners (tokens corners code)
+      | Text "sep" :: code -> Checked.apart corners (tokens turns code)
       | _ -> fail Malformed "a cell has no proof"
     in
-    let cells = items cells and proofs = items proofs in
+    let cells = List.map ids (items cells) and proofs = items proofs in
     require (List.compare_lengths cells proofs = 0) "there are not as many proofs as cells";
-    let ids value = List.map (fun v -> index v (Array.length found)) (items value) in
-    let is_covered proof = match items proof with Text "cov" :: _ -> true | _ -> false in
-    let point id =
-      match found.(id) with Point at -> at | Line _ -> fail Malformed "a corner is no point"
-    in
-    let form =
-      in_order point (List.map (fun polygon -> List.map ids (items polygon)) (items polygons))
-    in
-    let classes = Classes.found (List.map ids cells) (List.map is_covered proofs) form point in
     let made = Array.of_list (List.map2 cell cells proofs) in
-    let cells = List.map (fun i -> made.(i)) classes.order in
-    let polygon rings : Reading.polygon =
-      match List.map (fun ring -> ring.vertices) rings with
-      | outer :: holes -> { outer; holes }
-      | [] -> assert false
+    let is_covered =
+      List.map (fun proof -> match items proof with Text "cov" :: _ -> true | _ -> false) proofs
     in
-    let polygons = List.map polygon form in
-    let box = [ (x0, y0); (x1, y0); (x1, y1); (x0, y1) ] in
-    let witness = Checked.witness (tiled of_p) (tiled of_q) box cells in
+    let compare =
+      let movers = Array.map (fun at -> lazy (mover scales at)) places in
+      fun u v -> compare_movers (Lazy.force movers.(u)) (Lazy.force movers.(v))
+    in
+    let given = List.map (fun polygon -> List.map ids (items polygon)) (items polygons) in
+    let form = in_order where compare given in
+    let tiled_p = tiled of_p and tiled_q = tiled of_q in
+    let box =
+      List.map
+        (fun v -> Checked.corner (List.map (fun _ -> v) scales))
+        [ (x0, y0); (x1, y0); (x1, y1); (x0, y1) ]
+    in
     let empty side = Array.length side.pieces.hulls = 0 in
     let of_no_empty_sum classes = if empty of_p || empty of_q then [] else classes in
-    let components = of_no_empty_sum classes.components in
-    let holes = of_no_empty_sum classes.holes in
-    let outside = classes.outside and stretches = classes.stretches and beside = classes.beside in
+    let found form = Classes.found cells is_covered form corner middle in
+    let classes = lazy (found form) in
+    let derivation other =
+      let found = if other == form then Lazy.force classes else found other in
+      let cells = List.map (fun i -> made.(i)) found.order in
+      Checked.derivation
+        (Checked.witness tiled_p tiled_q box cells)
+        (of_no_empty_sum found.components) found.outside (of_no_empty_sum found.holes) found.rows
+    in
     let touching = Hashtbl.create 16 in
     List.iter
       (fun contact ->
         match items contact with
         | value :: code ->
           let numbers = ids value in
-          Hashtbl.replace touching numbers (tokens (List.map point numbers) code)
+          Hashtbl.replace touching numbers (tokens numbers code)
         | [] -> fail Malformed "a contact is empty")
       (items contacts);
     let point value =
-      let n = index value (Array.length found) in
-      (n, point n)
+      let n = index value count in
+      (n, place n)
     in
-    {
-      scale = s; witness; components; outside; holes; polygons; stretches; point;
-      contacts = touching; beside;
-    }
+    let beside edge = (Lazy.force classes).beside edge in
+    { scales; form; place; point; derivation; contacts = touching; beside }
   | _ -> assert false
 
 (* The contacts of a path, for the proved checker *)

@@ -116,5 +116,5 @@ let goes_around_once vertices faces =
         Q.zero faces
     in
     let top = List.filter (fun v -> Q.equal (dot n (v -- first)) Q.zero) vertices in
-    let corners = Elaborate.hull (List.map flat top) in
+    let corners = Pieces.hull (List.map flat top) in
     Q.equal covered (area corners)

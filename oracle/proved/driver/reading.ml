@@ -5,9 +5,12 @@ open Failure
 open Json
 
 type point = Q.t * Q.t
-type polygon = { outer : point list; holes : point list list }
+type 'vertex polygon = { outer : 'vertex list; holes : 'vertex list list }
 
-type operand = { name : string; polygons : polygon list; vertices : point array }
+type operand = { name : string; polygons : point polygon list; vertices : point array }
+
+(* A vertex that moves: at the scale s it is (x0 + s x1, y0 + s y1). *)
+type mover = { x0 : Q.t; x1 : Q.t; y0 : Q.t; y1 : Q.t }
 
 let rings_of polygons = List.concat_map (fun p -> p.outer :: p.holes) polygons
 
@@ -63,19 +66,21 @@ let is_thin operand =
   match rings_of operand.polygons with [ [ _ ] ] | [ [ _; _ ] ] -> true | _ -> false
 
 (* The JSON of polygons without white space, numbers in lowest terms: what is hashed *)
-let polygons_text polygons =
-  let vertex (x, y) = Printf.sprintf "[\"%s\",\"%s\"]" (Q.to_string x) (Q.to_string y) in
+let text_of numbers polygons =
+  let number q = "\"" ^ Q.to_string q ^ "\"" in
   let list write values = "[" ^ String.concat "," (List.map write values) ^ "]" in
-  let ring = list vertex in
+  let ring = list (fun vertex -> list number (numbers vertex)) in
   let polygon p = Printf.sprintf "{\"holes\":%s,\"outer\":%s}" (list ring p.holes) (ring p.outer) in
   list polygon polygons
+
+let polygons_text polygons = text_of (fun (x, y) -> [ x; y ]) polygons
+let movers_text polygons = text_of (fun m -> [ m.x0; m.x1; m.y0; m.y1 ]) polygons
 
 let case_digest p q =
   Sha256.hex_digest
     (Printf.sprintf "{\"P\":%s,\"Q\":%s}" (polygons_text p.polygons) (polygons_text q.polygons))
 
-let set_digest polygons =
-  Sha256.hex_digest (Printf.sprintf "{\"polygons\":%s}" (polygons_text polygons))
+let digest_of text = Sha256.hex_digest (Printf.sprintf "{\"polygons\":%s}" text)
 
 (* What carries no truth is text. The path of the case, and its digest *)
 let head texts case =

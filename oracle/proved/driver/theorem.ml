@@ -8,7 +8,7 @@ let head =
     The sets are given by their rings: outer ones counter-clockwise, holes clockwise. What the
     statement means stands in Definitions.v and Form.v of oracle/proved, and in docs/proved.md.
     To check it: make proofs, then coqc -Q build/proofs Proved FILE *)
-From Proved Require Import Definitions Form Checker Canonical.
+From Proved Require Import Definitions Form Numbers Checker Canonical.
 Open Scope Q_scope.
 
 Definition s : Q := |}
@@ -16,19 +16,22 @@ Definition s : Q := |}
 let foot components holes =
   Printf.sprintf
     {|Theorem this_is_the_sum :
-  (forall x : point, set_of (rings_of R') x <->
-    exists p q, set_of P p /\ set_of Q' q /\ x = add (scale (Q2R s) p) q) /\
-  has_components (set_of (rings_of R')) %d /\ has_holes (set_of (rings_of R')) %d /\
-  is_canonical (set_of (rings_of R')) R'.
+  (forall x : point, set_of (rings_of (figure R')) x <->
+    exists p q, set_of (points P) p /\ set_of (points Q') q /\ x = add (scale (Q2R s) p) q) /\
+  has_components (set_of (rings_of (figure R'))) %d /\
+  has_holes (set_of (rings_of (figure R'))) %d /\
+  is_canonical (set_of (rings_of (figure R'))) (figure R').
 Proof.
-  apply (form_is_right s P Q' R' everything components outside holes stretches).
+  apply (form_is_right s P Q' R' everything).
   vm_compute. reflexivity.
 Qed.
 Print Assumptions this_is_the_sum.
 |}
     components holes
 
-let write out s p other polygons (witness : Checker.witness) components outside holes stretches =
+let write out s p other polygons (d : Checker.derivation) =
+  let { Checker.region_of = witness; components_of = components; outside_of = outside;
+        holes_of = holes; rows_of = rows } = d in
   let print format = Printf.fprintf out format in
   let list separator write values =
     print "[";
@@ -46,12 +49,15 @@ let write out s p other polygons (witness : Checker.witness) components outside 
   let number (q : Q.t) = fraction (Q.num q) (Q.den q) in
   let given (x, y) = print "("; number x; print ", "; number y; print ")" in
   let rings name value =
-    print "Definition %s : rings :=\n  " name;
+    print "Definition %s : rings vertex :=\n  " name;
     list ";\n   " (list "; " given) value;
     print ".\n"
   in
   let q (f : Checker.q) = fraction f.qnum f.qden in
-  let vertex (x, y) = print "("; q x; print ", "; q y; print ")" in
+  let vertex = function
+    | Checker.Fixed x, Checker.Fixed y -> print "fixed ("; q x; print ", "; q y; print ")"
+    | _ -> invalid_arg "a theorem is about one scale"
+  in
   let corners = list "; " vertex in
   let rec node = function
     | Checker.Piece v -> print "Piece "; corners v
@@ -72,7 +78,7 @@ let write out s p other polygons (witness : Checker.witness) components outside 
   let token = function
     | Checker.OpenP -> print "OpenP"
     | Checker.OpenQ -> print "OpenQ"
-    | Checker.Normal n -> print "Normal "; vertex n
+    | Checker.Normal n -> print "Normal ("; vertex n; print ")"
   in
   let cell (at, proof) =
     print "("; corners at; print ", ";
@@ -86,19 +92,19 @@ let write out s p other polygons (witness : Checker.witness) components outside 
   print ".\n";
   rings "P" p;
   rings "Q'" other;
-  print "Definition R' : list polygon :=\n  ";
+  print "Definition R' : list (polygon vertex) :=\n  ";
   let ring = list "; " given in
   list ";\n   "
-    (fun (outer, holes) ->
+    (fun ({ outer; holes } : _ Reading.polygon) ->
       print "("; ring outer; print ",\n    "; list ";\n     " ring holes; print ")")
     polygons;
   print ".\n";
   print "\n(** What the checker is given beside; nothing is believed of it. *)\n";
   tiled "pieces_of_P" witness.of_P;
   tiled "pieces_of_Q" witness.of_Q;
-  print "Definition proof_of_cells : list (list vertex * proof) :=\n  ";
+  print "Definition proof_of_cells : list (list corner * proof) :=\n  ";
   list ";\n   " cell witness.cells;
-  print ".\nDefinition everything : witness := {|\n";
+  print ".\nDefinition proof_of_region : witness := {|\n";
   print "  of_P := pieces_of_P; of_Q := pieces_of_Q;\n  box := ";
   corners witness.box;
   print ";\n  cells := proof_of_cells |}.\n";
@@ -118,10 +124,12 @@ let write out s p other polygons (witness : Checker.witness) components outside 
   component outside;
   print ".\nDefinition holes : list component :=\n  ";
   list ";\n   " component holes;
-  print ".\nDefinition stretches : list (list (list (list stretch))) :=\n  ";
+  print ".\nDefinition rows : list (list (list (list stretch))) :=\n  ";
   let stretch ((left, right), v) =
     print "("; natural left; print ", "; natural right; print ", "; vertex v; print ")"
   in
-  list ";\n   " (list ";\n    " (list ";\n     " (list "; " stretch))) stretches;
-  print ".\n\n";
+  list ";\n   " (list ";\n    " (list ";\n     " (list "; " stretch))) rows;
+  print ".\nDefinition everything : derivation := {|\n";
+  print "  region_of := proof_of_region; components_of := components; outside_of := outside;\n";
+  print "  holes_of := holes; rows_of := rows |}.\n\n";
   output_string out (foot (List.length components) (List.length holes))

@@ -1,0 +1,96 @@
+(* The claims `interval` and `event`. Trusted: what is said to be proved is what [Checked] was
+   asked, of the moving forms of these digests. *)
+
+open Failure
+open Json
+
+(* What a claim is about, for an event *)
+type sum = {
+  scale : Q.t;
+  there : Reading.point Checked.state;
+  derivation : Checked.derivation;
+}
+
+type shown = Sum of sum | Interval of Checked.interval * string | Another
+
+let scale_of value =
+  let s = number value in
+  require (Q.sign s > 0) "a scale is not positive";
+  s
+
+let compare_movers (m : Reading.mover) (n : Reading.mover) =
+  List.compare Q.compare [ m.x0; m.x1; m.y0; m.y1 ] [ n.x0; n.x1; n.y0; n.y1 ]
+
+let rec ascends compare = function
+  | a :: (b :: _ as rest) -> compare a b < 0 && ascends compare rest
+  | _ -> true
+
+(* Each ring from its least vertex; holes and polygons in order *)
+let is_in_order polygons =
+  let starts_least = function
+    | [] -> false
+    | first :: rest -> List.for_all (fun m -> compare_movers first m < 0) rest
+  in
+  let compare_rings = List.compare compare_movers in
+  let rings (p : _ Reading.polygon) = p.outer :: p.holes in
+  List.for_all starts_least (Reading.rings_of polygons)
+  && List.for_all (fun (p : _ Reading.polygon) -> ascends compare_rings p.holes) polygons
+  && ascends (List.compare compare_rings) (List.map rings polygons)
+
+let shown_of (figure : Reading.mover Checked.state) digest =
+  Printf.sprintf "the moving form of digest %s, of %d components and %d holes" digest
+    (List.length figure.polygons) figure.enclosed
+
+(* The interval that is claimed, and whether it is proved *)
+let interval p q region claim =
+  match
+    members claim [ "claim"; "from"; "to"; "steps"; "components"; "holes"; "digest" ]
+  with
+  | [ _; from; upto; steps; components; holes; digest ] ->
+    let from = scale_of from and upto = scale_of upto in
+    let regions = List.map region (items steps) in
+    let enclosed = index holes max_int and digest = text digest in
+    let found = Moving.interval from upto regions enclosed in
+    let polygons = found.figure.polygons in
+    demand (Reading.digest_of (Reading.movers_text polygons) = digest) "the digest is another";
+    demand (is_in_order polygons) "the moving form is not in order";
+    demand
+      (Z.equal (integer components) (Z.of_int (List.length polygons)))
+      "components are others";
+    let said =
+      Printf.sprintf "from %s to %s without an event of the boundary, %s" (Q.to_string from)
+        (Q.to_string upto) (shown_of found.figure digest)
+    in
+    (found, digest, said, lazy (Checked.interval_holds p q found))
+  | _ -> assert false
+
+(* An event is proved together with the three claims that it is about. *)
+let event p q claim_of claim =
+  match members claim [ "claim"; "scale"; "kind"; "before"; "at"; "after" ] with
+  | [ _; scale; kind; before; there; after ] ->
+    let s = scale_of scale and kind = text kind in
+    require (List.mem kind [ "boundary"; "topology" ]) "there is no such event";
+    let interval value =
+      match claim_of value with
+      | Interval (found, digest) -> (found, digest)
+      | _ -> fail Malformed "a claim is of another kind"
+    in
+    let low, digest = interval before and high, other = interval after in
+    let { scale = here; there; derivation } =
+      match claim_of there with
+      | Sum found -> found
+      | _ -> fail Malformed "a claim is of another kind"
+    in
+    demand (Q.equal low.upto s && Q.equal here s && Q.equal high.from s) "not at one scale";
+    let is_of_boundary = kind = "boundary" in
+    (match Moving.change is_of_boundary s low.figure there high.figure with
+     | None -> fail Refuted "nothing changes"
+     | Some change ->
+       demand
+         (Checked.is_of_boundary change = is_of_boundary
+         && Checked.event_holds p q low s there derivation high change)
+         "the proved checker does not take this for a proof");
+    Printf.sprintf
+      "%s at %s, no event of the boundary from %s to it; before it digest %s, after it %s" kind
+      (Q.to_string s) (Q.to_string low.from) digest other
+  | _ -> assert false
