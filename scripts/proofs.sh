@@ -7,10 +7,10 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 rooms=(Order Definitions Form Predicates Moving Space Sums Crossings Fans Curves Unions Local
   Numbers Checker Rational Values Corners Cancellation Bodies Scaling Trees Theorems Components
-  Classes Counting Holes Across Sides Overlaps Canonical Signs Passages Moves Events Hulls Axioms
-  Extract)
+  Classes Counting Holes Across Sides Overlaps Canonical Signs Passages Moves Events Cones Means
+  Meshes Hulls Axioms Extract)
 programs=(failure json sha256 inflate reading rings checker checked classes pieces elaborate moving
-  hull_means bodies theorem intervals claims main)
+  faces bodies theorem intervals claims main)
 # The classical real numbers of Coq's library, and functional extensionality.
 known="Coq.Logic.FunctionalExtensionality.functional_extensionality_dep
 Coq.Reals.ClassicalDedekindReals.sig_not_dec
@@ -65,7 +65,7 @@ compile() (
   fi
   {
     echo "The theorems rest on:"
-    grep -E '^[A-Z][A-Za-z]*\.[a-z_]+$' Axioms.log | sort -u | sed 's/^/  /'
+    grep -oE '^[A-Z][A-Za-z_]*\.[a-z_]+' Axioms.log | sort -u | sed 's/^/  /'
     echo "All that they use of Coq's library rests on:"
     sed 's/^/  /' <<<"$found"
   } >axioms.txt

@@ -57,8 +57,7 @@ Definition in_sum (s : R) (P Q : rings point) (x : point) : Prop :=
   exists p q, set_of P p /\ set_of Q q /\ x = add (scale s p) q.
 Definition is_sum (s : R) (P Q R : rings point) := forall x : point, set_of R x <-> in_sum s P Q x.
 
-(** The numbers of files are rational. *)
-Definition vertex := (Q * Q)%type.
+Definition vertex := (Q * Q)%type. (* as it stands in a file *)
 Definition point_of (v : vertex) : point := (Q2R (fst v), Q2R (snd v)).
 Definition points (r : rings vertex) : rings point := map (map point_of) r.
 

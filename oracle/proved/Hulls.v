@@ -1,11 +1,11 @@
 (** Sums of convex polyhedra: a checker, and that what it takes is the sum as a set of points. *)
 From Coq Require Import Lra Lia Bool.
-From Proved Require Import Definitions Space Checker Corners Rational.
+From Proved Require Import Definitions Space Checker Corners Rational Values Cones Means Meshes.
 Open Scope Q_scope.
 
 (** ** The checker *)
-(** Each vertex of R is a sum S p + q, by the numbers of p and q; and each sum S p + q is a mean of
-    vertices of R, by their numbers and weights. *)
+(** Each vertex of R is a sum S p + q, by the numbers of p and q; and no such sum is above the plane
+    of a facet. *)
 Definition same3 (u v : vertex3) : bool :=
   let '(a, b, c) := u in let '(d, e, f) := v in Qeq_bool a d && Qeq_bool b e && Qeq_bool c f.
 Definition stretched (s v : vertex3) : vertex3 :=
@@ -15,35 +15,26 @@ Definition is_pair (S : vertex3) (P Q : list vertex3) (v : vertex3) (ij : nat * 
   | Some p, Some q => same3 v (plus3 (stretched S p) q)
   | _, _ => false
   end.
-Fixpoint weighed (R : list vertex3) (ws : list (nat * Q)) : option (Q * vertex3) :=
-  match ws with
-  | [] => Some (0, (0, 0, 0))
-  | (k, w) :: r =>
-      match nth_error R k, weighed R r with
-      | Some v, Some (total, x) =>
-          if Qle_bool 0 w then Some (Qred (w + total), plus3 (stretched (w, w, w) v) x) else None
-      | _, _ => None
-      end
+(** The largest value of a x + b y + c z on points *)
+Definition greatest (plane : Z * Z * Z * Z) (vs : list (Z * Z * Z * positive)) : Q :=
+  let '(a, b, c, _) := plane in
+  let at_ v := let '(x, y, z, w) := v in Qmake (a * x + b * y + c * z)%Z w in
+  match vs with
+  | [] => 0
+  | v :: r => fold_right (fun u m => larger (at_ u) m) (at_ v) r
   end.
-Definition is_mean (R : list vertex3) (x : vertex3) (ws : list (nat * Q)) : bool :=
-  match weighed R ws with
-  | Some (total, y) => Qeq_bool total 1 && same3 x y
-  | None => false
-  end.
-Definition check_body (S : vertex3) (P Q R : mesh) (pairs : list (nat * nat))
-    (means : list (list (list (nat * QArith_base.Q)))) : bool :=
-  is_convex_mesh P && is_convex_mesh Q && is_canonical_mesh R &&
+Definition is_above (m : mesh) (P Q : list (Z * Z * Z * positive)) (face : list nat) : bool :=
+  let plane := plane_of (corners m face) in
+  Qle_bool (greatest plane P + greatest plane Q) (inject_Z (snd plane)).
+Definition check_body (S : vertex3) (P Q R : mesh) (pairs : list (nat * nat)) : bool :=
+  is_convex_mesh P && is_convex_mesh Q && is_canonical_mesh R && forallb (is_fan R) (snd R) &&
   all2 (is_pair S (fst P) (fst Q)) (fst R) pairs &&
-  all2 (fun p row => all2 (fun q ws => is_mean (fst R) (plus3 (stretched S p) q) ws) (fst Q) row)
-    (fst P) means.
+  let moved := map over_one (map (stretched S) (fst P)) in
+  let others := map over_one (fst Q) in
+  forallb (is_above R moved others) (snd R).
 
 (** ** It is right. *)
 Open Scope R_scope.
-Lemma real3_plus u v : real3 (plus3 u v) = add3 (real3 u) (real3 v).
-Proof.
-  destruct u as [[a b] c], v as [[d e] f]. unfold plus3, real3, add3.
-  rewrite !Q2R_red, !Q2R_plus. reflexivity.
-Qed.
 Lemma real3_stretched u v : real3 (stretched u v) = scale3 (real3 u) (real3 v).
 Proof.
   destruct u as [[a b] c], v as [[d e] f]. unfold stretched, real3, scale3.
@@ -54,138 +45,45 @@ Proof.
   destruct u as [[a b] c], v as [[d e] f]. unfold same3, real3. rewrite !andb_true_iff.
   intros [[A B] C]. rewrite (eq_real _ _ A), (eq_real _ _ B), (eq_real _ _ C). reflexivity.
 Qed.
-Lemma triples_equal (a b c d e f : R) : a = d -> b = e -> c = f -> (a, b, c) = (d, e, f).
-Proof. congruence. Qed.
-Ltac by_parts := unfold add3, scale3; apply triples_equal; ring.
-
-(** What has the weight t: t times a point of the hull *)
-Definition weighs (vs : list vertex3) (t : R) (x : point3) : Prop := exists ws,
-  length ws = length vs /\ (forall w, In w ws -> 0 <= w) /\ fold_right Rplus 0 ws = t /\
-  x = mean ws (map real3 vs).
-Lemma hull_weighs vs x : hull vs x <-> weighs vs 1 x.
-Proof. reflexivity. Qed.
-Lemma weighs_nothing vs : weighs vs 0 (0, 0, 0).
+Lemma greatest_real ring vs v k : In v vs ->
+  (let '(a, b, c, _) := plane_of ring in
+   (IZR a, IZR b, IZR c) = scale3 (k, k, k) (real3 (area_vector ring))) ->
+  k * dot_3 (real3 (area_vector ring)) (real3 v)
+    <= Q2R (greatest (plane_of ring) (map over_one vs)).
 Proof.
-  exists (map (fun _ => 0) vs). split; [apply map_length|split; [|split]].
-  - intros w I. apply in_map_iff in I. destruct I as (_ & <- & _). lra.
-  - induction vs; simpl; lra.
-  - induction vs as [|v vs IH]; simpl; auto. rewrite <- IH.
-    destruct (real3 v) as [[a b] c]. by_parts.
-Qed.
-Lemma weighs_sum vs : forall s t x y, weighs vs s x -> weighs vs t y ->
-  weighs vs (s + t) (add3 x y).
-Proof.
-  intros s t x y (us & Lu & Pu & <- & ->) (ws & Lw & Pw & <- & ->).
-  revert us ws Lu Lw Pu Pw. induction vs as [|v vs IH]; intros [|u us] [|w ws] Lu Lw Pu Pw;
-    try discriminate.
-  - exists []. simpl. repeat split; auto; try lra; try (intros ? []).
-    by_parts.
-  - destruct (IH us ws) as (zs & Lz & Pz & Sz & Mz); auto.
-    { intros z I. apply Pu. simpl; auto. }
-    { intros z I. apply Pw. simpl; auto. }
-    exists (u + w :: zs). split; [simpl; congruence|split; [|split]].
-    + intros z [<-|I]; auto. pose proof (Pu u (or_introl eq_refl)).
-      pose proof (Pw w (or_introl eq_refl)). lra.
-    + simpl. rewrite Sz. ring.
-    + simpl. rewrite <- Mz. generalize (mean us (map real3 vs)), (mean ws (map real3 vs)).
-      intros p q. destruct p as [[? ?] ?], q as [[? ?] ?], (real3 v) as [[? ?] ?].
-      by_parts.
-Qed.
-Lemma weighs_times vs c t x : 0 <= c -> weighs vs t x -> weighs vs (c * t) (scale3 (c, c, c) x).
-Proof.
-  intros C (ws & L & P & <- & ->). exists (map (Rmult c) ws).
-  split; [rewrite map_length; auto|split; [|split]].
-  - intros w I. apply in_map_iff in I. destruct I as (u & <- & I). specialize (P u I). nra.
-  - clear. induction ws; simpl; [ring|rewrite IHws; ring].
-  - clear P. revert ws L. induction vs as [|v vs IH]; intros [|w ws] L; try discriminate; simpl.
-    + apply triples_equal; ring.
-    + rewrite <- IH by (simpl in L; congruence). generalize (mean ws (map real3 vs)). intros p.
-      destruct p as [[? ?] ?], (real3 v) as [[? ?] ?]. by_parts.
-Qed.
-Lemma vertex_in_hull vs v : In v vs -> hull vs (real3 v).
-Proof.
-  change (In v vs -> weighs vs 1 (real3 v)). induction vs as [|u vs IH]; intros [].
-  - subst u. destruct (weighs_nothing vs) as (ws & L & P & S & M).
-    exists (1 :: ws). split; [simpl; congruence|split; [|split]].
-    + intros w [<-|I]; auto. lra.
-    + simpl. rewrite S. ring.
-    + simpl. rewrite <- M. destruct (real3 v) as [[? ?] ?]. by_parts.
-  - destruct (IH H) as (ws & L & P & S & M). exists (0 :: ws).
-    split; [simpl; congruence|split; [|split]].
-    + intros w [<-|I]; auto. lra.
-    + simpl. rewrite S. ring.
-    + simpl. rewrite <- M. destruct (real3 u) as [[? ?] ?], (real3 v) as [[? ?] ?].
-      by_parts.
-Qed.
-(** Means of points of a hull are in it; here of images f v of the vertices of another one. *)
-Lemma mean_in_hull (f : point3 -> point3) us vs : (forall u, In u us -> hull vs (f (real3 u))) ->
-  forall ws, length ws = length us -> (forall w, In w ws -> 0 <= w) ->
-  weighs vs (fold_right Rplus 0 ws) (mean ws (map f (map real3 us))).
-Proof.
-  induction us as [|u us IH]; intros H [|w ws] L P; try discriminate; simpl.
-  - apply weighs_nothing.
-  - apply weighs_sum; [|apply IH; auto].
-    + rewrite <- (Rmult_1_r w) at 1. apply weighs_times; [apply P; simpl; auto|].
-      apply H. simpl; auto.
-    + intros k I. apply H. simpl; auto.
-    + intros k I. apply P. simpl; auto.
+  intros I N. destruct (plane_of ring) as [[[a b] c] h].
+  set (at_ := fun v : Z * Z * Z * positive =>
+    let '(x, y, z, w) := v in Qmake (a * x + b * y + c * z)%Z w).
+  assert (A : forall u, Q2R (at_ (over_one u)) = k * dot_3 (real3 (area_vector ring)) (real3 u)).
+  { intros u. pose proof (over_one_real u) as U. destruct (over_one u) as [[[x y] z] w].
+    unfold at_. rewrite real_whole, !plus_IZR, !mult_IZR, U.
+    destruct (real3 (area_vector ring)) as [[n1 n2] n3]. unfold scale3 in N.
+    injection N; intros -> -> ->. unfold dot_3. pose proof (pos_real w). field. lra. }
+  rewrite <- A.
+  change (greatest (a, b, c, h) (map over_one vs)) with (match map over_one vs with
+    | [] => 0%Q | v :: r => fold_right (fun u m => larger (at_ u) m) (at_ v) r end).
+  apply (in_map over_one) in I. revert I. generalize (map over_one vs), (over_one v).
+  intros l u. destruct l as [|p r]; [intros []|].
+  set (m := fold_right (fun v m => larger (at_ v) m) (at_ p)).
+  assert (H : Q2R (at_ p) <= Q2R (m r) /\ (In u r -> Q2R (at_ u) <= Q2R (m r))).
+  { induction r as [|w r IH]; simpl; [split; [lra|tauto]|].
+    destruct IH as [I1 I2]. destruct (larger_real (at_ w) (m r)) as [M1 M2].
+    unfold m in *. simpl in *. split; [lra|].
+    intros [->|I]; [lra|]. specialize (I2 I). lra. }
+  destruct H as [H1 H2]. intros [->|I]; auto.
 Qed.
 
-(** Images of means *)
-Lemma mean_of_sums s q ps : forall ws, length ws = length ps ->
-  mean ws (map (fun p => add3 (scale3 s p) q) ps)
-    = add3 (scale3 s (mean ws ps)) (scale3 (fold_right Rplus 0 ws, fold_right Rplus 0 ws,
-        fold_right Rplus 0 ws) q).
-Proof.
-  induction ps as [|p ps IH]; intros [|w ws] L; try discriminate; simpl.
-  - destruct s as [[? ?] ?], q as [[? ?] ?]. by_parts.
-  - rewrite IH by (simpl in L; congruence). generalize (mean ws ps), (fold_right Rplus 0 ws).
-    intros m t. destruct s as [[? ?] ?], q as [[? ?] ?], p as [[? ?] ?], m as [[? ?] ?].
-    by_parts.
-Qed.
-Lemma mean_of_moved p qs : forall ws, length ws = length qs ->
-  mean ws (map (fun q => add3 p q) qs)
-    = add3 (scale3 (fold_right Rplus 0 ws, fold_right Rplus 0 ws, fold_right Rplus 0 ws) p)
-        (mean ws qs).
-Proof.
-  induction qs as [|q qs IH]; intros [|w ws] L; try discriminate; simpl.
-  - destruct p as [[? ?] ?]. by_parts.
-  - rewrite IH by (simpl in L; congruence). generalize (mean ws qs), (fold_right Rplus 0 ws).
-    intros m t. destruct p as [[? ?] ?], q as [[? ?] ?], m as [[? ?] ?].
-    by_parts.
-Qed.
-Lemma scale3_one x : scale3 (1, 1, 1) x = x.
-Proof. destruct x as [[? ?] ?]. by_parts. Qed.
-
-Lemma weighed_real R ws : forall total x, weighed R ws = Some (total, x) ->
-  weighs R (Q2R total) (real3 x).
-Proof.
-  induction ws as [|[k w] ws IH]; intros total x H; cbn [weighed] in H.
-  - injection H; intros <- <-. unfold real3. rewrite Q2R_zero. apply weighs_nothing.
-  - destruct (nth_error R k) as [v|] eqn:E; [|discriminate]. apply nth_error_In in E.
-    destruct (weighed R ws) as [[t y]|]; [|discriminate].
-    destruct (Qle_bool 0 w) eqn:W; [|discriminate]. apply le_real in W. rewrite Q2R_zero in W.
-    remember (plus3 (stretched (w, w, w) v) y) as z eqn:Z. injection H; intros <- <-. rewrite Z.
-    rewrite Q2R_red, Q2R_plus, real3_plus, real3_stretched.
-    apply weighs_sum; [|apply IH; reflexivity].
-    rewrite <- (Rmult_1_r (Q2R w)) at 1. apply (weighs_times R (Q2R w) 1 (real3 v) W).
-    apply vertex_in_hull, E.
-Qed.
-Lemma is_mean_in_hull R x ws : is_mean R x ws = true -> hull R (real3 x).
-Proof.
-  unfold is_mean. destruct (weighed R ws) as [[total y]|] eqn:E; [|discriminate].
-  intros H. apply andb_prop in H. destruct H as [H1 H2]. apply weighed_real in E.
-  apply eq_real in H1. rewrite H1, Q2R_one in E. rewrite (same3_real _ _ H2). exact E.
-Qed.
-
-Theorem body_is_right : forall (S : vertex3) (P Q R : mesh) (pairs : list (nat * nat))
-    (means : list (list (list (nat * QArith_base.Q)))),
-  check_body S P Q R pairs means = true ->
+(** ** The theorem *)
+Theorem body_is_right : forall (S : vertex3) (P Q R : mesh) (pairs : list (nat * nat)),
+  check_body S P Q R pairs = true ->
   is_convex_mesh P = true /\ is_convex_mesh Q = true /\ is_canonical_mesh R = true /\
-  is_body_sum S (fst P) (fst Q) (fst R).
+  is_bounded R /\ is_body_sum S (fst P) (fst Q) (fst R).
 Proof.
-  intros S P Q R pairs means H. unfold check_body in H. rewrite !andb_true_iff in H.
-  destruct H as [[[[HP HQ] HR] HV] HM]. split; [auto|split; [auto|split; [auto|]]].
+  intros S P Q R pairs H. unfold check_body in H. rewrite !andb_true_iff in H.
+  destruct H as [[[[[HP HQ] HR] HF] HV] HA].
+  assert (CR : is_convex_mesh R = true)
+    by (unfold is_canonical_mesh in HR; rewrite !andb_true_iff in HR; tauto).
+  split; [auto|split; [auto|split; [auto|split; [exact (mesh_is_bounded R CR HF)|]]]].
   intros x. split.
   - intros (ws & L & Pos & One & ->).
     assert (G : forall vs ps, all2 (is_pair S (fst P) (fst Q)) vs ps = true ->
@@ -217,20 +115,35 @@ Proof.
     destruct (G (fst R) pairs HV ws L Pos) as (p & q & Wp & Wq & E). rewrite One in Wp, Wq.
     exists p, q. auto.
   - intros (p & q & (us & Lu & Pu & Ou & ->) & (ws & Lw & Pw & Ow & ->) & ->).
-    assert (G : forall v, In v (fst Q) ->
-      hull (fst R) (add3 (scale3 (real3 S) (mean us (map real3 (fst P)))) (real3 v))).
-    { intros v I.
-      assert (K : forall u, In u (fst P) ->
-        hull (fst R) (add3 (scale3 (real3 S) (real3 u)) (real3 v))).
-      { intros u J. destruct (all2_partner _ _ _ HM u J) as (row & HM').
-        destruct (all2_partner _ _ _ HM' v I) as (w & Hw). apply is_mean_in_hull in Hw.
-        rewrite real3_plus, real3_stretched in Hw. exact Hw. }
-      pose proof (mean_in_hull (fun x => add3 (scale3 (real3 S) x) (real3 v)) (fst P) (fst R) K
-        us Lu Pu) as M.
-      rewrite mean_of_sums in M by (rewrite map_length; auto).
-      rewrite Ou, scale3_one in M. exact M. }
-    pose proof (mean_in_hull (fun x => add3 (scale3 (real3 S) (mean us (map real3 (fst P)))) x)
-      (fst Q) (fst R) G ws Lw Pw) as M.
-    rewrite mean_of_moved in M by (rewrite map_length; auto).
-    rewrite Ow, scale3_one in M. exact M.
+    apply (below_all_in_hull R CR HF). intros face F.
+    rewrite forallb_forall in HA. specialize (HA face F). unfold is_above in HA.
+    set (ring := corners R face) in *.
+    apply le_real in HA. rewrite Q2R_plus in HA. unfold height_of, normal_of. fold ring.
+    pose proof (plane_real ring) as L. destruct (plane_of ring) as [[[n1 n2] n3] h] eqn:Pl.
+    destruct L as (k & K & N & Hh). cbn [snd] in HA.
+    assert (Hq : Q2R (inject_Z h) = k * Q2R (level ring)).
+    { rewrite <- Hh. unfold inject_Z. rewrite real_whole. field. }
+    rewrite Hq in HA. set (n := real3 (area_vector ring)) in *.
+    assert (At : let '(a, b, c, _) := plane_of ring in
+      (IZR a, IZR b, IZR c) = scale3 (k, k, k) (real3 (area_vector ring)))
+      by (rewrite Pl; exact N).
+    rewrite <- Pl in HA. rewrite dot_add3.
+    assert (A : dot_3 (scale3 (k, k, k) n) (scale3 (real3 S) (mean us (map real3 (fst P))))
+      <= Q2R (greatest (plane_of ring) (map over_one (map (stretched S) (fst P))))).
+    { assert (D : forall a, dot_3 (scale3 (k, k, k) n) (scale3 (real3 S) a)
+        = dot_3 (scale3 (real3 S) (scale3 (k, k, k) n)) a).
+      { intros a. destruct n as [[? ?] ?], (real3 S) as [[? ?] ?], a as [[? ?] ?].
+        unfold dot_3, scale3. ring. }
+      rewrite D, <- (Rmult_1_l (Q2R _)), <- Ou.
+      apply dot_mean; [|rewrite map_length; auto|auto]. intros v I.
+      apply in_map_iff in I. destruct I as (u & <- & I). rewrite <- D, <- real3_stretched.
+      rewrite dot_times. apply greatest_real; auto. apply in_map, I. }
+    assert (B : dot_3 (scale3 (k, k, k) n) (mean ws (map real3 (fst Q)))
+      <= Q2R (greatest (plane_of ring) (map over_one (fst Q)))).
+    { rewrite <- (Rmult_1_l (Q2R _)), <- Ow.
+      apply dot_mean; [|rewrite map_length; auto|auto]. intros v I.
+      apply in_map_iff in I. destruct I as (u & <- & I). rewrite dot_times.
+      apply greatest_real; auto. }
+    rewrite dot_times in A, B. apply Rmult_le_reg_l with k; auto.
+    lra.
 Qed.

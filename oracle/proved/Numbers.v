@@ -25,7 +25,7 @@ Definition are_of_sign (l : list Q) : bool :=
 Definition raise (l : list Q) : list Q := plus l (0 :: l).
 Fixpoint raised (n : nat) (l : list Q) : list Q :=
   match n with O => l | S m => raised m (raise l) end.
-Definition level (f : list Q -> list Q -> list Q) (l k : list Q) : list Q :=
+Definition leveled (f : list Q -> list Q -> list Q) (l k : list Q) : list Q :=
   f (raised (length k - length l) l) (raised (length l - length k) k).
 
 Definition coefficients_of (a : number) : list Q :=
@@ -34,9 +34,9 @@ Definition moved (f : list Q -> list Q -> list Q) (a b : number) : number :=
   Moving (f (coefficients_of a) (coefficients_of b)).
 
 Definition nplus (a b : number) : number :=
-  match a, b with Fixed p, Fixed q => Fixed (p + q) | _, _ => moved (level plus) a b end.
+  match a, b with Fixed p, Fixed q => Fixed (p + q) | _, _ => moved (leveled plus) a b end.
 Definition nminus (a b : number) : number :=
-  match a, b with Fixed p, Fixed q => Fixed (p - q) | _, _ => moved (level less_form) a b end.
+  match a, b with Fixed p, Fixed q => Fixed (p - q) | _, _ => moved (leveled less_form) a b end.
 Definition ntimes (a b : number) : number :=
   match a, b with
   | Fixed p, Fixed q => Fixed (p * q)
@@ -66,7 +66,7 @@ Definition larger (x y : Q) : Q := if Qle_bool x y then y else x.
 Fixpoint largest (l k : list Q) : list Q :=
   match l, k with a :: l', b :: k' => larger a b :: largest l' k' | _, _ => nil end.
 Definition greater_of (a b : number) : number :=
-  match a, b with Fixed p, Fixed q => Fixed (larger p q) | _, _ => moved (level largest) a b end.
+  match a, b with Fixed p, Fixed q => Fixed (larger p q) | _, _ => moved (leveled largest) a b end.
 
 (** What a is over b, where it does not move; else anything *)
 Fixpoint ratio (l k : list Q) : Q :=
@@ -77,7 +77,7 @@ Fixpoint ratio (l k : list Q) : Q :=
 Definition over (a b : number) : number :=
   match a, b with
   | Fixed p, Fixed q => Fixed (Qred (p / q))
-  | _, _ => Fixed (hd 0 (level (fun l k => ratio l k :: nil) (coefficients_of a) (coefficients_of b)))
+  | _, _ => Fixed (hd 0 (leveled (fun l k => ratio l k :: nil) (coefficients_of a) (coefficients_of b)))
   end.
 
 Definition zero : number := Fixed 0.

@@ -1,5 +1,5 @@
 (** Convex polyhedra, docs/certificates-convex.md: what has to be believed of their sums *)
-From Coq Require Import Bool.
+From Coq Require Import Bool Mergesort Orders Lia.
 From Proved Require Export Definitions Order.
 
 Definition point3 := (R * R * R)%type.
@@ -40,23 +40,58 @@ Definition area_vector (ring : list vertex3) : vertex3 :=
 Definition level (ring : list vertex3) : Q :=
   Qred (dot3 (area_vector ring) (hd (0, 0, 0) ring)).
 
-(** A face spans a plane that no vertex is above, and one is below; each edge is there once, and
-    once reversed. *)
-Definition is_outer (m : mesh) (face : list nat) : bool :=
-  let ring := corners m face in
-  let n := area_vector ring in
+(** The faces bound the hull: it is what is below the planes of all. *)
+Definition dot_3 (u v : point3) : R :=
+  let '(a, b, c) := u in let '(d, e, f) := v in (a * d + b * e + c * f)%R.
+Definition is_bounded (m : mesh) : Prop := forall x, hull (fst m) x <->
+  forall face, In face (snd m) ->
+    (dot_3 (real3 (area_vector (corners m face))) x <= Q2R (level (corners m face)))%R.
+
+(** Whole numbers x y z w for the point (x, y, z) / w; a b c h for the plane a x + b y + c z = h of a
+    face; and which side of it a point is on: above where this is positive. *)
+Definition over_one (v : vertex3) : Z * Z * Z * positive :=
+  let '(a, b, c) := v in
+  let p := Qden a in let q := Qden b in let r := Qden c in
+  if Pos.eqb p q && Pos.eqb q r then (Qnum a, Qnum b, Qnum c, p)
+  else (Qnum a * Z.pos (q * r), Qnum b * Z.pos (p * r), Qnum c * Z.pos (p * q),
+        (p * q * r)%positive)%Z.
+Definition plane_of (ring : list vertex3) : Z * Z * Z * Z :=
+  let '(a, b, c) := area_vector ring in
   let h := level ring in
-  forallb (fun v => Qle_bool (dot3 n v) h) (fst m) &&
-  existsb (fun v => less (dot3 n v) h) (fst m) &&
-  forallb (fun v => Qeq_bool (dot3 n v) h) ring &&
-  forallb (fun i => Nat.ltb i (length (fst m))) face.
+  let p := Qden a in let q := Qden b in let r := Qden c in let s := Qden h in
+  (Qnum a * Z.pos (q * r * s), Qnum b * Z.pos (p * r * s), Qnum c * Z.pos (p * q * s),
+   Qnum h * Z.pos (p * q * r))%Z.
+Definition side (plane : Z * Z * Z * Z) (v : Z * Z * Z * positive) : Z :=
+  let '(a, b, c, h) := plane in
+  let '(x, y, z, w) := v in (a * x + b * y + c * z - h * Z.pos w)%Z.
+
+(** A face spans a plane that no vertex is above, and one is below; each edge is there once, and
+    once reversed. vs are the vertices, over one denominator each. *)
+Definition is_outer (vs : list (Z * Z * Z * positive)) (m : mesh) (face : list nat) : bool :=
+  let plane := plane_of (corners m face) in
+  forallb (fun v => side plane v <=? 0)%Z vs && existsb (fun v => side plane v <? 0)%Z vs &&
+  forallb (fun v => side plane (over_one v) =? 0)%Z (corners m face) &&
+  (let n := length (fst m) in forallb (fun i => Nat.ltb i n) face).
+Module Edges <: TotalLeBool.
+  Definition t := (nat * nat)%type.
+  Definition leb (e f : t) := Nat.leb (fst e) (fst f) && (negb (Nat.eqb (fst e) (fst f)) ||
+    Nat.leb (snd e) (snd f)).
+  Theorem leb_total : forall e f, leb e f = true \/ leb f e = true.
+  Proof.
+    intros [a b] [c d]. unfold leb; simpl.
+    rewrite !andb_true_iff, !orb_true_iff, !negb_true_iff, !Nat.leb_le, !Nat.eqb_neq. lia.
+  Qed.
+End Edges.
+Module EdgeSort := Sort Edges.
+Definition same_edge (e f : nat * nat) := Nat.eqb (fst e) (fst f) && Nat.eqb (snd e) (snd f).
 Definition is_closed (faces : list (list nat)) : bool :=
   let edges := flat_map ring_edges faces in
-  let is_once a b :=
-    Nat.eqb (length (filter (fun e => Nat.eqb (fst e) a && Nat.eqb (snd e) b) edges)) 1 in
-  forallb (fun e => is_once (fst e) (snd e) && is_once (snd e) (fst e)) edges.
+  let sorted := EdgeSort.sort edges in
+  ascends (fun e f => negb (Edges.leb f e)) sorted &&
+  forallb (fun p => same_edge (fst p) (snd p))
+    (combine sorted (EdgeSort.sort (map (fun e => (snd e, fst e)) edges))).
 Definition is_convex_mesh (m : mesh) : bool :=
-  match snd m with [] => false | _ => forallb (is_outer m) (snd m) && is_closed (snd m) end.
+  match snd m with [] => false | _ => forallb (is_outer (map over_one (fst m)) m) (snd m) && is_closed (snd m) end.
 
 (** The canonical form: a facet has all vertices that are not below its plane, and turns left at
     each, from its least one; vertices and facets are in order, and each vertex is in a facet. *)
@@ -69,18 +104,18 @@ Fixpoint is_lesser (l k : list nat) : bool :=
   | [], _ :: _ => true
   | _, [] => false
   end.
-Definition is_facet (m : mesh) (face : list nat) : bool :=
+Definition is_facet (vs : list (Z * Z * Z * positive)) (m : mesh) (face : list nat) : bool :=
   let ring := corners m face in
   let n := area_vector ring in
-  let h := level ring in
-  Nat.eqb (length face) (length (filter (fun v => Qle_bool h (dot3 n v)) (fst m))) &&
+  let plane := plane_of ring in
+  Nat.eqb (length face) (length (filter (fun v => 0 <=? side plane v)%Z vs)) &&
   match face with i :: r => forallb (Nat.ltb i) r | [] => false end &&
   forallb (fun t => let '((a, b), (_, c)) := t in
     less 0 (dot3 n (cross3 (minus3 b a) (minus3 c b))))
     (ring_edges (ring_edges ring)).
 Definition is_canonical_mesh (m : mesh) : bool :=
   is_convex_mesh m && ascends is_before (fst m) && ascends is_lesser (snd m) &&
-  forallb (is_facet m) (snd m) &&
+  forallb (is_facet (map over_one (fst m)) m) (snd m) &&
   forallb (fun i => existsb (existsb (Nat.eqb i)) (snd m)) (seq 0 (length (fst m))).
 Definition volume (m : mesh) : Q :=
   Qred (fold_right (fun f v => Qred (level (corners m f) + v)) 0 (snd m) / 6).

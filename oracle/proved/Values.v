@@ -124,9 +124,9 @@ Lemma raised_length n : forall l, length (raised n l) = (n + length l)%nat.
 Proof. induction n; intros l; simpl; [reflexivity|]. rewrite IHn, raise_length. lia. Qed.
 Lemma level_worth f (g : R -> R -> R) :
   (forall l k, length l = length k -> worth (f l k) = g (worth l) (worth k)) ->
-  forall l k, worth (level f l k) = g (worth l) (worth k).
+  forall l k, worth (leveled f l k) = g (worth l) (worth k).
 Proof.
-  intros H l k. unfold level. rewrite H; [rewrite !worth_raised; reflexivity|].
+  intros H l k. unfold leveled. rewrite H; [rewrite !worth_raised; reflexivity|].
   rewrite !raised_length. lia.
 Qed.
 Lemma worth_plus l k : length l = length k -> worth (plus l k) = worth l + worth k.
@@ -260,10 +260,10 @@ Proof.
 Qed.
 Lemma largest_length l : forall k, length l = length k -> length (largest l k) = length k.
 Proof. induction l; intros [|b k] E; try discriminate; simpl; auto. Qed.
-Lemma worth_largest l k : worth l <= worth (level largest l k) /\
-  worth k <= worth (level largest l k).
+Lemma worth_largest l k : worth l <= worth (leveled largest l k) /\
+  worth k <= worth (leveled largest l k).
 Proof.
-  unfold level. set (l' := raised _ l). set (k' := raised _ k).
+  unfold leveled. set (l' := raised _ l). set (k' := raised _ k).
   assert (E : length l' = length k') by (unfold l', k'; rewrite !raised_length; lia).
   replace (worth l) with (worth l') by apply worth_raised.
   replace (worth k) with (worth k') by apply worth_raised. unfold worth.

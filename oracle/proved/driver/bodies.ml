@@ -44,7 +44,7 @@ let operand name value =
     let shown (x, y, z) = List.map Q.to_string [ x; y; z ] in
     require (are_different (List.map shown vertices)) (name ^ " has a point twice");
     let body = { vertices; faces = rings name (items faces) (List.length vertices) } in
-    require (Hull_means.goes_around_once body.vertices body.faces)
+    require (Faces.goes_around_once body.vertices body.faces)
       (name ^ " goes around its hull more than once");
     body
   | _ -> assert false
@@ -58,9 +58,9 @@ let facet vertices scaled_p of_q value =
     let corners =
       List.map (fun i -> vertices.(index i (Array.length vertices))) (items ring)
     in
-    let n = Hull_means.area_vector corners in
+    let n = Faces.area_vector corners in
     let are_farthest body given =
-      let most = Hull_means.farthest n body in
+      let most = Faces.farthest n body in
       let given = List.map (fun i -> index i (Array.length body)) (items given) in
       demand (given = most) "other vertices of P or Q are farthest"
     in
@@ -85,6 +85,7 @@ let sum_of p q value =
       Q.(((sx * a) + d, (sy * b) + e, (sz * c) + f))
     in
     let scaled = Array.map (fun (a, b, c) -> Q.(sx * a, sy * b, sz * c)) of_p in
+    let scaled = Array.map Faces.over_one scaled and of_q = Array.map Faces.over_one of_q in
     let vertices = List.map vertex pairs in
     let facet = facet (Array.of_list vertices) scaled of_q in
     let faces = rings "a sum" (List.map facet (items facets)) (List.length pairs) in
@@ -105,9 +106,9 @@ let check_claim budget p q sum claim =
       "vertices or facets are not so many";
     demand (Sha256.hex_digest (hashed body) = text digest) "the digest is another";
     let mesh { vertices; faces } = (vertices, faces) in
-    let means = Hull_means.all budget s p.vertices q.vertices (mesh body) in
+    budget (List.length body.faces * (List.length p.vertices + List.length q.vertices));
     demand
-      (Checked.body_holds s (mesh p) (mesh q) (mesh body) pairs means)
+      (Checked.body_holds s (mesh p) (mesh q) (mesh body) pairs)
       "the proved checker does not take this for a proof";
     let found = Checked.volume (mesh body) in
     demand (Q.equal (number volume) found) "the volume is another";

@@ -80,10 +80,8 @@ let is_of_boundary = function
 let vertex3 (x, y, z) : Checker.vertex3 = ((fraction x, fraction y), fraction z)
 let mesh (corners, faces) : Checker.mesh = (List.map vertex3 corners, faces)
 
-let body_holds s p q r pairs means =
-  let weights = List.map (fun (i, w) -> (i, fraction w)) in
+let body_holds s p q r pairs =
   Checker.check_body (vertex3 s) (mesh p) (mesh q) (mesh r) pairs
-    (List.map (List.map weights) means)
 
 let volume m : Q.t =
   let found = Checker.volume (mesh m) in
