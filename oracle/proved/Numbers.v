@@ -12,9 +12,9 @@ Fixpoint plus (l k : list Q) : list Q :=
   match l, k with
   | nil, _ => k
   | _, nil => l
-  | a :: l', b :: k' => Qred (a + b) :: plus l' k'
+  | a :: l', b :: k' => a + b :: plus l' k'
   end.
-Definition times_number (a : Q) (l : list Q) : list Q := map (fun b => Qred (a * b)) l.
+Definition times_number (a : Q) (l : list Q) : list Q := map (Qmult a) l.
 Fixpoint times (l k : list Q) : list Q :=
   match l with nil => nil | a :: l' => plus (times_number a k) (0 :: times l' k) end.
 Definition less_form (l k : list Q) : list Q := plus l (times_number (-1) k).

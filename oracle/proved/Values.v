@@ -19,12 +19,12 @@ Definition form (l : list Q) (x : R) : R := polynomial (map Q2R l) x.
 Lemma form_plus l : forall k x, form (plus l k) x = form l x + form k x.
 Proof.
   induction l as [|a l IH]; intros [|b k] x; unfold form in *; simpl; try ring.
-  rewrite IH, Q2R_red, Q2R_plus. ring.
+  rewrite IH, Q2R_plus. ring.
 Qed.
 Lemma form_times_number a l x : form (times_number a l) x = Q2R a * form l x.
 Proof.
   unfold form, times_number. induction l as [|b l IH]; simpl; [ring|].
-  rewrite IH, Q2R_red, Q2R_mult. ring.
+  rewrite IH, Q2R_mult. ring.
 Qed.
 Lemma form_times l k x : form (times l k) x = form l x * form k x.
 Proof.
