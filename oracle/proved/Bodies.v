@@ -1,7 +1,7 @@
 (** Convex bodies: points, segments and polygons. *)
 From Coq Require Import Lra Lia Psatz Bool.
-From Proved Require Import Definitions Sums Crossings Fans Curves Unions Numbers Values Checker Corners
-  Cancellation.
+From Proved Require Import Definitions Sums Crossings Fans Curves Unions Numbers Values Checker
+  Corners Cancellation.
 Open Scope R_scope.
 
 Section Here.

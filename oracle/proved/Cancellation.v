@@ -1,7 +1,8 @@
 (** Edges that cancel, on each line, do not change any winding number: this is what the checker's
     comparison of two sorted lists says (rules `pieces` and `eq`). *)
 From Coq Require Import Lra Lia Psatz Bool Permutation.
-From Proved Require Import Definitions Sums Crossings Fans Curves Unions Numbers Values Checker Corners.
+From Proved Require Import Definitions Sums Crossings Fans Curves Unions Numbers Values Checker
+  Corners.
 Open Scope R_scope.
 
 Section Here.
@@ -54,7 +55,8 @@ Proof.
   2: { intros k l K. unfold same_key in K. rewrite !andb_true_iff in K.
        destruct K as [[K1 K2] K3]. unfold step_of.
        rewrite (equal_value _ _ K1), (equal_value _ _ K2), (equal_value _ _ K3). reflexivity. }
-  assert (S : forall l, sumz (step_of y) l = fold_right Z.add 0%Z (map (step_of y) (KeySort.sort l))).
+  assert (S : forall l,
+    sumz (step_of y) l = fold_right Z.add 0%Z (map (step_of y) (KeySort.sort l))).
   { intros l. rewrite (sumz_perm _ _ _ (KeySort.Permuted_sort l)).
     induction (KeySort.sort l); simpl; congruence. }
   pose proof (S (map fst e ++ map snd f)) as S1. pose proof (S (map snd e ++ map fst f)) as S2.

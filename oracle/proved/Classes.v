@@ -1,7 +1,7 @@
 (** Classes of covered cells: each is open in the interior, and in each all points are joined. *)
 From Coq Require Import Lra Lia Psatz Bool Permutation.
-From Proved Require Import Definitions Sums Crossings Fans Curves Unions Local Numbers Values Checker Corners
-  Cancellation Bodies Scaling Trees Theorems Components.
+From Proved Require Import Definitions Sums Crossings Fans Curves Unions Local Numbers Values
+  Checker Corners Cancellation Bodies Scaling Trees Theorems Components.
 Open Scope R_scope.
 
 Section Here.
@@ -170,7 +170,8 @@ Proof.
   intros y Y. apply near_min in Y. destruct Y as [Y1 Y2].
   specialize (Nu y Y1). specialize (Nv y Y2).
   set (w := minus y (real m)) in *.
-  rewrite value_minus, !value_times, value_zero in H1. rewrite value_plus, !value_times, value_zero in H2.
+  rewrite value_minus, !value_times, value_zero in H1.
+  rewrite value_plus, !value_times, value_zero in H2.
   unfold along, real in Nu, Nv. cbn [fst snd] in Nu, Nv.
   set (u1 := value (fst u)) in *. set (u2 := value (snd u)) in *.
   set (v1 := value (fst v)) in *. set (v2 := value (snd v)) in *.

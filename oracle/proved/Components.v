@@ -1,8 +1,8 @@
 (** Components of the sum: classes of covered cells that share pieces of edges are the components of
     its interior. *)
 From Coq Require Import Lra Lia Psatz Bool Permutation.
-From Proved Require Import Definitions Sums Crossings Fans Curves Unions Local Numbers Values Checker Corners
-  Cancellation Bodies Scaling Trees Theorems.
+From Proved Require Import Definitions Sums Crossings Fans Curves Unions Local Numbers Values
+  Checker Corners Cancellation Bodies Scaling Trees Theorems.
 Open Scope R_scope.
 
 Section Here.

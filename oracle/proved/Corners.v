@@ -14,7 +14,8 @@ Definition real (v : corner) : point := (value (fst v), value (snd v)).
 Definition real_edge (e : corner * corner) : point * point := (real (fst e), real (snd e)).
 
 Lemma real_orient a b p : value (qorient a b p) = orient (real a) (real b) (real p).
-Proof. unfold qorient, orient, real; simpl. rewrite !value_minus, !value_times, !value_minus. auto. Qed.
+Proof. unfold qorient, orient, real; simpl. rewrite !value_minus, !value_times, !value_minus.
+auto. Qed.
 Lemma real_dot n p : value (qdot n p) = dot (real n) (real p).
 Proof. unfold qdot, dot, real; simpl. rewrite value_plus, !value_times. reflexivity. Qed.
 Lemma real_add p q : real (qadd p q) = add (real p) (real q).
@@ -33,12 +34,6 @@ Lemma distinct_real a b : distinct a b = true -> real a <> real b.
 Proof.
   unfold distinct, real. intros H K. injection K; intros K2 K1.
   apply orb_prop in H. destruct H as [H|H]; apply differ_value in H; auto.
-Qed.
-Lemma keep_apart_real a b : keep_apart a b = true -> real a <> real b.
-Proof.
-  unfold keep_apart. intros H K. apply orb_prop in H. destruct H as [H|H].
-  - exact (distinct_real _ _ H K).
-  - apply differ_value in H. apply H. rewrite !real_dot, K. reflexivity.
 Qed.
 Lemma support_real n l v : In v l -> dot (real n) (real v) <= value (support n l).
 Proof.

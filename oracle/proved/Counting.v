@@ -1,8 +1,8 @@
 (** Classes of cells fall into components, and the number of those of the interior:
     [components_are_right]. *)
 From Coq Require Import Lra Lia Psatz Bool.
-From Proved Require Import Definitions Sums Crossings Fans Curves Unions Local Numbers Values Checker Corners
-  Cancellation Bodies Scaling Trees Theorems Components Classes.
+From Proved Require Import Definitions Sums Crossings Fans Curves Unions Local Numbers Values
+  Checker Corners Cancellation Bodies Scaling Trees Theorems Components Classes.
 Open Scope R_scope.
 
 Section Here.
@@ -188,7 +188,8 @@ Qed.
 
 Lemma parts_fall s P Q R w cs : is_empty P || is_empty Q = false ->
   check_components s P Q R w cs = true ->
-  falls_into (interior (set_of (outline R))) (part_set (covered_cells w) (parts_of w cs)) (length cs).
+  falls_into (interior (set_of (outline R))) (part_set (covered_cells w) (parts_of w cs))
+    (length cs).
 Proof.
   intros Em H. assert (HS : check_sum s P Q R w = true)
     by (unfold check_components in H; apply andb_prop in H; tauto).
@@ -229,9 +230,11 @@ Qed.
 Lemma empty_sum s P Q R w : is_empty P || is_empty Q = true -> check_sum s P Q R w = true -> R = [].
 Proof. unfold check_sum. intros ->. destruct R; [auto|discriminate]. Qed.
 
-Theorem components_are_right : forall (s : number) (P Q R : rings corner) (w : witness) (cs : list component),
+Theorem components_are_right : forall (s : number) (P Q R : rings corner) (w : witness)
+    (cs : list component),
   check_components s P Q R w cs = true ->
-  is_sum (value s) (outline P) (outline Q) (outline R) /\ has_components (set_of (outline R)) (length cs).
+  is_sum (value s) (outline P) (outline Q) (outline R) /\
+    has_components (set_of (outline R)) (length cs).
 Proof.
   intros s P Q R w cs H. assert (HS : check_sum s P Q R w = true)
     by (unfold check_components in H; apply andb_prop in H; tauto).

@@ -1,7 +1,8 @@
-(** Claim `event`: a figure that moves before a scale, another one after it, or not the one there. *)
+(** Claim `event`: a figure that moves before a scale, another one after it, or not the one there.
+    *)
 From Coq Require Import Lra Lia Psatz Bool Permutation.
-From Proved Require Import Definitions Form Moving Numbers Rational Values Checker Corners Canonical
-  Moves.
+From Proved Require Import Definitions Form Moving Numbers Rational Values Figures Corners
+  Canonical Touching Moves.
 
 (** ** The checker *)
 Open Scope Q_scope.
@@ -105,7 +106,8 @@ Qed.
 (** ** The turns of figures that are the same but for order *)
 Lemma path_split {A} (l : list A) : forall f p y r,
   path f p (l ++ y :: r) = path y p l ++ path f y r.
-Proof. induction l as [|a l IH]; intros f p y r; simpl; [reflexivity|]. rewrite IH. reflexivity. Qed.
+Proof. induction l as [|a l IH]; intros f p y r; simpl; [reflexivity|]. rewrite IH. reflexivity.
+Qed.
 Lemma turned_edges {A} (l k : list A) : turned l k -> turned (ring_edges l) (ring_edges k).
 Proof.
   intros (a & b & -> & ->). destruct a as [|x a].

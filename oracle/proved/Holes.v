@@ -1,8 +1,8 @@
 (** The number of holes: [holes_are_right]. The classes of cells that are not covered, but that of
     the outside, are the bounded components of the complement. *)
 From Coq Require Import Lra Lia Psatz Bool.
-From Proved Require Import Definitions Sums Crossings Fans Curves Unions Local Numbers Values Checker Corners
-  Cancellation Bodies Scaling Trees Theorems Components Classes Counting.
+From Proved Require Import Definitions Sums Crossings Fans Curves Unions Local Numbers Values
+  Checker Corners Cancellation Bodies Scaling Trees Theorems Components Classes Counting.
 Open Scope R_scope.
 
 Section Here.
@@ -350,10 +350,12 @@ Proof.
     rewrite Rminus_0_r, Rabs_Rabsolu in K1. lra.
 Qed.
 
-Theorem holes_are_right : forall (s : number) (P Q R : rings corner) (w : witness) (cs : list component)
+Theorem holes_are_right : forall (s : number) (P Q R : rings corner) (w : witness)
+    (cs : list component)
     (outside : component) (hs : list component),
   check_holes s P Q R w cs outside hs = true ->
-  is_sum (value s) (outline P) (outline Q) (outline R) /\ has_components (set_of (outline R)) (length cs) /\ has_holes (set_of (outline R)) (length hs).
+  is_sum (value s) (outline P) (outline Q) (outline R) /\
+    has_components (set_of (outline R)) (length cs) /\ has_holes (set_of (outline R)) (length hs).
 Proof.
   intros s P Q R w cs o hs H. unfold check_holes in H. apply andb_prop in H. destruct H as [HC H].
   destruct (components_are_right s P Q R w cs HC) as [IS CO]. split; [auto|split; [auto|]].

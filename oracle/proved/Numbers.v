@@ -77,7 +77,8 @@ Fixpoint ratio (l k : list Q) : Q :=
 Definition over (a b : number) : number :=
   match a, b with
   | Fixed p, Fixed q => Fixed (Qred (p / q))
-  | _, _ => Fixed (hd 0 (leveled (fun l k => ratio l k :: nil) (coefficients_of a) (coefficients_of b)))
+  | _, _ => Fixed (hd 0 (leveled (fun l k => ratio l k :: nil) (coefficients_of a)
+    (coefficients_of b)))
   end.
 
 Definition zero : number := Fixed 0.

@@ -1,7 +1,7 @@
 (** Edges between cells do not overlap, and the rings that they make pass no point twice. *)
 From Coq Require Import Lra Lia Psatz Bool Permutation.
-From Proved Require Import Definitions Form Sums Crossings Fans Curves Unions Local Checker Rational
-  Cancellation Bodies Components Classes Across Sides.
+From Proved Require Import Definitions Form Sums Crossings Fans Curves Unions Local Figures
+  Rational Cancellation Bodies Components Classes Across Sides.
 Open Scope R_scope.
 
 Lemma on_segment_decided a b x : on_segment a b x \/ ~ on_segment a b x.
@@ -289,3 +289,37 @@ Proof.
   destruct (beyond_shared e f l k Ap Ne Nf Re Rf x Xe Xf) as [L K]. exact (Dis x L K).
 Qed.
 End Sided.
+
+(** ** Rings *)
+Section Rings.
+Variable S : point -> Prop.
+Lemma rows_apart edges : forall lists, Forall2 (is_row S) edges lists -> NoDup (concat lists) ->
+  (forall e, In e edges -> fst e <> snd e) -> ForallOrdPairs apart edges ->
+  ForallOrdPairs (fun e f => forall x, beyond_start e x -> beyond_start f x -> False) edges.
+Proof.
+  induction edges as [|e edges IH]; intros lists F N D A; [apply FOP_nil|].
+  inversion F as [|? l ? rest Re Rest]; subst. simpl in N.
+  inversion A as [|? ? Ae Ar]; subst.
+  assert (Nr : NoDup (concat rest)).
+  { clear - N. induction l as [|v l IH]; simpl in N; auto. inversion N; auto. }
+  assert (Nl : forall v, In v l -> ~ In v (concat rest)).
+  { clear - N. induction l as [|u l IH]; simpl in N |- *; [tauto|].
+    inversion N as [|? ? N1 N2]; subst. intros v [<-|I] J.
+    - apply N1, in_or_app. auto.
+    - exact (IH N2 v I J). }
+  apply FOP_cons.
+  - apply Forall_forall. intros f I x Xe Xf. rewrite Forall_forall in Ae.
+    assert (G : exists k, is_row S f k /\ forall v, In v k -> In v (concat rest)).
+    { clear - Rest I. induction Rest as [|g k gs ks R Rest IH]; [destruct I|].
+      destruct I as [<-|I].
+      - exists k. split; auto. intros v J. simpl. apply in_or_app. auto.
+      - destruct (IH I) as (k' & K1 & K2). exists k'. split; auto.
+        intros v J. simpl. apply in_or_app. auto. }
+    destruct G as (k & Rf & Sub).
+    apply (beyond_apart S e f l k) with (x := x); auto.
+    + apply D; simpl; auto.
+    + apply D; simpl; auto.
+    + intros v I1 I2. apply (Nl v I1), Sub, I2.
+  - apply (IH rest); auto. intros f I. apply D. simpl; auto.
+Qed.
+End Rings.

@@ -1,8 +1,8 @@
 (** Claim `passage`: points and segments inside the sum that the sum of the interiors misses. *)
 From Coq Require Import Lra Lia Psatz Bool.
-From Proved Require Import Definitions Predicates Sums Crossings Fans Curves Unions Local Numbers Values Checker
-  Corners Cancellation Bodies Scaling Trees Theorems Components Classes Holes Across Sides
-  Overlaps.
+From Proved Require Import Definitions Predicates Sums Crossings Fans Curves Unions Local Numbers
+  Values Figures Corners Cancellation Bodies Scaling Trees Theorems Components Classes Holes
+  Across Sides Overlaps.
 Open Scope R_scope.
 
 Section Here.
@@ -128,7 +128,8 @@ Proof.
 Qed.
 Lemma passage_holds : forall (s : number) (P Q : rings corner) (w : witness) (path : list corner)
     (contacts : list contact),
-  check_passage s P Q w path contacts = true -> is_passage (value s) (outline P) (outline Q) (map real path).
+  check_passage s P Q w path contacts = true ->
+    is_passage (value s) (outline P) (outline Q) (map real path).
 Proof.
   intros s P Q w path contacts H. unfold check_passage in H. rewrite !andb_true_iff in H.
   destruct H as [[[[[[[[S TP] TQ] HP] HQ] HB] HC] Path] H].
@@ -172,7 +173,8 @@ Proof.
       * exfalso. apply (N y (proj2 Y)), union_of_all; auto. exists (fst d). split; auto.
         apply in_map, filter_In. rewrite Cd. auto.
   - (* a segment *)
-    apply andb_prop in K. destruct K as [Dab K]. apply distinct_real in Dab. destruct In_ as [E|[Na Nb]]; [contradiction|].
+    apply andb_prop in K. destruct K as [Dab K]. apply distinct_real in Dab.
+    destruct In_ as [E|[Na Nb]]; [contradiction|].
     destruct (nth_error _ (on_left c)) as [l|] eqn:El; [|discriminate].
     destruct (nth_error _ (on_right c)) as [r|] eqn:Er; [|discriminate].
     apply nth_error_In in El. apply nth_error_In in Er. apply andb_prop in K.

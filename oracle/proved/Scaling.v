@@ -1,6 +1,7 @@
 (** A set that is scaled by s > 0 is the set of the scaled rings. *)
 From Coq Require Import Lra Lia Psatz Bool.
-From Proved Require Import Definitions Sums Crossings Fans Curves Unions Numbers Values Checker Corners.
+From Proved Require Import Definitions Sums Crossings Fans Curves Unions Numbers Values Checker
+  Corners.
 Open Scope R_scope.
 
 Section Here.
@@ -86,7 +87,8 @@ Qed.
 Lemma scaled_edges s r :
   map real_edge (all_edges (map (map (scaled s)) r)) = map (both (scale (value s))) (real_edges r).
 Proof.
-  rewrite <- real_edges_of. unfold real_edges, outline, all_edges. induction r as [|l r IH]; simpl; auto.
+  rewrite <- real_edges_of. unfold real_edges, outline, all_edges.
+  induction r as [|l r IH]; simpl; auto.
   rewrite map_app, <- IH. f_equal. rewrite <- ring_edges_map, !map_map. f_equal.
   apply map_ext. intros a. apply real_scaled.
 Qed.

@@ -1,8 +1,8 @@
 (** Edges as rows of stretches between cells: a covered cell on the left of each, one that is not
     covered on its right. *)
 From Coq Require Import Lra Lia Psatz Bool Permutation.
-From Proved Require Import Definitions Form Sums Crossings Fans Curves Unions Local Numbers Values Checker Corners
-  Cancellation Bodies Scaling Trees Theorems Components Classes Across.
+From Proved Require Import Definitions Form Sums Crossings Fans Curves Unions Local Numbers Values
+  Figures Corners Cancellation Bodies Scaling Trees Theorems Components Classes Across.
 Open Scope R_scope.
 
 Section Here.
@@ -172,7 +172,8 @@ Proof.
   destruct (side_of cell (qmiddle u v)) as [w|] eqn:W; [|discriminate].
   unfold is_along in H. apply andb_prop in H. destruct H as [H1 H2].
   apply equal_value in H1. symmetry in H1. apply lt_value in H2.
-  rewrite value_minus, !value_times, value_zero in H1. rewrite value_plus, !value_times, value_zero in H2.
+  rewrite value_minus, !value_times, value_zero in H1.
+  rewrite value_plus, !value_times, value_zero in H2.
   unfold side_of in W.
   destruct (filter _ (ring_edges cell)) as [|[a b] [|? ?]] eqn:F; try discriminate.
   destruct (is_left cell (qmiddle u v)) eqn:L; [|discriminate]. injection W; intros <-.

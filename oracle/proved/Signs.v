@@ -61,7 +61,8 @@ Definition times_triple (w : R) (p : point) : R * R * R := (w * fst p, w * snd p
 Lemma forms_moving from to P Q ij x s : (1 + x) * s = Q2R from + Q2R to * x ->
   forms (moving from to P Q ij) x = times_triple (1 + x) (place s P Q ij).
 Proof.
-  intros S. unfold forms, moving, form, times_triple, place, add, scale, point_of; cbn [map polynomial].
+  intros S. unfold forms, moving, form, times_triple, place, add, scale, point_of;
+    cbn [map polynomial].
   cbn [fst snd]. rewrite !Q2R_red, !Q2R_plus, !Q2R_mult, Q2R_one.
   set (p := vertex_of P (fst ij)). set (q := vertex_of Q (snd ij)).
   f_equal; [f_equal|]; [| |ring].

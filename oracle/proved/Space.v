@@ -47,7 +47,8 @@ Definition is_bounded (m : mesh) : Prop := forall x, hull (fst m) x <->
   forall face, In face (snd m) ->
     (dot_3 (real3 (area_vector (corners m face))) x <= Q2R (level (corners m face)))%R.
 
-(** Whole numbers x y z w for the point (x, y, z) / w; a b c h for the plane a x + b y + c z = h of a
+(** Whole numbers x y z w for the point (x, y, z) / w; a b c h for the plane a x + b y + c z = h of
+    a
     face; and which side of it a point is on: above where this is positive. *)
 Definition over_one (v : vertex3) : Z * Z * Z * positive :=
   let '(a, b, c) := v in
@@ -91,7 +92,8 @@ Definition is_closed (faces : list (list nat)) : bool :=
   forallb (fun p => same_edge (fst p) (snd p))
     (combine sorted (EdgeSort.sort (map (fun e => (snd e, fst e)) edges))).
 Definition is_convex_mesh (m : mesh) : bool :=
-  match snd m with [] => false | _ => forallb (is_outer (map over_one (fst m)) m) (snd m) && is_closed (snd m) end.
+  match snd m with [] => false | _ => forallb (is_outer (map over_one (fst m)) m)
+    (snd m) && is_closed (snd m) end.
 
 (** The canonical form: a facet has all vertices that are not below its plane, and turns left at
     each, from its least one; vertices and facets are in order, and each vertex is in a facet. *)

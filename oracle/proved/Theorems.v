@@ -1,8 +1,8 @@
 (** What the checker proves: [sum_is_right] and [point_is_right]. Their statements use the notions
     of Definitions.v alone. *)
 From Coq Require Import Lra Lia Psatz Bool.
-From Proved Require Import Definitions Sums Crossings Fans Curves Unions Numbers Values Checker Corners
-  Cancellation Bodies Scaling Trees.
+From Proved Require Import Definitions Sums Crossings Fans Curves Unions Numbers Values Checker
+  Corners Cancellation Bodies Scaling Trees.
 Open Scope R_scope.
 
 Section Here.
@@ -234,10 +234,12 @@ Proof.
 Qed.
 
 (** ** Single points *)
-Theorem point_is_right : forall (s : number) (P Q : rings corner) (x p q : corner) (of_P of_Q : tiled)
+Theorem point_is_right : forall (s : number) (P Q : rings corner) (x p q : corner)
+    (of_P of_Q : tiled)
     (i j : nat),
   check_point s P Q x p q of_P of_Q i j = true ->
-  set_of (outline P) (real p) /\ set_of (outline Q) (real q) /\ real x = add (scale (value s) (real p)) (real q).
+  set_of (outline P) (real p) /\ set_of (outline Q) (real q) /\
+    real x = add (scale (value s) (real p)) (real q).
 Proof.
   intros s P Q x p q oP oQ i j H. unfold check_point in H. rewrite !andb_true_iff in H.
   destruct H as [[[HP HQ] E] H].

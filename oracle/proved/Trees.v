@@ -1,8 +1,8 @@
 (** Trees of pieces: what they hold (rule `pieces`), and codes that set all pairs of their pieces
     apart from a cell (rule `eq`, `sep`). *)
 From Coq Require Import Lra Lia Psatz Bool.
-From Proved Require Import Definitions Sums Crossings Fans Curves Unions Numbers Values Checker Corners
-  Cancellation Bodies Scaling.
+From Proved Require Import Definitions Sums Crossings Fans Curves Unions Numbers Values Checker
+  Corners Cancellation Bodies Scaling.
 Open Scope R_scope.
 
 Section Here.
@@ -35,7 +35,8 @@ Lemma leaves_are_bodies n : is_tree n = true -> forall l, In l (leaves n) -> is_
 Proof. intros O l I. destruct (tree_le n O) as [_ K]. apply (K l I). Qed.
 
 (** ** Operands *)
-Lemma thin_cases {A} (r : rings A) : thin r = true -> (exists a, r = [[a]]) \/ (exists a b, r = [[a; b]]).
+Lemma thin_cases {A} (r : rings A) : thin r = true ->
+  (exists a, r = [[a]]) \/ (exists a b, r = [[a; b]]).
 Proof.
   destruct r as [|[|a [|b [|c l]]] [|m r]]; try discriminate; eauto.
 Qed.
