@@ -20,7 +20,7 @@ from minkref.reports.evidence.certificates.mutants import mutants
 from named_cases import named
 
 SEED = 19
-VERIFIED, REFUTED, MALFORMED = 0, 1, 2
+VERIFIED, REFUTED, MALFORMED, OUT_OF_BUDGET = 0, 1, 2, 4
 SIGN = {"claim": "sign", "of": ["orientation", [[0, 0], [1, 0], [2, 0]]], "from": "1/2",
         "to": "2", "sign": 1}  # fmt: skip
 HOLED = "POLYGON((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 3, 3 3, 3 1, 1 1))"
@@ -71,6 +71,12 @@ def test_an_interval_in_stages(check_value: Any) -> None:
     code, said = check_value(in_stages(), squares.CASE)
     assert code == VERIFIED, said
     assert "interval: from 1/2 to 2 " in said
+
+
+@pytest.mark.parametrize("limit", ["--tests=80", "--seconds=0"])
+def test_limits(check_value: Any, check: Any, tmp_path: Path, limit: str) -> None:
+    assert check_value(in_stages(), squares.CASE)[0] == VERIFIED
+    assert check(tmp_path / "it.cert.json", limit)[0] == OUT_OF_BUDGET
 
 
 @pytest.mark.parametrize(
@@ -219,6 +225,32 @@ def test_events_of_all_families(check: Any, tmp_path: Path) -> None:
         boundary = any(claim.get("kind") == "boundary" for claim in claims)
         if boundary or low["digest"] != high["digest"]:
             assert check(path)[0] == REFUTED, (case.name.text, scale)
+
+
+@pytest.mark.parametrize(
+    ("name", "scale", "before"),
+    [("passing:77:0", "244/165", "4/3"), ("passing:77:6", "19/17", "1")],
+)
+def test_corners_that_touch_in_passing(
+    check: Any, tmp_path: Path, name: str, scale: str, before: str
+) -> None:
+    """The moving form is the same before and after; at the scale alone rings touch in a point."""
+    case = named(name)
+    certificate = Certificate(case.P, case.Q)
+    certificate.event(scale, before, kind="boundary")
+    path = written(certificate, tmp_path, "it")
+    code, said = check(path)
+    assert code == VERIFIED, said
+    value = json.loads(path.read_text(encoding="utf-8"))
+    low, at, high, event = value["claims"]
+    assert low["digest"] == high["digest"] and low["holes"] == at["holes"] == high["holes"]
+    event["kind"] = "topology"
+    path.write_text(json.dumps(value), encoding="utf-8")
+    assert check(path)[0] == REFUTED
+    steps = [*low["steps"], at["step"], *high["steps"]]
+    value["claims"] = [{**low, "to": high["to"], "steps": steps}]
+    path.write_text(json.dumps(value), encoding="utf-8")
+    assert check(path)[0] == REFUTED
 
 
 def test_points_that_pass_each_other(check: Any, tmp_path: Path) -> None:

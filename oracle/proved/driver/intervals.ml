@@ -50,8 +50,9 @@ let interval p q region claim =
     let from = scale_of from and upto = scale_of upto in
     let regions = List.map region (items steps) in
     let enclosed = index holes max_int and digest = text digest in
-    let found = Moving.interval from upto regions enclosed in
-    let polygons = found.figure.polygons in
+    let figure, first, rest = Moving.interval from upto regions enclosed in
+    let figure = { figure with enclosed } and polygons = figure.polygons in
+    let found : Checked.interval = { from; upto; figure; first; rest } in
     demand (Reading.digest_of (Reading.movers_text polygons) = digest) "the digest is another";
     demand (is_in_order polygons) "the moving form is not in order";
     demand
@@ -59,7 +60,7 @@ let interval p q region claim =
       "components are others";
     let said =
       Printf.sprintf "from %s to %s without an event of the boundary, %s" (Q.to_string from)
-        (Q.to_string upto) (shown_of found.figure digest)
+        (Q.to_string upto) (shown_of figure digest)
     in
     (found, digest, said, lazy (Checked.interval_holds p q found))
   | _ -> assert false

@@ -69,8 +69,9 @@ let arranged (region : Elaborate.region) s (polygons : Reading.mover Reading.pol
     ("the boundary changes at " ^ Q.to_string s);
   found
 
-(* A `move`, and then in turn an `eq` and a `move`, from end to end *)
-let interval from upto (regions : Elaborate.region list) enclosed : Checked.interval =
+(* Of a `move`, and then in turn an `eq` and a `move`, from end to end: the moving form and the
+   derivations *)
+let interval from upto (regions : Elaborate.region list) enclosed =
   let apart () = fail Refuted "the steps do not reach end to end" in
   let meet a b = if not (Q.equal a b) then apart () in
   let derivation (region : Elaborate.region) = region.derivation region.form in
@@ -93,7 +94,7 @@ let interval from upto (regions : Elaborate.region list) enclosed : Checked.inte
       | [ _ ] -> apart ()
     in
     let rest = go (List.nth first.scales 1) rest in
-    { from; upto; figure; first = derivation first; rest }
+    (figure, derivation first, rest)
 
 (* The first entry of two lists that one has more often than the other *)
 let differing l k =
