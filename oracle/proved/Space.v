@@ -1,5 +1,5 @@
 (** Convex polyhedra, docs/certificates-convex.md: what has to be believed of their sums *)
-From Coq Require Import Bool Mergesort Orders Lia.
+From Coq Require Import Bool.
 From Proved Require Export Definitions Order.
 
 Definition point3 := (R * R * R)%type.
@@ -73,17 +73,6 @@ Definition is_outer (vs : list (Z * Z * Z * positive)) (m : mesh) (face : list n
   forallb (fun v => side plane v <=? 0)%Z vs && existsb (fun v => side plane v <? 0)%Z vs &&
   forallb (fun v => side plane (over_one v) =? 0)%Z (corners m face) &&
   (let n := length (fst m) in forallb (fun i => Nat.ltb i n) face).
-Module Edges <: TotalLeBool.
-  Definition t := (nat * nat)%type.
-  Definition leb (e f : t) := Nat.leb (fst e) (fst f) && (negb (Nat.eqb (fst e) (fst f)) ||
-    Nat.leb (snd e) (snd f)).
-  Theorem leb_total : forall e f, leb e f = true \/ leb f e = true.
-  Proof.
-    intros [a b] [c d]. unfold leb; simpl.
-    rewrite !andb_true_iff, !orb_true_iff, !negb_true_iff, !Nat.leb_le, !Nat.eqb_neq. lia.
-  Qed.
-End Edges.
-Module EdgeSort := Sort Edges.
 Definition same_edge (e f : nat * nat) := Nat.eqb (fst e) (fst f) && Nat.eqb (snd e) (snd f).
 Definition is_closed (faces : list (list nat)) : bool :=
   let edges := flat_map ring_edges faces in

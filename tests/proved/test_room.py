@@ -13,7 +13,7 @@ SHORT = (
     ("Form.v", 65),
     ("Predicates.v", 60),
     ("Moving.v", 65),
-    ("Space.v", 125),
+    ("Space.v", 115),
 )
 PAGE = ROOT / "docs" / "proved.md"
 NAMED = re.compile(r"\b(?:Lemma|Theorem|Corollary|Definition|Fixpoint|Inductive|Record) (\w+)")
