@@ -8,7 +8,7 @@ let head =
     The sets are given by their rings: outer ones counter-clockwise, holes clockwise. What the
     statement means stands in Definitions.v and Form.v of oracle/proved, and in docs/proved.md.
     To check it: make proofs, then coqc -Q build/proofs Proved FILE *)
-From Proved Require Import Definitions Form Numbers Checker Canonical.
+From Proved Require Import Definitions Form Numbers Checker Figures Canonical.
 Open Scope Q_scope.
 
 Definition s : Q := |}
