@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import copy
+import json
+from pathlib import Path
 from typing import Any
 
 import pytest
 import squares
 
-REFUTED, MALFORMED, DECLINED = 1, 2, 5
+VERIFIED, REFUTED, MALFORMED, OUT_OF_BUDGET, DECLINED = 0, 1, 2, 4, 5
 BOX_AND_SUM = [[8, 9, 10, 11], [12, 15, 14, 13]]  # the second along the box, the wrong way
 NORMALS = [["0", "-1/2"], [1, 0], [0, 1], [-1, 0]]
 HALVES = [[0, 1, 2], [0, 2, 3]]
@@ -52,3 +54,14 @@ def test_a_ring_with_a_vertex_twice_in_a_row_is_declined(check_value: Any) -> No
     value = squares.certificate()
     value["case"]["sha256"] = squares.digest_of_case(case)
     assert check_value(value, case)[0] == DECLINED
+
+
+def test_each_claim_spends_the_tests_of_its_steps(check: Any, tmp_path: Path) -> None:
+    """One claim, written in 300 ways."""
+    value = squares.certificate()
+    value["claims"] = [{**squares.CLAIM, "scale": f"1.{'0' * i}"} for i in range(300)]
+    (tmp_path / "case.json").write_text(json.dumps(squares.CASE), encoding="utf-8")
+    path = tmp_path / "it.cert.json"
+    path.write_text(json.dumps(value), encoding="utf-8")
+    assert check(path, "--tests", str(300 * 64 + 1000))[0] == OUT_OF_BUDGET
+    assert check(path)[0] == VERIFIED
