@@ -105,6 +105,10 @@ let open_q = Checker.OpenQ
 let normal n = Checker.Normal (fixed n)
 let stretch left right corner : stretch = ((left, right), corner)
 let contact normals on_left on_right : Checker.contact = { normals; on_left; on_right }
+(* Whether a code separates points from the sum *)
+let is_apart corners code (p : Checker.tiled) (q : Checker.tiled) =
+  Checker.follow code corners [ (p.root, q.root) ]
+
 let component size links rim : Checker.component = { size; links; rim }
 let witness of_P of_Q box cells : witness = { of_P; of_Q; box; cells }
 

@@ -4,7 +4,8 @@
 open Failure
 open Json
 
-type step = Pieces of Pieces.pieces | Region of Elaborate.region Lazy.t
+(* A region with the tests that it took: they are spent for each claim, as each proves it again. *)
+type step = Pieces of Pieces.pieces | Region of Elaborate.region Lazy.t * int ref
 
 (* A claim: what is said if it holds, and whether it does. What an event is proved with is not
    asked again. *)
@@ -14,6 +15,7 @@ type claim = {
   shown : Intervals.shown;
   holds : bool Lazy.t;
   mutable follows : bool;
+  mutable tests : int;
 }
 
 type proved = { said : string; theorem : (out_channel -> unit) option }
@@ -31,7 +33,11 @@ let check_claim budget p q step claim_of claim =
   require (List.mem kind kinds) "there is no such claim";
   let rings (o : Reading.operand) = Reading.rings_of o.polygons in
   let region at =
-    match step at with Region r -> Lazy.force r | _ -> fail Malformed "this is no sum's step"
+    match step at with
+    | Region (found, tests) ->
+      if Lazy.is_val found then budget !tests;
+      Lazy.force found
+    | _ -> fail Malformed "this is no sum's step"
   in
   let at_scale s at =
     let region = region at in
@@ -39,7 +45,7 @@ let check_claim budget p q step claim_of claim =
     region
   in
   let found ?theorem ?(shown = Intervals.Another) said holds =
-    { said = kind ^ ": " ^ said; theorem; shown; holds; follows = false }
+    { said = kind ^ ": " ^ said; theorem; shown; holds; follows = false; tests = 0 }
   in
   match kind with
   | "sum" -> (
@@ -80,6 +86,7 @@ let check_claim budget p q step claim_of claim =
     let shown value =
       let (other : claim) = claim_of value in
       asked := other :: !asked;
+      budget other.tests;
       other.shown
     in
     let said = Intervals.event (rings p) (rings q) shown claim in
@@ -168,6 +175,11 @@ let check_claim budget p q step claim_of claim =
   | _ -> assert false
 
 let check_plane certificate read_case budget =
+  let spent = ref 0 in
+  let budget tests =
+    spent := !spent + tests;
+    budget tests
+  in
   match
     members certificate
       [ "certificate"; "title?"; "comment?"; "producer?"; "case"; "steps"; "claims" ]
@@ -222,7 +234,14 @@ let check_plane certificate read_case budget =
                 | _ :: _ :: by :: _ ->
                   let a, b = pair by in
                   let by = (pieces_of a "P", pieces_of b "Q") in
-                  Region (lazy (Elaborate.region p q by budget step))
+                  let tests = ref 0 in
+                  let found () =
+                    let before = !spent in
+                    let region = Elaborate.region p q by budget step in
+                    tests := !spent - before;
+                    region
+                  in
+                  Region (Lazy.from_fun found, tests)
                 | _ -> assert false)
               | _ -> fail Malformed "there is no such rule"
             in
@@ -236,7 +255,10 @@ let check_plane certificate read_case budget =
       (fun i claim ->
         let claim_of value = Option.get found.(index value i) in
         let step = step_before (Array.length given) in
-        found.(i) <- Some (within (place i) (fun () -> check_claim budget p q step claim_of claim)))
+        let before = !spent in
+        let claim = within (place i) (fun () -> check_claim budget p q step claim_of claim) in
+        claim.tests <- !spent - before;
+        found.(i) <- Some claim)
       claims;
     require (Hashtbl.length used = Array.length given) "a step is not used";
     require

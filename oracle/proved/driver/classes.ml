@@ -101,7 +101,9 @@ let found cells is_covered polygons corner middle =
   in
   let edges ring =
     let stretch ((_, v) as edge) =
-      Checked.stretch place.(Hashtbl.find owner edge) (beyond true edge) (corner v)
+      match Hashtbl.find_opt owner edge with
+      | Some i -> Checked.stretch place.(i) (beyond true edge) (corner v)
+      | None -> fail Refuted "a ring is not along cells"
     in
     (* From the last stretch to the first; at a vertex of the ring another edge begins. *)
     let add ((u, _) as edge) (vertices, run, runs) =

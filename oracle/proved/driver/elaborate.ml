@@ -71,9 +71,19 @@ let mover scales places : Reading.mover =
 let compare_movers (m : Reading.mover) (n : Reading.mover) =
   List.compare Q.compare [ m.x0; m.x1; m.y0; m.y1 ] [ n.x0; n.x1; n.y0; n.y1 ]
 
+(* Whole numbers, not both 0 *)
+let normal value =
+  let ((x, y) as found) = Reading.point value in
+  let is_whole q = Z.equal (Q.den q) Z.one in
+  require (is_whole x && is_whole y) "a normal is not of whole numbers";
+  require (Q.sign x <> 0 || Q.sign y <> 0) "a normal is zero";
+  found
+
 let walls box =
   match List.map number (items box) with
-  | [ a; b; c; d ] -> (a, b, c, d)
+  | [ a; b; c; d ] ->
+    demand (Q.lt a c && Q.lt b d) "the box is empty";
+    (a, b, c, d)
   | _ -> fail Malformed "a box has four walls"
 
 (* All elements of a step at one of its scales *)
@@ -124,7 +134,7 @@ let region p q (by_p, by_q) budget step =
     let middle u v =
       Checked.corner (List.map2 (fun p q -> times half (p ++ q)) (place u) (place v))
     in
-    let normals = Array.of_list (List.map Reading.point (items normals)) in
+    let normals = Array.of_list (List.map normal (items normals)) in
     let tokens corners code =
       let cost = List.length corners * List.length scales in
       let token value =
@@ -185,13 +195,21 @@ let region p q (by_p, by_q) budget step =
         (Checked.witness tiled_p tiled_q box cells)
         (of_no_empty_sum found.components) found.outside (of_no_empty_sum found.holes) found.rows
     in
+    let is_missed corners code =
+      if empty of_p || empty of_q then code = [] else Checked.is_apart corners code tiled_p tiled_q
+    in
     let touching = Hashtbl.create 16 in
     List.iter
       (fun contact ->
         match items contact with
         | value :: code ->
           let numbers = ids value in
-          Hashtbl.replace touching numbers (tokens numbers code)
+          require
+            (match numbers with [ _ ] -> true | [ u; v ] -> u <> v | _ -> false)
+            "this is no point or segment";
+          let code = tokens numbers code in
+          demand (is_missed (List.map corner numbers) code) "this is no contact";
+          Hashtbl.replace touching numbers code
         | [] -> fail Malformed "a contact is empty")
       (items contacts);
     let point value =

@@ -168,7 +168,16 @@ type side = {
 }
 
 let side pieces budget factors =
+  let stays = List.exists (fun (u, v) -> compare_points u v = 0) in
+  let { Reading.polygons; _ } = pieces.operand in
+  if (not (Reading.is_thin pieces.operand))
+     && List.exists (fun ring -> stays (edges_of ring)) (Reading.rings_of polygons)
+  then fail Declined "a ring has a vertex twice in a row: this is not followed";
   let root, place = tree pieces budget factors in
+  Array.iteri
+    (fun n children ->
+      demand (children <> [] || Hashtbl.mem place n) "the last node does not hold all pieces")
+    pieces.children;
   { pieces; factors; root; place; bodies = Hashtbl.create 64; solids = [] }
 
 let solid side n =

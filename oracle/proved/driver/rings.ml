@@ -26,11 +26,17 @@ let edges_of ring =
   let n = Array.length at in
   List.init n (fun i -> (at.(i), at.((i + 1) mod n)))
 
-(* The vertices at which a ring turns, where [point] says where they are *)
+(* Whether the way from a by b to c goes straight on *)
+let goes_on a b c =
+  let (u, v) as first = b -- a and (w, z) as next = c -- b in
+  Q.equal (cross first next) Q.zero && Q.sign Q.((u * w) + (v * z)) > 0
+
+(* The vertices of a ring but those where it goes straight on; [point] says where they are *)
 let turning point ring =
   let at = Array.of_list (List.map point ring) in
   let n = Array.length at in
-  List.filteri (fun i _ -> n < 3 || turn at.((i + n - 1) mod n) at.(i) at.((i + 1) mod n) <> 0) ring
+  let is_straight i = goes_on at.((i + n - 1) mod n) at.(i) at.((i + 1) mod n) in
+  List.filteri (fun i _ -> n < 3 || not (is_straight i)) ring
 
 let straightened ring = turning Fun.id ring
 
