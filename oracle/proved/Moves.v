@@ -152,7 +152,8 @@ Proof.
 Qed.
 Lemma between_is_right a b P Q m d : check_between a b P Q m d = true -> is_interval a b P Q m.
 Proof.
-  unfold check_between. intros H s Hs. apply andb_prop in H. destruct H as [_ H].
+  unfold check_between. intros H. apply andb_prop in H. destruct H as [L H].
+  split; [apply less_real, L|]. intros s Hs.
   destruct m as [[ps T] holes]. unfold at_.
   assert (X : 0 < (s - Q2R a) / (Q2R b - s)) by (apply Rdiv_lt_0_compat; lra).
   pose proof (@state_is_right {| moment := _; moment_positive := X |} _ _ _ _ _ _ _ _ _ H) as G.
@@ -179,9 +180,10 @@ Proof.
   intros from to P Q m first rest. revert from first.
   induction rest as [|[[t d] next] rest IH]; intros from first H; simpl in H.
   - exact (between_is_right _ _ _ _ _ _ H).
-  - rewrite !andb_true_iff in H. destruct H as [[H1 H2] H3]. intros s Hs.
-    destruct (Rtotal_order s (Q2R t)) as [L|[->|L]].
-    + apply (between_is_right _ _ _ _ _ _ H1). lra.
+  - rewrite !andb_true_iff in H. destruct H as [[H1 H2] H3].
+    destruct (between_is_right _ _ _ _ _ _ H1) as [L1 B1]. destruct (IH t next H3) as [L2 B2].
+    split; [lra|]. intros s Hs. destruct (Rtotal_order s (Q2R t)) as [L|[->|L]].
+    + apply B1. lra.
     + apply (at_is_right t P Q m d H2).
-    + apply (IH t next H3). lra.
+    + apply B2. lra.
 Qed.

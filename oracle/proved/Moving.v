@@ -36,7 +36,7 @@ Definition moving := (list (polygon mover) * list mover * nat)%type.
 Definition at_ (s : R) (m : moving) : list (polygon point) * list point * nat :=
   let '(ps, T, holes) := m in (each_vertex (at_scale s) ps, map (at_scale s) T, holes).
 Definition is_interval (from to : Q) (P Q : rings vertex) (m : moving) : Prop :=
-  forall s, Q2R from < s < Q2R to ->
+  Q2R from < Q2R to /\ forall s, Q2R from < s < Q2R to ->
     let '(ps, T, holes) := at_ s m in is_state s P Q ps T holes.
 
 (** The same polygons and touching points but for the order, and where rings start *)

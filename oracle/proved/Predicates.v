@@ -30,8 +30,9 @@ Definition value_of (s : R) (P Q : rings vertex) (p : predicate) : R :=
 Definition has_sign (z : Z) (v : R) : Prop :=
   (z = 1%Z /\ 0 < v) \/ (z = (-1)%Z /\ v < 0) \/ (z = 0%Z /\ v = 0).
 (** At all scales between two, or at one if they are equal *)
-Definition is_sign (from to : Q) (P Q : rings vertex) (p : predicate) (z : Z) : Prop := forall s,
-  Q2R from < s < Q2R to \/ Q2R from = s /\ s = Q2R to -> has_sign z (value_of s P Q p).
+Definition is_sign (from to : Q) (P Q : rings vertex) (p : predicate) (z : Z) : Prop :=
+  Q2R from <= Q2R to /\ forall s, Q2R from < s < Q2R to \/ Q2R from = s /\ s = Q2R to ->
+    has_sign z (value_of s P Q p).
 
 (** A passage: what is on it is not in the sum of the interiors, though its only point, or what is
     inside its segments, is inside the sum. *)

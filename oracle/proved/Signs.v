@@ -82,8 +82,8 @@ Qed.
 Theorem sign_is_right : forall (from to : Q) (P Q : rings vertex) (p : predicate) (z : Z),
   check_sign from to P Q p z = true -> is_sign from to P Q p z.
 Proof.
-  intros from to P Q p z H s S. unfold check_sign in H. apply andb_prop in H.
-  destruct H as [_ H].
+  intros from to P Q p z H. unfold check_sign in H. apply andb_prop in H.
+  destruct H as [L H]. split; [apply le_real, L|]. intros s S.
   assert (X : exists x, 0 < x /\ (1 + x) * s = Q2R from + Q2R to * x).
   { destruct S as [S|[S1 S2]].
     - exists ((s - Q2R from) / (Q2R to - s)).
