@@ -153,7 +153,8 @@ let region p q (by_p, by_q) budget step =
       match items proof with
       | Text "cov" :: [ a; b ] ->
         let node side value = index value (Array.length side.pieces.hulls) in
-        let i, first = solid of_p (node of_p a) and j, second = solid of_q (node of_q b) in
+        let i, first = solid budget of_p (node of_p a)
+        and j, second = solid budget of_q (node of_q b) in
         let cost bodies = List.fold_left (fun n b -> n + Array.length b.rough) 0 bodies in
         let parts =
           List.map

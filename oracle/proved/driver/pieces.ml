@@ -150,11 +150,12 @@ let tree pieces budget factors =
   (root, place)
 
 (* The pieces below a node, as leaves of the tree *)
-let rec leaves pieces place n =
+let rec leaves pieces budget place n =
+  budget 1;
   if not (Hashtbl.mem place n) then fail Declined "a solid is not below the last node";
   match pieces.children.(n) with
   | [] -> [ Hashtbl.find place n ]
-  | children -> List.concat_map (leaves pieces place) children
+  | children -> List.concat_map (leaves pieces budget place) children
 
 (* An operand by a factor, or by two between which it moves. Solids get their numbers when they are
    first used. *)
@@ -180,7 +181,7 @@ let side pieces budget factors =
     pieces.children;
   { pieces; factors; root; place; bodies = Hashtbl.create 64; solids = [] }
 
-let solid side n =
+let solid budget side n =
   match Hashtbl.find_opt side.bodies n with
   | Some found -> found
   | None ->
@@ -189,7 +190,7 @@ let solid side n =
     let found = (Hashtbl.length side.bodies, bodies) in
     Hashtbl.add side.bodies n found;
     let corners = List.map (scaled side.factors) hull in
-    side.solids <- (corners, leaves side.pieces side.place n) :: side.solids;
+    side.solids <- (corners, leaves side.pieces budget side.place n) :: side.solids;
     found
 
 (* A point p of a solid at each factor, with x - p in another one: any two ends will do *)
