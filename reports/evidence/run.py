@@ -50,9 +50,12 @@ def arguments() -> argparse.Namespace:
     return options
 
 
+def minutes_of(part: Part, quick: bool) -> float:
+    return part.quick_minutes if quick and part.quick_minutes is not None else part.minutes
+
+
 def run_part(console: Console, part: Part, quick: bool, jobs: int) -> table.Document:
-    minutes = part.quick_minutes if quick and part.quick_minutes is not None else part.minutes
-    line = f"{part.name}, some {minutes:g} minutes"
+    line = f"{part.name}, some {minutes_of(part, quick):g} minutes"
     began = time.monotonic()
     if jobs > 1 or not console.is_terminal:
         console.print(line)
@@ -150,7 +153,10 @@ def main() -> int:
         console.print(f"{part.name}: {document['status']}, {document['seconds']:.1f} s")
         return document
 
-    of_part = at_once([part for part in chosen if not part.alone], document_of, options.jobs)
+    beside = [part for part in chosen if not part.alone]
+    if options.jobs > 1:  # the longest first, so that no core waits for another at the end
+        beside.sort(key=lambda part: minutes_of(part, options.quick), reverse=True)
+    of_part = at_once(beside, document_of, options.jobs)
     of_part |= at_once([part for part in chosen if part.alone], document_of, 1)
     documents = [of_part[part.name] for part in chosen]
     table.show(console, documents, absent)

@@ -54,6 +54,15 @@ def test_table_2_follows_its_schema_and_has_all_pairs_twice(
     minkref: Minkref, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(table2, "MODELS", ("ti", "rod"))
+    run, measured = table2.run, list[table2.Table2]()
+
+    def run_once(*words: Any) -> table2.Table2:
+        """The table for people is of the same measurement."""
+        if not measured:
+            measured.append(run(*words))
+        return measured[0]
+
+    monkeypatch.setattr(table2, "run", run_once)
     ran = minkref("bench", "--quick", "--only", "table2", "--json")
     assert (ran.code, ran.err) == (0, "")
     jsonschema.validate(ran.json, schema("bench"))

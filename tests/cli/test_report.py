@@ -9,6 +9,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import audit_runs
 import jsonschema
 import pytest
 from minkref.commands.schemas import schema
@@ -17,6 +18,7 @@ from minkref.degeneracies.catalogue import DISC_FAMILIES, FAMILIES, PATH_FAMILIE
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES
 from minkref.degeneracies.make_corpus import COUNT_OF_PATHS, COUNT_WITH_DISC
 from minkref.reports.audit.catalogue import ENTRIES
+from minkref.reports.audit.entry import Entry
 from minkref.reports.degeneracies.page import case_paths_of_report
 
 
@@ -244,7 +246,14 @@ def test_no_family_takes_the_place_of_the_front_page(minkref: Any, tmp_path: Pat
     assert (ran.code, "the front page has this name" in ran.err) == (2, True)
 
 
-def test_both_reports_by_one_command(minkref: Any, tmp_path: Path) -> None:
+def test_both_reports_by_one_command(
+    minkref: Any,
+    tmp_path: Path,
+    tmp_path_factory: pytest.TempPathFactory,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """With each check of the audit that is not slow; tests/reports holds them to their words."""
+    monkeypatch.setattr(Entry, "run", lambda entry: audit_runs.once(tmp_path_factory, entry))
     ran = minkref("report", "audit", "paper", "--quick", "-o", str(tmp_path), "--json")
     assert ran.code == 0
     jsonschema.validate(ran.json, schema("report"))

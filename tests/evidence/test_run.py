@@ -162,6 +162,28 @@ def test_parts_that_run_alone_have_nothing_beside_them(
     assert beside == {"first": {"third"}, "third": {"first"}, "timed": set()}
 
 
+def test_of_parts_at_once_the_longest_begin_first(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Else a core waits at the end for one that began last; one at a time they go by name."""
+    stage.parts |= {
+        name: Part(name, "A subject.", 3.0 - quick, quick, (), findings)
+        for name, quick in (("longest", 1.5), ("middle", 0.7), ("zero", 0.1))
+    }
+    lines: list[list[str]] = []
+
+    def at_once(parts: list[Part], *_: object) -> dict[str, object]:
+        lines.append([part.name for part in parts])
+        return {part.name: stage.run_in_child(part, True, None) for part in parts}
+
+    monkeypatch.setattr(run, "at_once", at_once)
+    by_name = ["first", "longest", "middle", "zero"]
+    for jobs, order in (("2", ["longest", "middle", "first", "zero"]), ("1", by_name)):
+        lines.clear()
+        assert call(monkeypatch, "--quick", "--jobs", jobs) == 0
+        assert lines == [order, []]
+
+
 def test_an_interrupt_ends_all_parts(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
     ended = []
     began = threading.Event()

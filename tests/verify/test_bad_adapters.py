@@ -41,13 +41,19 @@ def left_behind(mark: str) -> list[str]:
 
 
 def verify(
-    targets: list[str], folder: Path, *options: str | Path, seconds: int = 60, megabytes: int = 1024
+    targets: list[str],
+    folder: Path,
+    *options: str | Path,
+    seconds: int = 60,
+    megabytes: int = 1024,
+    jobs: int | None = None,
 ) -> tuple[int, Any]:
     """The document of a run in `folder`, which follows its schema, and leaves nothing running.
     The limit of time is far away unless a test is about it, so that a slow machine tells no lie."""
     mark = uuid.uuid4().hex
     words = [sys.executable, "-m", "minkref", "verify", "--call-seconds", str(seconds), *targets]
     words += ["--no-models", "--call-memory", str(megabytes), "--shrink-calls", "0"]
+    words += ["--jobs", str(jobs)] if jobs else []
     words += map(str, options)
     ran = subprocess.run(
         [*words, "--json"],
@@ -108,7 +114,8 @@ NO_BEGIN += [f"capabilities-{what}" for what in ("text", "numbers", "empty")]
 NO_BEGIN += ["protocol-v9", "protocol-missing", "protocol-list", "name-long", "numbers-words"]
 NO_BEGIN += ["sum-other", "arithmetic-number"]
 NO_BEGIN += [f"tolerance-{what}" for what in ("negative", "no-number", "list", "nan", "long")]
-LIMITS = {TIMED_OUT[0]: {"seconds": 3}, "memory-without-end": {"megabytes": 256}}
+# Those that hang take no processor: they are waited for at the same time.
+LIMITS = {TIMED_OUT[0]: {"seconds": 3, "jobs": 6}, "memory-without-end": {"megabytes": 256}}
 
 
 @pytest.mark.parametrize(
