@@ -62,11 +62,6 @@ function(minkref_unity)
   endforeach()
 endfunction()
 
-# minkref_alone(SOURCE...): these are compiled by themselves, in a target whose sources are not.
-function(minkref_alone)
-  set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
-endfunction()
-
 # minkref_warnings(TARGET...): warnings are errors in our own code. Headers of others come in through
 # imported targets, which are system headers and do not warn.
 function(minkref_warnings)
