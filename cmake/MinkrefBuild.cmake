@@ -47,7 +47,7 @@ function(minkref_precompiled target)
 endfunction()
 
 # minkref_unity(TARGET...): sources are compiled some at a time, since headers take longest. Each is still
-# a file of its own: MINKREF_UNITY=OFF (the default of builds by clang for the fuzzers) compiles one by one.
+# a file of its own: MINKREF_UNITY=OFF (and every build by clang for the fuzzers) compiles one by one.
 function(minkref_unity)
   if(NOT MINKREF_UNITY)
     return()

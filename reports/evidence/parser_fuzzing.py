@@ -45,7 +45,7 @@ def row_of(target: Path, seconds: int) -> dict[str, Any]:
 
 
 def run(findings: Findings, quick: bool) -> None:
-    targets = build(BUILD, "tests/fuzzing", quick=quick)
+    targets = build(BUILD, "tests/fuzzing")
     seconds = QUICK_SECONDS if quick else SECONDS
     with ThreadPoolExecutor(AT_ONCE) as pool:
         rows = list(pool.map(lambda target: row_of(target, seconds), targets))

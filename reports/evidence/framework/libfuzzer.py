@@ -51,16 +51,12 @@ def has_fuzzer() -> bool:
     return subprocess.run(["clang++", *flags], input=source.encode()).returncode == 0
 
 
-def build(
-    folder: Path, below: str, *arguments: str, target: str = "all", quick: bool = False
-) -> list[Path]:
-    """Configures and builds in `folder`; the executables `fuzz_*` in it, `below` that path. Sources
-    are compiled one by one, so that one that does not stand alone is found; not if it is quick."""
+def build(folder: Path, below: str, *arguments: str, target: str = "all") -> list[Path]:
+    """Configures and builds in `folder`; the executables `fuzz_*` in it, `below` that path."""
     if not has_fuzzer():
         subprocess.run(["scripts/require_packages.sh", *PACKAGES], cwd=ROOT, check=True)
-    unity = f"-DMINKREF_UNITY={'ON' if quick else 'OFF'}"
-    configure = ["cmake", "-S", str(ROOT), "-B", str(folder), "-G", "Ninja", *OPTIONS, unity]
-    subprocess.run([*configure, *arguments], check=True)
+    configure = ["cmake", "-S", str(ROOT), "-B", str(folder), "-G", "Ninja", *OPTIONS, *arguments]
+    subprocess.run(configure, check=True)
     make = ["cmake", "--build", str(folder), "-j", "2", "--target", target]
     subprocess.run(make, check=True)
     found = sorted(
