@@ -17,7 +17,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from fractions import Fraction
 from pathlib import Path
-from typing import Any
 
 from minkref import _core
 from minkref.certify.certificate import Certificate, NoProof
@@ -42,7 +41,7 @@ from minkref.reports.evidence.certificates.checkers import (
     timed,
     verdicts,
 )
-from minkref.reports.evidence.certificates.mutants import mutants
+from minkref.reports.evidence.certificates.mutants import is_changed, mutants
 from minkref.reports.evidence.framework.operands import operand, tell_absent
 from minkref.reports.evidence.framework.part import CERTIFY, READERS, REFERENCE, Findings
 
@@ -68,11 +67,6 @@ SCALINGS = [("1", "1", "1"), ("1/2", "3", "7/5")]
 BATCH = 100
 TIMES = 10.0  # the C++ checker
 CORPUS = ROOT / "degeneracies" / "corpus"
-# What a claim says
-TOLD = (
-    "scale", "components", "holes", "digest", "polygons", "point", "p", "q", "points", "of",
-    "from", "to", "sign", "kind", "before", "at", "after",
-)  # fmt: skip
 CLAIMS = ("sum", "interval", "event", "point", "passage", "sign")
 HOLED = "POLYGON((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 3, 3 3, 3 1, 1 1))"
 
@@ -200,16 +194,6 @@ def _degeneracies(findings: Findings, folder: Path) -> None:
         findings.equal(f"degeneracies that {who}", DEGENERACIES, found[0])
 
 
-def _is_changed(claims: Any, whole: list[dict[str, Any]]) -> bool:
-    """Whether another set, interval, event, point, passage or sign is claimed."""
-
-    def is_old(claim: dict[str, Any]) -> bool:
-        told = [name for name in TOLD if name in claim]
-        return any(all(old.get(name) == claim[name] for name in told) for old in whole)
-
-    return not all(map(is_old, claims))
-
-
 def _small() -> Iterator[tuple[str, Certificate]]:
     """Sums, in full and with what else is claimed of them, and in turn events"""
     some = (case for case in cases(SEED + 1) if 0 < case.P.vertices + case.Q.vertices < 40)
@@ -237,7 +221,7 @@ def _mutants(findings: Findings, wanted: int, folder: Path) -> None:
         changed = [
             mutant
             for mutant in mutants({"claims": value["claims"]}, 12, dice)
-            if _is_changed(mutant.value["claims"], value["claims"])
+            if is_changed(mutant.value["claims"], value["claims"])
         ][: min(BATCH, wanted - refused.total() - len(accepted))]
         files = []
         confirmation = Confirmation(certificate.case())

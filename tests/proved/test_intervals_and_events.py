@@ -16,7 +16,7 @@ from minkref.certify.certificate import Certificate
 from minkref.fuzz.judges.certified_claims import Confirmation
 from minkref.reports.evidence.certificates.certified_cases import events, written
 from minkref.reports.evidence.certificates.checkers import ROOT
-from minkref.reports.evidence.certificates.mutants import mutants
+from minkref.reports.evidence.certificates.mutants import is_changed, mutants
 from named_cases import named
 
 SEED = 19
@@ -31,8 +31,6 @@ RINGED = "POLYGON((0 0, 4 0, 4 4, 0 4, 0 0), (0 2, 2 4, 4 2, 2 0, 0 2))"
 TRIANGLE = "POLYGON((-3 -2, 4 -1, 1 3, -3 -2))"
 FRAME = "POLYGON((-40 -40, 40 -40, 40 40, -40 40, -40 -40), (0 20, 17 -11, -19 -9, 0 20))"
 SCALE = "541/186"  # the hole of FRAME is a point there, and no more after it
-# Members by which a claim says something
-TOLD = ("scale", "kind", "components", "holes", "digest", "from", "to", "before", "at", "after")
 
 
 def set_of(text: str) -> _core.PolygonSet:
@@ -270,16 +268,6 @@ def test_the_corpus(check: Any) -> None:
     for path in random.Random(SEED).sample(with_events, 12):
         code, said = check(path)
         assert code == VERIFIED and "  event: " in said, (path, said)
-
-
-def is_changed(claims: list[Any], whole: list[Any]) -> bool:
-    """Whether something else is claimed."""
-
-    def is_old(claim: Any) -> bool:
-        told = [name for name in TOLD if name in claim]
-        return any(all(old.get(name) == claim[name] for name in told) for old in whole)
-
-    return not all(map(is_old, claims))
 
 
 def test_no_mutant_with_a_changed_claim_is_accepted(check_value: Any) -> None:

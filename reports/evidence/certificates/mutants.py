@@ -11,6 +11,11 @@ from typing import Any
 
 Path = tuple[Any, ...]
 LEAST = Fraction(1, 1 << 80)
+# The members by which a claim says something: not those that name steps or pieces
+TOLD = (
+    "scale", "components", "holes", "digest", "polygons", "point", "p", "q", "points", "of",
+    "from", "to", "sign", "kind", "before", "at", "after",
+)  # fmt: skip
 NO_TRUTH = ("title", "comment", "producer")
 TREE = 2  # of the parts of a plane: a path to an entry is proof, sums, i, planes, j, 2, k
 
@@ -135,3 +140,13 @@ def _is_number(text: str) -> bool:
     except (ValueError, ZeroDivisionError):
         return False
     return True
+
+
+def is_changed(claims: Any, whole: list[dict[str, Any]]) -> bool:
+    """Whether another set, interval, event, point, passage or sign is claimed than those."""
+
+    def is_old(claim: dict[str, Any]) -> bool:
+        told = [name for name in TOLD if name in claim]
+        return any(all(old.get(name) == claim[name] for name in told) for old in whole)
+
+    return not all(map(is_old, claims))
