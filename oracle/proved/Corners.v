@@ -50,12 +50,6 @@ Qed.
 
 End Here.
 
-Lemma all2_equal {A} (f : A -> A -> bool) : (forall x y, f x y = true -> x = y) ->
-  forall l k, all2 f l k = true -> l = k.
-Proof.
-  intros H. induction l as [|x l IH]; intros [|y k]; simpl; try discriminate; auto.
-  intros K. apply andb_prop in K. destruct K as [K1 K2]. rewrite (H x y K1), (IH k K2). reflexivity.
-Qed.
 Lemma all2_partner {A B} (f : A -> B -> bool) l : forall k, all2 f l k = true ->
   forall x, In x l -> exists y, f x y = true.
 Proof.

@@ -107,17 +107,6 @@ Proof.
       destruct H as [H|H]; [left; exact H|right; split; [auto|left; lra]]. }
   apply soon_and; [|apply soon_and]; apply K; auto; unfold orient, middle; simpl; field.
 Qed.
-Lemma curve_outside a b c x d : 0 < orient a b c -> ~ closed_triangle a b c x ->
-  soon (fun t => ~ closed_triangle a b c (curve x d t)).
-Proof.
-  intros D N.
-  assert (H : orient a b x < 0 \/ orient b c x < 0 \/ orient c a x < 0).
-  { unfold closed_triangle in N. destruct (Rlt_dec (orient a b x) 0), (Rlt_dec (orient b c x) 0),
-    (Rlt_dec (orient c a x) 0);
-    auto. exfalso; apply N; lra. }
-  destruct H as [H|[H|H]]; eapply soon_imp; try apply (curve_neg _ _ _ d H);
-  intros t; unfold closed_triangle; cbv beta; lra.
-Qed.
 
 Lemma curve_near e x d : 0 < e -> soon (fun t => near e x (curve x d t)).
 Proof.

@@ -174,8 +174,6 @@ Qed.
 End Edges.
 
 (** ** A ring passes no point twice. *)
-Lemma soon_less u : 0 < u -> soon (fun t => t < u).
-Proof. intros H. exists u. split; auto. intros t T. lra. Qed.
 Lemma stretches_apart e f p v x : apart e f -> fst e <> snd e -> fst f <> snd f ->
   on_segment (fst e) (snd e) x -> x <> fst e ->
   on_stretch S S (fst e) (snd e) p v -> orient (fst e) (snd e) p = 0 -> x <> p ->

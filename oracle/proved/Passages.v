@@ -41,8 +41,6 @@ Proof.
   specialize (L u v I). apply lt_value in H. cbn [fst snd] in H.
   rewrite real_orient, value_zero in H. lra.
 Qed.
-Lemma dot_add n p q : dot n (add p q) = dot n p + dot n q.
-Proof. unfold dot, add; simpl; ring. Qed.
 
 (** What is on a contact is not in the sum of the interiors. *)
 Lemma contact_missed s P Q w code a b x : 0 < value s -> thin P = false ->

@@ -94,8 +94,6 @@ Proof.
 Qed.
 
 (** What does not move *)
-Lemma real_fixed v : real (fixed v) = point_of v.
-Proof. reflexivity. Qed.
 Lemma outline_fixed r : outline (fixed_rings r) = points r.
 Proof.
   unfold outline, fixed_rings, points. rewrite map_map. apply map_ext. intros l.

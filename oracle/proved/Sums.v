@@ -8,9 +8,6 @@ Lemma sumz_app {A} (f : A -> Z) l k : sumz f (l ++ k) = (sumz f l + sumz f k)%Z.
 Proof. induction l; simpl; [reflexivity|rewrite IHl; ring]. Qed.
 Lemma sumz_perm {A} (f : A -> Z) l k : Permutation l k -> sumz f l = sumz f k.
 Proof. induction 1; simpl; lia. Qed.
-Lemma sumz_flat {A B} (f : B -> Z) (g : A -> list B) l :
-  sumz f (flat_map g l) = sumz (fun a => sumz f (g a)) l.
-Proof. induction l; simpl; [reflexivity|rewrite sumz_app, IHl; reflexivity]. Qed.
 Lemma sumz_ext {A} (f g : A -> Z) l : (forall a, In a l -> f a = g a) -> sumz f l = sumz g l.
 Proof. induction l; simpl; intros; [reflexivity|rewrite H, IHl; auto]. Qed.
 Lemma sumz_ge0 {A} (f : A -> Z) l : (forall a, In a l -> (0 <= f a)%Z) -> (0 <= sumz f l)%Z.

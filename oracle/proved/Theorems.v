@@ -257,10 +257,4 @@ Proof.
     apply (leaves_are_bodies _ (operand_tree _ _ _ HQ) b Eb).
 Qed.
 
-Corollary point_in_sum s P Q x p q of_P of_Q i j :
-  check_point s P Q x p q of_P of_Q i j = true -> in_sum (value s) (outline P) (outline Q) (real x).
-Proof.
-  intros H. destruct (point_is_right _ _ _ _ _ _ _ _ _ _ H) as (Hp & Hq & E).
-  exists (real p), (real q). auto.
-Qed.
 End Here.

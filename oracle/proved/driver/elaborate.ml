@@ -68,9 +68,6 @@ let mover scales places : Reading.mover =
   | _, [ (x0, y0) ] -> { x0; x1 = Q.zero; y0; y1 = Q.zero }
   | _ -> invalid_arg "mover"
 
-let compare_movers (m : Reading.mover) (n : Reading.mover) =
-  List.compare Q.compare [ m.x0; m.x1; m.y0; m.y1 ] [ n.x0; n.x1; n.y0; n.y1 ]
-
 (* Whole numbers, not both 0 *)
 let normal value =
   let ((x, y) as found) = Reading.point value in
@@ -175,7 +172,7 @@ let region p q (by_p, by_q) budget step =
     in
     let compare =
       let movers = Array.map (fun at -> lazy (mover scales at)) places in
-      fun u v -> compare_movers (Lazy.force movers.(u)) (Lazy.force movers.(v))
+      fun u v -> Reading.compare_movers (Lazy.force movers.(u)) (Lazy.force movers.(v))
     in
     let given = List.map (fun polygon -> List.map ids (items polygon)) (items polygons) in
     let form = in_order where compare given in

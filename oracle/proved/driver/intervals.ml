@@ -18,9 +18,6 @@ let scale_of value =
   require (Q.sign s > 0) "a scale is not positive";
   s
 
-let compare_movers (m : Reading.mover) (n : Reading.mover) =
-  List.compare Q.compare [ m.x0; m.x1; m.y0; m.y1 ] [ n.x0; n.x1; n.y0; n.y1 ]
-
 let rec ascends compare = function
   | a :: (b :: _ as rest) -> compare a b < 0 && ascends compare rest
   | _ -> true
@@ -29,9 +26,9 @@ let rec ascends compare = function
 let is_in_order polygons =
   let starts_least = function
     | [] -> false
-    | first :: rest -> List.for_all (fun m -> compare_movers first m < 0) rest
+    | first :: rest -> List.for_all (fun m -> Reading.compare_movers first m < 0) rest
   in
-  let compare_rings = List.compare compare_movers in
+  let compare_rings = List.compare Reading.compare_movers in
   let rings (p : _ Reading.polygon) = p.outer :: p.holes in
   List.for_all starts_least (Reading.rings_of polygons)
   && List.for_all (fun (p : _ Reading.polygon) -> ascends compare_rings p.holes) polygons

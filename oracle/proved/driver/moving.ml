@@ -31,7 +31,7 @@ let there (region : Elaborate.region) enclosed =
 (* The moving form of a `move` *)
 let figure (region : Elaborate.region) enclosed =
   let mover id = Elaborate.mover region.scales (region.place id) in
-  state mover Elaborate.compare_movers region enclosed
+  state mover Reading.compare_movers region enclosed
 
 let at s (m : Reading.mover) : point = (Q.add m.x0 (Q.mul s m.x1), Q.add m.y0 (Q.mul s m.y1))
 
@@ -127,7 +127,7 @@ let difference text (a : _ Checked.state) (b : _ Checked.state) =
       (fun n -> Checker.Of_touching n)
       (differing (List.map text a.touching) (List.map text b.touching))
 
-let text_of_mover (m : Reading.mover) = List.map Q.to_string [ m.x0; m.x1; m.y0; m.y1 ]
+let text_of_mover m = List.map Q.to_string (Reading.numbers_of m)
 let text_of_point (x, y) = List.map Q.to_string [ x; y ]
 
 (* What makes the event, if anything does *)

@@ -12,6 +12,9 @@ type operand = { name : string; polygons : point polygon list; vertices : point 
 (* A vertex that moves: at the scale s it is (x0 + s x1, y0 + s y1). *)
 type mover = { x0 : Q.t; x1 : Q.t; y0 : Q.t; y1 : Q.t }
 
+let numbers_of m = [ m.x0; m.x1; m.y0; m.y1 ]
+let compare_movers m n = List.compare Q.compare (numbers_of m) (numbers_of n)
+
 let rings_of polygons = List.concat_map (fun p -> p.outer :: p.holes) polygons
 
 let point value : point =
@@ -74,7 +77,7 @@ let text_of numbers polygons =
   list polygon polygons
 
 let polygons_text polygons = text_of (fun (x, y) -> [ x; y ]) polygons
-let movers_text polygons = text_of (fun m -> [ m.x0; m.x1; m.y0; m.y1 ]) polygons
+let movers_text polygons = text_of numbers_of polygons
 
 let case_digest p q =
   Sha256.hex_digest
