@@ -43,7 +43,7 @@ flock 9
 began=$SECONDS
 
 # 1. The proofs.
-if grep -nEw 'Admitted|admit|Axiom|Parameter|Parameters|Conjecture' oracle/proved/*.v; then
+if grep -nEw 'Admitted|admit|Axiom|Parameter|Parameters|Conjecture' oracle/proved/*/*.v; then
   stop "a proof has a gap"
 fi
 compile() (
@@ -70,10 +70,10 @@ compile() (
     sed 's/^/  /' <<<"$found"
   } >axioms.txt
 )
-key=$({ coqc --version; cat oracle/proved/*.v scripts/proofs.sh; } | key_of)
+key=$({ coqc --version; cat oracle/proved/*/*.v scripts/proofs.sh; } | key_of)
 if ! fresh proofs "$key"; then
   rm -rf build/proofs/* build/stamps/proofs build/stamps/proved-checker
-  cp oracle/proved/*.v build/proofs/
+  cp oracle/proved/*/*.v build/proofs/
   compile
   echo "$key" >build/stamps/proofs
 fi

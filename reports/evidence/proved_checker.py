@@ -54,7 +54,7 @@ SUBJECT = (
 MINUTES = (6, 0.2)
 DEPENDS = (
     *REFERENCE, *READERS, *CERTIFY, "fuzz/families/*.py", "fuzz/judges/certified_claims.py",
-    "oracle/slow/*.py", "oracle/proved/*.v", "oracle/proved/driver/*.ml", "scripts/proofs.sh",
+    "oracle/slow/*.py", "oracle/proved/*/*.v", "oracle/proved/driver/*.ml", "scripts/proofs.sh",
     "degeneracies/corpus/*/*.cert.json",
 )  # fmt: skip
 
