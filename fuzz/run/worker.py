@@ -12,6 +12,7 @@ from minkref.fuzz.cases import naming
 from minkref.fuzz.cases.any_case import AnyCase
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.no_case import NoCase
+from minkref.fuzz.cases.verbs import is_path
 from minkref.fuzz.cgal import server as cgal_server
 from minkref.fuzz.judges.checks import PREFIX, Check
 from minkref.fuzz.plane.case import Case
@@ -72,6 +73,12 @@ class CaseResult:
     @property
     def is_run(self) -> bool:
         return self.absent is None and self.untaken is None
+
+    @property
+    def path(self) -> str | None:
+        """The question of a case about a path, where something is amiss. Its `scale` means nothing:
+        it asks about many."""
+        return self.literal if self.literal is not None and is_path(self.literal) else None
 
 
 def work(pipe: Connection, targets: list[str], limits: Limits) -> None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 
-from minkref.fuzz.cases.verbs import is_path
 from minkref.fuzz.libraries.programs import library
 from minkref.fuzz.verdicts.verdict import Verdict
 from minkref.reports.conformance.case_view import CaseView, written
@@ -55,8 +54,8 @@ def _input(view: CaseView) -> str:
     texts = [f"{name}: {text}" for name, text in view.operand_texts]
     if scale != "1":
         texts.append(f"scale: {scale}. The sum is that of P, scaled about the origin by it, and Q.")
-    if view.case.literal is not None and is_path(view.case.literal):
-        texts += ["P is the part, Q the obstacles.", *path_question(view.case.literal)]
+    if view.case.path is not None:
+        texts += ["P is the part, Q the obstacles.", *path_question(view.case.path)]
     return "\n".join(texts)
 
 

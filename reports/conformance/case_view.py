@@ -9,7 +9,6 @@ from typing import Any
 from minkref import _core
 from minkref.errors import cut
 from minkref.fuzz.cases.case_name import CaseName
-from minkref.fuzz.cases.verbs import is_path
 from minkref.fuzz.libraries.program import Program
 from minkref.fuzz.libraries.programs import program, why_none
 from minkref.fuzz.plane.boundary_sum import MOST_PAIRS, boundary_sum
@@ -19,7 +18,7 @@ from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.verdicts.verdict import Outcome, Reason
 from minkref.reports.conformance.argument import argument_in_plane, point_text
-from minkref.reports.conformance.path_words import path_argument
+from minkref.reports.conformance.path_words import path_argument, path_question
 from minkref.reports.conformance.plane_pictures import (
     Picture,
     comparison_pictures,
@@ -87,6 +86,21 @@ class CaseView:
         return escaped(self.finding.reproduce)
 
     @property
+    def question(self) -> list[str]:
+        """What is asked of the operands, a line each."""
+        return path_question(self.case.path) if self.case.path else [f"scale: {self.case.scale}"]
+
+    @property
+    def claim(self) -> str:
+        """Of the witness, whose argument follows."""
+        witness = self.outcome.witness
+        if witness is None or witness.contact is not None:
+            return ""
+        has = "has" if witness.in_truth else "does not have"
+        wrong = "; the result is wrong there" if self.outcome.got else ""
+        return f"The sum {has} the point x = {point_text(witness.point)}{wrong}."
+
+    @property
     def operand_texts(self) -> list[tuple[str, str]]:
         return [
             (name, written(text))
@@ -124,7 +138,7 @@ def _view(finding: Finding, title: str, name: str, boundary: bool) -> CaseView:
         view.program = program(_without_witness(finding) if view.invalid else finding, name)
         if view.invalid:
             view.operands = operand_pictures(case.P, case.Q, case.scale)
-        elif case.literal is not None and is_path(case.literal):
+        elif case.path is not None:
             _fill_path(view, case.P, case.Q)
         elif case.dimension == 3:
             _fill_space(view, case.P, case.Q)

@@ -7,6 +7,7 @@ import re
 from collections import Counter
 
 from minkref.fuzz.run.runner import Cell, Finding, Run
+from minkref.fuzz.run.worker import CaseResult
 from minkref.fuzz.shrink.finding import SmallFinding
 from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.verdicts.verdict import GOOD, Verdict, Witness
@@ -83,7 +84,7 @@ def describe(group: Group) -> list[str]:
         lines += [f"  the smallest: case {finding.case.name.text}", *_lines(finding)]
     else:
         found = finding.case
-        lines.append(f"  found on {found.name.text}, scale {found.scale}, {found.size[0]} vertices")
+        lines.append(f"  found on {found.name.text}, {_measures(found)}")
     for small in group.small:
         shown_as = "" if small.stable else ", not every time"
         lines.append(
@@ -94,13 +95,18 @@ def describe(group: Group) -> list[str]:
     return [escaped(line) for line in lines]
 
 
+def _measures(case: CaseResult) -> str:
+    vertices = f"{case.size[0]} vertices"
+    return vertices if case.path else f"scale {case.scale}, {vertices}"
+
+
 def _brief(small: SmallFinding) -> str:
     return "" if small.seconds is None else f" of {small.seconds:g} s at most"
 
 
 def _lines(finding: Finding) -> list[str]:
     outcome, case = finding.outcome, finding.case
-    lines = [f"    scale {case.scale}, {case.size[0]} vertices"]
+    lines = [f"    {_measures(case)}"]
     if outcome.witness is not None:
         lines.append(f"    {witness_text(outcome.witness, case.scale)}")
     lines.append(f"    {finding.reproduce}")

@@ -321,9 +321,12 @@ def test_the_report_shows_the_place(tmp_path: Path, capsys: pytest.CaptureFixtur
     assert code == 1
     out = capsys.readouterr().out
     assert "the part collides at" in out
+    assert "scale 1, " not in out  # a path is asked about at many scales
     pages = "".join(
         page.read_text(encoding="utf-8") for page in (tmp_path / "report").glob("**/*.html")
     )
+    assert "Scale: " not in pages and "The sum has the point" not in pages
+    assert "contact: forbidden" in pages and "path: (" in pages
     assert "in the part and in the obstacles" in pages
     assert "at the place of the witness" in pages
     assert "Not all of it is drawn" not in pages
