@@ -22,7 +22,7 @@ SUBJECT = (
     "verified by both checkers, and says what the slow engine says where that is asked; how many "
     "pieces, planes and entries they have, their bytes, and the seconds to make and follow them."
 )
-MINUTES = (5, 0.7)
+MINUTES = (5, 0.6)
 DEPENDS = (*REFERENCE, *COMPARISON, *CERTIFY, "fuzz/judges/certified_solids.py", "oracle/slow/*.py")
 
 SEED = 2013

@@ -16,7 +16,7 @@ SUBJECT = (
     "claims changed in each way that fits: both checkers on each mutant; what they still verify, "
     "put before the slow engine."
 )
-MINUTES = (8, 1)
+MINUTES = (8, 0.8)
 DEPENDS = (*REFERENCE, *COMPARISON, *CERTIFY, "fuzz/judges/certified_solids.py", "oracle/slow/*.py")
 
 SEED = 1974

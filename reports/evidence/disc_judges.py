@@ -18,7 +18,7 @@ SUBJECT = (
     "by CGAL's segment Delaunay graph and by Boost.Polygon, each with its features: large polygons "
     "and random sets, many on a grid; and squared radii against computer algebra."
 )
-MINUTES = (1, 0.2)
+MINUTES = (1, 0.3)
 DEPENDS = (
     *AGAINST_CGAL, "oracle/boost/*", "oracle/symbolic/*", "reports/evidence/disc_sums.py",
 )  # fmt: skip

@@ -16,7 +16,7 @@ SUBJECT = (
     "refused or judged, the verdicts of the target beside them stay, nothing is left behind, "
     "nothing outside is changed."
 )
-MINUTES = (60, 1.2)
+MINUTES = (60, 1.1)
 ALONE = True
 DEPENDS = (
     *REFERENCE, *READERS, *COMPARISON, "python/minkref/**/*.py", "commands/**/*.py",

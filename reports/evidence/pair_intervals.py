@@ -15,7 +15,7 @@ SUBJECT = (
     "construction: at every bound exactly, between the bounds, and just outside, whether they "
     "meet, by orientation signs in plain Python."
 )
-MINUTES = (2, 0.2)
+MINUTES = (2, 0.1)
 DEPENDS = (*REFERENCE, "fuzz/geometry/plane.py")
 
 COUNT, QUICK_COUNT = 100_000, 5_000

@@ -8,7 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
-from minkref.reports.evidence.framework.libfuzzer import build, fuzz
+from minkref.reports.evidence.framework.libfuzzer import Fuzzed, build, fuzz
 from minkref.reports.evidence.framework.part import READERS, Findings
 from minkref.reports.evidence.framework.store import ROOT
 
@@ -16,28 +16,38 @@ SUBJECT = (
     "libFuzzer (clang, address and undefined behaviour sanitizers) on every parser, those of "
     "meshes and of index files too, 5 minutes each: no finding left."
 )
-MINUTES = (26, 1.5)
+MINUTES = (26, 3)
 DEPENDS = (
     *READERS, "reference/number/*.?pp", "reference/space/*.?pp", "reference/plane/index/*.?pp",
     "reference/error.?pp", "tests/fuzzing/*",
 )  # fmt: skip
 
 SECONDS, QUICK_SECONDS = 300, 5
-BUILD = ROOT / "build" / "fuzzing"
+FOLDER = ROOT / "build" / "fuzzing"
+BUILT = ROOT / "build" / "release" / "reference" / "libminkref_reference.a"
 SEEDS = ROOT / "tests" / "fuzzing" / "corpus"
 FLAGS = ("-max_len=4096", "-timeout=20", "-rss_limit_mb=2500")
 AT_ONCE = 2
+LEAST = 100  # executions
+
+
+def executions(done: Fuzzed) -> int:
+    executed = re.search(r"stat::number_of_executed_units:\s*(\d+)", done.log)
+    return int(executed[1]) if executed else 0
 
 
 def row_of(target: Path, seconds: int) -> dict[str, Any]:
+    """On a busy machine a short time may be too short: it then goes on to the least number."""
     subject = target.name.removeprefix("fuzz_")
-    done = fuzz(target, seconds, BUILD / "corpus" / subject, SEEDS / subject, *FLAGS)
-    executed = re.search(r"stat::number_of_executed_units:\s*(\d+)", done.log)
+    corpus, seeds = FOLDER / "corpus" / subject, SEEDS / subject
+    done = fuzz(target, seconds, corpus, seeds, *FLAGS)
+    if done.clean and executions(done) <= LEAST and seconds < SECONDS:
+        done = fuzz(target, SECONDS, corpus, seeds, *FLAGS, f"-runs={LEAST + 1}")
     return {
         "target": done.target,
         "code": done.code,
         "seconds": round(done.seconds, 1),
-        "executions": int(executed[1]) if executed else 0,
+        "executions": executions(done),
         "edges covered": done.edges,
         "findings": done.findings,
         "clean": done.clean,
@@ -45,7 +55,11 @@ def row_of(target: Path, seconds: int) -> dict[str, Any]:
 
 
 def run(findings: Findings, quick: bool) -> None:
-    targets = build(BUILD, "tests/fuzzing")
+    if quick:  # the readers only: all of the reference would take half an hour of one core
+        targets = build(FOLDER / "readers", "tests/fuzzing", f"-DMINKREF_REFERENCE_ARCHIVE={BUILT}")
+        findings.note("Of the code, the readers are instrumented, and the reference is not.")
+    else:
+        targets = build(FOLDER, "tests/fuzzing")
     seconds = QUICK_SECONDS if quick else SECONDS
     with ThreadPoolExecutor(AT_ONCE) as pool:
         rows = list(pool.map(lambda target: row_of(target, seconds), targets))
@@ -54,4 +68,4 @@ def run(findings: Findings, quick: bool) -> None:
         reached = ", ".join(row["findings"]) or f"{row['executions']} executions, none"
         findings.law(f"{row['target']}: findings", row["clean"], "none", reached)
         runs = row["executions"]
-        findings.law(f"{row['target']}: executions", runs > 100, "more than 100", runs)
+        findings.law(f"{row['target']}: executions", runs > LEAST, f"more than {LEAST}", runs)

@@ -161,7 +161,11 @@ def main() -> int:
     documents = [of_part[part.name] for part in chosen]
     table.show(console, documents, absent)
     write_summary(every, options.quick)
-    return 1 if any(document["status"] == "failed" for document in documents) else 0
+    failed = [document for document in documents if document["status"] == "failed"]
+    for document in failed:  # last, and a line each, for those who see the end only
+        line = f"failed: {document['name']}: {table.short(document)}"
+        console.print(line, markup=False, highlight=False, soft_wrap=True)
+    return 1 if failed else 0
 
 
 if __name__ == "__main__":

@@ -28,7 +28,7 @@ SUBJECT = (
     "or as Q): both routes list every boundary event once and no other, with the components and "
     "holes at and between them; every build ends; no certificate of an interval with an event."
 )
-MINUTES = (15, 0.2)
+MINUTES = (15, 0.1)
 DEPENDS = (*REFERENCE, *READERS, *COMPARISON, "certify/*", "oracle/sampled/*")
 
 SEED = 2207

@@ -27,7 +27,7 @@ SUBJECT = (
     "small pairs with holes, at random scales and at scales of events: sums, topology, tight "
     "passages, points; against CGAL's methods, each difference drawn; its witness on large sets."
 )
-MINUTES = (6, 0.4)
+MINUTES = (6, 0.3)
 DEPENDS = (*AGAINST_CGAL, "fuzz/judges/*.py", "oracle/slow/*.py")
 
 SEED = 1905

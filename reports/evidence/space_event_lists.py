@@ -16,7 +16,7 @@ SUBJECT = (
     "against computer algebra; the lists of small pairs of polyhedra against all pairs of facets, "
     "and against the arrangement at scales between events and at them."
 )
-MINUTES = (30, 0.5)
+MINUTES = (30, 0.7)
 DEPENDS = (*REFERENCE, *COMPARISON, "oracle/symbolic/*")
 
 SEED = 1912

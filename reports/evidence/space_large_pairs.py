@@ -22,7 +22,7 @@ SUBJECT = (
     "brackets, tori, clutches, cavities: plane by plane those of CGAL's Nef polyhedra where they "
     "answer in time; Manifold's volume; points of the slow engine, more where neither answers."
 )
-MINUTES = (25, 1.2)
+MINUTES = (25, 0.8)
 DEPENDS = (
     *REFERENCE, *COMPARISON, *CGAL, "fuzz/libraries/manifold/*", "oracle/slow/*.py",
 )  # fmt: skip

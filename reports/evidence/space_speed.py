@@ -21,7 +21,7 @@ SUBJECT = (
     "threads, CGAL's Nef polyhedra and Manifold, all in one run, each in a warm child process: "
     "seconds of the call alone; equality with Nef plane by plane; volumes; a plot as they grow."
 )
-MINUTES = (30, 1)
+MINUTES = (30, 0.6)
 ALONE = True
 DEPENDS = (
     *REFERENCE, *COMPARISON, *CGAL, "fuzz/libraries/manifold/*", "oracle/slow/*.py",

@@ -15,7 +15,7 @@ SUBJECT = (
     "and intervals of contact against the symbolic oracle: random pairs of moving segments of each "
     "type, a third degenerate at least, and triples."
 )
-MINUTES = (0.6, 0.2)
+MINUTES = (0.6, 0.1)
 DEPENDS = (*REFERENCE, *COMPARISON, "fuzz/judges/*.py", "oracle/symbolic/*")
 
 SEED = 5

@@ -15,7 +15,7 @@ SUBJECT = (
     "Tight passages: more than 20 hand-made cases with their expected result, empty beside the "
     "critical scale where they must be; the share of a sum's time that they take."
 )
-MINUTES = (0.5, 0.2)
+MINUTES = (0.5, 0.1)
 DEPENDS = (*REFERENCE, *READERS, *MODELS, "tests/plane/*tight*")
 
 TESTS = "tests/plane/test_tight_passages.py"

@@ -16,7 +16,7 @@ SUBJECT = (
     "static sum has the holes and components of the timeline; every change is an event; the lives "
     "of holes and components add up to their numbers."
 )
-MINUTES = (1, 0.2)
+MINUTES = (1, 0.1)
 DEPENDS = (*REFERENCE, "fuzz/families/integer_rings.py", "fuzz/families/random_pairs.py")
 
 SEED = 541186

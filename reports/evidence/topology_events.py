@@ -15,7 +15,7 @@ SUBJECT = (
     "Topology events of disc1 + neuron on (0, oo) and of monkey + bird on [1/2, 2]: the static sum "
     "just below, at and just above each has the holes and components that they tell."
 )
-MINUTES = (3, 0.6)
+MINUTES = (3, 0.5)
 DEPENDS = (*REFERENCE, *READERS, *MODELS)
 
 WINDOWS: dict[tuple[str, str], tuple[str | None, str | None]] = {

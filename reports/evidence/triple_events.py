@@ -13,7 +13,7 @@ SUBJECT = (
     "All triple events of monkey + bird and of disc1 + neuron on (0, oo), exact; a triangular hole "
     "that dies at 541/186, where no pair event is."
 )
-MINUTES = (2, 0.5)
+MINUTES = (2, 0.1)
 DEPENDS = (*REFERENCE, *READERS, *MODELS)
 
 #: by a count in doubles

@@ -28,7 +28,7 @@ SUBJECT = (
     "50 random scales are those of the sum, in canonical order; a mark for each boundary event. "
     "The page of neuron + disc: its arcs and lines are those of the sum at 50 random radii."
 )
-MINUTES = (1, 0.5)
+MINUTES = (1, 0.3)
 DEPENDS = (
     *REFERENCE, *READERS, *MODELS, "commands/pages/plane/*.py", "commands/pages/plane/page/*",
     "commands/pages/disc/*.py", "commands/pages/disc/page/*", "commands/view.py",

@@ -72,10 +72,12 @@ def test_missed_target_does_not_fail_the_run(stage: Stage, monkeypatch: pytest.M
 
 
 def test_error_fails_the_run_and_the_other_parts_run(
-    stage: Stage, monkeypatch: pytest.MonkeyPatch
+    stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     stage.outcome["first"] = "error"
     assert call(monkeypatch) == 1
+    last = capsys.readouterr().out.splitlines()[-1]
+    assert last == "failed: first: RuntimeError: broke down"
     assert stage.ran == ["first", "second"]
     assert "Broke down: `RuntimeError: broke down`" in (stage.folder / "SUMMARY.md").read_text()
 
