@@ -55,24 +55,14 @@ Proof.
   { intros p. unfold orient, real; cbn [fst snd]. fold x0 y0 x1 y1.
     rewrite <- B, T, <- R, <- L. fold x0 y0 x1 y1. repeat split; ring. }
   split; [exact W|split; [exact H|split]]; intros p; destruct (E p) as (E1 & E2 & E3 & E4).
-  - split.
-    + intros S. pose proof (S a b) as S1. pose proof (S b c) as S2. pose proof (S c d) as S3.
-      pose proof (S d a) as S4. simpl in S1, S2, S3, S4.
-      rewrite E1 in S1. rewrite E2 in S2. rewrite E3 in S3. rewrite E4 in S4.
-      specialize (S1 ltac:(auto)). specialize (S2 ltac:(auto)). specialize (S3 ltac:(auto 6)).
-      specialize (S4 ltac:(auto 6)). nra.
-    + intros [[X0 X1] [Y0 Y1]] u v I. simpl in I.
-      repeat destruct I as [I|I]; try (injection I; intros; subst u v;
-        rewrite ?E1, ?E2, ?E3, ?E4; nra). destruct I.
-  - split.
-    + intros S. pose proof (S a b) as S1. pose proof (S b c) as S2. pose proof (S c d) as S3.
-      pose proof (S d a) as S4. simpl in S1, S2, S3, S4.
-      rewrite E1 in S1. rewrite E2 in S2. rewrite E3 in S3. rewrite E4 in S4.
-      specialize (S1 ltac:(auto)). specialize (S2 ltac:(auto)). specialize (S3 ltac:(auto 6)).
-      specialize (S4 ltac:(auto 6)). nra.
-    + intros [[X0 X1] [Y0 Y1]] u v I. simpl in I.
-      repeat destruct I as [I|I]; try (injection I; intros; subst u v;
-        rewrite ?E1, ?E2, ?E3, ?E4; nra). destruct I.
+  all: split; [intros S; pose proof (S a b) as S1; pose proof (S b c) as S2;
+    pose proof (S c d) as S3; pose proof (S d a) as S4; simpl in S1, S2, S3, S4;
+    rewrite E1 in S1; rewrite E2 in S2; rewrite E3 in S3; rewrite E4 in S4;
+    specialize (S1 ltac:(auto)); specialize (S2 ltac:(auto)); specialize (S3 ltac:(auto 6));
+    specialize (S4 ltac:(auto 6)); nra
+  | intros [[X0 X1] [Y0 Y1]] u v I; simpl in I;
+    repeat destruct I as [I|I]; try (injection I; intros; subst u v;
+      rewrite ?E1, ?E2, ?E3, ?E4; nra); destruct I].
 Qed.
 Lemma outside_joined x0 y0 x1 y1 (F : point -> Prop) : x0 < x1 -> y0 < y1 ->
   (forall p, ~ (x0 < fst p < x1 /\ y0 < snd p < y1) -> F p) ->

@@ -116,17 +116,22 @@ Proof.
   rewrite (G y Y O), (sumz_perm _ _ _ P). lia.
 Qed.
 
+Lemma edge_long a b : a <> b -> let d1 := fst b - fst a in let d2 := snd b - snd a in
+  0 < d1 * d1 + d2 * d2.
+Proof.
+  intros N d1 d2. assert (D : d1 <> 0 \/ d2 <> 0).
+  { unfold d1, d2. destruct a as [a1 a2], b as [b1 b2]. simpl in *.
+    destruct (Req_dec b1 a1), (Req_dec b2 a2); try (left; lra); try (right; lra).
+    exfalso. apply N. f_equal; auto. }
+  destruct D; nra.
+Qed.
+
 (** Two points on each side of a line, near a point of it *)
 Lemma left_close a b w r : a <> b -> orient a b w = 0 -> 0 < r -> exists y, near r w y /\
   0 < orient a b y.
 Proof.
   intros N O R. set (d1 := fst b - fst a). set (d2 := snd b - snd a).
-  assert (P : 0 < d1 * d1 + d2 * d2).
-  { assert (D : d1 <> 0 \/ d2 <> 0).
-    { unfold d1, d2. destruct a as [a1 a2], b as [b1 b2]. simpl in *.
-      destruct (Req_dec b1 a1), (Req_dec b2 a2); try (left; lra); try (right; lra).
-      exfalso. apply N. f_equal; auto. }
-    destruct D; nra. }
+  pose proof (edge_long a b N) as P. cbv zeta in P. fold d1 d2 in P.
   set (s := r / (1 + Rabs d1 + Rabs d2)). pose proof (Rabs_pos d1). pose proof (Rabs_pos d2).
   assert (S : 0 < s) by (apply Rdiv_lt_0_compat; lra).
   assert (E : s * (1 + Rabs d1 + Rabs d2) = r) by (unfold s; field; lra).
@@ -162,12 +167,7 @@ Proof.
     { (* the parameter of p, if it is on the line *)
       set (d1 := fst b - fst a). set (d2 := snd b - snd a).
       set (tau := ((fst p - fst a) * d1 + (snd p - snd a) * d2) / (d1 * d1 + d2 * d2)).
-      assert (P : 0 < d1 * d1 + d2 * d2).
-      { assert (D : d1 <> 0 \/ d2 <> 0).
-        { unfold d1, d2. destruct a as [a1 a2], b as [b1 b2]. simpl in *.
-          destruct (Req_dec b1 a1), (Req_dec b2 a2); try (left; lra); try (right; lra).
-          exfalso. apply N. f_equal; auto. }
-        destruct D; nra. }
+      pose proof (edge_long a b N) as P. cbv zeta in P. fold d1 d2 in P.
       assert (U : forall t, q t = p -> t = tau).
       { intros t E. unfold tau. rewrite <- E. unfold q. cbn [fst snd]. fold d1 d2.
         replace ((fst a + t * d1 - fst a) * d1 + (snd a + t * d2 - snd a) * d2)
