@@ -48,6 +48,7 @@ struct DiscIndex {
     return value;
   }
   std::pair<double, double> radius(std::uint32_t number) const {
+    const FloatEnvironment standard;
     const Interval bounds =
         index.diagram().radius(index.diagram().events[index.event_at(number - 1)]);
     return {bounds.lower(), bounds.upper()};
@@ -70,6 +71,7 @@ struct Vertices {
 };
 
 void find_vertices(const DiscIndex& self, double radius, Vertices& found) {
+  const FloatEnvironment standard;
   const Rational exact = from_double(radius);
   const std::uint32_t gap = self.index.place(exact * exact).gap;
   self.index.boundary(gap, found.boundary);
@@ -203,6 +205,7 @@ class Drawing {
         unit_(to_double(Rational(1 / diagram_.factor))) {}
 
   nb::dict fields() const {
+    const FloatEnvironment standard;
     nb::dict all;
     all["origin"] = std::pair(to_double(diagram_.origin.x), to_double(diagram_.origin.y));
     std::vector<double> radii;

@@ -217,11 +217,13 @@ std::string to_string(const Rational& value) {
 }
 
 double to_double(const Rational& value) {
+  const FloatEnvironment standard;
   const double magnitude = nearest_magnitude(value).value;
   return value.sign() < 0 ? -magnitude : magnitude;
 }
 
 Enclosure enclose(const Rational& value) {
+  const FloatEnvironment standard;
   const Nearest nearest = nearest_magnitude(value);
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Enclosure around{nearest.value, nearest.value};
@@ -232,6 +234,7 @@ Enclosure enclose(const Rational& value) {
 }
 
 Rational from_double(double value) {
+  const FloatEnvironment standard;
   if (!std::isfinite(value)) {
     throw BadInput("not-a-number",
                    std::isnan(value) ? "NaN is not a number" : "infinity is not a number",

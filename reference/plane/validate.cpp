@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "reference/error.hpp"
+#include "reference/number/float_environment.hpp"
 #include "reference/plane/arrangement/box_tree.hpp"
 #include "reference/plane/location.hpp"
 #include "reference/plane/polygon_set.hpp"
@@ -324,6 +325,9 @@ class Validator {
 
 }  // namespace
 
-void validate(const PolygonSet& set) { Validator(set).run(); }
+void validate(const PolygonSet& set) {
+  const FloatEnvironment standard;
+  Validator(set).run();
+}
 
 }  // namespace minkref::inline plane

@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "reference/interrupt.hpp"
+#include "reference/number/float_environment.hpp"
 #include "reference/space/area_vector.hpp"
 
 namespace minkref::inline space {
@@ -97,6 +98,7 @@ class EarCutter {
 
 std::optional<std::vector<TriangleCorners>> face_triangles(const Face& face,
                                                            const VertexSigns& signs) {
+  const FloatEnvironment standard;
   if (face.size() == 3) return std::vector<TriangleCorners>{{face[0], face[1], face[2]}};
   return EarCutter(face, signs).run();
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "reference/error.hpp"
+#include "reference/number/float_environment.hpp"
 #include "reference/space/polyhedron_place.hpp"
 #include "reference/space/triangle_contact.hpp"
 
@@ -32,6 +33,7 @@ namespace {
 }  // namespace
 
 void refuse_crossing_faces(const SearchedSurface& surface) {
+  const FloatEnvironment standard;
   const std::vector<SurfaceTriangle>& triangles = surface.triangles;
   surface.tree.pairs([&](std::uint32_t i, std::uint32_t j) {
     if (triangles[i].face == triangles[j].face) return false;

@@ -5,6 +5,7 @@
 
 #include "reference/error.hpp"
 #include "reference/interrupt.hpp"
+#include "reference/number/float_environment.hpp"
 #include "reference/plane/polygon_set.hpp"
 #include "reference/space/area_vector.hpp"
 #include "reference/space/face_edges.hpp"
@@ -222,6 +223,7 @@ class PolyhedronValidator {
 }  // namespace
 
 void validate_faces(const Polyhedron& polyhedron) {
+  const FloatEnvironment standard;
   const std::vector<Face>& faces = polyhedron.faces;
   for (std::uint32_t f = 0; f < faces.size(); ++f) {
     for (const std::uint32_t v : faces[f]) {
@@ -240,11 +242,18 @@ void validate_faces(const Polyhedron& polyhedron) {
   }
 }
 
-void validate_mesh(const Polyhedron& polyhedron) { PolyhedronValidator(polyhedron).run_on_mesh(); }
+void validate_mesh(const Polyhedron& polyhedron) {
+  const FloatEnvironment standard;
+  PolyhedronValidator(polyhedron).run_on_mesh();
+}
 
-void validate(const Polyhedron& polyhedron) { PolyhedronValidator(polyhedron).run(); }
+void validate(const Polyhedron& polyhedron) {
+  const FloatEnvironment standard;
+  PolyhedronValidator(polyhedron).run();
+}
 
 void validate_summand(const Polyhedron& polyhedron) {
+  const FloatEnvironment standard;
   PolyhedronValidator validator(polyhedron);
   if (polyhedron.faces.size() == 1) return validator.run_on_polygon();
   validator.run();

@@ -21,7 +21,7 @@ MAY_WRITE = {
 
 
 def test_there_are_workflows() -> None:
-    assert [file.name for file in WORKFLOWS] == ["ci.yml", "release.yml"]
+    assert [file.name for file in WORKFLOWS] == ["ci.yml", "nightly.yml", "release.yml"]
 
 
 def test_workflows_are_what_their_schema_says() -> None:

@@ -15,6 +15,7 @@
 #include "reference/disc/diagram/event_prover.hpp"
 #include "reference/disc/diagram/many_bits.hpp"
 #include "reference/error.hpp"
+#include "reference/number/float_environment.hpp"
 
 namespace minkref::inline disc {
 namespace {
@@ -338,6 +339,7 @@ std::vector<FoundPlace> DiagramEvents::places() const {
 }
 
 DiagramEvents diagram_events(const PolygonSet& P, const BuildOptions& options) {
+  const FloatEnvironment standard;
   return complete_events(P, options, [](const Search& search, Collection& found) {
     found.add(candidates<double>(search.lookup, search.control));
     const auto is_complete = [&] { return found.is_complete(search.count); };
@@ -352,6 +354,7 @@ DiagramEvents diagram_events(const PolygonSet& P, const BuildOptions& options) {
 
 DiagramEvents diagram_events(const PolygonSet& P, const std::vector<FoundPlace>& places,
                              const BuildOptions& options) {
+  const FloatEnvironment standard;
   return complete_events(P, options, [&](const Search& search, Collection& found) {
     if (are_possible(places, search.lookup.curves())) {
       found.add_places(places);

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "reference/disc/curves/angles.hpp"
+#include "reference/number/float_environment.hpp"
 
 namespace minkref::inline disc {
 namespace {
@@ -31,6 +32,7 @@ Vector<Interval> middle_between(const Direction& first, const Direction& last) {
 
 IndexMeasures::IndexMeasures(const OffsetIndex& index)
     : index_(index), middles_(index.diagram().curves.features.size()), area_(0) {
+  const FloatEnvironment standard;
   const DiagramEvents& diagram = index.diagram();
   const OffsetCurves& curves = diagram.curves;
   Interval length(0), angle(0);
@@ -147,6 +149,7 @@ Interval IndexMeasures::area_between(std::uint32_t half, const Seen& a, const Se
 }
 
 OffsetMeasures IndexMeasures::at(const OffsetIndex::Place& at, const Interval& radius) const {
+  const FloatEnvironment standard;
   const DiagramGraph& graph = index_.graph();
   const OffsetCurves& curves = index_.diagram().curves;
   const Interval scale(index_.diagram().factor), rho = radius * scale;

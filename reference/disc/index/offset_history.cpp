@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "reference/disc/region/disjoint_sets.hpp"
+#include "reference/number/float_environment.hpp"
 
 namespace minkref::inline disc {
 namespace {
@@ -143,6 +144,7 @@ std::uint32_t OffsetHistory::components(const OffsetIndex::Place& at) const {
 }
 
 OffsetHistory offset_history(const OffsetIndex& index) {
+  const FloatEnvironment standard;
   OffsetHistory history{Parts(index).holes(), {}, 0};
   name_holes(history.all_holes);
   const DiagramGraph& graph = index.graph();

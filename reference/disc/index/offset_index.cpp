@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "reference/number/float_environment.hpp"
+
 namespace minkref::inline disc {
 
 namespace {
@@ -33,6 +35,7 @@ BoundedPoint corner_of(const CornerMotion& m, double rho, double slack) {
 
 OffsetIndex::OffsetIndex(DiagramEvents diagram)
     : diagram_(std::move(diagram)), graph_(diagram_graph(diagram_)) {
+  const FloatEnvironment standard;
   number_radii();
   part_gaps();
   count_sides();
@@ -125,6 +128,7 @@ void OffsetIndex::place_joints() {
 }
 
 OffsetIndex::Place OffsetIndex::place(const Rational& squared_radius) const {
+  const FloatEnvironment standard;
   const Rational squared = squared_radius * diagram_.factor * diagram_.factor;
   const Interval near(squared);
   const auto first = std::partition_point(radii_.begin(), radii_.end(), [&](const Radius& radius) {
@@ -148,6 +152,7 @@ std::uint32_t OffsetIndex::sides_between(std::uint32_t walk, std::uint32_t entry
 }
 
 void OffsetIndex::boundary(std::uint32_t gap, IndexBoundary& found) const {
+  const FloatEnvironment standard;
   found.clear();
   const auto walks = static_cast<std::uint32_t>(graph_.walks.size());
   // The corners in order along the walks: each starts a part of the boundary, or ends one.
@@ -201,6 +206,7 @@ void OffsetIndex::boundary(std::uint32_t gap, IndexBoundary& found) const {
 }
 
 BoundedPoint OffsetIndex::corner(std::uint32_t half, const Interval& radius) const {
+  const FloatEnvironment standard;
   return corner_of(motions_[half], approximate(radius), radius.upper() - radius.lower());
 }
 
@@ -218,6 +224,7 @@ void OffsetIndex::for_joints(std::uint32_t walk, std::uint32_t side, std::uint32
 void OffsetIndex::vertices(const IndexBoundary& boundary, const Interval& radius,
                            std::vector<BoundedPoint>& found,
                            std::vector<std::uint32_t>& starts) const {
+  const FloatEnvironment standard;
   starts.clear();
   const auto for_all = [&](auto&& start_ring, auto&& add_corner, auto&& add_joints) {
     for (const IndexRing& ring : boundary.rings) {

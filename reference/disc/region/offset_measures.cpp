@@ -1,6 +1,7 @@
 // Area and length, enclosed.
 #include "reference/disc/curves/angles.hpp"
 #include "reference/disc/region/offset_region.hpp"
+#include "reference/number/float_environment.hpp"
 
 namespace minkref::inline disc {
 namespace {
@@ -42,6 +43,7 @@ class Measuring {
 }  // namespace
 
 OffsetMeasures measures(const OffsetRegion& region) {
+  const FloatEnvironment standard;
   Measuring measuring(region.offset);
   for (const OffsetComponent& component : region.components) {
     measuring.add(component.outer);

@@ -9,6 +9,7 @@
 #include "reference/disc/region/joined_polygons.hpp"
 #include "reference/disc/region/simple_rings.hpp"
 #include "reference/error.hpp"
+#include "reference/number/float_environment.hpp"
 
 namespace minkref::inline disc {
 namespace {
@@ -42,6 +43,7 @@ OffsetRoute offset_route_named(std::string_view name) {
 
 OffsetRegion offset_region(const PolygonSet& P, const Rational& squared_radius,
                            const BuildOptions& options, OffsetRoute route) {
+  const FloatEnvironment standard;
   if (squared_radius <= 0) {
     throw BadInput("bad-radius", "the square of the radius is " + to_string(squared_radius),
                    "give a radius above 0");

@@ -5,6 +5,7 @@
 
 #include "reference/error.hpp"
 #include "reference/interrupt.hpp"
+#include "reference/number/float_environment.hpp"
 #include "reference/space/face_triangles.hpp"
 #include "reference/space/surface/space_vertex.hpp"
 
@@ -133,6 +134,7 @@ class Rounding {
 }  // namespace
 
 RoundedMesh rounded_mesh(const Polyhedron& mesh, Precision precision) {
+  const FloatEnvironment standard;
   validate_faces(mesh);
   RoundedMesh result{mesh, {}};
   for (SpacePoint& p : result.mesh.vertices) {
