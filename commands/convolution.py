@@ -18,7 +18,7 @@ from minkref.commands.lists.convolution_output import (
     refuse_unrepresentable,
 )
 from minkref.convolution_values import COMPATIBLE
-from minkref.documents import Stopwatch, as_text, document, listing, refuse_overwriting
+from minkref.documents import Stopwatch, as_text, document, lasting, listing, refuse_overwriting
 from minkref.errors import Refusal, choice, refusing
 from minkref.exact import approximate, read_scale
 from minkref.operand import Operand, read_operand
@@ -191,7 +191,7 @@ def _pieces(
     Q: Operand,
 ) -> Iterable[str]:
     if target.form == "json":
-        return listing(head, "edges", edge_documents(found, count))
+        return listing(lasting(head), "edges", edge_documents(found, count))
     if target.form == "geojson":
         return geojson_pieces(found, count)
     return _picture(head, found, count, P, Q)

@@ -8,6 +8,7 @@ from typing import Annotated, Any
 
 import typer
 from minkref import _core
+from minkref.commands.certificate_output import Checked
 from minkref.commands.line.memory import SMALLER, Memory, memory_wall
 from minkref.commands.line.options import Json, Schema, WindowFrom, WindowTo
 from minkref.commands.line.output import give, print_lines
@@ -27,8 +28,9 @@ from minkref.documents import (
     as_text,
     check_writable,
     document,
+    lasting,
     refuse_overwriting,
-    write_atomically,
+    write_together,
 )
 from minkref.errors import Refusal, choice, refusing
 from minkref.exact import read_window
@@ -165,9 +167,8 @@ def command(
         output=None if output is None else str(output),
         certificate=proof_document(proven),
     )
-    if proven is not None:
-        proven[0].write()
-    _finish(value, output, json, drawn if _is_picture(output) else None)
+    proof = None if proven is None else proven[0]
+    _finish(value, output, json, drawn if _is_picture(output) else None, proof)
 
 
 def _is_picture(output: Path | None) -> bool:
@@ -175,11 +176,18 @@ def _is_picture(output: Path | None) -> bool:
 
 
 def _finish(
-    value: dict[str, Any], output: Path | None, json: bool, drawn: Callable[[], str] | None = None
+    value: dict[str, Any],
+    output: Path | None,
+    json: bool,
+    drawn: Callable[[], str] | None = None,
+    proof: Checked | None = None,
 ) -> None:
-    """`drawn`: what makes the picture that is asked for."""
+    """Writes the proof and the file of -o, or none of them. `drawn`: what makes the picture that is
+    asked for."""
+    files: dict[Path, str | bytes] = {} if proof is None else {**proof.contents()}
     if output is not None:
-        write_atomically(output, as_text(value) if drawn is None else drawn())
+        files[output] = as_text(lasting(value)) if drawn is None else drawn()
+    write_together(files)
     give(value, json, _print)
 
 

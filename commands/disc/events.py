@@ -17,7 +17,7 @@ from minkref.commands.disc.sum import enclosed
 from minkref.commands.line.memory import SIMPLER, memory_wall
 from minkref.commands.lists.scale_index import cores, refuse_overwriting_index
 from minkref.disc.disc import ANY
-from minkref.documents import Stopwatch, as_text, document, listing, refuse_overwriting
+from minkref.documents import Stopwatch, as_text, document, lasting, listing, refuse_overwriting
 from minkref.errors import Refusal, choice
 from minkref.exact import read_scale
 from minkref.operand import read_operand
@@ -101,7 +101,7 @@ def events_with_disc(
     if target is not None and target.form == "jsonl":
         target.write_pieces(json.dumps(row) + "\n" for row in rows)
     elif target is not None:
-        target.write_pieces(listing(head, "events", rows))
+        target.write_pieces(listing(lasting(head), "events", rows))
     if json_document and target is None:
         sys.stdout.writelines(listing(head, "events", rows))
     elif json_document:

@@ -11,7 +11,7 @@ from typing import Any
 from minkref import _core
 from minkref.commands.line.memory import SIMPLER, memory_wall
 from minkref.commands.space.facet_files import WRITERS
-from minkref.documents import Stopwatch, as_text, document, listing, refuse_overwriting
+from minkref.documents import Stopwatch, as_text, document, lasting, listing, refuse_overwriting
 from minkref.errors import refusing
 from minkref.output_target import target_of
 from minkref.space.facets import KINDS, Facet, facets_of
@@ -62,7 +62,7 @@ def convolution_in_space(
         }
         head = document("convolution", watch, **fields, **_shape(answer, first, second))
         if target is not None and target.form == "json":
-            target.write_pieces(listing(head, "facets", map(_document, facets)))
+            target.write_pieces(listing(lasting(head), "facets", map(_document, facets)))
         elif target is not None:
             write = WRITERS[target.form]
             target.write_pieces([refusing(target.name, lambda: write(answer.surface, facets))])

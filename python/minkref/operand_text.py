@@ -30,7 +30,7 @@ def text_and_form(name: str, inline: bool = False) -> tuple[str, str]:
     standard input. Refuses others, and what is longer than a file may be."""
     text = name
     if name == STANDARD_INPUT and not inline:
-        text = decoded(sys.stdin.buffer.read(LONGEST + 1), source_of(name))
+        text = decoded(_standard_input(), source_of(name))
         if not text.strip():
             mend = "pipe a set into it; it is one operand: name a file for the other"
             raise Refusal("there is nothing left to read", source_of(name), mend, "unknown-format")
@@ -42,6 +42,19 @@ def text_and_form(name: str, inline: bool = False) -> tuple[str, str]:
         return text, "poly"
     where = repr(name) if inline else source_of(name)
     raise Refusal("this text is in no known format", where[:60], MEND, "unknown-format")
+
+
+def _standard_input() -> bytes:
+    """At most one byte more than a file may have. Refuses a stream that is closed, or that cannot
+    be read, as one that is open for writing only, or a folder."""
+    why = "it is closed"
+    if sys.stdin is not None:
+        try:
+            return sys.stdin.buffer.read(LONGEST + 1)
+        except (OSError, ValueError) as error:
+            why = getattr(error, "strerror", None) or str(error)
+    what = f"standard input cannot be read: {why}"
+    raise Refusal(what, "-", "pipe a set into it, or name a file", "cannot-read")
 
 
 def source_of(name: str) -> str:
