@@ -119,7 +119,7 @@ class SweepFolder:
                 (self.path / name).unlink()
 
     def _remove(self) -> None:
-        """What this sweep has written, and the folder if it has made it."""
+        """Removes all that this sweep has written, and the folder if it has made it."""
         if not self._begun:
             return
         with suppress(OSError, Refusal):

@@ -57,7 +57,7 @@ def document(command: str, watch: Stopwatch, **fields: Any) -> dict[str, Any]:
 
 
 def lasting(value: Any) -> Any:
-    """What a file holds of a document: times and memory are null, so that two runs write the same
+    """The document as a file holds it: times and memory are null, so that two runs write the same
     bytes."""
     if isinstance(value, dict):
         return {name: None if _is_cost(name) else lasting(value[name]) for name in value}

@@ -59,7 +59,7 @@ class FloatEnvironment {
     if (!is_standard()) refuse();
   }
 
-  /// What a self-test found, once: from then on there is no FloatEnvironment.
+  /// The fault that a self-test has found: from then on there is no FloatEnvironment.
   static const char* fault() { return fault_; }
   static void report(const char* fault) { fault_ = fault; }
 

@@ -7,7 +7,7 @@
 namespace minkref::float_self_test {
 namespace {  // each translation unit has its own flags, and so its own test
 
-/// What goes wrong first; null if nothing does. The compiler knows no value: each is read from
+/// The first fault; null if there is none. The compiler knows no value: each is read from
 /// volatile memory.
 [[gnu::noinline, maybe_unused]] const char* first_fault() {
   constexpr double smallest = std::numeric_limits<double>::denorm_min();

@@ -11,7 +11,7 @@ from pathlib import Path
 from minkref.reports.evidence.framework.store import ROOT
 
 LIBRARY = ROOT / "build" / "release" / "reference" / "libminkref_reference.a"
-UNSAFE = 3  # what the trial ends with where the library refuses to compute
+UNSAFE = 3  # exit code of the trial where the library refuses to compute
 
 # By compiler. The last one of gcc leaves a program that flushes subnormal numbers from its start.
 TAKEN = {
