@@ -6,14 +6,26 @@ namespace minkref {
 
 void FloatEnvironment::set() {
   if (fault_ != nullptr) refuse();
+#if defined(__x86_64__)
+  before_ = __builtin_ia32_stmxcsr();  // fegetenv and fesetenv take microseconds
+  __builtin_ia32_ldmxcsr((before_ & ~controls) | masked_to_nearest);
+  changed_ = true;
+#else
   // FE_DFL_ENV is what a thread of a fresh program has: to nearest, no traps, no flushing.
   changed_ = std::fegetenv(&before_) == 0 && std::fesetenv(FE_DFL_ENV) == 0;
+#endif
   if (is_standard()) return;
   if (changed_) restore();
   refuse();
 }
 
-void FloatEnvironment::restore() { std::fesetenv(&before_); }
+void FloatEnvironment::restore() {
+#if defined(__x86_64__)
+  __builtin_ia32_ldmxcsr(before_);
+#else
+  std::fesetenv(&before_);
+#endif
+}
 
 void FloatEnvironment::refuse() {
   if (fault_ != nullptr) {

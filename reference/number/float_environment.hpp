@@ -42,7 +42,6 @@ class FloatEnvironment {
   static bool is_standard() {
     if (fault_ != nullptr) return false;
 #if defined(__x86_64__)
-    constexpr unsigned controls = 0xffc0, masked_to_nearest = 0x1f80;
     return (__builtin_ia32_stmxcsr() & controls) == masked_to_nearest;
 #elif defined(__aarch64__)
     constexpr std::uint64_t controls = 0x01c09f07;  // flushing, rounding, traps, other arithmetics
@@ -73,7 +72,13 @@ class FloatEnvironment {
 
   inline static const char* fault_ = nullptr;
   bool changed_ = false;
+#if defined(__x86_64__)
+  // Of the word MXCSR: flushing, rounding, masks of exceptions. Doubles are computed nowhere else.
+  static constexpr unsigned controls = 0xffc0, masked_to_nearest = 0x1f80;
+  unsigned before_;
+#else
   std::fenv_t before_;
+#endif
 };
 
 }  // namespace minkref
