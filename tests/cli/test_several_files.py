@@ -17,7 +17,7 @@ from minkref.errors import Refusal
 MINKREF = (sys.executable, "-m", "minkref")
 PART = "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))"
 WALLS = "MULTIPOLYGON (((-9 0, -1 0, -1 1, -9 1, -9 0)), ((3 0, 9 0, 9 1, 3 1, 3 0)))"
-WAY = "0,3 0,-3"
+WAY = "LINESTRING (0 3, 0 -3)"
 SEVERAL = {
     "certify": ("certify", "g1", "g2", "-o", "proof.cert.json"),
     "certify, compressed": ("certify", "g1", "g2", "-o", "proof.cert.json.gz"),
