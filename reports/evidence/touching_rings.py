@@ -32,7 +32,7 @@ ROUTES = tuple(_core.ROUTES)
 HAIR = Fraction(1, 2**20)  # relative: beside an event
 RANDOM, PINCHED = 2000, 5000
 EVERY_SET = 3  # of triangular holes
-QUICK = {"cells": 41, "triangles": 149, "random": 60, "pinched": 60}
+QUICK = {"cells": 61, "triangles": 17, "random": 30, "pinched": 30}
 Task = tuple[str, str, str, Window]
 
 
