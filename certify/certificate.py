@@ -23,7 +23,12 @@ Number = str | int | Fraction
 
 
 class NoProof(Exception):
-    """What is to be claimed does not hold."""
+    """What is to be claimed does not hold, or has no certificate that was found. `mend`: what to
+    do, None for what is always advised."""
+
+    def __init__(self, problem: str, mend: str | None = None) -> None:
+        super().__init__(problem)
+        self.mend = mend
 
 
 class Certificate:
