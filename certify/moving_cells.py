@@ -176,7 +176,8 @@ def moving(stations: Sequence[Station], here: Fraction, there: End) -> list[Movi
     path = [stations[0]]
     for end in stations[1:]:
         start = path[-1]
-        first, last = ((end[k][0] - start[k][0], end[k][1] - start[k][1]) for k in (0, 1))
+        first = end.here[0] - start.here[0], end.here[1] - start.here[1]
+        last = end.there[0] - start.there[0], end.there[1] - start.there[1]
         turns = first[0] * last[1] != first[1] * last[0]
         if turns or first[0] * last[0] + first[1] * last[1] < 0:
             one, other = (start, end) if start.inner else (end, start)

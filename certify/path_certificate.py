@@ -53,7 +53,7 @@ class PathCertificate:
         if not self.path:
             raise Refusal("a path has at least one vertex", "path", "give it one", "bad-path")
         self.pair = Pair(robot, obstacles)
-        self._steps: list[Any] = [*self.pair.steps]
+        self.steps: list[Any] = [*self.pair.steps]
         self.claims: list[dict[str, Any]] = []
 
     def free(self, scales: ScaleRange, contact: str = "allowed") -> int:
@@ -158,7 +158,7 @@ class PathCertificate:
         }
         told = {name: value for name, value in head.items() if value}
         parts = [f'"{name}":{json.dumps(told[name], ensure_ascii=False)}' for name in told]
-        parts.append(f'"steps":[{",".join(map(_compact, self._steps))}]')
+        parts.append(f'"steps":[{",".join(map(_compact, self.steps))}]')
         parts.append(f'"claims":[{",".join(map(_compact, self.claims))}]')
         return "{" + ",\n".join(parts) + "}\n"
 
@@ -194,7 +194,7 @@ class PathCertificate:
                 raise NoProof(f"segment {k} collides at a scale of {scales}") from error
             except TooLong as error:
                 raise NoProof(f"the proof of segment {k} has too many entries") from error
-        self._steps.append(
+        self.steps.append(
             {
                 "rule": "clear",
                 "by": PIECES,
@@ -205,7 +205,7 @@ class PathCertificate:
                 "codes": codes,
             }
         )
-        return len(self._steps) - 1
+        return len(self.steps) - 1
 
     def _refuse_thin(self, contact: str) -> None:
         if contact == "allowed" and not all(o.is_region or o.is_empty for o in (self.R, self.O)):

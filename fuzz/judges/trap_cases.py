@@ -88,7 +88,7 @@ def _keyhole(room: Room) -> list[Ring]:
     s, t, d = room.size, room.thick, room.high
     x, cut = s + room.dice.randint(1, 3) * s, s / room.dice.randint(3, 5)
     c = (s - d) / 2
-    inner = [(s - cut, 0), (cut, 0), (0, cut), (0, s - cut), (cut, s), (s - cut, s)]
+    inner: Ring = [(s - cut, 0), (cut, 0), (0, cut), (0, s - cut), (cut, s), (s - cut, s)]
     low, high = min(c, cut), max(c + d, s - cut)
     return [
         [(-t, -t), (x, -t), (x, c), (s, c), (s, low), *inner, (s, high), (s, c + d), (x, c + d),
@@ -135,37 +135,32 @@ def _walls(room: Room, doors: Sequence[int], spikes: Sequence[int]) -> list[Ring
     two corners that touch where a door has no width."""
     s, t = room.size, room.thick
     turns = ((1, 0), (0, 1), (-1, 0), (0, -1))
-    rings: list[list[tuple[Fraction, Fraction]]] = []
-    inner: list[tuple[Fraction, Fraction]] = []  # of the wall that is being built
-    outer: list[tuple[Fraction, Fraction]] = []
-    first: tuple[list[tuple[Fraction, Fraction]], list[tuple[Fraction, Fraction]]] | None = None
+    rings: list[list[Place]] = []
+    inner: list[Place] = []  # of the wall that is being built
+    outer: list[Place] = []
+    first: tuple[list[Place], list[Place]] | None = None
     for side, (u, v) in enumerate(turns):
 
-        def put(out: Fraction, along: Fraction, u: int = u, v: int = v) -> Place:
+        def put(out: Fraction | int, along: Fraction, u: int = u, v: int = v) -> Place:
             x, y = s / 2 + out, along - s / 2
             return s / 2 + u * x - v * y, s / 2 + v * x + u * y
 
         if side in doors or side in spikes:
             width = (room.high if u else room.wide) if side in doors else Fraction(0)
             c = room.sill(width) if width else s / 2
-            if width:
-                ends = [
-                    [put(Fraction(0), c), put(t, c)],
-                    [put(t, c + width), put(Fraction(0), c + width)],
-                ]
-            else:
-                tip = put(t / 2, c)
-                ends = [
-                    [put(Fraction(0), c - s / 4), tip, put(t, c - s / 4)],
-                    [put(t, c + s / 4), tip, put(Fraction(0), c + s / 4)],
-                ]
+            shut = c + width
+            ends = [[put(0, c), put(t, c)], [put(t, shut), put(0, shut)]]
+            if not width:
+                tip, aside = put(t / 2, c), s / 4
+                ends[0] = [put(0, c - aside), tip, put(t, c - aside)]
+                ends[1] = [put(t, c + aside), tip, put(0, c + aside)]
             if first is None:
                 first = [*inner, *ends[0]], outer
             else:
                 rings.append([*outer, *ends[0][::-1], *inner[::-1]])
             outer, inner = ends[1][:1], ends[1][1:]
         outer.append(put(t, s + t))
-        inner.append(put(Fraction(0), s))
+        inner.append(put(0, s))
     assert first is not None
     rings.append([*outer, *first[1], *first[0][::-1], *inner[::-1]])
     return list(rings)

@@ -82,10 +82,9 @@ class PathCertificate {
       const auto m = members(step, "rule by contact path scales normals codes");
       const PiecesOfBoth by = pieces_of_both(*m[1]);
       const bool strict = is_strict(*m[2]);
-      clear_.push_back(
-          std::make_unique<Clear>(
-              by, strict, m[3]->is_null() ? staying(path_) : read_moving_path(*m[3]),
-              Scales(*m[4]), *m[5], *m[6], unit_, normals_, budget_));
+      clear_.push_back(std::make_unique<Clear>(
+          by, strict, m[3]->is_null() ? staying(path_) : read_moving_path(*m[3]), Scales(*m[4]),
+          *m[5], *m[6], unit_, normals_, budget_));
       pieces_.emplace_back();
     }
     used_.push_back(false);
@@ -333,7 +332,8 @@ class PathCertificate {
     }
     const mpq_class s = step.scales.middle();
     Path there;
-    for (const MovingPlace& v : ring) there.push_back({v.at.x + s * v.slope.x, v.at.y + s * v.slope.y});
+    for (const MovingPlace& v : ring)
+      there.push_back({v.at.x + s * v.slope.x, v.at.y + s * v.slope.y});
     demand(winds_around(there, place()), "the ring does not lead around the place");
     said_.back() = Said{"trapped", step.strict, step.scales};
     return "trapped" + said(step.scales, step.strict);

@@ -72,9 +72,7 @@ Scales::Scales(const Value& value) {
           "these are no scales");
 }
 
-std::array<Corner, 2> Scales::ends() const {
-  return {corner_of(low.scale), corner_of(high.scale)};
-}
+std::array<Corner, 2> Scales::ends() const { return {corner_of(low.scale), corner_of(high.scale)}; }
 
 mpq_class Scales::middle() const {
   if (!high.scale) return *low.scale + 1;

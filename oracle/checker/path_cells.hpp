@@ -80,13 +80,13 @@ std::vector<std::pair<Place, Place>> segments(const std::vector<Place>& path) {
 /// The step `pieces` of R, and that of O.
 using PiecesOfBoth = std::array<const Pieces*, 2>;
 
-/// A segment of places of R, in whole numbers. Its ends may move with the scale, its direction d may
-/// not: the places p(s) + t d for 0 <= t <= (q(s) - p(s)) / d.
+/// A segment of places of R, in whole numbers. Its ends may move with the scale, its direction d
+/// may not: the places p(s) + t d for 0 <= t <= (q(s) - p(s)) / d.
 class Way {
  public:
   /// Throws NotVerified where the segment turns between the first and the last scale.
-  Way(const PiecesOfBoth& by, const std::pair<MovingPlace, MovingPlace>& ends,
-      const Scales& scales, const mpz_class& unit, Normals& normals);
+  Way(const PiecesOfBoth& by, const std::pair<MovingPlace, MovingPlace>& ends, const Scales& scales,
+      const mpz_class& unit, Normals& normals);
   /// All t and s of the segment at the scales.
   const Cell& cell() const { return cell_; }
   /// Positive where n (x + s a) > n b for all a of node A of R and b of node B of O.
