@@ -196,13 +196,15 @@ class Certificate:
         raise NoProof("a point or a segment has no pieces for a claim about a point")
 
     def _beside(self, of: Predicate, s: Fraction, end: Fraction | int) -> tuple[Fraction, Fraction]:
-        """Scales from s towards an end, in order, between which the sign of a predicate is seen."""
+        """Scales from s towards an end, in order, between which the sign of a predicate is seen.
+        Halves end where the predicate has no other root, unless it is zero everywhere."""
         other = Fraction(end)
-        while True:
+        for _ in range(MOST_ATTEMPTS):
             other = simplest_between(*sorted(((s + other) / 2, (s + 3 * other) / 4)))
             low, high = sorted((s, other))
             if self._vertices.sign_between(of, low, high):
                 return low, high
+        raise NoProof(f"no sign of {of[0]} is seen beside the scale {cut(str(s))}")
 
     def _step(self, text: str) -> int:
         self._steps.append(text)

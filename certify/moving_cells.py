@@ -132,16 +132,22 @@ class MovingCells:
             for bottom, top in zip(lines[::2], lines[1::2], strict=True):
                 here.append(len(self.cells))
                 self.cells.append(Cell(left, right, bottom, top))
-            for i in before:
-                for j in here:
-                    if self._meet(self.cells[i], self.cells[j], left):
-                        self._next.setdefault(i, []).append(j)
-                        self._next.setdefault(j, []).append(i)
+            self._join(before, here, left)
             before = here
 
-    def _meet(self, one: Cell, other: Cell, x: Linear) -> bool:
-        low, high = _common(one, other, x, self.scale)
-        return low < high
+    def _join(self, before: Sequence[int], here: Sequence[int], x: Linear) -> None:
+        """Cells on both sides of a vertical, each upwards, where they share a part of it."""
+        i = j = 0
+        while i < len(before) and j < len(here):
+            one, other = self.cells[before[i]], self.cells[here[j]]
+            low, high = _common(one, other, x, self.scale)
+            if low < high:
+                self._next.setdefault(before[i], []).append(here[j])
+                self._next.setdefault(here[j], []).append(before[i])
+            if one.top.over(x).at(self.scale) == high:
+                i += 1
+            else:
+                j += 1
 
 
 def steady(
