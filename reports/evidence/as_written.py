@@ -10,10 +10,11 @@ from minkref.reports.evidence.written import changes, settings
 from minkref.reports.evidence.written.tally import Tally
 
 SUBJECT = (
-    "Numbers as written: of sums with a disc (half of them of turned shapes in doubles, others with "
-    "walls parallel up to 1e-30, on maps, on boards), of the plane and in space, every file, table, "
-    "document and array is read by the judge's own readers and compared with its own rational "
-    "numbers and numbers of 1,500 bits; polygons inside of and around a sum are so exactly."
+    "Numbers as written: for sums with a disc (half of them of turned shapes in doubles, others "
+    "with walls parallel up to 1e-30, on maps, on boards), in the plane and in space, every file, "
+    "table, document and array is read by the judge's own readers and compared with its own "
+    "rational numbers and numbers of 1,500 bits; polygons inside of a sum and around it are so "
+    "exactly."
 )
 MINUTES = (25, 0.4)
 DEPENDS = (

@@ -53,7 +53,7 @@ def captured(number: int) -> Iterator[Any]:
 
 
 def run(words: list[str]) -> tuple[int, str, str]:
-    """Exit code, standard output and standard error of the command, without a process of its own."""
+    """Exit code, standard output and standard error of the command, run in this process."""
     before, code = sys.argv, 0
     sys.argv = ["minkref", *words]
     try:

@@ -14,7 +14,6 @@ from itertools import pairwise
 from typing import Any
 
 import gmpy2
-
 from minkref.reports.evidence.written.distance import (
     Point,
     Ring,

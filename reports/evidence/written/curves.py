@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from typing import Any
 
 import gmpy2
-
 from minkref.reports.evidence.written.units import Real, exact
 
 Place = tuple[Real, Real]

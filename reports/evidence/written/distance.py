@@ -33,7 +33,7 @@ def to_segment(p: Point, segment: Segment) -> Any:
 
 def side(a: Point, b: Point, c: Point) -> int:
     value = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
-    return (value > 0) - (value < 0)
+    return int(value > 0) - int(value < 0)
 
 
 def cross(one: Segment, other: Segment) -> bool:

@@ -9,7 +9,6 @@ from itertools import combinations
 from typing import Any
 
 import gmpy2
-
 from minkref.reports.evidence.written.units import TIE, Real
 
 Row = tuple[Real, Real, Real, Real]  # a x + b y + c r = d
@@ -143,10 +142,10 @@ def _roots(p: Real, q: Real, s: Real, p_size: Real, q_size: Real) -> list[Real]:
     if _small(p, p_size):
         return [] if _small(q, q_size) else [-s / (2 * q)]
     left = q * q - p * s
+    if _small(left, q_size * q_size):
+        left = gmpy2.mpq(0)  # they touch
     if left < 0:
-        if not _small(left, q_size * q_size):
-            return []
-        left = gmpy2.mpq(0)
+        return []
     root = gmpy2.sqrt(gmpy2.mpfr(left))
     far = -q - root if q > 0 else -q + root
     return [far / p] if far == 0 or root == 0 else [far / p, s / far]

@@ -6,7 +6,6 @@ import re
 from typing import Any
 
 import gmpy2
-
 from minkref.reports.evidence.written.units import Real
 
 TOKEN = re.compile(r"\s*(\d+|sqrt|[-+*/()])")

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 
-from minkref.reports.evidence.written.inputs_disc import PLACED
+from minkref.reports.evidence.written.shapes import PLACED
 
 Corner = tuple[Fraction, Fraction, Fraction]
 Solid = tuple[list[Corner], list[list[int]]]
@@ -21,6 +21,11 @@ class Solids:
     P: str  # texts of OFF files
     Q: str
     scale: str
+
+
+def kinds() -> set[str]:
+    """All kinds that may be drawn."""
+    return {f"{kind}, {where}" for kind in KINDS for where in PLACED}
 
 
 def solids(seed: int, index: int) -> Solids:

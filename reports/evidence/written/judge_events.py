@@ -8,7 +8,6 @@ from collections.abc import Sequence
 from typing import Any
 
 import gmpy2
-
 from minkref.reports.evidence.written.answers import Answers, Document
 from minkref.reports.evidence.written.covering import Neighbourhood
 from minkref.reports.evidence.written.distance import Ring, to_segment
@@ -45,7 +44,8 @@ def judge(tally: Tally, answers: Answers, drawn: Drawn) -> None:
     document = answers.document("events", drawn.text, "disc")
     truth = [_event(tally, "events --json", one, rings) for one in document["events"]]
     with tally.answer("table of events"):
-        lines = LINE.findall(answers.table("events", drawn.text, "disc"))
+        words = ("events", drawn.text, "disc", "--limit", max(len(truth), 1))
+        lines = LINE.findall(answers.table(*words))
         if len(lines) != len(truth):
             tally.fault("table of events", "more or fewer lines than events", str(len(lines)))
         for (number, _, _), true in zip(lines, truth, strict=False):

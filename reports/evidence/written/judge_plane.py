@@ -9,7 +9,6 @@ from fractions import Fraction
 from typing import Any
 
 import gmpy2
-
 import minkref
 from minkref.reports.evidence.written import read_plane
 from minkref.reports.evidence.written.answers import Answers, Document
@@ -25,7 +24,7 @@ READERS: dict[str, Callable[[str], Polygons]] = {
 }  # fmt: skip
 AREA = re.compile(r"^(?:area|volume) +(\S+)(?: = (.+))?$", re.M)
 BOX = re.compile(r">x (\S+) to (\S+), y (\S+) to ([^\s<]+)<")
-ROW = re.compile(r"^ *(\d+(?:/\d+)?) +(\S+) +(\d+) +(\d+) +(\d+) +(\S+)(?: .*)?$", re.M)
+ROW = re.compile(r"^ *(\d\S*) +(\S+) +(\d+) +(\d+) +(\d+) +(\S+)(?: .*)?$", re.M)
 PICTURE = 0.02  # of a unit: two decimals, and a scale that is measured
 STEPS = 3
 
@@ -103,7 +102,8 @@ def _file(tally: Tally, writer: str, found: Polygons, true: Polygons, said_exact
 
 
 def _picture(tally: Tally, text: str, polygons: Polygons) -> None:
-    """The box in words, and the corners of the sum by the map that takes its box to the drawn one."""
+    """The box in words, and the corners of the sum by the map that takes its box to the drawn
+    one."""
     places = [(exact(x), exact(y)) for one in polygons for ring in one for x, y in ring]
     xs, ys = zip(*places, strict=True)
     for found, true in zip(

@@ -19,7 +19,7 @@ from minkref.reports.evidence.written.measures import area_and_length
 from minkref.reports.evidence.written.tally import Tally
 from minkref.reports.evidence.written.units import exact_double
 
-ROW = re.compile(r"^ *(\d+(?:/\d+)?) +(\S+) +(\d+) +(\d+) +(\d+) +(\S+)(?: .*)?$", re.M)
+ROW = re.compile(r"^ *(\d\S*) +(\S+) +(\d+) +(\d+) +(\d+) +(\S+)(?: .*)?$", re.M)
 STEPS = 3
 
 

@@ -7,7 +7,6 @@ from collections.abc import Callable
 from typing import Any
 
 import gmpy2
-
 from minkref.reports.evidence.written import read_meshes
 from minkref.reports.evidence.written.answers import Answers, Document
 from minkref.reports.evidence.written.inputs_space import Solids

@@ -8,7 +8,6 @@ from collections.abc import Callable
 from typing import Any
 
 import gmpy2
-
 from minkref.reports.evidence.written import expressions, pictures, places, read_dxf, read_plane
 from minkref.reports.evidence.written.answers import Answers, Document
 from minkref.reports.evidence.written.covering import Neighbourhood
@@ -27,11 +26,14 @@ from minkref.reports.evidence.written.units import (
     unit,
 )
 
+GREATEST = gmpy2.mpq(2) ** 1023  # smaller numbers are in the range of doubles for certain
 WIDEST = 2  # units in the last place that an enclosure may have
 READERS: dict[str, Callable[[str], read_plane.Polygons]] = {
     "wkt": read_plane.wkt, "geojson": read_plane.geojson, "poly": read_plane.poly,
 }  # fmt: skip
-MEASURE = re.compile(r"^(area|length of the boundary) +(\S+?)(?:, within (\S+))?$", re.M)
+MEASURE = re.compile(
+    r"^(area|length of the boundary) +(beyond doubles|\S+?)(?:, within (\S+))?$", re.M
+)
 PASSAGE = re.compile(r"\((\S+), (\S+)\)")
 
 
@@ -111,7 +113,8 @@ def bounds(tally: Tally, writer: str, found: Document, true: Real, name: str) ->
     """Two doubles have the true number between them, and no more than WIDEST units."""
     tally.numbers[writer] += 2
     if found["low"] is None or found["high"] is None:
-        tally.fault(writer, "null in place of a number", f"{name}, true {told(true)}")
+        if abs(true) < GREATEST:
+            tally.fault(writer, "null in place of a number", f"{name}, true {told(true)}")
         return
     low, high = float(found["low"]), float(found["high"])
     if not (math.isfinite(low) and math.isfinite(high)):
@@ -136,6 +139,10 @@ def _table(tally: Tally, table: str, true: dict[str, Real], document: Document) 
         tally.fault("table of sum", "no area or no length", table[:300])
     for name, number, within in found:
         value = true[name.split()[0]]
+        if number == "beyond doubles":
+            if abs(value) < GREATEST:
+                tally.fault("table of sum", "a double is said to be beyond doubles", told(value))
+            continue
         tally.printed("table of sum", number, value, name)
         if within:
             off = abs(exact(number) - value)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import gmpy2
-
 from minkref.reports.evidence.written.curves import Arc, Grown, Piece
 from minkref.reports.evidence.written.units import Real
 

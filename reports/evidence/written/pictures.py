@@ -1,11 +1,10 @@
-"""Pictures of sums with a disc: one map takes the sum to the picture, up to the decimals written."""
+"""Pictures of sums with a disc: one map takes the sum to the picture, up to its decimals."""
 
 from __future__ import annotations
 
 import math
 
 import gmpy2
-
 from minkref.reports.evidence.written.curves import Arc, Grown, Place
 from minkref.reports.evidence.written.distance import Ring
 from minkref.reports.evidence.written.read_svg import Step, paths

@@ -6,7 +6,6 @@ import math
 from collections.abc import Iterable, Iterator
 
 import gmpy2
-
 from minkref.reports.evidence.written.curves import Arc, Grown, Piece, Place
 from minkref.reports.evidence.written.tally import Tally, told
 from minkref.reports.evidence.written.units import Real, exact_double, is_double_of, unit

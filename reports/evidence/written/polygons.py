@@ -6,14 +6,13 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 import gmpy2
-
 from minkref.reports.evidence.written.covering import Neighbourhood
 from minkref.reports.evidence.written.curves import Arc, Grown, Piece, Place
 from minkref.reports.evidence.written.distance import Ring, edges, to_segment, within
 from minkref.reports.evidence.written.measures import angle
-from minkref.reports.evidence.written.units import TIE, Real, exact, exact_double
 from minkref.reports.evidence.written.read_plane import Polygons
 from minkref.reports.evidence.written.tally import Tally
+from minkref.reports.evidence.written.units import TIE, Real, exact, exact_double
 
 READINGS: dict[str, Callable[[str], Any]] = {
     "as decimals": exact, "as doubles": lambda text: exact_double(float(text)),
@@ -34,7 +33,9 @@ class Asked:
 
     def judge(self, tally: Tally, writer: str, polygons: Polygons, outside: bool) -> None:
         for reading, number in READINGS.items():
-            rings = [[(number(x), number(y)) for x, y in ring] for one in polygons for ring in one]
+            rings: list[Ring] = [
+                [(number(x), number(y)) for x, y in ring] for one in polygons for ring in one
+            ]
             tally.numbers[f"{writer} {reading}"] += 2 * sum(map(len, rings))
             key = outside, tuple(map(tuple, rings))
             if key not in self.judged:

@@ -34,9 +34,9 @@ def rings_of(d: str) -> list[list[Step]]:
     rings: list[list[Step]] = []
     for letter, numbers in _commands(d):
         if letter == "M":
-            rings.append([Step(*numbers)])
+            rings.append([Step(numbers[0], numbers[1])])
         elif letter == "L":
-            rings[-1].append(Step(*numbers))
+            rings[-1].append(Step(numbers[0], numbers[1]))
         elif letter == "A":
             rx, ry, _, large, sweep, x, y = numbers
             if rx != ry or sweep != "0":

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from minkref.reports.evidence.written import (
     judge_events,
+    judge_moving,
     judge_pair_events,
     judge_plane,
     judge_radii,
@@ -41,6 +42,7 @@ def in_plane(tally: Tally, answers: Answers, index: int) -> None:
     tally.begin(one.kind, f"'{one.P}' '{one.Q}' --scale {one.scale}")
     with tally.answer("sum"):
         judge_plane.judge(tally, answers, one)
+    judge_moving.judge(tally, answers, one)
 
 
 def in_space(tally: Tally, answers: Answers, index: int) -> None:

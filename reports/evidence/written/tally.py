@@ -8,7 +8,6 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 
 import gmpy2
-
 import minkref
 from minkref.reports.evidence.written.answers import BrokenDown, Refusal
 from minkref.reports.evidence.written.units import Real, exact, is_double_of, is_rounded, units_off
