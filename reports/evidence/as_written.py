@@ -54,6 +54,9 @@ def run(findings: Findings, quick: bool) -> None:
         tallies[setting].add(tally)
     for setting, tally in tallies.items():
         _tell(findings, setting, tally, COUNTS[setting][quick])
+        if not quick:
+            missing = settings.kinds(setting) - set(tally.kinds)
+            findings.none(f"{setting}: kinds that are never drawn", sorted(missing))
     _changes(findings, quick)
     findings.figures["seed"] = settings.SEED
 

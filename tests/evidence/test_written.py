@@ -13,6 +13,9 @@ pytest.importorskip("gmpy2")
 import gmpy2
 from minkref.reports.evidence.written import (
     expressions,
+    inputs_disc,
+    inputs_plane,
+    inputs_space,
     places,
     read_dxf,
     read_meshes,
@@ -189,3 +192,15 @@ def test_places_as_far_from_their_features() -> None:
     floor, ceiling = Edge(b, a), Edge(c, Vertex(*q(4, 2)))  # 2 apart, the set beyond them
     facing = {tuple(map(float, one)) for one in solutions([floor, ceiling, Vertex(*q(9, 1))])}
     assert facing == {(8.0, 1.0, 1.0), (10.0, 1.0, 1.0)}
+
+
+@pytest.mark.parametrize(
+    ("draw", "kinds", "count"),
+    [
+        (inputs_disc.drawn, inputs_disc.kinds, 1500),
+        (inputs_plane.pair, inputs_plane.kinds, 800),
+        (inputs_space.solids, inputs_space.kinds, 200),
+    ],
+)
+def test_each_kind_is_drawn(draw: Any, kinds: Any, count: int) -> None:
+    assert {draw(46, index).kind for index in range(count)} == kinds()

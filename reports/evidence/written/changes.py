@@ -24,10 +24,10 @@ def _each(change: Change) -> Change:
     return lambda text: DECIMAL.sub(one, text)
 
 
-def _steps(toward: float) -> Change:
+def _steps(toward: float, count: int) -> Change:
     def moved(text: str) -> str:
         value = float(text)
-        for _ in range(2):
+        for _ in range(count):
             value = math.nextafter(value, math.copysign(toward, value) if toward else 0.0)
         return repr(value)
 
@@ -35,8 +35,9 @@ def _steps(toward: float) -> Change:
 
 
 CHANGES: dict[str, Change] = {
-    "doubles two units nearer to zero": _each(_steps(0.0)),
-    "doubles two units farther from zero": _each(_steps(math.inf)),
+    "doubles one unit nearer to zero": _each(_steps(0.0, 1)),
+    "doubles two units nearer to zero": _each(_steps(0.0, 2)),
+    "doubles two units farther from zero": _each(_steps(math.inf, 2)),
     "fourteen digits": _each(lambda text: f"{float(text):.14g}"),
     "no number": _each(lambda text: "nan"),
     "the lower end of a wide interval": lambda text: re.sub(

@@ -46,6 +46,7 @@ def judge(tally: Tally, answers: Answers, solids: Solids) -> None:
                 true,
                 [found[0][order.index(k)] for k in range(len(true))],
             )
+    document = answers.document(*words)
     tally.numbers["sum in space --json"] += 2
     if exact(document["volume"]) != volume:
         tally.fault("sum in space --json", "a volume that is not exact", document["volume"])

@@ -33,9 +33,7 @@ class Asked:
 
     def judge(self, tally: Tally, writer: str, polygons: Polygons, outside: bool) -> None:
         for reading, number in READINGS.items():
-            rings: list[Ring] = [
-                [(number(x), number(y)) for x, y in ring] for one in polygons for ring in one
-            ]
+            rings = _read(polygons, number)
             tally.numbers[f"{writer} {reading}"] += 2 * sum(map(len, rings))
             key = outside, tuple(map(tuple, rings))
             if key not in self.judged:
@@ -66,6 +64,10 @@ class Asked:
     def _near(self, p: Place, rings: list[Ring]) -> bool:
         most = self.tolerance**2 * (1 + TIE)
         return within(p, rings) or any(to_segment(p, edge) <= most for edge in edges(rings))
+
+
+def _read(polygons: Polygons, number: Callable[[str], Any]) -> list[Ring]:
+    return [[(number(x), number(y)) for x, y in ring] for one in polygons for ring in one]
 
 
 def _has(rings: list[Ring], p: Place) -> bool:

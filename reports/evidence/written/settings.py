@@ -7,6 +7,9 @@ from collections.abc import Callable
 from pathlib import Path
 
 from minkref.reports.evidence.written import (
+    inputs_disc,
+    inputs_plane,
+    inputs_space,
     judge_events,
     judge_moving,
     judge_pair_events,
@@ -16,9 +19,6 @@ from minkref.reports.evidence.written import (
     judge_sum,
 )
 from minkref.reports.evidence.written.answers import Answers, Change
-from minkref.reports.evidence.written.inputs_disc import drawn
-from minkref.reports.evidence.written.inputs_plane import pair
-from minkref.reports.evidence.written.inputs_space import solids
 from minkref.reports.evidence.written.tally import Tally
 from minkref.reports.evidence.written.units import use_bits
 
@@ -30,7 +30,7 @@ DISC_JUDGES = {
 
 
 def with_disc(tally: Tally, answers: Answers, index: int) -> None:
-    one = drawn(SEED, index)
+    one = inputs_disc.drawn(SEED, index)
     tally.begin(one.kind, f"'{one.text}' {one.radius}")
     for what, judge in DISC_JUDGES.items():
         with tally.answer(what):
@@ -38,7 +38,7 @@ def with_disc(tally: Tally, answers: Answers, index: int) -> None:
 
 
 def in_plane(tally: Tally, answers: Answers, index: int) -> None:
-    one = pair(SEED, index)
+    one = inputs_plane.pair(SEED, index)
     tally.begin(one.kind, f"'{one.P}' '{one.Q}' --scale {one.scale}")
     with tally.answer("sum"):
         judge_plane.judge(tally, answers, one)
@@ -46,7 +46,7 @@ def in_plane(tally: Tally, answers: Answers, index: int) -> None:
 
 
 def in_space(tally: Tally, answers: Answers, index: int) -> None:
-    one = solids(SEED, index)
+    one = inputs_space.solids(SEED, index)
     tally.begin(one.kind, f"solids({SEED}, {index}) of inputs_space --scale {one.scale}")
     with tally.answer("sum"):
         judge_space.judge(tally, answers, one)
@@ -55,6 +55,13 @@ def in_space(tally: Tally, answers: Answers, index: int) -> None:
 SETTINGS: dict[str, Callable[[Tally, Answers, int], None]] = {
     "disc": with_disc, "plane": in_plane, "space": in_space,
 }  # fmt: skip
+
+
+def kinds(setting: str) -> set[str]:
+    """All kinds of cases that a setting may draw."""
+    return {
+        "disc": inputs_disc.kinds, "plane": inputs_plane.kinds, "space": inputs_space.kinds,
+    }[setting]()  # fmt: skip
 
 
 def judged(setting: str, indices: range, change: Change | None = None) -> Tally:
