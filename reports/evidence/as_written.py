@@ -69,6 +69,10 @@ def _tell(findings: Findings, setting: str, tally: Tally, wanted: int) -> None:
         for (writer, fault), count in tally.wrong.most_common()
     ]
     findings.none(f"{setting}: numbers and files that are not right", shown)
+    refused = [f"{count:,} of {what}" for what, count in tally.refused.items()]
+    findings.none(f"{setting}: answers that are refused", refused)
+    unread = [writer for writer in settings.WRITERS[setting] if not tally.numbers[writer]]
+    findings.none(f"{setting}: writers of which no number is read", unread)
     findings.figures[setting] = {
         "kinds": dict(sorted(tally.kinds.items())),
         "numbers compared, by writer": dict(sorted(tally.numbers.items())),

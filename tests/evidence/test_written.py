@@ -26,6 +26,7 @@ from minkref.reports.evidence.written import (
 from minkref.reports.evidence.written.covering import Neighbourhood
 from minkref.reports.evidence.written.curves import Grown, grown
 from minkref.reports.evidence.written.equidistant import Edge, Vertex, between, solutions
+from minkref.reports.evidence.written.judge_plane import area_told
 from minkref.reports.evidence.written.measures import area_and_length, bulge
 from minkref.reports.evidence.written.tally import Tally
 
@@ -164,6 +165,12 @@ def test_inside_is_inside_and_around_is_around() -> None:
     assert near.outside_of([box])  # its corners are farther than the radius
 
 
+def test_nothing_is_inside_of_a_segment() -> None:
+    near = Neighbourhood([[q(0, 0), q(0, 9)]], gmpy2.mpq(1))
+    assert near.met_by([[q(-2, -2), q(2, -2), q(2, 11), q(-2, 11)]]) == []
+    assert not near.has(q(-2, 1))
+
+
 def test_an_edge_across_several_edges_is_covered_by_all_of_them() -> None:
     """No edge of the comb is as near to both ends as the radius."""
     comb = [q(0, 0), q(9, 0), q(9, 1), q(0, 1)]
@@ -204,3 +211,21 @@ def test_places_as_far_from_their_features() -> None:
 )
 def test_each_kind_is_drawn(draw: Any, kinds: Any, count: int) -> None:
     assert {draw(46, index).kind for index in range(count)} == kinds()
+
+
+@pytest.mark.parametrize(
+    ("line", "right"),
+    [
+        ("area  3.94973545", True),
+        ("area  1493/378, about 3.94973545", True),
+        ("area  3.94973545 = 1493/378", False),
+        ("area  1493/378, about 3.94973546", False),
+        ("area  1493/379, about 3.94973545", False),
+        ("volume  about 3.9497 (7 characters; --json prints it)", True),
+        ("volume  3.9497 = (7 characters; --json prints it)", False),
+    ],
+)
+def test_an_area_is_told_as_it_is(line: str, right: bool) -> None:
+    tally = Tally()
+    area_told(tally, "table", f"sum  g1 + g2\n{line}\nholes  1\n", gmpy2.mpq(1493, 378))
+    assert (not tally.wrong) == right

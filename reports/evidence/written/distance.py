@@ -53,9 +53,10 @@ def apart(one: Segment, other: Segment) -> Any:
 
 
 def within(p: Point, rings: Iterable[Ring]) -> bool:
-    """Whether a point is in what rings bound by the even-odd rule; on a ring either way."""
+    """Whether a point is in what rings bound by the even-odd rule; on a ring either way. Segments
+    and points bound nothing."""
     inside = False
-    for (ax, ay), (bx, by) in edges(rings):
+    for (ax, ay), (bx, by) in edges(ring for ring in rings if len(ring) > 2):
         if (ay > p[1]) != (by > p[1]):
             at = (bx - ax) * (p[1] - ay) - (p[0] - ax) * (by - ay)
             inside ^= (at > 0) == (by > ay)

@@ -22,7 +22,7 @@ READERS: dict[str, Callable[[str], Polygons]] = {
     "wkt": read_plane.wkt, "geojson": read_plane.geojson, "poly": read_plane.poly,
     "json": read_plane.plain_json,
 }  # fmt: skip
-AREA = re.compile(r"^(?:area|volume) +(\S+)(?: = (.+))?$", re.M)
+AREA = re.compile(r"^(?:area|volume) +(?:(\S+), )?(?:about )?(\S+)(?: = (.+)| \(.+\))?$", re.M)
 BOX = re.compile(r">x (\S+) to (\S+), y (\S+) to ([^\s<]+)<")
 ROW = re.compile(r"^ *(\d\S*) +(\S+) +(\d+) +(\d+) +(\d+) +(\S+)(?: .*)?$", re.M)
 PICTURE = 0.02  # of a unit: two decimals, and a scale that is measured
@@ -74,18 +74,19 @@ def approximate(tally: Tally, writer: str, number: str | None, true: Any) -> Non
 
 
 def area_told(tally: Tally, writer: str, table: str, true: Any) -> None:
-    """A number that is rounded has no `=` beside it."""
+    """As a fraction and about, or as one number; a number that is rounded has no `=` beside it."""
     found = AREA.search(table)
     if not found:
         tally.fault(writer, "no area or volume", table[:300])
         return
-    if "/" in found[1]:
-        tally.numbers[writer] += 1
-        if exact(found[1]) != true:
-            tally.fault(writer, "digits that are not certain", found[1])
-        return
-    tally.printed(writer, found[1], true, "area or volume")
-    if found[2] and exact(found[1]) != true:
+    fraction, number, equal = found.groups()
+    for text in filter(None, (fraction, number)):
+        if "/" not in text:
+            tally.printed(writer, text, true, "area or volume")
+        elif exact(text) != true:
+            tally.fault(writer, "digits that are not certain", text)
+    tally.numbers[writer] += 1
+    if equal and exact(number) != true:
         tally.fault(writer, "`=` beside a rounded number", found[0][:120])
 
 

@@ -46,6 +46,10 @@ def judge(tally: Tally, answers: Answers, solids: Solids) -> None:
                 true,
                 [found[0][order.index(k)] for k in range(len(true))],
             )
+    for ending in ("off", "obj", "ply", "stl"):
+        with tally.answer(f".{ending} --triangles"):
+            text, _ = answers.file(ending, *words, "--triangles")
+            _triangles(tally, f".{ending} --triangles", READERS[ending](text), true)
     document = answers.document(*words)
     tally.numbers["sum in space --json"] += 2
     if exact(document["volume"]) != volume:
@@ -98,6 +102,21 @@ def _corners(
             edges[order[a], order[b]] += 1
     if any(edges[b, a] != count for (a, b), count in edges.items()):
         tally.fault(writer, "faces that are not closed", "")
+
+
+def _triangles(tally: Tally, writer: str, found: Mesh, true: list[Any]) -> None:
+    """Triangles with vertices of the sum; but for STL, each edge has two, one for each way."""
+    corners, faces = found
+    for corner, number in zip(corners, _order(found, true), strict=True):
+        for text, value in zip(corner, true[number], strict=True):
+            tally.number(writer, repr(float(text)), value, "a coordinate")
+    if any(len(face) != 3 for face in faces):
+        tally.fault(writer, "a face that is no triangle", "")
+    edges = Counter(edge for a, b, c in faces for edge in ((a, b), (b, c), (c, a)))
+    if writer.startswith(".stl"):
+        return
+    if any(count != 1 or edges[b, a] != 1 for (a, b), count in edges.items()):
+        tally.fault(writer, "an edge that has not two triangles", "")
 
 
 def _order(found: Mesh, true: list[Any]) -> list[int]:

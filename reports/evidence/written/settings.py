@@ -64,6 +64,25 @@ def kinds(setting: str) -> set[str]:
     }[setting]()  # fmt: skip
 
 
+_INSIDE = tuple(f".{ending} inside as doubles" for ending in ("wkt", "geojson", "poly"))
+WRITERS = {
+    "disc": (
+        ".dxf", ".svg", *_INSIDE, "sum --json", "--measures", "table of sum", "events --json",
+        "table of events", "events --kind pair", "index", "sweep --json", "table of sweep",
+        "OffsetIndex.vertices", "OffsetIndex.area_and_length", "minkref.offset",
+    ),
+    "plane": (
+        ".wkt", ".geojson", ".poly", ".json", ".svg", ".parquet", "sum --json", "table of sum",
+        "sweep --json", "table of sweep", "table of events", "convolution .geojson",
+        "table of convolution", "ScaleIndex.area", "ScaleIndex.rings", "PolygonSet.arrays",
+    ),
+    "space": (
+        ".off", ".obj", ".ply", ".stl", ".off --triangles", ".obj --triangles", ".ply --triangles",
+        "sum in space --json", "table of sum in space",
+    ),
+}  # fmt: skip
+
+
 def judged(setting: str, indices: range, change: Change | None = None) -> Tally:
     """What the judge finds on these cases of a setting; answers are changed on the way."""
     use_bits()
