@@ -22,9 +22,9 @@ DEPENDS = (
     "reports/evidence/written/*.py",
 )  # fmt: skip
 
-COUNTS = {"disc": (5000, 26), "plane": (2000, 24), "space": (500, 12)}  # full, quick
+COUNTS = {"disc": (5000, 24), "plane": (2000, 24), "space": (500, 12)}  # full, quick
 BATCH = {"disc": 25, "plane": 50, "space": 10}
-QUICK_BATCH = 13
+QUICK_BATCH = 12
 WITHIN = 60.0  # seconds, in which a changed answer is found
 QUICK_CHANGES = (("plane", "doubles two units nearer to zero"),)
 Task = tuple[str, int, int]

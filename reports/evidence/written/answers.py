@@ -116,4 +116,4 @@ def _refuse(code: int, out: str, err: str) -> None:
         raise BrokenDown(f"exit code {code}: {err.strip()[-200:]}")
     with suppress(ValueError, KeyError, TypeError):
         raise Refusal(str(json.loads(out)["error"]["code"]))
-    raise Refusal((err.strip().splitlines() or [""])[0][:120])
+    raise Refusal((err.strip().splitlines() or [""])[0].rsplit(": ", 1)[-1][:120])

@@ -46,8 +46,8 @@ class Tally:
             yield
         except (Refusal, minkref.Refusal) as refusal:
             self.refused[f"{writer}: {refusal.code}"] += 1
-        except BrokenDown as broken:
-            self.fault(writer, "the command breaks down", str(broken))
+        except (BrokenDown, RuntimeError, ArithmeticError, AssertionError, TypeError) as broken:
+            self.fault(writer, "the command breaks down", f"{type(broken).__name__} {broken}"[:300])
         except (ValueError, KeyError, IndexError) as error:
             self.fault(
                 writer, "a text that is not of its format", f"{type(error).__name__} {error}"
