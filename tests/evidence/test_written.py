@@ -12,6 +12,7 @@ pytest.importorskip("gmpy2")
 
 import gmpy2
 from minkref.reports.evidence.written import (
+    bulges,
     expressions,
     inputs_disc,
     inputs_plane,
@@ -189,6 +190,22 @@ def test_a_corner_that_is_wrong_is_found_and_a_right_one_is_not() -> None:
     assert not tally.wrong
     places.compare(tally, "file", [(-0.5000000000000002, 0.0), *right[1:], (9.0, 9.0)], of)
     assert len(tally.wrong) == 2 and tally.numbers["file"] == 34
+
+
+@pytest.mark.parametrize(
+    ("parts", "right"),
+    [
+        (["0.41421356237309503"], True),
+        (["0.4142135623730952"], False),
+        (["0.41421356237309153", "3e-15"], True),  # cut where doubles see no length
+        (["0.41421356237309153", "3e-14"], False),
+    ],
+)
+def test_an_arc_in_parts_is_all_of_the_arc(parts: list[str], right: bool) -> None:
+    of, tally = square_and_disc("1/4"), Tally()
+    sides = [("-0.5", "0", parts[0]), *[("0", "-0.5", part) for part in parts[1:]]]
+    bulges.compare(tally, [*sides, ("0", "-0.5", "0"), ("1", "-0.5", "0")], of)
+    assert (not tally.wrong) == right
 
 
 def test_places_as_far_from_their_features() -> None:

@@ -8,23 +8,23 @@ from collections.abc import Callable
 from typing import Any
 
 import gmpy2
-from minkref.reports.evidence.written import expressions, pictures, places, read_dxf, read_plane
+from minkref.reports.evidence.written import (
+    bulges,
+    expressions,
+    pictures,
+    places,
+    read_dxf,
+    read_plane,
+)
 from minkref.reports.evidence.written.answers import Answers, Document
 from minkref.reports.evidence.written.covering import Neighbourhood
-from minkref.reports.evidence.written.curves import Grown, Piece, grown
+from minkref.reports.evidence.written.curves import Grown, grown
 from minkref.reports.evidence.written.distance import Ring, to_segment
 from minkref.reports.evidence.written.inputs_disc import Drawn
-from minkref.reports.evidence.written.measures import area_and_length, bulge
+from minkref.reports.evidence.written.measures import area_and_length
 from minkref.reports.evidence.written.polygons import Asked
 from minkref.reports.evidence.written.tally import Tally, told
-from minkref.reports.evidence.written.units import (
-    TIE,
-    Real,
-    exact,
-    exact_double,
-    is_double_of,
-    unit,
-)
+from minkref.reports.evidence.written.units import TIE, Real, exact, exact_double, unit
 
 GREATEST = gmpy2.mpq(2) ** 1023  # smaller numbers are in the range of doubles for certain
 WIDEST = 2  # units in the last place that an enclosure may have
@@ -165,25 +165,7 @@ def _dxf(tally: Tally, text: str, of: Grown) -> None:
     rings = read_dxf.polylines(text)
     places.compare(tally, ".dxf", places.doubles((x, y) for ring in rings for x, y, _ in ring), of)
     for ring in rings:
-        for k, (x, y, curved) in enumerate(ring):
-            piece = _piece_between(of, (x, y), ring[(k + 1) % len(ring)][:2])
-            if piece is not None:
-                tally.number(".dxf", curved, bulge(piece), "a bulge")
-
-
-def _piece_between(of: Grown, start: tuple[str, str], end: tuple[str, str]) -> Piece | None:
-    """The piece with these ends, if it is the only one."""
-    found = [
-        piece
-        for ring in of.rings
-        for piece in ring
-        if piece.start and piece.end and _is(start, piece.start) and _is(end, piece.end)
-    ]
-    return found[0] if len(found) == 1 else None
-
-
-def _is(written: tuple[str, str], true: tuple[Real, Real]) -> bool:
-    return all(is_double_of(exact(a), b) for a, b in zip(written, true, strict=True))
+        bulges.compare(tally, ring, of)
 
 
 def _polygons(tally: Tally, answers: Answers, words: tuple[str, ...], asked: Asked) -> None:
