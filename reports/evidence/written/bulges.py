@@ -14,7 +14,7 @@ from minkref.reports.evidence.written.curves import Grown, Piece
 from minkref.reports.evidence.written.measures import bulge
 from minkref.reports.evidence.written.read_dxf import Corner
 from minkref.reports.evidence.written.tally import Tally
-from minkref.reports.evidence.written.units import Real, exact, is_double_of, units_off
+from minkref.reports.evidence.written.units import Real, exact, is_double_of, unit, units_off
 
 Place = tuple[str, str]
 
@@ -36,11 +36,16 @@ def compare(tally: Tally, ring: list[Corner], of: Grown) -> None:
 def _sides(ring: list[Corner]) -> Iterator[tuple[Place, Place, str, list[str]]]:
     """The sides that have a length, with the bulges of those beside them that have none."""
     n = len(ring)
-    empty = [ring[k][:2] == ring[(k + 1) % n][:2] for k in range(n)]
+    empty = [_touch(ring[k][:2], ring[(k + 1) % n][:2]) for k in range(n)]
     for k, (x, y, curved) in enumerate(ring):
         if not empty[k]:
             beside = [ring[m % n][2] for m in (k - 1, k + 1) if n > 1 and empty[m % n]]
             yield (x, y), ring[(k + 1) % n][:2], curved, beside
+
+
+def _touch(a: Place, b: Place) -> bool:
+    """Whether two places may stand for one, by the rounding of both."""
+    return all(abs(exact(p) - exact(q)) <= 2 * unit(exact(p)) for p, q in zip(a, b, strict=True))
 
 
 def _totals(curved: str, beside: list[str]) -> Iterator[Real]:
