@@ -18,6 +18,7 @@
 #include "python/diagram_row.hpp"
 #include "python/stopwatch.hpp"
 #include "python/vector_caster.hpp"
+#include "reference/disc/diagram/edge_names.hpp"
 #include "reference/number/radicals/polynomial.hpp"
 
 namespace nb = nanobind;
@@ -49,13 +50,12 @@ const char* name(DiagramEvent::Kind kind) {
   return "";
 }
 
-FeatureName feature_name(const DiagramEvents& found, std::uint32_t feature) {
-  const OffsetCurves::Feature& own = found.curves.features[feature];
-  if (own.edge == OffsetPatch::none) {
-    const Point at = found.vertex(feature);
-    return {"vertex", to_string(at.x), to_string(at.y)};
-  }
-  const VertexId& id = found.curves.edges[own.edge].id;
+FeatureName vertex_name(const DiagramEvents& found, std::uint32_t feature) {
+  const Point at = found.vertex(feature);
+  return {"vertex", to_string(at.x), to_string(at.y)};
+}
+
+FeatureName edge_row(const VertexId& id) {
   return {"edge", std::to_string(id.ring), std::to_string(id.index)};
 }
 
@@ -69,8 +69,10 @@ DiagramRow diagram_row(const DiagramEvents& found, const DiagramEvent& event) {
   const Interval radius = found.radius(event);
   const Vector<Interval> place = found.place(event);
   std::vector<FeatureName> features;
-  for (const std::uint32_t number : event.features) {
-    features.push_back(feature_name(found, number));
+  for (std::size_t k = 0; k < event.features.size(); ++k) {
+    features.push_back(event.edges[k] == OffsetPatch::none
+                           ? vertex_name(found, event.features[k])
+                           : edge_row(edge_name(found, event.edges[k], event)));
   }
   return {name(event.kind),
           rational,

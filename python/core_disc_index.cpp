@@ -20,6 +20,7 @@
 #include "python/diagram_row.hpp"
 #include "python/stopwatch.hpp"
 #include "python/vector_caster.hpp"
+#include "reference/disc/diagram/edge_names.hpp"
 #include "reference/disc/index/corner_motion.hpp"
 #include "reference/disc/index/index_measures.hpp"
 #include "reference/disc/index/index_region.hpp"
@@ -152,8 +153,22 @@ std::vector<JoinRow> joins(const DiscIndex& self) {
 /// An end of a part of the diagram: "event" and its number; "vertex" and the coordinates of a
 /// reflex one; "infinity" and two vertices of the hull between which it is.
 using PartEnd = std::pair<std::string, std::vector<std::string>>;
-/// Both ends, and the features on the left and right of the way from the one to the other.
+/// Both ends, and the features on the left and right of the way from the one to the other, where it
+/// starts.
 using PartRow = std::tuple<PartEnd, PartEnd, FeatureName, FeatureName>;
+
+/// The feature of a side of the boundary where a node of the graph is in front of it.
+FeatureName side_name(const DiagramEvents& diagram, std::uint32_t node, std::uint32_t number,
+                      Past past) {
+  const BoundarySide& side = diagram.walks.sides[number];
+  if (side.is_arc) return vertex_name(diagram, side.feature);
+  if (node < diagram.events.size()) {
+    return edge_row(edge_name(diagram, side.edge, diagram.events[node], past));
+  }
+  // A reflex vertex: the side starts there, or ends.
+  const std::uint32_t vertex = past == Past::ends ? side.to : side.from;
+  return edge_row(edge_name(diagram, side.edge, diagram.curves.features[vertex].centre, past));
+}
 
 std::vector<PartRow> graph_parts(const DiscIndex& self) {
   const DiagramEvents& diagram = self.index.diagram();
@@ -179,8 +194,9 @@ std::vector<PartRow> graph_parts(const DiscIndex& self) {
     if (half.twin < k) continue;
     const auto& sides = diagram.walks.sides;
     rows.emplace_back(end(half.from, sides[half.from_side].from),
-                      end(half.to, sides[half.to_side].to), feature_name(diagram, half.feature),
-                      feature_name(diagram, graph.halves[half.twin].feature));
+                      end(half.to, sides[half.to_side].to),
+                      side_name(diagram, half.from, half.from_side, Past::goes_on),
+                      side_name(diagram, half.from, graph.halves[half.twin].to_side, Past::ends));
   }
   return rows;
 }
@@ -200,7 +216,9 @@ class Drawing {
       : self_(index),
         index_(index.index),
         diagram_(index.index.diagram()),
-        unit_(to_double(Rational(1 / diagram_.factor))) {}
+        unit_(to_double(Rational(1 / diagram_.factor))) {
+    name_edges();
+  }
 
   nb::dict fields() const {
     nb::dict all;
@@ -235,6 +253,26 @@ class Drawing {
     return all;
   }
 
+  /// The features of events, by number: an edge that is not the first one on its line has a number
+  /// of its own behind those of the curves.
+  void name_edges() {
+    const OffsetCurves& curves = diagram_.curves;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> numbers;
+    for (const DiagramEvent& event : diagram_.events) {
+      near_.push_back(event.features);
+      for (std::size_t k = 0; k < event.features.size(); ++k) {
+        if (event.edges[k] == OffsetPatch::none) continue;
+        const std::uint32_t line = event.features[k];
+        const VertexId id = edge_name(diagram_, event.edges[k], event);
+        if (id == curves.edges[curves.features[line].edge].id) continue;
+        const auto next = static_cast<std::uint32_t>(curves.features.size() + numbers.size());
+        const auto [found, is_new] = numbers.try_emplace({id.ring, id.index}, next);
+        if (is_new) further_edges_.emplace_back(id, line);
+        near_.back()[k] = found->second;
+      }
+    }
+  }
+
   void put_boundary(nb::dict& all) const {
     nb::list features;
     for (const OffsetCurves::Feature& feature : diagram_.curves.features) {
@@ -246,6 +284,11 @@ class Drawing {
       const OffsetEdge& edge = diagram_.curves.edges[feature.edge];
       const JointMotion joint = joint_motion(edge.start, edge.normal);
       features.append(nb::make_tuple(joint.bx, joint.by, edge.id.ring, edge.id.index));
+    }
+    for (const auto& [id, line] : further_edges_) {
+      const OffsetEdge& edge = diagram_.curves.edges[diagram_.curves.features[line].edge];
+      const JointMotion joint = joint_motion(edge.start, edge.normal);
+      features.append(nb::make_tuple(joint.bx, joint.by, id.ring, id.index, line));
     }
     all["features"] = features;
     Rows<6> sides;
@@ -266,16 +309,14 @@ class Drawing {
   void put_events(nb::dict& all) const {
     std::string kinds;
     std::vector<double> places;
-    std::vector<Numbers> features;
     for (const DiagramEvent& event : diagram_.events) {
       kinds += "cjsrm"[static_cast<std::size_t>(event.kind)];
       places.push_back(unit_ * approximate(event.at.x));
       places.push_back(unit_ * approximate(event.at.y));
-      features.push_back(event.features);
     }
     all["kinds"] = kinds;
     all["places"] = places;
-    all["near"] = lists(features);
+    all["near"] = lists(near_);
     Rows<2> gaps;
     for (const HullGap& gap : diagram_.gaps) gaps.push_back({gap.from, gap.to});
     all["gaps"] = lists(gaps);
@@ -326,7 +367,9 @@ class Drawing {
   const DiscIndex& self_;
   const OffsetIndex& index_;
   const DiagramEvents& diagram_;
-  double unit_;  ///< a power of two
+  double unit_;                                                    ///< a power of two
+  std::vector<Numbers> near_;                                      ///< features of events
+  std::vector<std::pair<VertexId, std::uint32_t>> further_edges_;  ///< and their lines
 };
 
 }  // namespace

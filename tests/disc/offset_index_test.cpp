@@ -8,6 +8,7 @@
 
 #include "reference/disc/index/index_measures.hpp"
 #include "reference/disc/index/index_region.hpp"
+#include "reference/disc/index/radius_level.hpp"
 #include "reference/disc/region/offset_region.hpp"
 #include "reference/number/radicals/polynomial.hpp"
 #include "tests/plane/random_polygons.hpp"
@@ -221,6 +222,58 @@ TEST(OffsetIndex, NamesTheHoleThatEndsLast) {
   EXPECT_EQ(diagram.exact(diagram.events[second.ends_at]).squared_radius,
             RootNumber(Rational(10201, 400)));
   EXPECT_EQ(diagram.exact(diagram.events[first.ends_at]).squared_radius, RootNumber(64));
+}
+
+/// Two holes are born at one radius, at which a corner of the outside is as far from the boxes:
+/// each at the door that cuts it off.
+TEST(OffsetIndex, PutsEachBirthAtItsOwnDoor) {
+  const auto box = [](int x, int y, int high) {
+    return Polygon{{{x, y}, {x + 1, y}, {x + 1, y + high}, {x, y + high}}, {}};
+  };
+  const Built built(PolygonSet{{box(16, 12, 1), box(15, 7, 1), box(11, 10, 3), box(19, 10, 1)}});
+  ASSERT_EQ(built.history.all_holes.size(), 2U);
+  const DiagramEvents& diagram = built.index.diagram();
+  std::vector<RootPoint> places;
+  for (const OffsetHole& hole : built.history.all_holes) {
+    const auto place = diagram.exact(diagram.events[hole.born_at]);
+    EXPECT_EQ(place.squared_radius, RootNumber(4));
+    EXPECT_EQ(hole.from, 0U);
+    places.push_back(place.at);
+  }
+  const auto is_born_at = [&](int x, int y) {
+    return std::any_of(places.begin(), places.end(), [&](const RootPoint& at) {
+      return are_same(at, {RootNumber(x), RootNumber(y)});
+    });
+  };
+  EXPECT_TRUE(is_born_at(16, 10));
+  EXPECT_TRUE(is_born_at(14, 12));
+}
+
+/// Three parts about one door are cut off there; a row of them, each at its own door; one that two
+/// doors cut off, at the first of both; what leads to one part only cuts nothing off.
+TEST(RadiusLevel, CutsOffPartsDoorByDoor) {
+  using Ways = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+  constexpr std::uint32_t outside = 7;
+  RadiusLevel star(3);
+  star.join(1, 2);
+  for (const auto& [node, part] : Ways{{0, outside}, {1, outside}, {1, 8}, {2, 9}}) {
+    star.lead(node, part);
+  }
+  ASSERT_EQ(star.groups().size(), 1U);
+  EXPECT_EQ(star.cut_off(star.groups()[0], outside), (Ways{{8, 1}, {9, 2}}));
+  RadiusLevel row(4);
+  for (const auto& [node, part] : Ways{{3, outside}, {3, 8}, {1, 8}, {1, 9}, {0, 9}, {2, 8}}) {
+    row.lead(node, part);
+  }
+  EXPECT_EQ(row.cut_off(row.groups()[0], outside), (Ways{{8, 3}, {9, 1}}));
+  RadiusLevel around(2);
+  for (const auto& [node, part] : Ways{{1, 8}, {1, outside}, {0, outside}, {0, 8}}) {
+    around.lead(node, part);
+  }
+  EXPECT_EQ(around.cut_off(around.groups()[0], outside), (Ways{{8, 0}}));
+  RadiusLevel greatest(2);
+  EXPECT_EQ(greatest.groups().size(), 2U);
+  EXPECT_TRUE(greatest.groups()[0].parts.empty());
 }
 
 /// Squares side by side become one component where they face each other, at that radius already.

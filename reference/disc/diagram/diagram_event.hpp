@@ -31,6 +31,9 @@ struct DiagramEvent {
   Interval squared_radius;
   Features of;      ///< two or three of the features, which tell the place
   unsigned branch;  ///< which of the places that they tell
+  /// Of each feature that is a line the number of its edge that the place is in front of: if two of
+  /// them meet right there, of the one that ends. None of a vertex.
+  std::vector<std::uint32_t> edges = {};
 
   /// How many points of P are as near.
   std::size_t nearest_points() const { return features.size() - joints.size(); }

@@ -123,7 +123,8 @@ const drawing = {
         context.fill();
         continue;
       }
-      const [from, to] = sideBefore(number, x, y);
+      const [, , , , line = number] = data.features[number];
+      const [from, to] = sideBefore(line, x, y);
       context.moveTo(X(from[0]), Y(from[1]));
       context.lineTo(X(to[0]), Y(to[1]));
       context.lineWidth = 4;
