@@ -11,7 +11,15 @@ from typing import Annotated, Any
 import typer
 from minkref import _core
 from minkref.commands.line.memory import SIMPLER, Memory, memory_wall
-from minkref.commands.line.options import FirstOperand, Json, Scale, Schema, SecondOperand
+from minkref.commands.line.options import (
+    FirstOperand,
+    Json,
+    Scale,
+    Schema,
+    SecondOperand,
+    Triangles,
+    refuse_triangles,
+)
 from minkref.commands.lists.convolution_output import (
     edge_documents,
     geojson_pieces,
@@ -88,6 +96,7 @@ def command(
             help="Format to write, whatever the name of the file ends in. Default for `-`: json.",
         ),
     ] = None,
+    triangles: Triangles = False,
     memory: Memory = None,
     json: Json = False,
     schema: Schema = False,
@@ -99,8 +108,9 @@ def command(
         _refuse_in_space(full, compatible, limit)
         from minkref.commands.space.convolution import convolution_in_space
 
-        convolution_in_space(P, Q, scale, output, json, form, memory)
+        convolution_in_space(P, Q, scale, output, json, form, memory, triangles)
         return
+    refuse_triangles(triangles)
     watch = Stopwatch()
     exact_scale = read_scale(scale)
     if compatible not in COMPATIBLE:

@@ -12,7 +12,14 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 from minkref import _core
 from minkref.commands.line.memory import SMALLER, Memory, memory_wall
-from minkref.commands.line.options import FirstOperand, Json, Schema, SecondOperand
+from minkref.commands.line.options import (
+    FirstOperand,
+    Json,
+    Schema,
+    SecondOperand,
+    Triangles,
+    refuse_triangles,
+)
 from minkref.commands.line.output import plain_table
 from minkref.commands.line.progress import progress
 from minkref.commands.line.readings import FORMS, PLANE_CHOICES, ROUTE, readings_of, refuse_options
@@ -154,6 +161,7 @@ def command(
             "--format", help=f"Format of these files: {', '.join(FORMATS)}. Default: json."
         ),
     ] = None,
+    triangles: Triangles = False,
     memory: Memory = None,
     json: Json = False,
     schema: Schema = False,
@@ -175,6 +183,7 @@ def command(
         }
         unknown = {option: value is not None for option, value in named.items()}
         unknown |= {"--arithmetic": arithmetic != "rational", "--trace": trace}
+        unknown |= {"--triangles": triangles}
         sweep_with_disc(P, Q, radii, index, unknown, output, form, json, memory)
         return
     if in_space(P, Q):
@@ -184,8 +193,9 @@ def command(
         from minkref.commands.space.sweep import sweep_in_space
 
         asked = asked_repair(repair, arithmetic, as_read, reading, trace)
-        sweep_in_space(P, Q, scales_file, given, output, form, json, memory, asked)
+        sweep_in_space(P, Q, scales_file, given, output, form, json, memory, asked, triangles)
         return
+    refuse_triangles(triangles)
     if repair is not None or trace:
         option = "--trace" if repair is None else "--repair"
         what = "a sum in the plane has no repair"

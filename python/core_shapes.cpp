@@ -84,10 +84,15 @@ Set set_of_shape(const nb::object& shape, bool validated) {
   if (nb::isinstance<Set>(read)) {
     result = nb::cast<const Set&>(read);
   } else {
-    result.value = set_of_rings(nb::cast<std::vector<TextPolygon>>(read));
+    const auto polygons = nb::cast<std::vector<TextPolygon>>(read);
+    const Computing computing;
+    result.value = set_of_rings(polygons);
     if (validated) orient(result.value);
   }
-  if (validated && !result.canonical) validate_as_read(result.value, result.origins, "PolygonSet");
+  if (validated && !result.canonical) {
+    const Computing computing;
+    validate_as_read(result.value, result.origins, "PolygonSet");
+  }
   return result;
 }
 

@@ -37,12 +37,15 @@ def sum_in_space(
     form: str | None = None,
     memory: int | None = None,
     passages: bool = False,
+    triangles: bool = False,
 ) -> None:
     """The command, its options read but not yet checked."""
     watch = Stopwatch()
     scaling = read_scaling(scale)
     wanted = _checked_route(route, arithmetic)
     target = target_of(output, form, SPACE_FORMATS, "off", json)
+    if triangles and target is None:
+        raise Refusal("there is nothing to write", "--triangles", "add -o FILE, or -o -")
     work = "the sum" if wanted is None else f"route {wanted}"
     instead = f"{SIMPLER}, or the route edges" if wanted == "definition" else SIMPLER
     with memory_wall(memory, work, f"{P} and {Q}", instead):
@@ -54,12 +57,12 @@ def sum_in_space(
         tight = _passages(first, second, scaling, chosen, passages)
     exact = rounding = None
     if target is not None:
-        surface = mesh()
+        surface = mesh(triangles)
         text = refusing(target.name, lambda: _core.write_mesh(surface, target.form))
         exact = _core.writes_mesh_exactly(surface, target.form)
         if target.write(text, exact):
             return
-        rounding = None if exact else rounding_of(surface)
+        rounding = rounding_of(surface, exact) if target.form != "json" else None
     value = document(
         "sum",
         watch,
@@ -81,11 +84,16 @@ def sum_in_space(
 
 def summed(
     P: SpaceOperand, Q: SpaceOperand, scaling: Scaling, route: str
-) -> tuple[Callable[[], _core.Polyhedron], dict[str, Any]]:
-    """What makes the mesh that is written, and what the document says of the sum."""
+) -> tuple[Callable[[bool], _core.Polyhedron], dict[str, Any]]:
+    """What makes the mesh that is written, of triangles or not, and what the document says of the
+    sum."""
     if route in ROUTES or 0 in (P.surface.vertices, Q.surface.vertices):
         answer = compute(P, Q, scaling, route)
-        return lambda: answer.surface, of_convex_sum(answer, P, Q)
+        surface = answer.surface
+        return (
+            lambda triangles: surface.cut_into_triangles() if triangles else surface,
+            of_convex_sum(answer, P, Q),
+        )
     with told_of(f"route {route}") as tell:
         found = general_sum(P, Q, scaling, route, cores(), tell)
     return found.mesh, of_general_sum(found, P, Q)

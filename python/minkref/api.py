@@ -187,11 +187,13 @@ def read_mesh(path: str | os.PathLike[str]) -> Polyhedron:
     return _core.read_mesh_file(os.fsdecode(path))[0]
 
 
-def write_mesh(surface: Polyhedron, format: str) -> str:
+def write_mesh(surface: Polyhedron, format: str, *, triangles: bool = False) -> str:
     """The text of a polyhedron in `off`, `obj`, `stl`, `ply` or `json`. `json` is exact; the others
-    round to doubles what is no decimal. Linear. Raises BadInput. docs/formats.md."""
+    round to doubles what is no decimal. With `triangles`, faces are cut into triangles of positive
+    area. O(n log n). Raises BadInput. docs/formats.md."""
     expect_surfaces(surface=surface)
-    return _core.write_mesh(surface, text_of("format", format))
+    mesh = surface.cut_into_triangles() if triangles else surface
+    return _core.write_mesh(mesh, text_of("format", format))
 
 
 def set_memory_limit(bytes: int | None) -> None:

@@ -8,7 +8,7 @@ import json
 import math
 import re
 from collections.abc import Iterable, Sequence
-from decimal import Context, Decimal
+from decimal import ROUND_05UP, ROUND_CEILING, ROUND_FLOOR, Context, Decimal
 from fractions import Fraction
 from typing import Any
 
@@ -17,6 +17,11 @@ from minkref.errors import Refusal
 LONGEST_SCALE = 1000  # characters
 LARGEST_EXPONENT = 1000
 
+_NEIGHBOURS = tuple(
+    Context(prec=40, Emax=10**9, Emin=-(10**9), rounding=way)
+    for way in (ROUND_FLOOR, ROUND_CEILING)
+)
+_STICKY = Context(prec=800, Emax=10**9, Emin=-(10**9), rounding=ROUND_05UP)
 _DECIMAL = re.compile(r"[+-]?(\d+(?:\.\d*)?|\.\d+)([eE][+-]?\d+)?", re.ASCII)
 _FRACTION = re.compile(r"([+-]?\d+)/(\d+)", re.ASCII)
 
@@ -100,10 +105,15 @@ def read_number(text: str, what: str, where: str, mend: str) -> Fraction:
 
 
 def approximate(number: str) -> float:
-    """The double next to an exact number `n` or `n/d` of any length, for display only."""
-    context = Context(prec=40, Emax=10**9, Emin=-(10**9))
+    """The double nearest to an exact number `n` or `n/d` of any length, ties to even; infinite
+    beyond the range of doubles. For display only."""
     numerator, _, denominator = number.partition("/")
-    return float(context.divide(Decimal(numerator), Decimal(denominator or "1")))
+    above, below = Decimal(numerator), Decimal(denominator or "1")
+    low, high = (float(context.divide(above, below)) for context in _NEIGHBOURS)
+    if low == high:
+        return low
+    # An end between two doubles has 768 digits at most: below these no rounding goes astray.
+    return float(_STICKY.divide(above, below))
 
 
 def in_double_range(number: str) -> float | None:
@@ -120,6 +130,15 @@ def scientific(number: str) -> str:
         Decimal(numerator), Decimal(denominator or "1")
     )
     return f"{value:.6e}".replace("e+", "e")
+
+
+def near_text(number: str, digits: int | None = None) -> str:
+    """For tables: the double nearest to an exact number, rounded to so many digits; of a number
+    that no double is near, seven digits."""
+    value = in_double_range(number)
+    if value is None:
+        return scientific(number)
+    return str(value) if digits is None else f"{value:.{digits}g}"
 
 
 def set_json(polygons: Iterable[tuple[Sequence[Any], Iterable[Sequence[Any]]]]) -> str:

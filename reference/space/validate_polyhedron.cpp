@@ -61,6 +61,7 @@ class PolyhedronValidator {
 
   void check_repetitions() const {
     for (std::uint32_t f = 0; f < faces().size(); ++f) {
+      look_for_interrupt();
       Face sorted = faces()[f];
       std::sort(sorted.begin(), sorted.end());
       const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
@@ -178,6 +179,7 @@ class PolyhedronValidator {
     };
     std::vector<Corner> corners;
     for (std::uint32_t f = 0; f < faces().size(); ++f) {
+      look_for_interrupt();
       const Face& face = faces()[f];
       for (std::size_t k = 0, n = face.size(); k < n; ++k) {
         corners.push_back({face[k], face[(k + 1) % n], face[(k + n - 1) % n], f});
