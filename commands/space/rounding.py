@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
-from itertools import pairwise
+from itertools import chain, pairwise
 from typing import Any
 
 from minkref import _core
@@ -25,6 +26,13 @@ def rounding_of(mesh: _core.Polyhedron, is_text_exact: bool = False) -> dict[str
         if error.code == "memory-limit":
             raise
         return None
+
+
+def beyond_doubles(mesh: _core.Polyhedron) -> list[str]:
+    """A warning where a program that reads doubles has an infinite coordinate."""
+    if all(map(math.isfinite, chain.from_iterable(mesh.approximate_points()))):
+        return []
+    return ["a coordinate is beyond the range of doubles: most programs read it as infinite"]
 
 
 def is_closed(rings: list[list[int]]) -> bool:

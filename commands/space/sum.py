@@ -12,7 +12,7 @@ from minkref.commands.line.output import give, measure, print_lines, written_row
 from minkref.commands.line.progress import told_of
 from minkref.commands.lists.scale_index import cores
 from minkref.commands.lists.sweep_folder import SPACE_FORMATS
-from minkref.commands.space.rounding import rounding_of, rounding_rows
+from minkref.commands.space.rounding import beyond_doubles, rounding_of, rounding_rows
 from minkref.commands.space.sum_document import of_convex_sum, of_general_sum
 from minkref.documents import Stopwatch, document, refuse_overwriting
 from minkref.errors import Refusal, choice, refusing
@@ -56,13 +56,16 @@ def sum_in_space(
         mesh, fields = summed(first, second, scaling, chosen)
         tight = _passages(first, second, scaling, chosen, passages)
     exact = rounding = None
+    warnings = first.warnings + second.warnings
     if target is not None:
         surface = mesh(triangles)
         text = refusing(target.name, lambda: _core.write_mesh(surface, target.form))
         exact = _core.writes_mesh_exactly(surface, target.form)
         if target.write(text, exact):
             return
-        rounding = rounding_of(surface, exact) if target.form != "json" else None
+        if target.form != "json":
+            rounding = rounding_of(surface, exact)
+            warnings += beyond_doubles(surface)
     value = document(
         "sum",
         watch,
@@ -70,7 +73,7 @@ def sum_in_space(
         P=first.name,
         Q=second.name,
         scale=list(scaling),
-        warnings=first.warnings + second.warnings,
+        warnings=warnings,
         output=str(output) if output else None,
         output_exact=exact,
         rounding=rounding,
