@@ -18,6 +18,7 @@
 #include "python/diagram_row.hpp"
 #include "python/stopwatch.hpp"
 #include "python/vector_caster.hpp"
+#include "reference/disc/diagram/rounded_event.hpp"
 #include "reference/number/radicals/polynomial.hpp"
 
 namespace nb = nanobind;
@@ -60,24 +61,19 @@ FeatureName feature_name(const DiagramEvents& found, std::uint32_t feature) {
 }
 
 DiagramRow diagram_row(const DiagramEvents& found, const DiagramEvent& event) {
-  const Polynomial polynomial =
-      without_multiple_roots(found.exact(event).squared_radius.polynomial());
+  const Equidistant<RootNumber> exact = found.exact(event);
+  const RoundedEvent near = rounded(exact);
+  const Polynomial polynomial = without_multiple_roots(exact.squared_radius.polynomial());
   std::vector<std::string> coefficients;
   for (const Rational& c : polynomial) coefficients.push_back(to_string(c));
   std::optional<std::string> rational;
   if (polynomial.size() == 2) rational = to_string(Rational(-polynomial[0]));
-  const Interval radius = found.radius(event);
-  const Vector<Interval> place = found.place(event);
   std::vector<FeatureName> features;
   for (const std::uint32_t number : event.features) {
     features.push_back(feature_name(found, number));
   }
-  return {name(event.kind),
-          rational,
-          coefficients,
-          {radius.lower(), radius.upper()},
-          {approximate(place.x), approximate(place.y)},
-          features};
+  return {name(event.kind), rational, coefficients, {near.radius.lower, near.radius.upper},
+          {near.x, near.y}, features};
 }
 
 std::vector<DiagramRow> diagram_rows(const DiagramEvents& found, std::size_t first,

@@ -9,6 +9,7 @@
 #include <array>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -24,6 +25,8 @@
 #include "reference/disc/index/index_measures.hpp"
 #include "reference/disc/index/index_region.hpp"
 #include "reference/disc/region/offset_region.hpp"
+#include "reference/interrupt.hpp"
+#include "reference/number/radicals/nearest_double.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -47,10 +50,28 @@ struct DiscIndex {
     }
     return value;
   }
-  std::pair<double, double> radius(std::uint32_t number) const {
-    const Interval bounds =
-        index.diagram().radius(index.diagram().events[index.event_at(number - 1)]);
-    return {bounds.lower(), bounds.upper()};
+  /// The tightest bounds of the radii of events; found once, when they are asked for.
+  const std::vector<std::pair<double, double>>& radii() const {
+    std::call_once(has_radii_, [&] {
+      const DiagramEvents& diagram = index.diagram();
+      for (std::uint32_t k = 0; k < index.radii(); ++k) {
+        look_for_interrupt();
+        const Enclosure near =
+            enclose(root_of(diagram.exact(diagram.events[index.event_at(k)]).squared_radius));
+        radii_.emplace_back(near.lower, near.upper);
+      }
+    });
+    return radii_;
+  }
+  std::pair<double, double> radius(std::uint32_t number) const { return radii()[number - 1]; }
+  std::pair<double, double> place(std::uint32_t event) const {
+    const RootPoint at = index.diagram().exact(index.diagram().events[event]).at;
+    return {nearest_double(at.x), nearest_double(at.y)};
+  }
+  /// Off the index, or where sums of doubles are too wide those of the boundary.
+  OffsetMeasures measures_at(const Rational& squared_radius) const {
+    const OffsetMeasures found = measures.at(index.place(squared_radius), squared_radius);
+    return is_sharp(found) ? found : minkref::measures(offset_region(P, squared_radius));
   }
 
   PolygonSet P;
@@ -60,6 +81,10 @@ struct DiscIndex {
   IndexRegions regions;
   IndexMeasures measures;
   double seconds = 0;
+
+ private:
+  mutable std::once_flag has_radii_;
+  mutable std::vector<std::pair<double, double>> radii_;
 };
 
 /// Parts of the boundary at one radius, ring by ring.
@@ -73,7 +98,7 @@ void find_vertices(const DiscIndex& self, double radius, Vertices& found) {
   const Rational exact = from_double(radius);
   const std::uint32_t gap = self.index.place(exact * exact).gap;
   self.index.boundary(gap, found.boundary);
-  self.index.vertices(found.boundary, Interval(radius), found.points, found.starts);
+  self.index.vertices(found.boundary, radius, found.points, found.starts);
 }
 
 nb::object as_arrays(std::unique_ptr<Vertices> found) {
@@ -94,13 +119,10 @@ using HoleRow = std::tuple<std::optional<std::pair<double, double>>, std::pair<d
 
 std::vector<HoleRow> holes(const DiscIndex& self) {
   std::vector<HoleRow> rows;
-  const DiagramEvents& diagram = self.index.diagram();
   for (const OffsetHole& hole : self.history.all_holes) {
-    const auto place = diagram.place(diagram.events[hole.ends_at]);
     std::optional<std::pair<double, double>> birth;
     if (hole.birth > 0) birth = self.radius(hole.birth);
-    rows.emplace_back(birth, self.radius(hole.end),
-                      std::pair(approximate(place.x), approximate(place.y)), hole.from);
+    rows.emplace_back(birth, self.radius(hole.end), self.place(hole.ends_at), hole.from);
   }
   return rows;
 }
@@ -206,9 +228,9 @@ class Drawing {
     nb::dict all;
     all["origin"] = std::pair(to_double(diagram_.origin.x), to_double(diagram_.origin.y));
     std::vector<double> radii;
-    for (std::uint32_t k = 1; k <= index_.radii(); ++k) {
-      const auto [low, high] = self_.radius(k);
-      radii.push_back(low + (high - low) / 2);
+    for (std::uint32_t k = 0; k < index_.radii(); ++k) {
+      const Equidistant<RootNumber> event = diagram_.exact(diagram_.events[index_.event_at(k)]);
+      radii.push_back(nearest_double(root_of(event.squared_radius)));
     }
     all["radii"] = radii;
     put_boundary(all);
@@ -269,8 +291,10 @@ class Drawing {
     std::vector<Numbers> features;
     for (const DiagramEvent& event : diagram_.events) {
       kinds += "cjsrm"[static_cast<std::size_t>(event.kind)];
-      places.push_back(unit_ * approximate(event.at.x));
-      places.push_back(unit_ * approximate(event.at.y));
+      const Equidistant<RootNumber> exact =
+          equidistant_places<RootNumber>(diagram_.curves, event.of)[event.branch];
+      places.push_back(unit_ * nearest_double(exact.at.x));
+      places.push_back(unit_ * nearest_double(exact.at.y));
       features.push_back(event.features);
     }
     all["kinds"] = kinds;
@@ -289,8 +313,8 @@ class Drawing {
       halves.push_back({own[k].from, own[k].to, own[k].twin, own[k].from_side, own[k].to_side});
       if (own[k].twin < k) continue;
       const CornerMotion m = corner_motion(diagram_, index_.graph(), k);
-      for (const double value : {unit_ * m.ax, unit_ * m.ay, unit_ * m.r, m.bx, m.by,
-                                 unit_ * unit_ * m.q0, unit_ * m.q1, m.q2, m.cx, m.cy}) {
+      for (const double value : {unit_ * m.ax, unit_ * m.ay, unit_ * m.r, unit_ * m.r_low, m.bx,
+                                 m.by, unit_ * m.k0, m.k1, m.cx, m.cy}) {
         motions.push_back(value);
       }
     }
@@ -341,12 +365,7 @@ void bind_disc_index(nb::module_& module) {
           "parts", [](const DiscIndex& self) { return self.index.graph().halves.size() / 2; },
           "Of the outer Voronoi diagram, on each of which the radius grows or shrinks.")
       .def(
-          "radii",
-          [](const DiscIndex& self) {
-            std::vector<std::pair<double, double>> all;
-            for (std::uint32_t k = 1; k <= self.index.radii(); ++k) all.push_back(self.radius(k));
-            return all;
-          },
+          "radii", [](const DiscIndex& self) { return self.radii(); },
           "Bounds of the radii of events, ascending, each once.")
       .def(
           "counts",
@@ -359,8 +378,7 @@ void bind_disc_index(nb::module_& module) {
           "measures",
           [](const DiscIndex& self, const std::string& squared_radius) {
             const Rational square = self.square(squared_radius);
-            const OffsetMeasures found =
-                self.measures.at(self.index.place(square), sqrt(Interval(square)));
+            const OffsetMeasures found = self.measures_at(square);
             return std::pair(std::pair(found.area.lower(), found.area.upper()),
                              std::pair(found.length.lower(), found.length.upper()));
           },

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from minkref import _core
+from minkref.certain_digits import between
 from minkref.commands.disc.index_file import Places, from_places
 from minkref.commands.disc.sum import enclosed
 from minkref.commands.line.memory import SIMPLER, memory_wall
@@ -203,8 +204,7 @@ def _print(head: dict[str, Any], rows: list[Row]) -> None:
             else f"edge {each['edge'][0]}.{each['edge'][1]}"
             for each in row["features"]
         )
-        radius = row["radius"]["low"]
-        told = "beyond doubles" if radius is None else f"{radius:.9g}"
+        told = between(**row["radius"], digits=9)
         out.print(f"{told:>14}  {row['kind']}: {features}")
         if row["changes"]:
             out.print(f"{'':>14}  {_in_words(row['changes'])}")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -81,7 +82,7 @@ def _hole(birth: tuple[float, float] | None, end: tuple[float, float], place: An
     return {
         "birth": None if birth is None else enclosed(birth),
         "end": enclosed(end),
-        "place": list(place),
+        "place": [c if math.isfinite(c) else None for c in place],
         "of": of,
     }
 

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from minkref import _core
+from minkref.certain_digits import between
 from minkref.commands.line.memory import SMALLER, memory_wall
 from minkref.disc.disc import ANY, read_disc
 from minkref.documents import Stopwatch, as_text, document, listing, refuse_overwriting
@@ -195,8 +196,7 @@ def _print(head: dict[str, Any], rows: list[Row]) -> None:
         named.append(("written", head["output"]))
     sys.stdout.write(lines(named))
     for row in rows:
-        low = row["radius"]["low"]
-        radius = "beyond doubles" if low is None else f"{low:.9g}"
+        radius = between(**row["radius"], digits=9)
         features = ", ".join(_named(feature) for feature in row["features"])
         sys.stdout.write(f"{radius:>14}  {row['change']}: {row['condition']}, {features}\n")
     if head["output"] is None and len(rows) < head["count"]:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from minkref import _core
+from minkref.disc.disc import is_disc
 from minkref.errors import Refusal, nearest, refusing
 from minkref.file_text import text_of_file
 from minkref.model_catalogue import PAPER_MODELS, VARIABLE, all_models, shipped_polyhedra
@@ -61,6 +62,15 @@ def read_operand(name: str) -> Operand:
             name,
             "`minkref models` lists the polygons",
             "three-dimensional",
+        )
+    if is_disc(name):
+        raise Refusal(
+            "a disc is no operand here",
+            name,
+            "sum takes disc:R, and sweep, events, index and view take `disc`; elsewhere take a "
+            "polygon for it: minkref sum 'POINT (0 0)' disc:R --tolerance T -o disc.wkt, with "
+            "--outside one around it",
+            "no-disc",
         )
     hint = nearest(name, models)
     raise Refusal(

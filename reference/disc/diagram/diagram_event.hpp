@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -36,11 +37,16 @@ struct DiagramEvent {
   std::size_t nearest_points() const { return features.size() - joints.size(); }
 };
 
-/// Some doubles around a number, by MPFR: intervals of doubles may leave nothing of a difference.
+/// Doubles around a number, by MPFR: intervals of doubles may leave nothing of a difference. Next
+/// to it, unless it is 0 or nearer to 0 than any number of some thousand digits need be.
 inline Interval tight(const RootNumber& number) {
-  constexpr long precision = 256;
-  const MpfrInterval bounds = number.enclosure(precision);
-  return {Interval(bounds.low()).lower(), Interval(bounds.high()).upper()};
+  constexpr long first_bits = 256, most_bits = 8192;
+  for (long bits = first_bits;; bits *= 2) {
+    const auto [low, high] = number.enclosure(bits).outwards();
+    if (bits >= most_bits || !(high - low > 0x1p-51 * std::max(std::abs(low), std::abs(high)))) {
+      return {low, high};
+    }
+  }
 }
 inline Equidistant<Interval> tight(const Equidistant<RootNumber>& place) {
   return {{tight(place.at.x), tight(place.at.y)}, tight(place.squared_radius)};

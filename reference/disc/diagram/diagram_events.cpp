@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "reference/build/stage.hpp"
+#include "reference/disc/curves/origin_near.hpp"
 #include "reference/disc/diagram/contact_envelope.hpp"
 #include "reference/disc/diagram/diagram_count.hpp"
 #include "reference/disc/diagram/event_prover.hpp"
@@ -242,7 +243,7 @@ DiagramEvents in_unit_box(const PolygonSet& P) {
     box->second = {std::max(box->second.x, p.x), std::max(box->second.y, p.y)};
   });
   if (box) {
-    result.origin = box->first;
+    result.origin = origin_near(P, 0, 0);
     const Rational size =
         std::max(Rational(box->second.x - box->first.x), Rational(box->second.y - box->first.y));
     if (size > 0) {

@@ -146,14 +146,16 @@ Interval IndexMeasures::area_between(std::uint32_t half, const Seen& a, const Se
   return magnitude(sum(foot(b)) - sum(foot(a)));
 }
 
-OffsetMeasures IndexMeasures::at(const OffsetIndex::Place& at, const Interval& radius) const {
+OffsetMeasures IndexMeasures::at(const OffsetIndex::Place& at,
+                                 const Rational& squared_radius) const {
   const DiagramGraph& graph = index_.graph();
   const OffsetCurves& curves = index_.diagram().curves;
-  const Interval scale(index_.diagram().factor), rho = radius * scale;
+  const FrameRadius radius = index_.in_frame(squared_radius);
+  const Interval scale(index_.diagram().factor), rho = sqrt(Interval(radius.squared));
   Interval area = area_ + reached_[at.gap], length = lengths_[at.gap], angle = angles_[at.gap];
   for (std::uint32_t k = 0; k < graph.halves.size(); ++k) {
     if (index_.low(k) > at.gap || at.gap >= index_.high(k)) continue;
-    const Seen corner = seen(k, near(index_.corner(k, rho)), rho);
+    const Seen corner = seen(k, near(index_.corner(k, radius)), rho);
     const auto& [from, to] = ends_[k];
     const bool is_rising = index_.rises(k);
     area += area_between(k, is_rising ? from : to, corner);
