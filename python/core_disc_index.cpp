@@ -6,7 +6,9 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -99,6 +101,15 @@ void find_vertices(const DiscIndex& self, double radius, Vertices& found) {
   const std::uint32_t gap = self.index.place(exact * exact).gap;
   self.index.boundary(gap, found.boundary);
   self.index.vertices(found.boundary, radius, found.points, found.starts);
+}
+
+void refuse_beyond_doubles(const Vertices& found) {
+  const bool are_doubles =
+      std::all_of(found.points.begin(), found.points.end(),
+                  [](const BoundedPoint& p) { return std::isfinite(p.x + p.y + p.error); });
+  if (are_doubles) return;
+  throw LimitExceeded("beyond-doubles", "vertices of the sum are beyond the range of doubles",
+                      "scale the set and the radius");
 }
 
 nb::object as_arrays(std::unique_ptr<Vertices> found) {
@@ -413,6 +424,7 @@ void bind_disc_index(nb::module_& module) {
           [](const DiscIndex& self, double radius) {
             auto found = std::make_unique<Vertices>();
             find_vertices(self, radius, *found);
+            refuse_beyond_doubles(*found);
             return as_arrays(std::move(found));
           },
           "radius"_a, nb::sig("def vertices(self, radius: float) -> tuple[typing.Any, typing.Any]"),

@@ -143,6 +143,12 @@ def test_far_from_the_origin_an_area_is_sharp(route: str) -> None:
     assert low <= 100 + 20 + math.pi / 4 <= high and high - low < 1e-10
 
 
+def test_vertices_beyond_doubles_are_refused() -> None:
+    huge = _core.read_text("POLYGON ((0 0, 1e400 0, 0 1e400, 0 0))", "wkt", "example")
+    with pytest.raises(_core.LimitExceeded, match="beyond the range of doubles"):
+        _core.disc_index(huge).vertices(1.0)
+
+
 def test_numbers_that_are_doubles_are_these() -> None:
     """A radius that is a double has both bounds there, and zero is 0."""
     frame = "POLYGON ((-4 -4, 4 -4, 4 4, -4 4, -4 -4), (-2 -2, -2 2, 2 2, 2 -2, -2 -2))"

@@ -38,6 +38,10 @@ class MpfrInterval {
   /// The doubles nearest to the bounds, and those next to them on the outer side. An infinity
   /// beyond the range of doubles; no -0.
   Enclosure nearest() const;
+  /// Whether it is between two numbers, neither of which is a bound.
+  bool is_strictly_between(double low, double high) const {
+    return mpfr_cmp_d(low_, low) > 0 && mpfr_cmp_d(high_, high) < 0;
+  }
   Enclosure outwards() const;
 
  private:

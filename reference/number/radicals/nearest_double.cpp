@@ -99,9 +99,11 @@ TwoDoubles two_doubles(const RealNumber& value) {
 Enclosure enclose(const RealNumber& value) {
   if (value.known.is_point()) return {value.known.lower() + 0.0, value.known.lower() + 0.0};
   for (long bits = RealNumber::first_bits;; bits *= 2) {
-    const auto [low, high] = value.near(bits).outwards();
+    const MpfrInterval near = value.near(bits);
+    const auto [low, high] = near.outwards();
     if (low == high) return {low, low};
     const bool is_told = are_neighbours(low, high);
+    if (is_told && near.is_strictly_between(low, high)) return {low, high};
     if (!value.order) {
       if (is_told) return {low, high};
       if (bits >= RealNumber::most_bits) refuse_to_tell();
