@@ -17,11 +17,14 @@ Vector<Interval> near(const BoundedPoint& p) {
   return {Interval(p.x - p.error, p.x + p.error), Interval(p.y - p.error, p.y + p.error)};
 }
 
-Vector<Interval> unit(const Vector<Interval>& a) { return (Interval(1) / sqrt(dot(a, a))) * a; }
+Vector<Interval> unit_vector(const Vector<Interval>& a) {
+  return (Interval(1) / sqrt(dot(a, a))) * a;
+}
 
 /// Halfway between the normals at the ends of an arc, of half a turn at most.
 Vector<Interval> middle_between(const Direction& first, const Direction& last) {
-  const Vector<Interval> from = unit(numbers<Interval>(first)), to = unit(numbers<Interval>(last));
+  const Vector<Interval> from = unit_vector(numbers<Interval>(first)),
+                         to = unit_vector(numbers<Interval>(last));
   const Vector<Interval> chord = to - from;
   // Across the chord, unless that is short.
   return dot(first, last) < 0 ? Vector<Interval>{chord.y, -chord.x} : from + to;
