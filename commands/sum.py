@@ -197,9 +197,7 @@ def command(
             raise Refusal("no picture is drawn in space", option, "see `minkref view P Q`")
         from minkref.commands.space.sum import sum_in_space
 
-        sum_in_space(
-            P, Q, scale, route or DEFAULT, arithmetic, output, json, form, memory, passages
-        )
+        sum_in_space(P, Q, scale, route, arithmetic, output, json, form, memory, passages)
         return
     if P == Q == STANDARD_INPUT:
         raise Refusal("standard input is one operand", "P and Q", "name a file for the other")
@@ -298,7 +296,8 @@ def _written(
         from minkref.reports.sum_picture import sum_picture
 
         counts = (found["components"], found["holes"])
-        return sum_picture(P, Q, scale, region, *counts, truth), False
+        passages = [passage["points"] for passage in found["tight_passages"] or ()]
+        return sum_picture(P, Q, scale, region, *counts, truth, passages), False
     text = refusing(target.name, lambda: _core.write(region, target.form))
     return text, _core.writes_exactly(region, target.form)
 
@@ -336,13 +335,13 @@ def compute(
         elif route == "index":
             built = index_of(index, P, Q, scale, scale)
             answer = refusing(where, lambda: built.sum(scale, True))
-            passages = answer.tight_passages or []
+            passages = answer.passage_rows()
             seconds = answer.seconds if index else built.seconds + answer.seconds
         else:
             answer = refusing(
                 where, lambda: _core.minkowski_sum(P.set, Q.set, scale, route, arithmetic, exact)
             )
-            passages, seconds = answer.tight_passages, answer.seconds
+            passages, seconds = answer.passage_rows() if exact else None, answer.seconds
     except _core.UndecidedSign:
         undecided = True
     fields: dict[str, Any] = {
