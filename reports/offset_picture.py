@@ -13,15 +13,21 @@ PAD = 12.0
 STYLE = (
     "path{stroke-width:1.2;stroke-linejoin:round;fill-rule:evenodd}"
     ".sum{fill:#b9dcbb;stroke:#2a6e30}.first{fill:#9cc3e6;stroke:#1f5f99}"
+    ".tight{fill:none;stroke:#c9362b;stroke-width:2}"
 )
 Piece = tuple[str, float, float, float, float, float, float]
 
 
 def offset_picture(
-    offset: _core.Offset, operand: _core.PolygonSet | None, radius: float, caption: str
+    offset: _core.Offset,
+    operand: _core.PolygonSet | None,
+    radius: float,
+    caption: str,
+    passages: Sequence[Sequence[tuple[float, float]]] = (),
 ) -> str:
     """An SVG document: the region with its boundary as segments and arcs, and on it the `operand`
-    that has been moved by the disc. Rounded to some thousandth of the picture's width."""
+    that has been moved by the disc and the tight `passages`. Rounded to some thousandth of the
+    picture's width."""
     components = offset.drawn_rings()
     box = _box([piece for rings in components for ring in rings for piece in ring], radius)
     unit = (WIDTH - 2 * PAD) / max(box[2] - box[0], box[3] - box[1], 1e-300)
@@ -44,6 +50,14 @@ def offset_picture(
         rings = [ring for polygon in operand.approximate_rings() for ring in polygon]
         own = "".join("M" + "L".join(at(x, y) for x, y in ring) + "Z" for ring in rings)
         layers.append(f'<path class="first" d="{own}"/>')
+    for points in passages:
+        line = "M" + "L".join(at(x, y) for x, y in points)
+        x, y = at(*points[0]).split()
+        layers.append(
+            f'<path class="tight" d="{line}"/>'
+            if len(points) > 1
+            else f'<circle class="tight" cx="{x}" cy="{y}" r="4"/>'
+        )
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:.0f} {height:.0f}" '
         f'width="{width:.0f}" height="{height:.0f}" role="img" '

@@ -51,7 +51,8 @@ def sum_with_disc(
     if index is not None and factor != 1:
         mend = "leave out the scale, or the index"
         raise Refusal("the index is that of P as it is", f"--scale {scale}", mend)
-    target = target_of(output, form, FORMATS, "json", json_document)
+    offered = FORMATS if tolerance is not None else WITH_ARCS
+    target = target_of(output, form, FORMATS, "json", json_document, offered=offered)
     within = _tolerance(tolerance, outside, target)
     if with_measures and not json_document:
         raise Refusal("the terms are in the document only", "--measures", "add --json")
@@ -202,7 +203,9 @@ def _written(
 
         radius = math.sqrt(disc.squared_radius)
         caption = f"the sum with a disc of radius {radius:g}"
-        return offset_picture(_drawn(found), None if only_sum else other, radius, caption), False
+        passages = [points for _, points, _ in found.tight_passages(cores())]
+        own = None if only_sum else other
+        return offset_picture(_drawn(found), own, radius, caption, passages), False
     assert within is not None
     polygon = polygon_near(disc, within, outside)
     near = _core.minkowski_sum(other, polygon, "1").region

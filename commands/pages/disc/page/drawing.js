@@ -40,6 +40,7 @@ const drawing = {
       context.lineWidth = 2.4;
       context.stroke(holes.get(chosen.id));
     }
+    drawPassages(context, passagesHere(), X, Y);
     marked.forEach((event) => this.drawPlace(context, event, X, Y));
     if (chosen?.feature === "e") this.drawEvent(context, chosen.id, X, Y);
     if (!boxOfP.empty) drawRuler(context, this.view.unit, height);
