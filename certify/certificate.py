@@ -100,7 +100,7 @@ class Certificate:
             raise NoProof(f"components and holes are the same below, at and above {s}")
         if kind == "boundary" and below == above and below.at(s) == here:
             since = self.claims[before]["from"]
-            raise NoProof(f"the boundary has no event at {s}, and none after {since}")
+            raise NoProof(f"the boundary has no event at {s}, nor between {since} and {s}")
         after = self._claim(
             "interval", **{"from": str(s), "to": str(end)}, steps=[self._step(step)],
             components=above.components, holes=above.holes, digest=above.digest,

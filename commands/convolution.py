@@ -20,7 +20,7 @@ from minkref.commands.lists.convolution_output import (
 from minkref.convolution_values import COMPATIBLE
 from minkref.documents import Stopwatch, as_text, document, listing, refuse_overwriting
 from minkref.errors import Refusal, choice, refusing
-from minkref.exact import approximate, read_scale
+from minkref.exact import read_scale, rounded
 from minkref.operand import Operand, read_operand
 from minkref.output_target import Target, target_of
 from minkref.space.operand import in_space
@@ -234,7 +234,7 @@ def _print_first(found: _core.Convolution, count: int) -> None:
     table = Table("kind", "edge", "vertex", "sign", "from, about", "to, about")
     for edge in edge_documents(found, count):
         parents = [f"{ring}.{index}" for ring, index in (edge["edge"], edge["vertex"])]
-        ends = [", ".join(f"{approximate(x):.6g}" for x in edge[end]) for end in ("start", "end")]
+        ends = [", ".join(rounded(x, 6) for x in edge[end]) for end in ("start", "end")]
         table.add_row(edge["kind"], *parents, f"{edge['sign']:+}", *(f"({end})" for end in ends))
     sys.stdout.write("\n")
     console().print(table)

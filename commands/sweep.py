@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 from minkref import _core
+from minkref.commands.line.arithmetic import check_arithmetic
 from minkref.commands.line.memory import SMALLER, Memory, memory_wall
 from minkref.commands.line.options import FirstOperand, Json, Schema, SecondOperand
 from minkref.commands.line.output import plain_table
@@ -26,7 +27,7 @@ from minkref.commands.repair_options import REPAIRS, SPACE_CHOICES, asked_repair
 from minkref.disc.disc import is_disc
 from minkref.documents import Stopwatch, document, listing
 from minkref.errors import Refusal, refusing
-from minkref.exact import approximate, read_scale
+from minkref.exact import read_scale, rounded
 from minkref.operand import Operand, read_operand
 from minkref.scales import MOST_SCALES, evenly_spaced, read_scales
 from minkref.signals import ending_in_order
@@ -195,6 +196,7 @@ def command(
     watch = Stopwatch()
     route = chosen_route(index, route, ROUTES)
     refuse_options(route, as_read, reading)
+    check_arithmetic(arithmetic)
     if arithmetic != "rational" and route != ROUTE:
         what = f"the route {route} is exact only"
         raise Refusal(what, f"--arithmetic {arithmetic}", f"add --route {ROUTE}, or leave it out")
@@ -341,4 +343,4 @@ def _first_wrong(rows: RowSpool) -> str | None:
 
 
 def _short(number: str) -> str:
-    return number if len(number) <= 12 else f"{approximate(number):.10g}"
+    return number if len(number) <= 12 else rounded(number)

@@ -113,12 +113,12 @@ def sweep_folder(
     output: Path | None, form: str | None, formats: Sequence[str], where: str = ""
 ) -> SweepFolder | None:
     """That of -o and --format. `where`: what to say before the formats that there are."""
+    if form is not None and form not in formats:
+        raise Refusal(f"there is no format {form!r}", "--format", where + choice(form, formats))
     if form is not None and output is None:
         raise Refusal(
             "there are no files without -o", f"--format {form}", "add -o DIR, or leave out --format"
         )
-    if form is not None and form not in formats:
-        raise Refusal(f"there is no format {form!r}", "--format", where + choice(form, formats))
     return None if output is None else SweepFolder(output, form or formats[0])
 
 

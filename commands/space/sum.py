@@ -30,7 +30,7 @@ def sum_in_space(
     P: str,
     Q: str,
     scale: str,
-    route: str,
+    route: str | None,
     arithmetic: str,
     output: Path | None,
     json: bool,
@@ -100,16 +100,14 @@ def _passages(
     return tight_passages(P, Q, scaling) if wanted else None
 
 
-def _checked_route(route: str, arithmetic: str) -> str | None:
-    """`paper`, the default in the plane, leaves the choice to the operands: None."""
+def _checked_route(route: str | None, arithmetic: str) -> str | None:
+    """None leaves the choice to the operands."""
     if arithmetic != "rational":
         raise Refusal(
             "sums in space are exact only", f"--arithmetic {arithmetic}", "leave the option out"
         )
-    if route == "paper":
-        return None
-    if route not in ALL_ROUTES:
-        mend = f"in space: {choice(route, ALL_ROUTES)}"
+    if route is not None and route not in ALL_ROUTES:
+        mend = f"leave it out, or in space: {choice(route, ALL_ROUTES)}"
         raise Refusal(f"there is no route {route!r} in space", "--route", mend)
     return route
 
@@ -118,7 +116,7 @@ def _print(value: dict[str, Any], scaling: str) -> None:
     rows = [
         ("sum", f"{scaling} {value['P']} + {value['Q']}"),
         ("route", f"{value['route']}, exact"),
-        ("volume", measure(value["volume"], value["volume_approximate"])),
+        ("volume", measure(value["volume"])),
         ("vertices, edges, facets",
          f"{value['vertices']:,}, {value['edges']:,}, {value['facets']:,}"),
     ]  # fmt: skip

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "reference/error.hpp"
+#include "reference/number/message_number.hpp"
 #include "reference/plane/arrangement/box_tree.hpp"
 #include "reference/plane/location.hpp"
 #include "reference/plane/polygon_set.hpp"
@@ -11,13 +12,7 @@ namespace minkref::inline plane {
 namespace {
 
 std::string text(const Point& p) {
-  // A coordinate of thousands of digits would drown the message.
-  const auto shortened = [](std::string s) { return s.size() <= 60 ? s : s.substr(0, 57) + "..."; };
-  std::string result = "(";
-  return result.append(shortened(to_string(p.x)))
-      .append(", ")
-      .append(shortened(to_string(p.y)))
-      .append(")");
+  return "(" + message_text(p.x) + ", " + message_text(p.y) + ")";
 }
 
 struct RingInSet {

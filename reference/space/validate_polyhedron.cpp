@@ -108,9 +108,11 @@ class PolyhedronValidator {
                        "make them one vertex", place(f, {a, b}));
       }
     }
-    const IntegerVector normal = area_vector(points, face);
+    IntegerVector normal = area_vector(points, face);
+    // The parts of a face that crosses itself may cancel: it has a plane all the same.
+    if (is_zero(normal)) normal = normal_of_corners(face);
     if (is_zero(normal)) {
-      throw BadInput("zero-area", "a face has no area",
+      throw BadInput("zero-area", "all vertices of a face lie on one line",
                      "remove it, and join the faces on its two sides", place(f, face));
     }
     const Integer height = dot(normal, points[face[0]]);
@@ -121,6 +123,16 @@ class PolyhedronValidator {
       }
     }
     if (face.size() > 3) check_simple(f, normal);
+  }
+
+  /// Of the first three vertices that are on no line; zero where there are none.
+  IntegerVector normal_of_corners(const Face& face) const {
+    for (std::size_t a = 0; a + 2 < face.size(); ++a) {
+      const IntegerVector normal =
+          area_vector(integers_.points, {face[a], face[a + 1], face[a + 2]});
+      if (!is_zero(normal)) return normal;
+    }
+    return {};
   }
 
   /// Along the axis in which the normal is longest the face is seen as it is.
@@ -138,7 +150,8 @@ class PolyhedronValidator {
     } catch (const BadInput& fault) {
       std::vector<std::uint32_t> at;
       const std::size_t count = faces()[f].size();
-      const bool turned = normal[axis] < 0;
+      // A ring whose area is zero has not been turned.
+      const bool turned = normal[axis] < 0 && !is_zero(area_vector(integers_.points, faces()[f]));
       for (const std::size_t k : fault.place().vertices) {
         at.push_back(faces()[f][turned && k > 0 ? count - k : k]);
       }
