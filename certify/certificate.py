@@ -23,7 +23,12 @@ Number = str | int | Fraction
 
 
 class NoProof(Exception):
-    """What is to be claimed does not hold."""
+    """What is to be claimed does not hold, or has no certificate that was found. `mend`: what to
+    do, None for what is always advised."""
+
+    def __init__(self, problem: str, mend: str | None = None) -> None:
+        super().__init__(problem)
+        self.mend = mend
 
 
 class Certificate:
@@ -100,7 +105,7 @@ class Certificate:
             raise NoProof(f"components and holes are the same below, at and above {s}")
         if kind == "boundary" and below == above and below.at(s) == here:
             since = self.claims[before]["from"]
-            raise NoProof(f"the boundary has no event at {s}, and none after {since}")
+            raise NoProof(f"the boundary has no event at {s}, nor between {since} and {s}")
         after = self._claim(
             "interval", **{"from": str(s), "to": str(end)}, steps=[self._step(step)],
             components=above.components, holes=above.holes, digest=above.digest,
@@ -191,13 +196,15 @@ class Certificate:
         raise NoProof("a point or a segment has no pieces for a claim about a point")
 
     def _beside(self, of: Predicate, s: Fraction, end: Fraction | int) -> tuple[Fraction, Fraction]:
-        """Scales from s towards an end, in order, between which the sign of a predicate is seen."""
+        """Scales from s towards an end, in order, between which the sign of a predicate is seen.
+        Halves end where the predicate has no other root, unless it is zero everywhere."""
         other = Fraction(end)
-        while True:
+        for _ in range(MOST_ATTEMPTS):
             other = simplest_between(*sorted(((s + other) / 2, (s + 3 * other) / 4)))
             low, high = sorted((s, other))
             if self._vertices.sign_between(of, low, high):
                 return low, high
+        raise NoProof(f"no sign of {of[0]} is seen beside the scale {cut(str(s))}")
 
     def _step(self, text: str) -> int:
         self._steps.append(text)

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from minkref.certify.moving_parts import Corner, Pair, Vector, Way, cut
-from minkref.certify.scale_cells import cell, left_of
+from minkref.certify.scale_cells import left_of
 from minkref.scale_ranges import ScaleRange
 
 SPLIT_R, SPLIT_O, HALVE = -1, -2, -3
@@ -38,7 +38,8 @@ class Clearance:
         """Raises Collision where there is none. Grows with the pairs of pieces that are near."""
         part, walls = self.pair.R, self.pair.O
         found: list[int] = []
-        stack = [(cell(self.scales), part.root, walls.root)] if part.hulls and walls.hulls else []
+        empty = not (part.hulls and walls.hulls)
+        stack = [] if empty else [(way.cell(self.scales), part.root, walls.root)]
         while stack:
             if len(found) > MOST_ENTRIES:
                 raise TooLong

@@ -11,7 +11,7 @@ from typing import Any
 
 from minkref.certify.convex_cells import Place, below, middle
 from minkref.certify.moving_parts import Corner, Pair, Vector, Way, cut, levels
-from minkref.certify.scale_cells import Cut, cell, cuts
+from minkref.certify.scale_cells import Cut, cuts
 from minkref.scale_ranges import ScaleRange
 
 MOST_HITS = 10_000  # of one claim
@@ -58,11 +58,11 @@ class Collisions:
 
     def _from(self, reach: Cut, scales: ScaleRange) -> Iterator[Hit]:
         """Of all pairs of pieces that at least touch at a scale."""
-        here = cell(ScaleRange(reach[0], reach[0], True, True))
+        here = ScaleRange(reach[0], reach[0], True, True)
         above = ScaleRange(reach[0], scales.high, True, scales.high is not None)
         for number, way in enumerate(self.ways):
-            for A, B in self._touching(way, here):
-                hit = self._hit(number, way, A, B, cell(above))
+            for A, B in self._touching(way, way.cell(here)):
+                hit = self._hit(number, way, A, B, way.cell(above))
                 if hit is not None:
                     yield hit
 

@@ -3,7 +3,7 @@ for ever (docs/certificates-paths.md)."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from math import inf
@@ -30,30 +30,36 @@ class Escape:
 
 
 class Escapes:
-    """Of a part R among obstacles O. Exact."""
+    """Of a part R among obstacles O. Exact. `spend` is called between pieces of work, and ends it
+    by what it raises."""
 
     def __init__(
-        self, pair: Pair, sets: tuple[_core.PolygonSet, _core.PolygonSet], at: Place, contact: str
+        self,
+        pair: Pair,
+        sets: tuple[_core.PolygonSet, _core.PolygonSet],
+        at: Place,
+        contact: str,
+        spend: Callable[[], None],
     ) -> None:
         self.pair, self.sets, self.at, self.contact = pair, sets, at, contact
+        self._spend = spend
         part, walls = pair.R, pair.O
         self._normals = [*AXES]
         if part.hulls and walls.hulls:
             self._normals = list(dict.fromkeys([*AXES, *pair.directions(part.root, walls.root)]))
 
-    def from_cut(self, s: Fraction, reach: Cut, end: Cut, contact: str) -> Escape | None:
-        """A way out found at a scale, at which contact is allowed or forbidden as told, and the
-        range of scales from a cut on, towards another, at which it is one. None where there is
-        none, or the sum has too many corners."""
+    def from_cut(self, s: Fraction, reach: Cut, end: Cut) -> Escape | None:
+        """A way out found at a scale, and the range of scales from a cut on, towards another, at
+        which it is one. None where there is none, or the sum has too many corners."""
         found = self._best([self.at], reach, end)
         if found is not None and cuts(found.scales)[1] >= end:
             return found
         try:
-            way = FreeCells(*self.sets, s, contact, self.at).way(self.at)
+            way = FreeCells(*self.sets, s, self.contact, self.at).way(self.at)
         except OverflowError:
             return found
         if way is not None:
-            other = self._best(self._shortened(way, s, contact), reach, end)
+            other = self._best(self._shortened(way, s), reach, end)
             both = [one for one in (found, other) if one is not None]
             return max(both, key=lambda one: cuts(one.scales)[1], default=None)
         return found
@@ -104,6 +110,7 @@ class Escapes:
 
     def _free(self, way: Sequence[Place], reach: Cut) -> ScaleRange | None:
         """The range of scales from a cut on at which no place of a way collides."""
+        self._spend()
         found = valid_scales(*self.sets, way, self.contact)
         return next((one for one in found.ranges if _begins(one, reach)), None)
 
@@ -143,9 +150,9 @@ class Escapes:
         part = max(missing, Fraction(0)) / (normal[0] * along[0] + normal[1] * along[1])
         return place[0] + part * along[0], place[1] + part * along[1]
 
-    def _shortened(self, way: list[Place], s: Fraction, contact: str) -> list[Place]:
+    def _shortened(self, way: list[Place], s: Fraction) -> list[Place]:
         """Without the corners that may be left out at all scales at which the way is free."""
-        found = valid_scales(*self.sets, way, contact)
+        found = valid_scales(*self.sets, way, self.contact)
         free = next((one for one in found.ranges if s in one), None)
         if free is None:
             return way
@@ -155,17 +162,16 @@ class Escapes:
         k = 0
         while k < len(way) - 1:
             for j in _steps(k, len(way) - 1):
-                if j == k + 1 or self._is_free(way[k], way[j], (low, high), contact):
+                if j == k + 1 or self._is_free(way[k], way[j], (low, high)):
                     short.append(way[j])
                     k = j
                     break
         return short
 
-    def _is_free(
-        self, start: Place, end: Place, scales: tuple[Fraction, Fraction], contact: str
-    ) -> bool:
+    def _is_free(self, start: Place, end: Place, scales: tuple[Fraction, Fraction]) -> bool:
         """At all scales strictly between two, or at one."""
-        found = valid_scales(*self.sets, [start, end], contact, *scales).ranges
+        self._spend()
+        found = valid_scales(*self.sets, [start, end], self.contact, *scales).ranges
         return any(one.low <= scales[0] and one.high == scales[1] for one in found)
 
 

@@ -42,7 +42,7 @@ class FreeCells:
         self.joints: dict[int, dict[int, Place]] = {}
         self._add_trapezoids(rings, sorted({x for x, _ in corners} | {self.low, self.high}))
         if self.touching:
-            self._add_passages([_places(points) for points, _ in found.tight_passages or []])
+            self._add_passages([_places(points) for points, _ in found.passage_rows()])
 
     def way(self, at: Place) -> list[Place] | None:
         """From a free place to one that is left of all that collides; None where there is none."""

@@ -11,12 +11,15 @@ from typing import Any
 from minkref import _core
 from minkref.certify.case_text import places
 from minkref.certify.convex_cells import Place
+from minkref.scale_ranges import ScaleRange
 
 Vector = tuple[int, int]
 #: Linear in t, s and w.
 Gap = tuple[int, int, int]
-#: At the part t / w of a segment and the scale s / w; w = 0 far up.
+#: At t / w along a segment and the scale s / w; w = 0 far up.
 Corner = tuple[int, int, int]
+#: x0, x1, y0, y1: the place (x0 + s x1, y0 + s y1).
+MovingPlace = tuple[Fraction, Fraction, Fraction, Fraction]
 
 
 class Tree:
@@ -71,32 +74,76 @@ class Pair:
 
 
 class Way:
-    """A segment of places of the part, in whole numbers."""
+    """A segment of places of the part, from t = 0 to t = 1, in whole numbers."""
 
     def __init__(self, pair: Pair, start: Place, end: Place) -> None:
         self.pair, self.ends = pair, (start, end)
         self._parts = lcm(*(c.denominator for place in self.ends for c in place))
         unit = pair.unit * self._parts
         (x, y), (X, Y) = ((int(x * unit), int(y * unit)) for x, y in self.ends)
-        self._start, self._along = (x, y), (X - x, Y - y)
-        self.length = Fraction(max(abs(X - x), abs(Y - y)), self._parts)
+        self._set((x, y), (0, 0), (X - x, Y - y), 1)
+
+    def _set(self, start: Vector, slope: Vector, along: Vector, square: int) -> None:
+        """The places start + s slope + t along / square, in units."""
+        self._start, self._slope, self._along, self._square = start, slope, along, square
+        self.length = Fraction(max(map(abs, along)), self._parts * square)  # of a t
         self.across: list[Vector] = []
-        if (X, Y) != (x, y):
-            n = _shortest((y - Y, X - x))
+        if along != (0, 0):
+            n = _shortest((-along[1], along[0]))
             self.across = [n, (-n[0], -n[1])]
+
+    def cell(self, scales: ScaleRange) -> list[Corner]:
+        """The segment at all scales of a range, counter-clockwise."""
+        (s, w), (S, W) = ends_of(scales)
+        return list(dict.fromkeys([(0, s, w), (w, s, w), (W, S, W), (0, S, W)]))
 
     def gap(self, normal: Vector, A: int, B: int) -> Gap:
         """Positive where the normal holds the nodes apart, zero where they may touch."""
-        x, y = normal
-        level = x * self._start[0] + y * self._start[1]
-        least = -self.pair.R.most(A, (-x, -y))
-        most = self.pair.O.most(B, normal)
-        along = x * self._along[0] + y * self._along[1]
-        return along, self._parts * least, level - self._parts * most
+        least = self._parts * -self.pair.R.most(A, (-normal[0], -normal[1]))
+        most = self._parts * self.pair.O.most(B, normal)
+        grows, far = _dot(normal, self._slope) + least, _dot(normal, self._start) - most
+        return _dot(normal, self._along), self._square * grows, self._square * far
 
     def at(self, t: Fraction) -> Place:
         (x, y), (X, Y) = self.ends
         return x + t * (X - x), y + t * (Y - y)
+
+
+class MovingWay(Way):
+    """A segment whose ends move with the scale, its direction staying as it is at all scales of a
+    range. Raises ValueError where it turns."""
+
+    def __init__(
+        self, pair: Pair, start: MovingPlace, end: MovingPlace, scales: ScaleRange
+    ) -> None:
+        self.pair = pair
+        self._parts = lcm(*(c.denominator for place in (start, end) for c in place))
+        unit = pair.unit * self._parts
+        (x, u, y, v), (X, U, Y, V) = ([int(c * unit) for c in place] for place in (start, end))
+        ends = ends_of(scales)
+        first, last = (
+            (w * (X - x) + s * (U - u), w * (Y - y) + s * (V - v)) for s, w in ends
+        )  # at the ends of the range
+        if first[0] * last[1] != first[1] * last[0] or _dot(first, last) < 0:
+            raise ValueError("a segment turns as the scale changes")
+        along = first[0] + last[0], first[1] + last[1]
+        self._set((x, y), (u, v), along, _dot(along, along) or 1)
+        (s, w), (S, W) = ends
+        t, T = _dot(first, along), _dot(last, along)
+        self._cell = list(dict.fromkeys([(0, s, w), (t, s, w), (T, S, W), (0, S, W)]))
+
+    def cell(self, scales: ScaleRange) -> list[Corner]:
+        return self._cell
+
+
+def stays(place: Place) -> MovingPlace:
+    return Fraction(place[0]), Fraction(0), Fraction(place[1]), Fraction(0)
+
+
+def ends_of(scales: ScaleRange) -> tuple[Vector, Vector]:
+    """The first and the last scale, as (s, w); (1, 0) where there is no end."""
+    last = (1, 0) if scales.high is None else scales.high.as_integer_ratio()
+    return scales.low.as_integer_ratio(), last
 
 
 def levels(gap: Gap, corners: Sequence[Corner]) -> list[int]:
@@ -133,6 +180,10 @@ def sides(ring: Sequence[Vector]) -> list[Vector]:
     if len(ring) == 2:
         x, y = _shortest((ring[1][0] - ring[0][0], ring[1][1] - ring[0][1]))
     return [(x, y), (-x, -y), (y, -x), (-y, x)]
+
+
+def _dot(u: Vector, v: Vector) -> int:
+    return u[0] * v[0] + u[1] * v[1]
 
 
 def _shortest(v: Vector) -> Vector:

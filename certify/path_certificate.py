@@ -7,7 +7,7 @@ import json
 from collections.abc import Sequence
 from fractions import Fraction
 from itertools import pairwise
-from typing import Any
+from typing import Any, TypeVar
 
 from minkref import _core
 from minkref.argument_types import expect_sets, number
@@ -16,7 +16,7 @@ from minkref.certify.certificate import NoProof
 from minkref.certify.clearance import Clearance, Collision, TooLong
 from minkref.certify.collisions import Collisions, NoHit
 from minkref.certify.convex_cells import Place
-from minkref.certify.moving_parts import Pair, Vector, Way
+from minkref.certify.moving_parts import MovingPlace, MovingWay, Pair, Vector, Way, stays
 from minkref.certify.scale_cells import document, is_within
 from minkref.certify.trap_cover import TrapCover
 from minkref.errors import Refusal
@@ -53,18 +53,19 @@ class PathCertificate:
         if not self.path:
             raise Refusal("a path has at least one vertex", "path", "give it one", "bad-path")
         self.pair = Pair(robot, obstacles)
-        self._steps: list[Any] = [*self.pair.steps]
+        self.steps: list[Any] = [*self.pair.steps]
         self.claims: list[dict[str, Any]] = []
 
     def free(self, scales: ScaleRange, contact: str = "allowed") -> int:
         """That at no scale of a range a place of the path collides."""
-        step = self._clear(self.path, scales, contact, None)
+        step = self._clear([*map(stays, self.path)], scales, contact, None)
         return self._claim("free", contact, scales, step=step)
 
     def hit(self, scales: ScaleRange, contact: str = "allowed") -> int:
         """That at each scale of a range some place of the path collides."""
         self._refuse_thin(contact)
-        collisions = Collisions(self.pair, self._ways(self.path), contact == "allowed")
+        ways = [Way(self.pair, start, end) for start, end in _segments(self.path)]
+        collisions = Collisions(self.pair, ways, contact == "allowed")
         try:
             hits = collisions.hits(scales)
         except NoHit as error:
@@ -92,17 +93,21 @@ class PathCertificate:
         return self._claim("valid", contact, window, valid=valid, claims=claims)
 
     def escapes(
-        self, scales: ScaleRange, way: Sequence[Place], normal: Vector, contact: str = "allowed"
+        self,
+        scales: ScaleRange,
+        way: Sequence[MovingPlace],
+        normal: Vector,
+        contact: str = "allowed",
     ) -> int:
-        """That at each scale of a range a way leads from the place to one from which the part may
-        go on along a normal for ever."""
-        step = self._clear(way, scales, contact, way)
+        """That at each scale of a range a way, whose places may move with the scale, leads from the
+        place to one from which the part may go on along a normal for ever."""
+        step = self._clear(way, scales, contact, [*map(_told, way)])
         return self._claim("escapes", contact, scales, step=step, normal=list(normal))
 
     def trapped(self, scales: ScaleRange, ring: dict[str, Any], contact: str = "allowed") -> int:
         """That at each scale of a range the place is free, and a ring of places that collide leads
         around it (certify/rings.py)."""
-        step = self._clear(self.path, scales, contact, None)
+        step = self._clear([*map(stays, self.path)], scales, contact, None)
         return self._claim("trapped", contact, scales, step=step, by=PIECES, **ring)
 
     def trap(
@@ -114,7 +119,7 @@ class PathCertificate:
     ) -> int:
         """At which scales of a window the part is trapped at the place: there rings lead around
         it, at all others it escapes, or collides where it is. `ranges`: as above. Raises NoProof
-        where no fixed ways out are found for all the scales at which it escapes."""
+        where no rings or ways out are found for all the scales (certify/trap_cover.py)."""
         self._refuse_thin(contact)
         place = self._place()
         window = _window(from_scale, to_scale)
@@ -153,7 +158,7 @@ class PathCertificate:
         }
         told = {name: value for name, value in head.items() if value}
         parts = [f'"{name}":{json.dumps(told[name], ensure_ascii=False)}' for name in told]
-        parts.append(f'"steps":[{",".join(map(_compact, self._steps))}]')
+        parts.append(f'"steps":[{",".join(map(_compact, self.steps))}]')
         parts.append(f'"claims":[{",".join(map(_compact, self.claims))}]')
         return "{" + ",\n".join(parts) + "}\n"
 
@@ -171,36 +176,36 @@ class PathCertificate:
     def _plain(self) -> list[list[str]]:
         return [[str(x), str(y)] for x, y in self.path]
 
-    def _ways(self, path: Sequence[Place]) -> list[Way]:
-        ends = list(pairwise(path)) or [(path[0], path[0])]
-        return [Way(self.pair, start, end) for start, end in ends]
-
     def _clear(
-        self, path: Sequence[Place], scales: ScaleRange, contact: str, told: Sequence[Place] | None
+        self,
+        path: Sequence[MovingPlace],
+        scales: ScaleRange,
+        contact: str,
+        told: list[list[str]] | None,
     ) -> int:
         """The number of a step; `told`: the path in it, None for that of the case."""
         self._refuse_thin(contact)
         clearance = Clearance(self.pair, scales, contact)
         codes = []
-        for k, way in enumerate(self._ways(path)):
+        for k, (start, end) in enumerate(_segments(path)):
             try:
-                codes.append(clearance.code(way))
+                codes.append(clearance.code(MovingWay(self.pair, start, end, scales)))
             except Collision as error:
                 raise NoProof(f"segment {k} collides at a scale of {scales}") from error
             except TooLong as error:
                 raise NoProof(f"the proof of segment {k} has too many entries") from error
-        self._steps.append(
+        self.steps.append(
             {
                 "rule": "clear",
                 "by": PIECES,
                 "contact": contact,
-                "path": None if told is None else [[str(x), str(y)] for x, y in told],
+                "path": told,
                 "scales": document(scales),
                 "normals": clearance.normals,
                 "codes": codes,
             }
         )
-        return len(self._steps) - 1
+        return len(self.steps) - 1
 
     def _refuse_thin(self, contact: str) -> None:
         if contact == "allowed" and not all(o.is_region or o.is_empty for o in (self.R, self.O)):
@@ -210,6 +215,19 @@ class PathCertificate:
         told = {"claim": claim, "contact": contact, "scales": document(scales), **members}
         self.claims.append(told)
         return len(self.claims) - 1
+
+
+Kind = TypeVar("Kind")
+
+
+def _segments(path: Sequence[Kind]) -> list[tuple[Kind, Kind]]:
+    """From each place to the next; of one place one from it to itself."""
+    return list(pairwise(path)) or [(path[0], path[0])]
+
+
+def _told(place: MovingPlace) -> list[str]:
+    """As certificates have it: two numbers of a place that stays."""
+    return [str(c) for c in (place if any(place[1::2]) else place[::2])]
 
 
 def _window(from_scale: Number | None, to_scale: Number | None) -> ScaleRange:

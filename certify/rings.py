@@ -5,6 +5,7 @@ which a piece of the part and one of the obstacles collide, whose scales are fou
 from __future__ import annotations
 
 from collections import deque
+from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 from itertools import pairwise
@@ -31,11 +32,12 @@ class Ring:
 
 
 class Rings:
-    """Around a place that is free. `strict`: interiors meet. Exact."""
+    """Around a place that is free. `strict`: interiors meet. Exact. `spend` is called between
+    pieces of work, and ends it by what it raises."""
 
-    def __init__(self, pair: Pair, at: Place, strict: bool) -> None:
+    def __init__(self, pair: Pair, at: Place, strict: bool, spend: Callable[[], None]) -> None:
         self.pair, self.strict = pair, strict
-        self.at = at
+        self.at, self._spend = at, spend
 
     def around(self, s: Fraction) -> Ring | None:
         """None where no ring leads around the place. O(n^2) for n pairs of pieces whose sums are
@@ -50,6 +52,7 @@ class Rings:
         boxes = [_box(one) for one in sets]
         ordered = sorted(range(len(nodes)), key=lambda k: boxes[k][0])
         for place, i in enumerate(ordered):
+            self._spend()
             for j in ordered[place + 1 :]:
                 if boxes[j][0] > boxes[i][2]:
                     break

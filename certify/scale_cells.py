@@ -1,4 +1,4 @@
-"""Ranges of scales, and the cells of all places of a segment at them."""
+"""Ranges of scales, and what of a cell is left at them."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from fractions import Fraction
 from math import inf
 from typing import Any
 
-from minkref.certify.moving_parts import Corner, Gap, cut, levels
+from minkref.certify.moving_parts import Corner, Gap, cut, ends_of, levels
 from minkref.scale_ranges import ScaleRange
 
 ALL = ScaleRange(Fraction(0), None, False, False)
@@ -47,20 +47,10 @@ def document(scales: ScaleRange) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def cell(scales: ScaleRange) -> list[Corner]:
-    """A segment at all scales of a range, counter-clockwise."""
-    s, w = scales.low.as_integer_ratio()
-    S, W = (1, 0) if scales.high is None else scales.high.as_integer_ratio()
-    return list(dict.fromkeys([(0, s, w), (w, s, w), (W, S, W), (0, S, W)]))
-
-
 def is_outside(corners: Sequence[Corner], scales: ScaleRange) -> bool:
     """Whether all corners are at one end of a range that does not belong to it."""
-    ends = []
-    if not scales.low_in:
-        ends.append(scales.low.as_integer_ratio())
-    if not scales.high_in:
-        ends.append((1, 0) if scales.high is None else scales.high.as_integer_ratio())
+    is_in = scales.low_in, scales.high_in
+    ends = [end for end, told in zip(ends_of(scales), is_in, strict=True) if not told]
     return any(all(s * W == S * w for _, s, w in corners) for S, W in ends)
 
 

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from math import floor
 
 
 def simplest_between(low: Fraction, high: Fraction) -> Fraction:
-    """The rational of the least denominator in [low, high], 0 <= low < high (continued
-    fractions)."""
-    whole = floor(low)
-    if whole == low:
-        return low
-    if whole + 1 <= high:
-        return Fraction(whole + 1)
-    return whole + 1 / simplest_between(1 / (high - whole), 1 / (low - whole))
+    """The rational of the least denominator in [low, high], 0 <= low < high. Exact; continued
+    fractions, a step for each term that the two bounds have in common."""
+    (a, b), (c, d) = low.as_integer_ratio(), high.as_integer_ratio()  # what is left of the bounds
+    before, last = (0, 1), (1, 0)  # the last two convergents
+    while True:
+        whole = a // b
+        if whole * b == a or (whole + 1) * d <= c:
+            term = whole if whole * b == a else whole + 1
+            return Fraction(term * last[0] + before[0], term * last[1] + before[1])
+        before, last = last, (whole * last[0] + before[0], whole * last[1] + before[1])
+        a, b, c, d = d, c - whole * d, b, a - whole * b

@@ -37,7 +37,8 @@ class SolidCertificate:
         self._numbers: dict[Scaling, int] = {}  # of the claims
         pairs = len(self._tilings[0].rings) * len(self._tilings[1].rings)
         if pairs > MOST_PAIRS:
-            raise _too_large(f"the operands have {pairs:,} pairs of convex pieces")
+            what = f"the operands have {pairs:,} pairs of convex pieces, more than {MOST_PAIRS:,}"
+            raise _too_large(what)
 
     def sum(self, scaling: Scaling) -> int:
         """Claims what the sum is at a scaling. Returns the number of the claim, which is an earlier
@@ -77,7 +78,7 @@ class SolidCertificate:
                 for plane, corners in planes(first, second).items()
             ]
         except TooLarge as error:
-            raise _too_large(f"the proof has over {MOST_ENTRIES:,} entries") from error
+            raise _too_large(f"the proof has more than {MOST_ENTRIES:,} entries") from error
 
     def text(self, case: str, title: str = "", producer: str = "") -> str:
         """The certificate; `case`: the path of its case, relative to its own."""
@@ -113,7 +114,7 @@ def _plain(surface: _core.Polyhedron) -> str:
 
 
 def _too_large(what: str) -> Refusal:
-    mend = "certify parts of the operands, or scale them so that fewer pieces are needed"
+    mend = "give operands with fewer reflex edges, or certify a sum of parts of them"
     return Refusal(what, "P and Q", mend, "too-large")
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Protocol
 
 from minkref.commands.certify_check import is_verified
-from minkref.documents import check_writable, refuse_overwriting, replacing, write_atomically
+from minkref.documents import check_writable, refuse_overwriting
 from minkref.errors import Refusal
 from minkref.output_target import refuse_stream
 
@@ -79,10 +79,9 @@ class Checked:
         """In bytes, not compressed."""
         return len(self.text.encode())
 
-    def write(self) -> None:
-        write_atomically(self.files.case, self.case)
-        if self.files.output.suffix != ".gz":
-            write_atomically(self.files.output, self.text)
-            return
-        with replacing(self.files.output) as part:
-            part.write_bytes(gzip.compress(self.text.encode(), mtime=0))
+    def contents(self) -> dict[Path, bytes]:
+        """The two files as they are to be written, together."""
+        text = self.text.encode()
+        if self.files.output.suffix == ".gz":
+            text = gzip.compress(text, mtime=0)
+        return {self.files.case: self.case.encode(), self.files.output: text}

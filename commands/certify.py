@@ -15,10 +15,17 @@ from minkref.certify.certificate import Certificate, NoProof
 from minkref.certify.convex_certificate import ConvexCertificate
 from minkref.certify.solid_certificate import SolidCertificate
 from minkref.commands.certificate_output import CHECKED, CertificateFiles
-from minkref.commands.certify_theorem import HOW, check_theorem, write_theorem
+from minkref.commands.certify_theorem import HOW, check_theorem, theorem_of
 from minkref.commands.line.memory import SIMPLER, Memory, memory_wall
 from minkref.commands.line.options import FirstOperand, Json, Schema, SecondOperand
-from minkref.documents import Stopwatch, as_text, check_writable, document, refuse_overwriting
+from minkref.documents import (
+    Stopwatch,
+    as_text,
+    check_writable,
+    document,
+    refuse_overwriting,
+    write_together,
+)
 from minkref.errors import Refusal, refusing
 from minkref.exact import read_point, read_scale
 from minkref.operand import read_operand
@@ -137,9 +144,10 @@ def command(
         operands = f"{escaped(P)} and {escaped(Q)}"
         certificate = refusing(operands, make)
         checked = files.checked(certificate, operands, check)
-    checked.write()
+    written: dict[Path, str | bytes] = {**checked.contents()}
     if theorem is not None:
-        write_theorem(theorem, output)
+        written[theorem] = theorem_of(checked)
+    write_together(written)
     value = document(
         "certify",
         watch,

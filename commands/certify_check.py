@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import tempfile
-from pathlib import Path
-
 from minkref.commands.check import WORDS
+from minkref.documents import scratch_folder
 from minkref.oracle.checker import check as checker
 
 SECONDS, TESTS, BYTES = 600.0, 1e10, 2.0**30
@@ -19,10 +17,9 @@ def is_verified(certificate: str, case: str, name: str) -> bool:
     """Whether the checker in Python (oracle/checker) verifies a certificate; False where its budget
     does not suffice. `name`: of the operands, for messages. Raises Refuted where it is no proof.
     Costs about what making it did."""
-    with tempfile.TemporaryDirectory(prefix="minkref-") as folder:
-        path = Path(folder, "it.cert.json")
+    with scratch_folder() as folder:
+        path, beside = folder / "it.cert.json", folder / "it.case.json"
         path.write_text(certificate, encoding="utf-8")
-        beside = Path(folder, "it.case.json")
         beside.write_text(case, encoding="utf-8")
         code, why, _ = checker.verdict(path, beside, SECONDS, TESTS, BYTES)
     if WORDS[code] in ("verified", "out of budget"):

@@ -6,7 +6,8 @@ import re
 from pathlib import Path
 
 from minkref.commands import check_proved
-from minkref.documents import check_writable, replacing
+from minkref.commands.certificate_output import Checked
+from minkref.documents import check_writable, scratch_folder
 from minkref.errors import Refusal
 
 NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*\.v", re.ASCII)
@@ -27,10 +28,14 @@ def check_theorem(path: Path, in_the_plane: bool, about_a_sum: bool) -> None:
     check_writable(path)
 
 
-def write_theorem(path: Path, certificate: Path) -> None:
+def theorem_of(certificate: Checked) -> bytes:
     """States the sum of a certificate and proves it by computation. Raises RuntimeError where the
     proved checker refuses the certificate: a fault of minkref."""
-    with replacing(path) as part:
-        found = check_proved.follow(certificate, f"--theorem={part}")
+    with scratch_folder() as folder:
+        for path, content in certificate.contents().items():
+            (folder / path.name).write_bytes(content)
+        name, part = certificate.files.output.name, folder / "theorem.v"
+        found = check_proved.follow(folder / name, f"--theorem={part}")
         if found.word != "verified":
-            raise RuntimeError(f"no theorem of {certificate}: {found.word}: {found.why}")
+            raise RuntimeError(f"no theorem of {name}: {found.word}: {found.why}")
+        return part.read_bytes()

@@ -11,16 +11,24 @@ from typing import Annotated, Any
 import typer
 from minkref import _core
 from minkref.commands.line.memory import SIMPLER, Memory, memory_wall
-from minkref.commands.line.options import FirstOperand, Json, Scale, Schema, SecondOperand
+from minkref.commands.line.options import (
+    FirstOperand,
+    Json,
+    Scale,
+    Schema,
+    SecondOperand,
+    Triangles,
+    refuse_triangles,
+)
 from minkref.commands.lists.convolution_output import (
     edge_documents,
     geojson_pieces,
     refuse_unrepresentable,
 )
 from minkref.convolution_values import COMPATIBLE
-from minkref.documents import Stopwatch, as_text, document, listing, refuse_overwriting
+from minkref.documents import Stopwatch, as_text, document, lasting, listing, refuse_overwriting
 from minkref.errors import Refusal, choice, refusing
-from minkref.exact import approximate, read_scale
+from minkref.exact import read_scale, rounded
 from minkref.operand import Operand, read_operand
 from minkref.output_target import Target, target_of
 from minkref.space.operand import in_space
@@ -88,6 +96,7 @@ def command(
             help="Format to write, whatever the name of the file ends in. Default for `-`: json.",
         ),
     ] = None,
+    triangles: Triangles = False,
     memory: Memory = None,
     json: Json = False,
     schema: Schema = False,
@@ -99,8 +108,9 @@ def command(
         _refuse_in_space(full, compatible, limit)
         from minkref.commands.space.convolution import convolution_in_space
 
-        convolution_in_space(P, Q, scale, output, json, form, memory)
+        convolution_in_space(P, Q, scale, output, json, form, memory, triangles)
         return
+    refuse_triangles(triangles)
     watch = Stopwatch()
     exact_scale = read_scale(scale)
     if compatible not in COMPATIBLE:
@@ -191,7 +201,7 @@ def _pieces(
     Q: Operand,
 ) -> Iterable[str]:
     if target.form == "json":
-        return listing(head, "edges", edge_documents(found, count))
+        return listing(lasting(head), "edges", edge_documents(found, count))
     if target.form == "geojson":
         return geojson_pieces(found, count)
     return _picture(head, found, count, P, Q)
@@ -234,7 +244,7 @@ def _print_first(found: _core.Convolution, count: int) -> None:
     table = Table("kind", "edge", "vertex", "sign", "from, about", "to, about")
     for edge in edge_documents(found, count):
         parents = [f"{ring}.{index}" for ring, index in (edge["edge"], edge["vertex"])]
-        ends = [", ".join(f"{approximate(x):.6g}" for x in edge[end]) for end in ("start", "end")]
+        ends = [", ".join(rounded(x, 6) for x in edge[end]) for end in ("start", "end")]
         table.add_row(edge["kind"], *parents, f"{edge['sign']:+}", *(f"({end})" for end in ends))
     sys.stdout.write("\n")
     console().print(table)

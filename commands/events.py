@@ -33,7 +33,7 @@ from minkref.documents import Stopwatch, as_text, document, refuse_overwriting
 from minkref.errors import Refusal, choice, refusing
 from minkref.event_lists import BoundaryEventList, EventList, PairEventList, find_events
 from minkref.event_values import FORMS, KINDS, PAIR_KINDS, ROUTED_KINDS, ROUTES
-from minkref.exact import approximate, read_window
+from minkref.exact import read_window, rounded
 from minkref.operand import Operand, read_operand
 from minkref.output_target import Target, target_of
 from minkref.space.operand import in_space
@@ -97,7 +97,7 @@ def command(
             "In space these are of facets: pair of two, triple of three and of four. "
             "boundary: the vertices of the sum's boundary or their order change. "
             "topology: a hole or component is born, dies, merges, splits or touches itself. "
-            "Default: pair, and with a disc boundary.",
+            "Default: pair; with --index, and with a disc, boundary.",
         ),
     ] = None,
     form: Annotated[
@@ -193,14 +193,23 @@ def command(
             given |= {"--index": index is not None, "--route": route is not None}
             pair_events_with_disc(P, Q, form, *window_and_output, given)
         else:
-            given["--form"] = form != "corrected"
+            if form not in FORMS:
+                raise Refusal(f"there is no form {form!r}", "--form", choice(form, FORMS))
+            if form != "corrected":
+                what = "events of a disc of the kind pair alone have a printed form"
+                raise Refusal(what, f"--form {form}", "add --kind pair, or leave it out")
             events_with_disc(P, Q, kind, *window_and_output, index, given)
         return
-    kind = kind or "pair"
-    _check(kind, form, arithmetic, least, limit)
-    if in_space(P, Q):
+    kind = kind or ("pair" if index is None else "boundary")
+    space = in_space(P, Q)
+    if space:
+        from minkref.commands.space.events import KINDS as SPACE_KINDS
         from minkref.commands.space.events import events_in_space, refuse_in_space
-
+    if kind not in KINDS:
+        mend = choice(kind, SPACE_KINDS if space else KINDS)
+        raise Refusal(f"there is no kind {kind!r} of events", "--kind", mend)
+    _check(kind, form, arithmetic, least, limit)
+    if space:
         refuse_in_space(kind, form, arithmetic, reading, least, route, index, where)
         events_in_space(
             P,
@@ -341,8 +350,6 @@ def _least(P: Operand, Q: Operand, form: str) -> dict[str, int | None]:
 
 
 def _check(kind: str, form: str, arithmetic: str, least: bool, limit: int | None) -> None:
-    if kind not in KINDS:
-        raise Refusal(f"there is no kind {kind!r} of events", "--kind", choice(kind, KINDS))
     if form not in FORMS:
         raise Refusal(f"there is no form {form!r}", "--form", choice(form, FORMS))
     check_arithmetic(arithmetic)
@@ -455,10 +462,10 @@ def _print_first(found: EventList, count: int) -> None:
     topology = events[0]["kind"] == "topology"
     table = Table("s", "about", "change", "before, after" if topology else "edges", "at")
     for event in events:
-        where = ", ".join(f"{approximate(x):.6g}" for x in event["at"])
+        where = ", ".join(rounded(x, 6) for x in event["at"])
         what = _features_text(event) if topology else _edges_text(event["parents"])
         change = f"{event['feature']}: {event['change']}" if topology else event["change"]
-        table.add_row(event["s"], f"{approximate(event['s']):.6g}", change, what, f"({where})")
+        table.add_row(event["s"], rounded(event["s"], 6), change, what, f"({where})")
     sys.stdout.write("\n")
     console().print(table)
     if len(found) > len(events):
@@ -496,7 +503,7 @@ def _print_lives(name: str, lives: list[dict[str, Any]]) -> None:
         table.add_row(
             str(life["id"]),
             *(
-                f"{which} of the window" if end is None else f"{end}, about {approximate(end):.6g}"
+                f"{which} of the window" if end is None else f"{end}, about {rounded(end, 6)}"
                 for end, which in zip(ends, ("begin", "end"), strict=True)
             ),
         )

@@ -27,6 +27,7 @@ from minkref.errors import Refusal, refusing
 from minkref.exact import read_window
 from minkref.operand import read_operand
 from minkref.output_target import refuse_stream
+from minkref.space.operand import in_space
 from minkref.terminal import counted
 
 EXAMPLES = """Examples:
@@ -40,13 +41,20 @@ minkref sum disc1 cells1815 --index cells.index --scale 7/5
 minkref index glyph1204 disc -o diagram.json"""
 
 MOST_THREADS = 256
+OTHER_FORMATS = {*_core.SET_FORMATS, *_core.MESH_FORMATS, "csv", "dxf", "html", "jsonl", "parquet",
+                 "pdf", "png", "txt"}  # fmt: skip
 MOST_CHECKS, CHECKS = 10_000, 3
 
 
 def command(
     P: FirstOperand,
     Q: SecondOperand,
-    output: Annotated[Path, typer.Option("-o", help="The file to write.", metavar="FILE")],
+    output: Annotated[
+        Path,
+        typer.Option(
+            "-o", help="The file to write, as FILE.index; of a disc .json.", metavar="FILE"
+        ),
+    ],
     from_scale: WindowFrom = None,
     to_scale: WindowTo = None,
     threads: Annotated[
@@ -76,6 +84,9 @@ def command(
         index_with_disc(P, Q, unknown, threads, output, json, memory)
         return
     watch = Stopwatch()
+    if in_space(P, Q):
+        mend = "`minkref events P Q --from A --to B` finds what happens at all scales of a window"
+        raise Refusal("there is no index in space", f"{P} and {Q}", mend, "not-in-space")
     window = read_window(from_scale, to_scale)
     _check_numbers(threads, check)
     refuse_stream(
@@ -84,6 +95,9 @@ def command(
     check_writable(output)
     first, second = read_operand(P), read_operand(Q)
     refuse_overwriting(output, [first.file, second.file])
+    if output.suffix.lower().removeprefix(".") in OTHER_FORMATS:
+        what = f"an index has a format of its own, and {output.suffix} is the ending of another"
+        raise Refusal(what, str(output), "name it FILE.index")
     with memory_wall(memory, "the index", f"{P} and {Q}", SMALLER):
         index = build_index(first, second, window[0], window[1], threads)
     checked = _checked(index, check)

@@ -30,13 +30,13 @@ def asked_program(
 ) -> Program | None:  # fmt: skip
     """None for the other routes, with which its options are refused."""
     refuse_options(route, form, chosen)
+    check_arithmetic(arithmetic or EXACT)
     if route != ROUTE:
         for option, given in (("--arithmetic", arithmetic), ("--steps", steps)):
             if given is not None:
                 mend = f"add --route {ROUTE}, or leave it out"
                 raise Refusal(f"the route {route} is exact, at all scales", option, mend)
         return None
-    check_arithmetic(arithmetic or EXACT)
     steps = STEPS if steps is None else steps
     if not 2 <= steps <= MOST_STEPS:
         what = f"there must be 2 to {MOST_STEPS:,} scales"

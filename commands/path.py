@@ -8,6 +8,7 @@ from typing import Annotated, Any
 
 import typer
 from minkref import _core
+from minkref.commands.certificate_output import Checked
 from minkref.commands.line.memory import SMALLER, Memory, memory_wall
 from minkref.commands.line.options import Json, Schema, WindowFrom, WindowTo
 from minkref.commands.line.output import give, print_lines
@@ -25,14 +26,15 @@ from minkref.commands.space.path import path_in_space
 from minkref.documents import (
     Stopwatch,
     as_text,
-    check_writable,
     document,
+    lasting,
     refuse_overwriting,
-    write_atomically,
+    write_together,
 )
 from minkref.errors import Refusal, choice, refusing
 from minkref.exact import read_window
 from minkref.operand import read_operand
+from minkref.output_target import Target, target_of
 from minkref.path_text import read_path
 from minkref.scale_ranges import CONTACTS, PATH_ROUTES, range_values
 from minkref.space.operand import in_space
@@ -53,6 +55,7 @@ minkref path part.off obstacles.stl way.csv --contact forbidden --to 2
 
 minkref path part.wkt obstacles.wkt way.csv --certify valid.cert.json"""
 
+FORMS = ("json", "svg")  # that -o writes; in space the first
 MOST_ROWS = 20
 
 Robot = Annotated[str, typer.Argument(help="The part, scaled about its origin: a file or a model.")]
@@ -88,8 +91,8 @@ def command(
         Path | None,
         typer.Option(
             "-o",
-            help="Write the JSON document here; to an .svg the diagram of places and scales that "
-            "collide.",
+            help="Write the document to this .json file, or to an .svg the diagram of places and "
+            "scales that collide; - is standard output.",
             metavar="FILE",
         ),
     ] = None,
@@ -103,17 +106,19 @@ def command(
     ends, single scales, and for each bound the contact that causes it."""
     watch = Stopwatch()
     window = read_window(from_scale, to_scale)
-    check_words(contact=(contact, CONTACTS), route=(route, PATH_ROUTES))
-    if output is not None:
-        check_writable(output)
-    if in_space(robot, obstacles):
-        if _is_picture(output):
+    space = in_space(robot, obstacles)
+    routes = PATH_ROUTES[:2] if space and route != PATH_ROUTES[2] else PATH_ROUTES
+    check_words(contact=(contact, CONTACTS), route=(route, routes))
+    if space:
+        if output is not None and output.suffix.lower() == ".svg":
             raise Refusal("no picture is drawn in space", str(output), "name a .json file")
         if certify is not None:
             raise Refusal("there is no certificate in space", "--certify", "leave it out")
+        target = target_of(output, None, FORMS[:1], FORMS[0], json)
         value = path_in_space(watch, robot, obstacles, path, contact, window, route, output, memory)
-        _finish(value, output, json)
+        _finish(value, target, json)
         return
+    target = target_of(output, None, FORMS, FORMS[0], json, has_format=False)
     first, second, way = read_operand(robot), read_operand(obstacles), read_path(path)
     files = [first.file, second.file, *([way.file] if way.file else [])]
     if output is not None:
@@ -165,21 +170,28 @@ def command(
         output=None if output is None else str(output),
         certificate=proof_document(proven),
     )
-    if proven is not None:
-        proven[0].write()
-    _finish(value, output, json, drawn if _is_picture(output) else None)
-
-
-def _is_picture(output: Path | None) -> bool:
-    return output is not None and output.suffix.lower() == ".svg"
+    _finish(value, target, json, drawn, None if proven is None else proven[0])
 
 
 def _finish(
-    value: dict[str, Any], output: Path | None, json: bool, drawn: Callable[[], str] | None = None
+    value: dict[str, Any],
+    target: Target | None,
+    json: bool,
+    drawn: Callable[[], str] | None = None,
+    proof: Checked | None = None,
 ) -> None:
-    """`drawn`: what makes the picture that is asked for."""
-    if output is not None:
-        write_atomically(output, as_text(value) if drawn is None else drawn())
+    """Writes the proof and the file of -o, or none of them. `drawn`: what makes a picture."""
+    files: dict[Path, str | bytes] = {} if proof is None else {**proof.contents()}
+    text = ""
+    if target is not None:
+        picture = drawn if target.form == "svg" else None
+        text = as_text(lasting(value)) if picture is None else picture()
+        if not target.is_standard_output:
+            files[target.path] = text
+    write_together(files)
+    if target is not None and target.is_standard_output:
+        target.write(text)
+        return
     give(value, json, _print)
 
 

@@ -56,7 +56,7 @@ def proved(
         claim(certificate)
     except NoProof as error:
         mend = "leave out --certify, or give a window in which it can be proven (--from, --to)"
-        raise Refusal(str(error), title, mend, "no-proof") from error
+        raise Refusal(str(error), title, error.mend or mend, "no-proof") from error
     return files.checked(certificate, title, True), certificate
 
 

@@ -8,7 +8,7 @@ from typing import Any
 
 from minkref import _core
 from minkref.commands.line.arithmetic import check_arithmetic
-from minkref.commands.line.readings import Choices, readings_of
+from minkref.commands.line.readings import Choices, readings_of, with_other
 from minkref.errors import Refusal, choice
 
 REPAIRS = ("proven", "literal")
@@ -32,9 +32,10 @@ def asked_repair(
     repair = repair or REPAIRS[0]
     if repair not in REPAIRS:
         raise Refusal(f"there is no repair {repair[:40]!r}", "--repair", choice(repair, REPAIRS))
+    check_arithmetic(arithmetic)
     if repair == "literal":
-        check_arithmetic(arithmetic)
         return Repair(arithmetic, readings_of(form, chosen, SPACE_CHOICES), trace)
+    mend = with_other("add --repair literal", form, chosen, SPACE_CHOICES)
     others = {
         f"--arithmetic {arithmetic}": arithmetic != "rational",
         "--form": form is not None,
@@ -43,6 +44,5 @@ def asked_repair(
     }
     for option, given in others.items():
         if given:
-            mend = "add --repair literal, or leave it out"
             raise Refusal("the proven repair is exact and has no readings", option, mend)
     return None

@@ -82,7 +82,7 @@ def command(
     neither."""
     watch = Stopwatch()
     walls, limits = walls_and_limits(call_seconds, call_memory, call_processes, isolation, pass_env)
-    written = None if output is None else target_of(output, "json", ("json",), "json", json)
+    written = None if output is None else target_of(output, None, ("json",), "json", json)
     refuse_unless_case(case)
     (entry,), _ = declarations_of([select_one(target)], limits)
     with ending_in_order():

@@ -11,7 +11,7 @@ import typer
 from minkref import _core
 from minkref.commands.line.arithmetic import check_arithmetic
 from minkref.commands.line.memory import SIMPLER, Memory, memory_wall
-from minkref.commands.line.options import Json, Scale, Schema
+from minkref.commands.line.options import Json, Scale, Schema, Triangles, refuse_triangles
 from minkref.commands.line.readings import ROUTE as PAPER_UPDATE
 from minkref.commands.line.readings import Form, Reading, readings_of, refuse_options
 from minkref.commands.lists.scale_index import (
@@ -61,6 +61,8 @@ minkref sum disc1 cells1815 --index cells.index --scale 7/5
 minkref sum gs3 rod --scale 2,1/3,5 -o sum.off
 
 minkref sum cup.stl plate.stl --scale 3/2 -o sum.stl
+
+minkref sum cup.stl plate.stl -o sum.ply --triangles
 
 minkref sum g1 disc:7/5 -o offset.svg
 
@@ -145,6 +147,7 @@ def command(
             "plane they are always found.",
         ),
     ] = False,
+    triangles: Triangles = False,
     tolerance: Annotated[
         str | None,
         typer.Option(
@@ -174,7 +177,7 @@ def command(
     .json); one may be a plane polygon, a segment or a point. In another arithmetic, or by the
     paper's own program (--route paper-update), what these answer, with the exact sum beside it."""
     if is_disc(P) or is_disc(Q):
-        _refuse_without_arcs(arithmetic, as_read, reading, plot, passages)
+        _refuse_without_arcs(arithmetic, as_read, reading, plot, passages, triangles)
         from minkref.commands.disc.sum import sum_with_disc
 
         sum_with_disc(
@@ -198,9 +201,10 @@ def command(
         from minkref.commands.space.sum import sum_in_space
 
         sum_in_space(
-            P, Q, scale, route or DEFAULT, arithmetic, output, json, form, memory, passages
+            P, Q, scale, route, arithmetic, output, json, form, memory, passages, triangles
         )
         return
+    refuse_triangles(triangles)
     if P == Q == STANDARD_INPUT:
         raise Refusal("standard input is one operand", "P and Q", "name a file for the other")
     watch = Stopwatch()
@@ -243,8 +247,9 @@ def command(
 
 
 def _refuse_without_arcs(
-    arithmetic: str, as_read: str | None, reading: list[str] | None, plot: bool, passages: bool
-) -> None:
+    arithmetic: str, as_read: str | None, reading: list[str] | None, plot: bool, passages: bool,
+    triangles: bool,
+) -> None:  # fmt: skip
     """Options that sums with a disc do not have."""
     others = {
         "--arithmetic": arithmetic != "rational",
@@ -252,6 +257,7 @@ def _refuse_without_arcs(
         "--reading": bool(reading),
         "--plot": plot,
         "--passages": passages,
+        "--triangles": triangles,
     }
     for option, is_given in others.items():
         if is_given:
@@ -298,7 +304,8 @@ def _written(
         from minkref.reports.sum_picture import sum_picture
 
         counts = (found["components"], found["holes"])
-        return sum_picture(P, Q, scale, region, *counts, truth), False
+        passages = [passage["points"] for passage in found["tight_passages"] or ()]
+        return sum_picture(P, Q, scale, region, *counts, truth, passages), False
     text = refusing(target.name, lambda: _core.write(region, target.form))
     return text, _core.writes_exactly(region, target.form)
 
@@ -336,13 +343,13 @@ def compute(
         elif route == "index":
             built = index_of(index, P, Q, scale, scale)
             answer = refusing(where, lambda: built.sum(scale, True))
-            passages = answer.tight_passages or []
+            passages = answer.passage_rows()
             seconds = answer.seconds if index else built.seconds + answer.seconds
         else:
             answer = refusing(
                 where, lambda: _core.minkowski_sum(P.set, Q.set, scale, route, arithmetic, exact)
             )
-            passages, seconds = answer.tight_passages, answer.seconds
+            passages, seconds = answer.passage_rows() if exact else None, answer.seconds
     except _core.UndecidedSign:
         undecided = True
     fields: dict[str, Any] = {

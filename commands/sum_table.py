@@ -80,7 +80,7 @@ def _deciders(signs: dict[str, Any], arithmetic: str) -> str:
 
 def _described(value: dict[str, Any]) -> list[tuple[str, str]]:
     return [
-        ("area", measure(value["area"], value["area_approximate"])),
+        ("area", measure(value["area"])),
         ("components, holes", f"{value['components']}, {value['holes']}"),
         ("vertices", f"{value['vertices']:,}"),
         ("digest", value["digest"]),

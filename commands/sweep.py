@@ -11,8 +11,16 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 from minkref import _core
+from minkref.commands.line.arithmetic import check_arithmetic
 from minkref.commands.line.memory import SMALLER, Memory, memory_wall
-from minkref.commands.line.options import FirstOperand, Json, Schema, SecondOperand
+from minkref.commands.line.options import (
+    FirstOperand,
+    Json,
+    Schema,
+    SecondOperand,
+    Triangles,
+    refuse_triangles,
+)
 from minkref.commands.line.output import plain_table
 from minkref.commands.line.progress import progress
 from minkref.commands.line.readings import FORMS, PLANE_CHOICES, ROUTE, readings_of, refuse_options
@@ -26,7 +34,7 @@ from minkref.commands.repair_options import REPAIRS, SPACE_CHOICES, asked_repair
 from minkref.disc.disc import is_disc
 from minkref.documents import Stopwatch, document, listing
 from minkref.errors import Refusal, refusing
-from minkref.exact import approximate, read_scale
+from minkref.exact import read_scale, rounded
 from minkref.operand import Operand, read_operand
 from minkref.scales import MOST_SCALES, evenly_spaced, read_scales
 from minkref.signals import ending_in_order
@@ -154,6 +162,7 @@ def command(
             "--format", help=f"Format of these files: {', '.join(FORMATS)}. Default: json."
         ),
     ] = None,
+    triangles: Triangles = False,
     memory: Memory = None,
     json: Json = False,
     schema: Schema = False,
@@ -175,6 +184,7 @@ def command(
         }
         unknown = {option: value is not None for option, value in named.items()}
         unknown |= {"--arithmetic": arithmetic != "rational", "--trace": trace}
+        unknown |= {"--triangles": triangles}
         sweep_with_disc(P, Q, radii, index, unknown, output, form, json, memory)
         return
     if in_space(P, Q):
@@ -184,8 +194,9 @@ def command(
         from minkref.commands.space.sweep import sweep_in_space
 
         asked = asked_repair(repair, arithmetic, as_read, reading, trace)
-        sweep_in_space(P, Q, scales_file, given, output, form, json, memory, asked)
+        sweep_in_space(P, Q, scales_file, given, output, form, json, memory, asked, triangles)
         return
+    refuse_triangles(triangles)
     if repair is not None or trace:
         option = "--trace" if repair is None else "--repair"
         what = "a sum in the plane has no repair"
@@ -195,6 +206,7 @@ def command(
     watch = Stopwatch()
     route = chosen_route(index, route, ROUTES)
     refuse_options(route, as_read, reading)
+    check_arithmetic(arithmetic)
     if arithmetic != "rational" and route != ROUTE:
         what = f"the route {route} is exact only"
         raise Refusal(what, f"--arithmetic {arithmetic}", f"add --route {ROUTE}, or leave it out")
@@ -341,4 +353,4 @@ def _first_wrong(rows: RowSpool) -> str | None:
 
 
 def _short(number: str) -> str:
-    return number if len(number) <= 12 else f"{approximate(number):.10g}"
+    return number if len(number) <= 12 else rounded(number)

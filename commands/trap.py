@@ -13,7 +13,7 @@ from minkref.commands.line.output import give, print_lines
 from minkref.commands.lists.path_rows import point_text, ranges_text
 from minkref.commands.path import Contact, check_words
 from minkref.commands.path_proof import Certify, proof_document, proof_files, proof_rows, proved
-from minkref.documents import Stopwatch
+from minkref.documents import Stopwatch, write_together
 from minkref.errors import Refusal, refusing
 from minkref.exact import read_point, read_window
 from minkref.operand import read_operand
@@ -80,7 +80,7 @@ def command(
         certificate=proof_document(proven),
     )
     if proven is not None:
-        proven[0].write()
+        write_together({**proven[0].contents()})
     give(value, json, _print)
 
 

@@ -24,7 +24,7 @@ from minkref.commands.line.target_options import (
 from minkref.commands.verify_cases import case_list
 from minkref.commands.verify_limits import check_numbers
 from minkref.commands.verify_output import ProgressLine, document_of, print_tables
-from minkref.documents import Stopwatch, as_text, check_writable, write_atomically
+from minkref.documents import Stopwatch, as_text, check_writable, write_together
 from minkref.errors import refusal_text
 from minkref.exits import ExitCode
 from minkref.fuzz.isolation.isolation import AUTO, choose
@@ -305,14 +305,16 @@ def command(
         again = command_line("verify", command, said)
         value["report"] = str(write_report(report, done, groups, value, limits, again, solids))
         value["seconds"] = watch.seconds()
+    written: dict[Path, str | bytes] = {}
     if junit_file is not None:
-        write_atomically(junit_file, junit(done, groups, walls))
+        written[junit_file] = junit(done, groups, walls)
     if sarif_file is not None:
-        write_atomically(sarif_file, sarif(groups, value))
+        written[sarif_file] = sarif(groups, value)
     if markdown_file is not None:
-        write_atomically(markdown_file, markdown(done, groups, value))
+        written[markdown_file] = markdown(done, groups, value)
     if lines_file is not None:
-        write_atomically(lines_file, json_lines(value))
+        written[lines_file] = json_lines(value)
+    write_together(written)
     if json:
         sys.stdout.write(as_text(value))
     elif not quiet:

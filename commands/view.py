@@ -160,7 +160,9 @@ def command(
         view_with_path(P, Q, path, rule, window_given, given, target, json, memory)
         return
     if contact is not None:
-        raise Refusal("a rule of contact is one of a path", "--contact", "add --path PATH")
+        has_paths = not (is_disc(P) or is_disc(Q) or in_space(P, Q))
+        mend = "add --path PATH, or leave it out" if has_paths else "leave it out"
+        raise Refusal("a rule of contact is one of a path", "--contact", mend)
     if is_disc(P) or is_disc(Q):
         from minkref.commands.disc.view import view_with_disc
 
@@ -230,7 +232,7 @@ def _given(*options: tuple[str, object | None]) -> list[str]:
 
 
 def _page_target(output: Path, json: bool) -> Target:
-    target = target_of(output, None, ENDINGS, ENDINGS[0], json)
+    target = target_of(output, None, ENDINGS, ENDINGS[0], json, has_format=False)
     assert target is not None
     return target
 

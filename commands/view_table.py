@@ -7,7 +7,7 @@ from typing import Any
 
 from minkref.commands.line.output import print_lines
 from minkref.commands.lists.paper_words import events_in_words
-from minkref.exact import approximate
+from minkref.exact import rounded
 
 
 def counts(data: dict[str, Any]) -> dict[str, Any]:
@@ -26,7 +26,7 @@ def counts(data: dict[str, Any]) -> dict[str, Any]:
 def print_view(value: dict[str, Any]) -> None:
     window = f"[{value['from']}, {value['to']}]"
     if Fraction(value["from"]).denominator > 10**6 or Fraction(value["to"]).denominator > 10**6:
-        window += f", about [{approximate(value['from']):.6g}, {approximate(value['to']):.6g}]"
+        window += f", about [{rounded(value['from'], 6)}, {rounded(value['to'], 6)}]"
     segments = value["segments"]
     rows = [
         ("sP + Q", f"{value['P']} + {value['Q']}"),
@@ -50,7 +50,7 @@ def _of_the_paper(value: dict[str, Any]) -> list[tuple[str, str]]:
         return []
     wrong = f"{value['wrong_steps']:,} of {value['steps']:,}"
     first = value["first_wrong"]
-    at = "" if first is None else f", the first at {approximate(first):.6g}"
+    at = "" if first is None else f", the first at {rounded(first, 6)}"
     return [
         ("paper", f"{value['arithmetic']}, wrong at {wrong} scales{at}"),
         *events_in_words(value["events"]),

@@ -4,7 +4,7 @@ traps."""
 
 from __future__ import annotations
 
-from minkref.degeneracies.disc import across, around, nearly
+from minkref.degeneracies.disc import across, around, doors, nearly
 from minkref.degeneracies.disc.draft import DiscFamily
 from minkref.degeneracies.draft import Family
 from minkref.degeneracies.paths import along, traps
@@ -54,7 +54,7 @@ SOLID_FAMILIES: dict[str, SolidFamily] = {
 }
 
 DISC_FAMILIES: dict[str, DiscFamily] = {
-    family.name: family for module in (around, across, nearly) for family in module.FAMILIES
+    family.name: family for module in (around, across, doors, nearly) for family in module.FAMILIES
 }
 
 PATH_FAMILIES: dict[str, PathFamily] = {

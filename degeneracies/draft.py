@@ -143,7 +143,7 @@ class Facts:
 
     @cached_property
     def passages(self) -> list[list[Place]]:
-        return [points for points, _ in self.at.tight_passages or []]
+        return [points for points, _ in self.at.passage_rows()]
 
     @cached_property
     def counts(self) -> tuple[tuple[int, int], ...]:

@@ -3,6 +3,8 @@
 #include <optional>
 #include <string>
 
+#include "reference/interrupt.hpp"
+
 namespace minkref {
 namespace {
 
@@ -66,6 +68,7 @@ bool lies_inside(const Ring& inner, const Ring& outer, std::size_t& steps) {
   for (std::size_t i = 0; i < inner.size(); ++i) {
     const Point& a = inner[i];
     const Point& b = inner[i + 1 == inner.size() ? 0 : i + 1];
+    look_for_interrupt();
     steps += 2 * outer.size();
     if (strictly_outside(a, outer)) return false;
     if (strictly_outside({(a.x + b.x) / 2, (a.y + b.y) / 2}, outer)) return false;
@@ -102,6 +105,7 @@ std::vector<std::size_t> containing_outers(const std::vector<const Ring*>& outer
     const RationalBox box = rational_box_of(*holes[h]);
     std::optional<std::size_t> smallest;
     for (std::size_t o = 0; o < outers.size(); ++o) {
+      look_for_interrupt();
       if (!inside(*holes[h], box, o, places[h])) continue;
       if (!smallest || inside(*outers[o], boxes[o], *smallest, places[h])) smallest = o;
     }

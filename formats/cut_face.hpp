@@ -10,7 +10,7 @@ namespace minkref {
 
 /// Cuts a planar simple face into triangles of positive area along diagonals, turned as the face
 /// is; the face need not be convex, and may have straight angles. None where this is not possible:
-/// every planar simple face can be cut. Exact. O(n) for a strictly convex face, O(n^3) for any.
+/// every planar simple face can be cut. Exact. O(n log n).
 std::optional<std::vector<Face>> triangles_of(const Face& face,
                                               const std::vector<SpacePoint>& vertices);
 

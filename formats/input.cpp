@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "formats/message_text.hpp"
+#include "reference/interrupt.hpp"
 
 namespace minkref {
 namespace {
@@ -89,6 +90,7 @@ std::size_t Input::whole_number(std::string_view token, const char* what,
 }
 
 void Input::count_vertex(const Place& place) {
+  look_for_interrupt();
   if (++used_.vertices > limits_.vertices) {
     exceed("too-many-vertices",
            "there are more than " + std::to_string(limits_.vertices) + " vertices",
@@ -97,6 +99,7 @@ void Input::count_vertex(const Place& place) {
 }
 
 void Input::count_face(const Place& place) {
+  look_for_interrupt();
   if (++used_.faces > limits_.faces) {
     exceed("too-many-faces", "there are more than " + std::to_string(limits_.faces) + " faces",
            "simplify the input, or raise the limit on faces", place);
@@ -104,6 +107,7 @@ void Input::count_face(const Place& place) {
 }
 
 void Input::count_face_corner(const Place& place) {
+  look_for_interrupt();
   if (++used_.face_corners > limits_.face_corners) {
     exceed("too-many-face-corners",
            "the faces have more than " + std::to_string(limits_.face_corners) +

@@ -2,6 +2,7 @@
 
 #include "formats/json_string.hpp"
 #include "formats/message_text.hpp"
+#include "reference/interrupt.hpp"
 
 namespace minkref {
 namespace {
@@ -83,6 +84,7 @@ class Parser {
   }
 
   std::uint32_t append(JsonKind kind, std::string_view text, bool escaped = false) {
+    look_for_interrupt();
     if (nodes_.size() >= input_.limits().json_values) {
       input_.exceed(
           "too-many-values",

@@ -6,6 +6,8 @@
 #include <bit>
 #include <utility>
 
+#include "reference/number/rational.hpp"
+
 namespace minkref {
 namespace {
 
@@ -105,6 +107,13 @@ void append(std::string& text, Natural value) {
 }
 
 }  // namespace
+
+double nearest_double(const MachineFraction& value) {
+  constexpr UInt128 longest = UInt128{1} << 53;
+  if (magnitude(value.numerator) <= longest && magnitude(value.denominator) <= longest)
+    return static_cast<double>(value.numerator) / static_cast<double>(value.denominator);
+  return to_double(Rational(to_integer(value.numerator), to_integer(value.denominator)));
+}
 
 MachineFraction reduced(Int128 numerator, Int128 denominator) {
   const UInt128 divisor = common_divisor(magnitude(numerator), static_cast<UInt128>(denominator));

@@ -16,6 +16,9 @@ struct MachineFraction {
 /// In lowest terms; `denominator` > 0. Exact: some 0.3 us.
 MachineFraction reduced(Int128 numerator, Int128 denominator);
 
+/// The nearest double, ties to even. Some 5 ns where both numbers are doubles, else 0.5 us.
+double nearest_double(const MachineFraction& value);
+
 /// Appends "n" or "n/d".
 void append(std::string& text, const MachineFraction& value);
 

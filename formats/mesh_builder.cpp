@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "reference/interrupt.hpp"
+
 namespace minkref {
 
 Place MeshBuilder::vertex_place(std::size_t position) const {
@@ -102,6 +104,7 @@ std::string MeshBuilder::known_numbers() const {
 
 MeshReading MeshBuilder::finish() {
   for (std::size_t f = 0; f < faces(); ++f) {
+    look_for_interrupt();
     for (const std::uint32_t vertex : mesh_.faces[f]) {
       if (vertex < vertices()) continue;
       refuse_index(f, std::to_string(vertex + first_number_), known_numbers());

@@ -3,15 +3,10 @@
 #include <string>
 #include <utility>
 
+#include "reference/number/message_number.hpp"
+
 namespace minkref {
 namespace {
-
-/// Long coordinates are cut in a message.
-std::string brief(const Rational& value) {
-  const std::string text = to_string(value);
-  constexpr std::size_t most = 60;
-  return text.size() > most ? text.substr(0, most) + "..." : text;
-}
 
 [[noreturn]] void too_few(const Input& input, const TextRing& ring) {
   input.refuse("too-few-vertices",
@@ -41,8 +36,8 @@ Place TextRing::place_of(std::size_t vertex) const {
   where.vertices.push_back(vertex);
   if (vertex < points.size()) {
     where.line = lines[vertex];
-    where.coordinates.push_back("(" + brief(points[vertex].x) + ", " + brief(points[vertex].y) +
-                                ")");
+    where.coordinates.push_back("(" + message_text(points[vertex].x) + ", " +
+                                message_text(points[vertex].y) + ")");
   }
   return where;
 }
@@ -87,12 +82,13 @@ void SetBuilder::point(TextRing vertex) { polygon(std::move(vertex), {}); }
 void SetBuilder::segment(TextRing ends, std::string_view line, std::string_view points,
                          std::string_view polygon_name) {
   if (ends.points.size() != 2) {
-    input_.refuse(
-        "not-a-segment",
-        "a " + std::string(line) + " of " + std::to_string(ends.points.size()) + " " +
-            std::string(points) + " is not a segment and not a region",
-        "give two " + std::string(points) + ", or close the line as a " + std::string(polygon_name),
-        ends.place());
+    input_.refuse("not-a-segment",
+                  "a " + std::string(line) + " of " + std::to_string(ends.points.size()) + " " +
+                      std::string(points) + " is not a segment and not a region",
+                  "give two " + std::string(points) +
+                      "; the inside of a closed line is another set, a " +
+                      std::string(polygon_name),
+                  ends.place());
   }
   polygon(std::move(ends), {});
 }

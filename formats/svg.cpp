@@ -39,6 +39,12 @@ std::string short_number(double value) {
   return {text.data(), end.ptr};
 }
 
+/// The shortest text that reads as this double.
+std::string shortest(double value) {
+  std::array<char, 40> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
 class Picture {
  public:
   explicit Picture(const std::vector<Layer>& layers) : frame_(layers) {
@@ -57,7 +63,7 @@ class Picture {
  private:
   std::string position(const Point& p) const {
     look_for_interrupt();
-    return short_number(frame_.x(p)) + "," + short_number(frame_.y(p));
+    return shortest(frame_.x(p)) + "," + shortest(frame_.y(p));
   }
 
   void append_ring(std::string& path, const Ring& ring) const {
@@ -71,9 +77,9 @@ class Picture {
     if (!layer.name.empty()) body_ += "<title>" + escaped(layer.name) + "</title>\n";
     if (layer.region.is_point()) {
       const Point& p = layer.region.polygons[0].outer[0];
-      body_ += "<circle cx=\"" + short_number(frame_.x(p)) + "\" cy=\"" +
-               short_number(frame_.y(p)) + "\" r=\"" + short_number(2 * layer.stroke_width + 1) +
-               "\" fill=\"" + escaped(layer.stroke) + "\"/>\n";
+      body_ += "<circle cx=\"" + shortest(frame_.x(p)) + "\" cy=\"" + shortest(frame_.y(p)) +
+               "\" r=\"" + short_number(2 * layer.stroke_width + 1) + "\" fill=\"" +
+               escaped(layer.stroke) + "\"/>\n";
     } else {
       std::string path;
       for (const Polygon& polygon : layer.region.polygons) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "reference/interrupt.hpp"
+
 namespace minkref {
 namespace {
 
@@ -54,6 +56,7 @@ const TextLine& TextLines::due(const std::string& expected, const Input& input) 
 void TextLines::advance() {
   line_.reset();
   while (!line_ && !rest_.empty()) {
+    look_for_interrupt();
     TextLine line;
     line.number = number_ + 1;
     bool goes_on = true;

@@ -166,11 +166,17 @@ ScaleTexts scale_texts(const PairEvents& events, const PolygonSet& P, const Poly
   in_machine_words_or(
       P, Q,
       [&](const auto& frame) {
-        each(frame, [&](const auto& root) { append(result.text, reduced(root.num, root.den)); });
+        each(frame, [&](const auto& root) {
+          const MachineFraction scale = reduced(root.num, root.den);
+          append(result.text, scale);
+          result.nearest.push_back(nearest_double(scale));
+        });
       },
       [&](const auto& frame) {
         each(frame, [&](const auto& root) {
-          result.text += to_string(exact_parameter(frame.kernel, root));
+          const Rational scale = exact_parameter(frame.kernel, root);
+          result.text += to_string(scale);
+          result.nearest.push_back(to_double(scale));
         });
       });
   return result;

@@ -21,10 +21,12 @@ std::string events_as_json(const PairEvents& events, const PolygonSet& P, const 
                            const std::vector<std::string>& edges, std::size_t first,
                            std::size_t last, std::string_view end);
 
-/// The exact scales of the events first to last - 1 as texts, each scale once, in lowest terms.
+/// The exact scales of the events first to last - 1 as texts, each scale once, in lowest terms, and
+/// the nearest doubles.
 struct ScaleTexts {
   std::vector<std::int64_t> begins{0};  ///< of each text in `text`, and the end of all
   std::string text;
+  std::vector<double> nearest;      ///< to each
   std::vector<std::int32_t> which;  ///< of each event, which text
 };
 

@@ -5,6 +5,7 @@
 #include "formats/decimal.hpp"
 #include "formats/mesh_formats.hpp"
 #include "reference/error.hpp"
+#include "reference/interrupt.hpp"
 
 namespace minkref {
 namespace {
@@ -16,6 +17,7 @@ std::string decimals(const SpacePoint& p) {
 /// The numbers of the vertices, each after a blank.
 std::string indices(const Face& face, std::size_t first_number) {
   std::string text;
+  look_for_interrupt();
   for (const std::uint32_t vertex : face) text += " " + std::to_string(vertex + first_number);
   return text;
 }

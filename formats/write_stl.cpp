@@ -2,6 +2,7 @@
 #include "formats/decimal.hpp"
 #include "formats/mesh_formats.hpp"
 #include "reference/error.hpp"
+#include "reference/interrupt.hpp"
 
 namespace minkref {
 namespace {
@@ -16,6 +17,7 @@ std::vector<std::string> vertex_lines(const Polyhedron& polyhedron) {
 }
 
 void append(std::string& text, const Face& triangle, const std::vector<std::string>& lines) {
+  look_for_interrupt();
   text += "facet normal 0 0 0\nouter loop\n";
   for (const std::uint32_t vertex : triangle) text += lines[vertex];
   text += "endloop\nendfacet\n";

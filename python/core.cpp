@@ -101,6 +101,9 @@ NB_MODULE(_core, module) {
   // What is alive when the interpreter ends, as in a thread that runs on, is no fault to tell of.
   nanobind::set_leak_warnings(false);
   minkref::python::let_gmp_raise();
+  if (const char* fault = minkref::FloatEnvironment::fault(); fault != nullptr) {
+    throw nanobind::import_error(fault);
+  }
   module.doc() = "The exact reference, in the plane and in space; numbers are strings, n or n/d.";
   module.attr("__version__") = MINKREF_VERSION;
   minkref::python::bind_errors(module);

@@ -13,6 +13,7 @@
 #include "formats/reading.hpp"
 #include "reference/form.hpp"
 #include "reference/interrupt.hpp"
+#include "reference/number/float_environment.hpp"
 #include "reference/plane/convolution/convolution.hpp"
 #include "reference/plane/polygon_set.hpp"
 
@@ -53,14 +54,16 @@ void refuse_large_definition(const PolygonSet& P, const PolygonSet& Q);
 /// "printed" or "corrected"; throws BadInput otherwise.
 Form form_named(const std::string& name);
 
-/// While it lives, C++ computes without the interpreter lock; what the handler of a signal raises,
-/// as KeyboardInterrupt, ends the work, and so does the memory limit (LimitExceeded).
+/// While it lives, C++ computes without the interpreter lock, whatever a library has made of the
+/// floating-point environment of Python's thread; what the handler of a signal raises, as
+/// KeyboardInterrupt, ends the work, and so does the memory limit (LimitExceeded).
 class Computing {
  public:
   Computing();
 
  private:
   nanobind::gil_scoped_release released_;
+  FloatEnvironment standard_;
   Interruptible interruptible_;
 };
 using Released = nanobind::call_guard<Computing>;

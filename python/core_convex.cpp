@@ -128,6 +128,7 @@ void bind_convex(nb::module_& module) {
       .def(
           "__init__",
           [](ConvexBody* self, const Surface& surface, const std::string& source) {
+            const Computing computing;
             new (self) ConvexBody(certified(surface, source));
           },
           "surface"_a, "source"_a = "",

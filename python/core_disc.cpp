@@ -16,9 +16,11 @@
 #include "python/core_fields.hpp"
 #include "python/stopwatch.hpp"
 #include "python/vector_caster.hpp"
+#include "reference/disc/region/drawn_rings.hpp"
 #include "reference/disc/region/measure_terms.hpp"
 #include "reference/disc/region/offset_passages.hpp"
 #include "reference/disc/region/offset_region.hpp"
+#include "reference/number/radicals/nearest_double.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -31,32 +33,30 @@ struct TimedOffset {
   double seconds;
 };
 
-/// A piece in doubles: where it starts and ends, and of an arc its centre.
-using DrawnPiece = std::tuple<std::string, double, double, double, double, double, double>;
-using DrawnRing = std::vector<DrawnPiece>;
+/// A piece in doubles: where it starts and ends, of an arc its centre and its bulge.
+using PieceRow = std::tuple<std::string, double, double, double, double, double, double, double>;
+using RingRow = std::vector<PieceRow>;
 
-DrawnRing drawn(const OffsetRegion& region, const OffsetRing& ring) {
-  const PatchesAt& at = *region.offset.at;
-  DrawnRing found;
-  for (const std::uint32_t number : ring.pieces) {
-    const OffsetPiece& piece = region.offset.pieces[number];
-    const OffsetPatch& patch = at.curves().patches[piece.patch];
-    const auto from = at.position(piece.patch, piece.from), to = at.position(piece.patch, piece.to);
-    const bool is_arc = patch.edge == OffsetPatch::none;
-    found.emplace_back(is_arc ? "arc" : "line", approximate(from.x), approximate(from.y),
-                       approximate(to.x), approximate(to.y),
-                       is_arc ? to_double(patch.centre.x) : 0.0,
-                       is_arc ? to_double(patch.centre.y) : 0.0);
+RingRow ring_row(const OffsetRegion& region, const OffsetRing& ring, const DrawingFrame& frame) {
+  RingRow found;
+  for (const DrawnPiece& piece : drawn_ring(region, ring, frame)) {
+    found.emplace_back(piece.is_arc ? "arc" : "line", piece.x0, piece.y0, piece.x1, piece.y1,
+                       piece.cx, piece.cy, piece.bulge);
   }
   return found;
 }
 
-std::vector<std::vector<DrawnRing>> drawn_rings(const TimedOffset& offset) {
-  std::vector<std::vector<DrawnRing>> found;
+std::vector<std::vector<RingRow>> rows_of_rings(const TimedOffset& offset, const ExactPoint& origin,
+                                                const std::string& factor) {
+  const DrawingFrame frame{{parse_rational(origin.first), parse_rational(origin.second)},
+                           parse_rational(factor)};
+  std::vector<std::vector<RingRow>> found;
   for (const OffsetComponent& component : offset.region.components) {
     auto& rings = found.emplace_back();
-    rings.push_back(drawn(offset.region, component.outer));
-    for (const OffsetRing& hole : component.holes) rings.push_back(drawn(offset.region, hole));
+    rings.push_back(ring_row(offset.region, component.outer, frame));
+    for (const OffsetRing& hole : component.holes) {
+      rings.push_back(ring_row(offset.region, hole, frame));
+    }
   }
   return found;
 }
@@ -84,8 +84,8 @@ using TextOfPoint = std::pair<std::string, std::string>;
 
 TextOfPoint text_of_point(const RootPoint& x) { return {expression(x.x), expression(x.y)}; }
 
-TextOfCurve text_of_curve(const OffsetCurves& curves, std::uint32_t feature) {
-  const OffsetCurve curve = offset_curve(curves, feature);
+TextOfCurve text_of_curve(const OffsetRegion& region, std::uint32_t feature) {
+  const OffsetCurve curve = offset_curve(region.offset.at->curves(), feature, region.origin);
   TextOfCurve text{curve.is_arc ? "arc" : "line", to_string(curve.x), to_string(curve.y)};
   if (!curve.is_arc) text.push_back(to_string(curve.c));
   return text;
@@ -98,14 +98,16 @@ using PassageRow = std::tuple<std::vector<TextOfPoint>, std::vector<std::pair<do
 std::vector<PassageRow> passages_with_disc(const TimedOffset& offset, unsigned threads) {
   const PatchesAt& at = *offset.region.offset.at;
   std::vector<PassageRow> rows;
+  const RootPoint origin = numbers<RootNumber>(offset.region.origin);
   for (const OffsetPassage& passage : offset_passages(at, build_on(threads))) {
     auto& [points, rounded, contacts] = rows.emplace_back();
-    for (const RootPoint& x : passage.points) {
+    for (const RootPoint& from_origin : passage.points) {
+      const RootPoint x = from_origin + origin;
       points.push_back(text_of_point(x));
-      rounded.emplace_back(approximate(x.x.enclosure()), approximate(x.y.enclosure()));
+      rounded.emplace_back(nearest_double(x.x), nearest_double(x.y));
     }
     for (const std::uint32_t feature : passage.contacts) {
-      contacts.push_back(text_of_curve(at.curves(), feature));
+      contacts.push_back(text_of_curve(offset.region, feature));
     }
   }
   return rows;
@@ -167,11 +169,11 @@ void bind_disc(nb::module_& module) {
       .def_prop_ro("curves", curves, "Of all rings, parts of one circle or line together.")
       .def_prop_ro(
           "area", [](const TimedOffset& offset) { return bounds(measures(offset.region).area); },
-          "Between two doubles.")
+          "Between two doubles that differ by less than 2^-36 of it.")
       .def_prop_ro(
           "length",
           [](const TimedOffset& offset) { return bounds(measures(offset.region).length); },
-          "Of the boundary, between two doubles.")
+          "Of the boundary, between two doubles that differ by less than 2^-36 of it.")
       .def_ro("seconds", &TimedOffset::seconds, "Of the computation, without conversions.")
       .def_prop_ro("statistics", statistics,
                    "Curves and edges that were compared, by the route paper curves and curves; how "
@@ -187,9 +189,22 @@ void bind_disc(nb::module_& module) {
            "a direction counter-clockwise to another, of equal ones a whole turn. The radius times "
            "the sum of the angles is to be added to the length, half of its square times that sum "
            "to the area.")
-      .def("drawn_rings", drawn_rings, Released(),
+      .def(
+          "drawing_frame",
+          [](const TimedOffset& offset) {
+            const DrawingFrame frame = drawing_frame(offset.region);
+            const Rational square =
+                offset.region.offset.at->squared_radius() * frame.factor * frame.factor;
+            return std::tuple(to_strings(frame.origin), to_string(frame.factor),
+                              nearest_double(root_of(RootNumber(square))));
+          },
+          "An origin and a factor for drawings, exact: in that frame the boundary is of a size of "
+          "about 1. The radius there, in a double.")
+      .def("drawn_rings", rows_of_rings, "origin"_a = ExactPoint("0", "0"), "factor"_a = "1",
+           Released(),
            "For drawing: of each component its rings, the outer one first; of each its pieces, "
-           "(kind, x and y of the start, of the end, of an arc's centre). Doubles.");
+           "(kind, x and y of the start, of the end, of an arc's centre, its bulge), measured from "
+           "a point and multiplied by a factor. Each is the nearest double.");
   module.def("offset", timed_offset, "P"_a, "squared_radius"_a, "threads"_a = 1,
              "route"_a = "definition", Released(),
              "P + a disc about the origin, exact. Routes: definition, paper. Raises BadInput.");

@@ -18,6 +18,8 @@
 #include "python/diagram_row.hpp"
 #include "python/stopwatch.hpp"
 #include "python/vector_caster.hpp"
+#include "reference/disc/diagram/edge_names.hpp"
+#include "reference/disc/diagram/rounded_event.hpp"
 #include "reference/number/radicals/polynomial.hpp"
 
 namespace nb = nanobind;
@@ -49,35 +51,31 @@ const char* name(DiagramEvent::Kind kind) {
   return "";
 }
 
-FeatureName feature_name(const DiagramEvents& found, std::uint32_t feature) {
-  const OffsetCurves::Feature& own = found.curves.features[feature];
-  if (own.edge == OffsetPatch::none) {
-    const Point at = found.vertex(feature);
-    return {"vertex", to_string(at.x), to_string(at.y)};
-  }
-  const VertexId& id = found.curves.edges[own.edge].id;
+FeatureName vertex_name(const DiagramEvents& found, std::uint32_t feature) {
+  const Point at = found.vertex(feature);
+  return {"vertex", to_string(at.x), to_string(at.y)};
+}
+
+FeatureName edge_row(const VertexId& id) {
   return {"edge", std::to_string(id.ring), std::to_string(id.index)};
 }
 
 DiagramRow diagram_row(const DiagramEvents& found, const DiagramEvent& event) {
-  const Polynomial polynomial =
-      without_multiple_roots(found.exact(event).squared_radius.polynomial());
+  const Equidistant<RootNumber> exact = found.exact(event);
+  const RoundedEvent near = rounded(exact);
+  const Polynomial polynomial = without_multiple_roots(exact.squared_radius.polynomial());
   std::vector<std::string> coefficients;
   for (const Rational& c : polynomial) coefficients.push_back(to_string(c));
   std::optional<std::string> rational;
   if (polynomial.size() == 2) rational = to_string(Rational(-polynomial[0]));
-  const Interval radius = found.radius(event);
-  const Vector<Interval> place = found.place(event);
   std::vector<FeatureName> features;
-  for (const std::uint32_t number : event.features) {
-    features.push_back(feature_name(found, number));
+  for (std::size_t k = 0; k < event.features.size(); ++k) {
+    features.push_back(event.edges[k] == OffsetPatch::none
+                           ? vertex_name(found, event.features[k])
+                           : edge_row(edge_name(found, event.edges[k], event)));
   }
-  return {name(event.kind),
-          rational,
-          coefficients,
-          {radius.lower(), radius.upper()},
-          {approximate(place.x), approximate(place.y)},
-          features};
+  return {name(event.kind), rational, coefficients, {near.radius.lower, near.radius.upper},
+          {near.x, near.y}, features};
 }
 
 std::vector<DiagramRow> diagram_rows(const DiagramEvents& found, std::size_t first,

@@ -6,9 +6,12 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -20,10 +23,13 @@
 #include "python/diagram_row.hpp"
 #include "python/stopwatch.hpp"
 #include "python/vector_caster.hpp"
+#include "reference/disc/diagram/edge_names.hpp"
 #include "reference/disc/index/corner_motion.hpp"
 #include "reference/disc/index/index_measures.hpp"
 #include "reference/disc/index/index_region.hpp"
 #include "reference/disc/region/offset_region.hpp"
+#include "reference/interrupt.hpp"
+#include "reference/number/radicals/nearest_double.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -47,10 +53,30 @@ struct DiscIndex {
     }
     return value;
   }
-  std::pair<double, double> radius(std::uint32_t number) const {
-    const Interval bounds =
-        index.diagram().radius(index.diagram().events[index.event_at(number - 1)]);
-    return {bounds.lower(), bounds.upper()};
+  /// The tightest bounds of the radii of events; found once, when they are asked for.
+  const std::vector<std::pair<double, double>>& radii() const {
+    const FloatEnvironment standard;
+    std::call_once(has_radii_, [&] {
+      const DiagramEvents& diagram = index.diagram();
+      for (std::uint32_t k = 0; k < index.radii(); ++k) {
+        look_for_interrupt();
+        const Enclosure near =
+            enclose(root_of(diagram.exact(diagram.events[index.event_at(k)]).squared_radius));
+        radii_.emplace_back(near.lower, near.upper);
+      }
+    });
+    return radii_;
+  }
+  std::pair<double, double> radius(std::uint32_t number) const { return radii()[number - 1]; }
+  std::pair<double, double> place(std::uint32_t event) const {
+    const FloatEnvironment standard;
+    const RootPoint at = index.diagram().exact(index.diagram().events[event]).at;
+    return {nearest_double(at.x), nearest_double(at.y)};
+  }
+  /// Off the index, or where sums of doubles are too wide those of the boundary.
+  OffsetMeasures measures_at(const Rational& squared_radius) const {
+    const OffsetMeasures found = measures.at(index.place(squared_radius), squared_radius);
+    return is_sharp(found) ? found : minkref::measures(offset_region(P, squared_radius));
   }
 
   PolygonSet P;
@@ -60,6 +86,10 @@ struct DiscIndex {
   IndexRegions regions;
   IndexMeasures measures;
   double seconds = 0;
+
+ private:
+  mutable std::once_flag has_radii_;
+  mutable std::vector<std::pair<double, double>> radii_;
 };
 
 /// Parts of the boundary at one radius, ring by ring.
@@ -70,10 +100,20 @@ struct Vertices {
 };
 
 void find_vertices(const DiscIndex& self, double radius, Vertices& found) {
+  const FloatEnvironment standard;
   const Rational exact = from_double(radius);
   const std::uint32_t gap = self.index.place(exact * exact).gap;
   self.index.boundary(gap, found.boundary);
-  self.index.vertices(found.boundary, Interval(radius), found.points, found.starts);
+  self.index.vertices(found.boundary, radius, found.points, found.starts);
+}
+
+void refuse_beyond_doubles(const Vertices& found) {
+  const bool are_doubles =
+      std::all_of(found.points.begin(), found.points.end(),
+                  [](const BoundedPoint& p) { return std::isfinite(p.x + p.y + p.error); });
+  if (are_doubles) return;
+  throw LimitExceeded("beyond-doubles", "vertices of the sum are beyond the range of doubles",
+                      "scale the set and the radius");
 }
 
 nb::object as_arrays(std::unique_ptr<Vertices> found) {
@@ -94,13 +134,10 @@ using HoleRow = std::tuple<std::optional<std::pair<double, double>>, std::pair<d
 
 std::vector<HoleRow> holes(const DiscIndex& self) {
   std::vector<HoleRow> rows;
-  const DiagramEvents& diagram = self.index.diagram();
   for (const OffsetHole& hole : self.history.all_holes) {
-    const auto place = diagram.place(diagram.events[hole.ends_at]);
     std::optional<std::pair<double, double>> birth;
     if (hole.birth > 0) birth = self.radius(hole.birth);
-    rows.emplace_back(birth, self.radius(hole.end),
-                      std::pair(approximate(place.x), approximate(place.y)), hole.from);
+    rows.emplace_back(birth, self.radius(hole.end), self.place(hole.ends_at), hole.from);
   }
   return rows;
 }
@@ -152,8 +189,22 @@ std::vector<JoinRow> joins(const DiscIndex& self) {
 /// An end of a part of the diagram: "event" and its number; "vertex" and the coordinates of a
 /// reflex one; "infinity" and two vertices of the hull between which it is.
 using PartEnd = std::pair<std::string, std::vector<std::string>>;
-/// Both ends, and the features on the left and right of the way from the one to the other.
+/// Both ends, and the features on the left and right of the way from the one to the other, where it
+/// starts.
 using PartRow = std::tuple<PartEnd, PartEnd, FeatureName, FeatureName>;
+
+/// The feature of a side of the boundary where a node of the graph is in front of it.
+FeatureName side_name(const DiagramEvents& diagram, std::uint32_t node, std::uint32_t number,
+                      Past past) {
+  const BoundarySide& side = diagram.walks.sides[number];
+  if (side.is_arc) return vertex_name(diagram, side.feature);
+  if (node < diagram.events.size()) {
+    return edge_row(edge_name(diagram, side.edge, diagram.events[node], past));
+  }
+  // A reflex vertex: the side starts there, or ends.
+  const std::uint32_t vertex = past == Past::ends ? side.to : side.from;
+  return edge_row(edge_name(diagram, side.edge, diagram.curves.features[vertex].centre, past));
+}
 
 std::vector<PartRow> graph_parts(const DiscIndex& self) {
   const DiagramEvents& diagram = self.index.diagram();
@@ -179,8 +230,9 @@ std::vector<PartRow> graph_parts(const DiscIndex& self) {
     if (half.twin < k) continue;
     const auto& sides = diagram.walks.sides;
     rows.emplace_back(end(half.from, sides[half.from_side].from),
-                      end(half.to, sides[half.to_side].to), feature_name(diagram, half.feature),
-                      feature_name(diagram, graph.halves[half.twin].feature));
+                      end(half.to, sides[half.to_side].to),
+                      side_name(diagram, half.from, half.from_side, Past::goes_on),
+                      side_name(diagram, half.from, graph.halves[half.twin].to_side, Past::ends));
   }
   return rows;
 }
@@ -200,15 +252,18 @@ class Drawing {
       : self_(index),
         index_(index.index),
         diagram_(index.index.diagram()),
-        unit_(to_double(Rational(1 / diagram_.factor))) {}
+        unit_(to_double(Rational(1 / diagram_.factor))) {
+    name_edges();
+  }
 
   nb::dict fields() const {
+    const FloatEnvironment standard;
     nb::dict all;
     all["origin"] = std::pair(to_double(diagram_.origin.x), to_double(diagram_.origin.y));
     std::vector<double> radii;
-    for (std::uint32_t k = 1; k <= index_.radii(); ++k) {
-      const auto [low, high] = self_.radius(k);
-      radii.push_back(low + (high - low) / 2);
+    for (std::uint32_t k = 0; k < index_.radii(); ++k) {
+      const Equidistant<RootNumber> event = diagram_.exact(diagram_.events[index_.event_at(k)]);
+      radii.push_back(nearest_double(root_of(event.squared_radius)));
     }
     all["radii"] = radii;
     put_boundary(all);
@@ -235,6 +290,26 @@ class Drawing {
     return all;
   }
 
+  /// The features of events, by number: an edge that is not the first one on its line has a number
+  /// of its own behind those of the curves.
+  void name_edges() {
+    const OffsetCurves& curves = diagram_.curves;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> numbers;
+    for (const DiagramEvent& event : diagram_.events) {
+      near_.push_back(event.features);
+      for (std::size_t k = 0; k < event.features.size(); ++k) {
+        if (event.edges[k] == OffsetPatch::none) continue;
+        const std::uint32_t line = event.features[k];
+        const VertexId id = edge_name(diagram_, event.edges[k], event);
+        if (id == curves.edges[curves.features[line].edge].id) continue;
+        const auto next = static_cast<std::uint32_t>(curves.features.size() + numbers.size());
+        const auto [found, is_new] = numbers.try_emplace({id.ring, id.index}, next);
+        if (is_new) further_edges_.emplace_back(id, line);
+        near_.back()[k] = found->second;
+      }
+    }
+  }
+
   void put_boundary(nb::dict& all) const {
     nb::list features;
     for (const OffsetCurves::Feature& feature : diagram_.curves.features) {
@@ -246,6 +321,11 @@ class Drawing {
       const OffsetEdge& edge = diagram_.curves.edges[feature.edge];
       const JointMotion joint = joint_motion(edge.start, edge.normal);
       features.append(nb::make_tuple(joint.bx, joint.by, edge.id.ring, edge.id.index));
+    }
+    for (const auto& [id, line] : further_edges_) {
+      const OffsetEdge& edge = diagram_.curves.edges[diagram_.curves.features[line].edge];
+      const JointMotion joint = joint_motion(edge.start, edge.normal);
+      features.append(nb::make_tuple(joint.bx, joint.by, id.ring, id.index, line));
     }
     all["features"] = features;
     Rows<6> sides;
@@ -266,16 +346,16 @@ class Drawing {
   void put_events(nb::dict& all) const {
     std::string kinds;
     std::vector<double> places;
-    std::vector<Numbers> features;
     for (const DiagramEvent& event : diagram_.events) {
       kinds += "cjsrm"[static_cast<std::size_t>(event.kind)];
-      places.push_back(unit_ * approximate(event.at.x));
-      places.push_back(unit_ * approximate(event.at.y));
-      features.push_back(event.features);
+      const Equidistant<RootNumber> exact =
+          equidistant_places<RootNumber>(diagram_.curves, event.of)[event.branch];
+      places.push_back(unit_ * nearest_double(exact.at.x));
+      places.push_back(unit_ * nearest_double(exact.at.y));
     }
     all["kinds"] = kinds;
     all["places"] = places;
-    all["near"] = lists(features);
+    all["near"] = lists(near_);
     Rows<2> gaps;
     for (const HullGap& gap : diagram_.gaps) gaps.push_back({gap.from, gap.to});
     all["gaps"] = lists(gaps);
@@ -289,8 +369,8 @@ class Drawing {
       halves.push_back({own[k].from, own[k].to, own[k].twin, own[k].from_side, own[k].to_side});
       if (own[k].twin < k) continue;
       const CornerMotion m = corner_motion(diagram_, index_.graph(), k);
-      for (const double value : {unit_ * m.ax, unit_ * m.ay, unit_ * m.r, m.bx, m.by,
-                                 unit_ * unit_ * m.q0, unit_ * m.q1, m.q2, m.cx, m.cy}) {
+      for (const double value : {unit_ * m.ax, unit_ * m.ay, unit_ * m.r, unit_ * m.r_low, m.bx,
+                                 m.by, unit_ * m.k0, m.k1, m.cx, m.cy}) {
         motions.push_back(value);
       }
     }
@@ -326,7 +406,9 @@ class Drawing {
   const DiscIndex& self_;
   const OffsetIndex& index_;
   const DiagramEvents& diagram_;
-  double unit_;  ///< a power of two
+  double unit_;                                                    ///< a power of two
+  std::vector<Numbers> near_;                                      ///< features of events
+  std::vector<std::pair<VertexId, std::uint32_t>> further_edges_;  ///< and their lines
 };
 
 }  // namespace
@@ -341,12 +423,7 @@ void bind_disc_index(nb::module_& module) {
           "parts", [](const DiscIndex& self) { return self.index.graph().halves.size() / 2; },
           "Of the outer Voronoi diagram, on each of which the radius grows or shrinks.")
       .def(
-          "radii",
-          [](const DiscIndex& self) {
-            std::vector<std::pair<double, double>> all;
-            for (std::uint32_t k = 1; k <= self.index.radii(); ++k) all.push_back(self.radius(k));
-            return all;
-          },
+          "radii", [](const DiscIndex& self) { return self.radii(); },
           "Bounds of the radii of events, ascending, each once.")
       .def(
           "counts",
@@ -359,8 +436,7 @@ void bind_disc_index(nb::module_& module) {
           "measures",
           [](const DiscIndex& self, const std::string& squared_radius) {
             const Rational square = self.square(squared_radius);
-            const OffsetMeasures found =
-                self.measures.at(self.index.place(square), sqrt(Interval(square)));
+            const OffsetMeasures found = self.measures_at(square);
             return std::pair(std::pair(found.area.lower(), found.area.upper()),
                              std::pair(found.length.lower(), found.length.upper()));
           },
@@ -395,6 +471,7 @@ void bind_disc_index(nb::module_& module) {
           [](const DiscIndex& self, double radius) {
             auto found = std::make_unique<Vertices>();
             find_vertices(self, radius, *found);
+            refuse_beyond_doubles(*found);
             return as_arrays(std::move(found));
           },
           "radius"_a, nb::sig("def vertices(self, radius: float) -> tuple[typing.Any, typing.Any]"),

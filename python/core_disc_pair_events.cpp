@@ -17,6 +17,7 @@
 #include "python/vector_caster.hpp"
 #include "reference/disc/pairs/pair_events.hpp"
 #include "reference/error.hpp"
+#include "reference/number/radicals/nearest_double.hpp"
 #include "reference/number/radicals/polynomial.hpp"
 
 namespace nb = nanobind;
@@ -49,11 +50,8 @@ using PairRow = std::tuple<std::uint32_t, std::string, std::vector<FeatureName>,
 using GivenFeature = std::vector<ExactPoint>;
 
 std::pair<double, double> radius_between(const RootNumber& square) {
-  constexpr long precision = 256;
-  const MpfrInterval near = square.enclosure(precision);
-  const Interval bounds(Interval(near.low()).lower(), Interval(near.high()).upper());
-  const Interval radius = sqrt(bounds);
-  return {radius.lower(), radius.upper()};
+  const Enclosure radius = enclose(root_of(square));
+  return {radius.lower, radius.upper};
 }
 
 RadiusRow radius_row(const RootNumber& square) {
@@ -72,13 +70,13 @@ EventRow event_row(const FeaturePair& pair, bool a_is_arc, bool b_is_arc,
   std::vector<ContactRow> rows;
   for (const PairContact& each : contacts) {
     const bool is_tangent = each.slot == ContactSlot::tangent;
-    const Vector<Interval> place = pair.place<Interval>(each);
+    const RootPoint place = pair.place<RootNumber>(each);
     rows.emplace_back(FeaturePair::name(each.slot, a_is_arc, b_is_arc),
                       is_tangent                         ? ""
                       : each.slot < ContactSlot::b_first ? "a"
                                                          : "b",
                       is_tangent ? 0 : static_cast<int>(each.slot) % 2, each.meets,
-                      std::pair{approximate(place.x), approximate(place.y)});
+                      std::pair{nearest_double(place.x), nearest_double(place.y)});
   }
   return {std::string(name(event.change)),
           radius_row(pair.squared_radius(contacts[0])),

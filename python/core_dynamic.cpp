@@ -45,6 +45,7 @@ class Dynamic {
     const Stopwatch watch;
     const StepReport report = sum_->move_to(s);
     const double taken = watch.seconds();
+    at_ = s;
     Fields fields;
     MINKREF_PUT(report, insertions, deletions, swaps, updated, groups);
     fields["seconds"] = taken;
@@ -56,6 +57,7 @@ class Dynamic {
     const Rational s = parse_rational(scale);
     const Stopwatch watch;
     sum_->move_to(s);
+    at_ = s;
     if (!sum_->empty()) sum_->arrangement().positions(positions_);
     return watch.seconds();
   }
@@ -88,8 +90,11 @@ class Dynamic {
   TimedSum sum() {
     const Stopwatch watch;
     Sum sum = sum_->sum();
-    return {{std::move(sum.region), true}, sum.components, sum.holes, watch.seconds(),
-            std::move(sum.statistics),     std::nullopt};
+    const double taken = watch.seconds();
+    LaterPassages passages;
+    if (at_) passages = LaterPassages([this, at = *at_] { return tight_passages(P_, Q_, at); });
+    return {{std::move(sum.region), true}, sum.components,     sum.holes, taken,
+            std::move(sum.statistics),     std::move(passages)};
   }
 
   Fields counts() const {
@@ -160,6 +165,7 @@ class Dynamic {
   std::unique_ptr<DynamicSum> sum_;
   std::optional<TopologyTimeline> topology_;
   std::vector<double> positions_;
+  std::optional<Rational> at_;  // where it was moved to
 };
 
 }  // namespace
@@ -175,7 +181,8 @@ void bind_dynamic(nb::module_& module) {
            "Steps to a scale: insertions, deletions, swaps, updated nodes, groups of events.")
       .def("update", &Dynamic::update, "scale"_a, Released(),
            "Steps to a scale and places all nodes, in doubles; gives the seconds.")
-      .def("sum", &Dynamic::sum, Released(), "The sum where it stands, exact.")
+      .def("sum", &Dynamic::sum, nb::keep_alive<0, 1>(), Released(),
+           "The sum where it stands, exact.")
       .def("event_scales", &Dynamic::event_scales, Released(),
            "All scales of arrangement events: (scale, kinds), ascending.")
       .def("difference_from_scratch", &Dynamic::difference_from_scratch, Released(),

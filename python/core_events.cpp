@@ -114,7 +114,6 @@ Columns columns(const Events& events, std::size_t first, std::optional<std::size
   const std::size_t last = std::min(end.value_or(all.size()), all.size());
   const auto part = std::span(all).subspan(std::min(first, last), last - std::min(first, last));
   Columns result;
-  result["scale"] = column<double>(part, [](const PairEvent& e) { return e.approximate; });
   result["rank"] = column<std::uint32_t>(part, [](const PairEvent& e) { return e.rank; });
   result["a"] = column<std::uint32_t>(part, [](const PairEvent& e) { return e.a; });
   result["b"] = column<std::uint32_t>(part, [](const PairEvent& e) { return e.b; });
@@ -125,10 +124,10 @@ Columns columns(const Events& events, std::size_t first, std::optional<std::size
   return result;
 }
 
-/// The texts of the exact scales: where each begins (one more than there are), all, and of each
-/// event which.
-std::tuple<nb::bytes, nb::bytes, nb::bytes> texts_of_scales(const Events& events, std::size_t first,
-                                                            std::optional<std::size_t> last) {
+/// The texts of the exact scales: where each begins (one more than there are), all, the doubles
+/// nearest to them, and of each event which.
+std::tuple<nb::bytes, nb::bytes, nb::bytes, nb::bytes> texts_of_scales(
+    const Events& events, std::size_t first, std::optional<std::size_t> last) {
   ScaleTexts found;
   {
     const Computing released;
@@ -139,7 +138,7 @@ std::tuple<nb::bytes, nb::bytes, nb::bytes> texts_of_scales(const Events& events
     return nb::bytes(reinterpret_cast<const char*>(values.data()),
                      values.size() * sizeof(values.front()));
   };
-  return {bytes(found.begins), bytes(found.text), bytes(found.which)};
+  return {bytes(found.begins), bytes(found.text), bytes(found.nearest), bytes(found.which)};
 }
 
 void keep(Events& events, const EventCondition& condition) {
@@ -303,11 +302,11 @@ void bind_events(nb::module_& module) {
           "Events first to last - 1 as JSON objects in UTF-8, each followed by `end`; `edges`: the "
           "text of each edge.")
       .def("columns", columns, "first"_a = 0, "last"_a = nb::none(),
-           "Events first to last - 1 as little-endian columns: scale (doubles), rank, a, b "
+           "Events first to last - 1 as little-endian columns: rank, a, b "
            "(32 bits), change (0 birth, 1 death, 2 touch, 3 overlap), parallel.")
       .def("scale_texts", texts_of_scales, "first"_a = 0, "last"_a = nb::none(),
            "The exact scales of events first to last - 1, each once: where each text begins (64 "
-           "bits), all texts, and of each event which (32 bits).")
+           "bits), all texts, the nearest doubles, and of each event which (32 bits).")
       .def("keep", keep, "condition"_a, Released(),
            "Takes out all events that do not meet the condition; ranks and counts() stay those of "
            "all.")

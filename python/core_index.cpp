@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <variant>
 
 #include "python/core.hpp"
@@ -28,6 +29,9 @@ using namespace nb::literals;
 
 namespace minkref::python {
 namespace {
+
+constexpr int precise_bits =
+    40;  // an area in doubles is given out where it has as many that are certain
 
 /// The boundary at a scale in one of the forms.
 struct Rings {
@@ -161,17 +165,32 @@ class Index {
     const Rational s = parse_rational(scale);
     const Stopwatch watch;
     Sum sum = index().sum(s, passages ? Passages::find : Passages::leave);
+    const auto find = [this, s] { return tight_passages(index().P(), index().Q(), s); };
     return {{std::move(sum.region), true},
             sum.components,
             sum.holes,
             watch.seconds(),
             std::move(sum.statistics),
-            std::move(sum.tight_passages)};
+            LaterPassages(find, std::move(sum.tight_passages))};
   }
 
   std::pair<double, double> area(const std::string& scale) const {
-    const auto area = index().area(parse_rational(scale));
-    return {area.value, area.error};
+    const Rational s = parse_rational(scale);
+    const auto area = index().area(s);
+    if (std::isfinite(area.value) &&
+        area.error <= std::ldexp(std::abs(area.value), -precise_bits)) {
+      return {area.value, area.error};
+    }
+    // Far from the origin, and beyond doubles, these do not tell.
+    const auto polynomial = index().area_polynomial(index().place(s).interval);
+    const Rational exact = polynomial[0] + s * (polynomial[1] + s * polynomial[2]);
+    const double nearest = to_double(exact);
+    if (!std::isfinite(nearest)) {
+      throw LimitExceeded("not-representable", "the area is beyond the range of doubles",
+                          "ask for area_polynomial, which is exact");
+    }
+    const Enclosure around = enclose(exact);
+    return {nearest, std::max(around.upper - nearest, nearest - around.lower)};
   }
   std::array<std::string, 3> area_polynomial(const std::string& scale) const {
     const auto place = index().place(parse_rational(scale));
@@ -378,9 +397,14 @@ void bind_index(nb::module_& module) {
            "The boundary: double (certified), homogeneous, rational or track.")
       .def("batch", &Index::batch, "scales"_a, "form"_a = forms_of_boundary[0], "threads"_a = 1,
            Released(), "The boundaries at many scales, in their order.")
-      .def("sum", &Index::sum, "scale"_a, "passages"_a = false, Released(),
-           "The sum in canonical form, exact; tight passages where asked for, by the static route.")
-      .def("area", &Index::area, "scale"_a, "(value, error): the area is within the error.")
+      .def(
+          "sum", &Index::sum, "scale"_a, "passages"_a = false, nb::keep_alive<0, 1>(), Released(),
+          "The sum in canonical form, exact. `passages`: with its tight passages found at once, by "
+          "the static route, not when they are first asked for.")
+      .def(
+          "area", &Index::area, "scale"_a,
+          "(value, error): the area is within the error, which is small beside it; the double next "
+          "to the area where other doubles cannot tell. Raises LimitExceeded beyond their range.")
       .def("area_polynomial", &Index::area_polynomial, "scale"_a, Released(),
            "Exact a0, a1, a2 of the area a0 + a1 s + a2 s^2 in the interval of a scale.")
       .def("components_and_holes", &Index::features_at, "scale"_a)

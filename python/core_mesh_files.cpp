@@ -37,6 +37,7 @@ void bind_mesh_files(nb::module_& module) {
       "read_mesh_text",
       [](const nb::bytes& text, const std::string& format, const std::string& source) {
         const std::string_view view(text.c_str(), text.size());
+        const Computing computing;
         return keep(read_mesh_text(view, mesh_format_named(format), source));
       },
       "text"_a, "format"_a, "source"_a = "",

@@ -66,8 +66,12 @@ class Update {
   TimedSum sum() {
     const Stopwatch watch;
     Sum sum = update_->sum();
-    return {{std::move(sum.region), true}, sum.components, sum.holes, watch.seconds(),
-            std::move(sum.statistics),     std::nullopt};
+    return {{std::move(sum.region), true},
+            sum.components,
+            sum.holes,
+            watch.seconds(),
+            std::move(sum.statistics),
+            {}};
   }
 
   std::vector<std::tuple<std::string, std::uint32_t, std::uint32_t, bool>> events() const {

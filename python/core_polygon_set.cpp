@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <limits>
 #include <tuple>
 
 #include "formats/json_text.hpp"
@@ -28,7 +27,8 @@ using DrawnRing = std::vector<std::pair<double, double>>;
 DrawnRing drawn(const Ring& ring) {
   DrawnRing points;
   points.reserve(ring.size());
-  for (const auto& point : ring) points.emplace_back(to_double(point.x), to_double(point.y));
+  for (const auto& point : ring)
+    points.emplace_back(finite_double(point.x), finite_double(point.y));
   return points;
 }
 
@@ -54,7 +54,7 @@ std::tuple<double, double, double, double> bounding_box(const Set& set) {
       high = {std::max(high.x, point.x), std::max(high.y, point.y)};
     }
   }
-  return {to_double(low.x), to_double(low.y), to_double(high.x), to_double(high.y)};
+  return {finite_double(low.x), finite_double(low.y), finite_double(high.x), finite_double(high.y)};
 }
 
 std::string canonical_text(const Set& set) {
@@ -81,11 +81,7 @@ std::string to_json(const Set& set) {
 
 /// Of a text that we wrote, however long its numbers are. Where the rings stood in a file is gone.
 Set from_state(const std::pair<std::string, bool>& state) {
-  constexpr std::size_t most = std::numeric_limits<std::size_t>::max() / 2;
-  ReadLimits limits;
-  limits.number.digits = limits.bytes = limits.vertices = limits.json_values = limits.number_bytes =
-      limits.containment_steps = most;
-  return {set_of(state.first, limits).value, state.second};
+  return {set_of(state.first, no_limits()).value, state.second};
 }
 
 }  // namespace
@@ -100,15 +96,17 @@ void bind_polygon_set(nb::module_& module) {
           [](Set* self, const nb::object& shape, bool validate) {
             new (self) Set(set_of_shape(shape, validate));
           },
-          "shape"_a = nb::none(), nb::kw_only(), "validate"_a = true,
-          nb::sig("def __init__(self, shape: object = None, *, validate: bool = True) -> None"),
+          "shape"_a.none() = nb::make_tuple(), nb::kw_only(), "validate"_a = true,
+          nb::sig("def __init__(self, shape: object = (), *, validate: bool = True) -> None"),
           "From one point (x, y), a ring of points, a polygon (its outer ring, then its holes), "
           "a list of polygons, GeoJSON, an object with __geo_interface__ (Shapely), WKT, or a "
           "set; without one, the empty set. Numbers count by their exact value: int, Fraction, "
           "Decimal, float (0.1 is the double next to a tenth), scalars and arrays of NumPy, texts "
-          "('0.1', '7/5'). Rings are turned as they should run. Raises BadInput for what is no "
-          "regular closed set. With `validate` false nothing is looked at and no ring is turned. "
-          "O(n log n) on usual input.")
+          "('0.1', '7/5'). Rings are turned as they should run; a sequence of points is a ring, "
+          "whose first point may be repeated at its end. Raises BadInput for all else: what is no "
+          "shape (None too), what a file of the same would be refused for, as a line of three "
+          "points, and what is no regular closed set. With `validate` false the last is not looked "
+          "at, and no ring is turned. O(n log n) on usual input.")
       .def(
           "__eq__",
           [](const Set& a, const Set& b) {
@@ -145,9 +143,13 @@ void bind_polygon_set(nb::module_& module) {
                    "fractions.Fraction]]]]"),
            "Exact: per polygon its outer ring, then its holes, points as pairs of Fractions.")
       .def("arrays", arrays_of_doubles, nb::sig("def arrays(self) -> list[list[typing.Any]]"),
-           "As rings(), each an array of NumPy of shape (n, 2), of the nearest doubles.")
-      .def("approximate_rings", drawn_rings, "As rings(), points as pairs of the nearest doubles.")
-      .def("bounding_box", bounding_box, "For drawing: xmin, ymin, xmax, ymax.")
+           "As rings(), each an array of NumPy of shape (n, 2), of the nearest doubles. Raises "
+           "LimitExceeded for a coordinate beyond their range.")
+      .def("approximate_rings", drawn_rings,
+           "As rings(), points as pairs of the nearest doubles. Raises as arrays().")
+      .def("bounding_box", bounding_box,
+           "xmin, ymin, xmax, ymax: the nearest doubles. Raises as arrays(); ValueError for the "
+           "empty set.")
       .def(
           "area", [](const Set& set) { return to_string(area(set.value)); }, Released(),
           "The exact area.")

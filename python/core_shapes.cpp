@@ -4,11 +4,16 @@
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
 #include "formats/refusal_place.hpp"
+#include "formats/set_builder.hpp"
 #include "python/vector_caster.hpp"
+#include "reference/error.hpp"
+#include "reference/number/message_number.hpp"
 
 namespace nb = nanobind;
 
@@ -17,28 +22,40 @@ namespace {
 
 constexpr std::size_t most_shown = 12;  // vertices that a text shows one by one
 
-Ring ring_of(const std::vector<ExactPoint>& texts) {
-  constexpr std::size_t any = std::numeric_limits<std::size_t>::max() / 2;
-  const NumberLimits limits{any, std::numeric_limits<long>::max()};
-  Ring ring;
-  ring.reserve(texts.size());
-  for (const auto& [x, y] : texts) {
-    ring.push_back({parse_rational(x, limits), parse_rational(y, limits)});
+/// A part of a shape: what GeoJSON calls it, or "rings", which need not be closed; and its rings.
+using TextPart = std::pair<std::string, std::vector<std::vector<ExactPoint>>>;
+
+void add(const TextPart& part, SetBuilder& set) {
+  const auto& [kind, texts] = part;
+  if (texts.empty()) return;  // GeoJSON's empty polygon
+  std::vector<TextRing> rings;
+  for (const auto& points : texts) {
+    TextRing& ring = rings.emplace_back(set.ring(0));
+    for (const auto& [x, y] : points) set.vertex(ring, x, y, 0);
+    if (kind == "Polygon") set.close(ring);
   }
-  return ring;
+  TextRing first = std::move(rings.front());
+  rings.erase(rings.begin());
+  if (kind == "Point") {
+    set.point(std::move(first));
+  } else if (kind == "LineString") {
+    set.segment(std::move(first), "LineString", "positions", "Polygon");
+  } else {
+    set.polygon(std::move(first), std::move(rings));
+  }
 }
 
-PolygonSet set_of_rings(const std::vector<TextPolygon>& polygons) {
-  PolygonSet result;
-  for (const TextPolygon& rings : polygons) {
-    if (rings.empty()) continue;  // GeoJSON's empty polygon
-    Polygon& polygon = result.polygons.emplace_back();
-    polygon.outer = ring_of(rings.front());
-    for (std::size_t hole = 1; hole < rings.size(); ++hole) {
-      polygon.holes.push_back(ring_of(rings[hole]));
-    }
+/// Refuses what a file of the same would be refused for, by the same code.
+Reading reading_of(const std::vector<TextPart>& parts, bool turned) {
+  const ReadLimits limits = no_limits();
+  Input input("PolygonSet", limits);
+  SetBuilder set(input);
+  for (const TextPart& part : parts) add(part, set);
+  Reading reading = turned ? set.finish() : set.finish_as_read();
+  for (RingOrigin& origin : reading.origins) {
+    std::fill(origin.lines.begin(), origin.lines.end(), 0);  // values stand on no line
   }
-  return result;
+  return reading;
 }
 
 nb::object integer(const Integer& value) {
@@ -78,16 +95,31 @@ std::string counted(std::size_t count, const char* what) {
 
 }  // namespace
 
+ReadLimits no_limits() {
+  constexpr std::size_t most = std::numeric_limits<std::size_t>::max() / 2;
+  ReadLimits limits;
+  limits.number = {most, std::numeric_limits<long>::max()};
+  limits.bytes = limits.vertices = limits.json_values = limits.number_bytes =
+      limits.containment_steps = most;
+  return limits;
+}
+
 Set set_of_shape(const nb::object& shape, bool validated) {
-  const nb::object read = nb::module_::import_("minkref.shapes").attr("set_or_polygons")(shape);
+  const nb::object read = nb::module_::import_("minkref.shapes").attr("set_or_parts")(shape);
   Set result;
   if (nb::isinstance<Set>(read)) {
     result = nb::cast<const Set&>(read);
   } else {
-    result.value = set_of_rings(nb::cast<std::vector<TextPolygon>>(read));
-    if (validated) orient(result.value);
+    const auto parts = nb::cast<std::vector<TextPart>>(read);
+    const Computing computing;
+    Reading reading = reading_of(parts, validated);
+    result.value = std::move(reading.set);
+    result.origins = std::move(reading.origins);
   }
-  if (validated && !result.canonical) validate_as_read(result.value, result.origins, "PolygonSet");
+  if (validated && !result.canonical) {
+    const Computing computing;
+    validate_as_read(result.value, result.origins, "PolygonSet");
+  }
   return result;
 }
 
@@ -109,13 +141,22 @@ nb::list exact_rings(const Set& set) {
   });
 }
 
+double finite_double(const Rational& coordinate) {
+  const double nearest = to_double(coordinate);
+  if (std::isfinite(nearest)) return nearest;
+  throw LimitExceeded(
+      "not-representable",
+      "the coordinate " + message_text(coordinate) + " is beyond the range of doubles",
+      "scale the set, or take its exact coordinates, rings()");
+}
+
 nb::list arrays_of_doubles(const Set& set) {
   return each_ring(set, [](const Ring& ring) {
     auto* values = new double[2 * ring.size()];
     const nb::capsule owner(values, [](void* p) noexcept { delete[] static_cast<double*>(p); });
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      values[2 * i] = to_double(ring[i].x);
-      values[2 * i + 1] = to_double(ring[i].y);
+      values[2 * i] = finite_double(ring[i].x);
+      values[2 * i + 1] = finite_double(ring[i].y);
     }
     return nb::cast(nb::ndarray<nb::numpy, double>(values, {ring.size(), 2}, owner));
   });

@@ -6,12 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "formats/limits.hpp"
 #include "python/core.hpp"
 
 namespace minkref::python {
 
-/// The rings of a polygon: the outer one, then its holes.
-using TextPolygon = std::vector<std::vector<ExactPoint>>;
+/// For what the program itself holds: numbers of any length, and as many as there are.
+ReadLimits no_limits();
 
 /// A set of what Python hands in (minkref/shapes.py). Where it is to be validated its rings are
 /// turned as they should run; else they stay as given. Throws BadInput, and what shapes.py raises.
@@ -23,6 +24,10 @@ std::string number_text(nanobind::handle value, const std::string& where);
 
 /// The rings as stored, of pairs of fractions.Fraction.
 nanobind::list exact_rings(const Set& set);
+
+/// The double next to a coordinate. Throws LimitExceeded ("not-representable") where that is
+/// infinite.
+double finite_double(const Rational& coordinate);
 
 /// The rings as stored, an array of doubles (n, 2) each, of the doubles next to the coordinates.
 nanobind::list arrays_of_doubles(const Set& set);

@@ -19,6 +19,7 @@
 #include "reference/space/face_triangles.hpp"
 #include "reference/space/integer_points.hpp"
 #include "reference/space/polyhedron_place.hpp"
+#include "reference/space/surface/manifold_mesh.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -110,7 +111,9 @@ void bind_space(nb::module_& module) {
       .def(
           "__init__",
           [](Surface* self, const nb::object& vertices, const std::vector<Face>& faces) {
-            new (self) Surface(polyhedron_of(points_of(vertices), faces));
+            const std::vector<ExactSpacePoint> points = points_of(vertices);
+            const Computing computing;
+            new (self) Surface(polyhedron_of(points, faces));
           },
           "vertices"_a, "faces"_a,
           "From points (x, y, z), whose numbers count by their exact value as those of PolygonSet, "
@@ -142,6 +145,11 @@ void bind_space(nb::module_& module) {
           "triangles", [](const Surface& self) { return triangles(self.value()); }, Released(),
           "Of each face, planar and simple, the triangles into which diagonals cut it, by the "
           "numbers of their vertices. Exact.")
+      .def(
+          "cut_into_triangles",
+          [](const Surface& self) { return Surface(cut_into_triangles(self.value())); }, Released(),
+          "The same surface of triangles of positive area with its vertices; a diagonal that "
+          "would run along an edge elsewhere is cut in its middle. Exact.")
       .def_prop_ro("vertices", [](const Surface& self) { return self.value().vertices.size(); })
       .def_prop_ro("faces", [](const Surface& self) { return self.value().faces.size(); })
       .def(

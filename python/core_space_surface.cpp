@@ -12,6 +12,7 @@
 #include "python/core_space.hpp"
 #include "python/vector_caster.hpp"
 #include "reference/error.hpp"
+#include "reference/space/surface/manifold_mesh.hpp"
 #include "reference/space/surface/mesh_of.hpp"
 #include "reference/space/surface/projected_areas.hpp"
 #include "reference/space/surface/rounded_mesh.hpp"
@@ -97,12 +98,15 @@ void bind_space_surface(nb::module_& module, nb::class_<PolyhedralSet>& set) {
       .def(
           "mesh",
           [](const PolyhedralSet& self, const std::string& faces) {
-            return Surface(mesh_of(surface_edges(self), faces_named(faces)));
+            const SurfaceEdges surface = surface_edges(self);
+            return Surface(faces_named(faces) == MeshFaces::triangles ? manifold_mesh(surface)
+                                                                      : mesh_of(surface));
           },
           "faces"_a = "polygons", Released(),
-          "The boundary as a closed mesh that conforms; its faces are simple polygons where they "
-          "are such, else triangles, or all of them triangles. It is not manifold where the set "
-          "is not. Exact.")
+          "The boundary as a closed mesh. `polygons`: faces are simple polygons where they are "
+          "such, else triangles; it conforms, and is not manifold where the set is not. "
+          "`triangles`: of triangles that every reader takes: each edge has two, by the numbers of "
+          "its vertices; where the set touches itself, several vertices stand at one place. Exact.")
       .def(
           "projected_areas",
           [](const PolyhedralSet& self) {

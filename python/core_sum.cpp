@@ -52,12 +52,14 @@ TimedSum timed_sum(const Set& P, const Set& Q, const std::string& scale, const s
   const double seconds = watch.seconds();
   // Only exact arithmetic is known to give a canonical form.
   const bool canonical = arithmetic == "rational" || arithmetic == "interval";
+  // The operands outlive the sum: it keeps them alive.
+  const auto find = [&P, &Q, s] { return tight_passages(P.value, Q.value, s); };
   return {{std::move(sum.region), canonical},
           sum.components,
           sum.holes,
           seconds,
           std::move(sum.statistics),
-          std::move(sum.tight_passages)};
+          LaterPassages(find, std::move(sum.tight_passages))};
 }
 
 Fields statistics(const TimedSum& sum) {
@@ -90,13 +92,20 @@ void bind_sum(nb::module_& module) {
       .def_ro("holes", &TimedSum::holes)
       .def_ro("seconds", &TimedSum::seconds, "Of the computation, without conversions.")
       .def_prop_ro("statistics", statistics)
+      .def(
+          "passage_rows",
+          [](const TimedSum& sum) { return passage_rows(sum.tight_passages.get()); }, Released(),
+          "The tight passages as rows: (points, contacts).")
       .def_prop_ro(
           "tight_passages",
-          [](const TimedSum& sum) {
-            return sum.tight_passages ? std::optional(passage_rows(*sum.tight_passages))
-                                      : std::nullopt;
+          [](const nb::object& sum) {
+            const nb::object read = nb::module_::import_("minkref.parents").attr("passages_of");
+            return read(sum.attr("passage_rows")());
           },
-          "As the function's; None unless asked for and rational.");
+          nb::sig("def tight_passages(self) -> list[dict[str, typing.Any]]"),
+          "As minkref.tight_passages gives them, of sP + Q itself, exact whatever arithmetic found "
+          "the region. Found when first asked for, in the time of that function, and kept. Raises "
+          "BadInput for an answer of the paper's own program.");
   nb::dict routes;
   for (const RouteName& each : route_names()) {
     routes[nb::str(each.name.data(), each.name.size())] =
@@ -104,9 +113,11 @@ void bind_sum(nb::module_& module) {
   }
   module.attr("ROUTES") = routes;
   module.def("minkowski_sum", timed_sum, "P"_a, "Q"_a, "scale"_a, "route"_a = "paper",
-             "arithmetic"_a = "rational", "tight_passages"_a = false, Released(),
+             "arithmetic"_a = "rational", "tight_passages"_a = false, nb::keep_alive<0, 1>(),
+             nb::keep_alive<0, 2>(), Released(),
              "sP + Q. Routes: paper, winding, definition. Arithmetics: rational, interval, double, "
-             "mpfr:BITS. Raises BadInput, UndecidedSign.");
+             "mpfr:BITS. `tight_passages`: they are found at once, in rational arithmetic from the "
+             "same arrangement. Raises BadInput, UndecidedSign.");
   module.def(
       "tight_passages",
       [](const Set& P, const Set& Q, const std::string& scale) {

@@ -16,6 +16,7 @@
 #include "python/core.hpp"
 #include "python/core_space.hpp"
 #include "python/vector_caster.hpp"
+#include "reference/space/surface/manifold_mesh.hpp"
 #include "reference/space/surface/mesh_of.hpp"
 #include "reference/space/surface/parent_faces.hpp"
 #include "reference/space/surface/shells.hpp"
@@ -98,12 +99,13 @@ void bind_sum_surface(nb::module_& module) {
       .def(
           "mesh",
           [](const SumSurface& self, bool triangles) {
-            return Surface(
-                mesh_of(*self.value, triangles ? MeshFaces::triangles : MeshFaces::polygons));
+            return Surface(triangles ? manifold_mesh(*self.value) : mesh_of(*self.value));
           },
           "triangles"_a = false, Released(),
           "A closed mesh: faces are the facets that are simple polygons, and triangles of the "
-          "others, or of all. Where the set touches itself it is not manifold, and no operand.")
+          "others; where the set touches itself it is not manifold, and no operand. With "
+          "`triangles`, a mesh of triangles that is closed and manifold by the numbers of its "
+          "vertices: where the set touches itself, several vertices stand at one place.")
       .def(
           "topology",
           [](const SumSurface& self) {

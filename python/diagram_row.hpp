@@ -13,7 +13,8 @@
 
 namespace minkref::python {
 
-/// "vertex" and its coordinates, or "edge" with the ring and the number of its first vertex.
+/// "vertex" and its coordinates, or "edge" with the ring and the number of its first vertex: an
+/// edge of the set as it was given, which has the nearest point.
 using FeatureName = std::tuple<std::string, std::string, std::string>;
 /// Kind; the squared radius, if it is known to be rational; a polynomial that it is a root of, the
 /// lowest coefficient first; bounds of the radius; the place, rounded; the features.
@@ -22,7 +23,8 @@ using DiagramRow =
                std::pair<double, double>, std::pair<double, double>, std::vector<FeatureName>>;
 
 const char* name(DiagramEvent::Kind kind);
-FeatureName feature_name(const DiagramEvents& found, std::uint32_t feature);
+FeatureName vertex_name(const DiagramEvents& found, std::uint32_t feature);
+FeatureName edge_row(const VertexId& id);
 
 DiagramRow diagram_row(const DiagramEvents& found, const DiagramEvent& event);
 

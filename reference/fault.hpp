@@ -46,7 +46,7 @@ namespace minkref {
   X(stale_position, "nodes stay where they are until the next event")                         \
   X(status_guessed, "a new sub-edge has the status of the one before it")                     \
   X(tight_taken_for_boundary, "a sub-edge in contact on both sides counts as boundary")       \
-  X(right_side_forgotten, "no segment past touching rings is held on the side of no edge")    \
+  X(right_side_forgotten, "no face is asked what is on its right, where a passage may hide")  \
   X(boundary_piece_at_event_lost, "pieces of the boundary at the scale of an event are lost") \
   X(smallest_part_goes_on, "where a hole splits, its smallest part keeps its name")           \
   X(touch_overlooked, "a hole in several parts at one scale only is no event")                \

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 from html import escape
 
 from minkref import _core
@@ -13,16 +14,23 @@ PAD = 12.0
 STYLE = (
     "path{stroke-width:1.2;stroke-linejoin:round;fill-rule:evenodd}"
     ".sum{fill:#b9dcbb;stroke:#2a6e30}.first{fill:#9cc3e6;stroke:#1f5f99}"
+    ".tight{fill:none;stroke:#c9362b;stroke-width:2}"
 )
-Piece = tuple[str, float, float, float, float, float, float]
+Piece = tuple[str, float, float, float, float, float, float, float]
 
 
 def offset_picture(
-    offset: _core.Offset, operand: _core.PolygonSet | None, radius: float, caption: str
+    offset: _core.Offset,
+    operand: _core.PolygonSet | None,
+    caption: str,
+    passages: Sequence[Sequence[tuple[float, float]]] = (),
 ) -> str:
     """An SVG document: the region with its boundary as segments and arcs, and on it the `operand`
-    that has been moved by the disc. Rounded to some thousandth of the picture's width."""
-    components = offset.drawn_rings()
+    that has been moved by the disc and the tight `passages`. The longer side of the region's box is
+    WIDTH - 2 PAD; each coordinate is rounded to a thousandth of a unit of the picture. Of any size,
+    near to the origin or far from it."""
+    origin, factor, radius = offset.drawing_frame()
+    components = offset.drawn_rings(origin, factor)
     box = _box([piece for rings in components for ring in rings for piece in ring], radius)
     unit = (WIDTH - 2 * PAD) / max(box[2] - box[0], box[3] - box[1], 1e-300)
     width, height = (2 * PAD + unit * (box[k + 2] - box[k]) for k in (0, 1))
@@ -32,7 +40,7 @@ def offset_picture(
 
     def ring_path(ring: Sequence[Piece]) -> str:
         parts = [f"M{at(ring[0][1], ring[0][2])}"]
-        for kind, _, _, x, y, _, _ in ring:
+        for kind, _, _, x, y, *_ in ring:
             # Arcs run counter-clockwise, and y points upwards.
             arc = f"A{unit * radius:.3f} {unit * radius:.3f} 0 0 0 " if kind == "arc" else "L"
             parts.append(arc + at(x, y))
@@ -41,9 +49,19 @@ def offset_picture(
     paths = "".join(ring_path(ring) for rings in components for ring in rings)
     layers = [f'<path class="sum" d="{paths}"/>']
     if operand is not None:
-        rings = [ring for polygon in operand.approximate_rings() for ring in polygon]
+        x, y = (str(-Fraction(value)) for value in origin)
+        near = operand.translated(x, y).scaled(factor)
+        rings = [ring for polygon in near.approximate_rings() for ring in polygon]
         own = "".join("M" + "L".join(at(x, y) for x, y in ring) + "Z" for ring in rings)
         layers.append(f'<path class="first" d="{own}"/>')
+    for points in passages:
+        places = [at(*_in_frame(point, origin, factor)) for point in points]
+        x, y = places[0].split()
+        layers.append(
+            f'<path class="tight" d="M{"L".join(places)}"/>'
+            if len(points) > 1
+            else f'<circle class="tight" cx="{x}" cy="{y}" r="4"/>'
+        )
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:.0f} {height:.0f}" '
         f'width="{width:.0f}" height="{height:.0f}" role="img" '
@@ -52,11 +70,24 @@ def offset_picture(
     )
 
 
+def _in_frame(
+    point: tuple[float, float], origin: Sequence[str], factor: str
+) -> tuple[float, float]:
+    """Coordinates of a point in the frame of the drawing."""
+    x, y = (
+        float((Fraction(value) - Fraction(start)) * Fraction(factor))
+        for value, start in zip(point, origin, strict=True)
+    )
+    return x, y
+
+
 def _box(pieces: Sequence[Piece], radius: float) -> tuple[float, float, float, float]:
     """Around all pieces; of an arc around its circle where the arc goes that far."""
+    if not pieces:
+        return 0.0, 0.0, 1.0, 1.0
     xs = [x for piece in pieces for x in (piece[1], piece[3])]
     ys = [y for piece in pieces for y in (piece[2], piece[4])]
-    for kind, x0, y0, x1, y1, cx, cy in pieces:
+    for kind, x0, y0, x1, y1, cx, cy, _ in pieces:
         if kind != "arc":
             continue
         # An arc of less than half a turn has an extreme point where its ends are on either side.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from itertools import pairwise
 
 from minkref import _core
 from minkref.exact_frame import ExactBox, Frame, box_of, box_text, exact_polygons, fitted
@@ -15,10 +16,12 @@ from minkref.terminal import counted
 PANE = 340
 LONGEST_NAME = 40  # letters of an operand that are shown
 SPECK = 3.0  # what is less wide and less high gets a mark
+Passages = Sequence[Sequence[Sequence[str]]]  # the points of each, exact
 OPERANDS = ".first{fill:#9cc3e6;stroke:#1f5f99}.second{fill:#f2c18d;stroke:#9a5410}"
 STYLE = (
     OPERANDS + ".sum{fill:#b9dcbb;stroke:#2a6e30}.lost{fill:#e58a8a;stroke:#a11d1d}"
-    ".added{fill:#c9a6e0;stroke:#66308f}path{stroke-width:1;stroke-linejoin:round}"
+    ".added{fill:#c9a6e0;stroke:#66308f}.tight{fill:none;stroke:#c9362b;stroke-width:2}"
+    "path{stroke-width:1;stroke-linejoin:round}"
     "text{font:13px sans-serif;fill:#333}"
 )
 
@@ -31,13 +34,16 @@ def sum_picture(
     components: int,
     holes: int,
     exact: _core.PolygonSet | None = None,
+    passages: Passages = (),
 ) -> str:
     """An SVG document. P is not scaled yet. All are drawn to one scale, and above each stands
     where it lies. Numbers are exact until they are in the frame, so that sets of any size are
     drawn. With the `exact` sum of an answer that may be wrong it is drawn too, and what the answer
-    has lost and added."""
+    has lost and added. Tight passages are drawn in the sum: lines, and a ring around a point."""
     first = f"P: {short_name(P.name)}" + ("" if scale == "1" else f", scaled by {scale}")
     counts = f"{counted(components, 'component')}, {counted(holes, 'hole')}"
+    if passages:
+        counts += f", {counted(len(passages), 'tight passage')}"
     panes = [
         ("first", first, exact_polygons(P.set.scaled(scale))),
         ("second", f"Q: {short_name(Q.name)}", exact_polygons(Q.set)),
@@ -55,10 +61,24 @@ def sum_picture(
     for (style, title, polygons), box in zip(panes, boxes, strict=True):
         layers = []
         if box is not None:
-            layers.append(Layer(style, Frame(box[0], box[1], factor).polygons(polygons)))
+            frame = Frame(box[0], box[1], factor)
+            layers.append(Layer(style, frame.polygons(polygons)))
+            if polygons is panes[2][2]:
+                layers += passage_layers(passages, frame)
         caption = [title, "the empty set" if box is None else box_text(box)]
         drawn.append((caption, pane(layers, room, title)))
     return side_by_side(drawn, STYLE, PANE, round(height_of((0.0, 0.0, *room), PANE)))
+
+
+def passage_layers(passages: Passages, frame: Frame) -> list[Layer]:
+    """Tight passages as lines, and marked points."""
+    layers = []
+    for points in passages:
+        places = frame.ring([(Fraction(x), Fraction(y)) for x, y in points])
+        if len(places) == 1:
+            layers.append(Layer("tight", point=places[0]))
+        layers.append(Layer("tight", segments=[(*a, *b) for a, b in pairwise(places)]))
+    return layers
 
 
 def common_frame(boxes: Sequence[ExactBox | None]) -> tuple[Fraction, tuple[float, float]]:

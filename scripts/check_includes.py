@@ -60,7 +60,7 @@ APART = {
 NO_IMPORT = {"oracle": ("minkref", "fuzz", "reports")}
 # They run the checker, and add nothing.
 CHECK_COMMANDS = (Path("commands/check.py"), Path("commands/certify_check.py"))
-STANDARD_LIBRARY_ONLY = ("oracle/slow", "oracle/checker")
+STANDARD_LIBRARY_ONLY = ("oracle/slow", "oracle/places", "oracle/checker")
 # The floors of the package, from the ground up: what stands on one imports nothing that stands on a
 # floor above it, also not by a module's name. `python` is the package's own folder; its interface
 # stands above what it offers.

@@ -12,12 +12,13 @@ from pathlib import Path
 from typing import Any
 
 from minkref import _core
+from minkref.certain_digits import between
 from minkref.commands.disc.index_file import Places, from_places
 from minkref.commands.disc.sum import enclosed
 from minkref.commands.line.memory import SIMPLER, memory_wall
 from minkref.commands.lists.scale_index import cores, refuse_overwriting_index
 from minkref.disc.disc import ANY
-from minkref.documents import Stopwatch, as_text, document, listing, refuse_overwriting
+from minkref.documents import Stopwatch, as_text, document, lasting, listing, refuse_overwriting
 from minkref.errors import Refusal, choice
 from minkref.exact import read_scale
 from minkref.operand import read_operand
@@ -101,7 +102,7 @@ def events_with_disc(
     if target is not None and target.form == "jsonl":
         target.write_pieces(json.dumps(row) + "\n" for row in rows)
     elif target is not None:
-        target.write_pieces(listing(head, "events", rows))
+        target.write_pieces(listing(lasting(head), "events", rows))
     if json_document and target is None:
         sys.stdout.writelines(listing(head, "events", rows))
     elif json_document:
@@ -203,8 +204,7 @@ def _print(head: dict[str, Any], rows: list[Row]) -> None:
             else f"edge {each['edge'][0]}.{each['edge'][1]}"
             for each in row["features"]
         )
-        radius = row["radius"]["low"]
-        told = "beyond doubles" if radius is None else f"{radius:.9g}"
+        told = between(**row["radius"], digits=9)
         out.print(f"{told:>14}  {row['kind']}: {features}")
         if row["changes"]:
             out.print(f"{'':>14}  {_in_words(row['changes'])}")

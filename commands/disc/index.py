@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -14,7 +15,7 @@ from minkref.commands.line.memory import SMALLER, memory_wall
 from minkref.commands.line.output import give, print_lines
 from minkref.commands.lists.scale_index import cores
 from minkref.disc.disc import ANY
-from minkref.documents import Stopwatch, document, listing, refuse_overwriting
+from minkref.documents import Stopwatch, document, lasting, listing, refuse_overwriting
 from minkref.errors import Refusal
 from minkref.operand import read_operand
 from minkref.output_target import target_of
@@ -68,7 +69,7 @@ def index_with_disc(
     head = {name: value[name] for name in value if name != "events"}  # they come last
     head["places"] = index.places()
     head["parts"] = [_part(*part) for part in parts]
-    target.write_pieces(listing(head, "events", _events(index)))
+    target.write_pieces(listing(lasting(head), "events", _events(index)))
     give(value, json_document, _print)
 
 
@@ -81,7 +82,7 @@ def _hole(birth: tuple[float, float] | None, end: tuple[float, float], place: An
     return {
         "birth": None if birth is None else enclosed(birth),
         "end": enclosed(end),
-        "place": list(place),
+        "place": [c if math.isfinite(c) else None for c in place],
         "of": of,
     }
 

@@ -12,9 +12,10 @@ from pathlib import Path
 from typing import Any
 
 from minkref import _core
+from minkref.certain_digits import between
 from minkref.commands.line.memory import SMALLER, memory_wall
 from minkref.disc.disc import ANY, read_disc
-from minkref.documents import Stopwatch, as_text, document, listing, refuse_overwriting
+from minkref.documents import Stopwatch, as_text, document, lasting, listing, refuse_overwriting
 from minkref.errors import Refusal, choice, refusing
 from minkref.event_values import FORMS
 from minkref.exact import read_scale
@@ -88,7 +89,7 @@ def pair_events_with_disc(
         if target is not None and target.form == "jsonl":
             target.write_pieces(json.dumps(row) + "\n" for row in _rows(found))
         elif target is not None:
-            target.write_pieces(listing(head, "events", _rows(found)))
+            target.write_pieces(listing(lasting(head), "events", _rows(found)))
         if json_document and target is None:
             sys.stdout.writelines(listing(head, "events", _rows(found)))
         elif json_document:
@@ -195,8 +196,7 @@ def _print(head: dict[str, Any], rows: list[Row]) -> None:
         named.append(("written", head["output"]))
     sys.stdout.write(lines(named))
     for row in rows:
-        low = row["radius"]["low"]
-        radius = "beyond doubles" if low is None else f"{low:.9g}"
+        radius = between(**row["radius"], digits=9)
         features = ", ".join(_named(feature) for feature in row["features"])
         sys.stdout.write(f"{radius:>14}  {row['change']}: {row['condition']}, {features}\n")
     if head["output"] is None and len(rows) < head["count"]:

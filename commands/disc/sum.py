@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from minkref import _core
+from minkref.certain_digits import between, root
 from minkref.commands.disc.index_file import from_places
 from minkref.commands.disc.indexed_sum import IndexedSum
 from minkref.commands.line.memory import SIMPLER, memory_wall
@@ -17,7 +18,7 @@ from minkref.commands.line.output import give, print_lines, written_row
 from minkref.commands.lists.scale_index import chosen_route, cores, refuse_overwriting_index
 from minkref.commands.sum_table import passage_rows
 from minkref.disc.disc import Disc, is_disc, read_disc
-from minkref.disc.polygons import polygon_near
+from minkref.disc.polygons import sum_near
 from minkref.documents import Stopwatch, document, refuse_overwriting
 from minkref.errors import Refusal, refusing
 from minkref.exact import digest, read_number, read_scale
@@ -51,7 +52,8 @@ def sum_with_disc(
     if index is not None and factor != 1:
         mend = "leave out the scale, or the index"
         raise Refusal("the index is that of P as it is", f"--scale {scale}", mend)
-    target = target_of(output, form, FORMATS, "json", json_document)
+    offered = FORMATS if tolerance is not None else WITH_ARCS
+    target = target_of(output, form, FORMATS, "json", json_document, offered=offered)
     within = _tolerance(tolerance, outside, target)
     if with_measures and not json_document:
         raise Refusal("the terms are in the document only", "--measures", "add --json")
@@ -200,12 +202,12 @@ def _written(
     if target.form == "svg":
         from minkref.reports.offset_picture import offset_picture
 
-        radius = math.sqrt(disc.squared_radius)
-        caption = f"the sum with a disc of radius {radius:g}"
-        return offset_picture(_drawn(found), None if only_sum else other, radius, caption), False
+        caption = f"the sum with a disc of radius {root(disc.squared_radius, 6)}"
+        passages = [points for _, points, _ in found.tight_passages(cores())]
+        own = None if only_sum else other
+        return offset_picture(_drawn(found), own, caption, passages), False
     assert within is not None
-    polygon = polygon_near(disc, within, outside)
-    near = _core.minkowski_sum(other, polygon, "1").region
+    near = sum_near(other, disc, within, outside)
     return refusing(target.name, lambda: _core.write(near, target.form)), False
 
 
@@ -220,17 +222,10 @@ def _print(value: dict[str, Any], operand: Operand) -> None:
         ("radius of the disc", value["radius"]),
         ("components, holes", f"{value['components']:,}, {value['holes']:,}"),
         ("curves", f"{value['curves']:,}"),
-        ("area", _near(value["area"])),
-        ("length of the boundary", _near(value["length"])),
+        ("area", between(**value["area"])),
+        ("length of the boundary", between(**value["length"])),
         ("digest", value["digest"]),
         *passage_rows(value["tight_passages"], "segment"),
         ("seconds", f"{value['seconds']:.3f}"),
     ]
     print_lines(rows + written_row(value), value)
-
-
-def _near(bounds: dict[str, float | None]) -> str:
-    low, high = bounds["low"], bounds["high"]
-    if low is None or high is None:
-        return "beyond doubles"
-    return f"{(low + high) / 2:.10g}, within {(high - low) / 2:.1g}"

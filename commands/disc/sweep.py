@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from minkref import _core
+from minkref.certain_digits import between, root
 from minkref.commands.disc.index_file import disc_index_of
 from minkref.commands.disc.sum import enclosed
 from minkref.commands.line.memory import SMALLER, memory_wall
@@ -19,7 +20,7 @@ from minkref.commands.lists.sweep_rows import SHOWN, Setting, print_sweep, sweep
 from minkref.disc.disc import ANY
 from minkref.documents import Stopwatch, document, listing
 from minkref.errors import Refusal
-from minkref.exact import approximate, digest
+from minkref.exact import digest
 from minkref.operand import read_operand
 from minkref.signals import ending_in_order
 from minkref.terminal import escaped
@@ -112,12 +113,9 @@ def _text(P: _core.PolygonSet, radius: str, canonical: str, form: str) -> str:
     from minkref.reports.offset_picture import offset_picture
 
     found = _core.offset(P, str(Fraction(radius) ** 2))
-    near = approximate(radius)
-    return offset_picture(found, P, near, f"the sum with a disc of radius {near:g}")
-
-
-def _near(found: dict[str, float | None]) -> str:
-    return "-" if found["low"] is None else f"{found['low']:.9g}"
+    return offset_picture(
+        found, P, f"the sum with a disc of radius {root(Fraction(radius) ** 2, 6)}"
+    )
 
 
 def _print(value: dict[str, Any], rows: RowSpool) -> None:
@@ -125,8 +123,8 @@ def _print(value: dict[str, Any], rows: RowSpool) -> None:
     table = plain_table(*headings, "event", right=headings, whole=True)
     for row in rows.first(SHOWN):
         table.add_row(
-            row["radius"] if len(row["radius"]) <= 12 else f"{approximate(row['radius']):.10g}",
-            _near(row["area"]),
+            row["radius"] if len(row["radius"]) <= 12 else root(Fraction(row["radius"]) ** 2, 10),
+            between(**row["area"], digits=9),
             *(f"{row[name]:,}" for name in ("components", "holes", "curves")),
             f"{row['sum_seconds'] * 1000:.3f}",
             "at it" if row["at_event"] else "",

@@ -13,7 +13,7 @@ from typing import Annotated, Any, NoReturn
 import typer
 from minkref import streams
 from minkref.commands.line.command_group import CommandGroup
-from minkref.exits import ExitCode
+from minkref.exits import MEANINGS, ExitCode
 from minkref.signals import Ended
 from minkref.version import version
 from typer.exceptions import TyperException
@@ -30,9 +30,7 @@ app = typer.Typer(
     epilog="Examples:\n\nminkref sum disc1 cells1815 --scale 7/5 -o sum.svg\n\n"
     "minkref verify cgal-reduced --pairs 1000 --report build/report\n\n"
     "minkref models\n\n"
-    "Exit codes: 0 success; 1 something is proven wrong; 2 wrong usage or bad input; "
-    "3 an implementation crashed or hung; 4 undecided (verify --strict, check); "
-    "70 an internal error; 141 the reader of standard output has gone.",
+    f"Exit codes: {'; '.join(f'{code:d} {what}' for code, what in MEANINGS.items())}.",
 )
 
 
@@ -91,7 +89,7 @@ def run(arguments: Sequence[str]) -> int:
     except MemoryError:
         return _refuse(_no_memory(rest), rest)
     except typer.Abort:
-        return 130
+        return ExitCode.INTERRUPTED
     except Ended as ended:
         return 128 + ended.number
     except Exception as error:  # noqa: BLE001 the border of the program
@@ -179,7 +177,7 @@ def main() -> NoReturn:
         streams.give_up_output()
         code = _lost(lost)
     except KeyboardInterrupt:
-        code = 130
+        code = ExitCode.INTERRUPTED
     sys.exit(code)
 
 

@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 from minkref.commands.schemas import schema_text
+from minkref.errors import Refusal
 
 
 def _print_schema(context: typer.Context, wanted: bool) -> None:
@@ -15,6 +16,12 @@ def _print_schema(context: typer.Context, wanted: bool) -> None:
         group = f"{above.info_name}_" if above is not None and above.parent is not None else ""
         sys.stdout.write(schema_text(f"{group}{context.info_name}"))
         raise typer.Exit
+
+
+def refuse_triangles(wanted: bool) -> None:
+    """For sums in the plane."""
+    if wanted:
+        raise Refusal("no mesh is written in the plane", "--triangles", "leave it out")
 
 
 FirstOperand = Annotated[
@@ -34,6 +41,14 @@ Scale = Annotated[
     str,
     typer.Option(
         "--scale", help="Scale of P, exact: 3, 7/5, 0.25; in space also SX,SY,SZ.", metavar="S"
+    ),
+]
+Triangles = Annotated[
+    bool,
+    typer.Option(
+        "--triangles",
+        help="In space: write meshes of triangles that every reader takes: each edge has two, by "
+        "the numbers of its vertices.",
     ),
 ]
 Json = Annotated[

@@ -4,14 +4,18 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Collection
+from fractions import Fraction
 from typing import TYPE_CHECKING, Any
 
 from minkref.documents import as_text
-from minkref.exact import scientific
+from minkref.exact import rounded
 from minkref.terminal import escaped, lines
 
 if TYPE_CHECKING:
     from rich.table import Table
+
+
+LONGEST_NUMBER = 60  # characters, in a table
 
 
 def give(value: dict[str, Any], json: bool, shown: Callable[[dict[str, Any]], None]) -> None:
@@ -29,10 +33,15 @@ def print_lines(rows: list[tuple[str, str]], value: dict[str, Any]) -> None:
         sys.stderr.write(f"warning: {escaped(warning)}\n")
 
 
-def measure(exact: str, near: float | None) -> str:
-    """An area or volume, rounded and exact. `near`: None where it is beyond doubles."""
-    exactly = exact if len(exact) <= 60 else f"({len(exact):,} characters; --json prints it)"
-    return f"{scientific(exact) if near is None else f'{near:.10g}'} = {exactly}"
+def measure(exact: str) -> str:
+    """An area or volume: exact, and beside it as a decimal, which is told from it where it is
+    rounded."""
+    near = rounded(exact)
+    if near == exact:
+        return exact
+    if len(exact) > LONGEST_NUMBER:
+        return f"about {near} ({len(exact):,} characters; --json prints it)"
+    return f"{exact} = {near}" if Fraction(near) == Fraction(exact) else f"{exact}, about {near}"
 
 
 def written_row(value: dict[str, Any]) -> list[tuple[str, str]]:

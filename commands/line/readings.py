@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import partial
 from typing import Annotated
 
 import typer
 from minkref import _core
-from minkref.errors import Refusal, choice, refusing
+from minkref.errors import Refusal, choice, nearest, refusal_of
 
 ROUTE = "paper-update"
 FORMS = ("printed", "corrected")
@@ -24,7 +23,15 @@ class Choices:
     check: Callable[[str, str], None]
 
     def names(self) -> str:
-        return ", ".join(f"{name} ({'|'.join(values)})" for name, values, *_ in self.rows)
+        """All of them as they are written: `solve=printed|corrected, ...`."""
+        return ", ".join(self.values(name) for name, *_ in self.rows)
+
+    def values(self, name: str) -> str:
+        """What may be written for one of them: `solve=printed|corrected`."""
+        return f"{name}={'|'.join(self.values_of(name))}"
+
+    def values_of(self, name: str) -> list[str]:
+        return next(values for each, values, *_ in self.rows if each == name)
 
 
 PLANE_CHOICES = Choices(_core.paper_readings(), _core.check_paper_reading)
@@ -62,11 +69,19 @@ def readings_of(
     for text in chosen or ():
         name, equals, value = text.partition("=")
         where = f"--reading {text[:60]}"
-        if not equals or name not in readings:
-            raise Refusal(
-                f"there is no reading {name[:40]!r}", where, choice(name, tuple(readings))
-            )
-        refusing(where, partial(choices.check, name, value))
+        if name not in readings:
+            what = f"there is no reading {name[:40]!r}"
+            every = (f"{each}={v}" for each in readings for v in choices.values_of(each))
+            raise Refusal(what, where, f"{nearest(text, every)}write {choices.names()}")
+        if not equals:
+            what = f"the reading {name!r} has no value"
+            raise Refusal(what, where, f"write {choices.values(name)}")
+        try:
+            choices.check(name, value)
+        except _core.BadInput as error:
+            near = nearest(text, (f"{name}={each}" for each in choices.values_of(name)))
+            mend = f"{near}write {choices.values(name)}"
+            raise Refusal(refusal_of(error).what, where, mend) from error
         readings[name] = value
     return readings
 
@@ -75,10 +90,16 @@ def refuse_options(route: str, form: str | None, chosen: Sequence[str] | None) -
     """Refuses the options of the route with any other."""
     if route == ROUTE:
         return
+    mend = with_other(f"add --route {ROUTE}", form, chosen, PLANE_CHOICES)
     for option, given in (("--form", form), ("--reading", chosen)):
         if given:
-            raise Refusal(
-                f"the route {route} has no readings",
-                option,
-                f"add --route {ROUTE}, or leave it out",
-            )
+            raise Refusal(f"the route {route} has no readings", option, mend)
+
+
+def with_other(other: str, form: str | None, chosen: Sequence[str] | None, choices: Choices) -> str:
+    """How to mend readings that go with another option only, if these are such as it takes."""
+    try:
+        readings_of(form, chosen, choices)
+    except Refusal:
+        return "leave it out"
+    return f"{other}, or leave it out"

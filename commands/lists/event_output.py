@@ -11,7 +11,7 @@ from typing import Any
 from minkref.commands.line.progress import progress
 from minkref.commands.lists.event_table import write_parquet
 from minkref.commands.lists.scale_index import cores
-from minkref.documents import as_text
+from minkref.documents import as_text, lasting
 from minkref.event_lists import EventList, PairEventList
 from minkref.output_target import Target
 
@@ -29,6 +29,7 @@ def write_events(target: Target, head: dict[str, Any], found: EventList, count: 
         write_parquet(found.found, target.path, count)
         return
     lines = target.form == "jsonl"
+    head = lasting(head)
     pieces = json_pieces(found, count, "\n") if lines else document_pieces(head, found, count)
     with target.stream() as stream:
         stream.writelines(pieces)

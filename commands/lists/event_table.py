@@ -19,7 +19,7 @@ ROWS = 1 << 18  # that are in memory, and in one group of the file
 
 def write_parquet(found: _core.PairEvents, path: Path, count: int) -> None:
     """The first `count` events, a row each, in order: `s` (the exact scale, a text that is stored
-    once for all events of equal scale), `s_double` (the nearest double or one beside it), `rank`,
+    once for all events of equal scale), `s_double` (the nearest double), `rank`,
     `kind`, `change`, and the two edges, `a_kind`, `a_edge_ring`, ... Written whole or not at all,
     group by group. Refuses without pyarrow."""
     try:
@@ -64,13 +64,14 @@ def _table(found: _core.PairEvents, edges: dict[str, Any], first: int, last: int
     def column(name: str, kind: Any) -> Any:
         return pa.Array.from_buffers(kind, last - first, [None, pa.py_buffer(raw[name])])
 
-    begins, texts, which = found.scale_texts(first, last)
+    begins, texts, nearest, which = found.scale_texts(first, last)
     buffers = [None, pa.py_buffer(begins), pa.py_buffer(texts)]
     scales = pa.Array.from_buffers(pa.large_string(), len(begins) // 8 - 1, buffers)
+    doubles = pa.Array.from_buffers(pa.float64(), len(scales), [None, pa.py_buffer(nearest)])
     places = pa.Array.from_buffers(pa.int32(), last - first, [None, pa.py_buffer(which)])
     columns = {
         "s": pa.DictionaryArray.from_arrays(places, scales),
-        "s_double": column("scale", pa.float64()),
+        "s_double": doubles.take(places),
         "rank": column("rank", pa.uint32()),
         "kind": _named(column("parallel", pa.uint8()), ("pair", "parallel")),
         "change": _named(column("change", pa.uint8()), CHANGES),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from minkref.exact import approximate
+from minkref.exact import rounded
 from minkref.terminal import console
 
 
@@ -33,7 +33,7 @@ def events_in_words(events: dict[str, Any]) -> list[tuple[str, str]]:
     for what in ("missed", "invented"):
         event = events[f"first_{what}"]
         if event is not None:
-            scale = f"{approximate(event['scale']):.10g}"
+            scale = rounded(event["scale"])
             told = f"at {scale}, {event['change']}: {event['a']} and {event['b']}"
             rows.append((f"first {what}", told))
     return rows
@@ -51,8 +51,8 @@ def print_literal(rows: list[dict[str, Any]]) -> None:
     for row in rows:
         exact = row["exact"]
         table.add_row(
-            f"{approximate(row['scale']):.17g}",
-            "invented" if exact is None else f"{approximate(exact):.17g}",
+            rounded(row["scale"], 17),
+            "invented" if exact is None else rounded(exact, 17),
             row["change"],
             f"{row['a']}, {row['b']}",
         )

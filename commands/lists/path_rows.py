@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from minkref.exact import approximate
+from minkref.exact import rounded
 
 BY_TRANSLATION = "translations only: a rotation may do what they cannot"
 
@@ -93,7 +93,7 @@ def feature_text(feature: dict[str, list[int]], in_space: bool = False) -> str:
 
 def number_text(text: str) -> str:
     """Short numbers exactly, long ones rounded."""
-    return text if len(text) <= 12 else f"{approximate(text):.10g}"
+    return text if len(text) <= 12 else rounded(text)
 
 
 def point_text(point: Sequence[str]) -> str:

@@ -10,6 +10,7 @@ import json
 import os
 import re
 from collections.abc import Iterable, Sequence
+from contextlib import suppress
 from pathlib import Path
 
 from minkref import _core
@@ -37,7 +38,7 @@ class SweepFolder:
         """Refuses a folder that cannot be written, or that holds anything but a sweep."""
         self.path = path
         self.form = form
-        self._begun = False
+        self._begun = self._made = False
         mend = "name a folder, or leave out -o: --json prints what is found at each scale"
         refuse_stream(path, "a sweep is a folder of files", mend)
         if path.exists() and not path.is_dir():
@@ -82,8 +83,13 @@ class SweepFolder:
         return f"sum-{number:04}.{self.form}"
 
     def write(self, name: str, text: str | Iterable[str]) -> None:
-        self._begin()
-        write_atomically(self.path / name, text)
+        """Where there is no room for it, nothing of the sweep is left."""
+        try:
+            self._begin()
+            write_atomically(self.path / name, text)
+        except Refusal:
+            self._remove()
+            raise
         if name == INDEX:
             (self.path / UNFINISHED).unlink(missing_ok=True)
 
@@ -98,27 +104,41 @@ class SweepFolder:
         if self._begun:
             return
         try:
+            self._made = not self.path.exists()
             Path(os.path.realpath(self.path)).mkdir(exist_ok=True)
             (self.path / UNFINISHED).touch()
-            for name in self._names():
-                if _OURS.fullmatch(name) and name != UNFINISHED:
-                    (self.path / name).unlink()
+            self._remove_sums()
         except OSError as error:
             what = f"the folder cannot be written: {error.strerror}"
             raise Refusal(what, str(self.path), "choose another place", "cannot-write") from error
         self._begun = True
+
+    def _remove_sums(self) -> None:
+        for name in self._names():
+            if _OURS.fullmatch(name) and name != UNFINISHED:
+                (self.path / name).unlink()
+
+    def _remove(self) -> None:
+        """Removes all that this sweep has written, and the folder if it has made it."""
+        if not self._begun:
+            return
+        with suppress(OSError, Refusal):
+            self._remove_sums()
+            (self.path / UNFINISHED).unlink(missing_ok=True)
+            if self._made:
+                Path(os.path.realpath(self.path)).rmdir()
 
 
 def sweep_folder(
     output: Path | None, form: str | None, formats: Sequence[str], where: str = ""
 ) -> SweepFolder | None:
     """That of -o and --format. `where`: what to say before the formats that there are."""
+    if form is not None and form not in formats:
+        raise Refusal(f"there is no format {form!r}", "--format", where + choice(form, formats))
     if form is not None and output is None:
         raise Refusal(
             "there are no files without -o", f"--format {form}", "add -o DIR, or leave out --format"
         )
-    if form is not None and form not in formats:
-        raise Refusal(f"there is no format {form!r}", "--format", where + choice(form, formats))
     return None if output is None else SweepFolder(output, form or formats[0])
 
 

@@ -11,7 +11,7 @@ from minkref.commands.line.output import print_lines
 from minkref.commands.line.progress import Steps
 from minkref.commands.lists.row_spool import Row, RowSpool
 from minkref.commands.lists.sweep_folder import INDEX, SweepFolder
-from minkref.documents import listing
+from minkref.documents import lasting, listing
 from minkref.errors import refusing
 from minkref.terminal import console
 
@@ -61,7 +61,7 @@ def _text(setting: Setting[Scale, Sum], found: Sum, form: str, name: str) -> str
 
 def write_index(folder: SweepFolder | None, value: dict[str, Any], rows: RowSpool) -> None:
     if folder is not None:
-        folder.write(INDEX, listing(value, "rows", rows))
+        folder.write(INDEX, listing(lasting(value), "rows", map(lasting, rows)))
 
 
 def print_sweep(

@@ -5,14 +5,15 @@ from __future__ import annotations
 import json as json_text
 import sys
 from collections import Counter
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from minkref import _core
 from minkref.commands.line.memory import SIMPLER, memory_wall
 from minkref.commands.space.facet_files import WRITERS
-from minkref.documents import Stopwatch, as_text, document, listing, refuse_overwriting
-from minkref.errors import refusing
+from minkref.documents import Stopwatch, as_text, document, lasting, listing, refuse_overwriting
+from minkref.errors import Refusal, refusing
 from minkref.output_target import target_of
 from minkref.space.facets import KINDS, Facet, facets_of
 from minkref.space.operand import SpaceOperand, read_space_operand
@@ -32,12 +33,15 @@ def convolution_in_space(
     json: bool,
     form: str | None,
     memory: int | None,
+    triangles: bool = False,
 ) -> None:
     """The command, its options read but not yet checked. Of convex operands nothing has to be
     culled: the convolution is the boundary of the sum."""
     watch = Stopwatch()
     scaling = read_scaling(scale)
     target = target_of(output, form, OUTPUTS, "json", json)
+    if triangles and (target is None or target.form == "json"):
+        raise Refusal("no mesh is written", "--triangles", "add -o FILE.off or .ply")
     with memory_wall(memory, "the convolution", f"{P} and {Q}", SIMPLER):
         first, second = read_space_operand(P), read_space_operand(Q)
         if output is not None:
@@ -62,10 +66,11 @@ def convolution_in_space(
         }
         head = document("convolution", watch, **fields, **_shape(answer, first, second))
         if target is not None and target.form == "json":
-            target.write_pieces(listing(head, "facets", map(_document, facets)))
+            target.write_pieces(listing(lasting(head), "facets", map(_document, facets)))
         elif target is not None:
             write = WRITERS[target.form]
-            target.write_pieces([refusing(target.name, lambda: write(answer.surface, facets))])
+            mesh = _in_triangles(answer.surface, facets) if triangles else (answer.surface, facets)
+            target.write_pieces([refusing(target.name, lambda: write(*mesh))])
             target.tell_rounding(bool(exact))
     if json and target is None:
         sys.stdout.writelines(listing(head, "facets", map(_document, facets)))
@@ -73,6 +78,18 @@ def convolution_in_space(
         sys.stdout.write(as_text({**head, "facets": None}))
     elif target is None or not target.is_standard_output:
         _print(head, text_of(scaling))
+
+
+def _in_triangles(
+    surface: _core.Polyhedron, facets: list[Facet]
+) -> tuple[_core.Polyhedron, list[Facet]]:
+    """Each triangle with the parents of its facet."""
+    cut = [
+        replace(facet, ring=list(triangle))
+        for facet, triangles in zip(facets, surface.triangles(), strict=True)
+        for triangle in triangles
+    ]
+    return _core.Polyhedron(surface.points(), [facet.ring for facet in cut]), cut
 
 
 def _shape(answer: SpaceSum, P: SpaceOperand, Q: SpaceOperand) -> dict[str, Any]:

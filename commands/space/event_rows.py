@@ -14,7 +14,7 @@ from minkref import _core
 from minkref.commands.space.event_parts import Part
 from minkref.documents import replacing
 from minkref.errors import Refusal
-from minkref.exact import approximate
+from minkref.exact import rounded
 
 ROWS = 1 << 15  # that are in memory, and in one group of a table
 Row = dict[str, Any]
@@ -98,4 +98,4 @@ def in_words(row: Row) -> str:
         f" + {'-'.join(map(str, dict.fromkeys(one['Q'])))}"
         for one in row["facets"]
     )
-    return f"{approximate(row['s']):>14}  {row['kind']} {row['change']}: {touching}"
+    return f"{rounded(row['s']):>14}  {row['kind']} {row['change']}: {touching}"

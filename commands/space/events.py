@@ -13,7 +13,7 @@ from minkref.commands.line.memory import SMALLER, memory_wall
 from minkref.commands.line.progress import told_of
 from minkref.commands.space.event_parts import MOST, OF_MORE, OF_PAIRS, EventParts, Part
 from minkref.commands.space.event_rows import Row, as_lines, in_words, rows_of, write_parquet
-from minkref.documents import Stopwatch, as_text, document, listing, refuse_overwriting
+from minkref.documents import Stopwatch, as_text, document, lasting, listing, refuse_overwriting
 from minkref.errors import Refusal, refusing
 from minkref.exact import read_window
 from minkref.output_target import Target, target_of
@@ -81,7 +81,7 @@ def events_in_space(
         head = _head(watch, first, second, window, kind, parts, watch.seconds() - began, output)
         head |= {"form": paper_form, "arithmetic": arithmetic, "trial": trial}
         if target is not None and not streamed:
-            target.write_pieces(listing(head, "events", _rows(found, kind, limit)))
+            target.write_pieces(listing(lasting(head), "events", _rows(found, kind, limit)))
         if json_document and target is None:
             sys.stdout.writelines(listing(head, "events", _rows(found, kind, limit)))
         elif json_document:

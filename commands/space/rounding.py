@@ -2,27 +2,37 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
-from itertools import pairwise
+from itertools import chain, pairwise
 from typing import Any
 
 from minkref import _core
 from minkref.exact import scientific
 
 
-def rounding_of(mesh: _core.Polyhedron) -> dict[str, Any] | None:
+def rounding_of(mesh: _core.Polyhedron, is_text_exact: bool = False) -> dict[str, Any] | None:
     """What the core reports of the mesh with each coordinate the nearest double; whether that is
     closed; and the first rule of a polyhedron that it breaks, its faces cut into triangles. Exact.
-    None where the doubles cannot be looked at: a coordinate is beyond their range, or it takes too
-    many bits to write all over one denominator. O(n log n) where few triangles are close to each
-    other."""
+    None where the text is exact and all its numbers are doubles, and where the doubles cannot be
+    looked at: a coordinate is beyond their range, or it takes too many bits to write all over one
+    denominator. O(n log n) where few triangles are close to each other."""
     try:
         rounded, report = _core.rounded_mesh(mesh)
+        if is_text_exact and not report["moved_vertices"]:
+            return None
         return {**report, "closed": is_closed(rounded.rings()), "fault": _fault(rounded, mesh)}
     except _core.LimitExceeded as error:
         if error.code == "memory-limit":
             raise
         return None
+
+
+def beyond_doubles(mesh: _core.Polyhedron) -> list[str]:
+    """A warning where a program that reads doubles has an infinite coordinate."""
+    if all(map(math.isfinite, chain.from_iterable(mesh.approximate_points()))):
+        return []
+    return ["a coordinate is beyond the range of doubles: most programs read it as infinite"]
 
 
 def is_closed(rings: list[list[int]]) -> bool:
@@ -57,7 +67,9 @@ def rounding_rows(value: dict[str, Any]) -> list[tuple[str, str]]:
     moved = f"{told['moved_vertices']:,} vertices moved"
     if told["moved_vertices"]:
         moved += f" by at most {scientific(told['largest_displacement'])} along an axis"
-    names = ("merged_vertices", "degenerate_faces", "turned_faces", "bent_faces")
+    if told["merged_vertices"]:
+        moved += f"; {told['merged_vertices']:,} of them become equal to others"
+    names = ("degenerate_faces", "turned_faces", "bent_faces")
     counts = [f"{told[name]:,} {name.replace('_', ' ')}" for name in names if told[name]]
     state = "closed" if told["closed"] else "not closed"
     fault = "no face crosses another" if told["fault"] is None else told["fault"]

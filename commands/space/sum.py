@@ -12,7 +12,7 @@ from minkref.commands.line.output import give, measure, print_lines, written_row
 from minkref.commands.line.progress import told_of
 from minkref.commands.lists.scale_index import cores
 from minkref.commands.lists.sweep_folder import SPACE_FORMATS
-from minkref.commands.space.rounding import rounding_of, rounding_rows
+from minkref.commands.space.rounding import beyond_doubles, rounding_of, rounding_rows
 from minkref.commands.space.sum_document import of_convex_sum, of_general_sum
 from minkref.documents import Stopwatch, document, refuse_overwriting
 from minkref.errors import Refusal, choice, refusing
@@ -30,19 +30,22 @@ def sum_in_space(
     P: str,
     Q: str,
     scale: str,
-    route: str,
+    route: str | None,
     arithmetic: str,
     output: Path | None,
     json: bool,
     form: str | None = None,
     memory: int | None = None,
     passages: bool = False,
+    triangles: bool = False,
 ) -> None:
     """The command, its options read but not yet checked."""
     watch = Stopwatch()
     scaling = read_scaling(scale)
     wanted = _checked_route(route, arithmetic)
     target = target_of(output, form, SPACE_FORMATS, "off", json)
+    if triangles and target is None:
+        raise Refusal("there is nothing to write", "--triangles", "add -o FILE, or -o -")
     work = "the sum" if wanted is None else f"route {wanted}"
     instead = f"{SIMPLER}, or the route edges" if wanted == "definition" else SIMPLER
     with memory_wall(memory, work, f"{P} and {Q}", instead):
@@ -53,13 +56,16 @@ def sum_in_space(
         mesh, fields = summed(first, second, scaling, chosen)
         tight = _passages(first, second, scaling, chosen, passages)
     exact = rounding = None
+    warnings = first.warnings + second.warnings
     if target is not None:
-        surface = mesh()
+        surface = mesh(triangles)
         text = refusing(target.name, lambda: _core.write_mesh(surface, target.form))
         exact = _core.writes_mesh_exactly(surface, target.form)
         if target.write(text, exact):
             return
-        rounding = None if exact else rounding_of(surface)
+        if target.form != "json":
+            rounding = rounding_of(surface, exact)
+            warnings += beyond_doubles(surface)
     value = document(
         "sum",
         watch,
@@ -67,7 +73,7 @@ def sum_in_space(
         P=first.name,
         Q=second.name,
         scale=list(scaling),
-        warnings=first.warnings + second.warnings,
+        warnings=warnings,
         output=str(output) if output else None,
         output_exact=exact,
         rounding=rounding,
@@ -81,11 +87,16 @@ def sum_in_space(
 
 def summed(
     P: SpaceOperand, Q: SpaceOperand, scaling: Scaling, route: str
-) -> tuple[Callable[[], _core.Polyhedron], dict[str, Any]]:
-    """What makes the mesh that is written, and what the document says of the sum."""
+) -> tuple[Callable[[bool], _core.Polyhedron], dict[str, Any]]:
+    """What makes the mesh that is written, of triangles or not, and what the document says of the
+    sum."""
     if route in ROUTES or 0 in (P.surface.vertices, Q.surface.vertices):
         answer = compute(P, Q, scaling, route)
-        return lambda: answer.surface, of_convex_sum(answer, P, Q)
+        surface = answer.surface
+        return (
+            lambda triangles: surface.cut_into_triangles() if triangles else surface,
+            of_convex_sum(answer, P, Q),
+        )
     with told_of(f"route {route}") as tell:
         found = general_sum(P, Q, scaling, route, cores(), tell)
     return found.mesh, of_general_sum(found, P, Q)
@@ -100,16 +111,14 @@ def _passages(
     return tight_passages(P, Q, scaling) if wanted else None
 
 
-def _checked_route(route: str, arithmetic: str) -> str | None:
-    """`paper`, the default in the plane, leaves the choice to the operands: None."""
+def _checked_route(route: str | None, arithmetic: str) -> str | None:
+    """None leaves the choice to the operands."""
     if arithmetic != "rational":
         raise Refusal(
             "sums in space are exact only", f"--arithmetic {arithmetic}", "leave the option out"
         )
-    if route == "paper":
-        return None
-    if route not in ALL_ROUTES:
-        mend = f"in space: {choice(route, ALL_ROUTES)}"
+    if route is not None and route not in ALL_ROUTES:
+        mend = f"leave it out, or in space: {choice(route, ALL_ROUTES)}"
         raise Refusal(f"there is no route {route!r} in space", "--route", mend)
     return route
 
@@ -118,7 +127,7 @@ def _print(value: dict[str, Any], scaling: str) -> None:
     rows = [
         ("sum", f"{scaling} {value['P']} + {value['Q']}"),
         ("route", f"{value['route']}, exact"),
-        ("volume", measure(value["volume"], value["volume_approximate"])),
+        ("volume", measure(value["volume"])),
         ("vertices, edges, facets",
          f"{value['vertices']:,}, {value['edges']:,}, {value['facets']:,}"),
     ]  # fmt: skip

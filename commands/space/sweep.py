@@ -19,7 +19,7 @@ from minkref.commands.repair_options import Repair
 from minkref.commands.space.paper_repair import RepairWalk, print_repair
 from minkref.documents import Stopwatch, document, listing
 from minkref.errors import Refusal, refusing
-from minkref.exact import approximate
+from minkref.exact import rounded
 from minkref.signals import ending_in_order
 from minkref.space.operand import SpaceOperand, read_space_operand
 from minkref.space.scaling import Scaling, read_scalings, text_of
@@ -30,18 +30,25 @@ from minkref.terminal import counted, escaped
 SPACE = Setting[Scaling, _core.Polyhedron](
     lambda scaling: escaped(text_of(scaling))[:30], _core.write_mesh, _core.writes_mesh_exactly
 )
+IN_TRIANGLES = Setting[Scaling, _core.Polyhedron](
+    SPACE.told,
+    lambda mesh, form: _core.write_mesh(mesh.cut_into_triangles(), form),
+    lambda mesh, form: _core.writes_mesh_exactly(mesh.cut_into_triangles(), form),
+)
 COUNTS = ("fv_errors", "vf_errors", "ee_errors", "descent_steps", "chains_walked")
 
 
 def sweep_in_space(
     P: str, Q: str, scales: Path | None, given: list[str], output: Path | None, form: str | None,
-    json: bool, memory: int | None = None, repair: Repair | None = None,
+    json: bool, memory: int | None = None, repair: Repair | None = None, triangles: bool = False,
 ) -> None:  # fmt: skip
     """The command, its options read but not yet checked. `given` are options of the plane;
     `repair` is the paper's, None the proven one."""
     watch = Stopwatch()
     scalings = _scalings(scales, given)
     folder = sweep_folder(output, form, SPACE_FORMATS, "in space: ")
+    if triangles and folder is None:
+        raise Refusal("there is nothing to write", "--triangles", "add -o DIR")
     first, second = read_space_operand(P), read_space_operand(Q)
     if folder is not None:
         folder.refuse_overwriting([first.file, second.file])
@@ -54,7 +61,7 @@ def sweep_in_space(
             else RepairWalk(first, second, scalings[0], repair).row
         )
         first_seconds = time.perf_counter() - start
-        rows = sweep_rows(scalings, step, SPACE, folder, line)
+        rows = sweep_rows(scalings, step, IN_TRIANGLES if triangles else SPACE, folder, line)
         value = document(
             "sweep",
             watch,
@@ -122,7 +129,7 @@ def _print(value: dict[str, Any], rows: RowSpool) -> None:
     for row in rows.first(SHOWN):
         table.add_row(
             text_of((row["scale"][0], row["scale"][1], row["scale"][2])),
-            f"{approximate(row['volume']):.8g}",
+            rounded(row["volume"], 8),
             f"{row['vertices']:,}",
             f"{row['facets']:,}",
             *(f"{row[name]:,}" for name in COUNTS),

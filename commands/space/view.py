@@ -26,7 +26,7 @@ from minkref.commands.pages.space.view_page import (
 )
 from minkref.documents import Stopwatch, document
 from minkref.errors import Refusal, refusing
-from minkref.exact import approximate, read_scale
+from minkref.exact import read_scale, rounded
 from minkref.output_target import Target
 from minkref.signals import ending_in_order
 from minkref.space.general_sum import GENERAL_ROUTES, general_sum
@@ -150,7 +150,7 @@ def _print(value: dict[str, Any]) -> None:
         ("last frame", text_of(tuple(last["scale"]))),
         ("vertices, edges", f"{last['vertices']:,}, {last['edges']:,}"),
         ("facets", f"{last['facets']:,}: {kinds}"),
-        ("volume", f"{approximate(last['volume']):.10g}"),
+        ("volume", rounded(last["volume"], 10)),
         ("updates", ", ".join(f"{count:,} {_words(name)}" for name, count in steps.items())),
         *_events_row(value["events"]),
         ("seconds", f"{value['seconds']:.3f}"),

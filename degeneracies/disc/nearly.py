@@ -9,7 +9,7 @@ from fractions import Fraction
 from random import Random
 
 from minkref import _core
-from minkref.degeneracies.disc import across, around
+from minkref.degeneracies.disc import across, around, doors
 from minkref.degeneracies.disc.draft import DiscDraft, DiscFacts, DiscFamily
 from minkref.degeneracies.draft import NothingDrawn
 from minkref.fuzz.geometry.plane import Shape, moved
@@ -69,5 +69,5 @@ FAMILIES = tuple(
         _twin(family),
         _belongs,
     )
-    for family in (*around.FAMILIES, *across.FAMILIES)
+    for family in (*around.FAMILIES, *across.FAMILIES, *doors.FAMILIES)
 )

@@ -169,17 +169,14 @@ class CaseList:
                 text = f"probe:{probe}({texts[family]})"
                 yield CaseName(text, family)
                 yield CaseName(f"grid:{GRID_BITS}({text})", "on a grid")
-        yield from self._far_and_large(index, texts)
-        for k, law in enumerate(self.laws):
-            if not self.families:
-                break
-            family = self.families[(index + k) % len(self.families)]
+        yield from self._far_and_large(index, texts, dice)
+        for law in self.laws if self.families else ():
+            family = dice.choice(self.families)
             yield CaseName(f"{law}({texts[family]})", "laws")
         if EVENTS in self.laws and TOUCHING in texts:
             yield CaseName(f"{EVENTS}({texts[TOUCHING]})", "laws")
         if self.space and self.laws:
-            family = self.space[index % len(self.space)]
-            law = LAWS_IN_SPACE[index % len(LAWS_IN_SPACE)]
+            family, law = dice.choice(self.space), dice.choice(LAWS_IN_SPACE)
             yield CaseName(f"{law}({family}:{self.seed}:{index // 2})", "laws in space")
         if self.space and UPDATE in self.laws:
             convex = [family for family in CONVEX_FAMILIES if family in self.space]
@@ -198,12 +195,14 @@ class CaseList:
                 number = index * PATHS_PER_ROUND + k
                 yield CaseName(f"{verb}{end}:{self.seed}:{number}", "paths")
 
-    def _far_and_large(self, index: int, texts: dict[str, str]) -> Iterator[CaseName]:
-        """Cases of this round, another family each time, with numbers far from 1 and with many
+    def _far_and_large(
+        self, index: int, texts: dict[str, str], dice: random.Random
+    ) -> Iterator[CaseName]:
+        """Cases of this round, of families that are drawn, with numbers far from 1 and with many
         vertices."""
         for k, (change, group) in enumerate(FAR_AND_LARGE):
             if self.families and index % 2 == k % 2:
-                family = self.families[(index + 5 * k) % len(self.families)]
+                family = dice.choice(self.families)
                 yield CaseName(f"{change}({texts[family]})", group)
 
     def _choose_parents(self) -> None:

@@ -203,7 +203,8 @@ def compare(seed: int, count: int, table: Table) -> None:
     for number in range(MOST_SETS):
         if all(have[kind, tie] >= wanted[tie] for kind in KINDS for tie in wanted):
             return
-        name, P = cloud(dice) if number % 3 == 0 else drawn_set(seed, number)
+        others = number - number // 3 - 1  # sets that are no clouds, one after the other
+        name, P = cloud(dice) if number % 3 == 0 else drawn_set(seed, others)
         if P.is_empty or P.vertices < 3:
             continue
         table.sets += 1

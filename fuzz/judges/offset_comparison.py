@@ -133,9 +133,9 @@ def _is_inside(spot: Spot, rings: Sequence[Sequence[Spot]]) -> bool:
     return sum(is_in(spot, ring) for ring in rings) % 2 == 1
 
 
-def _spots(piece: tuple[str, float, float, float, float, float, float]) -> list[Spot]:
+def _spots(piece: tuple[str, float, float, float, float, float, float, float]) -> list[Spot]:
     """Some points of a piece, without its end."""
-    kind, x0, y0, x1, y1, x, y = piece
+    kind, x0, y0, x1, y1, x, y, _ = piece
     if kind == "line":
         return [(x0, y0)]
     return spots_of_arc((x0, y0), (x1, y1), (x, y))

@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from minkref import _core
 from minkref.disc.disc import Disc
-from minkref.disc.polygons import polygon_near
+from minkref.disc.polygons import GAP, polygon_near
 
 Bounds = tuple[float, float]
 
@@ -50,7 +50,8 @@ def _with_polygons(
 ) -> Sandwich:  # fmt: skip
     disc = Disc("", squared_radius)
     tolerance = disc.bounds(80)[0] * within
-    polygons = [polygon_near(disc, tolerance, outside) for outside in (False, True)]
+    gap, unit = tolerance / GAP, tolerance / 2**40
+    polygons = [polygon_near(disc, tolerance, outside, gap, unit) for outside in (False, True)]
     inner, outer = (_core.minkowski_sum(P, Q, "1") for Q in polygons)
     areas = Fraction(inner.region.area()), Fraction(outer.region.area())
     found = Sandwich(polygons[0].vertices, areas, inner.holes == outer.holes)

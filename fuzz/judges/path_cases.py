@@ -74,6 +74,13 @@ def case_in_a_hole(seed: int, index: int) -> PathCase:
     return PathCase(f"hole {seed}:{index}", part, obstacles, path, "in a hole")
 
 
+def case_in_a_corridor(seed: int, index: int) -> PathCase:
+    """Between two walls as far apart as the part is high at one scale."""
+    name = f"corridor {seed}:{index}"
+    dice = random.Random(name)
+    return _corridor(dice, name, _valid(dice))
+
+
 def case_past_a_corner(seed: int, index: int) -> PathCase:
     """A long segment that passes a corner of the obstacles somewhere: the part collides on a short
     part of it."""

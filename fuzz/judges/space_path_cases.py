@@ -41,7 +41,7 @@ def space_path_case(seed: int, index: int) -> SpacePathCase:
     """The same one for the same numbers."""
     pair = general_pair(seed, index)
     dice = random.Random(f"minkref path {pair.name}")
-    kind = KINDS[index // 3 % len(KINDS)] if index % 3 == 0 else "general"
+    kind = dice.choice(KINDS) if dice.random() < 1 / 3 else "general"  # the families are in turn
     part, obstacles = pair.P, pair.Q
     if kind == "corridor":
         return _corridor(dice, pair.name, part, pair.scale)

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import random
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
@@ -17,13 +19,31 @@ from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.needs import is_double, needs_of_plane
 from minkref.fuzz.cases.verbs import PATH, RANGES
 from minkref.fuzz.geometry.plane import Point, written_rings
-from minkref.fuzz.judges.path_cases import Place, case_in_a_hole, case_past_a_corner, path_case
+from minkref.fuzz.judges.path_cases import (
+    KINDS,
+    PathCase,
+    Place,
+    case_in_a_corridor,
+    case_in_a_hole,
+    case_past_a_corner,
+    path_case,
+)
 from minkref.fuzz.plane.exact_shapes import set_of, shape_of
 from minkref.scale_ranges import CONTACTS
 
 GRID = "-grid"  # at the end of a family: coordinates are multiples of UNIT
 UNIT = Fraction(1, 64)
 FAMILIES = (PATH, RANGES, PATH + GRID, RANGES + GRID)
+#: In turn; each is asked for its cases one after the other, and so draws all of its own kinds.
+DRAWS: tuple[Callable[[int, int], PathCase], ...] = (
+    path_case,
+    case_past_a_corner,
+    case_in_a_corridor,
+    path_case,
+    case_in_a_hole,
+)
+#: What `position` of a drawn case may be.
+POSITIONS = frozenset((*KINDS, "general", "past a corner", "in a hole"))
 BESIDE = Fraction(1, 4096)  # relative: scales asked about just below and above each bound
 MOST_SCALES = 24
 MOST_VERTICES = 10_000  # of a path that is named
@@ -134,11 +154,12 @@ def _numbers(text: str) -> list[Fraction]:
 
 
 def drawn_path(name: CaseName, family: str, seed: int, index: int) -> AskedPath:
-    """Small ones, many of them degenerate: of every four one passes a corner, and one is in a hole;
-    scales at and beside their bounds."""
-    draw = (path_case, case_past_a_corner, path_case, case_in_a_hole)[index % 4]
-    drawn = draw(seed, index)
-    contact = CONTACTS[(index + index // 12) % len(CONTACTS)]
+    """Small ones, many of them degenerate: of every five one passes a corner, one is in a hole, and
+    one between two walls; scales at and beside their bounds."""
+    turn, which = divmod(index, len(DRAWS))
+    draw = DRAWS[which]
+    drawn = draw(seed, turn * DRAWS.count(draw) + DRAWS[:which].count(draw))
+    contact = random.Random(f"contact {seed}:{index}").choice(CONTACTS)
     case = AskedPath(
         name, drawn.part, drawn.obstacles, tuple(drawn.path), contact, ("1",), None, family,
         drawn.kind,

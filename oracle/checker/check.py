@@ -773,9 +773,19 @@ class Proof:
 # In the plane: a part R, scaled, that moves along a path among obstacles O.
 
 
-def places(value: Json) -> list[Vertex]:
+def places(value: Json, place: Callable[[Json], Vertex] = vector) -> list[Vertex]:
     require(bool(items(value)), "a path has no place")
-    return [vector(place) for place in value]
+    return list(map(place, value))
+
+
+def stays(place: Vertex) -> Vertex:
+    """A place as one that moves with the scale."""
+    return (place[0], Fraction(0), place[1], Fraction(0))
+
+
+def moving(value: Json) -> Vertex:
+    """`["x0", "x1", "y0", "y1"]`; a place that stays has two numbers."""
+    return stays(vector(value)) if len(items(value)) == 2 else tuple(map(number, items(value, 4)))
 
 
 def segments(path: list[Vertex]) -> list[tuple[Vertex, Vertex]]:
@@ -832,11 +842,6 @@ class ScaleRange:
         proper = a >= 0 and (a > 0 or not self.is_in[0]) and (b is not None or not self.is_in[1])
         require(proper and self.low < self.high, f"{value} are no scales")
 
-    def cell(self) -> list[Corner]:
-        """A segment at all the scales."""
-        (s, w), (S, W) = self.ends
-        return list(dict.fromkeys([(0, s, w), (w, s, w), (W, S, W), (0, S, W)]))
-
     def middle(self) -> Fraction:
         """One of the scales."""
         low, high = self.low[0], self.high[0]
@@ -857,19 +862,29 @@ class ScaleRange:
 
 
 class Way:
-    """A segment of places of R, in whole numbers."""
+    """A segment of places of R, in whole numbers. Its ends may move with the scale s, from p(s) to
+    q(s), as long as its direction stays: the places p(s) + t d, with 0 <= t <= (q(s) - p(s)) / d,
+    which is linear in s. Its cell holds all such t and s."""
 
-    def __init__(self, by: tuple[Pieces, Pieces], ends: Sequence[Vertex], proof: Proof) -> None:
-        self.by, self.parts = by, lcm(*(c.denominator for end in ends for c in end))
-        unit = proof.unit * self.parts
-        self.start, self.end = ((int(x * unit), int(y * unit)) for x, y in ends)
+    def __init__(self, clear: Clear, ends: Sequence[Vertex]) -> None:
+        self.by, self.parts = clear.by, lcm(*(c.denominator for end in ends for c in end))
+        unit, ((s, w), (S, W)) = clear.proof.unit * self.parts, clear.scales.ends
+        first, last = ([int(c * unit) for c in end] for end in ends)
+        self.start, self.slope = (first[0], first[2]), (first[1], first[3])
+        off = [b - a for a, b in zip(first, last, strict=True)]
+        u, v = ((c * off[0] + a * off[1], c * off[2] + a * off[3]) for a, c in clear.scales.ends)
+        demand(cross(u, v) == 0 and dot(u, v) >= 0, "a segment turns as the scale changes")
+        self.along = (u[0] + v[0], u[1] + v[1])
+        self.square, t, T = dot(self.along, self.along) or 1, dot(u, self.along), dot(v, self.along)
+        self.cell = list(dict.fromkeys([(0, s, w), (t, s, w), (T, S, W), (0, S, W)]))
 
     def gap(self, normal: Vector, A: int, B: int) -> Triple:
         """f, linear: positive at (t, s, w) where n (x + s a) > n b for all a in A, b in B."""
         part, others = self.by
-        first, last = dot(normal, self.start), dot(normal, self.end)
         least, most = -part.most(A, (-normal[0], -normal[1])), others.most(B, normal)
-        return last - first, self.parts * least, first - self.parts * most
+        far = dot(normal, self.start)
+        grows = self.square * (dot(normal, self.slope) + self.parts * least)
+        return dot(normal, self.along), grows, self.square * (far - self.parts * most)
 
 
 class Clear:
@@ -881,7 +896,7 @@ class Clear:
         names = "rule by contact path scales normals codes"
         by, contact, path, scales, normals, codes = members(step, names)[1:]
         self.by, self.contact, self.proof = proof.pair(by), proof.contact(contact), proof
-        self.path = proof.path if path is None else places(path)
+        self.path = list(map(stays, proof.path)) if path is None else places(path, moving)
         self.scales = ScaleRange(scales)
         self.normals = [whole_normal(vector(normal)) for normal in items(normals)]
         roots = [len(of.hulls) - 1 for of in self.by]  # -1: the set is empty
@@ -889,7 +904,7 @@ class Clear:
         ways = segments(self.path)
         for i, (ends, code) in enumerate(zip(ways, items(codes, len(ways)), strict=True)):
             with within(f"segment {i}"):
-                self.follow(Way(self.by, ends, proof), items(code))
+                self.follow(Way(self, ends), items(code))
 
     def left(self, cell: list[Corner], f: Triple) -> list[Corner]:
         """What of a cell f does not hold apart."""
@@ -899,7 +914,7 @@ class Clear:
         return rest if overlap and self.scales.meet(rest) else []
 
     def follow(self, way: Way, code: list[Json]) -> None:
-        stack = [(self.scales.cell(), A, B) for A, B in self.roots]
+        stack = [(way.cell, A, B) for A, B in self.roots]
         for token in map(integer, code):
             self.proof.spend(1)
             demand(bool(stack), "a code goes on after its end")
@@ -957,7 +972,7 @@ class PathProof(Proof):
         """At each scale of a range no place of the path collides."""
         contact, scales, step = members(claim, "claim contact scales step")[1:]
         clear = self.clear(step, contact, scales)
-        demand(clear.path == self.path, "the step is about another path")
+        demand(clear.path == list(map(stays, self.path)), "the step is about another path")
         return f"at {clear.scales}, contact {contact}", ("free", contact, clear.scales)
 
     def add_hit(self, claim: Json) -> tuple[str, Any]:
@@ -1038,13 +1053,13 @@ class PathProof(Proof):
         return self.path[0]
 
     def add_escapes(self, claim: Json) -> tuple[str, Any]:
-        """A way from the place to one from which the part may go on along the normal."""
+        """A way from the place to one from which the part may go on along the normal. Its places
+        may move with the scale."""
         contact, scales, step, normal = members(claim, "claim contact scales step normal")[1:]
         clear = self.clear(step, contact, scales)
-        demand(clear.path[0] == self.place(), "the way begins elsewhere")
-        last = Way(clear.by, [clear.path[-1]] * 2, self)
-        out = whole_normal(vector(normal))
-        left = [clear.left(clear.scales.cell(), last.gap(out, *pair)) for pair in clear.roots]
+        demand(clear.path[0] == stays(self.place()), "the way begins elsewhere")
+        last, out = Way(clear, [clear.path[-1]] * 2), whole_normal(vector(normal))
+        left = [clear.left(last.cell, last.gap(out, *pair)) for pair in clear.roots]
         demand(not any(left), "its end is not beyond all collisions")
         return f"at {clear.scales}, contact {contact}", ("escapes", contact, clear.scales)
 
@@ -1054,7 +1069,7 @@ class PathProof(Proof):
         names = "claim contact scales step by ring pairs"
         contact, scales, step, by, ring, pairs = members(claim, names)[1:]
         clear, by = self.clear(step, contact, scales), self.pair(by)
-        demand(clear.path == [self.place()], "the step is about another place")
+        demand(clear.path == [stays(self.place())], "the step is about another place")
         corners = [tuple(map(number, items(corner, 4))) for corner in items(ring)]
         ends = [(0, s, w) for s, w in clear.scales.ends]
         for edge, nodes in zip(edges_of(corners), items(pairs, len(corners)), strict=True):

@@ -82,9 +82,9 @@ class PathCertificate {
       const auto m = members(step, "rule by contact path scales normals codes");
       const PiecesOfBoth by = pieces_of_both(*m[1]);
       const bool strict = is_strict(*m[2]);
-      clear_.push_back(
-          std::make_unique<Clear>(by, strict, m[3]->is_null() ? path_ : read_path(*m[3]),
-                                  Scales(*m[4]), *m[5], *m[6], unit_, normals_, budget_));
+      clear_.push_back(std::make_unique<Clear>(
+          by, strict, m[3]->is_null() ? staying(path_) : read_moving_path(*m[3]), Scales(*m[4]),
+          *m[5], *m[6], unit_, normals_, budget_));
       pieces_.emplace_back();
     }
     used_.push_back(false);
@@ -175,7 +175,7 @@ class PathCertificate {
   std::string free(const Value& claim) {
     const auto m = members(claim, "claim contact scales step");
     const Clear& step = clear(*m[3], is_strict(*m[1]), *m[2]);
-    demand(step.path == path_, "the step is about another path");
+    demand(step.path == staying(path_), "the step is about another path");
     said_.back() = Said{"free", step.strict, step.scales};
     return "free" + said(step.scales, step.strict);
   }
@@ -302,11 +302,12 @@ class PathCertificate {
     return path_[0];
   }
 
-  /// escapes: a way from the place to one from which the part may go on along the normal.
+  /// escapes: a way from the place to one from which the part may go on along the normal. Its
+  /// places may move with the scale.
   std::string escapes(const Value& claim) {
     const auto m = members(claim, "claim contact scales step normal");
     const Clear& step = clear(*m[3], is_strict(*m[1]), *m[2]);
-    demand(step.path[0] == place(), "the way begins elsewhere");
+    demand(step.path[0] == MovingPlace{place(), {}}, "the way begins elsewhere");
     demand(step.apart(step.path.back(), read_normal(*m[4])),
            "its end is not beyond all collisions");
     said_.back() = Said{"escapes", step.strict, step.scales};
@@ -319,32 +320,27 @@ class PathCertificate {
     const auto m = members(claim, "claim contact scales step by ring pairs");
     const Clear& step = clear(*m[3], is_strict(*m[1]), *m[2]);
     const PiecesOfBoth by = pieces_of_both(*m[4]);
-    demand(step.path == Path{place()}, "the step is about another place");
-    struct Moving {
-      Point at, slope;  // at + s slope
-    };
-    std::vector<Moving> ring;
-    for (const Value& entry : items(*m[5])) {
-      const auto& parts = items(entry, 4);
-      ring.push_back({{number(parts[0]), number(parts[2])}, {number(parts[1]), number(parts[3])}});
-    }
+    demand(step.path == staying({place()}), "the step is about another place");
+    MovingPath ring;
+    for (const Value& entry : items(*m[5])) ring.push_back(moving(entry));
     const auto& pairs = items(*m[6], ring.size());
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const auto [A, B] = nodes_of(by, pairs[i]);
-      for (const Moving* vertex : {&ring[i], &ring[(i + 1) % ring.size()]}) {
-        check_inside(vertex->at, vertex->slope, by, A, B, step);
+      for (const MovingPlace* vertex : {&ring[i], &ring[(i + 1) % ring.size()]}) {
+        check_inside(*vertex, by, A, B, step);
       }
     }
     const mpq_class s = step.scales.middle();
     Path there;
-    for (const Moving& v : ring) there.push_back({v.at.x + s * v.slope.x, v.at.y + s * v.slope.y});
+    for (const MovingPlace& v : ring)
+      there.push_back({v.at.x + s * v.slope.x, v.at.y + s * v.slope.y});
     demand(winds_around(there, place()), "the ring does not lead around the place");
     said_.back() = Said{"trapped", step.strict, step.scales};
     return "trapped" + said(step.scales, step.strict);
   }
 
   /// That a moving place is in B + -sA at all the scales; with contact allowed inside of it.
-  void check_inside(const Point& at, const Point& slope, const PiecesOfBoth& by, std::uint32_t A,
+  void check_inside(const MovingPlace& place, const PiecesOfBoth& by, std::uint32_t A,
                     std::uint32_t B, const Clear& step) {
     std::vector<Vector> normals = sides(by[1]->hulls[B]);
     for (const Vector& n : sides(by[0]->hulls[A])) normals.push_back({-n.x, -n.y});
@@ -353,8 +349,8 @@ class PathCertificate {
       const auto along = [&](const Point& p) -> mpq_class {
         return unit_ * (n.x * p.x + n.y * p.y);
       };
-      const mpq_class far = along(at) - by[1]->most(B, normals_.add(n));
-      const mpq_class grows = along(slope) - by[0]->most(A, normals_.add({-n.x, -n.y}));
+      const mpq_class far = along(place.at) - by[1]->most(B, normals_.add(n));
+      const mpq_class grows = along(place.slope) - by[0]->most(A, normals_.add({-n.x, -n.y}));
       Cell touching;
       for (const Corner& end : step.scales.ends()) {
         const int level = sgn(grows * end.s + far * end.w);

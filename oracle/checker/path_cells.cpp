@@ -11,9 +11,9 @@ void add(Cell& cell, Corner corner) {
   if (!known) cell.push_back(std::move(corner));
 }
 
-Corner corner_of(const mpz_class& part, const std::optional<mpq_class>& scale) {
+Corner corner_of(const std::optional<mpq_class>& scale) {
   if (!scale) return {0, 1, 0};
-  return {part * scale->get_den(), scale->get_num(), scale->get_den()};
+  return {0, scale->get_num(), scale->get_den()};
 }
 
 Corner between(const Corner& p, const mpz_class& of_p, const Corner& q, const mpz_class& of_q) {
@@ -72,18 +72,7 @@ Scales::Scales(const Value& value) {
           "these are no scales");
 }
 
-Cell Scales::cell() const {
-  Cell cell;
-  add(cell, corner_of(0, low.scale));
-  add(cell, corner_of(1, low.scale));
-  add(cell, corner_of(1, high.scale));
-  add(cell, corner_of(0, high.scale));
-  return cell;
-}
-
-std::array<Corner, 2> Scales::ends() const {
-  return {corner_of(0, low.scale), corner_of(0, high.scale)};
-}
+std::array<Corner, 2> Scales::ends() const { return {corner_of(low.scale), corner_of(high.scale)}; }
 
 mpq_class Scales::middle() const {
   if (!high.scale) return *low.scale + 1;
@@ -93,7 +82,7 @@ mpq_class Scales::middle() const {
 bool Scales::meet(const Cell& corners) const {
   if (corners.empty()) return false;
   const auto only_at = [&](const std::optional<mpq_class>& end) {
-    const Corner at = corner_of(0, end);
+    const Corner at = corner_of(end);
     return std::all_of(corners.begin(), corners.end(),
                        [&](const Corner& c) { return c.s * at.w == at.s * c.w; });
   };
@@ -112,29 +101,65 @@ Path read_path(const Value& value) {
   return path;
 }
 
-std::vector<std::pair<Point, Point>> segments(const Path& path) {
-  std::vector<std::pair<Point, Point>> found;
-  for (std::size_t i = 0; i + 1 < path.size(); ++i) found.emplace_back(path[i], path[i + 1]);
-  if (found.empty()) found.emplace_back(path[0], path[0]);
+MovingPlace moving(const Value& value) {
+  const auto& parts = items(value, 4);
+  return {{number(parts[0]), number(parts[2])}, {number(parts[1]), number(parts[3])}};
+}
+
+MovingPath read_moving_path(const Value& value) {
+  MovingPath path;
+  for (const Value& place : items(value)) {
+    path.push_back(items(place).size() == 2 ? MovingPlace{point(place), {}} : moving(place));
+  }
+  require(!path.empty(), "a path has no place");
+  return path;
+}
+
+MovingPath staying(const Path& path) {
+  MovingPath found;
+  for (const Point& place : path) found.push_back({place, {}});
   return found;
 }
 
-Way::Way(const PiecesOfBoth& by, const std::pair<Point, Point>& ends, const mpz_class& unit,
-         Normals& normals)
+Way::Way(const PiecesOfBoth& by, const std::pair<MovingPlace, MovingPlace>& ends,
+         const Scales& scales, const mpz_class& unit, Normals& normals)
     : by_(by), normals_(normals), parts_(1) {
-  for (const Point* end : {&ends.first, &ends.second}) {
-    parts_ = lcm(lcm(parts_, end->x.get_den()), end->y.get_den());
+  for (const MovingPlace* end : {&ends.first, &ends.second}) {
+    for (const Point* p : {&end->at, &end->slope}) {
+      parts_ = lcm(lcm(parts_, p->x.get_den()), p->y.get_den());
+    }
   }
   const mpq_class all(unit * parts_);
-  start_ = {mpz_class(ends.first.x * all), mpz_class(ends.first.y * all)};
-  end_ = {mpz_class(ends.second.x * all), mpz_class(ends.second.y * all)};
+  const auto in_units = [&](const Point& p) {
+    return Vector{mpz_class(p.x * all), mpz_class(p.y * all)};
+  };
+  start_ = in_units(ends.first.at);
+  slope_ = in_units(ends.first.slope);
+  const Vector off = minus(in_units(ends.second.at), start_);
+  const Vector grows = minus(in_units(ends.second.slope), slope_);
+  const auto corners = scales.ends();
+  std::array<Vector, 2> ways;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Corner& at = corners[k];
+    ways[k] = {mpz_class(at.w * off.x + at.s * grows.x), mpz_class(at.w * off.y + at.s * grows.y)};
+  }
+  demand(cross(ways[0], ways[1]) == 0 && dot(ways[0], ways[1]) >= 0,
+         "a segment turns as the scale changes");
+  along_ = {mpz_class(ways[0].x + ways[1].x), mpz_class(ways[0].y + ways[1].y)};
+  square_ = dot(along_, along_);
+  if (square_ == 0) square_ = 1;
+  for (const auto& [k, is_end] : {std::pair{0, false}, {0, true}, {1, true}, {1, false}}) {
+    Corner corner = corners[static_cast<std::size_t>(k)];
+    if (is_end) corner.t = dot(ways[static_cast<std::size_t>(k)], along_);
+    add(cell_, std::move(corner));
+  }
 }
 
 Gap Way::gap(const Vector& normal, std::uint32_t A, std::uint32_t B) const {
-  const mpz_class first = dot(normal, start_), last = dot(normal, end_);
   const mpz_class least = -by_[0]->most(A, normals_.add({-normal.x, -normal.y}));
   const mpz_class& most = by_[1]->most(B, normals_.add(normal));
-  return {last - first, parts_ * least, first - parts_ * most};
+  return {dot(normal, along_), square_ * (dot(normal, slope_) + parts_ * least),
+          square_ * (dot(normal, start_) - parts_ * most)};
 }
 
 std::vector<Vector> sides(const std::vector<Vector>& ring) {

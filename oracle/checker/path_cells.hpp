@@ -12,7 +12,7 @@
 
 namespace minkref::checker {
 
-/// At the part t / w of a segment and the scale s / w; w = 0: far up.
+/// At t / w along a segment and the scale s / w; w = 0: far up.
 struct Corner {
   mpz_class t, s, w;
   friend bool operator==(const Corner&, const Corner&) = default;
@@ -46,7 +46,6 @@ struct Scales {
   Cut low, high;
   explicit Scales(const Value& value);
   bool operator==(const Scales&) const = default;
-  Cell cell() const;
   std::array<Corner, 2> ends() const;  ///< with t = 0
   mpq_class middle() const;            ///< one of the scales
   /// Whether a hull of corners has a point at one of the scales, and not only at an end that does
@@ -57,25 +56,48 @@ struct Scales {
 
 using Path = std::vector<Point>;
 Path read_path(const Value& value);
-/// Of one place a segment from it to itself.
-std::vector<std::pair<Point, Point>> segments(const Path& path);
+
+/// The place at + s slope.
+struct MovingPlace {
+  Point at, slope;
+  friend bool operator==(const MovingPlace&, const MovingPlace&) = default;
+};
+using MovingPath = std::vector<MovingPlace>;
+MovingPlace moving(const Value& value);
+/// Of places with two numbers, which stay, or four: x0, x1, y0, y1.
+MovingPath read_moving_path(const Value& value);
+MovingPath staying(const Path& path);
+
+/// From each place to the next; of one place a segment from it to itself.
+template <class Place>
+std::vector<std::pair<Place, Place>> segments(const std::vector<Place>& path) {
+  std::vector<std::pair<Place, Place>> found;
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) found.emplace_back(path[i], path[i + 1]);
+  if (found.empty()) found.emplace_back(path[0], path[0]);
+  return found;
+}
 
 /// The step `pieces` of R, and that of O.
 using PiecesOfBoth = std::array<const Pieces*, 2>;
 
-/// A segment of places of R, in whole numbers.
+/// A segment of places of R, in whole numbers. Its ends may move with the scale, its direction d
+/// may not: the places p(s) + t d for 0 <= t <= (q(s) - p(s)) / d.
 class Way {
  public:
-  Way(const PiecesOfBoth& by, const std::pair<Point, Point>& ends, const mpz_class& unit,
-      Normals& normals);
+  /// Throws NotVerified where the segment turns between the first and the last scale.
+  Way(const PiecesOfBoth& by, const std::pair<MovingPlace, MovingPlace>& ends, const Scales& scales,
+      const mpz_class& unit, Normals& normals);
+  /// All t and s of the segment at the scales.
+  const Cell& cell() const { return cell_; }
   /// Positive where n (x + s a) > n b for all a of node A of R and b of node B of O.
   Gap gap(const Vector& normal, std::uint32_t A, std::uint32_t B) const;
 
  private:
   const PiecesOfBoth& by_;
   Normals& normals_;
-  mpz_class parts_;
-  Vector start_, end_;
+  mpz_class parts_, square_;
+  Vector start_, slope_, along_;
+  Cell cell_;
 };
 
 /// Normals of half-planes that have in common a convex polygon, a segment or a point.

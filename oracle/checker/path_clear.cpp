@@ -11,8 +11,9 @@ Vector read_normal(const Value& value) {
   return normal;
 }
 
-Clear::Clear(const PiecesOfBoth& by, bool strict_, Path path_, Scales scales_, const Value& normals,
-             const Value& codes, const mpz_class& unit, Normals& table, Budget& budget)
+Clear::Clear(const PiecesOfBoth& by, bool strict_, MovingPath path_, Scales scales_,
+             const Value& normals, const Value& codes, const mpz_class& unit, Normals& table,
+             Budget& budget)
     : strict(strict_),
       path(std::move(path_)),
       scales(std::move(scales_)),
@@ -25,7 +26,7 @@ Clear::Clear(const PiecesOfBoth& by, bool strict_, Path path_, Scales scales_, c
   const auto& all = items(codes, ways.size());
   for (std::size_t i = 0; i < ways.size(); ++i) {
     try {
-      follow(Way(by_, ways[i], unit_, table_), items(all[i]));
+      follow(Way(by_, ways[i], scales, unit_, table_), items(all[i]));
     } catch (const NotVerified& error) {
       throw NotVerified(error.code, "segment " + std::to_string(i) + ": " + error.what());
     }
@@ -47,7 +48,7 @@ void Clear::follow(const Way& way, const std::vector<Value>& code) const {
     std::uint32_t A, B;
   };
   std::vector<Entry> stack;
-  if (!is_empty()) stack.push_back({scales.cell(), by_[0]->last(), by_[1]->last()});
+  if (!is_empty()) stack.push_back({way.cell(), by_[0]->last(), by_[1]->last()});
   for (const Value& token : code) {
     const mpz_class what = integer(token);
     budget_.spend(1);
@@ -74,10 +75,10 @@ void Clear::follow(const Way& way, const std::vector<Value>& code) const {
   demand(stack.empty(), "a code ends too early");
 }
 
-bool Clear::apart(const Point& place, const Vector& normal) const {
+bool Clear::apart(const MovingPlace& place, const Vector& normal) const {
   if (is_empty()) return true;
-  const Way way(by_, {place, place}, unit_, table_);
-  return left(scales.cell(), way.gap(normal, by_[0]->last(), by_[1]->last())).empty();
+  const Way way(by_, {place, place}, scales, unit_, table_);
+  return left(way.cell(), way.gap(normal, by_[0]->last(), by_[1]->last())).empty();
 }
 
 }  // namespace minkref::checker

@@ -9,15 +9,15 @@ namespace minkref::checker {
 class Clear {
  public:
   /// Checks the step, whose members are given. Throws NotVerified. `strict`: contact is forbidden.
-  Clear(const PiecesOfBoth& by, bool strict, Path path, Scales scales, const Value& normals,
+  Clear(const PiecesOfBoth& by, bool strict, MovingPath path, Scales scales, const Value& normals,
         const Value& codes, const mpz_class& unit, Normals& table, Budget& budget);
 
   const bool strict;
-  const Path path;
+  const MovingPath path;
   const Scales scales;
 
   /// Whether the normal holds all pieces from a place at all the scales.
-  bool apart(const Point& place, const Vector& normal) const;
+  bool apart(const MovingPlace& place, const Vector& normal) const;
 
  private:
   /// What of a cell the gap does not hold apart.

@@ -29,6 +29,7 @@ from minkref.argument_types import (
 from minkref.certify.certificate import Certificate as Certificate
 from minkref.certify.certificate import NoProof as NoProof
 from minkref.certify.convex_certificate import ConvexCertificate as ConvexCertificate
+from minkref.certify.path_certificate import PathCertificate as PathCertificate
 from minkref.certify.solid_certificate import SolidCertificate as SolidCertificate
 from minkref.convolution_values import Convolution as Convolution
 from minkref.convolution_values import ConvolutionEdge as ConvolutionEdge
@@ -43,13 +44,19 @@ from minkref.event_values import events as events
 from minkref.operand import is_utf8, read_set
 from minkref.parents import passages_of
 from minkref.path_values import BadPolygon as BadPolygon
+from minkref.path_values import Feature as Feature
+from minkref.path_values import FreeBound as FreeBound
 from minkref.path_values import FreeScales as FreeScales
+from minkref.path_values import PathBound as PathBound
+from minkref.path_values import ScaleRange as ScaleRange
 from minkref.path_values import ValidScales as ValidScales
 from minkref.path_values import bad_polygons as bad_polygons
 from minkref.path_values import largest_fit as largest_fit
 from minkref.path_values import trapped_scales as trapped_scales
 from minkref.path_values import valid_scales as valid_scales
+from minkref.space.path_values import SpaceFeature as SpaceFeature
 from minkref.space.path_values import SpaceFitScales as SpaceFitScales
+from minkref.space.path_values import SpacePathBound as SpacePathBound
 from minkref.space.path_values import SpaceValidScales as SpaceValidScales
 
 BadInput = _core.BadInput
@@ -80,7 +87,8 @@ def minkowski_sum(
     Exact and in canonical form with the arithmetic `rational`; `interval` is exact or raises
     UndecidedSign; `double` and `mpfr:BITS` may be wrong, and raise UndecidedSign where a value is
     no number. The routes `paper`, `winding` and `definition` give the same set; the other
-    arithmetics go with `paper` only. Both operands are validated first. The route `paper` takes
+    arithmetics go with `paper` only. Both operands are validated first. The tight passages of the
+    sum are found when `tight_passages` of the result is first asked for. The route `paper` takes
     O((N + k) log N), N the size of the reduced convolution, k its crossings. Raises BadInput for an
     operand, scale, route or arithmetic that is none. Behar & Lien, "Dynamic
     Minkowski Sums Under Scaling", 2012, Sec. 3."""
@@ -187,11 +195,13 @@ def read_mesh(path: str | os.PathLike[str]) -> Polyhedron:
     return _core.read_mesh_file(os.fsdecode(path))[0]
 
 
-def write_mesh(surface: Polyhedron, format: str) -> str:
+def write_mesh(surface: Polyhedron, format: str, *, triangles: bool = False) -> str:
     """The text of a polyhedron in `off`, `obj`, `stl`, `ply` or `json`. `json` is exact; the others
-    round to doubles what is no decimal. Linear. Raises BadInput. docs/formats.md."""
+    round to doubles what is no decimal. With `triangles`, faces are cut into triangles of positive
+    area. O(n log n). Raises BadInput. docs/formats.md."""
     expect_surfaces(surface=surface)
-    return _core.write_mesh(surface, text_of("format", format))
+    mesh = surface.cut_into_triangles() if triangles else surface
+    return _core.write_mesh(mesh, text_of("format", format))
 
 
 def set_memory_limit(bytes: int | None) -> None:

@@ -10,9 +10,10 @@ import resource
 import secrets
 import stat
 import sys
+import tempfile
 import time
-from collections.abc import Iterable, Iterator
-from contextlib import contextmanager
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import Any, BinaryIO
 
@@ -53,6 +54,18 @@ def document(command: str, watch: Stopwatch, **fields: Any) -> dict[str, Any]:
         "peak_bytes": peak_bytes(),
         **fields,
     }
+
+
+def lasting(value: Any) -> Any:
+    """The document as a file holds it: times and memory are null, so that two runs write the same
+    bytes."""
+    if isinstance(value, dict):
+        return {name: None if _is_cost(name) else lasting(value[name]) for name in value}
+    return [lasting(each) for each in value] if isinstance(value, list) else value
+
+
+def _is_cost(name: str) -> bool:
+    return name in ("seconds", "peak_bytes") or name.endswith("_seconds")
 
 
 def as_text(value: dict[str, Any]) -> str:
@@ -109,6 +122,21 @@ def replacing(path: Path) -> Iterator[Path]:
 
 
 @contextmanager
+def scratch_folder() -> Iterator[Path]:
+    """A folder for files that nobody keeps. Refuses where there is no room for them."""
+    try:
+        with tempfile.TemporaryDirectory(prefix="minkref-") as folder:
+            yield Path(folder)
+    except OSError as error:
+        raise Refusal(
+            f"a temporary file cannot be written: {error.strerror}",
+            "the folder of temporary files",
+            "free some space, or set TMPDIR to another folder",
+            "cannot-write",
+        ) from error
+
+
+@contextmanager
 def writing(path: Path) -> Iterator[BinaryIO]:
     """A stream to write to, as `replacing`; an open descriptor (/dev/stdout, /dev/fd/N) goes on
     where it stands, in a file too."""
@@ -123,6 +151,22 @@ def writing(path: Path) -> Iterator[BinaryIO]:
             yield stream
     except OSError as error:
         raise _cannot_write(path, error) from error
+
+
+def write_together(files: Mapping[Path, str | bytes]) -> None:
+    """Writes all of these files, or none where one of them cannot be written. Open descriptors,
+    pipes and devices come last."""
+    with ExitStack() as stack:
+        streams = []
+        for path, text in files.items():
+            data = text if isinstance(text, bytes) else text.encode(errors="backslashreplace")
+            if is_stream(path):
+                streams.append((path, data))
+            else:
+                stack.enter_context(replacing(path)).write_bytes(data)
+        for path, data in streams:
+            with writing(path) as stream:
+                stream.write(data)
 
 
 def write_atomically(path: Path, text: str | Iterable[str]) -> None:

@@ -14,16 +14,19 @@ T = TypeVar("T")
 LONGEST_MESSAGE = 2000  # characters that are kept of what somebody else says
 
 
-class Refusal(Exception):
+class Refusal(_core.BadInput):
     """A wrong use or a bad input. `where` names the file, option or model; `mend` says what to
-    do."""
+    do. It has the attributes of every BadInput: the place stands in `source`."""
 
     def __init__(self, what: str, where: str, mend: str, code: str = "usage") -> None:
         super().__init__(f"{where}: {what}")
-        self.what = what
-        self.where = where
+        self.what = self.problem = what
+        self.where = self.source = where
         self.mend = mend
         self.code = code
+        self.line = self.ring = self.face = None
+        self.other_ring = self.other_face = None
+        self.vertices, self.coordinates, self.other_vertices = [], [], []
 
     def __reduce__(self) -> tuple[type[Refusal], tuple[str, str, str, str]]:
         """Whole out of a worker process too."""
@@ -34,9 +37,11 @@ class Refusal(Exception):
 
 
 def nearest(word: str, known: Iterable[str]) -> str:
-    """`did you mean X? ` where a known word is near; else nothing."""
-    near = difflib.get_close_matches(word, list(known), n=1)
-    return f"did you mean {near[0]}? " if near else ""
+    """`did you mean X? ` where another known word is near, in small letters or large; else
+    nothing."""
+    by_small = {each.lower(): each for each in known if each != word}
+    near = difflib.get_close_matches(word.lower(), list(by_small), n=1)
+    return f"did you mean {by_small[near[0]]}? " if near else ""
 
 
 def choice(word: str, known: Iterable[str]) -> str:
@@ -68,6 +73,8 @@ def cut(text: str) -> str:
 def refusal_of(error: _core.BadInput, source: str = "") -> Refusal:
     """The refusal that a reader or the validation raised, with ring or face, vertices and
     coordinates."""
+    if isinstance(error, Refusal):
+        return error
     where = [str(getattr(error, "source", "") or source)]
     line = getattr(error, "line", None)
     ring = getattr(error, "ring", None)
@@ -104,5 +111,7 @@ def refusing(source: str, call: Callable[[], T]) -> T:
     """The value of `call`; a BadInput of the reference becomes a Refusal about `source`."""
     try:
         return call()
+    except Refusal:
+        raise
     except _core.BadInput as error:
         raise refusal_of(error, source) from error

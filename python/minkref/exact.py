@@ -100,10 +100,19 @@ def read_number(text: str, what: str, where: str, mend: str) -> Fraction:
 
 
 def approximate(number: str) -> float:
-    """The double next to an exact number `n` or `n/d` of any length, for display only."""
-    context = Context(prec=40, Emax=10**9, Emin=-(10**9))
+    """The double next to an exact number `n` or `n/d` of any length; infinite beyond the range of
+    doubles."""
     numerator, _, denominator = number.partition("/")
-    return float(context.divide(Decimal(numerator), Decimal(denominator or "1")))
+    above, below = _integer(numerator), _integer(denominator or "1")
+    try:
+        return above / below  # of integers: rounded once, half to even
+    except OverflowError:
+        return math.inf if above > 0 else -math.inf
+
+
+def _integer(text: str) -> int:
+    """Of any length: int() refuses what has over 4,300 digits."""
+    return int(text) if len(text) < 4000 else int(Decimal(text))
 
 
 def in_double_range(number: str) -> float | None:
@@ -113,13 +122,24 @@ def in_double_range(number: str) -> float | None:
     return None if math.isinf(value) or (value == 0 and number != "0") else value
 
 
+def rounded(number: str, digits: int = 10) -> str:
+    """An exact number of any size rounded once to so many digits, half to even: 17964.13541,
+    1.23e-400."""
+    value = _divided(number, digits).normalize(Context(prec=digits, Emax=10**9, Emin=-(10**9)))
+    if -5 <= value.adjusted() < digits:
+        return f"{value:f}"
+    return f"{value:e}".replace("e+", "e")
+
+
 def scientific(number: str) -> str:
     """An exact number rounded to seven digits, of any size: 1.234567e2000."""
+    return f"{_divided(number, 7):.6e}".replace("e+", "e")
+
+
+def _divided(number: str, digits: int) -> Decimal:
     numerator, _, denominator = number.partition("/")
-    value = Context(prec=7, Emax=10**9, Emin=-(10**9)).divide(
-        Decimal(numerator), Decimal(denominator or "1")
-    )
-    return f"{value:.6e}".replace("e+", "e")
+    context = Context(prec=digits, Emax=10**9, Emin=-(10**9))
+    return context.divide(Decimal(numerator), Decimal(denominator or "1"))
 
 
 def set_json(polygons: Iterable[tuple[Sequence[Any], Iterable[Sequence[Any]]]]) -> str:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from minkref import _core
-from minkref.exact import in_double_range, scientific
+from minkref.exact import rounded
 
 Exact = tuple[Fraction, Fraction]
 ExactPolygons = list[list[list[Exact]]]  # per polygon: outer ring, holes
@@ -46,8 +46,7 @@ def box_text(box: ExactBox) -> str:
 def _short(number: str) -> str:
     if len(number) <= 9:
         return number
-    near = in_double_range(number)
-    return scientific(number) if near is None else f"{near:.6g}"
+    return rounded(number, 6)
 
 
 @dataclass(frozen=True)

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from minkref import _core
+from minkref.disc.disc import is_disc
 from minkref.errors import Refusal, nearest, refusing
 from minkref.file_text import text_of_file
 from minkref.model_catalogue import PAPER_MODELS, VARIABLE, all_models, shipped_polyhedra
@@ -14,6 +15,7 @@ from minkref.operand_text import is_text, source_of, text_and_form
 from minkref.terminal import escaped
 
 FORMATS = tuple(f".{name}" for name, is_read in _core.SET_FORMATS.items() if is_read)
+MESHES = tuple(f".{name}" for name in _core.MESH_FORMATS if name != "json")
 LONGEST_NAME = 255  # characters, which no system's names of files exceed
 
 
@@ -37,6 +39,8 @@ def read_operand(name: str) -> Operand:
     if not name:
         raise Refusal("the name is empty", "operand", "name a file or a model", "no-such-file")
     path = Path(name)
+    if path.suffix.lower() in MESHES:
+        raise _refuse_mesh("the name is that of a polyhedron", name)
     if is_file(name):
         return _read(name, path)
     models = all_models()
@@ -56,11 +60,15 @@ def read_operand(name: str) -> Operand:
             "no-such-model",
         )
     if name in {polyhedron.name for polyhedron in shipped_polyhedra()}:
+        raise _refuse_mesh("this model is a polyhedron", name)
+    if is_disc(name):
         raise Refusal(
-            "this model is a polyhedron, and an operand lies in the plane",
+            "a disc is no operand here",
             name,
-            "`minkref models` lists the polygons",
-            "three-dimensional",
+            "sum takes disc:R, and sweep, events, index and view take `disc`; elsewhere take a "
+            "polygon for it: minkref sum 'POINT (0 0)' disc:R --tolerance T -o disc.wkt, with "
+            "--outside one around it",
+            "no-disc",
         )
     hint = nearest(name, models)
     raise Refusal(
@@ -69,6 +77,11 @@ def read_operand(name: str) -> Operand:
         f"{hint}`minkref models` lists the models",
         "no-such-model",
     )
+
+
+def _refuse_mesh(what: str, name: str) -> Refusal:
+    mend = f"give a set of polygons: {', '.join(FORMATS)}, or one of `minkref models`"
+    return Refusal(f"{what}, and this operand lies in the plane", name, mend, "three-dimensional")
 
 
 def _of_text(name: str) -> Operand:
@@ -84,11 +97,17 @@ def is_file(name: str) -> bool:
     """A file that can be read as an operand: a regular one, a pipe with an ending that names its
     format, or one operand of a case (`case.json#Q`)."""
     path = Path(name)
-    if "\0" in name or len(path.name) > LONGEST_NAME:
-        return False
-    if name.endswith(("#P", "#Q")) and Path(name[:-2]).is_file():
+    if name.endswith(("#P", "#Q")) and is_regular(Path(name[:-2])):
         return True
-    return path.is_file() or (path.suffix.lower() in FORMATS and path.is_fifo())
+    return is_regular(path) or (path.suffix.lower() in FORMATS and path.is_fifo())
+
+
+def is_regular(path: Path) -> bool:
+    """Whether there is a file; a text that is no name of one, as it is too long, names none."""
+    try:
+        return len(path.name) <= LONGEST_NAME and path.is_file()
+    except (OSError, ValueError):
+        return False
 
 
 def read_set(path: Path) -> tuple[_core.PolygonSet, list[str]]:

@@ -22,19 +22,14 @@ def is_text(name: str) -> bool:
 
 
 def is_inline(name: str) -> bool:
-    return _WKT.match(name) is not None or name.lstrip().startswith("{")
+    return starts_wkt(name) or name.lstrip().startswith("{")
 
 
 def text_and_form(name: str, inline: bool = False) -> tuple[str, str]:
     """The text, and the format that it is in, by how it begins; `inline`: `-` is no name of
     standard input. Refuses others, and what is longer than a file may be."""
-    text = name
-    if name == STANDARD_INPUT and not inline:
-        text = decoded(sys.stdin.buffer.read(LONGEST + 1), source_of(name))
-        if not text.strip():
-            mend = "pipe a set into it; it is one operand: name a file for the other"
-            raise Refusal("there is nothing left to read", source_of(name), mend, "unknown-format")
-    if _WKT.match(text):
+    text = name if inline else text_of(name)
+    if starts_wkt(text):
         return text, "wkt"
     if text.lstrip().startswith("{"):
         return text, "geojson" if _is_geojson(text) else "json"
@@ -42,6 +37,34 @@ def text_and_form(name: str, inline: bool = False) -> tuple[str, str]:
         return text, "poly"
     where = repr(name) if inline else source_of(name)
     raise Refusal("this text is in no known format", where[:60], MEND, "unknown-format")
+
+
+def text_of(name: str) -> str:
+    """What is on standard input, whole, where the name is `-`; else the name itself."""
+    if name != STANDARD_INPUT:
+        return name
+    text = decoded(_standard_input(), source_of(name))
+    if not text.strip():
+        mend = "pipe a set into it; it is one operand: name a file for the other"
+        raise Refusal("there is nothing left to read", source_of(name), mend, "unknown-format")
+    return text
+
+
+def starts_wkt(text: str) -> bool:
+    return _WKT.match(text) is not None
+
+
+def _standard_input() -> bytes:
+    """At most one byte more than a file may have. Refuses a stream that is closed, or that cannot
+    be read, as one that is open for writing only, or a folder."""
+    why = "it is closed"
+    if sys.stdin is not None:
+        try:
+            return sys.stdin.buffer.read(LONGEST + 1)
+        except (OSError, ValueError) as error:
+            why = getattr(error, "strerror", None) or str(error)
+    what = f"standard input cannot be read: {why}"
+    raise Refusal(what, "-", "pipe a set into it, or name a file", "cannot-read")
 
 
 def source_of(name: str) -> str:

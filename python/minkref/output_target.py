@@ -71,18 +71,26 @@ def refuse_stream(output: Path, what: str, mend: str) -> None:
 
 
 def target_of(
-    output: Path | None, form: str | None, forms: Sequence[str], default: str, json: bool
+    output: Path | None,
+    form: str | None,
+    forms: Sequence[str],
+    default: str,
+    json: bool,
+    has_format: bool = True,
+    offered: Sequence[str] | None = None,
 ) -> Target | None:
     """None where nothing is to be written. A pipe, a device or standard output has the format
     `default` where neither `form` nor an ending names one. Refuses a format that is none of
-    `forms`, a place that cannot be written, and standard output for two things."""
+    `forms`, a place that cannot be written, and standard output for two things. `has_format`:
+    the command has the option --format, which the refusal of an ending then offers; `offered`:
+    those of `forms` that go with the other options, which a refusal names."""
+    if form is not None and form not in forms:
+        mend = choice(form, offered or forms)
+        raise Refusal("there is no such format", f"--format {form[:40]}", mend)
     if output is None:
         if form is not None:
             raise Refusal("there is nothing to write", f"--format {form}", "add -o FILE, or -o -")
         return None
-    if form is not None and form not in forms:
-        mend = choice(form, forms)
-        raise Refusal("there is no such format", f"--format {form[:40]}", mend)
     if output == STANDARD_OUTPUT or descriptor_of(output) == 1:
         if json:
             what = "standard output takes the result or the document, not both"
@@ -94,14 +102,15 @@ def target_of(
             raise Refusal(
                 f"the ending {output.suffix or '(none)'} names no format that can be written",
                 str(output),
-                _other_ending(forms),
+                _other_ending(offered or forms, has_format),
             )
         ending = default
     check_writable(output)
     return Target(output, form or ending)
 
 
-def _other_ending(forms: Sequence[str]) -> str:
+def _other_ending(forms: Sequence[str], has_format: bool) -> str:
     if len(forms) == 1:
         return f"name a file that ends in .{forms[0]}"
-    return f"choose one of {', '.join(f'.{one}' for one in forms)}, or add --format"
+    choice = f"choose one of {', '.join(f'.{one}' for one in forms)}"
+    return f"{choice}, or add --format {forms[0]}" if has_format else choice

@@ -13,7 +13,8 @@ from typing import Any, NoReturn
 from minkref.errors import Refusal
 from minkref.exact import read_number
 from minkref.file_text import text_of_file
-from minkref.operand_text import is_text, source_of, text_and_form
+from minkref.operand import is_regular
+from minkref.operand_text import is_text, source_of, starts_wkt, text_of
 from minkref.terminal import escaped
 
 FORMATS = (".wkt", ".geojson", ".json", ".csv")
@@ -22,7 +23,8 @@ ExactPoint = tuple[str, str]
 ExactSpacePoint = tuple[str, str, str]
 Vertex = tuple[str, ...]
 
-_LINE = re.compile(r"\s*(LINESTRING|POINT)\s*Z?\s*\((.*)\)\s*;?\s*", re.IGNORECASE | re.DOTALL)
+_LINE = re.compile(r"\s*(LINESTRING|POINT)\s*(Z?)\s*\((.*)\)\s*;?\s*", re.IGNORECASE | re.DOTALL)
+_ROW = re.compile(r"[\s\ufeff]*([xX]\s*,\s*[yY]|[+-]?[\d.][^,\n]*,\s*[+-]?[\d.])")  # of CSV
 _MEND = {
     2: "give two numbers, for example 1/3 and -0.25",
     3: "give three numbers, for example 1/3, -0.25 and 2",
@@ -51,8 +53,9 @@ class SpacePathText:
 
 def read_path(name: str) -> PathText:
     """A WKT LINESTRING or POINT, a GeoJSON LineString or Point (also in a Feature), or CSV with a
-    vertex `x,y` in each line, perhaps below a line of names. Numbers are those that the text says.
-    Refuses others with the file and the vertex. Linear."""
+    vertex `x,y` in each line, perhaps below a line of names: in a file, a text, or `-` for standard
+    input. Numbers are those that the text says. Refuses others with the file and the vertex.
+    Linear."""
     source, file, vertices = _read(name, 2)
     return PathText(source, file, [(x, y) for x, y in vertices])
 
@@ -68,13 +71,14 @@ def _read(name: str, count: int) -> tuple[str, Path | None, list[Vertex]]:
     if not name:
         raise Refusal("the name is empty", "PATH", f"name a file ({_endings()})", "no-such-file")
     file = Path(name)
-    if file.is_file():
+    if is_regular(file):
         return _of_file(name, file, count)
-    if is_text(name):
-        text, form = text_and_form(name)
-        source = escaped(source_of(name))
-        read = _of_wkt if form == "wkt" else _of_geojson
+    if is_text(name) or _ROW.match(name):
+        text, source = text_of(name), escaped(source_of(name))
+        read = _of_csv if _ROW.match(text) else _of_wkt if starts_wkt(text) else _of_geojson
         return source, None, _counted(read(text, source, count), source)
+    if file.is_dir():
+        raise Refusal("this is a folder", name, f"name a file ({_endings()})", "not-a-file")
     raise Refusal("there is no such file", name, f"name a file ({_endings()})", "no-such-file")
 
 
@@ -117,12 +121,19 @@ def _vertex(numbers: Iterable[Any], k: int, source: str, count: int) -> Vertex:
 
 def _of_wkt(text: str, source: str, count: int) -> list[Vertex]:
     found = _LINE.fullmatch(text.removeprefix("\ufeff"))
+    if found is not None and found[1].upper() == "POINT" and "," in found[3]:
+        what = "a POINT has one position"
+        raise Refusal(what, source, f"write one, or {_LINES[count]}", "bad-path")
     if found is None:
         if re.fullmatch(r"\s*(LINESTRING|POINT)(\s*Z)?\s+EMPTY\s*", text, re.IGNORECASE):
             return []
         what = "this is not a WKT LINESTRING"
         raise Refusal(what, source, f"write {_LINES[count]}", "bad-path")
-    return [_vertex(part.split(), k, source, count) for k, part in enumerate(found[2].split(","))]
+    read = [_vertex(part.split(), k, source, count) for k, part in enumerate(found[3].split(","))]
+    if found[2] and count == 2:
+        what = "the path is said to have coordinates beyond x and y (Z)"
+        raise Refusal(what, source, f"write {_LINES[count]}", "bad-path")
+    return read
 
 
 def _of_geojson(text: str, source: str, count: int) -> list[Vertex]:

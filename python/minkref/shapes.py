@@ -1,4 +1,4 @@
-"""The polygons of a set from what Python programs hold: coordinates in sequences and arrays,
+"""The parts of a set from what Python programs hold: coordinates in sequences and arrays,
 GeoJSON, objects of other geometry libraries.
 
 Every number counts by its exact value: an int, a Fraction, a Decimal, a float (0.1 is the double
@@ -20,63 +20,89 @@ from minkref.exact import read_number
 from minkref.operand_text import source_of, text_and_form
 
 Ring = list[tuple[str, str]]
-Polygon = list[Ring]  # the outer ring, then its holes
+#: What GeoJSON calls it, or RINGS, which need not be closed; and its rings, of which holes are the
+#: second and later ones.
+Part = tuple[str, list[Ring]]
+RINGS = "rings"
 
 ACCEPTED = (
     "give one point (x, y), a ring of points, a polygon (its outer ring, then its holes), a list "
     "of polygons, GeoJSON, or an object with __geo_interface__"
 )
 DEEPEST = 4  # levels of sequences: polygons, rings, points, coordinates
+LARGEST_EXPONENT = 10_000  # of a Decimal
+MOST_NESTED = 64  # collections within collections
 _COLLECTIONS = {"FeatureCollection": "features", "GeometryCollection": "geometries"}
-_GEOMETRIES = {"Point": 1, "LineString": 2, "Polygon": 3, "MultiPolygon": 4}
+_GEOMETRIES = ("Point", "LineString", "Polygon", "MultiPolygon")
 
 
-def set_or_polygons(shape: Any) -> _core.PolygonSet | list[Polygon]:
+def set_or_parts(shape: Any) -> _core.PolygonSet | list[Part]:
     """What the constructor of PolygonSet makes its set of: a set as it is, that of a text as a
-    command reads it (WKT, GeoJSON, plain JSON), or polygons. Raises BadInput, Refusal."""
+    command reads it (WKT, GeoJSON, plain JSON), or parts. Raises BadInput."""
     if isinstance(shape, _core.PolygonSet):
         return shape
     if isinstance(shape, str):
         text, form = text_and_form(shape, inline=True)
         return _core.read_text(text, form, shape if shape == "-" else source_of(shape))
-    return polygons_of(shape)
+    return parts_of(shape)
 
 
-def polygons_of(shape: Any) -> list[Polygon]:
-    """The rings of a shape with coordinates as exact texts, turned as they are given; a first
-    point that is repeated at the end of a ring is left out. None stands for the empty set.
-    Sequences count by their depth: a point, a ring of points, a polygon, polygons, as the
-    coordinates of GeoJSON. Linear. Raises Refusal for anything else, naming the place."""
-    if shape is None:
-        return []
+def parts_of(shape: Any) -> list[Part]:
+    """The parts of a shape, their coordinates as exact texts, turned as they are given. Sequences
+    count by their depth: a point, a ring of points, a polygon, polygons; a first point that is
+    repeated at the end of a ring is left out. A mapping is GeoJSON, or the project's JSON. Whether
+    the parts are a set the readers of files say. Linear. Raises Refusal for anything else, naming
+    the place."""
     if not isinstance(shape, Mapping) and hasattr(shape, "__geo_interface__"):
         shape = shape.__geo_interface__
     if isinstance(shape, Mapping):
-        return _of_mapping(shape)
+        return _of_mapping(shape, 0)
     levels = _depth(shape)
     if levels > DEEPEST or levels < 0:
         raise _no_shape(shape)
-    return _of_coordinates(shape, levels) if levels else []
+    return _of_sequences(shape, levels) if levels else []
 
 
-def _of_mapping(shape: Mapping[str, Any]) -> list[Polygon]:
+def _of_mapping(shape: Mapping[str, Any], depth: int) -> list[Part]:
+    if depth > MOST_NESTED:
+        what = f"collections are nested deeper than {MOST_NESTED}"
+        raise Refusal(what, "PolygonSet", "flatten the collection", "too-deep")
     if "polygons" in shape:
         return [
-            _polygon([polygon["outer"], *polygon.get("holes", ())], f"polygon {k}, ")
+            (RINGS, _rings([polygon["outer"], *polygon.get("holes", ())], f"polygon {k}, "))
             for k, polygon in enumerate(_members(shape, "polygons", ("outer",)))
         ]
     kind = shape.get("type")
     if kind == "Feature":
-        return polygons_of(shape.get("geometry"))
+        geometry = shape.get("geometry")
+        if geometry is None:  # the empty set
+            return []
+        return _of_mapping(_mapping(geometry, "the geometry of the Feature"), depth + 1)
     if kind in _COLLECTIONS:
         parts = _members(shape, _COLLECTIONS[kind], ())
-        return [polygon for part in parts for polygon in _of_mapping(part)]
+        return [polygon for part in parts for polygon in _of_mapping(part, depth + 1)]
     if kind not in _GEOMETRIES:
         what = f"a mapping of the type {kind!r} is no set of polygons"
         mend = f"give a geometry of {', '.join(_GEOMETRIES)}"
         raise Refusal(what, "PolygonSet", mend, "no-shape")
     coordinates = _sequence(shape.get("coordinates"), f"the coordinates of the {kind}")
-    return _of_coordinates(coordinates, _GEOMETRIES[kind]) if len(coordinates) else []
+    if len(coordinates) == 0:
+        return []
+    if kind == "Point":
+        return [(kind, [[_point(coordinates, "the point")]])]
+    if kind == "LineString":
+        return [(kind, [_points(coordinates, "the line")])]
+    if kind == "Polygon":
+        return [(kind, _rings(coordinates, ""))]
+    return [("Polygon", _rings(each, f"polygon {k}, ")) for k, each in enumerate(coordinates)]
+
+
+def _mapping(given: Any, where: str) -> Mapping[str, Any]:
+    found = getattr(given, "__geo_interface__", given)
+    if not isinstance(found, Mapping):
+        what = f"there is {_a(given)} where a mapping is expected"
+        raise Refusal(what, where, ACCEPTED, "no-shape")
+    return found
 
 
 def _members(shape: Mapping[str, Any], name: str, needed: tuple[str, ...]) -> list[Any]:
@@ -102,26 +128,32 @@ def _depth(shape: Any) -> int:
     return levels or -1
 
 
-def _of_coordinates(shape: Any, levels: int) -> list[Polygon]:
+def _of_sequences(shape: Any, levels: int) -> list[Part]:
     if levels == 1:
-        return [[[_point(shape, "the point")]]]
+        return [(RINGS, [[_point(shape, "the point")]])]
     if levels == 2:
-        return [[_ring(shape, "the ring")]]
-    if levels == 3:
-        return [_polygon(shape, "")]
-    return [_polygon(polygon, f"polygon {k}, ") for k, polygon in enumerate(shape)]
+        return [(RINGS, [_opened(_points(shape, "the ring"))])]
+    polygons = (
+        [("", shape)] if levels == 3 else [(f"polygon {k}, ", p) for k, p in enumerate(shape)]
+    )
+    return [(RINGS, [_opened(ring) for ring in _rings(rings, where)]) for where, rings in polygons]
 
 
-def _polygon(rings: Any, where: str) -> Polygon:
+def _rings(rings: Any, where: str) -> list[Ring]:
+    """The outer ring and the holes as they are given."""
     return [
-        _ring(ring, f"{where}{'the outer ring' if r == 0 else f'hole {r}'}")
+        _points(ring, f"{where}{'the outer ring' if r == 0 else f'hole {r}'}")
         for r, ring in enumerate(_sequence(rings, f"{where}its rings"))
     ]
 
 
-def _ring(points: Any, where: str) -> Ring:
-    ring = [_point(p, f"{where}, point {i}") for i, p in enumerate(_sequence(points, where))]
-    return ring[:-1] if len(ring) > 1 and ring[0] == ring[-1] else ring
+def _points(points: Any, where: str) -> Ring:
+    return [_point(p, f"{where}, point {i}") for i, p in enumerate(_sequence(points, where))]
+
+
+def _opened(ring: Ring) -> Ring:
+    """Without the repetition of the first point; a ring is left that has three other ones."""
+    return ring[:-1] if len(ring) > 3 and ring[0] == ring[-1] else ring
 
 
 def _point(given: Any, where: str) -> tuple[str, str]:
@@ -161,10 +193,15 @@ def number_text(value: Any, where: str) -> str:
     if isinstance(value, Rational) and not isinstance(value, bool):
         return _fraction(Fraction(int(value.numerator), int(value.denominator)))
     if isinstance(value, (Real, Decimal)) and not isinstance(value, bool):
-        if not math.isfinite(value):
+        is_finite = value.is_finite() if isinstance(value, Decimal) else math.isfinite(value)
+        if not is_finite:
             what = f"the coordinate is {value}"
             raise Refusal(what, where, "give finite numbers", "coordinate-not-a-number")
-        return _fraction(Fraction(value if isinstance(value, Decimal) else float(value)))
+        if isinstance(value, Decimal) and abs(value.adjusted()) > LARGEST_EXPONENT:
+            what = f"the exponent is beyond {LARGEST_EXPONENT:,}"
+            raise Refusal(what, where, "give a smaller number", "limit")
+        exact = getattr(value, "as_integer_ratio", float(value).as_integer_ratio)
+        return _fraction(Fraction(*exact()))
     what = f"the coordinate is {_a(value)}"
     mend = "give an int, a Fraction, a float or a text as '7/5'"
     raise Refusal(what, where, mend, "coordinate-not-a-number")

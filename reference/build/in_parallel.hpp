@@ -9,6 +9,8 @@
 #include <thread>
 #include <vector>
 
+#include "reference/number/float_environment.hpp"
+
 namespace minkref {
 
 /// Calls worker(k) once for each k from 0 to count - 1, in no order; thread t of 0, 1, ... has a
@@ -22,6 +24,7 @@ void in_parallel(std::size_t count, std::size_t chunk, Control& control, MakeWor
   std::mutex mutex;
   std::exception_ptr fault;
   const auto run = [&](unsigned thread) {
+    const FloatEnvironment standard;  // a new thread need not have that of the one that starts it
     try {
       auto worker = make_worker(thread);
       while (true) {

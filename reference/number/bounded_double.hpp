@@ -13,7 +13,8 @@ namespace minkref {
 /// A real number within `error` of `value`. Where the error is 0 the number is exact and an integer
 /// of at most 53 bits: sums and products of such are exact as long as they are that short, so that
 /// a zero among small integers is certain too. Bounds that overflow are infinite or NaN, and then
-/// decide nothing.
+/// decide nothing. Bounds hold where a FloatEnvironment is held; one that is made of an integer
+/// elsewhere throws UnsafeFloats.
 struct BoundedDouble {
   double value = 0, error = 0;
 
@@ -23,6 +24,7 @@ struct BoundedDouble {
   BoundedDouble(int integer) : value(integer) {}  // NOLINT: implicit, since it is exact
   /// integer * 2^-shift, shift >= 0.
   explicit BoundedDouble(const Integer& integer, long shift = 0) {
+    FloatEnvironment::require();
     long exponent = 0;
     value = mpz_get_d_2exp(&exponent, integer.backend().data());
     exponent = std::clamp(exponent - shift, -longest_exponent, longest_exponent);

@@ -6,24 +6,9 @@
 // Boldo, Graillat & Muller 2017 (overflow in TwoSum).
 #pragma once
 
-#include <cfloat>
 #include <cmath>
-#include <limits>
 
-#ifdef __FAST_MATH__
-#error "error-free transforms need the floating-point order as written: compile without -ffast-math"
-#endif
-static_assert(FLT_EVAL_METHOD == 0, "doubles must be computed in double precision");
-static_assert(std::numeric_limits<double>::is_iec559);
-
-// With a fused multiply-add in the instruction set one instruction does; as a function call it
-// would cost more than Dekker's product. (Where there is none, nothing can be contracted in the
-// latter.)
-#if defined(FP_FAST_FMA) || defined(__FMA__) || defined(__aarch64__)
-#define MINKREF_FAST_FMA 1
-#else
-#define MINKREF_FAST_FMA 0
-#endif
+#include "reference/number/float_flags.hpp"
 
 namespace minkref::error_free {
 

@@ -3,7 +3,8 @@
 // Each bound of + - * / is the double next to the exact bound on the outer side, and equal to it
 // where it is a double: an operation on points that is exact gives a point. Laws: the result of an
 // expression encloses its exact value; a sign that is returned is right. NaN never appears; a bound
-// may be infinite.
+// may be infinite. An interval that is made of numbers throws UnsafeFloats where the thread does
+// not round to nearest or flushes subnormal numbers: hold a FloatEnvironment while you compute.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +26,9 @@ class Interval {
 
   /// The point `value`; the whole line for NaN and the infinities, which name no real number.
   Interval(double value)  // NOLINT: implicit, since it is exact
-      : Interval(std::isfinite(value) ? Interval(value, value, Trusted{}) : whole()) {}
+      : Interval(std::isfinite(value) ? Interval(value, value, Trusted{}) : whole()) {
+    FloatEnvironment::require();
+  }
 
   /// The integer as a point, or its tightest enclosure where it is no double.
   template <std::integral T>
@@ -39,11 +42,14 @@ class Interval {
 
   /// The tightest enclosure.
   explicit Interval(const Rational& value) : Interval(enclose(value)) {}
-  explicit Interval(const Enclosure& bounds) : Interval(bounds.lower, bounds.upper, Trusted{}) {}
+  explicit Interval(const Enclosure& bounds) : Interval(bounds.lower, bounds.upper, Trusted{}) {
+    FloatEnvironment::require();
+  }
 
   /// [lower, upper]; the whole line if one is NaN. Throws BadInput (code "empty-interval") if they
   /// are in the wrong order or both the same infinity.
   Interval(double lower, double upper) {
+    FloatEnvironment::require();
     if (std::isnan(lower) || std::isnan(upper)) {
       *this = whole();
     } else if (lower > upper || lower == infinity || upper == -infinity) {

@@ -11,6 +11,7 @@
 
 #include "reference/error.hpp"
 #include "reference/interrupt.hpp"
+#include "reference/number/message_number.hpp"
 
 namespace minkref {
 namespace {
@@ -171,6 +172,12 @@ Nearest nearest_magnitude(const Rational& value) {
   return round_half_even(leading, -shift, lowest, remainder.sign() != 0);
 }
 
+/// Divides all factors `prime` out of `value` and returns their number.
+unsigned long remove_factor(Integer& value, unsigned long prime) {
+  const Integer factor(prime);
+  return mpz_remove(value.backend().data(), value.backend().data(), factor.backend().data());
+}
+
 }  // namespace
 
 Rational parse_rational(std::string_view text, const NumberLimits& limits) {
@@ -216,12 +223,46 @@ std::string to_string(const Rational& value) {
   return text;
 }
 
+std::optional<std::string> exact_decimal(const Rational& value) {
+  look_for_interrupt();
+  Integer rest = denominator(value);
+  const unsigned long twos = remove_factor(rest, 2);
+  const unsigned long fives = remove_factor(rest, 5);
+  if (rest != 1) return std::nullopt;
+  const unsigned long places = std::max(twos, fives);
+  // numerator / (2^a 5^b) = numerator * 2^(k-a) 5^(k-b) / 10^k
+  Integer scaled, factor;
+  mpz_mul_2exp(scaled.backend().data(), numerator(value).backend().data(), places - twos);
+  mpz_ui_pow_ui(factor.backend().data(), 5, places - fives);
+  scaled *= factor;
+  std::string digits = abs(scaled).str();
+  if (digits.size() <= places) digits.insert(0, places + 1 - digits.size(), '0');
+  if (places > 0) digits.insert(digits.size() - places, ".");
+  return (sign(value) < 0 ? "-" : "") + digits;
+}
+
+bool has_exact_decimal(const Rational& value) {
+  Integer rest = denominator(value);
+  remove_factor(rest, 2);
+  remove_factor(rest, 5);
+  return rest == 1;
+}
+
+std::string message_text(const Rational& value) {
+  constexpr std::size_t most = 60;
+  if (const auto text = exact_decimal(value); text && text->size() <= most) return *text;
+  const std::string text = to_string(value);
+  return text.size() <= most ? text : text.substr(0, most - 3) + "...";
+}
+
 double to_double(const Rational& value) {
+  const FloatEnvironment standard;
   const double magnitude = nearest_magnitude(value).value;
   return value.sign() < 0 ? -magnitude : magnitude;
 }
 
 Enclosure enclose(const Rational& value) {
+  const FloatEnvironment standard;
   const Nearest nearest = nearest_magnitude(value);
   constexpr double infinity = std::numeric_limits<double>::infinity();
   Enclosure around{nearest.value, nearest.value};
@@ -232,6 +273,7 @@ Enclosure enclose(const Rational& value) {
 }
 
 Rational from_double(double value) {
+  const FloatEnvironment standard;
   if (!std::isfinite(value)) {
     throw BadInput("not-a-number",
                    std::isnan(value) ? "NaN is not a number" : "infinity is not a number",

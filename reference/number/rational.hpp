@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "reference/number/float_self_test.hpp"
+
 namespace minkref {
 
 using Integer =

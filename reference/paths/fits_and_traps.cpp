@@ -4,6 +4,7 @@
 #include <map>
 
 #include "reference/error.hpp"
+#include "reference/number/float_environment.hpp"
 #include "reference/paths/container_frame.hpp"
 #include "reference/paths/free_space.hpp"
 #include "reference/paths/routes.hpp"
@@ -340,6 +341,7 @@ std::optional<FreeScales> narrowed_trap(const FreeProblem& problem, const Questi
 
 FreeScales trapped_scales(const PolygonSet& part, const PolygonSet& assembly, const Point& at,
                           ContactRule rule, const ScaleWindow& window, FitSearch search) {
+  const FloatEnvironment standard;
   refuse_bad_window(window);
   if (part.empty() || assembly.empty()) return {};
   refuse_bad_operands(part, assembly, 1);
@@ -356,6 +358,7 @@ FreeScales trapped_scales(const PolygonSet& part, const PolygonSet& assembly, co
 
 FreeScales scales_that_fit_at(const PolygonSet& part, const PolygonSet& container, const Point& at,
                               ContactRule rule) {
+  const FloatEnvironment standard;
   const ContainerFrame frame(part, container, {at});
   const PolygonSet turned = half_turned(part);
   ValidScales found = valid_scales(part, frame.set, {at}, rule, frame.window);
@@ -389,6 +392,7 @@ FreeScales scales_that_fit_at(const PolygonSet& part, const PolygonSet& containe
 
 FreeScales scales_that_fit(const PolygonSet& part, const PolygonSet& container, ContactRule rule,
                            FitSearch search) {
+  const FloatEnvironment standard;
   const ContainerFrame frame(part, container, {});
   const FreeProblem problem(part, frame.set, {}, rule);
   const auto fits = [](const FreeSpace& free) { return free.parts() > 1; };
@@ -399,6 +403,7 @@ FreeScales scales_that_fit(const PolygonSet& part, const PolygonSet& container, 
 
 FreeScales scales_that_pass(const PolygonSet& part, const PolygonSet& container, const Point& from,
                             const Point& to, ContactRule rule, FitSearch search) {
+  const FloatEnvironment standard;
   const ContainerFrame frame(part, container, {from, to});
   const FreeProblem problem(part, frame.set, {from, to}, rule);
   const auto passes = [&](const FreeSpace& free) {

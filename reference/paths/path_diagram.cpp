@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "reference/error.hpp"
+#include "reference/number/float_environment.hpp"
 #include "reference/paths/moving_pieces.hpp"
 #include "reference/paths/routes.hpp"
 
@@ -21,6 +22,7 @@ void refuse_endless(const ScaleWindow& window) {
 PathDiagram path_diagram(const PolygonSet& robot, const PolygonSet& obstacles,
                          const std::vector<Point>& path, ContactRule rule,
                          const ScaleWindow& window, std::size_t most) {
+  const FloatEnvironment standard;
   refuse_bad_problem(robot, obstacles, path, window);
   refuse_endless(window);
   PathDiagram result;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "reference/error.hpp"
+#include "reference/number/float_environment.hpp"
 #include "reference/paths/routes.hpp"
 
 namespace minkref::inline paths {
@@ -59,6 +60,7 @@ void refuse_bad_problem(const PolygonSet& robot, const PolygonSet& obstacles,
 ValidScales valid_scales(const PolygonSet& robot, const PolygonSet& obstacles,
                          const std::vector<Point>& path, ContactRule rule,
                          const ScaleWindow& window, PathRoute route) {
+  const FloatEnvironment standard;
   refuse_bad_problem(robot, obstacles, path, window);
   ValidScales result;
   if (robot.empty() || obstacles.empty()) {
@@ -90,6 +92,7 @@ PathRoute path_route(std::string_view name) {
 }
 
 bool star_shaped(const PolygonSet& robot) {
+  const FloatEnvironment standard;
   const auto sees = [&](const Ring& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];

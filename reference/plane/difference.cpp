@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "reference/number/float_environment.hpp"
 #include "reference/plane/arrangement/exact_arrangement.hpp"
 #include "reference/plane/arrangement/interior_point.hpp"
 #include "reference/plane/arrangement/winding_numbers.hpp"
@@ -41,6 +42,7 @@ Rational rounded(const Rational& value, const Integer& denominator) {
 }  // namespace
 
 std::optional<Difference> difference(const PolygonSet& first, const PolygonSet& second) {
+  const FloatEnvironment standard;
   const std::optional<Point> inner =
       on_exact_frame(first, second, [](const auto& frame) -> std::optional<Point> {
         using K = typename std::decay_t<decltype(frame)>::K;

@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "reference/number/float_environment.hpp"
 #include "reference/number/rational.hpp"
 #include "reference/plane/convolution/convolution_segments.hpp"
 #include "reference/plane/kernel/exact_frame.hpp"
@@ -50,6 +51,7 @@ struct PairwiseSearch::Impl {
 
 PairwiseSearch::PairwiseSearch(const PolygonSet& P, const PolygonSet& Q)
     : impl_(std::make_unique<Impl>()) {
+  const FloatEnvironment standard;
   const auto numbers = [](const MovingVertex<Vector2<Rational>>& v) {
     return std::array{to_double(v.p.x()), to_double(v.p.y()), to_double(v.q.x()),
                       to_double(v.q.y())};
@@ -64,6 +66,7 @@ PairwiseSearch::PairwiseSearch(const PolygonSet& P, const PolygonSet& Q)
 PairwiseSearch::~PairwiseSearch() = default;
 
 std::size_t PairwiseSearch::run(const Rational& scale) {
+  const FloatEnvironment standard;
   const double s = to_double(scale);
   auto& [ends, placed, points] = *impl_;
   placed.clear();
@@ -94,6 +97,7 @@ ContactSearch::ContactSearch(const PolygonSet& P, const PolygonSet& Q)
 ContactSearch::~ContactSearch() = default;
 
 std::size_t ContactSearch::run(const Rational& scale) const {
+  const FloatEnvironment standard;
   return on_exact_frame(scaled(impl_->P, scale), impl_->Q, [&](const auto& frame) -> std::size_t {
     using K = typename std::decay_t<decltype(frame)>::K;
     auto convolution = convolution_segments<K>(impl_->edges, frame.P, frame.Q);

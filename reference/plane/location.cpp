@@ -1,5 +1,7 @@
 #include "reference/plane/location.hpp"
 
+#include "reference/number/float_environment.hpp"
+
 namespace minkref::inline plane {
 namespace {
 
@@ -33,12 +35,14 @@ FilteredRing filtered_ring(const Ring& ring) {
 }
 
 Location locate(const FilteredRing& ring, const FilteredPoint& point) {
+  const FloatEnvironment standard;
   int winding = 0;
   if (add_winding(ring, point, winding)) return Location::boundary;
   return winding != 0 ? Location::inside : Location::outside;
 }
 
 Location locate(const PolygonSet& set, const Point& point) {
+  const FloatEnvironment standard;
   const FilteredPoint at(point);
   int winding = 0;
   for (const Polygon& polygon : set.polygons) {

@@ -3,6 +3,7 @@
 
 #include "reference/error.hpp"
 #include "reference/fault.hpp"
+#include "reference/number/float_environment.hpp"
 #include "reference/plane/arrangement/box_tree.hpp"
 #include "reference/plane/location.hpp"
 #include "reference/plane/overlap_filter.hpp"
@@ -191,6 +192,7 @@ struct Membership::Impl {
 
 Membership::Membership(const PolygonSet& P, const PolygonSet& Q, const Rational& scale)
     : impl_(std::make_unique<Impl>()) {
+  const FloatEnvironment standard;
   if (sign(scale) <= 0) {
     throw BadInput("bad-scale", "the scale " + to_string(scale) + " is not greater than zero",
                    "give a scale s > 0");
@@ -210,13 +212,18 @@ Membership::Membership(const PolygonSet& P, const PolygonSet& Q, const Rational&
 Membership::~Membership() = default;
 Membership::Membership(Membership&&) noexcept = default;
 
-Witness Membership::decide(const Point& x) const { return impl_->decide(x); }
+Witness Membership::decide(const Point& x) const {
+  const FloatEnvironment standard;
+  return impl_->decide(x);
+}
 
 Contact Membership::contact(const Point& x) const {
+  const FloatEnvironment standard;
   return impl_->certainly_overlap(x) ? Contact::overlapping : impl_->decide(x).contact;
 }
 
 Witness decide(const PolygonSet& P, const PolygonSet& Q, const Rational& scale, const Point& x) {
+  const FloatEnvironment standard;
   return Membership(P, Q, scale).decide(x);
 }
 

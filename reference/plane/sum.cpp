@@ -1,6 +1,7 @@
 #include "reference/plane/sum.hpp"
 
 #include "reference/error.hpp"
+#include "reference/number/float_environment.hpp"
 #include "reference/plane/boundary/boundary_graph.hpp"
 #include "reference/plane/route_names.hpp"
 #include "reference/plane/routes/routes.hpp"
@@ -59,6 +60,7 @@ void refuse_bad_operands(const PolygonSet& P, const PolygonSet& Q, const Rationa
 
 Sum minkowski_sum(const PolygonSet& P, const PolygonSet& Q, const Rational& scale, Route route,
                   const std::string& arithmetic, Passages passages) {
+  const FloatEnvironment standard;
   refuse_bad_operands(P, Q, scale);
   Sum sum;
   if (passages == Passages::find && arithmetic == "rational") sum.tight_passages.emplace();

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "reference/number/float_environment.hpp"
 #include "reference/plane/arrangement/exact_arrangement.hpp"
 #include "reference/plane/passages/passages_of_arrangement.hpp"
 #include "reference/plane/passages/wedge_walks.hpp"
@@ -40,6 +41,7 @@ TightGraph graph_of(const PolygonSet& P, const PolygonSet& Q, const PolygonSet& 
 
 std::vector<TightPassage> tight_passages(const PolygonSet& P, const PolygonSet& Q,
                                          const Rational& scale) {
+  const FloatEnvironment standard;
   refuse_bad_operands(P, Q, scale);
   if (P.empty() || Q.empty()) return {};
   const PolygonSet p = scaled(P, scale);

@@ -1,8 +1,13 @@
 // What is refused as an operand, with the place at fault.
 #include <algorithm>
+#include <cstdlib>
 #include <optional>
 
 #include "reference/error.hpp"
+#include "reference/interrupt.hpp"
+#include "reference/near/near_pairs.hpp"
+#include "reference/number/float_environment.hpp"
+#include "reference/number/message_number.hpp"
 #include "reference/plane/arrangement/box_tree.hpp"
 #include "reference/plane/location.hpp"
 #include "reference/plane/polygon_set.hpp"
@@ -10,14 +15,11 @@
 namespace minkref::inline plane {
 namespace {
 
+/// For each edge; beyond them boxes are no help.
+constexpr std::size_t most_pairs_by_boxes = 48;
+
 std::string text(const Point& p) {
-  // A coordinate of thousands of digits would drown the message.
-  const auto shortened = [](std::string s) { return s.size() <= 60 ? s : s.substr(0, 57) + "..."; };
-  std::string result = "(";
-  return result.append(shortened(to_string(p.x)))
-      .append(", ")
-      .append(shortened(to_string(p.y)))
-      .append(")");
+  return "(" + message_text(p.x) + ", " + message_text(p.y) + ")";
 }
 
 struct RingInSet {
@@ -123,14 +125,64 @@ class Validator {
     // The first fault in the order of the input is the one that is named. Edges are asked in this
     // order, so that in a ring that crosses itself everywhere not all pairs are looked at.
     const BoxTree tree(boxes);
+    std::size_t pairs_left = most_pairs_by_boxes * edges.size();
     for (std::size_t i = 0; i < edges.size(); ++i) {
       std::optional<std::uint32_t> least;
-      tree.query(boxes[i], [&](std::uint32_t j) {
+      const bool are_too_many = tree.query(boxes[i], [&](std::uint32_t j) {
         if (j > i && (!least || j < *least) && refusal(edges[i], edges[j])) least = j;
-        return false;
+        return pairs_left > 0 && --pairs_left == 0;
       });
+      if (are_too_many) return check_near_contacts(edges);
       if (least) throw *refusal(edges[i], edges[*least]);
     }
+  }
+
+  /// A power of two that brings what is beside a point into the range of doubles.
+  Rational near_unit(const Point& origin) const {
+    Rational most = 0;
+    for (const FilteredRing& ring : filtered_) {
+      for (const FilteredPoint& p : ring) {
+        look_for_interrupt();
+        most = std::max(
+            {most, Rational(abs(p.exact().x - origin.x)), Rational(abs(p.exact().y - origin.y))});
+      }
+    }
+    if (most == 0) return 1;
+    const long exponent =
+        static_cast<long>(msb(numerator(most))) - static_cast<long>(msb(denominator(most)));
+    const Integer power = Integer(1) << static_cast<unsigned long>(std::labs(exponent));
+    return exponent > 0 ? Rational(Integer(1), power) : Rational(power);
+  }
+
+  /// The same where boxes of edges overlap far more often than edges meet, as in a star. Only pairs
+  /// are left out that are apart but for an end that they share.
+  void check_near_contacts(const std::vector<Edge>& edges) const {
+    std::vector<std::uint32_t> first_point;
+    std::vector<NearPoint> points;
+    const Point& origin = filtered_[0][0].exact();
+    const Rational unit = near_unit(origin);
+    for (const FilteredRing& ring : filtered_) {
+      first_point.push_back(static_cast<std::uint32_t>(points.size()));
+      for (const FilteredPoint& p : ring) {
+        look_for_interrupt();
+        const Enclosure x = enclose((p.exact().x - origin.x) * unit),
+                        y = enclose((p.exact().y - origin.y) * unit);
+        points.push_back({{x.lower, y.lower, 0}, std::max(x.upper - x.lower, y.upper - y.lower)});
+      }
+    }
+    std::vector<NearItem> items;
+    for (std::uint32_t i = 0; i < edges.size(); ++i) {
+      const std::uint32_t first = first_point[edges[i].ring];
+      const auto from = static_cast<std::uint32_t>(first + edges[i].index),
+                 to = static_cast<std::uint32_t>(first + following(edges[i]));
+      items.push_back({{from, to, to}, i});
+    }
+    std::optional<std::pair<std::uint32_t, std::uint32_t>> least;
+    NearPairs(std::move(points), std::move(items)).pairs([&](std::uint32_t i, std::uint32_t j) {
+      if (least && *least < std::pair(i, j)) return;
+      if (refusal(edges[i], edges[j])) least = {i, j};
+    });
+    if (least) throw *refusal(edges[least->first], edges[least->second]);
   }
 
   /// What is wrong with the way two edges meet, if anything.
@@ -235,6 +287,7 @@ class Validator {
   bool within(std::size_t inner, std::size_t outer) const {
     const FilteredRing& ring = filtered_[inner];
     for (const FilteredPoint& p : ring) {
+      look_for_interrupt();
       const Location location = locate(filtered_[outer], p);
       if (location != Location::boundary) return location == Location::inside;
     }
@@ -257,6 +310,7 @@ class Validator {
   std::vector<Point> contacts(const Point& a, const Point& b, std::size_t other) const {
     std::vector<Point> found{a, b};
     for (const FilteredPoint& filtered : filtered_[other]) {
+      look_for_interrupt();
       const Point& p = filtered.exact();
       const Rational along = (p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y);
       const Rational length = (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
@@ -324,6 +378,9 @@ class Validator {
 
 }  // namespace
 
-void validate(const PolygonSet& set) { Validator(set).run(); }
+void validate(const PolygonSet& set) {
+  const FloatEnvironment standard;
+  Validator(set).run();
+}
 
 }  // namespace minkref::inline plane

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "reference/interrupt.hpp"
 #include "reference/space/polyhedron.hpp"
 
 namespace minkref::inline space {
@@ -22,6 +23,7 @@ struct FaceEdge {
 inline std::vector<FaceEdge> sorted_edges(const std::vector<Face>& faces) {
   std::vector<FaceEdge> edges;
   for (std::uint32_t f = 0; f < faces.size(); ++f) {
+    look_for_interrupt();
     const Face& face = faces[f];
     for (std::size_t k = 0; k < face.size(); ++k) {
       edges.push_back({face[k], face[(k + 1) % face.size()], f});

@@ -3,36 +3,14 @@
 #include <cstddef>
 
 #include "reference/interrupt.hpp"
-#include "reference/space/area_vector.hpp"
+#include "reference/number/float_environment.hpp"
+#include "reference/space/flat_face.hpp"
+#include "reference/space/monotone_triangles.hpp"
 
 namespace minkref::inline space {
 namespace {
 
-/// A face seen along the axis in which its normal is longest, on its own side.
-class FlatFace {
- public:
-  FlatFace(const Face& face, const VertexSigns& signs) : signs_(signs) {
-    const IntegerVector normal = area_vector(signs.points(), face);
-    axis_ = longest_axis(normal);
-    side_ = normal[axis_].sign();
-  }
-
-  /// 1 where the three vertices turn as the face does.
-  int turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-    return signs_.turn(a, b, c, axis_) * side_;
-  }
-
-  bool contains(const TriangleCorners& triangle, std::uint32_t vertex) const {
-    return turn(triangle[0], triangle[1], vertex) >= 0 &&
-           turn(triangle[1], triangle[2], vertex) >= 0 &&
-           turn(triangle[2], triangle[0], vertex) >= 0;
-  }
-
- private:
-  const VertexSigns& signs_;
-  std::size_t axis_ = 0;
-  int side_ = 0;
-};
+constexpr std::size_t most_corners_by_ears = 32;
 
 class EarCutter {
  public:
@@ -75,9 +53,15 @@ class EarCutter {
     for (std::size_t j = 0; j < left_.size(); ++j) {
       if (convex_[j] || j == before(k) || j == after(k)) continue;
       look_for_interrupt();
-      if (flat_.contains(triangle, left_[j])) return false;
+      if (contains(triangle, left_[j])) return false;
     }
     return true;
+  }
+
+  bool contains(const TriangleCorners& triangle, std::uint32_t vertex) const {
+    return flat_.turn(triangle[0], triangle[1], vertex) >= 0 &&
+           flat_.turn(triangle[1], triangle[2], vertex) >= 0 &&
+           flat_.turn(triangle[2], triangle[0], vertex) >= 0;
   }
 
   void remove(std::size_t k) {
@@ -97,7 +81,9 @@ class EarCutter {
 
 std::optional<std::vector<TriangleCorners>> face_triangles(const Face& face,
                                                            const VertexSigns& signs) {
+  const FloatEnvironment standard;
   if (face.size() == 3) return std::vector<TriangleCorners>{{face[0], face[1], face[2]}};
+  if (face.size() > most_corners_by_ears) return monotone_triangles(face, signs);
   return EarCutter(face, signs).run();
 }
 

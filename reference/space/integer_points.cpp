@@ -1,6 +1,7 @@
 #include "reference/space/integer_points.hpp"
 
 #include "reference/error.hpp"
+#include "reference/interrupt.hpp"
 
 namespace minkref::inline space {
 namespace {
@@ -20,6 +21,7 @@ IntegerPoints integer_points(const std::vector<SpacePoint>& vertices) {
   using boost::multiprecision::numerator;
   IntegerPoints result;
   for (const SpacePoint& v : vertices) {
+    look_for_interrupt();
     for (const Rational* coordinate : {&v.x, &v.y, &v.z}) {
       const Integer own = denominator(*coordinate);
       if (result.denominator % own != 0) result.denominator = lcm(result.denominator, own);
@@ -34,8 +36,10 @@ IntegerPoints integer_points(const std::vector<SpacePoint>& vertices) {
     return Integer(numerator(coordinate) * (result.denominator / denominator(coordinate)));
   };
   result.points.reserve(vertices.size());
-  for (const SpacePoint& v : vertices)
+  for (const SpacePoint& v : vertices) {
+    look_for_interrupt();
     result.points.push_back({whole(v.x), whole(v.y), whole(v.z)});
+  }
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "reference/interrupt.hpp"
+#include "reference/number/float_environment.hpp"
 #include "reference/plane/boundary/canonical.hpp"
 #include "reference/space/area_vector.hpp"
 
@@ -72,6 +73,7 @@ Rational volume(const PolyhedralSet& set) {
 }
 
 PolyhedralSet polyhedral_set(const Polyhedron& surface) {
+  const FloatEnvironment standard;
   const IntegerPoints integers = integer_points(surface.vertices);
   std::map<OrientedPlane, PolygonSet> planes;
   for (const Face& face : surface.faces) {

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "reference/error.hpp"
+#include "reference/interrupt.hpp"
 #include "reference/space/area_vector.hpp"
 #include "reference/space/integer_points.hpp"
 
@@ -12,6 +13,7 @@ Rational sextuple_volume(const Polyhedron& polyhedron) {
   const auto [denominator, points] = integer_points(polyhedron.vertices);
   Integer sum = 0;
   for (const Face& face : polyhedron.faces) {
+    look_for_interrupt();
     sum += dot(points[face[0]], area_vector(points, face));
   }
   return {sum, denominator * denominator * denominator};
@@ -27,6 +29,7 @@ Polyhedron with_shared_vertices(const Polyhedron& polyhedron) {
   std::map<const SpacePoint*, std::uint32_t, decltype(less)> numbers(less);
   Polyhedron result;
   for (const Face& face : polyhedron.faces) {
+    look_for_interrupt();
     Face& renumbered = result.faces.emplace_back();
     for (const std::uint32_t vertex : face) {
       const SpacePoint& point = polyhedron.vertices.at(vertex);

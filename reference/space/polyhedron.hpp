@@ -40,8 +40,9 @@ using Scaling = std::array<Rational, 3>;
 /// as integer_points does. Codes: those of `validate_mesh`, then "self-intersection" (the surface
 /// passes through itself), "overlapping-faces" (two faces share an area), "wrong-orientation" (the
 /// volume is negative, or a shell inside out hollows out nothing) and "shell-nesting" (a shell in
-/// the material of another). Exact. O(n log n) where few boxes around triangles of the faces
-/// overlap, O(n^2) at worst, beside cutting the faces into triangles (face_triangles.hpp).
+/// the material of another). Exact. Near-linear where few triangles of the faces are close to
+/// each other without being neighbours, also where all of them are slivers (self_crossing.hpp),
+/// O(n^2) at worst; beside cutting the faces into triangles (face_triangles.hpp).
 void validate(const Polyhedron& polyhedron);
 
 /// Of `validate` all but how faces lie to each other: refuses what is no closed 2-manifold of

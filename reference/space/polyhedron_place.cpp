@@ -2,24 +2,11 @@
 
 #include <string>
 
+#include "reference/number/message_number.hpp"
+
 namespace minkref::inline space {
-namespace {
-
-std::string shortened(const Rational& coordinate) {
-  const std::string text = to_string(coordinate);
-  return text.size() <= 60 ? text : text.substr(0, 57) + "...";
-}
-
-}  // namespace
-
 std::string short_text(const SpacePoint& p) {
-  std::string result = "(";
-  return result.append(shortened(p.x))
-      .append(", ")
-      .append(shortened(p.y))
-      .append(", ")
-      .append(shortened(p.z))
-      .append(")");
+  return "(" + message_text(p.x) + ", " + message_text(p.y) + ", " + message_text(p.z) + ")";
 }
 
 Place place_in(const Polyhedron& polyhedron, std::optional<std::uint32_t> face,

@@ -1,10 +1,17 @@
 #include "reference/space/self_crossing.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "reference/error.hpp"
+#include "reference/interrupt.hpp"
+#include "reference/near/near_pairs.hpp"
+#include "reference/number/float_environment.hpp"
 #include "reference/space/polyhedron_place.hpp"
 #include "reference/space/triangle_contact.hpp"
 
@@ -29,17 +36,69 @@ namespace {
                  std::move(place));
 }
 
+/// The vertices about the first one, in the unit of `signs`; equal ones are one.
+struct NearVertices {
+  std::vector<NearPoint> points;
+  std::vector<std::uint32_t> number;  ///< of each vertex
+};
+
+NearVertices near_vertices(const VertexSigns& signs) {
+  const std::vector<IntegerVector>& points = signs.points();
+  std::vector<std::uint32_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    look_for_interrupt();
+    return points[a] < points[b];
+  });
+  NearVertices result;
+  result.number.resize(points.size());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    look_for_interrupt();
+    const IntegerVector& p = points[order[k]];
+    if (k == 0 || p != points[order[k - 1]]) {
+      NearPoint& at = result.points.emplace_back();
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const auto [low, high] = signs.enclosed(p[axis] - points[0][axis]);
+        at.low[axis] = low;
+        at.width = std::max(at.width, high - low);
+      }
+    }
+    result.number[order[k]] = static_cast<std::uint32_t>(result.points.size() - 1);
+  }
+  return result;
+}
+
+/// Boxes of slivers overlap far more often than slivers meet: so many pairs of boxes for each
+/// triangle are looked at, and then only such pairs as clusters leave.
+constexpr std::size_t most_pairs_by_boxes = 48;
+
 }  // namespace
 
 void refuse_crossing_faces(const SearchedSurface& surface) {
+  const FloatEnvironment standard;
   const std::vector<SurfaceTriangle>& triangles = surface.triangles;
-  surface.tree.pairs([&](std::uint32_t i, std::uint32_t j) {
-    if (triangles[i].face == triangles[j].face) return false;
+  const auto look_at = [&](std::uint32_t i, std::uint32_t j) {
+    if (triangles[i].face == triangles[j].face) return;
     const TriangleContact contact = contact_of(triangles, surface.signs, i, j);
     if (contact != TriangleContact::none)
       refuse_contact(surface, triangles[i], triangles[j], contact);
+  };
+  std::size_t left = most_pairs_by_boxes * triangles.size();
+  const bool are_left = surface.tree.pairs([&](std::uint32_t i, std::uint32_t j) {
+    if (left == 0) return true;
+    --left;
+    look_at(i, j);
     return false;
   });
+  if (!are_left) return;
+  // Faces cross along segments, and cover each other in areas: never in one point.
+  auto [points, number] = near_vertices(surface.signs);
+  std::vector<NearItem> items;
+  items.reserve(triangles.size());
+  for (const SurfaceTriangle& t : triangles) {
+    items.push_back({{number[t.corners[0]], number[t.corners[1]], number[t.corners[2]]}, t.face});
+  }
+  NearPairs(std::move(points), std::move(items)).pairs(look_at);
 }
 
 }  // namespace minkref::inline space

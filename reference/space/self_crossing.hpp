@@ -22,7 +22,8 @@ struct SearchedSurface {
 /// Refuses (BadInput) a surface that crosses itself ("self-intersection") or covers a part of
 /// itself ("overlapping-faces"); names two faces, not always the first ones, and a point that both
 /// have. Contact at points and along lines is no fault where nothing passes through. Exact.
-/// O(n log n) where few boxes around triangles overlap, O(n^2) at worst; can be interrupted.
+/// O(n log n) where few boxes around triangles overlap, near-linear where slivers and fans make
+/// many overlap (reference/near/), O(n^2) at worst; can be interrupted.
 void refuse_crossing_faces(const SearchedSurface& surface);
 
 /// Of a surface that passes the above: refuses one that does not lie with the unbounded outside, or

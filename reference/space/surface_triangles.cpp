@@ -96,6 +96,7 @@ SpaceBoxTree box_tree(const std::vector<SurfaceTriangle>& triangles, const Verte
   std::vector<SpaceBox> boxes;
   boxes.reserve(triangles.size());
   for (const SurfaceTriangle& triangle : triangles) {
+    look_for_interrupt();
     SpaceBox& box = boxes.emplace_back();
     for (const std::uint32_t v : triangle.corners) box.add(signs.box(v));
   }

@@ -5,6 +5,7 @@
 
 #include "reference/error.hpp"
 #include "reference/interrupt.hpp"
+#include "reference/number/float_environment.hpp"
 #include "reference/plane/polygon_set.hpp"
 #include "reference/space/area_vector.hpp"
 #include "reference/space/face_edges.hpp"
@@ -61,6 +62,7 @@ class PolyhedronValidator {
 
   void check_repetitions() const {
     for (std::uint32_t f = 0; f < faces().size(); ++f) {
+      look_for_interrupt();
       Face sorted = faces()[f];
       std::sort(sorted.begin(), sorted.end());
       const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
@@ -108,9 +110,11 @@ class PolyhedronValidator {
                        "make them one vertex", place(f, {a, b}));
       }
     }
-    const IntegerVector normal = area_vector(points, face);
+    IntegerVector normal = area_vector(points, face);
+    // The parts of a face that crosses itself may cancel: it has a plane all the same.
+    if (is_zero(normal)) normal = normal_of_corners(face);
     if (is_zero(normal)) {
-      throw BadInput("zero-area", "a face has no area",
+      throw BadInput("zero-area", "all vertices of a face lie on one line",
                      "remove it, and join the faces on its two sides", place(f, face));
     }
     const Integer height = dot(normal, points[face[0]]);
@@ -121,6 +125,16 @@ class PolyhedronValidator {
       }
     }
     if (face.size() > 3) check_simple(f, normal);
+  }
+
+  /// Of the first three vertices that are on no line; zero where there are none.
+  IntegerVector normal_of_corners(const Face& face) const {
+    for (std::size_t a = 0; a + 2 < face.size(); ++a) {
+      const IntegerVector normal =
+          area_vector(integers_.points, {face[a], face[a + 1], face[a + 2]});
+      if (!is_zero(normal)) return normal;
+    }
+    return {};
   }
 
   /// Along the axis in which the normal is longest the face is seen as it is.
@@ -138,7 +152,8 @@ class PolyhedronValidator {
     } catch (const BadInput& fault) {
       std::vector<std::uint32_t> at;
       const std::size_t count = faces()[f].size();
-      const bool turned = normal[axis] < 0;
+      // A ring whose area is zero has not been turned.
+      const bool turned = normal[axis] < 0 && !is_zero(area_vector(integers_.points, faces()[f]));
       for (const std::size_t k : fault.place().vertices) {
         at.push_back(faces()[f][turned && k > 0 ? count - k : k]);
       }
@@ -178,6 +193,7 @@ class PolyhedronValidator {
     };
     std::vector<Corner> corners;
     for (std::uint32_t f = 0; f < faces().size(); ++f) {
+      look_for_interrupt();
       const Face& face = faces()[f];
       for (std::size_t k = 0, n = face.size(); k < n; ++k) {
         corners.push_back({face[k], face[(k + 1) % n], face[(k + n - 1) % n], f});
@@ -222,6 +238,7 @@ class PolyhedronValidator {
 }  // namespace
 
 void validate_faces(const Polyhedron& polyhedron) {
+  const FloatEnvironment standard;
   const std::vector<Face>& faces = polyhedron.faces;
   for (std::uint32_t f = 0; f < faces.size(); ++f) {
     for (const std::uint32_t v : faces[f]) {
@@ -240,11 +257,18 @@ void validate_faces(const Polyhedron& polyhedron) {
   }
 }
 
-void validate_mesh(const Polyhedron& polyhedron) { PolyhedronValidator(polyhedron).run_on_mesh(); }
+void validate_mesh(const Polyhedron& polyhedron) {
+  const FloatEnvironment standard;
+  PolyhedronValidator(polyhedron).run_on_mesh();
+}
 
-void validate(const Polyhedron& polyhedron) { PolyhedronValidator(polyhedron).run(); }
+void validate(const Polyhedron& polyhedron) {
+  const FloatEnvironment standard;
+  PolyhedronValidator(polyhedron).run();
+}
 
 void validate_summand(const Polyhedron& polyhedron) {
+  const FloatEnvironment standard;
   PolyhedronValidator validator(polyhedron);
   if (polyhedron.faces.size() == 1) return validator.run_on_polygon();
   validator.run();

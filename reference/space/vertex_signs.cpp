@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/interrupt.hpp"
+
 namespace minkref::inline space {
 namespace {
 
@@ -27,6 +29,7 @@ VertexSigns::VertexSigns(const std::vector<IntegerVector>& points)
   double most = 0;
   boxes_.reserve(points.size());
   for (const IntegerVector& p : points) {
+    look_for_interrupt();
     SpaceBox& box = boxes_.emplace_back();
     for (std::size_t k = 0; k < 3; ++k) {
       const auto [low, high] = enclosed(p[k]);

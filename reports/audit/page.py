@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from minkref.documents import write_atomically
+from minkref.documents import write_together
 from minkref.reports.audit.catalogue import CHAPTERS, ENTRIES
 from minkref.reports.audit.entry import CheckFailed, Entry, Shown, counted
 from minkref.reports.pages import environment
@@ -71,9 +71,8 @@ def write_audit(folder: Path, quick: bool, tell: Tell, done: Callable[[], None])
         )
     )
     folder.mkdir(parents=True, exist_ok=True)
-    write_atomically(folder / PAGE, page)
     rows = [row_of(one) for one in outcomes]
-    write_atomically(folder / "audit.json", json.dumps(rows, indent=1) + "\n")
+    write_together({folder / PAGE: page, folder / "audit.json": json.dumps(rows, indent=1) + "\n"})
     return outcomes
 
 

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from minkref.documents import write_atomically
+from minkref.documents import write_together
 from minkref.fuzz.run.runner import Run
 from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.targets.answer import Limits
@@ -54,8 +54,7 @@ def write_report(
         files[f"finding-{finding.name}.html"] = page("finding.html.j2", finding=finding)
     files[ONE_FILE] = templates.get_template("one.html.j2").render(**shared, one=True)
     files[FRONT] = page("index.html.j2")
-    for name, text in files.items():
-        write_atomically(folder / name, text)
+    write_together({folder / name: text for name, text in files.items()})
     return folder / FRONT
 
 

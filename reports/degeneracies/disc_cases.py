@@ -80,7 +80,7 @@ def disc_case_pictures(path: Path, value: dict[str, Any]) -> list[Drawn]:
             radius = math.sqrt(Fraction(square))
             caption = f"the sum {where} the radius {radius:.6g}"
             found = _core.offset(P, square)
-            drawn.append(Drawn(caption, offset_picture(found, P, radius, caption)))
+            drawn.append(Drawn(caption, offset_picture(found, P, caption)))
         return drawn
     except (_core.BadInput, ArithmeticError) as error:
         raise unfit(path, f"it cannot be drawn: {message_of(error)}", "not-drawable") from error

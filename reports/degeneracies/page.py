@@ -17,7 +17,7 @@ from minkref.degeneracies.flags import explained
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, invalid_member
 from minkref.degeneracies.paths.case_faults import CORPUS as CORPUS_OF_PATHS
 from minkref.degeneracies.paths.case_faults import case_paths as case_paths_of_paths
-from minkref.documents import check_writable, write_atomically
+from minkref.documents import check_writable, write_together
 from minkref.errors import Refusal, message_of
 from minkref.fuzz.space.case_file import is_in_space
 from minkref.output_folder import make_folder
@@ -157,8 +157,7 @@ def write_report(
     make_folder(folder)
     for name in files:
         check_writable(folder / name)
-    for name, text in files.items():
-        write_atomically(folder / name, text)
+    write_together({folder / name: text for name, text in files.items()})
     return folder / f"{INDEX}.html"
 
 

@@ -10,6 +10,7 @@ from minkref.degeneracies.catalogue import PATH_FAMILIES
 from minkref.degeneracies.paths.case_document import DegeneratePath
 from minkref.fuzz.judges.certified_paths import PathConfirmation
 from minkref.fuzz.judges.path_cases import path_case
+from minkref.fuzz.judges.trap_cases import trap_case
 from minkref.reports.evidence.certificates.mutant_tally import (
     ANOTHER_PROOF,
     OTHER_CLAIMS,
@@ -32,12 +33,13 @@ SUBJECT = (
     "changed in each way that fits: both checkers on each mutant; what they still verify, held "
     "against the valid scales and traps of the reference at all scales."
 )
-MINUTES = (1, 0.1)
+MINUTES = (2, 0.2)
 DEPENDS = (*REFERENCE, *READERS, *COMPARISON, *CERTIFY, *DEGENERACIES)
 
 SEED = 1975
 LEAST, QUICK_LEAST = 4000, 100
 RANDOM = 6  # random paths, beside a member of each family
+DOORS = 6  # traps whose doors just shut: ways out that move with the scale
 EACH = 4  # mutants of a field and a way, of one certificate
 
 
@@ -61,6 +63,11 @@ def _certified(quick: bool) -> list[tuple[str, str, str]]:
         certificate = PathCertificate(case.part, case.obstacles, case.path)
         certificate.valid("forbidden")
         made.append((case.name, certificate))
+    for index in range(1 if quick else DOORS):
+        door = trap_case(SEED, index)
+        certificate = PathCertificate(door.part, door.assembly, [door.at])
+        certificate.trap("forbidden")
+        made.append((door.name, certificate))
     return [(name, one.case(), one.text("it.case.json")) for name, one in made]
 
 

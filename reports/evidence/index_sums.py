@@ -18,6 +18,7 @@ from minkref.exact import digest
 from minkref.fuzz.families.holed_pairs import fit_pair, holes_pair, nested_pair, small_holes_pair
 from minkref.fuzz.families.pinched_pairs import pinched_pair
 from minkref.fuzz.families.random_pairs import Pair
+from minkref.fuzz.families.touching_cells import window_of
 from minkref.reports.evidence.certificates.certified_cases import written
 from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, verdicts
 from minkref.reports.evidence.framework.in_processes import in_processes
@@ -134,7 +135,7 @@ def degenerate_tasks() -> Iterator[Task]:
 def pinched_tasks() -> Iterator[Task]:
     for number in range(PINCHED):
         pair = pinched_pair(SEED, number)
-        yield f"pinched {number}", pair.P, pair.Q, (None, None), ()
+        yield f"pinched {number}", pair.P, pair.Q, window_of(number), ()
 
 
 def corpus_tasks() -> Iterator[Task]:
@@ -202,7 +203,8 @@ def run(findings: Findings, quick: bool) -> None:
     _certificates(findings, degenerate[:: len(degenerate) // SAMPLE])
     findings.note(
         f"seed {SEED}; windows of real pairs {WINDOW[0]} to {WINDOW[1]}, of degenerate pairs all "
-        "scales, of the corpus from half the least to twice the greatest scale of the case"
+        "scales, of pinched pairs five in turn, of the corpus from half the least to twice the "
+        "greatest scale of the case"
     )
 
 

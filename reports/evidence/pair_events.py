@@ -88,14 +88,16 @@ def _pair(findings: Findings, names: tuple[str, str], quick: bool) -> None:
 def _tally(found: _core.PairEvents) -> dict[str, Any]:
     columns = {name: memoryview(raw) for name, raw in found.columns().items()}
     a, b, rank = (columns[name].cast("I") for name in ("a", "b", "rank"))
-    scale = columns["scale"].cast("d")
+    _, _, nearest, which = found.scale_texts()
+    values, numbers = memoryview(nearest).cast("d"), memoryview(which).cast("i")
+    scale = [values[k] for k in numbers]
     change, parallel = columns["change"], columns["parallel"]
     is_s = [row[0] == "S" for row in found.edges()]
     types = [0, 0, 0]
     parallel_events = 0
     descents = 0
     for i in range(len(found)):
-        if i and (rank[i] < rank[i - 1] or scale[i] < scale[i - 1] * (1 - 1e-14)):
+        if i and (rank[i] < rank[i - 1] or scale[i] < scale[i - 1]):
             descents += 1
         if parallel[i]:
             parallel_events += 1
@@ -110,7 +112,7 @@ def _meeting_by_events(found: _core.PairEvents, s: Fraction) -> int:
     columns = {name: memoryview(raw) for name, raw in found.columns().items()}
     a, b = columns["a"].cast("I"), columns["b"].cast("I")
     change, parallel = columns["change"], columns["parallel"]
-    begins, texts, _ = found.scale_texts()
+    begins, texts, _, _ = found.scale_texts()
     begin = memoryview(begins).cast("q")
     rank = columns["rank"].cast("I")
     scales = [Fraction(texts[begin[i] : begin[i + 1]].decode()) for i in range(len(begin) - 1)]

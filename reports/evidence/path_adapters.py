@@ -26,6 +26,7 @@ DEPENDS = (*REFERENCE, *READERS, *COMPARISON, "oracle/slow/*.py", "tests/verify/
 SEED = 3170
 CASES, FAULTY_CASES = 500, 120
 JOBS = 2
+MOST_SECONDS = 60.0
 RIGHT = {
     "right": ("path", "path-ranges"),
     "rounded": ("path", "path-ranges"),
@@ -35,7 +36,8 @@ RIGHT = {
 FAULTS = {
     "coarse": "path", "touching": "path", "careless": "path", "one-interval": "path-ranges",
     "inner": "path", "first-segment": "path", "turned": "path", "hull": "path", "no-holes": "path",
-    "closed": "path-ranges", "never": "path", "always": "path-ranges", "rejects": "path",
+    "not-alone": "path-ranges", "closed": "path-ranges", "never": "path", "always": "path-ranges",
+    "rejects": "path",
 }  # fmt: skip
 
 
@@ -66,6 +68,11 @@ def run(findings: Findings, quick: bool) -> None:
             "cases": len(wrong), "reasons": dict(kinds), "seconds": time.perf_counter() - began,
         }  # fmt: skip
     findings.none("faults that are not found", missed)
+    alone = findings.figures["not-alone"]["seconds"]
+    findings.law(
+        "the adapter without scales that are valid alone is found in time",
+        alone < MOST_SECONDS, f"within {MOST_SECONDS:g} s", f"{alone:.0f} s",
+    )  # fmt: skip
     findings.none("findings without a witness", bare)
     findings.note(
         f"{judged:,} answers of right adapters (seed {SEED}): {dict(tally)}; "

@@ -16,6 +16,7 @@ from minkref.fuzz.judges.path_cases import PathCase, path_case
 from minkref.fuzz.judges.path_collisions import Collisions, by_slow_engine, by_triangles
 from minkref.fuzz.judges.path_sums import PathBySums
 from minkref.fuzz.judges.path_traps import enclosing_ring, way_out
+from minkref.fuzz.judges.trap_cases import KINDS, trap_case
 from minkref.reports.evidence.certificates.path_cases import (
     Made,
     checking_seconds,
@@ -39,11 +40,12 @@ SUBJECT = (
     "give the same valid scales; at, just below and just above each bound and in each range the "
     "answer is that from the definition, for some of them by the slow engine; traps have an "
     "enclosing ring, and what is no trap a way out. Certificates of these answers, of all their "
-    "scales, before both checkers: rings and ways out of 200 traps, and the paths. The time of a "
+    "scales, before both checkers: rings and ways out of 200 traps, of 200 more whose doors just "
+    "shut, contact forbidden, each within 30 s, and the paths. The time of a "
     "large path on one core, beside that of CGAL's sums at single scales, which bracket the same "
     "bound."
 )
-MINUTES = (9, 0.1)
+MINUTES = (10, 0.2)
 ALONE = True  # it measures time
 DEPENDS = (*REFERENCE, *READERS, *COMPARISON, *CERTIFY, *CGAL, "oracle/slow/*.py")
 
@@ -52,6 +54,8 @@ METHOD = "reduced"
 CASES, QUICK_CASES = 500, 8
 SLOW, QUICK_SLOW = 200, 2
 TRAPS, QUICK_TRAPS = 200, 2
+DOORS, QUICK_DOORS = 200, 8
+MOST_SECONDS = 30.0
 HAIR = Fraction(1, 1 << 20)
 CONTACTS = ("allowed", "forbidden")
 SLOW_SCALES = 4
@@ -66,6 +70,7 @@ WORDS = {"trapped": "claims of a ring", "escapes": "claims of a way out", "hit":
 def run(findings: Findings, quick: bool) -> None:
     _cases(findings, QUICK_CASES if quick else CASES, QUICK_SLOW if quick else SLOW)
     _traps(findings, QUICK_TRAPS if quick else TRAPS)
+    _doors(findings, QUICK_DOORS if quick else DOORS)
     _speed(findings, QUICK_WIDTH if quick else WIDTH)
 
 
@@ -242,6 +247,45 @@ def judge_trap(index: int) -> dict[str, Any]:
         for claim in proof.certificate.claims if proof.certificate is not None else ():
             tally[WORDS.get(claim["claim"], "claims of an answer")] += 1
     return {"tally": tally, "faults": wrong, **_proofs(certificates)}
+
+
+def _doors(findings: Findings, count: int) -> None:
+    """Doors that just shut, contact forbidden: the commonest trap."""
+    tally: Counter[str] = Counter()
+    kinds: Counter[str] = Counter()
+    unproven: list[str] = []
+    slow: list[str] = []
+    proofs = []
+    without: Counter[str] = Counter()
+    for found in in_processes(judge_door, range(count), 50, "doors"):
+        tally.update(found["tally"])
+        kinds.update([found["kind"]])
+        unproven += found["unproven"]
+        slow += found["slow"]
+        without.update(found["without"])
+        proofs.append(found["proofs"])
+    findings.none("doors that shut: certificates that a checker does not verify", unproven)
+    findings.none(
+        f"doors that shut: answers neither certified nor refused in {MOST_SECONDS:g} s", slow
+    )
+    findings.equal("doors that shut: kinds that are drawn", set(KINDS), set(kinds))
+    findings.law(
+        "doors that shut: certificates with ways that move", tally["moving"] >= count / 4,
+        f"at least {count / 4:g}", tally["moving"],
+    )  # fmt: skip
+    findings.figures["doors that shut"] = {**tally, "kinds": dict(kinds)}
+    _certified(findings, "traps whose doors shut", proofs, without)
+
+
+def judge_door(index: int) -> dict[str, Any]:
+    case = trap_case(SEED, index)
+    sets = case.part, case.assembly
+    one = made(case.name, sets, [case.at], lambda proof: proof.trap("forbidden"))
+    steps = [] if one.certificate is None else one.certificate.steps
+    moves = any(len(place) == 4 for step in steps for place in step.get("path") or ())
+    tally = Counter(cases=1, moving=int(moves), refused=int(one.certificate is None))
+    slow = [f"{case.name} ({case.kind}): {one.seconds:.0f} s"] * (one.seconds > MOST_SECONDS)
+    return {"tally": tally, "kind": case.kind, "slow": slow, **_proofs([one])}
 
 
 def _trap_proof(index: int, part: Any, assembly: Any, at: Any, contact: str) -> Made:

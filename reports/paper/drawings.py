@@ -98,7 +98,7 @@ def with_true_disc(pair: Pair) -> tuple[list[Picture], list[Claim]]:
     caption = f"with a true disc of the radius {radius:g}: {_counts(disc)}"
     pictures = [
         Picture(f"with the polygon: {_counts(by_polygon)}", _sum(by_polygon.region)),
-        Picture(caption, offset_picture(disc, pair.Q.set, radius, caption)),
+        Picture(caption, offset_picture(disc, pair.Q.set, caption)),
     ]
     area, most = float(Fraction(by_polygon.region.area())), disc.area[1]
     claim = Claim(

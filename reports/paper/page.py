@@ -11,7 +11,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from minkref.documents import write_atomically
+from minkref.documents import write_together
 from minkref.reports.pages import environment
 from minkref.reports.paper.entries import entries
 from minkref.reports.paper.entry import RULE, Entry, Table
@@ -36,13 +36,14 @@ def write_paper(
         )
     )
     folder.mkdir(parents=True, exist_ok=True)
+    files: dict[Path, str | bytes] = {}
     for one in found:
         for table in one.tables:
-            write_atomically(folder / f"{table.name}.csv", _csv(table))
-            write_atomically(folder / f"{table.name}.json", _json(table))
-    told = json.dumps([_told(one) for one in found], indent=1) + "\n"
-    write_atomically(folder / "paper.json", told)
-    write_atomically(folder / PAGE, page)
+            files[folder / f"{table.name}.csv"] = _csv(table)
+            files[folder / f"{table.name}.json"] = _json(table)
+    files[folder / "paper.json"] = json.dumps([_told(one) for one in found], indent=1) + "\n"
+    files[folder / PAGE] = page
+    write_together(files)
     return folder / PAGE
 
 

@@ -54,6 +54,34 @@ def drum(sides: int) -> _core.ConvexPolyhedron:
 
 
 @cache
+def double_cone(corners: int) -> _core.Polyhedron:
+    """Over a star and below it: slivers whose boxes overlap everywhere."""
+    ring = star(corners // 2, 10**9).rings()[0][0]
+    points: list[tuple[object, ...]] = [(x, y, 0) for x, y in ring]
+    points += [(0, 0, 10**9), (0, 0, -(10**9))]
+    faces = [[k, (k + 1) % corners, corners] for k in range(corners)]
+    faces += [[(k + 1) % corners, k, corners + 1] for k in range(corners)]
+    return _core.Polyhedron(points, faces)
+
+
+@cache
+def star_prism(corners: int) -> _core.Polyhedron:
+    """Two faces of so many corners, and walls that boxes do not tell apart."""
+    ring = star(corners // 2, 10**9).rings()[0][0]
+    points = [(x, y, z) for z in (0, 1) for x, y in ring]
+    walls = [[k, (k + 1) % corners, corners + (k + 1) % corners, corners + k]
+             for k in range(corners)]  # fmt: skip
+    caps = [list(reversed(range(corners))), list(range(corners, 2 * corners))]
+    return _core.Polyhedron(points, walls + caps)
+
+
+@cache
+def mesh_text(form: str) -> bytes:
+    """Of a mesh that takes long to read."""
+    return _core.write_mesh(double_cone(120_000), form).encode()
+
+
+@cache
 def many() -> _core.PolygonSet:
     """Vertices whose coordinates no decimal ends."""
     return disc(800_000).scaled("1000/3001")
@@ -67,6 +95,20 @@ def written() -> str:
 def _proof(P: _core.PolygonSet, Q: _core.PolygonSet) -> object:
     prover = _core.Prover(P, Q)
     return prover.prove("1", prover.box("1"), (0, 1))
+
+
+def prepare(name: str) -> None:
+    """Makes the operands, which are no part of the work."""
+    if name in ("reading", "writing"):
+        written()
+    elif name.startswith("reading "):
+        mesh_text(name.removeprefix("reading "))
+    elif name in ("validation, slivers", "certified as convex"):
+        double_cone(60_000)
+    elif name in ("validation, large faces", "cut into triangles"):
+        star_prism(60_000)
+    elif name == "validation, spikes":
+        star(60_000, 10**9)
 
 
 def works() -> dict[str, Callable[[], object]]:
@@ -86,6 +128,16 @@ def works() -> dict[str, Callable[[], object]]:
         "decision": lambda: _core.decide(disc(20_000), disc(20_001), "1", "0", "0"),
         "validation": lambda: disc(600_000).validate(),
         "reading": lambda: _core.read_text(written(), "wkt"),
+        "validation, spikes": lambda: star(60_000, 10**9).validate(),
+        "validation, slivers": lambda: double_cone(60_000).validate(),
+        "validation, large faces": lambda: star_prism(60_000).validate(),
+        "certified as convex": lambda: _core.ConvexPolyhedron(double_cone(60_000)),
+        "a set of points": lambda: _core.PolygonSet(star(30_000, 10**9).rings()[0][0]),
+        **{
+            f"reading {form}": lambda form=form: _core.read_mesh_text(mesh_text(form), form)
+            for form in _core.MESH_FORMATS
+        },
+        "cut into triangles": lambda: star_prism(60_000).cut_into_triangles(),
         "writing": lambda: _core.write(many(), "wkt"),
         "long lists": lambda: _core.reduced_convolution(star(2000), comb(2000)),
         "convex sum": lambda: _core.convex_sum(drum(1500), drum(1501), SCALING, "brute-force"),

@@ -6,10 +6,9 @@ import os
 import signal
 import threading
 import time
-from collections.abc import Iterator
 
 import pytest
-from long_works import comb, star, works, written
+from long_works import comb, prepare, star, works
 from minkref import _core
 
 SOON = 0.2  # seconds of this thread's processor: others may have the machine
@@ -20,6 +19,8 @@ GROWING = (
     "arrangement events",
     "index",
     "pair events",
+    "validation, slivers",
+    "reading off",
 )
 
 
@@ -47,8 +48,7 @@ def seconds_to_end(name: str) -> float:
 @pytest.mark.parametrize("name", works())
 def test_an_interrupt_ends_work_within_a_fifth_of_a_second(name: str) -> None:
     """The shortest of three: what others do to the caches makes a thread's own time longer too."""
-    if name in ("reading", "writing"):
-        written()  # which is no part of the work
+    prepare(name)
     assert any(seconds_to_end(name) < SOON for _ in range(3))
 
 
@@ -66,19 +66,17 @@ def test_operands_are_whole_after_an_interrupt() -> None:
     )
 
 
-@pytest.fixture
-def little_memory() -> Iterator[None]:
-    _core.set_memory_limit(1 << 20)  # less than the interpreter has
-    yield
-    _core.set_memory_limit(0)
-
-
 @pytest.mark.parametrize("name", GROWING)
-def test_a_limit_of_memory_ends_work_with_a_refusal(name: str, little_memory: None) -> None:
-    with pytest.raises(
-        _core.LimitExceeded, match=r"memory than it may have|at the least"
-    ) as refused:
-        works()[name]()
+def test_a_limit_of_memory_ends_work_with_a_refusal(name: str) -> None:
+    prepare(name)
+    _core.set_memory_limit(1 << 20)  # less than the interpreter has
+    try:
+        with pytest.raises(
+            _core.LimitExceeded, match=r"memory than it may have|at the least"
+        ) as refused:
+            works()[name]()
+    finally:
+        _core.set_memory_limit(0)
     assert refused.value.code == "memory-limit"
 
 

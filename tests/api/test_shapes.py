@@ -106,8 +106,11 @@ def test_random_sets_survive_fractions_and_are_told_apart() -> None:
         assert box.translated("0", "1/97") != box, f"seed {seed}"
 
 
+LOOP: dict[str, Any] = {"type": "GeometryCollection"}
+LOOP["geometries"] = [LOOP]
 REFUSED = {
     "a number": (3, "PolygonSet: an object of type int"),
+    "nothing": (None, "PolygonSet: an object of type NoneType"),
     "an empty ring": ([[]], "point 0: a point of the plane has two coordinates, not 0"),
     "three coordinates": ([(0, 0, 1)], "two coordinates, not 3"),
     "no number": (
@@ -125,14 +128,22 @@ REFUSED = {
     "an array without dimensions": (np.array(3), "of type ndarray"),
     "text in no format": ("circle", "'circle': this text is in no known format"),
     "standard input": ("-", "'-': this text is in no known format"),
+    "infinity": ([(0, 0), (np.float32("inf"), 0), (0, 1)], "the coordinate is inf"),
+    "a Decimal that is no number": ([(0, 0), (Decimal("sNaN"), 0), (0, 1)], "is sNaN"),
+    "a Decimal of a huge exponent": ([(0, 0), (Decimal("1e999999"), 0), (0, 1)], "exponent"),
+    "a complex number": ([(0, 0), (1j, 0), (0, 1)], "of type complex"),
+    "collections in themselves": (LOOP, "nested deeper"),
+    "a feature of no geometry": ({"type": "Feature", "geometry": [1, 2]}, "a mapping is expected"),
 }
 
 
 @pytest.mark.parametrize("kind", REFUSED)
 def test_what_is_no_shape_is_refused_where_it_stands(kind: str) -> None:
     shape, told = REFUSED[kind]
-    with pytest.raises(minkref.Refusal, match=told.replace("(", r"\(")):
+    with pytest.raises(minkref.Refusal, match=told.replace("(", r"\(")) as refused:
         PolygonSet(shape)
+    assert isinstance(refused.value, minkref.BadInput)  # the exception that is documented
+    assert refused.value.problem and refused.value.mend and refused.value.code
 
 
 def test_a_shape_that_is_no_regular_set_is_refused_unless_told_not_to_look() -> None:
@@ -145,6 +156,63 @@ def test_a_shape_that_is_no_regular_set_is_refused_unless_told_not_to_look() -> 
     assert clockwise.rings()[0][0] == [
         (Fraction(x), Fraction(y)) for x, y in ((0, 0), (0, 1), (1, 0))
     ]
+
+
+LINE = [(0, 0), (4, 0), (4, 4)]
+#: Values, and the text of a file of the same.
+AS_IN_FILES: dict[str, tuple[Any, str]] = {
+    "an open line": ({"type": "LineString", "coordinates": LINE}, "LINESTRING (0 0, 4 0, 4 4)"),
+    "a closed line": (shapely.LineString([*LINE, LINE[0]]), "LINESTRING (0 0, 4 0, 4 4, 0 0)"),
+    "an open ring": ({"type": "Polygon", "coordinates": [LINE]}, "POLYGON ((0 0, 4 0, 4 4))"),
+    "a ring there and back": (
+        {"type": "Polygon", "coordinates": [[*LINE[:2], LINE[0]]]}, "POLYGON ((0 0, 4 0, 0 0))",
+    ),
+    "a line in a collection": (
+        {
+            "type": "GeometryCollection",
+            "geometries": [GEOJSON, {"type": "LineString", "coordinates": LINE[:2]}],
+        },
+        "GEOMETRYCOLLECTION (POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0)), LINESTRING (0 0, 4 0))",
+    ),
+    "a segment of no length": ([(1, 1), (1, 1)], "LINESTRING (1 1, 1 1)"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("kind", AS_IN_FILES)
+def test_values_are_refused_for_what_files_are(kind: str) -> None:
+    """An open line of three points was filled: its area was 8."""
+    shape, text = AS_IN_FILES[kind]
+    codes = []
+    for given in (shape, text):
+        with pytest.raises(minkref.BadInput) as refused:
+            PolygonSet(given)
+        codes.append((refused.value.code, refused.value.problem))
+    assert codes[0][0] == codes[1][0]
+    assert "line" not in str(refused.value.source)
+
+
+def test_a_line_of_two_points_is_a_segment_and_an_empty_geometry_the_empty_set() -> None:
+    assert PolygonSet(shapely.LineString(LINE[:2])) == PolygonSet(LINE[:2])
+    assert PolygonSet(shapely.Point(1, 2)) == PolygonSet((1, 2))
+    for empty in ((), [], {"type": "Feature", "geometry": None}, shapely.Polygon()):
+        assert PolygonSet(empty).is_empty, empty
+    assert PolygonSet().is_empty
+
+
+def test_a_long_double_counts_by_its_exact_value() -> None:
+    value = np.longdouble(1) + np.finfo(np.longdouble).eps
+    made = PolygonSet([(0, 0), (value, 0), (0, 1)])
+    assert made.rings()[0][0][1][0] == Fraction(*value.as_integer_ratio())
+
+
+def test_arrays_hold_the_nearest_doubles_and_no_infinity() -> None:
+    big, small = 10**308, Fraction(1, 3 * 10**320)
+    (((_, row, _),),) = PolygonSet([(0, 0), (big, small), (0, 1)]).arrays()
+    assert [*row] == [1e308, float(small)] and 0 < row[1] < 1e-320
+    for shape in ([(0, 0), (10**309, 0), (0, 1)], (-(10**400), 0)):
+        for read in (PolygonSet.arrays, PolygonSet.approximate_rings, PolygonSet.bounding_box):
+            with pytest.raises(minkref.LimitExceeded, match="beyond the range of doubles"):
+                read(PolygonSet(shape))
 
 
 def test_a_set_is_equal_to_sets_only() -> None:

@@ -38,7 +38,7 @@ def test_sums_and_their_tight_passages(check: Any, tmp_path: Path, family: str) 
         assert code == 0, (case.name.text, said)
         found = _core.minkowski_sum(case.P, case.Q, case.scale, tight_passages=True)
         assert digest(found.region.canonical_json()) in said
-        assert len(certificate.claims) == 1 + len(found.tight_passages or [])
+        assert len(certificate.claims) == 1 + len(found.tight_passages)
 
 
 # In sums of large coordinates of both signs, the box of a piece times a scale that is no double.

@@ -137,3 +137,31 @@ def room() -> Value:
         ],
     }  # fmt: skip
     return copy.deepcopy(value)
+
+
+#: A square of side 1, its corner the origin, left of a door of its width.
+DOOR_CASE: Value = {
+    "R": polygons(box(0, 0, 1, 1)),
+    "O": polygons(box(0, -1, 1, 0), box(0, 1, 1, 2)),
+    "path": [["-2", "0"]],
+}
+SHUTS = scales("0", "1", "()")
+
+
+def door() -> Value:
+    """A fresh copy: up to where the door shuts the part gets out through its middle, which moves
+    with the scale."""
+    middle = "1/2", "-1/2"
+    way = [["-2", "0"], ["-2", "0", *middle], ["2", "0", *middle]]
+    codes = [[0], [-2, 1, 2]]
+    step = clear(SHUTS, [[-1, 0], [0, 1], [0, -1]], *codes, contact="forbidden")
+    escapes = {
+        "claim": "escapes", "contact": "forbidden", "scales": SHUTS, "step": 2, "normal": [1, 0],
+    }  # fmt: skip
+    value = {
+        "certificate": "path-certificate-v1",
+        "case": {"path": "case.json", "sha256": digest_of_case(DOOR_CASE)},
+        "steps": [*PIECES, {**step, "path": way}],
+        "claims": [escapes],
+    }
+    return copy.deepcopy(value)

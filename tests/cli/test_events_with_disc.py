@@ -116,3 +116,67 @@ def test_topology_names_holes_and_components(minkref: Minkref) -> None:
     ran = minkref("events", chambers, "disc", "--kind", "topology", "--from", "2", "--to", "7",
                   "--json")  # fmt: skip
     assert [row["squared_radius"] for row in ran.json["events"]] == ["10201/400"]
+
+
+BOXES = (
+    "MULTIPOLYGON (((16 12, 17 12, 17 13, 16 13, 16 12)), ((15 7, 16 7, 16 8, 15 8, 15 7)), "
+    "((11 10, 12 10, 12 13, 11 13, 11 10)), ((19 10, 20 10, 20 11, 19 11, 19 10)))"
+)
+ROOMS = (
+    "POLYGON ((-10 -10, 10 -10, 10 20, -10 20, -10 -10), (-1/2 0, 1/2 0, 7/2 4, 7/2 8, 1 8, 1 9, "
+    "7/2 9, 7/2 13, -7/2 13, -7/2 9, -1 9, -1 8, -7/2 8, -7/2 4, -1/2 0))"
+)
+ROOMS_UPSIDE_DOWN = (
+    "POLYGON ((-10 10, 10 10, 10 -20, -10 -20, -10 10), (-1/2 0, 1/2 0, 7/2 -4, 7/2 -8, 1 -8, "
+    "1 -9, 7/2 -9, 7/2 -13, -7/2 -13, -7/2 -9, -1 -9, -1 -8, -7/2 -8, -7/2 -4, -1/2 0))"
+)
+COMB = (
+    "POLYGON ((0 0, 9 0, 9 4, 8 4, 8 1, 7 1, 7 4, 6 4, 6 2, 3 2, 3 4, 2 4, 2 2, 1 2, 1 4, 0 4, "
+    "0 0))"
+)
+
+
+def births(minkref: Minkref, P: str) -> list[dict[str, Any]]:
+    events = minkref("events", P, "disc", "--kind", "topology", "--json").json["events"]
+    return [row for row in events if row["changes"]["born"]]
+
+
+def test_each_of_two_holes_born_at_one_radius_has_its_own_place(minkref: Minkref) -> None:
+    """They were both put at a corner of the outside, (19, 13), as far from the boxes."""
+    first, second = births(minkref, BOXES)
+    assert [row["squared_radius"] for row in (first, second)] == ["4", "4"]
+    assert (first["kind"], first["place"]) == ("ridge", [14, 12])
+    assert (second["kind"], second["place"]) == ("ridge", [16, 10])
+    assert {"vertex": ["16", "8"]} in second["features"]
+
+
+def test_a_mirror_image_has_the_images_of_places(minkref: Minkref) -> None:
+    """A door with another event at its radius: the place depended on the order of edges."""
+    (birth,), (image,) = births(minkref, ROOMS), births(minkref, ROOMS_UPSIDE_DOWN)
+    assert (birth["kind"], birth["place"]) == ("ridge", [0, 9])
+    assert (image["kind"], image["place"]) == ("ridge", [0, -9])
+    assert {"vertex": ["1", "9"]} in birth["features"]
+    assert {"vertex": ["1", "-9"]} in image["features"]
+
+
+def test_of_edges_on_one_line_the_nearest_is_named(minkref: Minkref) -> None:
+    """0.8, the floor of another slot, was named as the first edge on the line."""
+    events = minkref("events", COMB, "disc", "--json").json["events"]
+    (event,) = [row for row in events if row["place"] == [1.5, 2.5]]
+    assert sorted(each["edge"] for each in event["features"]) == [[0, 11], [0, 12], [0, 13]]
+
+
+def test_a_straight_vertex_cuts_an_edge_in_two_names(minkref: Minkref) -> None:
+    """A frame with a hole of 4 by 12; its long sides have a vertex in the middle."""
+    frame = "POLYGON ((0 0, 16 0, 16 8, 0 8, 0 0), (2 2, 2 6, 8 6, 14 6, 14 2, 8 2, 2 2))"
+    first, last = minkref("events", frame, "disc", "--json").json["events"]
+    assert (first["place"], last["place"]) == ([4, 4], [12, 4])
+    assert sorted(each["edge"] for each in first["features"]) == [[1, 0], [1, 1], [1, 5]]
+    assert sorted(each["edge"] for each in last["features"]) == [[1, 2], [1, 3], [1, 4]]
+
+
+def test_events_at_one_radius_are_in_the_order_of_their_places(minkref: Minkref) -> None:
+    events = minkref("events", COMB, "disc", "--json").json["events"]
+    keys = [(row["radius"]["low"], *row["place"]) for row in events]
+    assert len({radius for radius, *_ in keys}) < len(keys)
+    assert keys == sorted(keys)

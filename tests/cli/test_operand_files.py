@@ -67,7 +67,7 @@ def test_operand_of_a_case_is_named_with_its_letter(minkref: Minkref, tmp_path: 
 def test_area_beyond_doubles_is_null_and_shown_by_its_power_of_ten(minkref: Minkref) -> None:
     huge = ("sum", "g1", "g3", "--scale", "1e1000")
     assert minkref(*huge, "--json").json["area_approximate"] is None
-    assert re.search(r"area +\d\.\d{6}e200\d = \(", minkref(*huge).out)
+    assert re.search(r"area +about \d\.\d+e200\d \(", minkref(*huge).out)
 
 
 def test_undecided_double_says_why_and_is_not_unequal(minkref: Minkref) -> None:

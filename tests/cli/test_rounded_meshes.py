@@ -141,11 +141,12 @@ def test_a_sum_that_touches_itself_is_told_apart(minkref: Minkref, tmp_path: Pat
     assert told["rounding"]["fault"] == "non-manifold-vertex"
 
 
-def test_beyond_doubles_nothing_is_said(minkref: Minkref, tmp_path: Path) -> None:
+def test_beyond_doubles_a_warning_is_said(minkref: Minkref, tmp_path: Path) -> None:
     """A length of ten to the 400 is written exactly, a third beside it is not."""
     bar = prism([(0, 0), (10**400, 0), (10**400, "1/3"), (0, "1/3")])
     told = written(minkref, tmp_path, bar, off([(0, 0, 0)], []))
     assert (told["output_exact"], told["rounding"]) == (False, None)
+    assert "beyond the range of doubles" in told["warnings"][0]
 
 
 def test_people_read_it(minkref: Minkref, tmp_path: Path) -> None:

@@ -36,6 +36,21 @@ def test_output_that_takes_nothing_exits_2_and_says_so(to: str) -> None:
     assert "cannot write to standard output" in ran.stderr
 
 
+@pytest.mark.parametrize(
+    ("stream", "why"), [("<&-", "it is closed"), ("0>/dev/null", "Bad file descriptor")]
+)
+def test_input_that_cannot_be_read_exits_2_and_says_so(stream: str, why: str) -> None:
+    ran = shell(f"{MINKREF} sum - g2 {stream}")
+    assert ran.returncode == 2
+    assert f"standard input cannot be read: {why}" in ran.stderr
+
+
+def test_streams_that_a_command_does_not_need_may_be_closed(tmp_path: Path) -> None:
+    command = f"{MINKREF} sum g1 g2 -o {tmp_path / 'sum.json'} --scale 7/5"
+    assert shell(f"{command} <&- 2>&-").returncode == 0
+    assert json.loads((tmp_path / "sum.json").read_text())["polygons"]
+
+
 @pytest.mark.parametrize("to", ["2>&-", "2>/dev/full"])
 def test_refusal_that_nobody_can_read_still_exits_2(to: str) -> None:
     assert shell(f"{MINKREF} sum absent.wkt g3 {to}").returncode == 2

@@ -16,6 +16,7 @@ import jsonschema
 import pytest
 from minkref import _core
 from minkref.commands.schemas import schema
+from minkref.documents import lasting
 from minkref.exact import digest
 from minkref.fuzz.families.random_pairs import random_pair
 from minkref.operand import read_operand
@@ -80,7 +81,7 @@ def test_folder_holds_a_file_for_each_scale_and_an_index(
     ran = minkref("sweep", "g1", "g2", *options, "--json")
     assert (ran.code, ran.err) == (0, "")
     index = json.loads((folder / "index.json").read_text(encoding="utf-8"))
-    assert index == ran.json
+    assert index == lasting(ran.json)
     jsonschema.validate(index, schema("sweep"))
     names = [f"sum-0001.{form}", f"sum-0002.{form}"]
     assert [row["file"] for row in index["rows"]] == names

@@ -180,3 +180,21 @@ def test_a_diagram_too_large_for_a_page_is_refused(
     ran = minkref("view", "g1", "disc", "-o", tmp_path / "page.html")
     assert ran.code == 2
     assert "a page holds 10" in ran.err
+
+
+def test_the_page_names_the_edge_that_is_nearest_of_those_on_one_line(
+    minkref: Minkref, tmp_path: Path
+) -> None:
+    comb = (
+        "POLYGON ((0 0, 9 0, 9 4, 8 4, 8 1, 7 1, 7 4, 6 4, 6 2, 3 2, 3 4, 2 4, 2 2, 1 2, "
+        "1 4, 0 4, 0 0))"
+    )
+    data, _ = page_of(minkref, tmp_path, comb)
+    lines = sum(len(feature) == 4 for feature in data["features"])
+    rows = _core.diagram_events(read_operand(comb).set).rows(0, 10**6)
+    for near, row in zip(data["near"], rows, strict=True):
+        edges = [data["features"][k] for k in near if len(data["features"][k]) > 2]
+        names = [(int(ring), int(k)) for kind, ring, k in row[5] if kind == "edge"]
+        assert [tuple(edge[2:4]) for edge in edges] == names
+    (further,) = [feature for feature in data["features"] if feature[2:4] == [0, 12]]
+    assert lines < len(data["features"]) and len(data["features"][further[4]]) == 4

@@ -8,6 +8,7 @@
 
 #include "reference/disc/index/index_measures.hpp"
 #include "reference/disc/index/index_region.hpp"
+#include "reference/disc/index/radius_level.hpp"
 #include "reference/disc/region/offset_region.hpp"
 #include "reference/number/radicals/polynomial.hpp"
 #include "tests/plane/random_polygons.hpp"
@@ -38,18 +39,18 @@ struct Built {
 std::size_t components(const OffsetRegion& region) { return region.components.size(); }
 
 /// Each vertex is the start of a piece, as far as both are known.
-void expect_vertices(const Built& built, std::uint32_t gap, const Rational& radius,
+void expect_vertices(const Built& built, std::uint32_t gap, double radius,
                      const OffsetRegion& expected) {
   IndexBoundary boundary;
   built.index.boundary(gap, boundary);
   std::vector<BoundedPoint> found;
   std::vector<std::uint32_t> starts;
-  built.index.vertices(boundary, Interval(radius), found, starts);
+  built.index.vertices(boundary, radius, found, starts);
   std::size_t rings = 0;
   for (const OffsetComponent& component : expected.components) rings += 1 + component.holes.size();
   EXPECT_EQ(starts.size(), rings);
   for (const BoundedPoint& vertex : found) {
-    EXPECT_LT(vertex.error, 1e-6);
+    EXPECT_LT(vertex.error, 1e-10);
     const Interval x(vertex.x - vertex.error, vertex.x + vertex.error),
         y(vertex.y - vertex.error, vertex.y + vertex.error);
     const auto& pieces = expected.offset.pieces;
@@ -68,7 +69,8 @@ void check_gaps(const Built& built, testing::Source& random, int most) {
         static_cast<std::uint32_t>(random.between(0, static_cast<int>(built.index.radii())));
     const Rational low = built.low(gap), high = built.high(gap);
     if (low >= high) continue;
-    const Rational radius = low + (high - low) * random.between(1, 9) / 10;
+    const Rational radius = from_double(to_double(low + (high - low) * random.between(1, 9) / 10));
+    if (radius <= low || radius >= high) continue;
     const OffsetIndex::Place place = built.index.place(radius * radius);
     ASSERT_EQ(place.gap, gap);
     ASSERT_FALSE(place.at_event);
@@ -78,13 +80,13 @@ void check_gaps(const Built& built, testing::Source& random, int most) {
     ASSERT_EQ(found.holes, expected.holes);
     ASSERT_EQ(built.history.holes(place), expected.holes);
     ASSERT_EQ(built.history.components(place), components(expected));
-    const OffsetMeasures told = IndexMeasures(built.index).at(place, Interval(radius));
+    const OffsetMeasures told = IndexMeasures(built.index).at(place, radius * radius);
     const OffsetMeasures right = measures(expected);
     ASSERT_TRUE((told.area - right.area).contains_zero());
     ASSERT_TRUE((told.length - right.length).contains_zero());
     ASSERT_LT(told.area.upper() - told.area.lower(), 1e-9 * told.area.upper());
     ASSERT_LT(told.length.upper() - told.length.lower(), 1e-9 * told.length.upper());
-    ASSERT_NO_FATAL_FAILURE(expect_vertices(built, gap, radius, expected));
+    ASSERT_NO_FATAL_FAILURE(expect_vertices(built, gap, to_double(radius), expected));
   }
 }
 
@@ -162,7 +164,7 @@ TEST(OffsetIndex, HasBoundsAtRadiiOfAllMagnitudes) {
     built.index.boundary(0, boundary);
     std::vector<BoundedPoint> found;
     std::vector<std::uint32_t> starts;
-    built.index.vertices(boundary, Interval(radius), found, starts);
+    built.index.vertices(boundary, radius, found, starts);
     ASSERT_EQ(found.size(), expected.size());
     for (const Point& vertex : expected) {
       const auto is_near = [&](double x, const Rational& y, double error) {
@@ -185,7 +187,7 @@ TEST(OffsetIndex, OfAPointASegmentAndNothing) {
     EXPECT_EQ(built.index.radii(), 0U);
     const IndexRegion region = IndexRegions(built.index, built.history, built.curves).at(0);
     EXPECT_EQ(canonical_json(region.form, built.curves, 2), canonical_json(offset_region(P, 2)));
-    const OffsetMeasures told = IndexMeasures(built.index).at({0, false}, sqrt(Interval(2)));
+    const OffsetMeasures told = IndexMeasures(built.index).at({0, false}, 2);
     const OffsetMeasures right = measures(offset_region(P, 2));
     EXPECT_TRUE((told.area - right.area).contains_zero());
     EXPECT_TRUE((told.length - right.length).contains_zero());
@@ -221,6 +223,58 @@ TEST(OffsetIndex, NamesTheHoleThatEndsLast) {
   EXPECT_EQ(diagram.exact(diagram.events[second.ends_at]).squared_radius,
             RootNumber(Rational(10201, 400)));
   EXPECT_EQ(diagram.exact(diagram.events[first.ends_at]).squared_radius, RootNumber(64));
+}
+
+/// Two holes are born at one radius, at which a corner of the outside is as far from the boxes:
+/// each at the door that cuts it off.
+TEST(OffsetIndex, PutsEachBirthAtItsOwnDoor) {
+  const auto box = [](int x, int y, int high) {
+    return Polygon{{{x, y}, {x + 1, y}, {x + 1, y + high}, {x, y + high}}, {}};
+  };
+  const Built built(PolygonSet{{box(16, 12, 1), box(15, 7, 1), box(11, 10, 3), box(19, 10, 1)}});
+  ASSERT_EQ(built.history.all_holes.size(), 2U);
+  const DiagramEvents& diagram = built.index.diagram();
+  std::vector<RootPoint> places;
+  for (const OffsetHole& hole : built.history.all_holes) {
+    const auto place = diagram.exact(diagram.events[hole.born_at]);
+    EXPECT_EQ(place.squared_radius, RootNumber(4));
+    EXPECT_EQ(hole.from, 0U);
+    places.push_back(place.at);
+  }
+  const auto is_born_at = [&](int x, int y) {
+    return std::any_of(places.begin(), places.end(), [&](const RootPoint& at) {
+      return are_same(at, {RootNumber(x), RootNumber(y)});
+    });
+  };
+  EXPECT_TRUE(is_born_at(16, 10));
+  EXPECT_TRUE(is_born_at(14, 12));
+}
+
+/// Three parts about one door are cut off there; a row of them, each at its own door; one that two
+/// doors cut off, at the first of both; what leads to one part only cuts nothing off.
+TEST(RadiusLevel, CutsOffPartsDoorByDoor) {
+  using Ways = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+  constexpr std::uint32_t outside = 7;
+  RadiusLevel star(3);
+  star.join(1, 2);
+  for (const auto& [node, part] : Ways{{0, outside}, {1, outside}, {1, 8}, {2, 9}}) {
+    star.lead(node, part);
+  }
+  ASSERT_EQ(star.groups().size(), 1U);
+  EXPECT_EQ(star.cut_off(star.groups()[0], outside), (Ways{{8, 1}, {9, 2}}));
+  RadiusLevel row(4);
+  for (const auto& [node, part] : Ways{{3, outside}, {3, 8}, {1, 8}, {1, 9}, {0, 9}, {2, 8}}) {
+    row.lead(node, part);
+  }
+  EXPECT_EQ(row.cut_off(row.groups()[0], outside), (Ways{{8, 3}, {9, 1}}));
+  RadiusLevel around(2);
+  for (const auto& [node, part] : Ways{{1, 8}, {1, outside}, {0, outside}, {0, 8}}) {
+    around.lead(node, part);
+  }
+  EXPECT_EQ(around.cut_off(around.groups()[0], outside), (Ways{{8, 0}}));
+  RadiusLevel greatest(2);
+  EXPECT_EQ(greatest.groups().size(), 2U);
+  EXPECT_TRUE(greatest.groups()[0].parts.empty());
 }
 
 /// Squares side by side become one component where they face each other, at that radius already.

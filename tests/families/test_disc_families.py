@@ -20,6 +20,8 @@ from minkref.degeneracies.make_corpus import COUNT_WITH_DISC
 from minkref.degeneracies.make_corpus import SEED as CORPUS_SEED
 from minkref.disc.disc import read_disc
 from minkref.exact import digest
+from minkref.fuzz.geometry.plane import read_shape
+from minkref.fuzz.judges.disc_places import faults_of, rows_of
 
 SEED = 23
 COUNT = 3
@@ -139,6 +141,46 @@ def test_families_show_what_their_titles_say() -> None:
         below, at, _ = each["below_at_above"]
         assert below == [2, 0] and at[0] == 2 and at[1] >= len(each["nearest"]) - 1 > 0
         assert not each["tight_passages"]
+
+
+@pytest.mark.parametrize("name", ["disc-doors", "disc-edges-on-one-line"])
+def test_events_are_where_and_what_a_judge_finds(name: str) -> None:
+    """Births at one radius at their own doors; edges on one line by their own names."""
+    for value in documents(name):
+        text = json.dumps(value["P"])
+        assert faults_of(read_shape(text), rows_of(_core.PolygonSet.from_json(text))) == []
+
+
+def test_several_holes_are_born_at_the_radius_of_doors() -> None:
+    for value in documents("disc-doors"):
+        _, changes = rows_of(_core.PolygonSet.from_json(json.dumps(value["P"])))
+        at = value["degeneracy"]["at"]
+        places = [row["place"] for row in changes if row["squared_radius"] == at
+                  for _ in row["changes"]["born"]]  # fmt: skip
+        assert len(places) == len({tuple(place) for place in places}) >= 2
+
+
+def test_an_edge_that_is_not_the_first_on_its_line_is_named() -> None:
+    for value in documents("disc-edges-on-one-line"):
+        (nearest_to,) = value["degeneracy"]["nearest"]
+        x, y = (float(Fraction(c)) for c in nearest_to["place"])
+        size = 1 + abs(x) + abs(y)
+        (event,) = [
+            event for event in value["degeneracy"]["events"]
+            if abs(event["place"][0] - x) + abs(event["place"][1] - y) < 1e-9 * size
+        ]  # fmt: skip
+        points = {spot(p) for p in nearest_to["points"]}
+        every = edges(value)
+        for kind, ring, number in event["features"]:
+            assert kind == "edge" and ring == "0"
+            a, b = every[int(number)]
+            points -= {p for p in points if is_on(p, a, b)}
+        assert not points
+
+
+def is_on(p: Spot, a: Spot, b: Spot) -> bool:
+    u, v = (b[0] - a[0], b[1] - a[1]), (p[0] - a[0], p[1] - a[1])
+    return u[0] * v[1] == u[1] * v[0] and 0 <= u[0] * v[0] + u[1] * v[1] <= u[0] ** 2 + u[1] ** 2
 
 
 @pytest.mark.parametrize("name", TWINS)

@@ -70,7 +70,7 @@ TEST(Wkt, AnOpenRingIsRefusedWithBothEnds) {
   EXPECT_EQ(refused.code(), "ring-not-closed");
   EXPECT_EQ(refused.place().line, 4U);
   EXPECT_EQ(refused.place().vertices, (std::vector<std::size_t>{0, 3}));
-  EXPECT_EQ(refused.place().coordinates, (std::vector<std::string>{"(0, 0)", "(0, 1/2)"}));
+  EXPECT_EQ(refused.place().coordinates, (std::vector<std::string>{"(0, 0)", "(0, 0.5)"}));
 }
 
 TEST(Wkt, ARingOfFewerThanThreeVerticesIsNoSegmentInDisguise) {

@@ -21,7 +21,7 @@ MAY_WRITE = {
 
 
 def test_there_are_workflows() -> None:
-    assert [file.name for file in WORKFLOWS] == ["ci.yml", "release.yml"]
+    assert [file.name for file in WORKFLOWS] == ["ci.yml", "nightly.yml", "release.yml"]
 
 
 def test_workflows_are_what_their_schema_says() -> None:
@@ -69,3 +69,23 @@ def test_the_wheel_that_the_release_tries_is_one_that_it_builds() -> None:
     project = (ROOT / "pyproject.toml").read_text(encoding="utf-8")
     (tag,) = re.findall(r"bare\.py dist/minkref-\*-(cp\d+)-abi3-", release)
     assert f'"wheel.py-api" = "{tag}"' in project and f"{tag}-manylinux_x86_64" in project
+
+
+def test_bubblewrap_may_make_user_namespaces_where_it_is_used(tmp_path: Path) -> None:
+    """On ubuntu-24.04, whose AppArmor keeps them from programs without a profile."""
+    script = "scripts/allow_user_namespaces.sh"
+    for file in [*WORKFLOWS, ROOT / "action.yml"]:
+        assert script in file.read_text(encoding="utf-8"), file.name
+    setting = tmp_path / "setting"
+    for before, after in (("1\n", "0\n"), ("0\n", "0\n")):
+        setting.write_text(before)
+        subprocess.run([ROOT / script, setting], check=True)
+        assert setting.read_text() == after
+    subprocess.run([ROOT / script, tmp_path / "absent"], check=True)
+    assert not (tmp_path / "absent").exists()
+
+
+def test_the_site_is_built() -> None:
+    workflow = yaml.safe_load((ROOT / ".github/workflows/ci.yml").read_text(encoding="utf-8"))
+    steps = [step.get("run", "") for job in workflow["jobs"].values() for step in job["steps"]]
+    assert any("make docs" in step for step in steps)

@@ -10,6 +10,7 @@ from typing import Any
 
 import pytest
 from minkref.fuzz.families.pinched_pairs import pinched_pair
+from minkref.fuzz.families.touching_cells import WINDOWS, window_of
 from minkref.reports.evidence.index_sums import same_events, same_sums_by_all_routes
 
 SEED = 5
@@ -19,8 +20,7 @@ Point = tuple[Fraction, ...]
 @pytest.mark.parametrize("index", range(40))
 def test_sums_and_events_are_those_of_the_other_routes(index: int) -> None:
     pair = pinched_pair(SEED, index)
-    window = ("1/2", "2") if index % 4 == 1 else (None, None)
-    task = (f"pinched {SEED} {index}", pair.P, pair.Q, window, ())
+    task = (f"pinched {SEED} {index}", pair.P, pair.Q, window_of(index), ())
     for same in (same_sums_by_all_routes, same_events):
         name, compared, fault = same(task)
         assert not fault, f"{name}: {fault}\n{pair.P}\n{pair.Q}"
@@ -29,13 +29,19 @@ def test_sums_and_events_are_those_of_the_other_routes(index: int) -> None:
 
 def test_the_family_has_segments_points_and_rings_that_touch() -> None:
     kinds: Counter[str] = Counter()
+    in_windows = set()
     for index in range(40):
         pair = pinched_pair(SEED, index)
         for operand in (pair.P, pair.Q):
-            kinds[kind_of(json.loads(operand)["polygons"])] += 1
+            kind = kind_of(json.loads(operand)["polygons"])
+            kinds[kind] += 1
+            in_windows.add((kind, window_of(index)))
     assert kinds["segment"] == 20
     assert kinds["point"] == 4
     assert kinds["touching"] >= 40
+    # A segment beside touching rings once met no window, and was wrong in windows only.
+    assert in_windows >= {(kind, window) for kind in ("segment", "touching") for window in WINDOWS}
+    assert len({window for kind, window in in_windows if kind == "point"}) == 4
 
 
 def kind_of(polygons: list[dict[str, Any]]) -> str:

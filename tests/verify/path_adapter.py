@@ -8,6 +8,7 @@ coarse          looks at five places of each segment
 touching        takes a touch for a collision, whatever the rule
 careless        lets the part touch, whatever the rule
 one-interval    knows the first valid range only
+not-alone       leaves out scales that are valid alone
 inner           does not look at the ends of segments
 first-segment   looks at the first segment only
 turned          places the part turned by a half-turn
@@ -100,6 +101,8 @@ def valid(
     found = [minkref.valid_scales(moved, fixed, one, contact).ranges for one in paths(way, path)]
     if way == "one-interval":
         found = [ranges[:1] for ranges in found]
+    if way == "not-alone":
+        found = [tuple(one for one in ranges if one.low != one.high) for ranges in found]
     if way in ("rounded", "doubles"):
         found = [tuple(map(rounded, ranges)) for ranges in found]
     if way == "always":

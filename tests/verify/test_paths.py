@@ -102,6 +102,8 @@ def test_another_right_adapter_is_never_accused() -> None:
         ("careless", "path", {MISSED}),
         ("one-interval", "path", {INVENTED}),
         ("one-interval", "path-ranges", {INVENTED}),
+        ("not-alone", "path", {INVENTED}),
+        ("not-alone", "path-ranges", {INVENTED}),
         ("inner", "path", {MISSED}),
         ("inner", "path-ranges", {MISSED}),
         ("first-segment", "path", {MISSED}),

@@ -112,9 +112,31 @@ class DiscDecoder:
         return x + radius * across, y + radius * up
 
     def _corner(self, half: int, radius: float) -> Point:
-        ax, ay, r, bx, by, q0, q1, q2, cx, cy = self.motions[half]
-        root = math.sqrt(max(q0 + q1 * radius + q2 * radius**2, 0.0))
-        return ax + (radius - r) * bx + root * cx, ay + (radius - r) * by + root * cy
+        ax, ay, r, rest, bx, by, k0, k1, cx, cy = self.motions[half]
+        way = radius - r - rest
+        root = math.sqrt(max(way * (k0 + k1 * way), 0.0))
+        at = ax + way * bx + root * cx, ay + way * by + root * cy
+        places = self._ends(half)
+        if k0 or k1 or None in places:
+            return at
+        x, y = (
+            min(max(at[i], min(p[i] for p in places)), max(p[i] for p in places)) for i in (0, 1)
+        )
+        return x, y
+
+    def _ends(self, half: int) -> list[Any]:
+        """Where a half starts and ends; None at infinity."""
+        start, end, _, from_side, to_side = self.data["halves"][half]
+        events, gaps = len(self.data["kinds"]), len(self.data["gaps"])
+        vertices = self.data["sides"][from_side][1], self.data["sides"][to_side][2]
+        return [
+            self.data["places"][2 * node : 2 * node + 2]
+            if node < events
+            else None
+            if node < events + gaps
+            else self.data["features"][vertex]
+            for node, vertex in zip((start, end), vertices, strict=True)
+        ]
 
     def _moved(self, point: Any) -> Point:
         x, y = self.data["origin"]

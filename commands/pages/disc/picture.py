@@ -8,6 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from minkref import _core
+from minkref.commands.pages.disc.passages import passages_with_disc
 from minkref.commands.pages.plane.linear import double, out_of_range
 from minkref.commands.pages.plane.picture import NARROWEST, Window
 from minkref.errors import Refusal
@@ -59,6 +60,7 @@ def picture(index: _core.DiscIndex, P: _core.PolygonSet, window: Window) -> dict
         "window": [[window.first, first], [window.last, last]],
         "inside": [begins - at_event, ends],
         "point": _point(P, drawing),
+        "passages": passages_with_disc(index, P, drawing),
         **drawing,
     }
 

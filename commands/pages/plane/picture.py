@@ -10,6 +10,7 @@ from typing import Any
 
 from minkref import _core
 from minkref.commands.pages.plane.linear import double, linear, out_of_range
+from minkref.commands.pages.plane.passages import passages_at
 from minkref.commands.pages.plane.ring_changes import Row
 from minkref.commands.pages.plane.states import States
 from minkref.errors import Refusal
@@ -58,16 +59,19 @@ def picture(
     if [row[0] for row in boundary] != states.scales:
         raise AssertionError("the states of the boundary do not begin at its events")
     at = {scale: index for index, scale in enumerate(states.scales)}
+    convolution = _convolution(sums, _offsets(P), _offsets(Q))
+    edges = sum(map(len, convolution.values())) // 2
     return {
         "window": [[window.first, first], [window.last, last]],
         "P": rings_of(P),
         "Q": rings_of(Q),
-        **_convolution(sums, _offsets(P), _offsets(Q)),
+        **convolution,
         **_tracks(sums, states, Fraction(window.last), _reach(P, Q, window)),
         "scales": states.scales,
         "about": [double(Fraction(scale), "a scale") for scale in states.scales],
         "kinds": "".join(CHANGES[row[1]] for row in boundary),
         "places": [_rounded(axis) for row in boundary for axis in row[3]],
+        "passages": passages_at(P, Q, states.scales, edges),
         "states": states.encoded,
         "topology": [_topology(row, at) for row in sums.topology_events() if row[0] in window],
         "holes": [_life(row, at, window) for row in sums.features("hole")],
@@ -178,4 +182,4 @@ def _life(row: Any, at: dict[str, int], window: Window) -> list[int] | None:
 
 def _rounded(number: str) -> float:
     """For pointing at a place."""
-    return float(f"{double(Fraction(number), 'a coordinate'):.9g}")
+    return double(Fraction(number), "a coordinate")

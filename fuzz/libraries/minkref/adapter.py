@@ -14,7 +14,8 @@ from adapter_protocol import Set, serve  # type: ignore[import-not-found,unused-
 from minkref import _core
 from minkref.version import version
 
-CAPABILITIES = "plane non-convex holes components touching empty point segment"
+#: Numbers that its arithmetic does not hold are rounded to the nearest that it does.
+CAPABILITIES = "plane non-convex holes components touching empty point segment rational"
 
 
 def operand(value: Set) -> _core.PolygonSet:

@@ -41,9 +41,13 @@ class GeneralSum:
     def digest(self) -> str:
         return digest(self.canonical_json())
 
-    def mesh(self) -> _core.Polyhedron:
-        """Closed; not manifold where the set touches itself."""
-        return self.surface.boundary.mesh() if self.convex is None else self.convex.surface()
+    def mesh(self, triangles: bool = False) -> _core.Polyhedron:
+        """Closed. Of faces as they are, it is not manifold where the set touches itself; of
+        triangles it is, by the numbers of its vertices."""
+        if self.convex is None:
+            return self.surface.boundary.mesh(triangles)
+        surface = self.convex.surface()
+        return surface.cut_into_triangles() if triangles else surface
 
     @cached_property
     def surface(self) -> SumSurface:

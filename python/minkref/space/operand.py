@@ -11,7 +11,7 @@ from minkref import _core
 from minkref.errors import Refusal, refusal_of, refusing
 from minkref.file_text import LONGEST, bytes_of_file
 from minkref.model_catalogue import shipped_polyhedra
-from minkref.operand import LONGEST_NAME, is_utf8
+from minkref.operand import LONGEST_NAME, is_regular, is_utf8, read_operand
 from minkref.terminal import escaped
 
 FORMATS = tuple(f".{name}" for name in _core.MESH_FORMATS if name != "json")
@@ -51,6 +51,7 @@ def in_space(P: str, Q: str) -> bool:
     kinds = [_is_polyhedron(name) for name in (P, Q)]
     if kinds[0] != kinds[1]:
         flat, solid = (P, Q) if kinds[1] else (Q, P)
+        read_operand(flat)  # what is no operand at all lies nowhere: that is said first
         raise Refusal(
             f"this operand lies in the plane, but {solid} lies in space",
             flat,
@@ -131,7 +132,7 @@ def _is_polyhedron(name: str) -> bool:
         return False
     if path.suffix.lower() in FORMATS:
         return True
-    if path.is_file():
+    if is_regular(path):
         return path.suffix.lower() == ".json" and _holds_vertices(path)
     return name in _models()
 

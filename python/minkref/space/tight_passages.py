@@ -6,22 +6,25 @@ import json
 from typing import Any
 
 from minkref import _core
-from minkref.errors import refusing
+from minkref.errors import Refusal, refusal_of
 from minkref.space.general_sum import refuse_polygon
 from minkref.space.operand import SpaceOperand
 from minkref.space.scaling import Scaling
 
+TOO_MANY = ("too-many-pieces", "too-many-pairs")
+LEAVE = "leave --passages out"
 NONE: dict[str, Any] = {"lines": [], "points": [], "sheets": []}
 
 
 def tight_passages(P: SpaceOperand, Q: SpaceOperand, scaling: Scaling) -> dict[str, Any]:
     """All of them, exact (docs/space-sums.md). Refuses a plane polygon, and more pairs of convex
     pieces than are looked at."""
-    refuse_polygon(
-        "tight passages are not found with a plane polygon", "leave --passages out", P, Q
-    )
-    found = refusing(
-        f"{P.name} and {Q.name}",
-        lambda: _core.tight_passages_in_space(P.surface, Q.surface, scaling),
-    )
+    refuse_polygon("tight passages are not found with a plane polygon", LEAVE, P, Q)
+    try:
+        found = _core.tight_passages_in_space(P.surface, Q.surface, scaling)
+    except _core.BadInput as error:
+        refusal = refusal_of(error, f"{P.name} and {Q.name}")
+        if refusal.code in TOO_MANY:  # no other route to passages is there to be taken
+            raise Refusal(refusal.what, refusal.where, LEAVE, refusal.code) from error
+        raise refusal from error
     return dict(json.loads(found))

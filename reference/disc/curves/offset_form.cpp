@@ -60,10 +60,11 @@ void append(std::string& text, const Rational& number) {
   text += '"';
 }
 
-void append(std::string& text, const FormRing& ring, const OffsetCurves& curves) {
+void append(std::string& text, const FormRing& ring, const OffsetCurves& curves,
+            const Point& origin) {
   text += '[';
   for (std::size_t k = 0; k < ring.curves.size(); ++k) {
-    const OffsetCurve curve = offset_curve(curves, ring.curves[k]);
+    const OffsetCurve curve = offset_curve(curves, ring.curves[k], origin);
     text += k == 0 ? "[" : ",[";
     text += curve.is_arc ? "\"arc\"," : "\"line\",";
     append(text, curve.x);
@@ -80,12 +81,15 @@ void append(std::string& text, const FormRing& ring, const OffsetCurves& curves)
 
 }  // namespace
 
-OffsetCurve offset_curve(const OffsetCurves& curves, std::uint32_t feature) {
+OffsetCurve offset_curve(const OffsetCurves& curves, std::uint32_t feature, const Point& origin) {
   const OffsetCurves::Feature& own = curves.features[feature];
-  if (own.edge == OffsetPatch::none) return {true, own.centre.x, own.centre.y, 0};
+  if (own.edge == OffsetPatch::none) {
+    return {true, own.centre.x + origin.x, own.centre.y + origin.y, 0};
+  }
   const OffsetEdge& edge = curves.edges[own.edge];
   const auto [dx, dy] = primitive(edge.along);
-  return {false, dx, dy, dy * edge.start.x - dx * edge.start.y};
+  const Rational x = edge.start.x + origin.x, y = edge.start.y + origin.y;
+  return {false, dx, dy, dy * x - dx * y};
 }
 
 void make_canonical(OffsetForm& form, const OffsetCurves& curves) {
@@ -109,16 +113,16 @@ void make_canonical(OffsetForm& form, const OffsetCurves& curves) {
 }
 
 std::string canonical_json(const OffsetForm& form, const OffsetCurves& curves,
-                           const Rational& squared_radius) {
+                           const Rational& squared_radius, const Point& origin) {
   std::string text = "{\"components\":[";
   for (std::size_t k = 0; k < form.size(); ++k) {
     text += k == 0 ? "{\"holes\":[" : ",{\"holes\":[";
     for (std::size_t h = 0; h < form[k].holes.size(); ++h) {
       if (h > 0) text += ',';
-      append(text, form[k].holes[h], curves);
+      append(text, form[k].holes[h], curves, origin);
     }
     text += "],\"outer\":";
-    append(text, form[k].outer, curves);
+    append(text, form[k].outer, curves, origin);
     text += '}';
   }
   text += "],\"squared_radius\":";

@@ -15,7 +15,9 @@ struct OffsetCurve {
   Rational x, y;  ///< of an arc the centre, of a line its direction, in coprime integers
   Rational c;     ///< of a line: N · p = c + ρ |N| for its points p, N = (y, -x)
 };
-OffsetCurve offset_curve(const OffsetCurves& curves, std::uint32_t feature);
+/// `origin`: of the frame of the curves, in the coordinates of the answer.
+OffsetCurve offset_curve(const OffsetCurves& curves, std::uint32_t feature,
+                         const Point& origin = {0, 0});
 
 /// Features, one after the other, the sum on the left.
 struct FormRing {
@@ -33,6 +35,6 @@ void make_canonical(OffsetForm& form, const OffsetCurves& curves);
 
 /// Of a canonical form.
 std::string canonical_json(const OffsetForm& form, const OffsetCurves& curves,
-                           const Rational& squared_radius);
+                           const Rational& squared_radius, const Point& origin = {0, 0});
 
 }  // namespace minkref::inline disc

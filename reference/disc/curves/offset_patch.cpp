@@ -1,6 +1,7 @@
 #include "reference/disc/curves/offset_patch.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -25,17 +26,26 @@ Direction reversed(const Direction& a) { return {-a.x, -a.y}; }
 class Builder {
  public:
   void add(const Ring& ring, std::uint32_t number, std::uint32_t polygon) {
-    std::vector<Corner> corners;
+    std::vector<Corner> corners, before_first;
+    std::vector<std::vector<Corner>> behind;  // of each corner: straight vertices up to the next
     const std::size_t n = ring.size();
     for (std::size_t k = 0; k < n; ++k) {
-      if (n > 2 && is_straight(ring[(k + n - 1) % n], ring[k], ring[(k + 1) % n])) continue;
-      corners.push_back({{number, static_cast<std::uint32_t>(k)}, ring[k]});
+      const Corner here{{number, static_cast<std::uint32_t>(k)}, ring[k]};
+      if (n <= 2 || !is_straight(ring[(k + n - 1) % n], ring[k], ring[(k + 1) % n])) {
+        corners.push_back(here);
+        behind.emplace_back();
+      } else {
+        (corners.empty() ? before_first : behind.back()).push_back(here);
+      }
     }
     if (corners.size() == 1) {
       add_circle(corners[0].at, polygon);
       return;
     }
+    std::copy(before_first.begin(), before_first.end(), std::back_inserter(behind.back()));
     for (std::size_t k = 0; k < corners.size(); ++k) {
+      const auto edge = static_cast<std::uint32_t>(curves_.edges.size());
+      for (const Corner& each : behind[k]) curves_.straight.push_back({edge, each.id, each.at});
       add_edge(corners[k], corners[(k + 1) % corners.size()], polygon);
     }
   }

@@ -72,10 +72,17 @@ struct OffsetCurves {
     bool has_arc;  ///< a circle with some
   };
   std::vector<Feature> features;  ///< vertices in one place are one
+  /// A vertex of P inside of an edge, which goes on straight there. By edges, then along them.
+  struct StraightVertex {
+    std::uint32_t edge;
+    VertexId id;
+    Point at;
+  };
+  std::vector<StraightVertex> straight;
 };
 
-/// Of a valid polygon set, a point or a segment, which has curves on both sides. Straight vertices
-/// are left out. O(n log n).
+/// Of a valid polygon set, a point or a segment, which has curves on both sides. Edges go on
+/// through straight vertices. O(n log n).
 OffsetCurves offset_curves(const PolygonSet& P);
 
 }  // namespace minkref::inline disc

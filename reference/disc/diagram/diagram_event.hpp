@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -31,16 +32,24 @@ struct DiagramEvent {
   Interval squared_radius;
   Features of;      ///< two or three of the features, which tell the place
   unsigned branch;  ///< which of the places that they tell
+  /// Of each feature that is a line the number of its edge that the place is in front of: if two of
+  /// them meet right there, of the one that ends. None of a vertex.
+  std::vector<std::uint32_t> edges = {};
 
   /// How many points of P are as near.
   std::size_t nearest_points() const { return features.size() - joints.size(); }
 };
 
-/// Some doubles around a number, by MPFR: intervals of doubles may leave nothing of a difference.
+/// Doubles around a number, by MPFR: intervals of doubles may leave nothing of a difference. Next
+/// to it, unless it is 0 or nearer to 0 than any number of some thousand digits need be.
 inline Interval tight(const RootNumber& number) {
-  constexpr long precision = 256;
-  const MpfrInterval bounds = number.enclosure(precision);
-  return {Interval(bounds.low()).lower(), Interval(bounds.high()).upper()};
+  constexpr long first_bits = 256, most_bits = 8192;
+  for (long bits = first_bits;; bits *= 2) {
+    const auto [low, high] = number.enclosure(bits).outwards();
+    if (bits >= most_bits || !(high - low > 0x1p-51 * std::max(std::abs(low), std::abs(high)))) {
+      return {low, high};
+    }
+  }
 }
 inline Equidistant<Interval> tight(const Equidistant<RootNumber>& place) {
   return {{tight(place.at.x), tight(place.at.y)}, tight(place.squared_radius)};

@@ -4,17 +4,20 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <string>
 #include <utility>
 
 #include "reference/build/stage.hpp"
+#include "reference/disc/curves/origin_near.hpp"
 #include "reference/disc/diagram/contact_envelope.hpp"
 #include "reference/disc/diagram/diagram_count.hpp"
 #include "reference/disc/diagram/event_prover.hpp"
 #include "reference/disc/diagram/many_bits.hpp"
 #include "reference/error.hpp"
+#include "reference/number/float_environment.hpp"
 
 namespace minkref::inline disc {
 namespace {
@@ -242,7 +245,7 @@ DiagramEvents in_unit_box(const PolygonSet& P) {
     box->second = {std::max(box->second.x, p.x), std::max(box->second.y, p.y)};
   });
   if (box) {
-    result.origin = box->first;
+    result.origin = origin_near(P, 0, 0);
     const Rational size =
         std::max(Rational(box->second.x - box->first.x), Rational(box->second.y - box->first.y));
     if (size > 0) {
@@ -257,6 +260,41 @@ DiagramEvents in_unit_box(const PolygonSet& P) {
   });
   result.curves = offset_curves(moved);
   return result;
+}
+
+/// By radius, then by x, then by y: an order that does not depend on how P is written. Exact places
+/// are made where intervals do not tell, once each.
+void sort_by_place(DiagramEvents& result) {
+  std::vector<std::optional<Equidistant<RootNumber>>> exact(result.events.size());
+  const auto exact_of = [&](std::size_t k) -> const Equidistant<RootNumber>& {
+    const DiagramEvent& event = result.events[k];
+    if (!exact[k]) {
+      exact[k] = equidistant_places<RootNumber>(result.curves, event.of).at(event.branch);
+    }
+    return *exact[k];
+  };
+  const auto order = [&](std::size_t a, std::size_t b, auto&& near, auto&& of_exact) {
+    const Interval &x = near(result.events[a]), &y = near(result.events[b]);
+    if (x.upper() < y.lower()) return -1;
+    if (x.lower() > y.upper()) return 1;
+    return compare(of_exact(exact_of(a)), of_exact(exact_of(b)));
+  };
+  const auto is_before = [&](std::size_t a, std::size_t b) {
+    if (a == b) return false;
+    const auto radius = [](const auto& each) -> const auto& { return each.squared_radius; };
+    const auto x = [](const auto& each) -> const auto& { return each.at.x; };
+    const auto y = [](const auto& each) -> const auto& { return each.at.y; };
+    if (const int by_radius = order(a, b, radius, radius)) return by_radius < 0;
+    if (const int by_x = order(a, b, x, x)) return by_x < 0;
+    return order(a, b, y, y) < 0;
+  };
+  std::vector<std::size_t> numbers(result.events.size());
+  std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+  std::sort(numbers.begin(), numbers.end(), is_before);
+  std::vector<DiagramEvent> sorted;
+  sorted.reserve(numbers.size());
+  for (const std::size_t k : numbers) sorted.push_back(std::move(result.events[k]));
+  result.events = std::move(sorted);
 }
 
 struct Search {
@@ -280,14 +318,7 @@ DiagramEvents complete_events(const PolygonSet& P, const BuildOptions& options,
   found.add_saddles(count);
   result.exact_signs = found.exact_signs();
   result.events = std::move(found).events();
-  std::sort(result.events.begin(), result.events.end(),
-            [&](const DiagramEvent& a, const DiagramEvent& b) {
-              if (a.squared_radius.upper() < b.squared_radius.lower()) return true;
-              if (a.squared_radius.lower() > b.squared_radius.upper()) return false;
-              const int order =
-                  compare(result.exact(a).squared_radius, result.exact(b).squared_radius);
-              return order != 0 ? order < 0 : a.features < b.features;
-            });
+  sort_by_place(result);
   return result;
 }
 
@@ -338,6 +369,7 @@ std::vector<FoundPlace> DiagramEvents::places() const {
 }
 
 DiagramEvents diagram_events(const PolygonSet& P, const BuildOptions& options) {
+  const FloatEnvironment standard;
   return complete_events(P, options, [](const Search& search, Collection& found) {
     found.add(candidates<double>(search.lookup, search.control));
     const auto is_complete = [&] { return found.is_complete(search.count); };
@@ -352,6 +384,7 @@ DiagramEvents diagram_events(const PolygonSet& P, const BuildOptions& options) {
 
 DiagramEvents diagram_events(const PolygonSet& P, const std::vector<FoundPlace>& places,
                              const BuildOptions& options) {
+  const FloatEnvironment standard;
   return complete_events(P, options, [&](const Search& search, Collection& found) {
     if (are_possible(places, search.lookup.curves())) {
       found.add_places(places);

@@ -23,7 +23,7 @@ struct DiagramEvents {
   Rational factor;
   BoundaryWalks walks;
   std::vector<HullGap> gaps;         ///< of the convex hull, where the diagram goes on to infinity
-  std::vector<DiagramEvent> events;  ///< by radius, then by features
+  std::vector<DiagramEvent> events;  ///< by radius, then by x, then by y
   std::uint64_t exact_signs = 0;
 
   /// They hold the place and the radius.

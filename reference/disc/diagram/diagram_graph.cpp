@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "reference/number/float_environment.hpp"
+
 namespace minkref::inline disc {
 namespace {
 
@@ -339,6 +341,9 @@ class Builder {
 
 }  // namespace
 
-DiagramGraph diagram_graph(const DiagramEvents& diagram) { return Builder(diagram).build(); }
+DiagramGraph diagram_graph(const DiagramEvents& diagram) {
+  const FloatEnvironment standard;
+  return Builder(diagram).build();
+}
 
 }  // namespace minkref::inline disc

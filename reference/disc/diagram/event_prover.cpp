@@ -45,6 +45,7 @@ std::optional<DiagramEvent> EventProver::event(const Features& features, unsigne
   exact_.reset();
   straight_here_.clear();
   met_inside_.clear();
+  edge_of_line_.clear();
   DiagramEvent event{Kind::corner, {}, {}, place.at, place.squared_radius, features, branch};
   if (event.squared_radius.upper() <= 0) return std::nullopt;
   const double reach = plane::above(std::sqrt(event.squared_radius.upper()));
@@ -69,6 +70,10 @@ std::optional<DiagramEvent> EventProver::event(const Features& features, unsigne
     if (!found.contains(feature)) return std::nullopt;
   }
   event.features.assign(found.begin(), found.end());
+  for (const std::uint32_t feature : event.features) {
+    const auto edge = edge_of_line_.find(feature);
+    event.edges.push_back(edge == edge_of_line_.end() ? OffsetPatch::none : edge->second);
+  }
   std::sort(event.joints.begin(), event.joints.end());
   event.joints.erase(std::unique(event.joints.begin(), event.joints.end()), event.joints.end());
   if (!is_outside(event)) return std::nullopt;
@@ -136,8 +141,11 @@ bool EventProver::add(std::uint32_t number, DiagramEvent& event, std::set<std::u
   int order = 0;
   if (after_start > 0 && after_end < 0) {
     if (!is_of(edge.feature)) order = height_order(number, event);
-    if (order == 0) found.insert(edge.feature);
-    if (order == 0) met_inside_.push_back(number);
+    if (order == 0) {
+      found.insert(edge.feature);
+      met_inside_.push_back(number);
+      edge_of_line_[edge.feature] = number;
+    }
   } else {
     const bool at_start = after_start <= 0;
     const std::uint32_t feature = at_start ? edge.start_feature : edge.end_feature;
@@ -146,6 +154,8 @@ bool EventProver::add(std::uint32_t number, DiagramEvent& event, std::set<std::u
     if (order == 0 && (after_start == 0 || after_end == 0) && !planted(Fault::joint_missed) &&
         is_in_front(number, event)) {
       found.insert(edge.feature);
+      if (after_end == 0) edge_of_line_[edge.feature] = number;
+      edge_of_line_.try_emplace(edge.feature, number);
       if (lookup_.is_within(edge.feature, feature)) {
         straight_here_.insert(feature);
       } else {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <set>
 #include <vector>
@@ -51,6 +52,7 @@ class EventProver {
   // Of the candidate that is looked at.
   std::set<std::uint32_t> straight_here_;
   std::vector<std::uint32_t> met_inside_;  ///< edges
+  std::map<std::uint32_t, std::uint32_t> edge_of_line_;
   std::optional<Equidistant<RootNumber>> exact_;
 };
 

@@ -4,15 +4,17 @@
 #include <cmath>
 #include <utility>
 
+#include "reference/number/radicals/nearest_double.hpp"
+
 namespace minkref::inline disc {
 namespace {
 
-constexpr double sharp = 0x1p-46;        // of a number
-constexpr double sharp_place = 0x1p-42;  // in the frame, whose size is about 1
+constexpr double sharp = 0x1p-48;        // of a number
+constexpr double sharp_place = 0x1p-44;  // in the frame, whose size is about 1
 
 bool is_sharp_number(const Interval& value) {
   const double most = std::max(std::abs(value.lower()), std::abs(value.upper()));
-  return value.upper() - value.lower() <= sharp * most;
+  return std::isfinite(most) && value.upper() - value.lower() <= sharp * most;
 }
 
 /// A number by intervals of doubles, or by roots where these do not hold it well.
@@ -23,7 +25,32 @@ double rounded_well(Make&& make) {
     if (is_sharp_number(value)) return approximate(value);
   } catch (const UndecidedSign&) {
   }
-  return approximate(tight(make(RootNumber())));
+  return nearest_double(make(RootNumber()));
+}
+
+/// factor · √square.
+RealNumber root_times(const Rational& factor, const Rational& square) {
+  return {[factor, square](long bits) {
+            return MpfrInterval(factor, bits) * sqrt(MpfrInterval(square, bits));
+          },
+          {}};
+}
+
+struct Unit {
+  double x, y;
+};
+
+/// Nearest doubles where squares of doubles are out of range.
+Unit unit_of(const Direction& way) {
+  const double x = to_double(way.x), y = to_double(way.y), length = std::hypot(x, y);
+  if (length > 0x1p-1000 && length < 0x1p1000) return {x / length, y / length};
+  const Rational square = dot(way, way);
+  return {nearest_double(root_times(way.x / square, square)),
+          nearest_double(root_times(way.y / square, square))};
+}
+
+double error_of_rounding(const CornerMotion& motion) {
+  return 0x1p-52 * (std::abs(motion.ax) + std::abs(motion.ay));
 }
 
 class Corner {
@@ -35,39 +62,90 @@ class Corner {
     high_ = is_rising ? half_.to : half_.from;
   }
 
+  CornerMotion motion(const Site& a, const Site& b) const {
+    if (a.is_point && b.is_point) return between_points(a.point, b.point);
+    if (a.is_point) return between_point_and_line(a.point, b);
+    if (b.is_point) return between_point_and_line(b.point, a);
+    return between_lines(a, b);
+  }
+
+  RootPoint at(const Site& a, const Site& b, const Rational& squared_radius) const {
+    if (a.is_point && b.is_point) return at_points(a.point, b.point, squared_radius);
+    if (a.is_point) return at_point_and_line(a.point, b, squared_radius);
+    if (b.is_point) return at_point_and_line(b.point, a, squared_radius);
+    return at_lines(a, b, squared_radius);
+  }
+
+ private:
+  static Point middle_of(const Point& p, const Point& q) {
+    return {(p.x + q.x) / 2, (p.y + q.y) / 2};
+  }
+
+  /// w = ρ - d/2 for points at the distance d: half a chord is √(ρ² - d²/4) = √(w (d + w)).
   CornerMotion between_points(const Point& p, const Point& q) const {
     const Direction way = from_to(p, q), across = turned(way);
-    const Point middle{(p.x + q.x) / 2, (p.y + q.y) / 2};
+    const Point middle = middle_of(p, q);
     const Rational square = dot(way, way);
     const double turn = side_of_end(middle, across);
+    const auto [half, rest] = two_doubles(root_times(Rational(1, 2), square));
+    const Unit unit = unit_of(across);
     CornerMotion motion;
     motion.ax = to_double(middle.x);
     motion.ay = to_double(middle.y);
-    motion.q0 = -to_double(square / 4);
-    motion.q2 = 1;
-    const double length = std::sqrt(to_double(square));
-    motion.cx = turn * to_double(across.x) / length;
-    motion.cy = turn * to_double(across.y) / length;
-    motion.error = 0x1p-52 * (std::abs(motion.ax) + std::abs(motion.ay));
+    motion.r = half;
+    motion.r_low = rest;
+    motion.k0 = 2 * half;
+    motion.k1 = 1;
+    motion.cx = turn * unit.x;
+    motion.cy = turn * unit.y;
+    motion.error = error_of_rounding(motion);
     return motion;
   }
+  RootPoint at_points(const Point& p, const Point& q, const Rational& squared_radius) const {
+    const Direction way = from_to(p, q), across = turned(way);
+    const Point middle = middle_of(p, q);
+    const Rational quotient = squared_radius / dot(way, way) - Rational(1, 4);
+    const RootNumber far = sqrt(RootNumber(std::max(quotient, Rational(0))));
+    return numbers<RootNumber>(middle) +
+           (RootNumber(side_of_end(middle, across)) * far) * numbers<RootNumber>(across);
+  }
 
+  /// With the distance g of the point from the line and w = ρ - g/2: across the line the corner has
+  /// gone w from the middle between both, and along it √(2 g w).
   CornerMotion between_point_and_line(const Point& v, const Site& line) const {
     const Direction &normal = line.normal, along = turned(normal);
-    const Rational square = line.squared_length(),
-                   height = normal.x * v.x + normal.y * v.y - line.level();
-    const double length = std::sqrt(to_double(square)), turn = side_of_end(v, along);
+    const Rational square = line.squared_length(), height = height_over(v, line);
+    const double turn = side_of_end(v, along);
+    const auto [half, rest] = two_doubles(root_times(height / (2 * square), square));
+    const Unit across = unit_of(normal), onwards = unit_of(along);
+    const Rational part = height / (2 * square);
     CornerMotion motion;
-    motion.ax = to_double(v.x - height / square * normal.x);
-    motion.ay = to_double(v.y - height / square * normal.y);
-    motion.bx = to_double(normal.x) / length;
-    motion.by = to_double(normal.y) / length;
-    motion.q0 = -to_double(height * height / square);
-    motion.q1 = 2 * to_double(height) / length;
-    motion.cx = turn * to_double(along.x) / length;
-    motion.cy = turn * to_double(along.y) / length;
-    motion.error = 0x1p-52 * (std::abs(motion.ax) + std::abs(motion.ay));
+    motion.ax = to_double(v.x - part * normal.x);
+    motion.ay = to_double(v.y - part * normal.y);
+    motion.r = half;
+    motion.r_low = rest;
+    motion.bx = across.x;
+    motion.by = across.y;
+    motion.k0 = 4 * half;
+    motion.cx = turn * onwards.x;
+    motion.cy = turn * onwards.y;
+    motion.error = error_of_rounding(motion);
     return motion;
+  }
+  RootPoint at_point_and_line(const Point& v, const Site& line,
+                              const Rational& squared_radius) const {
+    const Direction &normal = line.normal, along = turned(normal);
+    const Rational square = line.squared_length(), height = height_over(v, line);
+    const RootNumber reach = sqrt(RootNumber(Rational(squared_radius * square)));
+    RootNumber under = RootNumber(Rational(2 * height)) * reach - RootNumber(height * height);
+    if (sign(under) < 0) under = RootNumber(0);
+    const RootNumber far = sqrt(under), inverse(Rational(1 / square));
+    return numbers<RootNumber>(v) +
+           ((reach - RootNumber(height)) * inverse) * numbers<RootNumber>(normal) +
+           (RootNumber(side_of_end(v, along)) * far * inverse) * numbers<RootNumber>(along);
+  }
+  static Rational height_over(const Point& v, const Site& line) {
+    return line.normal.x * v.x + line.normal.y * v.y - line.level();
   }
 
   CornerMotion between_lines(const Site& a, const Site& b) const {
@@ -87,30 +165,42 @@ class Corner {
       const Point at = reflex_vertex();
       motion.ax = to_double(at.x);
       motion.ay = to_double(at.y);
-      motion.error = 0x1p-52 * (std::abs(motion.ax) + std::abs(motion.ay));
+      motion.error = error_of_rounding(motion);
       return motion;
     }
     const DiagramEvent& event = diagram_.events[low_];
-    Equidistant<Interval> place{event.at, event.squared_radius};
     const auto width = [](const Interval& value) { return value.upper() - value.lower(); };
-    const auto error_of = [&] {
-      const Interval radius = sqrt(place.squared_radius);
-      return std::max(width(place.at.x), width(place.at.y)) +
-             width(radius) * (std::abs(motion.bx) + std::abs(motion.by));
-    };
-    if (!(error_of() <= sharp_place)) {
-      place = tight(equidistant_places<RootNumber>(diagram_.curves, event.of)[event.branch]);
-    }
-    motion.ax = approximate(place.at.x);
-    motion.ay = approximate(place.at.y);
-    motion.r = approximate(sqrt(place.squared_radius));
-    motion.error = error_of();
+    const Interval radius = sqrt(event.squared_radius);
+    motion.ax = approximate(event.at.x);
+    motion.ay = approximate(event.at.y);
+    motion.r = approximate(radius);
+    motion.error = std::max(width(event.at.x), width(event.at.y)) +
+                   width(radius) * (std::abs(motion.bx) + std::abs(motion.by));
+    if (motion.error <= sharp_place) return motion;
+    const Equidistant<RootNumber> place =
+        equidistant_places<RootNumber>(diagram_.curves, event.of)[event.branch];
+    motion.ax = nearest_double(place.at.x);
+    motion.ay = nearest_double(place.at.y);
+    const auto [high, low] = two_doubles(root_of(place.squared_radius));
+    motion.r = high;
+    motion.r_low = low;
+    motion.error = error_of_rounding(motion);
     return motion;
   }
 
- private:
+  /// Of lines that are not parallel.
+  static RootPoint at_lines(const Site& a, const Site& b, const Rational& squared_radius) {
+    const RootNumber reach_a = sqrt(RootNumber(Rational(squared_radius * a.squared_length()))),
+                     reach_b = sqrt(joined(
+                         RootNumber(Rational(squared_radius * b.squared_length())), reach_a));
+    const RootNumber e = RootNumber(a.level()) + reach_a, f = RootNumber(b.level()) + reach_b,
+                     inverse(Rational(1 / cross(a.normal, b.normal)));
+    return {inverse * (e * RootNumber(b.normal.y) - f * RootNumber(a.normal.y)),
+            inverse * (f * RootNumber(a.normal.x) - e * RootNumber(b.normal.x))};
+  }
+
   /// Whether the farther end is on the left of a point, looked at against a vector: 1 or -1.
-  double side_of_end(const Point& from, const Direction& along) const {
+  int side_of_end(const Point& from, const Direction& along) const {
     if (graph_.is_infinite(high_)) {
       const HullGap& gap = diagram_.gaps[high_ - graph_.events];
       const auto& features = diagram_.curves.features;
@@ -145,25 +235,31 @@ class Corner {
   std::uint32_t low_, high_;
 };
 
+std::pair<Site, Site> sites_of(const DiagramEvents& diagram, const DiagramGraph& graph,
+                               std::uint32_t half) {
+  const DiagramHalf& own = graph.halves[half];
+  return {Site::of(diagram.curves, own.feature),
+          Site::of(diagram.curves, graph.halves[own.twin].feature)};
+}
+
 }  // namespace
 
 CornerMotion corner_motion(const DiagramEvents& diagram, const DiagramGraph& graph,
                            std::uint32_t half) {
-  const DiagramHalf& own = graph.halves[half];
-  const Corner corner(diagram, graph, half);
-  const Site a = Site::of(diagram.curves, own.feature),
-             b = Site::of(diagram.curves, graph.halves[own.twin].feature);
-  if (a.is_point && b.is_point) return corner.between_points(a.point, b.point);
-  if (a.is_point) return corner.between_point_and_line(a.point, b);
-  if (b.is_point) return corner.between_point_and_line(b.point, a);
-  return corner.between_lines(a, b);
+  const auto [a, b] = sites_of(diagram, graph, half);
+  return Corner(diagram, graph, half).motion(a, b);
+}
+
+RootPoint corner_at(const DiagramEvents& diagram, const DiagramGraph& graph, std::uint32_t half,
+                    const Rational& squared_radius) {
+  const auto [a, b] = sites_of(diagram, graph, half);
+  return Corner(diagram, graph, half).at(a, b, squared_radius);
 }
 
 JointMotion joint_motion(const Point& end, const Direction& normal) {
-  const double length = std::sqrt(to_double(dot(normal, normal)));
   const double x = to_double(end.x), y = to_double(end.y);
-  return {x, y, to_double(normal.x) / length, to_double(normal.y) / length,
-          0x1p-51 * (std::abs(x) + std::abs(y))};
+  const Unit out = unit_of(normal);
+  return {x, y, out.x, out.y, 0x1p-51 * (std::abs(x) + std::abs(y))};
 }
 
 }  // namespace minkref::inline disc

@@ -7,15 +7,18 @@
 
 namespace minkref::inline disc {
 
-/// A corner: a + (ρ - r) b + √(q0 + q1 ρ + q2 ρ²) c, where c is a unit vector, or 0 and q too.
-/// Rounded: b, c, r and q by less than 2^-45 of them, a + (ρ - r) b by `error` beside.
+/// A corner at the radius ρ: with w = ρ - r it is at a + w b + √(w (k0 + k1 w)) c, where c is a
+/// unit vector, or 0 and k0 and k1 too. r is the sum of two doubles, so that w is right where ρ is
+/// almost r: corners between walls that are nearly parallel are fast, and others start with a root.
+/// Rounded: b, k0, k1 and c by less than 2^-48 of them, r by less than 2^-100; the rest, that of a,
+/// is `error`.
 struct CornerMotion {
-  double ax = 0, ay = 0, r = 0, bx = 0, by = 0;
-  double q0 = 0, q1 = 0, q2 = 0, cx = 0, cy = 0;
+  double ax = 0, ay = 0, r = 0, r_low = 0, bx = 0, by = 0;
+  double k0 = 0, k1 = 0, cx = 0, cy = 0;
   double error = 0;
 };
 
-/// A joint, in front of an end of an edge: a + ρ b, each rounded by less than 2^-45 of it; `error`
+/// A joint, in front of an end of an edge: a + ρ b, each rounded by less than 2^-48 of it; `error`
 /// is that of a, and of adding to it.
 struct JointMotion {
   double ax = 0, ay = 0, bx = 0, by = 0;
@@ -26,6 +29,10 @@ struct JointMotion {
 /// the same all along.
 CornerMotion corner_motion(const DiagramEvents& diagram, const DiagramGraph& graph,
                            std::uint32_t half);
+
+/// The same corner at one radius, by its square in the frame: exact.
+RootPoint corner_at(const DiagramEvents& diagram, const DiagramGraph& graph, std::uint32_t half,
+                    const Rational& squared_radius);
 
 JointMotion joint_motion(const Point& end, const Direction& normal);
 

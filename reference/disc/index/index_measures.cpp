@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "reference/disc/curves/angles.hpp"
+#include "reference/number/float_environment.hpp"
 
 namespace minkref::inline disc {
 namespace {
@@ -17,11 +18,14 @@ Vector<Interval> near(const BoundedPoint& p) {
   return {Interval(p.x - p.error, p.x + p.error), Interval(p.y - p.error, p.y + p.error)};
 }
 
-Vector<Interval> unit(const Vector<Interval>& a) { return (Interval(1) / sqrt(dot(a, a))) * a; }
+Vector<Interval> unit_vector(const Vector<Interval>& a) {
+  return (Interval(1) / sqrt(dot(a, a))) * a;
+}
 
 /// Halfway between the normals at the ends of an arc, of half a turn at most.
 Vector<Interval> middle_between(const Direction& first, const Direction& last) {
-  const Vector<Interval> from = unit(numbers<Interval>(first)), to = unit(numbers<Interval>(last));
+  const Vector<Interval> from = unit_vector(numbers<Interval>(first)),
+                         to = unit_vector(numbers<Interval>(last));
   const Vector<Interval> chord = to - from;
   // Across the chord, unless that is short.
   return dot(first, last) < 0 ? Vector<Interval>{chord.y, -chord.x} : from + to;
@@ -31,6 +35,7 @@ Vector<Interval> middle_between(const Direction& first, const Direction& last) {
 
 IndexMeasures::IndexMeasures(const OffsetIndex& index)
     : index_(index), middles_(index.diagram().curves.features.size()), area_(0) {
+  const FloatEnvironment standard;
   const DiagramEvents& diagram = index.diagram();
   const OffsetCurves& curves = diagram.curves;
   Interval length(0), angle(0);
@@ -146,14 +151,17 @@ Interval IndexMeasures::area_between(std::uint32_t half, const Seen& a, const Se
   return magnitude(sum(foot(b)) - sum(foot(a)));
 }
 
-OffsetMeasures IndexMeasures::at(const OffsetIndex::Place& at, const Interval& radius) const {
+OffsetMeasures IndexMeasures::at(const OffsetIndex::Place& at,
+                                 const Rational& squared_radius) const {
+  const FloatEnvironment standard;
   const DiagramGraph& graph = index_.graph();
   const OffsetCurves& curves = index_.diagram().curves;
-  const Interval scale(index_.diagram().factor), rho = radius * scale;
+  const FrameRadius radius = index_.in_frame(squared_radius);
+  const Interval scale(index_.diagram().factor), rho = sqrt(Interval(radius.squared));
   Interval area = area_ + reached_[at.gap], length = lengths_[at.gap], angle = angles_[at.gap];
   for (std::uint32_t k = 0; k < graph.halves.size(); ++k) {
     if (index_.low(k) > at.gap || at.gap >= index_.high(k)) continue;
-    const Seen corner = seen(k, near(index_.corner(k, rho)), rho);
+    const Seen corner = seen(k, near(index_.corner(k, radius)), rho);
     const auto& [from, to] = ends_[k];
     const bool is_rising = index_.rises(k);
     area += area_between(k, is_rising ? from : to, corner);

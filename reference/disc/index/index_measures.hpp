@@ -18,9 +18,9 @@ class IndexMeasures {
   /// `index` must outlive it. O(n log n).
   explicit IndexMeasures(const OffsetIndex& index);
 
-  /// Enclosed. `at` is the place of the radius. O(n) comparisons of whole numbers, and
-  /// O(k) for k corners.
-  OffsetMeasures at(const OffsetIndex::Place& at, const Interval& radius) const;
+  /// Enclosed, but perhaps not sharply (is_sharp). `at` is the place of the radius. O(n)
+  /// comparisons of whole numbers, and O(k) for k corners.
+  OffsetMeasures at(const OffsetIndex::Place& at, const Rational& squared_radius) const;
 
  private:
   /// A point of the diagram as a half sees it: how far along its line, or at which angle about its

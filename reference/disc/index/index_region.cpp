@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "reference/disc/region/disjoint_sets.hpp"
+#include "reference/number/float_environment.hpp"
 
 namespace minkref::inline disc {
 
@@ -38,6 +39,7 @@ std::uint32_t IndexRegions::outer_ring(std::uint32_t polygon, const IndexBoundar
 }
 
 IndexRegion IndexRegions::at(std::uint32_t gap) const {
+  const FloatEnvironment standard;
   if (curves_.edges.empty()) {  // a point, or nothing
     IndexRegion region{{}, 0};
     if (!curves_.patches.empty()) region.form.push_back({{{curves_.patches[0].feature}, 0}, {}});

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 
+#include "reference/disc/index/radius_level.hpp"
 #include "reference/disc/region/disjoint_sets.hpp"
+#include "reference/number/float_environment.hpp"
 
 namespace minkref::inline disc {
 namespace {
@@ -45,52 +48,48 @@ class Parts {
   std::size_t nodes() const { return graph_.events + graph_.gaps + graph_.reflex_vertices; }
   std::uint32_t radius(std::uint32_t node) const { return index_.radius_number(node); }
 
-  /// Nodes at one radius, to those farther away.
+  /// Nodes at one radius, ascending, to those farther away.
   void add(const std::vector<std::uint32_t>& nodes, std::uint32_t at) {
     if (at == index_.radii() + 1) {
       for (const std::uint32_t node : nodes) join(node, outside_);
       return;
     }
-    std::map<std::uint32_t, std::vector<std::uint32_t>> lasts;  // of parts that are joined
-    DisjointSets here(nodes.size());
-    std::map<std::uint32_t, std::uint32_t> number, reached;
-    for (std::uint32_t k = 0; k < nodes.size(); ++k) number[nodes[k]] = k;
+    RadiusLevel level(nodes.size());
     for (std::uint32_t k = 0; k < nodes.size(); ++k) {
       for (const std::uint32_t half : of_node_[nodes[k]]) {
         const std::uint32_t other = graph_.halves[half].to;
-        if (radius(other) < at) continue;
-        const auto same = number.find(other);
-        if (same != number.end()) {
-          here.join(k, same->second);
-          continue;
-        }
-        const auto [part, is_new] = reached.try_emplace(sets_.root(other), k);
-        if (!is_new) here.join(k, part->second);
+        if (radius(other) > at) level.lead(k, sets_.root(other));
+        if (radius(other) != at) continue;
+        const auto same = std::lower_bound(nodes.begin(), nodes.end(), other);
+        level.join(k, static_cast<std::uint32_t>(same - nodes.begin()));
       }
     }
-    for (const auto& [part, k] : reached) lasts[here.root(k)].push_back(part);
-    for (std::uint32_t k = 0; k < nodes.size(); ++k) {
-      if (here.root(k) == k && !lasts.contains(k)) last_[nodes[k]] = nodes[k];
+    for (const RadiusLevel::Group& group : level.groups()) {
+      const std::uint32_t node = nodes[group.nodes.front()];
+      // A greatest value, or what parts that fall away from each other leave.
+      const std::uint32_t goes_on =
+          group.parts.empty() ? node : last_[split(level, group, nodes, at)];
+      for (const std::uint32_t part : group.parts) sets_.join(part, node);
+      for (const std::uint32_t k : group.nodes) sets_.join(nodes[k], node);
+      last_[sets_.root(node)] = goes_on;
     }
-    for (auto& [root, parts] : lasts) split(nodes[root], parts, at);
-    for (std::uint32_t k = 0; k < nodes.size(); ++k) join(nodes[k], nodes[here.root(k)]);
   }
 
-  /// Parts that fall away from each other at a node.
-  void split(std::uint32_t node, std::vector<std::uint32_t>& parts, std::uint32_t at) {
+  /// Of parts that fall away from each other at one radius, the one that keeps its name.
+  std::uint32_t split(const RadiusLevel& level, const RadiusLevel::Group& group,
+                      const std::vector<std::uint32_t>& nodes, std::uint32_t at) {
     const auto ends_later = [&](std::uint32_t a, std::uint32_t b) {
       const std::uint32_t x = last_[a], y = last_[b];
       if (x == outside_ || y == outside_) return x == outside_ && y != outside_;
       return radius(x) != radius(y) ? radius(x) > radius(y) : x < y;
     };
-    std::sort(parts.begin(), parts.end(), ends_later);
-    const std::uint32_t goes_on = last_[parts[0]];
-    for (std::size_t k = 1; k < parts.size(); ++k) {
-      const std::uint32_t last = last_[parts[k]];
-      found_.push_back({at, radius(last), node, last, goes_on});
+    const std::uint32_t goes_on =
+        *std::min_element(group.parts.begin(), group.parts.end(), ends_later);
+    for (const auto& [part, node] : level.cut_off(group, goes_on)) {
+      const std::uint32_t last = last_[part];
+      found_.push_back({at, radius(last), nodes[node], last, last_[goes_on]});
     }
-    for (const std::uint32_t part : parts) join(part, node);
-    last_[sets_.root(node)] = goes_on;
+    return goes_on;
   }
 
   /// Keeps the last event of the first.
@@ -143,6 +142,7 @@ std::uint32_t OffsetHistory::components(const OffsetIndex::Place& at) const {
 }
 
 OffsetHistory offset_history(const OffsetIndex& index) {
+  const FloatEnvironment standard;
   OffsetHistory history{Parts(index).holes(), {}, 0};
   name_holes(history.all_holes);
   const DiagramGraph& graph = index.graph();
@@ -161,13 +161,15 @@ OffsetHistory offset_history(const OffsetIndex& index) {
     const auto number = static_cast<std::uint32_t>(&half - graph.halves.data());
     if (a >= b) continue;
     const bool is_flat = index.low(number) == index.high(number);
-    const std::uint32_t low =
-        index.low(number) == index.radius_number(half.from) ? half.from : half.to;
+    const std::uint32_t low = is_flat               ? std::min(half.from, half.to)
+                              : index.rises(number) ? half.from
+                                                    : half.to;
     all.push_back({index.low(number), a, b, graph.is_event(low) ? low : none, is_flat});
   }
   std::sort(all.begin(), all.end(), [](const ComponentJoin& a, const ComponentJoin& b) {
     if (a.radius != b.radius) return a.radius < b.radius;
-    return a.at_radius != b.at_radius ? a.at_radius : a.event < b.event;
+    if (a.at_radius != b.at_radius) return a.at_radius;
+    return std::tie(a.event, a.a, a.b) < std::tie(b.event, b.a, b.b);
   });
   DisjointSets sets(history.polygons);
   for (const ComponentJoin& join : all) {

@@ -5,34 +5,39 @@
 #include <stdexcept>
 #include <utility>
 
+#include "reference/number/float_environment.hpp"
+
 namespace minkref::inline disc {
 
 namespace {
 
-constexpr double unit = 0x1p-45;          // of the numbers of a motion
+constexpr double rounding = 0x1p-48;      // of the numbers of a motion
+constexpr double widest_error = 0x1p-43;  // in the frame, of its size and the radius
 constexpr double least = 0x1p-1070;       // more than what is lost below the range of doubles
 constexpr std::uint32_t most_spans = 64;  // of gaps
 
-/// At a radius that is known up to `slack`.
-BoundedPoint corner_of(const CornerMotion& m, double rho, double slack) {
+/// At a radius that is known up to `off`.
+BoundedPoint corner_of(const CornerMotion& m, const TwoDoubles& rho, double off) {
   constexpr double turn = 1.5;  // at least the sum of both coordinates of a unit vector
-  const double way = rho - m.r;
-  const double terms = std::abs(m.q0) + std::abs(m.q1) * rho + m.q2 * rho * rho;
-  const double square = std::max(m.q0 + (m.q1 + m.q2 * rho) * rho, 0.0);
-  const double root = std::sqrt(square);
+  const double way = ((rho.high - m.r) - m.r_low) + rho.low;
+  const double way_off = off + 0x1p-50 * std::abs(way) + 0x1p-98 * (rho.high + m.r);
+  const double square = way * (m.k0 + m.k1 * way);
+  const double root = std::sqrt(std::max(square, 0.0));
   // Of the square; the root is off by that over the root, or by its root.
-  const double off = unit * terms + (std::abs(m.q1) + 2.1 * m.q2 * rho) * slack + 0x1p-1000;
-  const double root_off = square > off ? 2 * off / root : 2 * std::sqrt(off);
+  const double square_off =
+      (m.k0 + 2.1 * m.k1 * std::abs(way)) * way_off + rounding * std::abs(square) + 0x1p-1000;
+  const double root_off = square > square_off ? 2 * square_off / root : 2 * std::sqrt(square_off);
   const double speed = std::abs(m.bx) + std::abs(m.by);
   return {m.ax + way * m.bx + root * m.cx, m.ay + way * m.by + root * m.cy,
-          m.error + unit * (std::abs(m.ax) + std::abs(m.ay) + rho * speed + root * turn) +
-              slack * speed + root_off * turn};
+          m.error + 0x1p-50 * (std::abs(m.ax) + std::abs(m.ay)) +
+              rounding * (std::abs(way) * speed + root * turn) + way_off * speed + root_off * turn};
 }
 
 }  // namespace
 
 OffsetIndex::OffsetIndex(DiagramEvents diagram)
     : diagram_(std::move(diagram)), graph_(diagram_graph(diagram_)) {
+  const FloatEnvironment standard;
   number_radii();
   part_gaps();
   count_sides();
@@ -125,6 +130,7 @@ void OffsetIndex::place_joints() {
 }
 
 OffsetIndex::Place OffsetIndex::place(const Rational& squared_radius) const {
+  const FloatEnvironment standard;
   const Rational squared = squared_radius * diagram_.factor * diagram_.factor;
   const Interval near(squared);
   const auto first = std::partition_point(radii_.begin(), radii_.end(), [&](const Radius& radius) {
@@ -148,6 +154,7 @@ std::uint32_t OffsetIndex::sides_between(std::uint32_t walk, std::uint32_t entry
 }
 
 void OffsetIndex::boundary(std::uint32_t gap, IndexBoundary& found) const {
+  const FloatEnvironment standard;
   found.clear();
   const auto walks = static_cast<std::uint32_t>(graph_.walks.size());
   // The corners in order along the walks: each starts a part of the boundary, or ends one.
@@ -200,8 +207,20 @@ void OffsetIndex::boundary(std::uint32_t gap, IndexBoundary& found) const {
   }
 }
 
-BoundedPoint OffsetIndex::corner(std::uint32_t half, const Interval& radius) const {
-  return corner_of(motions_[half], approximate(radius), radius.upper() - radius.lower());
+FrameRadius OffsetIndex::in_frame(const Rational& squared_radius) const {
+  const FloatEnvironment standard;
+  const Rational squared = squared_radius * diagram_.factor * diagram_.factor;
+  const TwoDoubles near = two_doubles(root_of(RootNumber(squared)));
+  return {squared, near, 0x1p-99 * near.high + least};
+}
+
+BoundedPoint OffsetIndex::corner(std::uint32_t half, const FrameRadius& radius) const {
+  const FloatEnvironment standard;
+  const BoundedPoint found = corner_of(motions_[half], radius.near, radius.off);
+  if (found.error <= widest_error * (1 + radius.near.high)) return found;
+  const RootPoint exact = corner_at(diagram_, graph_, half, radius.squared);
+  const double x = nearest_double(exact.x), y = nearest_double(exact.y);
+  return {x, y, 0x1p-53 * std::max(std::abs(x), std::abs(y)) + least};
 }
 
 /// Calls do(first, last) for the joints at the ends of so many sides of a walk, which may go on
@@ -215,9 +234,10 @@ void OffsetIndex::for_joints(std::uint32_t walk, std::uint32_t side, std::uint32
   if (end > stop) act(joints_before_[own.first], joints_before_[own.first + (end - stop)]);
 }
 
-void OffsetIndex::vertices(const IndexBoundary& boundary, const Interval& radius,
+void OffsetIndex::vertices(const IndexBoundary& boundary, double radius,
                            std::vector<BoundedPoint>& found,
                            std::vector<std::uint32_t>& starts) const {
+  const FloatEnvironment standard;
   starts.clear();
   const auto for_all = [&](auto&& start_ring, auto&& add_corner, auto&& add_joints) {
     for (const IndexRing& ring : boundary.rings) {
@@ -238,16 +258,14 @@ void OffsetIndex::vertices(const IndexBoundary& boundary, const Interval& radius
           [&](std::uint32_t first, std::uint32_t last) { count += last - first; });
   found.resize(count);
 
-  const double rho = approximate(radius), slack = radius.upper() - radius.lower();
-  const Interval in_frame = radius * Interval(diagram_.factor);
-  const double rho_in_frame = approximate(in_frame),
-               slack_in_frame = in_frame.upper() - in_frame.lower();
-  const double joint_error = slack + unit * rho + least;
+  const Rational exact = from_double(radius);
+  const FrameRadius in_frame = this->in_frame(exact * exact);
+  const double joint_error = rounding * radius + least;
   constexpr double rounded_up = 1 + 0x1p-40;
   BoundedPoint* next = found.data();
   for_all([&] { starts.push_back(static_cast<std::uint32_t>(next - found.data())); },
           [&](std::uint32_t half) {
-            const BoundedPoint there = corner_of(motions_[half], rho_in_frame, slack_in_frame);
+            const BoundedPoint there = corner(half, in_frame);
             const double x = there.x * scale_, y = there.y * scale_;
             const double error = there.error * scale_ + origin_error_ +
                                  0x1p-52 * (std::abs(x) + std::abs(y)) + least;
@@ -255,7 +273,7 @@ void OffsetIndex::vertices(const IndexBoundary& boundary, const Interval& radius
           },
           [&](std::uint32_t first, std::uint32_t last) {
             for (const JointMotion* joint = &joints_[first]; first < last; ++first, ++joint) {
-              *next++ = {joint->ax + rho * joint->bx, joint->ay + rho * joint->by,
+              *next++ = {joint->ax + radius * joint->bx, joint->ay + radius * joint->by,
                          (joint->error + joint_error) * rounded_up};
             }
           });

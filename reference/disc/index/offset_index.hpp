@@ -7,6 +7,7 @@
 
 #include "reference/disc/diagram/diagram_graph.hpp"
 #include "reference/disc/index/corner_motion.hpp"
+#include "reference/number/radicals/nearest_double.hpp"
 
 namespace minkref::inline disc {
 
@@ -37,6 +38,13 @@ struct IndexBoundary {
 /// A point, within `error` of where it is in each coordinate.
 struct BoundedPoint {
   double x, y, error;
+};
+
+/// A radius in the frame of the curves: its square, and within `off` the sum of two doubles.
+struct FrameRadius {
+  Rational squared;
+  TwoDoubles near;
+  double off;
 };
 
 /// Built once. Each decision of a query is one about the order of the radius among those of events:
@@ -77,12 +85,16 @@ class OffsetIndex {
   void boundary(std::uint32_t gap, IndexBoundary& found) const;
 
   /// All vertices of the boundary at a radius of the gap, ring by ring: corners, and joints, where
-  /// lines go on as arcs. `starts` are of rings. One rounded square root a corner; with bounds.
-  void vertices(const IndexBoundary& boundary, const Interval& radius,
-                std::vector<BoundedPoint>& found, std::vector<std::uint32_t>& starts) const;
+  /// lines go on as arcs. `starts` are of rings. The error of each is at most 2^-42 of the size of
+  /// P and of the radius, and 2^-50 of its coordinates. One rounded square root a corner; one that
+  /// is not known so well by doubles is found in roots.
+  void vertices(const IndexBoundary& boundary, double radius, std::vector<BoundedPoint>& found,
+                std::vector<std::uint32_t>& starts) const;
 
-  /// The corner on a half that has one, in the frame of the curves as the radius is.
-  BoundedPoint corner(std::uint32_t half, const Interval& radius) const;
+  /// Of a radius by its square, in coordinates of P.
+  FrameRadius in_frame(const Rational& squared_radius) const;
+  /// The corner on a half that has one, in the frame; the error as above.
+  BoundedPoint corner(std::uint32_t half, const FrameRadius& radius) const;
 
  private:
   struct Radius {

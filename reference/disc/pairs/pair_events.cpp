@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "reference/interrupt.hpp"
+#include "reference/number/float_environment.hpp"
 
 namespace minkref::inline disc {
 namespace {
@@ -200,6 +201,7 @@ std::string_view DiscPairEvents::kind(const DiscPairEvent& event) const {
 }
 
 DiscPairEvents disc_pair_events(const PolygonSet& P, const DiscPairOptions& options) {
+  const FloatEnvironment standard;
   DiscPairEvents result;
   result.features = offset_features(offset_curves(P));
   DiscPairSearch(result, options).run();

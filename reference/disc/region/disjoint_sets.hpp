@@ -26,6 +26,8 @@ class DisjointSets {
   }
   /// How many there are.
   std::size_t count() const { return count_; }
+  /// How many elements they have in all.
+  std::size_t size() const { return parents_.size(); }
 
  private:
   std::vector<std::uint32_t> parents_;

@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "reference/disc/region/simple_rings.hpp"
+#include "reference/number/float_environment.hpp"
 
 namespace minkref::inline disc {
 namespace {
@@ -115,6 +116,7 @@ class MeasureSums {
 }  // namespace
 
 MeasureTerms measure_terms(const OffsetRegion& region) {
+  const FloatEnvironment standard;
   MeasureSums sums(region.offset);
   for (const OffsetComponent& component : region.components) {
     sums.add(component.outer);

@@ -8,6 +8,7 @@
 #include "reference/disc/distance/near_edges.hpp"
 #include "reference/error.hpp"
 #include "reference/fault.hpp"
+#include "reference/number/float_environment.hpp"
 #include "reference/plane/arrangement/box_tree.hpp"
 
 namespace minkref::inline disc {
@@ -273,6 +274,7 @@ class PassagesOfDisc {
 }  // namespace
 
 std::vector<OffsetPassage> offset_passages(const PatchesAt& at, const BuildOptions& options) {
+  const FloatEnvironment standard;
   return PassagesOfDisc(at, options).all();
 }
 

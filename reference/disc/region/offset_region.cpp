@@ -6,9 +6,11 @@
 #include <utility>
 
 #include "reference/disc/convolution/arc_convolution.hpp"
+#include "reference/disc/curves/origin_near.hpp"
 #include "reference/disc/region/joined_polygons.hpp"
 #include "reference/disc/region/simple_rings.hpp"
 #include "reference/error.hpp"
+#include "reference/number/float_environment.hpp"
 
 namespace minkref::inline disc {
 namespace {
@@ -31,22 +33,11 @@ std::vector<std::uint32_t> curves_of(const StaticOffset& offset,
   return found;
 }
 
-}  // namespace
-
-OffsetRoute offset_route_named(std::string_view name) {
-  if (name == "definition") return OffsetRoute::definition;
-  if (name == "paper") return OffsetRoute::paper;
-  throw BadInput("unknown-route", "there is no route \"" + std::string(name) + "\" with a disc",
-                 "choose definition or paper");
-}
-
-OffsetRegion offset_region(const PolygonSet& P, const Rational& squared_radius,
-                           const BuildOptions& options, OffsetRoute route) {
-  if (squared_radius <= 0) {
-    throw BadInput("bad-radius", "the square of the radius is " + to_string(squared_radius),
-                   "give a radius above 0");
-  }
+/// `origin`: P has been moved from it.
+OffsetRegion region_of(const PolygonSet& P, const Point& origin, const Rational& squared_radius,
+                       const BuildOptions& options, OffsetRoute route) {
   OffsetRegion region;
+  region.origin = origin;
   const bool by_winding = route == OffsetRoute::paper;
   ArcConvolution convolution;
   if (by_winding) convolution = arc_convolution(P, squared_radius);
@@ -98,13 +89,37 @@ OffsetRegion offset_region(const PolygonSet& P, const Rational& squared_radius,
   return region;
 }
 
+}  // namespace
+
+OffsetRoute offset_route_named(std::string_view name) {
+  if (name == "definition") return OffsetRoute::definition;
+  if (name == "paper") return OffsetRoute::paper;
+  throw BadInput("unknown-route", "there is no route \"" + std::string(name) + "\" with a disc",
+                 "choose definition or paper");
+}
+
+OffsetRegion offset_region(const PolygonSet& P, const Rational& squared_radius,
+                           const BuildOptions& options, OffsetRoute route) {
+  const FloatEnvironment standard;
+  if (squared_radius <= 0) {
+    throw BadInput("bad-radius", "the square of the radius is " + to_string(squared_radius),
+                   "give a radius above 0");
+  }
+  constexpr long margin = 4;  // in powers of two: sets as near as that stay where they are
+  const Point origin = origin_near(P, squared_radius, margin);
+  if (origin == Point{0, 0}) return region_of(P, origin, squared_radius, options, route);
+  const PolygonSet moved = translated(P, {-origin.x, -origin.y});
+  return region_of(moved, origin, squared_radius, options, route);
+}
+
 std::string canonical_json(const OffsetRegion& region) {
   OffsetForm form;
   for (const OffsetComponent& component : region.components) {
     form.push_back({{component.outer.curves, 0}, {}});
     for (const OffsetRing& hole : component.holes) form.back().holes.push_back({hole.curves, 0});
   }
-  return canonical_json(form, region.offset.at->curves(), region.offset.at->squared_radius());
+  return canonical_json(form, region.offset.at->curves(), region.offset.at->squared_radius(),
+                        region.origin);
 }
 
 }  // namespace minkref::inline disc

@@ -27,7 +27,9 @@ struct OffsetComponent {
 };
 
 struct OffsetRegion {
+  /// In a frame of its own: numbers of `offset` are measured from `origin`.
   StaticOffset offset;
+  Point origin{0, 0};
   std::vector<OffsetComponent> components;  ///< in canonical order
   std::size_t holes = 0;  ///< bounded components of the complement, perhaps between components
 };
@@ -50,10 +52,13 @@ OffsetRegion offset_region(const PolygonSet& P, const Rational& squared_radius,
 /// curve enters what is near the next, which is one place.
 std::string canonical_json(const OffsetRegion& region);
 
-/// Enclosures, with sums of up to a relative error of some 1e-13.
 struct OffsetMeasures {
   Interval area, length;
 };
+/// Enclosures, wider by at most `widest_measure` of the number: sums of intervals of doubles, or
+/// where these are wider the two doubles around it, from numbers of as many bits as it takes.
 OffsetMeasures measures(const OffsetRegion& region);
+constexpr double widest_measure = 0x1p-36;
+bool is_sharp(const OffsetMeasures& found);
 
 }  // namespace minkref::inline disc

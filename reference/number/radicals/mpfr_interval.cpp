@@ -77,6 +77,49 @@ MpfrInterval operator*(const MpfrInterval& a, const MpfrInterval& b) {
   return product;
 }
 
+MpfrInterval operator-(const MpfrInterval& a) {
+  MpfrInterval negative(a.precision());
+  mpfr_neg(negative.low_, a.high_, MPFR_RNDD);
+  mpfr_neg(negative.high_, a.low_, MPFR_RNDU);
+  return negative;
+}
+
+MpfrInterval operator/(const MpfrInterval& a, const MpfrInterval& b) {
+  MpfrInterval inverse(larger(a, b));
+  if (b.certain_sign() == 0) {
+    mpfr_set_inf(inverse.low_, -1);
+    mpfr_set_inf(inverse.high_, 1);
+    return inverse;
+  }
+  mpfr_ui_div(inverse.low_, 1, b.high_, MPFR_RNDD);
+  mpfr_ui_div(inverse.high_, 1, b.low_, MPFR_RNDU);
+  return a * inverse;
+}
+
+MpfrInterval atan2(const MpfrInterval& y, const MpfrInterval& x) {
+  MpfrInterval angle(larger(x, y));
+  if (mpfr_sgn(x.low_) <= 0 && y.certain_sign() == 0) {
+    mpfr_set_si(angle.low_, -4, MPFR_RNDD);
+    mpfr_set_si(angle.high_, 4, MPFR_RNDU);
+    return angle;
+  }
+  // On a box that leaves out the origin and the negative axis the ends are at corners.
+  MpfrInterval other(angle.precision());
+  bool is_first = true;
+  for (const mpfr_srcptr up : {y.low_, y.high_}) {
+    for (const mpfr_srcptr across : {x.low_, x.high_}) {
+      mpfr_atan2(is_first ? angle.low_ : other.low_, up, across, MPFR_RNDD);
+      mpfr_atan2(is_first ? angle.high_ : other.high_, up, across, MPFR_RNDU);
+      if (!is_first) {
+        mpfr_min(angle.low_, angle.low_, other.low_, MPFR_RNDD);
+        mpfr_max(angle.high_, angle.high_, other.high_, MPFR_RNDU);
+      }
+      is_first = false;
+    }
+  }
+  return angle;
+}
+
 MpfrInterval sqrt(const MpfrInterval& a) {
   MpfrInterval root(a.precision());
   if (mpfr_sgn(a.low_) <= 0) {
@@ -98,5 +141,12 @@ int MpfrInterval::certain_sign() const {
 
 Rational MpfrInterval::low() const { return exact(low_); }
 Rational MpfrInterval::high() const { return exact(high_); }
+
+Enclosure MpfrInterval::nearest() const {
+  return {mpfr_get_d(low_, MPFR_RNDN) + 0.0, mpfr_get_d(high_, MPFR_RNDN) + 0.0};
+}
+Enclosure MpfrInterval::outwards() const {
+  return {mpfr_get_d(low_, MPFR_RNDD) + 0.0, mpfr_get_d(high_, MPFR_RNDU) + 0.0};
+}
 
 }  // namespace minkref

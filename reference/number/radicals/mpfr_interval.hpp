@@ -20,14 +20,29 @@ class MpfrInterval {
   friend MpfrInterval operator+(const MpfrInterval& a, const MpfrInterval& b);
   friend MpfrInterval operator-(const MpfrInterval& a, const MpfrInterval& b);
   friend MpfrInterval operator*(const MpfrInterval& a, const MpfrInterval& b);
+  /// The whole line where the divisor contains zero.
+  friend MpfrInterval operator/(const MpfrInterval& a, const MpfrInterval& b);
+  friend MpfrInterval operator-(const MpfrInterval& a);
   /// Of the part that is not below 0; the number is not.
   friend MpfrInterval sqrt(const MpfrInterval& a);
+  /// The angle of (x, y), between -π and π. From -4 to 4 where the interval of x reaches below 0
+  /// and that of y contains 0: nothing is known there.
+  friend MpfrInterval atan2(const MpfrInterval& y, const MpfrInterval& x);
 
   /// 1 or -1 where that is certain, 0 where it is not or both bounds are 0.
   int certain_sign() const;
   bool is_below(const MpfrInterval& other) const { return mpfr_less_p(high_, other.low_) != 0; }
   Rational low() const;
   Rational high() const;
+
+  /// The doubles nearest to the bounds, and those next to them on the outer side. An infinity
+  /// beyond the range of doubles; no -0.
+  Enclosure nearest() const;
+  /// Whether it is between two numbers, neither of which is a bound.
+  bool is_strictly_between(double low, double high) const {
+    return mpfr_cmp_d(low_, low) > 0 && mpfr_cmp_d(high_, high) < 0;
+  }
+  Enclosure outwards() const;
 
  private:
   explicit MpfrInterval(long precision);
@@ -38,6 +53,9 @@ class MpfrInterval {
 MpfrInterval operator+(const MpfrInterval& a, const MpfrInterval& b);
 MpfrInterval operator-(const MpfrInterval& a, const MpfrInterval& b);
 MpfrInterval operator*(const MpfrInterval& a, const MpfrInterval& b);
+MpfrInterval operator/(const MpfrInterval& a, const MpfrInterval& b);
+MpfrInterval operator-(const MpfrInterval& a);
 MpfrInterval sqrt(const MpfrInterval& a);
+MpfrInterval atan2(const MpfrInterval& y, const MpfrInterval& x);
 
 }  // namespace minkref

@@ -1,5 +1,6 @@
 #include "reference/plane/boundary/set_boundary.hpp"
 
+#include "reference/number/float_environment.hpp"
 #include "reference/plane/arrangement/exact_arrangement.hpp"
 #include "reference/plane/arrangement/winding_numbers.hpp"
 #include "reference/plane/boundary/face_boundary.hpp"
@@ -34,6 +35,7 @@ SetBoundary set_boundary(const PolygonSet& rings) {
 }
 
 Canonical canonicalize(const PolygonSet& rings) {
+  const FloatEnvironment standard;
   const SetBoundary boundary = set_boundary(rings);
   Canonical result = canonical_form(boundary.graph);
   result.well_formed = result.well_formed && boundary.well_formed;

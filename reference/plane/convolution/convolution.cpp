@@ -1,5 +1,6 @@
 #include "reference/plane/convolution/convolution.hpp"
 
+#include "reference/number/float_environment.hpp"
 #include "reference/plane/convolution/between.hpp"
 #include "reference/plane/convolution/convolution_rule.hpp"
 #include "reference/plane/kernel/exact_frame.hpp"
@@ -29,10 +30,12 @@ std::vector<ConvolutionEdge> convolution(const PolygonSet& P, const PolygonSet& 
 }
 
 std::vector<ConvolutionEdge> reduced_convolution(const PolygonSet& P, const PolygonSet& Q) {
+  const FloatEnvironment standard;
   return convolution(P, Q, false, Between::half_open);
 }
 
 std::vector<ConvolutionEdge> full_convolution(const PolygonSet& P, const PolygonSet& Q) {
+  const FloatEnvironment standard;
   return convolution(P, Q, true, Between::half_open);
 }
 

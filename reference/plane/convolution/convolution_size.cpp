@@ -1,5 +1,6 @@
 #include "reference/plane/convolution/convolution_size.hpp"
 
+#include "reference/number/float_environment.hpp"
 #include "reference/plane/convolution/convolution_rule.hpp"
 #include "reference/plane/kernel/exact_frame.hpp"
 
@@ -7,6 +8,7 @@ namespace minkref::inline plane {
 
 std::uint64_t convolution_size(const PolygonSet& P, const PolygonSet& Q, bool full,
                                Between between) {
+  const FloatEnvironment standard;
   return on_exact_frame(P, Q, [&](const auto& frame) {
     std::uint64_t size = 0;
     const auto count = [&](VertexId, VertexId, int) { ++size; };

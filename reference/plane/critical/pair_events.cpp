@@ -6,6 +6,7 @@
 
 #include "reference/fault.hpp"
 #include "reference/interrupt.hpp"
+#include "reference/number/float_environment.hpp"
 #include "reference/plane/convolution/convolution_rule.hpp"
 #include "reference/plane/critical/event_scale.hpp"
 #include "reference/plane/critical/pair_filter.hpp"
@@ -245,6 +246,7 @@ class PairSearch {
 
 PairEvents pair_events(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window,
                        EventKind kind, Form form, bool keep_meeting) {
+  const FloatEnvironment standard;
   refuse_bad_operands(P, Q, 1);
   refuse_bad_window(window);
   PairEvents result;
@@ -265,6 +267,7 @@ PairEvents pair_events(const PolygonSet& P, const PolygonSet& Q, const ScaleWind
 }
 
 FormComparison compare_forms(const PolygonSet& P, const PolygonSet& Q) {
+  const FloatEnvironment standard;
   refuse_bad_operands(P, Q, 1);
   FormComparison result;
   if (P.empty() || Q.empty()) return result;
@@ -301,6 +304,7 @@ FormComparison compare_forms(const PolygonSet& P, const PolygonSet& Q) {
 
 std::vector<Rational> critical_scales(const PairEvents& events, const PolygonSet& P,
                                       const PolygonSet& Q) {
+  const FloatEnvironment standard;
   std::vector<Rational> result;
   if (events.events.empty()) return result;
   result.reserve(events.distinct);

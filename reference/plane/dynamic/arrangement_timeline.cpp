@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "reference/number/float_environment.hpp"
 #include "reference/plane/dynamic/edge_sweep.hpp"
 
 namespace minkref::inline plane {
@@ -40,6 +41,7 @@ void pack_changes(std::vector<NodeChange>& changes, std::size_t steps,
 std::shared_ptr<const ArrangementTimeline> arrangement_timeline(const PolygonSet& P,
                                                                 const PolygonSet& Q,
                                                                 const ScaleWindow& window) {
+  const FloatEnvironment standard;
   auto events = std::make_shared<ArrangementEvents>(P, Q, window);
   EdgeHistory history;
   EdgeSweep sweep(P, Q, *events);

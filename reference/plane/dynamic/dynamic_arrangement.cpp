@@ -5,6 +5,7 @@
 #include "reference/error.hpp"
 #include "reference/fault.hpp"
 #include "reference/no_entry.hpp"
+#include "reference/number/float_environment.hpp"
 
 namespace minkref::inline plane {
 namespace {}
@@ -15,6 +16,7 @@ DynamicArrangement::DynamicArrangement(std::shared_ptr<const BoundaryStates> sta
       cycles_(timeline_.events->moving()),
       lists_(timeline_),
       where_(timeline_.sub_edges.size(), no_entry) {
+  const FloatEnvironment standard;
   for (const std::uint32_t s : states_->begin_with(0)) {
     where_[s] = static_cast<std::uint32_t>(sub_edges_.size());
     sub_edges_.push_back(s);
@@ -24,6 +26,7 @@ DynamicArrangement::DynamicArrangement(std::shared_ptr<const BoundaryStates> sta
 }
 
 StepReport DynamicArrangement::move_to(const Rational& scale) {
+  const FloatEnvironment standard;
   const ScaleWindow& window = timeline_.events->window();
   if (sign(scale) <= 0 || (window.from && scale <= *window.from) ||
       (window.to && scale >= *window.to)) {
@@ -121,6 +124,7 @@ void DynamicArrangement::place_nodes_in_doubles() {
 }
 
 void DynamicArrangement::positions(std::vector<double>& xy) const {
+  const FloatEnvironment standard;
   const double s = to_double(scale_);
   xy.resize(2 * lists_.size());
   double* out = xy.data();
@@ -139,6 +143,7 @@ void DynamicArrangement::positions(std::vector<double>& xy) const {
 }
 
 BoundaryGraph DynamicArrangement::boundary() {
+  const FloatEnvironment standard;
   move_boundary(group());
   const bool at_boundary_event = at_event() && states_->touches_boundary(group());
   BoundaryState state = at_boundary_event

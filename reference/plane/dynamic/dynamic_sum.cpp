@@ -1,11 +1,13 @@
 #include "reference/plane/dynamic/dynamic_sum.hpp"
 
 #include "reference/error.hpp"
+#include "reference/number/float_environment.hpp"
 
 namespace minkref::inline plane {
 
 DynamicSum::DynamicSum(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window)
     : window_(window) {
+  const FloatEnvironment standard;
   refuse_bad_operands(P, Q, 1);
   refuse_bad_window(window);
   if (P.empty() || Q.empty()) return;
@@ -14,6 +16,7 @@ DynamicSum::DynamicSum(const PolygonSet& P, const PolygonSet& Q, const ScaleWind
 }
 
 StepReport DynamicSum::move_to(const Rational& scale) {
+  const FloatEnvironment standard;
   if (sign(scale) <= 0 || (window_.from && scale < *window_.from) ||
       (window_.to && scale > *window_.to)) {
     throw BadInput("outside-window", "the scale " + to_string(scale) + " is outside the window",
@@ -23,6 +26,7 @@ StepReport DynamicSum::move_to(const Rational& scale) {
 }
 
 Sum DynamicSum::sum() {
+  const FloatEnvironment standard;
   Sum sum;
   if (empty()) return sum;
   Canonical canonical = canonical_form(arrangement_->boundary());

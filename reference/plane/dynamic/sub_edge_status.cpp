@@ -20,6 +20,7 @@ SubEdgeStatus::SubEdgeStatus(const PolygonSet& P, const PolygonSet& Q,
       swept_(swept),
       interior_(P, Q),
       regions_(P.is_region() && Q.is_region()),
+      may_hide_passages_(may_hide_passages(P, Q)),
       always_on_one_line_(events.edges().size(), [&](auto&& add) {
         for (const MeetingPair& pair : events.pairs().meeting) {
           if (pair.kind != MeetingPair::Kind::one_line_always) continue;
@@ -124,11 +125,11 @@ Status SubEdgeStatus::at(std::uint32_t x, std::uint32_t y, const SampleScale& sa
     return covered_against(point, sample.scale, other);
   };
   const std::span<const std::uint32_t> one_line = always_on_one_line_.of(swept_.edge());
-  // A segment through a point where rings touch is held on one side by no edge.
-  const bool tight = std::any_of(one_line.begin(), one_line.end(), against) ||
-                     std::any_of(overlaps.begin(), overlaps.end(), against) ||
-                     (!regions_ && sum_on_the_right(events_.moving(), swept_.edge(), point,
-                                                    sample.scale, interior_));
+  // A passage through a point in which rings touch may be held on one side by no edge.
+  const bool tight =
+      std::any_of(one_line.begin(), one_line.end(), against) ||
+      std::any_of(overlaps.begin(), overlaps.end(), against) ||
+      (may_hide_passages_ && sum_on_the_right(swept_.moving(), point, sample.scale, interior_));
   return tight && !planted(Fault::tight_taken_for_boundary) ? Status::tight : Status::boundary;
 }
 

@@ -52,7 +52,7 @@ class SubEdgeStatus {
   const ArrangementEvents& events_;
   const SweptEdge& swept_;
   InteriorTest interior_;
-  bool regions_;
+  bool regions_, may_hide_passages_;
   std::vector<DoubleEdge> doubles_;
   ByEdge<std::uint32_t> always_on_one_line_;  ///< edges on the line of an edge at every scale
 };

@@ -7,6 +7,7 @@
 
 #include "reference/fault.hpp"
 #include "reference/interrupt.hpp"
+#include "reference/number/float_environment.hpp"
 #include "reference/plane/convolution/convolution_segments.hpp"
 #include "reference/plane/kernel/double_block.hpp"
 #include "reference/plane/kernel/exact_frame.hpp"
@@ -246,6 +247,7 @@ std::vector<TripleEvent> triple_events(const PolygonSet& P, const PolygonSet& Q,
                                        const std::vector<ConvolutionEdge>& edges,
                                        const NodeTable& table, const Moments& moments,
                                        const ScaleWindow& window) {
+  const FloatEnvironment standard;
   return on_exact_frame(P, Q, [&](const auto& frame) {
     using K = typename std::decay_t<decltype(frame)>::K;
     return Search<K>(frame.kernel, moving_edges(edges, frame.P, frame.Q),

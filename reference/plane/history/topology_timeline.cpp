@@ -11,6 +11,7 @@
 #include "reference/fault.hpp"
 #include "reference/interrupt.hpp"
 #include "reference/no_entry.hpp"
+#include "reference/number/float_environment.hpp"
 #include "reference/plane/history/boundary_changes.hpp"
 
 namespace minkref::inline plane {
@@ -491,6 +492,7 @@ class TimelineBuilder {
 TopologyTimeline topology_timeline(const BoundaryHistory& history,
                                    const std::function<void(RingsFrom)>& rings,
                                    const std::function<void(FeaturesFrom)>& features) {
+  const FloatEnvironment standard;
   return TimelineBuilder(history, rings, features).build();
 }
 

@@ -4,6 +4,7 @@
 
 #include "reference/build/build_control.hpp"
 #include "reference/error.hpp"
+#include "reference/number/float_environment.hpp"
 #include "reference/plane/critical/scale_window.hpp"
 #include "reference/plane/index/area_of_intervals.hpp"
 #include "reference/plane/index/corner_entries.hpp"
@@ -242,6 +243,7 @@ void refuse_too_large(const MovingBoundary& boundary, const RingOrder& order) {
 
 IndexImage index_image(const PolygonSet& P, const PolygonSet& Q, const ScaleWindow& window,
                        const BuildOptions& options) {
+  const FloatEnvironment standard;
   refuse_bad_operands(P, Q, 1);
   refuse_bad_window(window);
   const BuildControl control(options, "the index");

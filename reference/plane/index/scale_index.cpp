@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "reference/error.hpp"
+#include "reference/number/float_environment.hpp"
 #include "reference/plane/history/boundary_regions.hpp"
 #include "reference/plane/index/area_of_intervals.hpp"
 #include "reference/plane/index/index_build.hpp"
@@ -134,6 +135,7 @@ Track ScaleIndex::track(std::uint32_t k) const {
 }
 
 ScaleIndex::Place ScaleIndex::place(const Rational& scale) const {
+  const FloatEnvironment standard;
   if (scale <= 0 || (window_.from && scale < *window_.from) ||
       (window_.to && scale > *window_.to)) {
     throw BadInput("outside-window", "the index does not hold the scale " + to_string(scale),
@@ -307,6 +309,7 @@ void ScaleIndex::collect_touching(std::uint32_t event, TrackRings& rings) const 
 }
 
 void ScaleIndex::rings(const Rational& scale, TrackRings& rings) const {
+  const FloatEnvironment standard;
   collect(place(scale), rings);
 }
 
@@ -322,6 +325,7 @@ void ScaleIndex::require_interval(std::uint32_t interval) const {
 }
 
 void ScaleIndex::rings(const Rational& scale, RoundedRings& rings) const {
+  const FloatEnvironment standard;
   const Place at = place(scale);
   const double s = to_double(scale);
   const IndexTrack* const tracks = columns_.tracks_in_doubles.data();
@@ -359,6 +363,7 @@ void ScaleIndex::rings(const Rational& scale, RoundedRings& rings) const {
 }
 
 void ScaleIndex::rings(const Rational& scale, HomogeneousRings& rings) const {
+  const FloatEnvironment standard;
   TrackRings tracks;
   static_cast<RingShape&>(tracks) = std::move(static_cast<RingShape&>(rings));
   collect(place(scale), tracks);
@@ -367,6 +372,7 @@ void ScaleIndex::rings(const Rational& scale, HomogeneousRings& rings) const {
 }
 
 void ScaleIndex::rings(const Rational& scale, RationalRings& rings) const {
+  const FloatEnvironment standard;
   HomogeneousRings exact;
   static_cast<RingShape&>(exact) = std::move(static_cast<RingShape&>(rings));
   this->rings(scale, exact);
@@ -375,6 +381,7 @@ void ScaleIndex::rings(const Rational& scale, RationalRings& rings) const {
 }
 
 Sum ScaleIndex::sum(const Rational& scale, Passages passages) const {
+  const FloatEnvironment standard;
   RationalRings rings;
   this->rings(scale, rings);
   const IntegerColumn numbers = rings.column();
@@ -431,6 +438,7 @@ Sum ScaleIndex::sum(const Rational& scale, Passages passages) const {
 }
 
 ScaleIndex::Features ScaleIndex::features(const Rational& scale) const {
+  const FloatEnvironment standard;
   const Place at = place(scale);
   const auto rows = columns_.feature_counts;
   const auto next = std::partition_point(
@@ -444,6 +452,7 @@ ScaleIndex::Features ScaleIndex::features(const Rational& scale) const {
 }
 
 ScaleIndex::RoundedArea ScaleIndex::area(const Rational& scale) const {
+  const FloatEnvironment standard;
   const IndexArea& a = columns_.areas[place(scale).interval];
   const double s = to_double(scale);
   return {a.a0 + s * (a.a1 + s * a.a2),
@@ -464,6 +473,7 @@ std::array<Rational, 3> ScaleIndex::area_polynomial(std::uint32_t interval) cons
 }
 
 TopologyTimeline ScaleIndex::timeline() const {
+  const FloatEnvironment standard;
   TopologyTimeline result;
   const auto features = [](std::span<const IndexFeature> all) {
     std::vector<Feature> list;

@@ -11,10 +11,8 @@
 #include "reference/plane/index/patch_neighbours.hpp"
 #include "reference/plane/index/patch_sweep.hpp"
 #include "reference/plane/kernel/fraction.hpp"
-#include "reference/plane/kernel/plain_kernel.hpp"
 #include "reference/plane/moving/interior_test.hpp"
 #include "reference/plane/moving/right_of_edge.hpp"
-#include "reference/plane/passages/wedge_walks.hpp"
 
 namespace minkref::inline plane {
 namespace {
@@ -27,19 +25,6 @@ std::optional<double> between(double low, double high) {
   return std::ldexp(std::nearbyint(std::ldexp(low + room / 2, -unit)), unit);
 }
 
-/// The direction of the segment that one operand is, if rings of the other touch. Where the segment
-/// passes a point at which they do, the interior on either side, no edge of the convolution shows
-/// what touches there: an edge on its line may have the sum on its right too.
-std::optional<Vector2<Rational>> segment_past_touching_rings(const PolygonSet& P,
-                                                             const PolygonSet& Q) {
-  for (const auto& [segment, other] : {std::pair(&P, &Q), std::pair(&Q, &P)}) {
-    if (!segment->is_segment() || !wedge_walks(*other)) continue;
-    const Ring& ends = segment->polygons[0].outer;
-    return Vector2<Rational>(ends[1].x - ends[0].x, ends[1].y - ends[0].y);
-  }
-  return std::nullopt;
-}
-
 template <class K>
 class BoundarySearch {
  public:
@@ -49,13 +34,12 @@ class BoundarySearch {
 
   BoundarySearch(K kernel, const std::vector<Edge>& edges, const std::vector<RationalEdge>& moving,
                  const PatchNeighbours& neighbours, const InteriorTracks& tracks,
-                 const InteriorSolids& solids, const InteriorTest& test,
-                 const std::optional<Vector2<Rational>>& segment, const ScaleWindow& window,
-                 const BuildControl& control, SweptBoundary& result)
+                 const InteriorSolids& solids, const InteriorTest& test, bool may_hide_passages,
+                 const ScaleWindow& window, const BuildControl& control, SweptBoundary& result)
       : moving_(moving),
         neighbours_(neighbours),
         test_(test),
-        segment_(segment),
+        may_hide_passages_(may_hide_passages),
         finder_(std::move(kernel), edges),
         clipping_(moving, tracks, solids),
         sweep_(window.from.value_or(Rational(0)), window.to, control),
@@ -147,15 +131,13 @@ class BoundarySearch {
     const RationalEdge& e = moving_[edge];
     const Point x{e.p.x() * s + e.q.x() + e.d.x() * t, e.p.y() * s + e.q.y() + e.d.y() * t};
     if (test_.inside(x, s)) return false;
-    const bool may_have_sum_on_the_right =
-        segment_ && sign(PlainKernel<Rational>::cross(e.d, *segment_)) == 0;
-    return !may_have_sum_on_the_right || !sum_on_the_right(moving_, edge, x, s, test_);
+    return !may_hide_passages_ || !sum_on_the_right(e, x, s, test_);
   }
 
   const std::vector<RationalEdge>& moving_;
   const PatchNeighbours& neighbours_;
   const InteriorTest& test_;
-  const std::optional<Vector2<Rational>>& segment_;
+  const bool may_hide_passages_;
   PatchNodeFinder<K> finder_;
   PatchClipping<K> clipping_;
   Sweep sweep_;
@@ -201,14 +183,14 @@ SweptBoundary swept_boundary(const PolygonSet& P, const PolygonSet& Q, const Sca
   result.pairs_inside = neighbours.inside;
   control.look_now();
   const InteriorTest test(P, Q);
-  const std::optional<Vector2<Rational>> segment = segment_past_touching_rings(P, Q);
+  const bool hidden = may_hide_passages(P, Q);
   on_exact_frame(P, Q, [&](const auto& frame) {
     using K = typename std::decay_t<decltype(frame)>::K;
     const auto edges = moving_edges(result.edges, frame.P, frame.Q);
     std::vector<SweptBoundary> parts(control.threads());
     in_parallel(edges.size(), control, BuildProgress::Stage::patches, [&](unsigned thread) {
       return BoundarySearch<K>(frame.kernel, edges, result.moving, neighbours, tracks, solids, test,
-                               segment, window, control, parts[thread]);
+                               hidden, window, control, parts[thread]);
     });
     gather(parts, result);
   });

@@ -21,8 +21,14 @@ struct ConvexPieces {
   BoxTree tree;
   double magnitude = 0;
 
+  /// A segment or a point is a triangle without an area, two or three corners of it one.
   explicit ConvexPieces(const PolygonSet& set) {
-    if (set.is_region()) exact = triangulate(set);
+    if (set.is_region()) {
+      exact = triangulate(set);
+    } else if (!set.empty()) {
+      const Ring& ends = set.polygons[0].outer;
+      exact = {{ends.front(), ends.back(), ends.back()}};
+    }
     std::vector<Box> boxes;
     for (const Triangle& t : exact) {
       TriangleInDoubles d;
@@ -75,19 +81,31 @@ std::optional<bool> told(const TriangleInDoubles& a, const TriangleInDoubles& b,
   return true;
 }
 
-/// Whether the interiors of two triangles, both counter-clockwise, meet.
-bool interiors_meet(const std::array<FilteredPoint, 3>& a, const std::array<FilteredPoint, 3>& b) {
-  const auto separates = [](const auto& u, const auto& v) {
-    for (std::size_t i = 0; i < 3; ++i) {
-      if (std::all_of(v.begin(), v.end(), [&](const FilteredPoint& p) {
-            return orientation(u[i], u[(i + 1) % 3], p) <= 0;
-          })) {
-        return true;
-      }
+using FilteredTriangle = std::array<FilteredPoint, 3>;
+
+/// Whether the line of an edge of `a` has all of `b` on its right side, closed.
+bool separates(const FilteredTriangle& a, const FilteredTriangle& b) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (std::all_of(b.begin(), b.end(), [&](const FilteredPoint& p) {
+          return orientation(a[i], a[(i + 1) % 3], p) <= 0;
+        })) {
+      return true;
     }
-    return false;
-  };
-  return !separates(a, b) && !separates(b, a);
+  }
+  return false;
+}
+
+/// Whether it has all of `b` on its right side, open, once `b` has moved by a little.
+bool separates_after(const Point& move, const FilteredTriangle& a, const FilteredTriangle& b) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const FilteredPoint &from = a[i], &to = a[(i + 1) % 3];
+    int nearest = -1;
+    for (const FilteredPoint& p : b) nearest = std::max(nearest, orientation(from, to, p));
+    if (nearest < 0) return true;
+    const FilteredPoint moved(Point{from.exact().x + move.x, from.exact().y + move.y});
+    if (nearest == 0 && orientation(from, to, moved) < 0) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -112,6 +130,35 @@ struct InteriorTest::Impl {
     for (auto& v : b) v = {x - v[0], y - v[1]};
     return {a, b};
   }
+
+  /// Whether some s a and x - b meet: by doubles where they tell, else by `meet`.
+  template <class Meet>
+  bool some_pair(const Point& x, const Rational& scale, Meet&& meet) const {
+    const FilteredPoint at(x);
+    const Box box{below(at.x()), below(at.y()), above(at.x()), above(at.y())};
+    const double s = to_double(scale), low = below(s), high = above(s);
+    const double e = error(at.x(), at.y(), s, 0);
+    const bool in_range = in_filter_range(s) && std::isfinite(e);  // so are all differences
+    return p.tree.pairs_with(
+        q.tree,
+        [&](const Box& a, const Box& b) {
+          if (!in_range) return scaled(a, low, high).overlaps(reflected(b, box));
+          return a.xmin * s - e <= at.x() - b.xmin && a.xmax * s + e >= at.x() - b.xmax &&
+                 a.ymin * s - e <= at.y() - b.ymin && a.ymax * s + e >= at.y() - b.ymax;
+        },
+        [&](std::uint32_t i, std::uint32_t j) {
+          const auto [near_a, near_b] = placed(i, j, at.x(), at.y(), s);
+          const auto known = in_range ? told(near_a, near_b, e) : std::nullopt;
+          if (known) return *known;
+          FilteredTriangle a, b;
+          for (std::size_t k = 0; k < 3; ++k) {
+            const Point &u = p.exact[i][k], &v = q.exact[j][k];
+            a[k] = FilteredPoint(Point{u.x * scale, u.y * scale});
+            b[k] = FilteredPoint(Point{x.x - v.x, x.y - v.y});
+          }
+          return meet(a, b);
+        });
+  }
 };
 
 InteriorTest::InteriorTest(const PolygonSet& P, const PolygonSet& Q)
@@ -133,38 +180,21 @@ bool InteriorTest::certainly_inside(double x, double y, double error, double sca
       });
 }
 
-bool InteriorTest::in_closed_sum(const Point& x, const Rational& scale) const {
-  return Membership(impl_->P, impl_->Q, scale).contact(x) != Contact::empty;
-}
-
 bool InteriorTest::inside(const Point& x, const Rational& scale) const {
   if (!impl_->regions) {
     return Membership(impl_->P, impl_->Q, scale).decide(x).contact == Contact::overlapping;
   }
-  const FilteredPoint at(x);
-  const Box box{below(at.x()), below(at.y()), above(at.x()), above(at.y())};
-  const double s = to_double(scale), low = below(s), high = above(s);
-  const double e = impl_->error(at.x(), at.y(), s, 0);
-  const bool in_range = in_filter_range(s) && std::isfinite(e);  // so are all differences
-  return impl_->p.tree.pairs_with(
-      impl_->q.tree,
-      [&](const Box& a, const Box& b) {
-        if (!in_range) return scaled(a, low, high).overlaps(reflected(b, box));
-        return a.xmin * s - e <= at.x() - b.xmin && a.xmax * s + e >= at.x() - b.xmax &&
-               a.ymin * s - e <= at.y() - b.ymin && a.ymax * s + e >= at.y() - b.ymax;
-      },
-      [&](std::uint32_t i, std::uint32_t j) {
-        const auto [near_a, near_b] = impl_->placed(i, j, at.x(), at.y(), s);
-        const auto known = in_range ? told(near_a, near_b, e) : std::nullopt;
-        if (known) return *known;
-        const Triangle &a = impl_->p.exact[i], &b = impl_->q.exact[j];
-        std::array<FilteredPoint, 3> u, v;
-        for (std::size_t k = 0; k < 3; ++k) {
-          u[k] = FilteredPoint(Point{a[k].x * scale, a[k].y * scale});
-          v[k] = FilteredPoint(Point{x.x - b[k].x, x.y - b[k].y});
-        }
-        return interiors_meet(u, v);
-      });
+  return impl_->some_pair(x, scale, [](const FilteredTriangle& a, const FilteredTriangle& b) {
+    return !separates(a, b) && !separates(b, a);
+  });
+}
+
+bool InteriorTest::in_sum_beside(const Point& x, const Point& towards,
+                                 const Rational& scale) const {
+  const Point back{-towards.x, -towards.y};
+  return impl_->some_pair(x, scale, [&](const FilteredTriangle& a, const FilteredTriangle& b) {
+    return !separates_after(towards, a, b) && !separates_after(back, b, a);
+  });
 }
 
 }  // namespace minkref::inline plane

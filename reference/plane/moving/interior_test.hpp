@@ -1,4 +1,4 @@
-// Whether a point lies in the sum of the interiors, at any scale.
+// Whether a point lies in the sum of the interiors, or next to one of the closed sum, at any scale.
 #pragma once
 
 #include <cstdint>
@@ -21,8 +21,10 @@ class InteriorTest {
   /// Exact. O(mn) pairs of triangles at worst; boxes discard most.
   bool inside(const Point& x, const Rational& scale) const;
 
-  /// Whether a point lies in the sum of the closed sets. Exact. O(mn) pairs of triangles.
-  bool in_closed_sum(const Point& x, const Rational& scale) const;
+  /// Whether the sum of the closed sets holds x + ε `towards` for all small ε > 0. Exact: of a pair
+  /// of triangles an edge that has x on its line is decided by the direction. O(mn) pairs of
+  /// triangles at worst; boxes discard most.
+  bool in_sum_beside(const Point& x, const Point& towards, const Rational& scale) const;
 
   /// True only if every point within `error` of (x, y), in both coordinates, is certainly inside
   /// at every scale within a relative 2^-50 of `scale`. In doubles; about 1 us.

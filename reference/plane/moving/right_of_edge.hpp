@@ -1,18 +1,20 @@
-// Whether the sum lies on the right of a convolution edge, where no other edge runs back along it.
+// Whether the sum lies on the right of a convolution edge where no other edge runs back along it.
 #pragma once
-
-#include <vector>
 
 #include "reference/plane/moving/interior_test.hpp"
 #include "reference/plane/moving/moving_edge.hpp"
 
 namespace minkref::inline plane {
 
-/// Of a point inside an edge at a scale, in the interior of no other edge there that is not on the
-/// same line: whether the face of the arrangement on its right lies in the sum. A point of that
-/// face, nearer than any edge in this direction, is decided. Exact. O(edges), and the test of a
-/// point.
-bool sum_on_the_right(const std::vector<RationalEdge>& edges, std::uint32_t edge, const Point& x,
-                      const Rational& scale, const InteriorTest& interior);
+/// Whether a tight passage may run across a face of the patch of an edge, so that a point of the
+/// face is outside of the sum of the interiors although the sum is on both sides of the edge: only
+/// if each operand is a segment or has rings that touch (docs/scale-index.md, "Why one point
+/// decides a face"). Exact. O(n log n) on usual input.
+bool may_hide_passages(const PolygonSet& P, const PolygonSet& Q);
+
+/// Whether the closed sum lies on the right of an edge at a scale, next to a point inside of it
+/// through which no edge passes that is not on the same line. The cost is that of a point.
+bool sum_on_the_right(const RationalEdge& edge, const Point& x, const Rational& scale,
+                      const InteriorTest& interior);
 
 }  // namespace minkref::inline plane

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "reference/number/exact_value.hpp"
+#include "reference/number/float_environment.hpp"
 #include "reference/plane/boundary/canonical.hpp"
 #include "reference/plane/kernel/arithmetic_name.hpp"
 #include "reference/plane/paper/intersection_lists.hpp"
@@ -68,6 +69,7 @@ class UpdateIn : public PaperUpdate {
   }
 
   Step move_to(const Rational& to) override {
+    const FloatEnvironment standard;
     refuse_scale(to);
     const T scale = arithmetic_(to);
     Step step;
@@ -85,6 +87,7 @@ class UpdateIn : public PaperUpdate {
   }
 
   std::size_t place_intersections() override {
+    const FloatEnvironment standard;
     places_.clear();
     for (std::uint32_t edge = 0; edge < edges_.size(); ++edge) {
       for (const std::uint32_t i : lists_.along(edge)) {
@@ -97,11 +100,13 @@ class UpdateIn : public PaperUpdate {
   }
 
   std::size_t search_intersections(const Rational& scale) const override {
+    const FloatEnvironment standard;
     refuse_scale(scale);
     return intersections_afresh<T>(edges_, arithmetic_(scale)).size();
   }
 
   Sum sum() override {
+    const FloatEnvironment standard;
     Sum sum;
     sum.statistics.kernel = arithmetic_.name();
     if (edges_.empty()) return sum;
@@ -133,6 +138,7 @@ class UpdateIn : public PaperUpdate {
   }
 
   std::vector<Event> events() const override {
+    const FloatEnvironment standard;
     std::vector<Event> result;
     result.reserve(events_.size());
     for (const Critical& event : events_) {
@@ -224,6 +230,7 @@ std::unique_ptr<PaperUpdate> PaperUpdate::make(const PolygonSet& P, const Polygo
                                                const std::string& arithmetic,
                                                const Readings& readings, std::uint64_t memory,
                                                unsigned threads) {
+  const FloatEnvironment standard;
   refuse_bad_operands(P, Q, first_scale);
   return with_arithmetic(arithmetic,
                          [&]<class T>(const Arithmetic<T>& in) -> std::unique_ptr<PaperUpdate> {

@@ -5,6 +5,7 @@
 
 #include "reference/error.hpp"
 #include "reference/interrupt.hpp"
+#include "reference/number/float_environment.hpp"
 #include "reference/space/area_vector.hpp"
 #include "reference/space/convex/convexity.hpp"
 
@@ -61,6 +62,7 @@ std::vector<Face> convex_facets(const Polyhedron& surface,
 }  // namespace
 
 ConvexPolyhedron::ConvexPolyhedron(const Polyhedron& surface) {
+  const FloatEnvironment standard;
   if (!surface.is_solid()) {
     throw BadInput("not-solid", "the operand has no volume",
                    "give a convex polyhedron by its faces");

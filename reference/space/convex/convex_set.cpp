@@ -5,6 +5,7 @@
 
 #include "reference/error.hpp"
 #include "reference/interrupt.hpp"
+#include "reference/number/float_environment.hpp"
 
 namespace minkref::inline space {
 namespace {
@@ -21,6 +22,7 @@ bool is_convex_ring(const Ring& ring) {
 }  // namespace
 
 std::optional<ConvexPolyhedron> convex_polyhedron(const PolyhedralSet& set) {
+  const FloatEnvironment standard;
   if (set.faces.size() < 4) return std::nullopt;
   Polyhedron surface;
   for (const auto& [plane, region] : set.faces) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "reference/number/float_environment.hpp"
 #include "reference/space/convex/static_convex_sum.hpp"
 
 namespace minkref::inline space {
@@ -34,7 +35,7 @@ Compatibility from_scratch(Contacts& contacts, const RoundedScaling& scaling) {
 }  // namespace
 
 DynamicConvexSum::DynamicConvexSum(const ConvexPolyhedron& P, const ConvexPolyhedron& Q,
-                                   const Scaling& at)
+                                   const Scaling& at, const FloatEnvironment& /*standard*/)
     : contacts_(P, Q),
       scaling_(at),
       state_(from_scratch(contacts_, scaling_)),
@@ -55,6 +56,7 @@ DynamicConvexSum::DynamicConvexSum(const ConvexPolyhedron& P, const ConvexPolyhe
 }
 
 UpdateCounts DynamicConvexSum::update(const Scaling& to) {
+  const FloatEnvironment standard;
   require_positive(to);
   UpdateCounts counts;
   for (IndexSet* set : {&suspects_, &moved_, &changed_at_P_, &changed_at_Q_}) set->clear();

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "reference/number/float_environment.hpp"
 #include "reference/space/convex/compatibility.hpp"
 #include "reference/space/convex/index_set.hpp"
 #include "reference/space/convex/sum_vertices.hpp"
@@ -45,8 +46,10 @@ struct UpdateCounts {
 /// less since the last one than every product that it looked at allows.
 class DynamicConvexSum {
  public:
-  /// From scratch by `traversal` (static_convex_sum.hpp). Throws BadInput ("bad-scale").
-  DynamicConvexSum(const ConvexPolyhedron& P, const ConvexPolyhedron& Q, const Scaling& at);
+  /// From scratch by `traversal` (static_convex_sum.hpp). Throws BadInput ("bad-scale"). The last
+  /// argument lives while the members are made.
+  DynamicConvexSum(const ConvexPolyhedron& P, const ConvexPolyhedron& Q, const Scaling& at,
+                   const FloatEnvironment& standard = {});
 
   /// Mends what the new scaling makes wrong. Throws BadInput ("bad-scale"), and the state is as it
   /// was; std::logic_error would be a fault of ours, and the state is of no use then.

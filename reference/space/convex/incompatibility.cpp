@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include "reference/number/float_environment.hpp"
+
 namespace minkref::inline space {
 namespace {
 
@@ -24,6 +26,7 @@ Rational rise(const RationalVector& normal, const ConvexPolyhedron& Q, std::uint
 Incompatibility incompatibility(const ConvexPolyhedron& P, std::uint32_t facet,
                                 const ConvexPolyhedron& Q, std::uint32_t vertex,
                                 const Scaling& scaling, Form form) {
+  const FloatEnvironment standard;
   require_positive(scaling);
   const RationalVector normal = normal_of(P, facet, scaling);
   std::optional<Rational> most;
@@ -44,6 +47,7 @@ Incompatibility incompatibility(const ConvexPolyhedron& P, std::uint32_t facet,
 std::optional<std::uint32_t> descend(const ConvexPolyhedron& P, std::uint32_t facet,
                                      const ConvexPolyhedron& Q, std::uint32_t vertex,
                                      const Scaling& scaling, Form form) {
+  const FloatEnvironment standard;
   std::vector<bool> met(Q.vertices());
   while (!met[vertex]) {
     met[vertex] = true;

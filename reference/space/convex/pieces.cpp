@@ -7,6 +7,7 @@
 
 #include "reference/error.hpp"
 #include "reference/interrupt.hpp"
+#include "reference/number/float_environment.hpp"
 #include "reference/space/convex/convexity.hpp"
 
 namespace minkref::inline space {
@@ -146,7 +147,13 @@ ConvexSum canonical_sum(const Pieces<Point>& pieces) {
 
 }  // namespace
 
-ConvexSum united(const Pieces<WordVector>& pieces) { return canonical_sum(pieces); }
-ConvexSum united(const Pieces<IntegerVector>& pieces) { return canonical_sum(pieces); }
+ConvexSum united(const Pieces<WordVector>& pieces) {
+  const FloatEnvironment standard;
+  return canonical_sum(pieces);
+}
+ConvexSum united(const Pieces<IntegerVector>& pieces) {
+  const FloatEnvironment standard;
+  return canonical_sum(pieces);
+}
 
 }  // namespace minkref::inline space

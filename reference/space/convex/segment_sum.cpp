@@ -1,6 +1,7 @@
 #include "reference/space/convex/segment_sum.hpp"
 
 #include "reference/error.hpp"
+#include "reference/number/float_environment.hpp"
 #include "reference/space/convex/pieces.hpp"
 
 namespace minkref::inline space {
@@ -25,6 +26,7 @@ std::vector<bool> rising(const ConvexPolyhedron& P, const Scaling& scaling, cons
 
 ConvexSum sum_with_segment(const ConvexPolyhedron& P, const Scaling& scaling, const SpacePoint& a,
                            const SpacePoint& b) {
+  const FloatEnvironment standard;
   require_positive(scaling);
   if (a == b) {
     throw BadInput("zero-length-edge", "the two ends of the segment are equal",

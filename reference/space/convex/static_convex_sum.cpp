@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "reference/interrupt.hpp"
+#include "reference/number/float_environment.hpp"
 
 namespace minkref::inline space {
 namespace {
@@ -41,6 +42,7 @@ std::vector<std::uint32_t> vertices_by_brute_force(const FacetContact& contact) 
 }  // namespace
 
 Compatibility by_traversal(const Contacts& contacts) {
+  const FloatEnvironment standard;
   const ConvexPolyhedron& P = contacts.P();
   Compatibility result{
       vertices_by_traversal(contacts.across_P), vertices_by_traversal(contacts.across_Q), {}};
@@ -56,6 +58,7 @@ Compatibility by_traversal(const Contacts& contacts) {
 }
 
 Compatibility by_brute_force(const Contacts& contacts) {
+  const FloatEnvironment standard;
   const ConvexPolyhedron &P = contacts.P(), &Q = contacts.Q();
   Compatibility result{
       vertices_by_brute_force(contacts.across_P), vertices_by_brute_force(contacts.across_Q), {}};

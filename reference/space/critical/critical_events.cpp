@@ -7,6 +7,7 @@
 #include "reference/build/stage.hpp"
 #include "reference/error.hpp"
 #include "reference/interrupt.hpp"
+#include "reference/number/float_environment.hpp"
 #include "reference/space/critical/meeting_facets.hpp"
 #include "reference/space/critical/moving_box.hpp"
 #include "reference/space/critical/parallel_facets.hpp"
@@ -171,6 +172,7 @@ CriticalEvents critical_events_in_space(const Polyhedron& P, const Polyhedron& Q
                                         const Rational& from, const Rational& to,
                                         const BuildOptions& options, EventsOf what,
                                         MostEvents most) {
+  const FloatEnvironment standard;
   refuse_bad_window(from, to);
   CriticalEvents result;
   if (P.empty() || Q.empty()) return result;
@@ -277,6 +279,7 @@ std::uint64_t distinct_scales(const std::vector<SpacePairEvent>& events,
 CriticalEvents critical_events_of_all_pairs(const Polyhedron& P, const Polyhedron& Q,
                                             const Rational& from, const Rational& to,
                                             EventsOf what) {
+  const FloatEnvironment standard;
   refuse_bad_window(from, to);
   CriticalEvents result;
   if (P.empty() || Q.empty()) return result;

@@ -4,6 +4,7 @@
 
 #include "reference/error.hpp"
 #include "reference/interrupt.hpp"
+#include "reference/number/float_environment.hpp"
 #include "reference/space/critical/moving_box.hpp"
 #include "reference/space/critical/parallel_facets.hpp"
 
@@ -25,6 +26,7 @@ SpaceBox box_at(const MovingConvolution& convolution, const MovingFacet& facet,
 }  // namespace
 
 std::vector<FacetPair> meeting_pairs_at(const MovingConvolution& convolution, const Rational& s) {
+  const FloatEnvironment standard;
   const EventScale scale(s);
   const BoundedDouble rounded(scale.rounded(), scale.rounded() * 0x1p-49);
   std::vector<SpaceBox> boxes;
@@ -56,6 +58,7 @@ std::vector<FacetPair> meeting_pairs_at(const MovingConvolution& convolution, co
 
 CrossingFacets::CrossingFacets(std::shared_ptr<const CriticalEvents> events, const Rational& start)
     : events_(std::move(events)), place_(place_of(start)) {
+  const FloatEnvironment standard;
   const std::vector<FacetPair> here = meeting_pairs_at(*events_->convolution, start);
   all_ = here;
   for (const SpacePairEvent& e : events_->events) all_.emplace_back(e.first, e.second);
@@ -86,6 +89,7 @@ std::size_t CrossingFacets::place_of(const Rational& s) const {
 }
 
 std::uint64_t CrossingFacets::move_to(const Rational& s) {
+  const FloatEnvironment standard;
   const std::size_t from = place_, to = place_of(s);
   const auto set = [&](std::size_t k, bool meets) {
     std::uint8_t& now = meets_[numbers_[k]];

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "reference/interrupt.hpp"
+#include "reference/number/float_environment.hpp"
 #include "reference/plane/boundary/canonical.hpp"
 #include "reference/space/definition/body_search.hpp"
 #include "reference/space/definition/exposed_facets.hpp"
@@ -261,6 +262,7 @@ std::string canonical_json(const TightPassagesInSpace& passages) {
 
 TightPassagesInSpace tight_passages_in_space(const Polyhedron& P, const Polyhedron& Q,
                                              const Scaling& scaling) {
+  const FloatEnvironment standard;
   return PassageSearch(summed_pieces(P, Q, scaling, most_pairs_for_passages, true)).run();
 }
 

@@ -7,6 +7,7 @@
 #include "reference/build/stage.hpp"
 #include "reference/error.hpp"
 #include "reference/fault.hpp"
+#include "reference/number/float_environment.hpp"
 #include "reference/space/edges/faces_from_edges.hpp"
 
 namespace minkref::inline space {
@@ -65,6 +66,7 @@ std::vector<bool> covered_facets(const std::vector<ConvolutionFacet>& facets,
 
 EdgeSum edge_sum(const Polyhedron& P, const Polyhedron& Q, const Scaling& scaling,
                  const BuildOptions& options) {
+  const FloatEnvironment standard;
   require_positive(scaling);
   EdgeSum result;
   if (P.empty() || Q.empty()) return result;

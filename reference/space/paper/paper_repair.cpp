@@ -4,6 +4,7 @@
 
 #include "reference/interrupt.hpp"
 #include "reference/number/exact_value.hpp"
+#include "reference/number/float_environment.hpp"
 #include "reference/plane/kernel/arithmetic_name.hpp"
 #include "reference/space/convex/index_set.hpp"
 #include "reference/space/convex/static_convex_sum.hpp"
@@ -40,6 +41,7 @@ class RepairIn : public PaperRepair {
         across_Q_(Q, P, false, arithmetic, readings) {}
 
   RepairReport update(const Scaling& to) override {
+    const FloatEnvironment standard;
     require_positive(to);
     scaling_ = to;
     const Vector3<T> factors{arithmetic_(to[0]), arithmetic_(to[1]), arithmetic_(to[2])};
@@ -60,6 +62,7 @@ class RepairIn : public PaperRepair {
   const Scaling& scaling() const override { return scaling_; }
 
   std::vector<SpacePoint> coordinates(const std::vector<SumVertices::Pair>& pairs) const override {
+    const FloatEnvironment standard;
     std::vector<SpacePoint> points;
     points.reserve(pairs.size());
     for (const auto& [p, q] : pairs) {
@@ -244,6 +247,7 @@ class RepairIn : public PaperRepair {
 std::unique_ptr<PaperRepair> PaperRepair::make(const ConvexPolyhedron& P, const ConvexPolyhedron& Q,
                                                const Scaling& first, const std::string& arithmetic,
                                                const RepairReadings& readings) {
+  const FloatEnvironment standard;
   require_positive(first);
   return with_arithmetic(arithmetic,
                          [&]<class T>(const Arithmetic<T>& in) -> std::unique_ptr<PaperRepair> {

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "reference/error.hpp"
+#include "reference/number/float_environment.hpp"
 #include "reference/space/paths/swept_pieces.hpp"
 #include "reference/space/paths/valid_scales_in_space.hpp"
 
@@ -66,6 +67,7 @@ struct SpaceFrame {
 
 SpaceFit scales_that_fit_at(const Polyhedron& part, const Polyhedron& container,
                             const SpacePoint& at, ContactRule rule) {
+  const FloatEnvironment standard;
   if (is_thin(container)) {
     throw BadInput("degenerate-operands", "the container is without volume", "name a polyhedron");
   }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "reference/error.hpp"
+#include "reference/number/float_environment.hpp"
 #include "reference/paths/piece_collisions.hpp"
 #include "reference/paths/routes.hpp"
 #include "reference/space/paths/contact_scales.hpp"
@@ -104,6 +105,7 @@ bool contains_origin_in_plane(const Polyhedron& polygon) {
 SpaceValidScales valid_scales(const Polyhedron& robot, const Polyhedron& obstacles,
                               const std::vector<SpacePoint>& path, ContactRule rule,
                               const ScaleWindow& window, PathRoute route) {
+  const FloatEnvironment standard;
   refuse_bad_window(window);
   if (path.empty()) {
     throw BadInput("bad-path", "a path has at least one vertex", "give it one");
@@ -133,6 +135,7 @@ SpaceValidScales valid_scales(const Polyhedron& robot, const Polyhedron& obstacl
 }
 
 bool star_shaped(const Polyhedron& robot) {
+  const FloatEnvironment standard;
   if (robot.empty()) return true;
   if (robot.is_point()) return is_zero(robot.vertices[0]);
   if (robot.is_segment()) {

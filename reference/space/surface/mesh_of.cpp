@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "reference/interrupt.hpp"
+#include "reference/number/float_environment.hpp"
 #include "reference/plane/routes/simply_connected.hpp"
 
 namespace minkref::inline space {
@@ -84,6 +85,7 @@ std::vector<std::vector<Face>> mesh_faces(const SurfaceEdges& surface, MeshFaces
 }
 
 Polyhedron mesh_of(const SurfaceEdges& surface, MeshFaces faces) {
+  const FloatEnvironment standard;
   Polyhedron mesh;
   for (const SpaceVertex& point : surface.points) mesh.vertices.push_back(point.exact);
   for (auto& parts : mesh_faces(surface, faces)) {

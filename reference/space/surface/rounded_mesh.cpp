@@ -5,6 +5,7 @@
 
 #include "reference/error.hpp"
 #include "reference/interrupt.hpp"
+#include "reference/number/float_environment.hpp"
 #include "reference/space/face_triangles.hpp"
 #include "reference/space/surface/space_vertex.hpp"
 
@@ -16,6 +17,10 @@ double nearest_float(const Rational& value) {
   const double near = to_double(value);
   const auto nearest = static_cast<float>(near);
   const float infinity = std::numeric_limits<float>::infinity();
+  // Half-way between the largest float and what would be the next: only what is above has none.
+  if (std::fabs(near) == 0x1.ffffffp127 && abs(value) < from_double(0x1.ffffffp127)) {
+    return near < 0 ? -0x1.fffffep127 : 0x1.fffffep127;
+  }
   const float other = std::nextafter(nearest, near > double{nearest} ? infinity : -infinity);
   // Where the double is half-way, the value may be nearer to the other one.
   if (near - double{nearest} != double{other} - near) return nearest;
@@ -62,7 +67,8 @@ class Rounding {
         result.largest_displacement = std::max(result.largest_displacement, Rational(abs(by)));
       }
     }
-    result.merged_vertices = after_.size() - shared_points(after_).points.size();
+    result.merged_vertices =
+        shared_points(before_).points.size() - shared_points(after_).points.size();
     for (std::size_t f = 0; f < faces.size(); ++f) {
       look_for_interrupt();
       judge(faces[f], f, result);
@@ -133,6 +139,7 @@ class Rounding {
 }  // namespace
 
 RoundedMesh rounded_mesh(const Polyhedron& mesh, Precision precision) {
+  const FloatEnvironment standard;
   validate_faces(mesh);
   RoundedMesh result{mesh, {}};
   for (SpacePoint& p : result.mesh.vertices) {

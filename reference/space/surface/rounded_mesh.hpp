@@ -12,7 +12,7 @@ enum class Precision : std::uint8_t { float64, float32 };
 /// What rounding the coordinates of a mesh has done.
 struct RoundingReport {
   std::uint64_t moved_vertices = 0;    ///< that no longer are where they were
-  std::uint64_t merged_vertices = 0;   ///< vertices less different points; 0 if all were different
+  std::uint64_t merged_vertices = 0;   ///< by how many there are fewer different points
   std::uint64_t degenerate_faces = 0;  ///< of which a triangle has no area any more
   std::uint64_t turned_faces = 0;  ///< of which a triangle is turned over: its normal has an angle
                                    ///< of 90 degrees or more to the one before

@@ -7,6 +7,7 @@
 #include "reference/interrupt.hpp"
 #include "reference/no_entry.hpp"
 #include "reference/number/balanced_sum.hpp"
+#include "reference/number/float_environment.hpp"
 
 namespace minkref::inline space {
 namespace {
@@ -116,10 +117,12 @@ class ShellSearch {
 }  // namespace
 
 std::vector<Shell> shells(const SurfaceEdges& surface, Pairing pairing) {
+  const FloatEnvironment standard;
   return ShellSearch(surface, pairing).run();
 }
 
 SpaceTopology topology(const SurfaceEdges& surface) {
+  const FloatEnvironment standard;
   SpaceTopology result;
   for (const Shell& shell : shells(surface, Pairing::interior)) {
     result.components += shell.positive;

@@ -6,6 +6,7 @@
 
 #include "reference/interrupt.hpp"
 #include "reference/no_entry.hpp"
+#include "reference/number/float_environment.hpp"
 #include "reference/plane/boundary/boundary_graph.hpp"
 #include "reference/plane/location.hpp"
 #include "reference/space/surface/faces_about_edges.hpp"
@@ -117,6 +118,9 @@ std::vector<std::uint32_t> SurfaceEdges::walk(std::uint32_t first) const {
   return result;
 }
 
-SurfaceEdges surface_edges(const PolyhedralSet& set) { return SurfaceBuild().run(set); }
+SurfaceEdges surface_edges(const PolyhedralSet& set) {
+  const FloatEnvironment standard;
+  return SurfaceBuild().run(set);
+}
 
 }  // namespace minkref::inline space

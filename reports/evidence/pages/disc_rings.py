@@ -16,7 +16,10 @@ def true_rings(P: _core.PolygonSet, radius: float) -> list[list[Piece]]:
     """Of the sum with a disc of exactly this radius."""
     drawn = _core.offset(P, str(Fraction(radius) ** 2)).drawn_rings()
     return [
-        [((cx, cy) if kind == "arc" else None, (x, y), (u, v)) for kind, x, y, u, v, cx, cy in ring]
+        [
+            ((cx, cy) if kind == "arc" else None, (x, y), (u, v))
+            for kind, x, y, u, v, cx, cy, _ in ring
+        ]
         for component in drawn
         for ring in component
     ]

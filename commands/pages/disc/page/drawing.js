@@ -40,6 +40,7 @@ const drawing = {
       context.lineWidth = 2.4;
       context.stroke(holes.get(chosen.id));
     }
+    drawPassages(context, passagesHere(), X, Y);
     marked.forEach((event) => this.drawPlace(context, event, X, Y));
     if (chosen?.feature === "e") this.drawEvent(context, chosen.id, X, Y);
     if (!boxOfP.empty) drawRuler(context, this.view.unit, height);
@@ -123,7 +124,8 @@ const drawing = {
         context.fill();
         continue;
       }
-      const [from, to] = sideBefore(number, x, y);
+      const [, , , , line = number] = data.features[number];
+      const [from, to] = sideBefore(line, x, y);
       context.moveTo(X(from[0]), Y(from[1]));
       context.lineTo(X(to[0]), Y(to[1]));
       context.lineWidth = 4;

@@ -38,6 +38,9 @@ function previousRadius() {
   return number;
 }
 
+// Of the sum at the radius of events at which the page stands.
+const passagesHere = () => (at >= 0 ? data.passages?.[at] ?? [] : []);
+
 function tellSituation() {
   const gap = gapHere(), { components, holes } = countsAt(gap, at >= 0);
   const corners = boundary.at(gap).reduce((sum, ring) => sum + ring.corners.length, 0);
@@ -173,6 +176,7 @@ element("counts").textContent = [
   `ρ from ${cut(data.window[0][0])} to ${cut(data.window[1][0])}`, several(firstEvents[endInside] - firstEvents[firstInside], "event"),
   several(barcode.rows.length, "hole"), several(data.polygons, "polygon"),
 ].join(" · ");
+element("key-tight").hidden = !Object.values(data.passages ?? {}).some((found) => found.length);
 eventList.fill();
 showChosen();
 listen();
@@ -195,4 +199,6 @@ window.minkref = {
   get radius() { return radius; },
   get chosen() { return chosen; },
   events: data.kinds.length,
+  goToRadius,
+  get passages() { return passagesHere(); },
 };

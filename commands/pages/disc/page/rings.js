@@ -36,12 +36,19 @@ function jointAt([vertex, line], radius) {
   return [x + radius * nx, y + radius * ny];
 }
 
-// a + (radius - r) b + root c
+// a + w b + √(w (k0 + k1 w)) c with w = radius - r, where r is the sum of two numbers. A radius of an event
+// is rounded: what moves straight stays between its ends, however fast it is.
 function cornerAt(half, radius) {
-  const [ax, ay, r, bx, by, q0, q1, q2, cx, cy] = data.motions.slice(10 * half.motion, 10 * half.motion + 10);
-  const root = Math.sqrt(Math.max(q0 + (q1 + q2 * radius) * radius, 0)), way = radius - r;
-  return [ax + way * bx + root * cx, ay + way * by + root * cy];
+  const [ax, ay, r, rest, bx, by, k0, k1, cx, cy] = motionOf(half);
+  const way = radius - r - rest, root = Math.sqrt(Math.max(way * (k0 + k1 * way), 0));
+  const at = [ax + way * bx + root * cx, ay + way * by + root * cy];
+  const ends = k0 || k1 ? [null] : [placeOf(half.from, half), placeOf(half.to, half)];
+  if (!ends.every((end) => end)) return at;
+  const [p, q] = ends;
+  return at.map((x, i) => Math.min(Math.max(x, Math.min(p[i], q[i])), Math.max(p[i], q[i])));
 }
+
+const motionOf = (half) => data.motions.slice(10 * half.motion, 10 * half.motion + 10);
 
 // The rings between the radius number `gap` and the next: {walk, corners: [{half, side, count}]}; the
 // sides of the walk from that one on. A ring with no corners is all of its walk.

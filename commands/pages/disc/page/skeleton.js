@@ -15,12 +15,12 @@ function skeletonParts(far) {
     const radii = [low, high].map((node) => (isEvent(node) ? data.radii[radiusOf(node)] : 0));
     if (isInfinite(high)) radii[1] = Math.max(far, 2 * radii[0]);
     const from = placeOf(low, half), to = placeOf(high, half) ?? cornerAt(half, radii[1]);
-    const [ax, ay, , bx, by, q0, q1, q2, cx, cy] = data.motions.slice(10 * half.motion, 10 * half.motion + 10);
-    if (q2 || !(q1 > 0)) { parts.push({ from, to, bend: null }); return; }
-    // At the height h of the vertex over the line, u to a side of it: radius = (u² + h²) / 2h.
-    const h = q1 / 2, [u, v] = radii.map((radius) => Math.sqrt(Math.max(q0 + q1 * radius, 0)));
-    const height = (u * v + h * h) / (2 * h), across = (u + v) / 2;
-    parts.push({ from, to, bend: [ax + height * bx + across * cx, ay + height * by + across * cy] });
+    const [ax, ay, r, rest, bx, by, k0, k1, cx, cy] = motionOf(half);
+    if (k1 || !(k0 > 0)) { parts.push({ from, to, bend: null }); return; }
+    // u to a side of the vertex a corner has gone u² / k0 from the middle between it and the line.
+    const [u, v] = radii.map((radius) => Math.sqrt(Math.max((radius - r - rest) * k0, 0)));
+    const up = (u * v) / k0, across = (u + v) / 2;
+    parts.push({ from, to, bend: [ax + up * bx + across * cx, ay + up * by + across * cy] });
   });
   return parts;
 }

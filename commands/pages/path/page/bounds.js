@@ -25,6 +25,6 @@ const boundList = {
 
   show(bound) {
     this.rows.forEach((row, i) => row.classList.toggle("here", i === bound));
-    if (bound >= 0) this.rows[bound].scrollIntoView({ block: "nearest" });
+    if (bound >= 0) revealIn(element("events"), this.rows[bound]);
   },
 };

@@ -80,7 +80,7 @@ const barcode = {
 
   reveal(feature, id) {
     const row = this.rows.find((one) => one.feature === feature && one.id === id);
-    if (row) row.bar.scrollIntoView({ block: "nearest" });
+    if (row) revealIn(element("barcode"), row.bar);
   },
 };
 

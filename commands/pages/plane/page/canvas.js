@@ -62,3 +62,19 @@ function drawRuler(context, unit, height) {
   context.font = "11px system-ui, 'DejaVu Sans', sans-serif";
   context.fillText(short(length), 14, y - 5);
 }
+
+// Tight passages: x, y, x, y, ... of each; lines, and a ring around a point.
+function drawPassages(context, passages, X, Y) {
+  context.strokeStyle = colour("tight");
+  context.lineWidth = 2.6;
+  context.beginPath();
+  for (const numbers of passages) {
+    for (let i = 0; i < numbers.length; i += 2) {
+      const x = X(numbers[i]), y = Y(numbers[i + 1]);
+      if (i) { context.lineTo(x, y); continue; }
+      context.moveTo(x, y);
+      if (numbers.length === 2) { context.moveTo(x + 5, y); context.arc(x, y, 5, 0, 2 * Math.PI); }
+    }
+  }
+  context.stroke();
+}

@@ -67,6 +67,7 @@ const drawing = {
       context.lineWidth = 2.4;
       context.stroke(holes.get(chosen.id));
     }
+    drawPassages(context, passagesHere(), X, Y);
     if (this.place) this.drawPlace(context, X(this.place[0]), Y(this.place[1]));
     if (components.size) drawRuler(context, this.view.unit, height);
     else this.drawEmpty(context, width, height);

@@ -22,6 +22,9 @@ function previousEvent() {
   return event;
 }
 
+// Of the sum at the event at which the page stands.
+const passagesHere = () => (atEvent >= 0 ? data.passages?.[atEvent] ?? [] : []);
+
 function tellSituation() {
   const box = element("situation"), rings = [...timeline.at(scale).values()];
   const corners = rings.reduce((sum, ring) => sum + ring.vertices.length, 0);
@@ -33,6 +36,7 @@ function tellSituation() {
     const changes = data.topology.filter((row) => row[0] === atEvent);
     box.append(`Boundary event ${(atEvent + 1).toLocaleString("en")} of ${data.scales.length.toLocaleString("en")}`);
     if (!changes.length) box.append(`: ${kind} of vertices.`);
+    if (passagesHere().length) box.append(` · ${several(passagesHere().length, "tight passage")}`);
     changes.forEach((row) => {
       const word = document.createElement("b");
       word.className = word.textContent = row[2];
@@ -150,6 +154,7 @@ function goToTopology(event, place, [, feature, change, before, after]) {
   if (chosen) barcode.reveal(chosen.feature, chosen.id);
 }
 
+element("key-tight").hidden = !Object.keys(data.passages ?? {}).length;
 element("count-S").textContent = (data.S.length / 2).toLocaleString("en");
 element("count-T").textContent = (data.T.length / 2).toLocaleString("en");
 barcode.collect();
@@ -172,4 +177,6 @@ window.minkref = {
   get scale() { return scale; },
   get step() { return paper.stepAt(scale); },
   events: data.scales,
+  goToEvent,
+  get passages() { return passagesHere(); },
 };

@@ -1,0 +1,32 @@
+"""Numbers as tables show them: only digits that are certain."""
+
+from __future__ import annotations
+
+import math
+from decimal import Context, Decimal
+from fractions import Fraction
+
+DIGITS = 10
+
+
+def between(low: float | None, high: float | None, digits: int = DIGITS) -> str:
+    """A number between two doubles, rounded to as many digits as both of them share when they are
+    rounded, `digits` at most: the number itself rounds to these. None stands for a bound beyond the
+    range of doubles."""
+    if low is None or high is None or not (math.isfinite(low) and math.isfinite(high)):
+        return "beyond doubles"
+    for count in range(digits, 0, -1):
+        text = f"{low:.{count}g}"
+        if text == f"{high:.{count}g}":
+            return text
+    return f"between {low:.3g} and {high:.3g}"
+
+
+def root(square: Fraction, digits: int) -> str:
+    """The square root of a rational number, rounded to so many digits, of any size."""
+    wide = Context(prec=digits + 20, Emax=10**9, Emin=-(10**9))
+    near = wide.sqrt(wide.divide(Decimal(square.numerator), Decimal(square.denominator)))
+    rounded = Context(prec=digits, Emax=10**9, Emin=-(10**9)).plus(near)
+    value = float(rounded)
+    is_double = math.isfinite(value) and (value != 0 or rounded == 0)
+    return f"{value:.{digits}g}" if is_double else str(rounded).replace("E", "e")

@@ -1,0 +1,22 @@
+// Numbers as messages show them.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "reference/number/rational.hpp"
+
+namespace minkref {
+
+/// The number in plain decimal notation, no exponent ("-30.7428"); none where the denominator has a
+/// prime factor other than 2 and 5. Exact.
+std::optional<std::string> exact_decimal(const Rational& value);
+
+/// Whether exact_decimal gives a text.
+bool has_exact_decimal(const Rational& value);
+
+/// A number for a message, where it stands beside what a file says: a decimal where there is a
+/// short one, else "n/d"; what has more than 60 characters is cut.
+std::string message_text(const Rational& value);
+
+}  // namespace minkref

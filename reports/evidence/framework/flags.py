@@ -1,0 +1,102 @@
+"""The trial of doubles (trials/float_trial.cpp), compiled as people compile what includes us."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+
+from minkref.reports.evidence.framework.store import ROOT
+
+LIBRARY = ROOT / "build" / "release" / "reference" / "libminkref_reference.a"
+UNSAFE = 3  # exit code of the trial where the library refuses to compute
+
+# By compiler. The last one of gcc leaves a program that flushes subnormal numbers from its start.
+TAKEN = {
+    "g++": (
+        ("-O0",),
+        ("-O3", "-march=native", "-ffp-contract=fast"),
+        ("-O2", "-flto"),
+        ("-O2", "-frounding-math"),
+        ("-O2", "-fno-signed-zeros", "-fno-trapping-math", "-fno-math-errno"),
+        ("-O2", "LINK:-ffast-math"),
+    ),
+    "clang++": (("-O0",), ("-O2",), ("-O3", "-march=native", "-ffp-contract=fast")),
+}
+REFUSED = {
+    "g++": (
+        ("-O2", "-ffast-math"),
+        ("-Ofast",),
+        ("-O2", "-funsafe-math-optimizations"),
+        ("-O2", "-fassociative-math", "-fno-signed-zeros", "-fno-trapping-math"),
+        ("-O2", "-freciprocal-math"),
+        ("-O2", "-ffinite-math-only"),
+        ("-O2", "-mfpmath=387"),
+        ("-O2", "-fsingle-precision-constant"),
+    ),
+    "clang++": (
+        ("-O2", "-ffast-math"),
+        ("-Ofast",),
+        ("-O2", "-ffinite-math-only"),
+        ("-O2", "-funsafe-math-optimizations"),
+        ("-O2", "-fassociative-math", "-fno-signed-zeros", "-fno-trapping-math"),
+        ("-O2", "-fno-honor-nans"),
+        ("-O2", "-fno-honor-infinities"),
+    ),
+}
+
+
+@dataclass(frozen=True)
+class Tried:
+    """`compiled`: whether it was; `code`: the exit code; `counts`: of each thing, how often it was
+    tried and how often it was wrong."""
+
+    compiled: bool
+    code: int = -1
+    counts: dict[str, tuple[int, int]] | None = None
+    told: str = ""
+
+    @property
+    def tried(self) -> int:
+        return sum(tried for tried, _ in (self.counts or {}).values())
+
+    @property
+    def is_refused(self) -> bool:
+        """By the compiler, or in words when it runs."""
+        if not self.compiled:
+            return "minkref needs" in self.told
+        return self.code == UNSAFE and "cannot compute exactly" in self.told
+
+
+def compilers() -> list[str]:
+    """Those that are here."""
+    return [name for name in TAKEN if shutil.which(name) is not None]
+
+
+def trial(compiler: str, flags: tuple[str, ...], seed: int, count: int) -> Tried:
+    """Compiles the trial with these flags, and runs it on so many rounds."""
+    link = [flag.removeprefix("LINK:") for flag in flags if flag.startswith("LINK:")]
+    compile_flags = [flag for flag in flags if not flag.startswith("LINK:")]
+    with tempfile.TemporaryDirectory(prefix="minkref-") as folder:
+        unit, program = Path(folder, "trial.o"), Path(folder, "trial")
+        made = subprocess.run(
+            [
+                compiler, "-std=c++20", f"-I{ROOT}", "-isystem", "/usr/include/eigen3",
+                *compile_flags, "-c", str(ROOT / "trials" / "float_trial.cpp"), "-o", str(unit),
+            ],
+            capture_output=True, text=True, check=False,
+        )  # fmt: skip
+        if made.returncode != 0:
+            return Tried(False, told=made.stderr)
+        parts = [str(unit), str(LIBRARY), "-lmpfr", "-lgmp", "-lpthread"]
+        subprocess.run([compiler, *compile_flags, *link, *parts, "-o", str(program)], check=True)
+        ran = subprocess.run(
+            [program, str(seed), str(count)], capture_output=True, text=True, check=False
+        )
+    counts = {}
+    for line in ran.stdout.splitlines():
+        what, tried, wrong = line.split("\t")
+        counts[what] = int(tried), int(wrong)
+    return Tried(True, ran.returncode, counts, ran.stderr)

@@ -1,0 +1,180 @@
+"""A hint that is followed leads to no other question: of all commands, in each setting, with every
+option, right and misspelt, what the refusals recommend is tried."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import pytest
+from hint_steps import Words, steps
+from minkref import errors as minkref_errors
+from minkref.commands.line.command_group import load
+from minkref.commands.line.command_options import options_of
+
+Minkref = Callable[..., Any]
+
+SQUARE = "POLYGON((0 0,2 0,2 2,0 2,0 0))"
+NOTCH = "POLYGON((0 0,3 0,3 3,2 3,2 1,1 1,1 3,0 3,0 0))"
+ROOM = "POLYGON((-9 -9,9 -9,9 9,-9 9,-9 -9),(-5 -5,-5 5,5 5,5 -5,-5 -5))"
+WAY = "LINESTRING (-9 9, 9 9)"
+CUBE = """OFF
+8 6 0
+0 0 0
+1 0 0
+0 1 0
+1 1 0
+0 0 1
+1 0 1
+0 1 1
+1 1 1
+4 0 2 3 1
+4 4 5 7 6
+4 0 1 5 4
+4 2 6 7 3
+4 0 4 6 2
+4 1 3 7 5
+"""
+#: What an answer depends on, no option.
+OF_THE_NUMBERS = ("undecided-sign", "no-proof")
+CUBES = ["cube.off", "cube.off"]
+WINDOW = ["--from", "1", "--to", "2"]
+#: What each command takes in each setting.
+TAKEN: dict[str, dict[str, Words]] = {
+    "sum": {
+        "plane": [SQUARE, NOTCH], "disc": [SQUARE, "disc:1"], "space": CUBES,
+    },
+    "convolution": {"plane": [SQUARE, NOTCH], "space": CUBES},
+    "index": {
+        "plane": [SQUARE, NOTCH, "-o", "kept.index"], "disc": [SQUARE, "disc", "-o", "kept.json"],
+    },
+    "sweep": {
+        "plane": [SQUARE, NOTCH, *WINDOW, "--steps", "2"],
+        "disc": [SQUARE, "disc", *WINDOW, "--steps", "2"],
+        "space": [*CUBES, "--scales", "scales.txt"],
+    },
+    "events": {
+        "plane": [SQUARE, NOTCH], "disc": [NOTCH, "disc"],
+        "space": [*CUBES, *WINDOW],
+    },
+    "path": {"plane": [SQUARE, NOTCH, WAY], "space": [*CUBES, "0,0,9\n9,0,9"]},
+    "fit": {"plane": [SQUARE, ROOM, "--at", "6,6"], "space": [*CUBES, "--at", "0,0,0"]},
+    "trap": {"plane": [SQUARE, ROOM, "--at", "0,0"]},
+    "view": {
+        "plane": [SQUARE, NOTCH, "-o", "v.html"], "disc": [NOTCH, "disc", "-o", "v.html"],
+        "path": [SQUARE, NOTCH, "--path", WAY, "-o", "v.html"],
+        "space": [*CUBES, "-o", "v.html"],
+    },
+    "certify": {
+        "plane": [SQUARE, SQUARE, "-o", "c.cert.json"],
+        "space": [*CUBES, "-o", "c.cert.json"],
+    },
+}  # fmt: skip
+#: Values of options, for which there is an answer somewhere.
+VALUES: dict[str, list[str]] = {
+    "--route": ["paper", "index", "edges", "pieces", "paper-update"],
+    "--arithmetic": ["double"],
+    "--form": ["printed"],
+    "--reading": ["observation=corrected"],
+    "-o": ["made.png", "made.svg", "made.wkt"],
+    "--format": ["json", "wkt"],
+    "--kind": ["pair", "topology", "triple"],
+    "--where": ["s > 1"],
+    "--limit": ["3"],
+    "--compatible": ["closed"],
+    "--contact": ["forbidden"],
+    "--repair": ["literal"],
+    "--tolerance": ["1/10"],
+    "--scale": ["2", "1,2,3"],
+    "--scales": ["scales.txt"],
+    "--steps": ["3"],
+    "--from": ["1"],
+    "--to": ["2"],
+    "--event": ["1"],
+    "--degeneracy": ["1"],
+    "--point": ["1,1"],
+    "--certify": ["made.cert.json", "made.json"],
+    "--path": [WAY],
+    "--check": ["1"],
+    "--threads": ["1"],
+    "--at": ["0,0"],
+}
+#: Of which a misspelt value is another one.
+WORDS = (
+    "--route", "--arithmetic", "--form", "--reading", "--format", "--kind", "--compatible",
+    "--contact", "--repair",
+)  # fmt: skip
+NOT_WALKED = ("--json", "--schema", "--memory", "--index", "--theorem", "--between")
+
+
+def lines(command: str, setting: str) -> list[tuple[str, Words]]:
+    """The command with each option in turn."""
+    base = [command, *TAKEN[command][setting]]
+    found = []
+    for option in options_of(load(command).callback):
+        if not option.yes or option.yes in NOT_WALKED:
+            continue
+        for value in [[]] if option.kind is bool else [[value] for value in VALUES[option.yes]]:
+            kept = list(base)
+            if option.yes in kept:
+                del kept[kept.index(option.yes) : kept.index(option.yes) + 2]
+            beside = ["-o", "made"] if option.yes == "--format" else []
+            found.append((option.yes, [*kept, option.yes, *value, *beside]))
+    return found
+
+
+def misspelt(line: Words, option: str) -> list[Words]:
+    """With the last two letters of the value exchanged; a reading also in its name, or without a
+    value."""
+    at = line.index(option) + 1
+    wrong = [line[at][:-2] + line[at][:-3:-1]]
+    if option == "--reading":
+        name, value = line[at].split("=")
+        wrong += [name, f"{name[:-2]}{name[:-3:-1]}={value}"]
+    return [[*line[:at], word, *line[at + 1 :]] for word in wrong]
+
+
+@pytest.mark.parametrize("command", TAKEN)
+def test_what_a_hint_recommends_is_accepted(
+    minkref: Minkref, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, command: str
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "cube.off").write_text(CUBE, encoding="utf-8")
+    (tmp_path / "scales.txt").write_text("1\n2\n", encoding="utf-8")
+    refusals: list[dict[str, str]] = []
+    told = minkref_errors.refusal_text
+
+    def keep(error: dict[str, str]) -> str:
+        refusals.append(error)
+        return told(error)
+
+    monkeypatch.setattr(minkref_errors, "refusal_text", keep)
+    followed = 0
+
+    @cache
+    def is_taken(*words: str) -> bool:
+        return minkref(*words).code != 2 or refusals[-1]["code"] in OF_THE_NUMBERS
+
+    def after(line: Words) -> list[Words]:
+        """The line itself where it is taken, else all that its hint leads to."""
+        nonlocal followed
+        if is_taken(*line):
+            return [line]
+        minkref(*line)
+        error = refusals[-1]
+        others = list(steps(line, error["where"], error["mend"]))
+        for other in others:
+            assert other != line, f"{line}: {error}"
+            assert is_taken(*other), f"{line}\n{error}\nleads to {other}\n{refusals[-1]}"
+        followed += len(others)
+        return others
+
+    for setting in TAKEN[command]:
+        for option, line in lines(command, setting):
+            right = [taken for taken in after(line) if option in taken]
+            for wrong in misspelt(right[0], option) if right and option in WORDS else ():
+                assert not is_taken(*wrong), wrong
+                assert after(wrong), wrong
+    assert followed or command == "certify", "hints are read"
