@@ -45,7 +45,7 @@ def sum_in_space(
     wanted = _checked_route(route, arithmetic)
     target = target_of(output, form, SPACE_FORMATS, "off", json)
     if triangles and target is None:
-        raise Refusal("there is nothing to write", "--triangles", "add -o FILE, or -o -")
+        raise Refusal("there is nothing to write", "--triangles", "add -o FILE.off")
     work = "the sum" if wanted is None else f"route {wanted}"
     instead = f"{SIMPLER}, or the route edges" if wanted == "definition" else SIMPLER
     with memory_wall(memory, work, f"{P} and {Q}", instead):

@@ -8,6 +8,7 @@ from fractions import Fraction
 from random import Random
 
 from minkref.degeneracies.invalid.member import PREFIX, Invalid
+from minkref.degeneracies.invalid.sheet import told
 from minkref.fuzz.families.drawing import convex
 from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.generators.convex import random_hull
@@ -134,7 +135,7 @@ def refused(
 
 def vertex_text(page: MeshSheet, vertex: int) -> str:
     """A vertex as messages write it."""
-    return "(" + ", ".join(str(Fraction(text)) for text in page.vertices[vertex]) + ")"
+    return "(" + ", ".join(told(text) for text in page.vertices[vertex]) + ")"
 
 
 def middle(mesh: Polyhedron, face: Sequence[int]) -> Point:

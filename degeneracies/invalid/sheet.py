@@ -121,4 +121,11 @@ def tokens(dice: Random, form: str, shape: Shape) -> list[list[Tokens]]:
 
 def place_of(*points: Point) -> tuple[str, ...]:
     """As messages write them."""
-    return tuple(f"({Fraction(x)}, {Fraction(y)})" for x, y in points)
+    return tuple(f"({told(x)}, {told(y)})" for x, y in points)
+
+
+def told(number: Fraction | int | str) -> str:
+    """A number as messages write it: a decimal where there is a short one."""
+    value = Fraction(number)
+    plain = decimal(value)
+    return plain if plain is not None and len(plain) <= 60 else str(value)

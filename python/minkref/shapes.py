@@ -8,6 +8,7 @@ next to a tenth), a scalar of NumPy, a text (`"0.1"` is a tenth, `"7/5"`).
 from __future__ import annotations
 
 import math
+import struct
 from collections.abc import Mapping, Set
 from decimal import Decimal
 from fractions import Fraction
@@ -200,11 +201,22 @@ def number_text(value: Any, where: str) -> str:
         if isinstance(value, Decimal) and abs(value.adjusted()) > LARGEST_EXPONENT:
             what = f"the exponent is beyond {LARGEST_EXPONENT:,}"
             raise Refusal(what, where, "give a smaller number", "limit")
-        exact = getattr(value, "as_integer_ratio", float(value).as_integer_ratio)
-        return _fraction(Fraction(*exact()))
+        if isinstance(value, float):
+            return _fraction(_of_bits(value))
+        exact = getattr(value, "as_integer_ratio", None)
+        return _fraction(_of_bits(float(value)) if exact is None else Fraction(*exact()))
     what = f"the coordinate is {_a(value)}"
     mend = "give an int, a Fraction, a float or a text as '7/5'"
     raise Refusal(what, where, mend, "coordinate-not-a-number")
+
+
+def _of_bits(value: float) -> Fraction:
+    """The exact number of a finite double, from its bits: a process that flushes subnormal numbers
+    would compute 0 of them."""
+    (bits,) = struct.unpack("<q", struct.pack("<d", value))
+    exponent, fraction = bits >> 52 & 0x7FF, bits & (1 << 52) - 1
+    magnitude = (fraction | (1 << 52 if exponent else 0)) * Fraction(2) ** (max(exponent, 1) - 1075)
+    return -magnitude if bits < 0 else magnitude
 
 
 def _fraction(value: Fraction) -> str:

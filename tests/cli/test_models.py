@@ -41,7 +41,7 @@ def test_polyhedra_are_listed_apart_with_their_facets(minkref: Minkref) -> None:
 def test_polyhedron_is_refused_as_an_operand_in_the_plane(minkref: Minkref, tmp_path: Path) -> None:
     ran = minkref("index", "gs3", "g1", "-o", tmp_path / "i.index", "--json")
     assert ran.code == 2
-    assert ran.json["error"]["code"] == "three-dimensional"
+    assert ran.json["error"]["code"] == "mixed-dimensions"
 
 
 def test_absent_model_of_the_paper_names_its_look_alike(

@@ -19,44 +19,10 @@ void for_each_ring(const OffsetRegion& region, Visit&& visit) {
   }
 }
 
+/// Sums over the pieces, from exact corners, by as many bits as are asked for.
 class Measuring {
  public:
-  explicit Measuring(const StaticOffset& offset) : offset_(offset), at_(*offset.at) {}
-
-  void add(const OffsetRing& ring) {
-    for (const std::uint32_t number : ring.pieces) add(offset_.pieces[number]);
-  }
-
-  OffsetMeasures found{Interval(0), Interval(0)};
-
- private:
-  void add(const OffsetPiece& piece) {
-    const OffsetPatch& patch = at_.curves().patches[piece.patch];
-    const Vector<Interval> from = at_.position(piece.patch, piece.from),
-                           to = at_.position(piece.patch, piece.to);
-    if (patch.edge != OffsetPatch::none) {
-      const auto key = [](const PatchPlace& place) -> Interval {
-        if (place.at == PatchPlace::At::inside) return place.near;
-        return place.at == PatchPlace::At::start ? Interval(0) : Interval(1);
-      };
-      found.area += cross(from, to) / Interval(2);
-      found.length += (key(piece.to) - key(piece.from)) * sqrt(at_.edge(patch.edge).squared_length);
-      return;
-    }
-    const Vector<Interval> centre = numbers<Interval>(patch.centre);
-    const Interval angle = angle_between(from - centre, to - centre);
-    found.area += (Interval(at_.squared_radius()) * angle + cross(centre, to - from)) / Interval(2);
-    found.length += at_.radius() * angle;
-  }
-
-  const StaticOffset& offset_;
-  const PatchesAt& at_;
-};
-
-/// The same from exact corners, by as many bits as are asked for.
-class SharpMeasuring {
- public:
-  explicit SharpMeasuring(const OffsetRegion& region)
+  explicit Measuring(const OffsetRegion& region)
       : squared_radius_(region.offset.at->squared_radius()) {
     for_each_ring(region, [&](const OffsetRing& ring) {
       for (ExactPiece& piece : exact_pieces(region, ring)) pieces_.push_back(std::move(piece));
@@ -121,9 +87,7 @@ bool is_sharp(const OffsetMeasures& found) {
 
 OffsetMeasures measures(const OffsetRegion& region) {
   const FloatEnvironment standard;
-  Measuring measuring(region.offset);
-  for_each_ring(region, [&](const OffsetRing& ring) { measuring.add(ring); });
-  return is_sharp(measuring.found) ? measuring.found : SharpMeasuring(region).found();
+  return Measuring(region).found();
 }
 
 }  // namespace minkref::inline disc
