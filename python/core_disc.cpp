@@ -169,11 +169,11 @@ void bind_disc(nb::module_& module) {
       .def_prop_ro("curves", curves, "Of all rings, parts of one circle or line together.")
       .def_prop_ro(
           "area", [](const TimedOffset& offset) { return bounds(measures(offset.region).area); },
-          "Between two doubles that differ by less than 2^-36 of it.")
+          "Between the two doubles next to it.")
       .def_prop_ro(
           "length",
           [](const TimedOffset& offset) { return bounds(measures(offset.region).length); },
-          "Of the boundary, between two doubles that differ by less than 2^-36 of it.")
+          "Of the boundary, between the two doubles next to it.")
       .def_ro("seconds", &TimedOffset::seconds, "Of the computation, without conversions.")
       .def_prop_ro("statistics", statistics,
                    "Curves and edges that were compared, by the route paper curves and curves; how "

@@ -55,10 +55,11 @@ std::string canonical_json(const OffsetRegion& region);
 struct OffsetMeasures {
   Interval area, length;
 };
-/// Enclosures, wider by at most `widest_measure` of the number: sums of intervals of doubles, or
-/// where these are wider the two doubles around it, from numbers of as many bits as it takes.
+/// The two doubles next to each number, from exact corners by as many bits as it takes.
 OffsetMeasures measures(const OffsetRegion& region);
-constexpr double widest_measure = 0x1p-36;
+
+/// Whether enclosures are wider by less than `widest_measure` of the number.
 bool is_sharp(const OffsetMeasures& found);
+constexpr double widest_measure = 0x1p-36;
 
 }  // namespace minkref::inline disc

@@ -28,6 +28,7 @@ from minkref.reports.evidence.written.units import TIE, Real, exact, exact_doubl
 
 GREATEST = gmpy2.mpq(2) ** 1023  # smaller numbers are in the range of doubles for certain
 WIDEST = 2  # units in the last place that an enclosure may have
+OFF_INDEX = gmpy2.mpq(1, 2**36)  # of the number, of areas and lengths at any radius (docs/disc.md)
 READERS: dict[str, Callable[[str], read_plane.Polygons]] = {
     "wkt": read_plane.wkt, "geojson": read_plane.geojson, "poly": read_plane.poly,
 }  # fmt: skip
@@ -109,8 +110,11 @@ def _terms(measures: Document, name: str, of: Grown) -> Real:
     return total + (of.squared / 2 if name == "area" else of.radius) * turned
 
 
-def bounds(tally: Tally, writer: str, found: Document, true: Real, name: str) -> None:
-    """Two doubles have the true number between them, and no more than WIDEST units."""
+def bounds(
+    tally: Tally, writer: str, found: Document, true: Real, name: str, off_index: bool = False
+) -> None:
+    """Two doubles have the true number between them, and no more than WIDEST units, or where they
+    are read off an index OFF_INDEX of the number."""
     tally.numbers[writer] += 2
     if found["low"] is None or found["high"] is None:
         if abs(true) < GREATEST:
@@ -128,7 +132,7 @@ def bounds(tally: Tally, writer: str, found: Document, true: Real, name: str) ->
             f"{name} {low!r} to {high!r}, true {told(true)}",
         )
     wide = (exact_double(high) - exact_double(low)) / unit(true)
-    if wide > WIDEST:
+    if wide > (abs(true) * OFF_INDEX / unit(true) if off_index else WIDEST):
         shown = f"{name} {low!r} to {high!r}, true {told(true)}"
         tally.fault(writer, f"an enclosure wider than {places.scale_of(wide)} units", shown)
 
