@@ -210,13 +210,15 @@ def number_text(value: Any, where: str) -> str:
     raise Refusal(what, where, mend, "coordinate-not-a-number")
 
 
-def _of_bits(value: float) -> Fraction:
+def _of_bits(double: float) -> Fraction:
     """The exact number of a finite double, from its bits: a process that flushes subnormal numbers
     would compute 0 of them."""
-    (bits,) = struct.unpack("<q", struct.pack("<d", value))
+    (bits,) = struct.unpack("<q", struct.pack("<d", double))
     exponent, fraction = bits >> 52 & 0x7FF, bits & (1 << 52) - 1
-    magnitude = (fraction | (1 << 52 if exponent else 0)) * Fraction(2) ** (max(exponent, 1) - 1075)
-    return -magnitude if bits < 0 else magnitude
+    magnitude = fraction | (1 << 52 if exponent else 0)
+    shift = max(exponent, 1) - 1075
+    value = Fraction(magnitude << shift) if shift > 0 else Fraction(magnitude, 1 << -shift)
+    return -value if bits < 0 else value
 
 
 def _fraction(value: Fraction) -> str:
