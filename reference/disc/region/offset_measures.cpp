@@ -2,7 +2,6 @@
 #include <cmath>
 #include <functional>
 
-#include "reference/disc/curves/angles.hpp"
 #include "reference/disc/region/exact_pieces.hpp"
 #include "reference/disc/region/offset_region.hpp"
 #include "reference/number/float_environment.hpp"

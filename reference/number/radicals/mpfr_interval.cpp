@@ -1,6 +1,7 @@
 #include "reference/number/radicals/mpfr_interval.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace minkref {
 namespace {
@@ -13,6 +14,24 @@ Rational exact(const mpfr_t& value) {
   Rational result;
   mpfr_get_q(result.backend().data(), value);
   return result;
+}
+
+/// Takes into [low, high] what `act` gives at the four corners of the box a x b, rounded outwards.
+template <class Act>
+void take_hull(mpfr_ptr low, mpfr_ptr high, std::array<mpfr_srcptr, 2> a,
+               std::array<mpfr_srcptr, 2> b, Act act) {
+  act(low, a[0], b[0], MPFR_RNDD);
+  act(high, a[0], b[0], MPFR_RNDU);
+  mpfr_t other;
+  mpfr_init2(other, mpfr_get_prec(low));
+  for (int corner = 1; corner < 4; ++corner) {
+    const mpfr_srcptr x = a[corner & 1], y = b[corner >> 1];
+    act(other, x, y, MPFR_RNDD);
+    mpfr_min(low, low, other, MPFR_RNDD);
+    act(other, x, y, MPFR_RNDU);
+    mpfr_max(high, high, other, MPFR_RNDU);
+  }
+  mpfr_clear(other);
 }
 
 }  // namespace
@@ -61,19 +80,8 @@ MpfrInterval operator-(const MpfrInterval& a, const MpfrInterval& b) {
 }
 
 MpfrInterval operator*(const MpfrInterval& a, const MpfrInterval& b) {
-  MpfrInterval product(larger(a, b)), other(larger(a, b));
-  bool is_first = true;
-  for (const mpfr_srcptr x : {a.low_, a.high_}) {
-    for (const mpfr_srcptr y : {b.low_, b.high_}) {
-      mpfr_mul(is_first ? product.low_ : other.low_, x, y, MPFR_RNDD);
-      mpfr_mul(is_first ? product.high_ : other.high_, x, y, MPFR_RNDU);
-      if (!is_first) {
-        mpfr_min(product.low_, product.low_, other.low_, MPFR_RNDD);
-        mpfr_max(product.high_, product.high_, other.high_, MPFR_RNDU);
-      }
-      is_first = false;
-    }
-  }
+  MpfrInterval product(larger(a, b));
+  take_hull(product.low_, product.high_, {a.low_, a.high_}, {b.low_, b.high_}, mpfr_mul);
   return product;
 }
 
@@ -104,19 +112,7 @@ MpfrInterval atan2(const MpfrInterval& y, const MpfrInterval& x) {
     return angle;
   }
   // On a box that leaves out the origin and the negative axis the ends are at corners.
-  MpfrInterval other(angle.precision());
-  bool is_first = true;
-  for (const mpfr_srcptr up : {y.low_, y.high_}) {
-    for (const mpfr_srcptr across : {x.low_, x.high_}) {
-      mpfr_atan2(is_first ? angle.low_ : other.low_, up, across, MPFR_RNDD);
-      mpfr_atan2(is_first ? angle.high_ : other.high_, up, across, MPFR_RNDU);
-      if (!is_first) {
-        mpfr_min(angle.low_, angle.low_, other.low_, MPFR_RNDD);
-        mpfr_max(angle.high_, angle.high_, other.high_, MPFR_RNDU);
-      }
-      is_first = false;
-    }
-  }
+  take_hull(angle.low_, angle.high_, {y.low_, y.high_}, {x.low_, x.high_}, mpfr_atan2);
   return angle;
 }
 
