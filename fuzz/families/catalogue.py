@@ -16,6 +16,7 @@ from minkref.fuzz.families.hard_numbers import (
 )
 from minkref.fuzz.families.holed_pairs import fit_pair, holes_pair, nested_pair, small_holes_pair
 from minkref.fuzz.families.lattice_pairs import lattice_pair
+from minkref.fuzz.families.leaning_walls import leaning_pair
 from minkref.fuzz.families.outlines import comb_pair, spiral_pair, star_pair
 from minkref.fuzz.families.passing_corners import passing_pair
 from minkref.fuzz.families.random_pairs import Pair, random_pair
@@ -50,6 +51,7 @@ _ALL = (
     Family("lattice", "parts, holes, points and segments on a few lattice points", lattice_pair),
     Family("rational", "coordinates with small denominators", rational_pair),
     Family("thin", "slivers and needles", thin_pair),
+    Family("leaning", "notches with walls that are parallel up to 1e-2 or 1e-30", leaning_pair),
     Family("offset", "far from the origin", offset_pair),
     Family("magnitude", "coordinates of very different magnitudes", magnitude_pair),
 )

@@ -16,6 +16,7 @@ from minkref.certify.certificate import Certificate
 from minkref.degeneracies import lint
 from minkref.exact import digest
 from minkref.fuzz.families.holed_pairs import fit_pair, holes_pair, nested_pair, small_holes_pair
+from minkref.fuzz.families.leaning_walls import leaning_pair
 from minkref.fuzz.families.pinched_pairs import pinched_pair
 from minkref.fuzz.families.random_pairs import Pair
 from minkref.fuzz.families.touching_cells import window_of
@@ -28,9 +29,9 @@ from minkref.reports.evidence.framework.part import CERTIFY, MODELS, READERS, RE
 SUBJECT = (
     "The index of all scales: equal by digest to the static sum at random scales and below, at and "
     "above every boundary event of two real pairs, at 20 scales of degenerate pairs with holes in "
-    "both operands, of segments, points and regions whose rings touch by all routes, and on the "
-    "corpus; its boundary and topology events are those of the dynamic sum; certificates of a "
-    "sample."
+    "both operands or walls that are nearly parallel, of segments, points and regions whose rings "
+    "touch by all routes, and on the corpus; its boundary and topology events are those of the "
+    "dynamic sum; certificates of a sample."
 )
 MINUTES = (55, None)
 DEPENDS = (
@@ -40,7 +41,7 @@ DEPENDS = (
 SEED = 2012
 WINDOW = ("1/10", "10")
 SCALES = 1000  # of each real pair, beside its events
-PAIRS, SCALES_OF_A_PAIR = 2000, 20
+PAIRS, SCALES_OF_A_PAIR = 2500, 20
 PINCHED = 5000  # pairs
 ROUTES = tuple(_core.ROUTES)
 SAMPLE = 40  # certificates
@@ -49,6 +50,7 @@ MAKERS: dict[str, Callable[[int, int], Pair]] = {
     "small holes": small_holes_pair,
     "fit": fit_pair,
     "nested": nested_pair,
+    "leaning walls": leaning_pair,
 }
 Task = tuple[str, str, str, tuple[str | None, str | None], tuple[str, ...]]
 

@@ -28,6 +28,12 @@ def star(spikes: int, radius: int = 1_000_000) -> _core.PolygonSet:
 
 
 @cache
+def points(spikes: int) -> list[tuple[object, object]]:
+    """The corners of a star, in fractions."""
+    return star(spikes, 10**9).rings()[0][0]
+
+
+@cache
 def disc(corners: int, radius: int = 1_000_000) -> _core.PolygonSet:
     angles = [2 * pi * k / corners for k in range(corners)]
     return _set([(round(radius * cos(a)), round(radius * sin(a))) for a in angles])
@@ -76,9 +82,23 @@ def star_prism(corners: int) -> _core.Polyhedron:
 
 
 @cache
+def cone_text(corners: int) -> bytes:
+    """A double cone over a star, as OFF."""
+    n = corners
+    lines = [f"OFF {n + 2} {2 * n} 0"]
+    lines += [f"{x} {y} 0" for x, y in star(n // 2, 10**9).rings()[0][0]]
+    lines += ["0 0 1", "0 0 -1"]
+    lines += [f"3 {k} {(k + 1) % n} {n}\n3 {(k + 1) % n} {k} {n + 1}" for k in range(n)]
+    return "\n".join(lines).encode()
+
+
+@cache
 def mesh_text(form: str) -> bytes:
-    """Of a mesh that takes long to read."""
-    return _core.write_mesh(double_cone(120_000), form).encode()
+    """A mesh that takes long to read. STL writes each corner six times."""
+    text = cone_text(120_000 if form == "stl" else 400_000)
+    if form == "off":
+        return text
+    return _core.write_mesh(_core.read_mesh_text(text, "off")[0], form).encode()
 
 
 @cache
@@ -107,8 +127,16 @@ def prepare(name: str) -> None:
         double_cone(60_000)
     elif name in ("validation, large faces", "cut into triangles"):
         star_prism(60_000)
+    elif name == "validation":
+        disc(600_000)
+    elif name == "decision":
+        disc(20_000), disc(20_001)
+    elif name == "convex sum":
+        drum(1500), drum(1501)
     elif name == "validation, spikes":
         star(60_000, 10**9)
+    elif name == "a set of points":
+        points(60_000)
 
 
 def works() -> dict[str, Callable[[], object]]:
@@ -132,7 +160,7 @@ def works() -> dict[str, Callable[[], object]]:
         "validation, slivers": lambda: double_cone(60_000).validate(),
         "validation, large faces": lambda: star_prism(60_000).validate(),
         "certified as convex": lambda: _core.ConvexPolyhedron(double_cone(60_000)),
-        "a set of points": lambda: _core.PolygonSet(star(30_000, 10**9).rings()[0][0]),
+        "a set of points": lambda: _core.PolygonSet(points(60_000)),
         **{
             f"reading {form}": lambda form=form: _core.read_mesh_text(mesh_text(form), form)
             for form in _core.MESH_FORMATS

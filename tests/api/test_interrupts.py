@@ -34,7 +34,7 @@ def seconds_to_end(name: str) -> float:
         sent.append(time.clock_gettime(clock))
         os.kill(os.getpid(), signal.SIGINT)
 
-    timer = threading.Timer(0.3, send)
+    timer = threading.Timer(0.2, send)
     timer.start()
     try:
         with pytest.raises(KeyboardInterrupt):

@@ -35,6 +35,7 @@ FINGERPRINTS = {
     "lattice": "5bc7d47038abb79e",
     "rational": "c8e104329c52e6d3",
     "thin": "c20b58e0b61220b2",
+    "leaning": "6f4c47aa8c21b36b",
     "offset": "c1947d8db4eaa510",
     "magnitude": "2612cbb52608a685",
 }

@@ -174,6 +174,26 @@ def test_slivers() -> None:
     assert share("thin", is_thin) > 0.8
 
 
+def test_walls_lean_by_little() -> None:
+    def apart(pair: Pair) -> list[Fraction]:
+        """Sines of the angles between walls of the two operands, to their squares."""
+        walls = [
+            [(q[0] - p[0], q[1] - p[1]) for ring in (each[0] for each in polygons(text))
+             for p, q in zip(ring, ring[1:] + ring[:1], strict=True)]
+            for text in (pair.P, pair.Q)
+        ]  # fmt: skip
+        return [
+            Fraction((u[0] * v[1] - u[1] * v[0]) ** 2) / ((u[0]**2 + u[1]**2) * (v[0]**2 + v[1]**2))
+            for u in walls[0] for v in walls[1]
+        ]  # fmt: skip
+
+    for least, most in ((2, 5), (7, 13), (14, 19), (19, 32)):
+        low, high = Fraction(1, 100**most), Fraction(1, 100**least)
+        assert share("leaning", lambda p, low=low, high=high: any(
+            low < sine < high for sine in apart(p)
+        )) > 0.1  # fmt: skip
+
+
 def ring_area(ring: list[Point]) -> Fraction:
     return sum(
         (p[0] * q[1] - p[1] * q[0] for p, q in zip(ring, ring[1:] + ring[:1], strict=True)),

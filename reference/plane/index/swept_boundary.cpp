@@ -17,10 +17,10 @@
 namespace minkref::inline plane {
 namespace {
 
-/// A number of few bits near the middle, where doubles leave room for one; else none.
-std::optional<double> between(double low, double high) {
+/// A number of few bits well between two that are known up to `error`, if doubles tell; else none.
+std::optional<double> between(double low, double high, double error) {
   const double room = high - low;
-  if (!(room > 0x1p-30 * (std::fabs(low) + std::fabs(high)) + 1e-280)) return std::nullopt;
+  if (!(room > 64 * error) || !std::isfinite(room)) return std::nullopt;
   const int unit = std::ilogb(room) - 2;
   return std::ldexp(std::nearbyint(std::ldexp(low + room / 2, -unit)), unit);
 }
@@ -99,6 +99,12 @@ class BoundarySearch {
   double near(std::uint32_t node, double s) const {
     return nodes_.nodes[node].slope * s + nodes_.nodes[node].value;
   }
+  /// Bounds what near() is off by: terms that nearly cancel are each off by a share of themselves.
+  double error(std::uint32_t node, double s) const {
+    const double terms =
+        std::fabs(nodes_.nodes[node].slope) * s + std::fabs(nodes_.nodes[node].value);
+    return terms * 0x1p-46 + 1e-290;
+  }
   double size_of(const Piece& piece) const {
     const double to = finite(piece.to, piece.from), s = (piece.from.near + to) / 2;
     return (to - piece.from.near) / to * (near(piece.right, s) - near(piece.left, s));
@@ -116,14 +122,16 @@ class BoundarySearch {
   /// By a point within the piece.
   bool is_exposed(std::uint32_t edge, const Piece& piece) const {
     Rational s;
-    if (const auto middle = between(piece.from.near, finite(piece.to, piece.from))) {
+    const double to = finite(piece.to, piece.from);
+    if (const auto middle = between(piece.from.near, to, to * 0x1p-46 + 1e-290)) {
       s = from_double(*middle);
     } else {
       s = (sweep_.scale(piece.from) + sweep_.scale(piece.to)) / 2;
     }
     const double near_s = to_double(s);
     Rational t;
-    if (const auto middle = between(near(piece.left, near_s), near(piece.right, near_s))) {
+    if (const auto middle = between(near(piece.left, near_s), near(piece.right, near_s),
+                                    error(piece.left, near_s) + error(piece.right, near_s))) {
       t = from_double(*middle);
     } else {
       t = (along(piece.left, s) + along(piece.right, s)) / 2;
