@@ -3,24 +3,27 @@
 #include "reference/number/float_environment.hpp"
 
 namespace minkref::inline plane {
+
+bool add_winding(const FilteredPoint& a, const FilteredPoint& b, const FilteredPoint& point,
+                 int& winding) {
+  const int ya = compare_y(a, point), yb = compare_y(b, point);
+  if (ya == 0 && yb == 0) return compare_x(a, point) * compare_x(b, point) <= 0;
+  if (ya * yb > 0) return false;
+  const int side = orientation(a, b, point);
+  if (side == 0) return true;
+  // Upward edges with the point on their left and downward ones with it on their right; ends are
+  // half-open.
+  if (ya <= 0 && yb > 0 && side > 0) ++winding;
+  if (ya > 0 && yb <= 0 && side < 0) --winding;
+  return false;
+}
+
 namespace {
 
 /// Adds the ring's winding number around the point; returns whether the point lies on the ring.
 bool add_winding(const FilteredRing& ring, const FilteredPoint& point, int& winding) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const FilteredPoint &a = ring[i], &b = ring[(i + 1) % ring.size()];
-    const int ya = compare_y(a, point), yb = compare_y(b, point);
-    if (ya == 0 && yb == 0) {
-      if (compare_x(a, point) * compare_x(b, point) <= 0) return true;
-      continue;
-    }
-    if (ya * yb > 0) continue;
-    const int side = orientation(a, b, point);
-    if (side == 0) return true;
-    // Upward edges with the point on their left and downward ones with it on their right; ends are
-    // half-open.
-    if (ya <= 0 && yb > 0 && side > 0) ++winding;
-    if (ya > 0 && yb <= 0 && side < 0) --winding;
+    if (add_winding(ring[i], ring[(i + 1) % ring.size()], point, winding)) return true;
   }
   return false;
 }

@@ -14,6 +14,11 @@ enum class Location { outside, boundary, inside };
 using FilteredRing = std::vector<FilteredPoint>;
 FilteredRing filtered_ring(const Ring& ring);
 
+/// Adds what the edge from a to b winds around a point: nothing where all of it is to the left of
+/// the point. Returns whether the point lies on the edge. Exact. O(1).
+bool add_winding(const FilteredPoint& a, const FilteredPoint& b, const FilteredPoint& point,
+                 int& winding);
+
 /// Exact. O(n).
 Location locate(const FilteredRing& ring, const FilteredPoint& point);
 

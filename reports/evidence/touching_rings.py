@@ -24,7 +24,7 @@ SUBJECT = (
     "each other, and for pinched pairs, with and without windows, the index and the dynamic sum "
     "are the static sum by all routes at, between and beside all events."
 )
-MINUTES = (25, None)
+MINUTES = (8, None)
 DEPENDS = (*REFERENCE, "fuzz/families/*.py", "fuzz/geometry/plane.py")
 
 SEED = 46

@@ -174,6 +174,42 @@ TEST(EdgeSum, IsTheSameOnTwoThreads) {
 }
 
 /// Doubles overflow, or do not tell the coordinates apart.
+/// Over a comb: its caps are cut into triangles that are as long as the comb.
+Polyhedron comb_prism(int teeth) {
+  std::vector<std::pair<int, int>> ring{{0, 0}, {2 * teeth, 0}};
+  for (int k = teeth; k > 0; --k) {
+    ring.emplace_back(2 * k, 10);
+    ring.emplace_back(2 * k - 1, 1);
+  }
+  ring.emplace_back(0, 10);
+  const auto n = static_cast<std::uint32_t>(ring.size());
+  Polyhedron prism;
+  for (const int z : {0, 1}) {
+    for (const auto& [x, y] : ring) prism.vertices.push_back(at(x, y, z));
+  }
+  Face below, above;
+  for (std::uint32_t k = 0; k < n; ++k) {
+    const std::uint32_t next = (k + 1) % n;
+    below.push_back(n - 1 - k);
+    above.push_back(n + k);
+    prism.faces.push_back({k, next, n + next, n + k});
+  }
+  prism.faces.push_back(below);
+  prism.faces.push_back(above);
+  return prism;
+}
+
+TEST(EdgeSum, OfManyFacetsInOnePlane) {
+  const Polyhedron cube = box(1, 1, 1);
+  const Polyhedron small = comb_prism(9);
+  EXPECT_EQ(text(small, cube), canonical_json(definition_sum(small, cube, unit)));
+  // Boxes of half of all pairs meet: that was all that told facets of one plane apart.
+  for (const int teeth : {40, 160}) {
+    const EdgeSum sum = edge_sum(comb_prism(teeth), cube, unit);
+    EXPECT_LT(sum.near_pairs, 6 * sum.facets) << teeth;
+  }
+}
+
 TEST(EdgeSum, OfLongCoordinates) {
   const Rational huge(Integer("1" + std::string(400, '0')));
   const SpacePoint far{huge, huge + 1, -huge};

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "reference/fault.hpp"
-#include "reference/interrupt.hpp"
 
 namespace minkref::inline space {
 namespace {
@@ -61,8 +60,9 @@ bool Collision::contains(const NearPoint& x) {
     ++covered;
     return true;
   }
-  return surfaces_cross(x) || vertex_inside(x, P_, trees_.box_P, Q_) ||
-         (!planted(Fault::contained_one_way) && vertex_inside(x, Q_, trees_.box_Q, P_));
+  return surfaces_cross(x) || vertex_inside(x, P_, trees_.tree_P, trees_.box_P, Q_) ||
+         (!planted(Fault::contained_one_way) &&
+          vertex_inside(x, Q_, trees_.tree_Q, trees_.box_Q, P_));
 }
 
 bool Collision::surfaces_cross(const NearPoint& x) {
@@ -146,30 +146,28 @@ bool Collision::meet(const NearPoint& x, std::uint32_t of_P, std::uint32_t of_Q)
 }
 
 /// Whether x - v is in a body for one vertex v of each shell of the other.
-bool Collision::vertex_inside(const NearPoint& x, const SpaceOperand& body, const SpaceBox& box,
+bool Collision::vertex_inside(const NearPoint& x, const SpaceOperand& body,
+                              const SpaceBoxTree& triangles, const SpaceBox& box,
                               const SpaceOperand& other) {
   if (body.triangles.empty()) return false;
   for (const std::uint32_t v : other.shell_vertices) {
     const SpaceBox at = box_around(x.rounded() - other.points[v].rounded);
-    if (at.overlaps(box) && inside(x, body, other.points[v])) return true;
+    if (at.overlaps(box) && inside(x, body, triangles, other.points[v])) return true;
     if (planted(Fault::first_shell_only)) break;
   }
   return false;
 }
 
 /// The winding number of the surface about x - v, by the triangles over it along the third axis.
-bool Collision::inside(const NearPoint& x, const SpaceOperand& body, const FilteredVector& vertex) {
-  look_for_interrupt();
-  const SpaceBox at = box_around(x.rounded() - vertex.rounded);
+bool Collision::inside(const NearPoint& x, const SpaceOperand& body, const SpaceBoxTree& triangles,
+                       const FilteredVector& vertex) {
+  SpaceBox column = box_around(x.rounded() - vertex.rounded);
+  column.high[2] = SpaceBox::infinity;
   int winding = 0;
-  for (std::uint32_t t = 0; t < body.triangles.size(); ++t) {
+  triangles.query(column, [&](std::uint32_t t) {
     const SpaceOperand::Triangle& triangle = body.triangles[t];
     const int facing = triangle.normal.exact[2].sign();
-    if (facing == 0) continue;
-    SpaceBox shadow = body.box_of(t);
-    if (shadow.high[2] < at.low[2]) continue;
-    shadow.low[2] = -SpaceBox::infinity;
-    if (!shadow.overlaps(at)) continue;
+    if (facing == 0) return false;
     const auto corner = [&](std::size_t k) -> const FilteredVector& {
       return body.points[triangle.corners[k % 3]];
     };
@@ -183,7 +181,8 @@ bool Collision::inside(const NearPoint& x, const SpaceOperand& body, const Filte
       }) == facing;
     }
     if (over) winding += facing;
-  }
+    return false;
+  });
   return winding > 0;
 }
 

@@ -37,9 +37,10 @@ class Collision {
 
   bool surfaces_cross(const NearPoint& x);
   bool meet(const NearPoint& x, std::uint32_t of_P, std::uint32_t of_Q);
-  bool vertex_inside(const NearPoint& x, const SpaceOperand& body, const SpaceBox& box,
-                     const SpaceOperand& other);
-  bool inside(const NearPoint& x, const SpaceOperand& body, const FilteredVector& vertex);
+  bool vertex_inside(const NearPoint& x, const SpaceOperand& body, const SpaceBoxTree& triangles,
+                     const SpaceBox& box, const SpaceOperand& other);
+  bool inside(const NearPoint& x, const SpaceOperand& body, const SpaceBoxTree& triangles,
+              const FilteredVector& vertex);
 
   const CollisionTrees& trees_;
   const SpaceOperand &P_, &Q_;

@@ -1,9 +1,12 @@
 #include "reference/space/surface/parents.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 #include <utility>
 
 #include "reference/interrupt.hpp"
+#include "reference/plane/arrangement/box_tree.hpp"
 #include "reference/plane/location.hpp"
 
 namespace minkref::inline space {
@@ -28,13 +31,18 @@ Ring seen_ring(const ConvolutionFacet& facet, const OrientedPlane& plane, const 
 }
 
 /// Whether a closed segment enters the open inside of a convex ring.
-bool enters(const Ring& convex, const Point& from, const Point& to) {
-  Rational first = 0, last = 1;
+bool enters(const FilteredRing& convex, const FilteredPoint& from, const FilteredPoint& to) {
+  std::vector<std::size_t> passed;  // sides on whose lines the segment changes sides
   for (std::size_t k = 0; k < convex.size(); ++k) {
-    const Point &a = convex[k], &b = convex[(k + 1) % convex.size()];
-    const Rational start = turned_area(a, b, from), end = turned_area(a, b, to);
-    if (start <= 0 && end <= 0) return false;
-    if (start > 0 && end > 0) continue;
+    const FilteredPoint &a = convex[k], &b = convex[(k + 1) % convex.size()];
+    const bool starts = orientation(a, b, from) > 0, ends = orientation(a, b, to) > 0;
+    if (!starts && !ends) return false;
+    if (!starts || !ends) passed.push_back(k);
+  }
+  Rational first = 0, last = 1;
+  for (const std::size_t k : passed) {
+    const Point &a = convex[k].exact(), &b = convex[(k + 1) % convex.size()].exact();
+    const Rational start = turned_area(a, b, from.exact()), end = turned_area(a, b, to.exact());
     const Rational at = start / (start - end);
     if (start <= 0) {
       first = std::max(first, at);
@@ -45,34 +53,58 @@ bool enters(const Ring& convex, const Point& from, const Point& to) {
   return first < last;
 }
 
-/// A region has area in common with an open convex set iff its border enters the set, or does not
-/// and holds all of it.
-bool overlap(const PolygonSet& region, const Ring& convex) {
-  Point least = convex[0], most = convex[0];
-  for (const Point& p : convex) {
-    least = {std::min(least.x, p.x), std::min(least.y, p.y)};
-    most = {std::max(most.x, p.x), std::max(most.y, p.y)};
-  }
-  const auto ring_enters = [&](const Ring& ring) {
-    for (std::size_t k = 0; k < ring.size(); ++k) {
-      const Point &p = ring[k], &q = ring[(k + 1) % ring.size()];
-      if ((p.x <= least.x && q.x <= least.x) || (p.x >= most.x && q.x >= most.x) ||
-          (p.y <= least.y && q.y <= least.y) || (p.y >= most.y && q.y >= most.y)) {
-        continue;
-      }
-      if (enters(convex, p, q)) return true;
-    }
-    return false;
-  };
-  for (const Polygon& polygon : region.polygons) {
-    look_for_interrupt();
-    if (ring_enters(polygon.outer)) return true;
-    if (std::any_of(polygon.holes.begin(), polygon.holes.end(), ring_enters)) return true;
-  }
-  // Within a triangle of corners, which is not flat.
-  const Point &a = convex[0], &b = convex[1], &c = convex[2];
-  return locate(region, {(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3}) == Location::inside;
+Box box_of(const FilteredPoint& p) {
+  return {below(p.x()), below(p.y()), above(p.x()), above(p.y())};
 }
+
+/// A region that is asked about many convex sets.
+class RegionBorder {
+ public:
+  explicit RegionBorder(const PolygonSet& region) {
+    for (const Polygon& polygon : region.polygons) {
+      add(polygon.outer);
+      for (const Ring& hole : polygon.holes) add(hole);
+    }
+    std::vector<Box> boxes;
+    for (const auto& [a, b] : edges_) {
+      boxes.push_back(box_of(a));
+      boxes.back().add(box_of(b));
+    }
+    tree_ = BoxTree(std::move(boxes));
+  }
+
+  /// The region has area in common with an open convex set iff its border enters the set, or does
+  /// not and holds all of it.
+  bool overlaps(const FilteredRing& convex) const {
+    Box box;
+    for (const FilteredPoint& p : convex) box.add(box_of(p));
+    const auto border_enters = [&](std::uint32_t k) {
+      return enters(convex, edges_[k].first, edges_[k].second);
+    };
+    if (tree_.query(box, border_enters)) return true;
+    // Within a triangle of corners, which is not flat.
+    const Point &a = convex[0].exact(), &b = convex[1].exact(), &c = convex[2].exact();
+    const FilteredPoint middle({(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3});
+    Box ray = box_of(middle);
+    ray.xmax = std::numeric_limits<double>::infinity();
+    int winding = 0;
+    tree_.query(ray, [&](std::uint32_t k) {
+      return add_winding(edges_[k].first, edges_[k].second, middle, winding);
+    });
+    return winding > 0;
+  }
+
+ private:
+  void add(const Ring& ring) {
+    const FilteredRing filtered = filtered_ring(ring);
+    for (std::size_t k = 0; k < filtered.size(); ++k) {
+      edges_.emplace_back(filtered[k], filtered[(k + 1) % filtered.size()]);
+    }
+  }
+
+  std::vector<std::pair<FilteredPoint, FilteredPoint>> edges_;
+  BoxTree tree_;
+};
 
 }  // namespace
 
@@ -80,6 +112,7 @@ std::vector<std::vector<std::uint32_t>> parents(const PolyhedralSet& set,
                                                 const std::vector<ConvolutionFacet>& facets,
                                                 const Integer& denominator) {
   std::vector<std::vector<std::uint32_t>> result(set.faces.size());
+  std::vector<std::optional<RegionBorder>> borders(set.faces.size());
   const Rational unit(Integer(1), denominator);
   for (std::uint32_t f = 0; f < facets.size(); ++f) {
     look_for_interrupt();
@@ -90,11 +123,11 @@ std::vector<std::vector<std::uint32_t>> parents(const PolyhedralSet& set,
         set.faces.begin(), set.faces.end(), plane,
         [](const PlaneRegion& face, const OrientedPlane& sought) { return face.plane < sought; });
     if (at == set.faces.end() || !(at->plane == plane)) continue;
-    const Ring ring = seen_ring(facets[f], plane, unit);
+    const FilteredRing ring = filtered_ring(seen_ring(facets[f], plane, unit));
     for (; at != set.faces.end() && at->plane == plane; ++at) {
-      if (overlap(at->region, ring)) {
-        result[static_cast<std::size_t>(at - set.faces.begin())].push_back(f);
-      }
+      const auto face = static_cast<std::size_t>(at - set.faces.begin());
+      if (!borders[face]) borders[face].emplace(at->region);
+      if (borders[face]->overlaps(ring)) result[face].push_back(f);
     }
   }
   return result;

@@ -13,7 +13,7 @@ namespace minkref::inline space {
 /// area in common with it: ascending numbers of `facets`, whose corners are over `denominator`.
 /// A plane may have several regions, which follow each other.
 /// Exact. O((f + n) log n + k) for f facets and k pairs of a facet and an edge of a region in one
-/// plane.
+/// plane whose boxes meet.
 std::vector<std::vector<std::uint32_t>> parents(const PolyhedralSet& set,
                                                 const std::vector<ConvolutionFacet>& facets,
                                                 const Integer& denominator);
