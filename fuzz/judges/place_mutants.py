@@ -3,6 +3,7 @@ changes the lists of `disc_places.rows_of`; None where there is nothing that it 
 
 from __future__ import annotations
 
+import math
 import random
 from collections.abc import Callable, Iterator
 from copy import deepcopy
@@ -30,6 +31,16 @@ def swapped_places(dice: random.Random, shape: Shape, rows: Rows) -> Rows | None
         return None
     a, b = dice.choice(pairs)
     a["place"], b["place"] = b["place"], a["place"]
+    return events, changes
+
+
+def place_off_by_units(dice: random.Random, shape: Shape, rows: Rows) -> Rows | None:
+    """A coordinate is three doubles away from the right one."""
+    events, changes = deepcopy(rows)
+    if not events:
+        return None
+    place, axis = dice.choice(events)["place"], dice.randrange(2)
+    place[axis] += dice.choice((-3, 3)) * math.ulp(place[axis])
     return events, changes
 
 
@@ -147,7 +158,7 @@ def join_elsewhere(dice: random.Random, shape: Shape, rows: Rows) -> Rows | None
 MUTANTS: dict[str, Callable[[random.Random, Shape, Rows], Rows | None]] = {
     each.__name__: each
     for each in (
-        swapped_places, swapped_births, birth_elsewhere, first_edge_of_line, other_kind,
-        feature_dropped, other_hole_left, birth_dropped, join_elsewhere,
+        swapped_places, place_off_by_units, swapped_births, birth_elsewhere, first_edge_of_line,
+        other_kind, feature_dropped, other_hole_left, birth_dropped, join_elsewhere,
     )
 }  # fmt: skip

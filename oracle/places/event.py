@@ -3,6 +3,7 @@ its distance, all that is as near, its kind."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
@@ -12,7 +13,7 @@ from .boundary import Boundary, Foot, Place, are_opposite, surround, ways
 from .single_out import NotSingled, places_of
 from .surd import Surd
 
-NEAR = 1e-9  # of the size: how far the listed place, which is rounded, may be off
+NEAR = 1e-9  # of the size: to find which of the places that features single out is meant
 
 
 @dataclass(frozen=True)
@@ -83,6 +84,11 @@ def _faults(boundary: Boundary, row: Mapping[str, Any], found: Found) -> Iterato
         yield f"not as near, or twice: {_texts(rest)}"
     if len(found.feet) < 2 or (len(found.feet) == 2 and not _is_event_of_two(found)):
         yield "nothing changes there"
+    for axis, own, listed in zip("xy", found.at, row["place"], strict=True):
+        unit = Fraction(math.ulp(listed))
+        off = own - Surd(Fraction(listed))
+        if (off - Surd(unit)).sign() > 0 or (off + Surd(unit)).sign() < 0:
+            yield f"its {axis} is off by more than one unit in the last place"
     yield from _radius_faults(row, found.square)
 
 

@@ -31,7 +31,7 @@ namespace {  // each translation unit has its own flags, and so its own test
   }
   const double divisor = read(49.0), third = one / read(3.0);
   if (one / divisor * divisor == one || read(49.0) / divisor != one ||
-      read(98.0) / divisor != one + one ||
+      read(98.0) / divisor != one + one || read(3.0) / 10.0 != read(0.3) ||
       !(error_free::quotient_residual(one, read(3.0), third) > 0)) {
     return "quotients become products (-freciprocal-math)";
   }

@@ -23,7 +23,13 @@ TAKEN = {
         ("-O2", "-fno-signed-zeros", "-fno-trapping-math", "-fno-math-errno"),
         ("-O2", "LINK:-ffast-math"),
     ),
-    "clang++": (("-O0",), ("-O2",), ("-O3", "-march=native", "-ffp-contract=fast")),
+    # Where nothing is optimised, leave to multiply by reciprocals changes nothing.
+    "clang++": (
+        ("-O0",),
+        ("-O0", "-freciprocal-math"),
+        ("-O2",),
+        ("-O3", "-march=native", "-ffp-contract=fast"),
+    ),
 }
 REFUSED = {
     "g++": (
@@ -44,6 +50,7 @@ REFUSED = {
         ("-O2", "-fassociative-math", "-fno-signed-zeros", "-fno-trapping-math"),
         ("-O2", "-fno-honor-nans"),
         ("-O2", "-fno-honor-infinities"),
+        ("-O2", "-freciprocal-math"),
     ),
 }
 

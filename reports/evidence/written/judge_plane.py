@@ -14,7 +14,7 @@ from minkref.reports.evidence.written import read_plane
 from minkref.reports.evidence.written.answers import Answers, Document
 from minkref.reports.evidence.written.inputs_plane import Pair
 from minkref.reports.evidence.written.read_plane import Polygons
-from minkref.reports.evidence.written.read_svg import paths
+from minkref.reports.evidence.written.read_svg import Step, paths
 from minkref.reports.evidence.written.tally import Tally, told
 from minkref.reports.evidence.written.units import exact, exact_double
 
@@ -114,8 +114,15 @@ def _picture(tally: Tally, text: str, polygons: Polygons) -> None:
             tally.printed(".svg", found, true, "the box of the sum")
         elif exact(found) != true:
             tally.fault(".svg", "digits that are not certain", found)
-    drawn = [(float(s.x), float(s.y)) for ring in paths(text)["sum"] for s in ring]
-    tally.numbers[".svg"] += 2 * len(drawn)
+    picture(tally, ".svg", paths(text)["sum"], polygons)
+
+
+def picture(tally: Tally, writer: str, rings: list[list[Step]], polygons: Polygons) -> None:
+    """Of each corner of the sum the place in its picture, by the map that takes box to box."""
+    places = [(exact(x), exact(y)) for one in polygons for ring in one for x, y in ring]
+    xs, ys = zip(*places, strict=True)
+    drawn = [(float(s.x), float(s.y)) for ring in rings for s in ring]
+    tally.numbers[writer] += 2 * len(drawn)
     wide = max(max(xs) - min(xs), max(ys) - min(ys))
     true_places = [(float((x - min(xs)) / wide), float((max(ys) - y) / wide)) for x, y in places]
     left, top = (min(one) for one in zip(*drawn, strict=True))
@@ -123,7 +130,7 @@ def _picture(tally: Tally, text: str, polygons: Polygons) -> None:
     for x, y in true_places:
         at = left + size * x, top + size * y
         if not any(abs(at[0] - a) <= PICTURE and abs(at[1] - b) <= PICTURE for a, b in drawn):
-            tally.fault(".svg", "a corner is not in the picture", f"{at}")
+            tally.fault(writer, "a corner is not in the picture", f"{at}")
 
 
 def _sweep(tally: Tally, answers: Answers, pair: Pair) -> None:

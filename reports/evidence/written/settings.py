@@ -12,6 +12,7 @@ from minkref.reports.evidence.written import (
     inputs_space,
     judge_events,
     judge_moving,
+    judge_page,
     judge_pair_events,
     judge_plane,
     judge_radii,
@@ -43,6 +44,7 @@ def in_plane(tally: Tally, answers: Answers, index: int) -> None:
     with tally.answer("sum"):
         judge_plane.judge(tally, answers, one)
     judge_moving.judge(tally, answers, one)
+    judge_page.judge(tally, answers, one)
 
 
 def in_space(tally: Tally, answers: Answers, index: int) -> None:
@@ -75,6 +77,7 @@ WRITERS = {
         ".wkt", ".geojson", ".poly", ".json", ".svg", ".parquet", "sum --json", "table of sum",
         "sweep --json", "table of sweep", "table of events", "convolution .geojson",
         "table of convolution", "ScaleIndex.area", "ScaleIndex.rings", "PolygonSet.arrays",
+        judge_page.PAGE, judge_page.PICTURES,
     ),
     "space": (
         ".off", ".obj", ".ply", ".stl", ".off --triangles", ".obj --triangles", ".ply --triangles",
