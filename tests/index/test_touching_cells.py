@@ -38,6 +38,35 @@ def test_sums_of_random_cells(index: int) -> None:
     check((f"random cells {SEED} {index}", pair.P, pair.Q, window_of(index)))
 
 
+FOUND = {
+    "three components": (
+        "LINESTRING (0 1, 0 2)",
+        "MULTIPOLYGON (((3 4, 4 4, 4 5, 3 5, 3 4)), ((3 4, 2 4, 2 6, 1 6, 1 4, 0 4, 0 3, 2 3, "
+        "2 2, 3 2, 3 4)), ((4 4, 4 2, 3 2, 3 1, 2 1, 2 0, 4 0, 4 1, 5 1, 5 2, 6 2, 6 5, 5 5, 5 4, "
+        "4 4)))",
+    ),
+    "two holes": (
+        "LINESTRING (1 -1, 2 -1)",
+        "POLYGON ((-1 -1, 8 -1, 8 6, -1 6, -1 -1), (2 4, 3 4, 3 2, 4 2, 4 1, 1 1, 1 3, 2 3, 2 4), "
+        "(4 3, 6 3, 6 2, 4 2, 4 3))",
+    ),
+    "a hole of ten corners": (
+        "LINESTRING (2 -1, 2 0)",
+        "POLYGON ((-1 -1, 7 -1, 7 4, -1 4, -1 -1), "
+        "(0 3, 3 3, 3 2, 4 2, 4 3, 6 3, 6 2, 5 2, 5 1, 4 1, 4 0, 0 0, "
+        "0 3), (5 1, 6 1, 6 0, 5 0, 5 1))",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", FOUND)
+def test_sums_of_a_segment_that_once_ended_in_errors(name: str) -> None:
+    """In traps and sweeps: the boundary of the swept sum was said to jump, or not to close."""
+    P, Q = (_core.read_text(text, "wkt").to_json() for text in FOUND[name])
+    for window in WINDOWS:
+        check((name, P, Q, window))
+
+
 def check(task: Task) -> None:
     name, compared, fault = same_as_static(task)
     assert not fault, f"{name}: {fault}\n{task[1]}\n{task[2]}"
