@@ -21,11 +21,13 @@ from minkref.reports.evidence.written.equidistant import (
 )
 from minkref.reports.evidence.written.inputs_disc import Drawn
 from minkref.reports.evidence.written.judge_sum import bounds, rings_of
+from minkref.reports.evidence.written.read_page import page_data
 from minkref.reports.evidence.written.read_plane import load
 from minkref.reports.evidence.written.tally import Tally
-from minkref.reports.evidence.written.units import Real, exact
+from minkref.reports.evidence.written.units import Real, exact, exact_double
 
 NEAR = gmpy2.mpq(1, 2**400)  # relative: the same radius, in numbers of 1,500 bits
+PAGE = "page of view with a disc"
 LINE = re.compile(r"^ *(\S+)  (\w+): (.*)$", re.M)
 
 
@@ -53,6 +55,21 @@ def judge(tally: Tally, answers: Answers, drawn: Drawn) -> None:
                 tally.printed("table of events", number, true[2], "a radius")
     with tally.answer("index"):
         _index(tally, answers, drawn, document)
+    with tally.answer(PAGE):
+        _page(tally, page_data(answers, "view", drawn.text, "disc"), truth)
+
+
+def _page(tally: Tally, data: Document, truth: list[Solution | None]) -> None:
+    """Radii, and places as seen from the origin of the page."""
+    origin = [exact_double(float(axis)) for axis in data["origin"]]
+    if len(data["kinds"]) != len(truth):
+        tally.fault(PAGE, "more or fewer events than there are", str(len(data["kinds"])))
+    for event, (number, true) in enumerate(zip(data["numbers"], truth, strict=False)):
+        if true is None:
+            continue
+        tally.number(PAGE, data["radii"][int(number) - 1], true[2], "a radius")
+        for k, axis in enumerate(data["places"][2 * event : 2 * event + 2]):
+            tally.number(PAGE, axis, true[k] - origin[k], "a place")
 
 
 def _event(tally: Tally, writer: str, event: Document, rings: list[Ring]) -> Solution | None:

@@ -3,7 +3,6 @@ numbers."""
 
 from __future__ import annotations
 
-import re
 import shutil
 from collections.abc import Iterator
 from fractions import Fraction
@@ -15,12 +14,12 @@ from minkref.reports.evidence.written import read_plane
 from minkref.reports.evidence.written.answers import Answers, Document
 from minkref.reports.evidence.written.inputs_plane import Pair
 from minkref.reports.evidence.written.judge_plane import picture
+from minkref.reports.evidence.written.read_page import page_data
 from minkref.reports.evidence.written.read_plane import load
 from minkref.reports.evidence.written.read_svg import paths
 from minkref.reports.evidence.written.tally import Tally
 from minkref.reports.evidence.written.units import exact, exact_double, is_double_of
 
-DATA = re.compile(r'<script id="data" type="application/json">(.*?)</script>', re.S)
 PAGE, PICTURES = "page of view", "pictures of sweep"
 STEPS = 2
 
@@ -29,13 +28,7 @@ def judge(tally: Tally, answers: Answers, pair: Pair) -> None:
     high = Fraction(pair.scale)
     window = ("--from", high / 2, "--to", high)
     with tally.answer(PAGE):
-        path = answers.folder / "page.html"
-        answers.table("view", pair.P, pair.Q, *window, "-o", path)
-        found = DATA.search(answers.read(path))
-        if found is None:
-            tally.fault(PAGE, "no data", "")
-        else:
-            _page(tally, load(found[1]), pair)
+        _page(tally, page_data(answers, "view", pair.P, pair.Q, *window), pair)
     with tally.answer(PICTURES):
         _pictures(tally, answers, (pair.P, pair.Q, *window, "--steps", STEPS))
 
