@@ -31,7 +31,7 @@ from minkref.exact import read_point, read_scale
 from minkref.operand import read_operand
 from minkref.space.operand import SpaceOperand, in_space, read_summand
 from minkref.space.scaling import Scaling, read_scaling
-from minkref.terminal import escaped
+from minkref.terminal import counted, escaped
 
 EXAMPLES = """Examples:
 
@@ -162,8 +162,9 @@ def command(
         sys.stdout.write(as_text(value))
     else:
         sys.stdout.write(
-            f"{escaped(str(output))}: {len(certificate.claims)} claims, {value['bytes']:,} bytes, "
-            f"{value['seconds']:.2f} s\nits case: {escaped(str(files.case))}\n"
+            f"{escaped(str(output))}: {counted(len(certificate.claims), 'claim')}, "
+            f"{value['bytes']:,} bytes, {value['seconds']:.2f} s\n"
+            f"its case: {escaped(str(files.case))}\n"
             f"{CHECKED[checked.verified]}\ncheck it: minkref check {escaped(str(output))}\n"
         )
         if theorem is not None:

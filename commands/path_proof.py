@@ -12,7 +12,7 @@ from minkref.certify.certificate import NoProof
 from minkref.certify.path_certificate import PathCertificate
 from minkref.commands.certificate_output import CHECKED, CertificateFiles, Checked
 from minkref.errors import Refusal
-from minkref.terminal import escaped
+from minkref.terminal import counted, escaped
 
 OPTION = "--certify"
 
@@ -78,5 +78,5 @@ def proof_rows(value: dict[str, Any]) -> list[tuple[str, str]]:
     told = value.get("certificate")  # none in space
     if told is None:
         return []
-    text = f"{told['output']}, {told['claims']} claims, {told['bytes']:,} bytes"
+    text = f"{told['output']}, {counted(told['claims'], 'claim')}, {told['bytes']:,} bytes"
     return [("certificate", f"{text}; {CHECKED[told['verified']]}")]

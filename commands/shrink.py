@@ -36,7 +36,7 @@ from minkref.fuzz.verdicts.verdict import GOOD, Verdict
 from minkref.output_target import target_of
 from minkref.reports.conformance.run_words import witness_text
 from minkref.signals import ending_in_order
-from minkref.terminal import console, escaped
+from minkref.terminal import console, counted, escaped
 
 EXAMPLES = """Examples:
 
@@ -130,7 +130,7 @@ def _print(small: SmallFinding, found: Finding, value: dict[str, Any]) -> None:
     kinds = ", ".join(outcome.kinds)
     before, after = found.case.size[0], small.result.size[0]
     out.print(escaped(f"{outcome.target} {outcome.verdict}: {kinds}"))
-    out.print(f"{before} vertices before, {after} now; {small.calls} calls")
+    out.print(f"{before} vertices before, {after} now; {counted(small.calls, 'call')}")
     if not small.complete:
         out.print("the calls ran out: --calls allows more")
     if not small.stable:

@@ -46,6 +46,7 @@ from minkref.reports.conformance.page import write_report
 from minkref.reports.conformance.sarif import sarif
 from minkref.reports.conformance.space_showcase import space_showcases, told
 from minkref.signals import ending_in_order
+from minkref.terminal import counted
 
 EXAMPLES = """Examples:
 
@@ -333,4 +334,4 @@ def _ended(done: Run, ledger: Path | None) -> str:
     how = "a run with --ledger FILE continues where it ended"
     if ledger is not None:
         how = f"the same command continues from {ledger}"
-    return f"ended by {name} after {sum(done.cases.values()):,} cases: {how}"
+    return f"ended by {name} after {counted(done.cases.total(), 'case')}: {how}"

@@ -25,7 +25,7 @@ from minkref.reports.conformance.run_words import (
     reasons_of,
     untaken,
 )
-from minkref.terminal import console, escaped
+from minkref.terminal import console, counted, escaped
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 from rich.table import Table
@@ -64,7 +64,7 @@ class ProgressLine:
             self._task,
             completed=sum(run.cases.values()),
             description=run.groups[-1] if run.groups else "verify",
-            findings=f"{len(run.findings)} findings" if run.findings else "",
+            findings=counted(len(run.findings), "finding") if run.findings else "",
         )
 
 
@@ -197,9 +197,8 @@ def _matrix(run: Run) -> Table:
         for verdict in Verdict
         if any(cell.verdicts[verdict] for cell in run.matrix.values())
     ]
-    table = Table(
-        title=f"Verdicts on {sum(run.cases.values()):,} cases", title_justify="left", pad_edge=False
-    )
+    title = f"Verdicts on {counted_cases(run.cases.total())}"
+    table = Table(title=title, title_justify="left", pad_edge=False)
     table.add_column("target")
     for verdict in verdicts:
         table.add_column(str(verdict), justify="right")

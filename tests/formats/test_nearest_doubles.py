@@ -15,6 +15,7 @@ import minkref
 import pytest
 from minkref.commands.line.output import measure
 from minkref.exact import approximate, in_double_range, rounded
+from minkref.shapes import _of_bits
 
 SEED = 20
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
@@ -153,5 +154,5 @@ def test_the_area_of_an_index_is_told_within_a_small_part_of_it(side: str, far: 
                 index.area(scale)
             continue
         value, error = index.area(scale)
-        assert math.isfinite(value) and abs(Fraction(value) - exact) <= Fraction(error)
-        assert error <= max(abs(value) * 2**-39, 5e-324)
+        assert math.isfinite(value) and abs(_of_bits(value) - exact) <= _of_bits(error)
+        assert _of_bits(error) <= max(abs(_of_bits(value)) / 2**39, Fraction(1, 2**1074))
