@@ -21,6 +21,7 @@
 #include "python/vector_caster.hpp"
 #include "reference/build/stage.hpp"
 #include "reference/error.hpp"
+#include "reference/number/float_environment.hpp"
 #include "reference/plane/dynamic/dynamic_sum.hpp"
 #include "reference/plane/index/scale_index.hpp"
 
@@ -175,6 +176,7 @@ class Index {
   }
 
   std::pair<double, double> area(const std::string& scale) const {
+    const FloatEnvironment standard;
     const Rational s = parse_rational(scale);
     const auto area = index().area(s);
     if (std::isfinite(area.value) &&

@@ -3,7 +3,7 @@
 
 Finished parts are kept in build/evidence and left alone until the files that they depend on change.
 Exit code 0: all that ran is met or missed (a missed target is recorded); 1: a law does not hold, or
-a script broke down; 2: wrong usage.
+a script broke down; 2: wrong usage; 130: ended by a signal, and what it started too.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from __future__ import annotations
 import argparse
 import os
 import re
+import signal
 import sys
 import threading
 import time
@@ -144,6 +145,9 @@ def main() -> int:
     absent = [part.name for part in chosen if options.quick and part.quick_minutes is None]
     chosen = [part for part in chosen if part.name not in absent]
 
+    for ends in (signal.SIGINT, signal.SIGTERM):  # in the background too, where a shell ignores it
+        signal.signal(ends, signal.default_int_handler)
+
     def document_of(part: Part) -> table.Document:
         document = None if options.again else store.kept(part, options.quick)
         if document is not None:
@@ -169,4 +173,7 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    try:
+        sys.exit(main())
+    except KeyboardInterrupt:
+        sys.exit(130)  # what is finished is kept
