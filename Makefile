@@ -18,8 +18,8 @@ PYTHON_SOURCES = python commands strategies certify degeneracies docs/site fuzz 
 setup:
 	@scripts/set_up.sh
 
-environment:
-	@scripts/set_up.sh environment
+environment:  # PYTHON names the one of a wheel, then, and not that of .venv
+	@$(if $(filter wheel sdist,$(MAKECMDGOALS)),env -u PYTHON) scripts/set_up.sh environment
 
 run:
 	@scripts/set_up.sh run
