@@ -129,7 +129,7 @@ def rotations() -> list[Rotation]:
 
 def refined(polyhedron: Polyhedron) -> Polyhedron:
     """The same set: every edge gets a vertex in its middle, and every triangle of a face becomes
-    four in its plane."""
+    four in its plane. A face with straight corners, which triangles pass by, stays in one piece."""
     vertices = list(polyhedron.vertices)
     names: dict[tuple[int, int], int] = {}
 
@@ -142,9 +142,15 @@ def refined(polyhedron: Polyhedron) -> Polyhedron:
         return names[key]
 
     faces: list[Face] = []
-    for i, j, k in polyhedron.triangles:
-        ij, jk, ki = half(i, j), half(j, k), half(k, i)
-        faces += [(i, ij, ki), (ij, j, jk), (ki, jk, k), (ij, jk, ki)]
+    for face in polyhedron.faces:
+        triangles = polyhedron.triangles_of(face)
+        if len(triangles) < len(face) - 2:
+            around = zip(face, (*face[1:], face[0]), strict=True)
+            faces.append(tuple(k for i, j in around for k in (i, half(i, j))))
+            continue
+        for i, j, k in triangles:
+            ij, jk, ki = half(i, j), half(j, k), half(k, i)
+            faces += [(i, ij, ki), (ij, j, jk), (ki, jk, k), (ij, jk, ki)]
     return Polyhedron(tuple(vertices), tuple(faces))
 
 
