@@ -173,7 +173,6 @@ TEST(EdgeSum, IsTheSameOnTwoThreads) {
   });
 }
 
-/// Doubles overflow, or do not tell the coordinates apart.
 /// Over a comb: its caps are cut into triangles that are as long as the comb.
 Polyhedron comb_prism(int teeth) {
   std::vector<std::pair<int, int>> ring{{0, 0}, {2 * teeth, 0}};
@@ -210,6 +209,7 @@ TEST(EdgeSum, OfManyFacetsInOnePlane) {
   }
 }
 
+/// Doubles overflow, or do not tell the coordinates apart.
 TEST(EdgeSum, OfLongCoordinates) {
   const Rational huge(Integer("1" + std::string(400, '0')));
   const SpacePoint far{huge, huge + 1, -huge};

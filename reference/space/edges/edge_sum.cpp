@@ -7,6 +7,7 @@
 #include "reference/build/stage.hpp"
 #include "reference/error.hpp"
 #include "reference/fault.hpp"
+#include "reference/interrupt.hpp"
 #include "reference/number/float_environment.hpp"
 #include "reference/space/edges/faces_from_edges.hpp"
 
@@ -23,9 +24,10 @@ using NearLists = std::vector<std::vector<std::uint32_t>>;
 /// their plane nothing changes where the other one touches in a point.
 class Separation {
  public:
-  explicit Separation(const std::vector<ConvolutionFacet>& facets)
-      : facets_(facets), beyond_(facets.size()) {
+  Separation(const std::vector<ConvolutionFacet>& facets, SignCounts& signs)
+      : facets_(facets), signs_(signs), beyond_(facets.size()) {
     for (std::size_t k = 0; k < facets.size(); ++k) {
+      look_for_interrupt();
       const ConvolutionFacet& facet = facets[k];
       for (std::size_t side = 0; side < facet.size; ++side) {
         const BoundedVector &from = facet.corners[side].rounded,
@@ -91,16 +93,16 @@ class Separation {
   }
 
   const std::vector<ConvolutionFacet>& facets_;
+  SignCounts& signs_;
   std::vector<std::array<HalfSpace, 4>> beyond_;  // the sides of each facet
-  SignCounts signs_;
 };
 
-NearLists near_lists(const std::vector<ConvolutionFacet>& facets) {
+NearLists near_lists(const std::vector<ConvolutionFacet>& facets, SignCounts& signs) {
   NearLists near(facets.size());
   std::vector<SpaceBox> boxes;
   boxes.reserve(facets.size());
   for (const ConvolutionFacet& facet : facets) boxes.push_back(facet.box);
-  Separation apart(facets);
+  Separation apart(facets, signs);
   SpaceBoxTree(std::move(boxes)).pairs([&](std::uint32_t a, std::uint32_t b) {
     if (apart(a, b)) return;
     near[a].push_back(b);
@@ -146,7 +148,7 @@ EdgeSum edge_sum(const Polyhedron& P, const Polyhedron& Q, const Scaling& scalin
   const CollisionTrees trees(first, second, InteriorCells(first, second, cells_for(result.facets)));
   leave_out(convolution, covered_facets(convolution.facets, trees.cells));
   result.covered_facets = result.facets - convolution.facets.size();
-  const NearLists near = near_lists(convolution.facets);
+  const NearLists near = near_lists(convolution.facets, convolution.signs);
 
   std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   for (std::uint32_t a = 0; a < near.size(); ++a) {
