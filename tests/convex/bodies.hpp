@@ -8,13 +8,16 @@
 
 #include "reference/space/convex/convex_sum.hpp"
 #include "reference/space/convex/static_convex_sum.hpp"
+#include "tests/number/random_numbers.hpp"
 
 namespace minkref::bodies {
 
-/// Checks with dice of the seeds 1, 2, ..., count; a failure names the seed, a fatal one ends it.
+/// Checks with dice of the seeds 1, 2, ..., up to the repetitions of `count`; a failure names the
+/// seed, a fatal one ends it.
 template <typename Check>
 void for_each_seed(unsigned count, Check&& check) {
-  for (unsigned seed = 1; seed <= count && !::testing::Test::HasFatalFailure(); ++seed) {
+  const unsigned last = testing::repetitions(count);
+  for (unsigned seed = 1; seed <= last && !::testing::Test::HasFatalFailure(); ++seed) {
     SCOPED_TRACE(seed);
     std::mt19937 dice(seed);
     check(dice);

@@ -6,7 +6,7 @@
 #include "reference/space/convex/segment_sum.hpp"
 #include "tests/convex/bodies.hpp"
 
-namespace minkref {
+namespace minkref::of_convex_sum_examples {
 namespace {
 
 using bodies::at;
@@ -197,4 +197,4 @@ TEST(ConvexSumExample, AFactorThatIsNotPositiveIsRefusedAndChangesNothing) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_convex_sum_examples

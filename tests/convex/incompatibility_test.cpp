@@ -5,7 +5,7 @@
 
 #include "tests/convex/bodies.hpp"
 
-namespace minkref {
+namespace minkref::of_incompatibility {
 namespace {
 
 using bodies::at;
@@ -73,4 +73,4 @@ TEST(Incompatibility, DescentAgreesWithTheUpdate) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_incompatibility

@@ -7,7 +7,7 @@
 #include "reference/error.hpp"
 #include "tests/convex/bodies.hpp"
 
-namespace minkref {
+namespace minkref::of_refused_bodies {
 namespace {
 
 using bodies::at;
@@ -157,4 +157,4 @@ TEST(RefusedBody, NothingAPointAndASegment) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_refused_bodies

@@ -8,7 +8,7 @@
 #include "reference/space/area_vector.hpp"
 #include "tests/convex/bodies.hpp"
 
-namespace minkref {
+namespace minkref::of_word_vectors {
 namespace {
 
 using bodies::box;
@@ -128,4 +128,4 @@ TEST(ConvexSum, OfAPrismWithAThousandSidesAndABoxHasAFacetForEachDirection) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_word_vectors

@@ -13,7 +13,7 @@
 #include "tests/critical/pairs_of_edges.hpp"
 #include "tests/plane/random_cases.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_pair_events {
 namespace {
 
 using K = PlainKernel<Rational>;
@@ -223,4 +223,4 @@ TEST(PairEvents, EmptyAndDegenerateOperands) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_pair_events

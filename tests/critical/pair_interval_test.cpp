@@ -8,7 +8,7 @@
 #include "tests/critical/pairs_of_edges.hpp"
 #include "tests/plane/random_cases.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_pair_interval {
 namespace {
 
 using K = PlainKernel<Rational>;
@@ -270,4 +270,4 @@ TEST(ParallelPair, TouchingOrOverlapping) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_pair_interval

@@ -7,7 +7,7 @@
 #include "reference/disc/region/offset_region.hpp"
 #include "tests/plane/random_polygons.hpp"
 
-namespace minkref {
+namespace minkref::of_arc_convolution {
 namespace {
 
 std::string by(OffsetRoute route, const PolygonSet& P, const Rational& squared_radius) {
@@ -62,7 +62,7 @@ TEST(ArcConvolution, DoesNotJoinWhatTouches) {
 }
 
 TEST(ArcConvolution, GivesTheFormOfTheDefinitionForRandomRegions) {
-  for (unsigned seed = 0; seed < 60; ++seed) {
+  for (unsigned seed = 0; seed < testing::repetitions(60U); ++seed) {
     SCOPED_TRACE(seed);
     testing::Source random(seed);
     const PolygonSet P = testing::random_region(random, 2);
@@ -74,7 +74,7 @@ TEST(ArcConvolution, GivesTheFormOfTheDefinitionForRandomRegions) {
 
 /// Rings that touch, holes, facing walls; half the distances between points of a grid.
 TEST(ArcConvolution, GivesTheFormOfTheDefinitionForGridsAtCriticalRadii) {
-  for (unsigned seed = 0; seed < 60; ++seed) {
+  for (unsigned seed = 0; seed < testing::repetitions(60U); ++seed) {
     SCOPED_TRACE(seed);
     testing::Source random(seed);
     const PolygonSet P = testing::random_mesh_region(random, 2);
@@ -87,7 +87,7 @@ TEST(ArcConvolution, GivesTheFormOfTheDefinitionForGridsAtCriticalRadii) {
 
 /// Off the axes, and with lengths that are no rational numbers.
 TEST(ArcConvolution, GivesTheFormOfTheDefinitionForTurnedGrids) {
-  for (unsigned seed = 0; seed < 30; ++seed) {
+  for (unsigned seed = 0; seed < testing::repetitions(30U); ++seed) {
     SCOPED_TRACE(seed);
     testing::Source random(seed);
     PolygonSet P = testing::random_mesh_region(random, 2);
@@ -200,7 +200,7 @@ TEST(ArcConvolution, MeetsACurveWhereAnotherEnds) {
 /// Roots decide.
 TEST(ArcConvolution, DoesNotDependOnWhatDoublesTell) {
   std::uint64_t exact = 0;
-  for (unsigned seed = 0; seed < 12; ++seed) {
+  for (unsigned seed = 0; seed < testing::repetitions(12U); ++seed) {
     SCOPED_TRACE(seed);
     testing::Source random(seed);
     const PolygonSet P = far_away(testing::random_mesh_region(random, 2));
@@ -214,4 +214,4 @@ TEST(ArcConvolution, DoesNotDependOnWhatDoublesTell) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_arc_convolution

@@ -6,7 +6,7 @@
 #include "reference/disc/region/offset_region.hpp"
 #include "tests/plane/random_polygons.hpp"
 
-namespace minkref {
+namespace minkref::of_diagram_events {
 namespace {
 
 using Kind = DiagramEvent::Kind;
@@ -54,7 +54,7 @@ void check(const PolygonSet& P) {
 }
 
 TEST(DiagramEvents, OfRandomRegions) {
-  for (unsigned seed = 0; seed < 60; ++seed) {
+  for (unsigned seed = 0; seed < testing::repetitions(60U); ++seed) {
     SCOPED_TRACE(seed);
     testing::Source random(seed);
     ASSERT_NO_FATAL_FAILURE(check(testing::random_region(random, 4)));
@@ -62,7 +62,7 @@ TEST(DiagramEvents, OfRandomRegions) {
 }
 
 TEST(DiagramEvents, OfGrids) {
-  for (unsigned seed = 0; seed < 60; ++seed) {
+  for (unsigned seed = 0; seed < testing::repetitions(60U); ++seed) {
     SCOPED_TRACE(seed);
     testing::Source random(seed);
     ASSERT_NO_FATAL_FAILURE(check(testing::random_mesh_region(random, 5)));
@@ -76,7 +76,7 @@ Rational power(unsigned exponent) {
 /// The same events of a set of any size, anywhere.
 TEST(DiagramEvents, MoveAndGrowWithTheSet) {
   std::size_t events = 0;
-  for (unsigned seed = 0; seed < 40; ++seed) {
+  for (unsigned seed = 0; seed < testing::repetitions(40U); ++seed) {
     SCOPED_TRACE(seed);
     testing::Source random(seed);
     const PolygonSet P = testing::random_mesh_region(random, 5);
@@ -157,7 +157,7 @@ TEST(DiagramEvents, OfCornersThatAlmostCoincide) {
 
 /// Places that were found before are proven, not trusted.
 TEST(DiagramEvents, AreProvenAgainFromTheirPlaces) {
-  for (unsigned seed = 0; seed < 60; ++seed) {
+  for (unsigned seed = 0; seed < testing::repetitions(60U); ++seed) {
     SCOPED_TRACE(seed);
     testing::Source random(seed);
     const PolygonSet P = testing::random_region(random, 4);
@@ -217,4 +217,4 @@ TEST(DiagramEvents, BetweenTwoCorners) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_diagram_events

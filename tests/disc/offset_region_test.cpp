@@ -9,7 +9,7 @@
 #include "reference/plane/sum.hpp"
 #include "tests/plane/random_polygons.hpp"
 
-namespace minkref {
+namespace minkref::of_offset_region {
 namespace {
 
 Ring box(int x0, int y0, int x1, int y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
@@ -158,7 +158,7 @@ TEST(OffsetRegion, HasTheAreaAndLengthOfSteiner) {
 
 /// Mirrored at the diagonal, moved, and grown: curves, components and holes go along.
 TEST(OffsetRegion, KeepsItsCountsUnderSimilarities) {
-  for (unsigned seed = 0; seed < 60; ++seed) {
+  for (unsigned seed = 0; seed < testing::repetitions(60U); ++seed) {
     SCOPED_TRACE(seed);
     testing::Source random(seed);
     const PolygonSet P = testing::random_mesh_region(random, 2);
@@ -183,7 +183,7 @@ TEST(OffsetRegion, KeepsItsCountsUnderSimilarities) {
 /// All arithmetics: coordinates that are no doubles, and far from the origin.
 TEST(OffsetRegion, DoesNotDependOnWhatDoublesTell) {
   std::uint64_t exact = 0;
-  for (unsigned seed = 0; seed < 20; ++seed) {
+  for (unsigned seed = 0; seed < testing::repetitions(20U); ++seed) {
     SCOPED_TRACE(seed);
     testing::Source random(seed);
     const PolygonSet P = testing::random_mesh_region(random, 2);
@@ -209,4 +209,4 @@ TEST(OffsetRegion, DoesNotDependOnWhatDoublesTell) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_offset_region

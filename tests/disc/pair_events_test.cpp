@@ -9,7 +9,7 @@
 
 #include "tests/plane/random_polygons.hpp"
 
-namespace minkref {
+namespace minkref::of_pair_events {
 namespace {
 
 constexpr int all_of_a_segment = FeatureEvent::segment;
@@ -341,4 +341,4 @@ TEST(DiscPairEvents, OfRandomRegions) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_pair_events

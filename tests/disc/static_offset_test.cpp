@@ -10,7 +10,7 @@
 #include "reference/plane/sum.hpp"
 #include "tests/plane/random_polygons.hpp"
 
-namespace minkref {
+namespace minkref::of_static_offset {
 namespace {
 
 struct Spot {
@@ -136,7 +136,7 @@ void check(const PolygonSet& P, const Rational& squared_radius) {
 }
 
 TEST(StaticOffset, OfRandomRegions) {
-  for (unsigned seed = 0; seed < 60; ++seed) {
+  for (unsigned seed = 0; seed < testing::repetitions(60U); ++seed) {
     SCOPED_TRACE(seed);
     testing::Source random(seed);
     const PolygonSet P = testing::random_region(random, 2);
@@ -150,7 +150,7 @@ TEST(StaticOffset, OfRandomRegions) {
 /// Half the distances between points of a grid: walls whose offsets fall on each other, arcs that
 /// touch, several curves through one point.
 TEST(StaticOffset, OfGridsAtCriticalRadii) {
-  for (unsigned seed = 0; seed < 40; ++seed) {
+  for (unsigned seed = 0; seed < testing::repetitions(40U); ++seed) {
     SCOPED_TRACE(seed);
     testing::Source random(seed);
     const PolygonSet P = testing::random_mesh_region(random, 2);
@@ -183,4 +183,4 @@ TEST(StaticOffset, FillsAHole) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_static_offset

@@ -4,7 +4,7 @@
 #include "reference/plane/dynamic/dynamic_sum.hpp"
 #include "tests/plane/random_cases.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_topology {
 namespace {
 
 struct Numbers {
@@ -294,4 +294,4 @@ TEST(Topology, AMoatThatOpensAtOnceSplitsAnIslandOff) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_topology

@@ -7,7 +7,7 @@
 #include "tests/formats/refusal.hpp"
 #include "tests/formats/temporary_folder.hpp"
 
-namespace minkref {
+namespace minkref::of_case {
 namespace {
 
 const std::string square = R"({"polygons":[{"outer":[[0,0],["9",0],["9","9"],["0","9"]],)"
@@ -141,4 +141,4 @@ TEST(CaseFile, BothOperandsDrawOnTheSameLimits) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_case

@@ -14,7 +14,7 @@
 #include "reference/space/area_vector.hpp"
 #include "reference/space/integer_points.hpp"
 
-namespace minkref {
+namespace minkref::of_cut_face {
 namespace {
 
 using Flat = std::vector<std::array<int, 2>>;
@@ -129,4 +129,4 @@ TEST(CutFace, AFaceThatCrossesItselfOrHasNoAreaIsNotCut) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_cut_face

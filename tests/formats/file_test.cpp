@@ -4,7 +4,7 @@
 #include "tests/formats/refusal.hpp"
 #include "tests/formats/temporary_folder.hpp"
 
-namespace minkref {
+namespace minkref::of_file {
 namespace {
 
 std::string code_of_file(const std::string& path, const ReadLimits& limits = {}) {
@@ -84,4 +84,4 @@ TEST(File, WritingToNoFolderIsRefused) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_file

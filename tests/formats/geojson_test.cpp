@@ -1,6 +1,6 @@
 #include "tests/formats/refusal.hpp"
 
-namespace minkref {
+namespace minkref::of_geojson {
 namespace {
 
 PolygonSet geojson(std::string_view text) {
@@ -79,4 +79,4 @@ TEST(GeoJson, AnOpenRingIsRefusedWithItsLine) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_geojson

@@ -2,7 +2,7 @@
 #include "formats/case.hpp"
 #include "tests/formats/refusal.hpp"
 
-namespace minkref {
+namespace minkref::of_hostile {
 namespace {
 
 const std::vector<Format> read_formats = {Format::wkt, Format::geojson, Format::poly, Format::json,
@@ -200,4 +200,4 @@ TEST(Hostile, AnUnclosedCommentOrGarbageIsRefused) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_hostile

@@ -7,7 +7,7 @@
 #include "formats/json_string.hpp"
 #include "tests/formats/refusal.hpp"
 
-namespace minkref {
+namespace minkref::of_json_text {
 namespace {
 
 /// The value as a document of the referee, who parses the text of each number.
@@ -170,4 +170,4 @@ TEST(JsonText, EncodedStringsAreReadBack) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_json_text

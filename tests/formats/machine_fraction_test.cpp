@@ -5,7 +5,7 @@
 
 #include <random>
 
-namespace minkref {
+namespace minkref::of_machine_fraction {
 namespace {
 
 constexpr std::uint64_t seed = 20;
@@ -68,4 +68,4 @@ TEST(MachineFraction, ZeroAndCancellationToZero) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_machine_fraction

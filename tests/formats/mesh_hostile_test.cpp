@@ -3,7 +3,7 @@
 
 #include "tests/formats/mesh.hpp"
 
-namespace minkref {
+namespace minkref::of_mesh_hostile {
 namespace {
 
 struct Sample {
@@ -206,4 +206,4 @@ TEST(MeshHostile, AHeaderOfManyLinesIsReadInLinearTime) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_mesh_hostile

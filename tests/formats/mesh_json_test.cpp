@@ -1,6 +1,6 @@
 #include "tests/formats/mesh.hpp"
 
-namespace minkref {
+namespace minkref::of_mesh_json {
 namespace {
 
 Polyhedron json(std::string_view text) { return mesh_in(text, MeshFormat::json); }
@@ -61,4 +61,4 @@ TEST(MeshJson, AFaultyFaceIsRefusedWithItsNumberAndItsLine) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_mesh_json

@@ -4,7 +4,7 @@
 #include "tests/formats/mesh.hpp"
 #include "tests/formats/temporary_folder.hpp"
 
-namespace minkref {
+namespace minkref::of_mesh_write {
 namespace {
 
 const std::string fifty = "12345678901234567890123456789.012345678901234567891";
@@ -223,4 +223,4 @@ TEST(MeshFile, TheExtensionNamesTheFormat) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_mesh_write

@@ -1,7 +1,7 @@
 // Coordinates are the exact numbers of the text, in every format.
 #include "tests/formats/refusal.hpp"
 
-namespace minkref {
+namespace minkref::of_numbers_from_text {
 namespace {
 
 Point first_vertex(const Reading& reading) { return reading.set.polygons.at(0).outer.at(0); }
@@ -50,4 +50,4 @@ TEST(NumbersFromText, IntegersBeyondTwoToThe53StayApart) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_numbers_from_text

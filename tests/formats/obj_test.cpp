@@ -1,6 +1,6 @@
 #include "tests/formats/mesh.hpp"
 
-namespace minkref {
+namespace minkref::of_obj {
 namespace {
 
 Polyhedron obj(std::string_view text) { return mesh_in(text, MeshFormat::obj); }
@@ -101,4 +101,4 @@ TEST(Obj, WithoutFacesItIsTheEmptySetAPointOrASegment) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_obj

@@ -1,6 +1,6 @@
 #include "tests/formats/mesh.hpp"
 
-namespace minkref {
+namespace minkref::of_off {
 namespace {
 
 Polyhedron off(std::string_view text) { return mesh_in(text, MeshFormat::off); }
@@ -127,4 +127,4 @@ TEST(Off, RefusalsOfValidationNameTheLine) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_off

@@ -4,7 +4,7 @@
 #include "formats/write.hpp"
 #include "tests/formats/refusal.hpp"
 
-namespace minkref {
+namespace minkref::of_paper_models {
 namespace {
 
 struct Model {
@@ -33,4 +33,4 @@ INSTANTIATE_TEST_SUITE_P(Files, PaperModel,
                                          Model{"neuron.poly", 1815, 18, 0}));
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_paper_models

@@ -1,6 +1,6 @@
 #include "tests/formats/refusal.hpp"
 
-namespace minkref {
+namespace minkref::of_plain_json {
 namespace {
 
 std::string code(std::string_view text) { return code_of(text, Format::json); }
@@ -59,4 +59,4 @@ TEST(PlainJson, GeoJsonAndCasesAreToldApartByTheirMembers) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_plain_json

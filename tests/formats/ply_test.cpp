@@ -2,7 +2,7 @@
 
 #include "tests/formats/mesh.hpp"
 
-namespace minkref {
+namespace minkref::of_ply {
 namespace {
 
 Polyhedron ply(std::string_view text) { return mesh_in(text, MeshFormat::ply); }
@@ -212,4 +212,4 @@ TEST(Ply, ANulByteInTextIsRefused) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_ply

@@ -2,7 +2,7 @@
 
 #include "tests/formats/refusal.hpp"
 
-namespace minkref {
+namespace minkref::of_poly {
 namespace {
 
 Reading poly(std::string_view text) { return read_valid_text(text, Format::poly, "input"); }
@@ -147,4 +147,4 @@ TEST(Poly, WrongStructureIsRefused) {
 TEST(Poly, NoRingIsTheEmptySet) { EXPECT_TRUE(poly("0\n").set.empty()); }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_poly

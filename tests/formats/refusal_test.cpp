@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace minkref {
+namespace minkref::of_refusal {
 namespace {
 
 using Indices = std::vector<std::size_t>;
@@ -62,4 +62,4 @@ TEST(Refusal, TheMessageNamesFileLineRingVertexAndMend) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_refusal

@@ -2,7 +2,7 @@
 
 #include "tests/formats/mesh.hpp"
 
-namespace minkref {
+namespace minkref::of_stl {
 namespace {
 
 Polyhedron stl(std::string_view text) { return mesh_in(text, MeshFormat::stl); }
@@ -130,4 +130,4 @@ TEST(Stl, OtherFilesAreRefusedAsText) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_stl

@@ -3,7 +3,7 @@
 #include "formats/write.hpp"
 #include "tests/formats/refusal.hpp"
 
-namespace minkref {
+namespace minkref::of_svg {
 namespace {
 
 PolygonSet wkt(std::string_view text) { return read_text(text, Format::wkt, "").set; }
@@ -63,4 +63,4 @@ TEST(Svg, TheEmptySetIsAnEmptyPicture) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_svg

@@ -1,6 +1,6 @@
 #include "tests/formats/refusal.hpp"
 
-namespace minkref {
+namespace minkref::of_wkt {
 namespace {
 
 PolygonSet wkt(std::string_view text) { return read_valid_text(text, Format::wkt, "input").set; }
@@ -100,4 +100,4 @@ TEST(Wkt, WrongGrammarIsRefused) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_wkt

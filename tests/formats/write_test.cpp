@@ -6,7 +6,7 @@
 #include "formats/decimal.hpp"
 #include "tests/formats/refusal.hpp"
 
-namespace minkref {
+namespace minkref::of_write {
 namespace {
 
 const std::vector<Format> all_formats = {Format::wkt, Format::geojson, Format::poly, Format::json};
@@ -117,4 +117,4 @@ TEST(Decimal, IsExactWhereTheDenominatorIsAProductOfTwosAndFives) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_write

@@ -10,7 +10,7 @@
 #include "reference/plane/index/scale_index.hpp"
 #include "tests/plane/shapes.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_build_limits {
 namespace {
 
 /// Teeth of many heights, with gaps of many widths.
@@ -131,4 +131,4 @@ TEST(BuildLimits, ThreadsThatGoOnEndWhenTheBuildHasFailed) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_build_limits

@@ -12,7 +12,7 @@
 #include "tests/plane/random_cases.hpp"
 #include "tests/plane/shapes.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_exposed_pieces {
 namespace {
 
 const std::array<Rational, 3> odd_shares{Rational(311, 997), Rational(419, 997),
@@ -123,4 +123,4 @@ TEST(ExposedPieces, TheSumIsAskedBesideAPoint) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_exposed_pieces

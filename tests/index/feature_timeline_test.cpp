@@ -9,7 +9,7 @@
 #include "tests/index/windows.hpp"
 #include "tests/plane/random_cases.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_feature_timeline {
 namespace {
 
 std::string names(const std::vector<std::uint32_t>& features) {
@@ -144,4 +144,4 @@ TEST(FeatureTimeline, PartsOfOneAreaThatTouchInTheirLeastPointHaveAnOrder) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_feature_timeline

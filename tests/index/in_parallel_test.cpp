@@ -10,7 +10,7 @@
 #include "reference/plane/index/scale_index.hpp"
 #include "tests/plane/shapes.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_in_parallel {
 namespace {
 
 BuildOptions with_threads(unsigned threads) {
@@ -109,4 +109,4 @@ TEST(ScaleIndex, AnswersSeveralThreadsAtOnceAsItDoesOne) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_in_parallel

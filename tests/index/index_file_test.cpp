@@ -10,7 +10,7 @@
 #include "reference/plane/index/scale_index.hpp"
 #include "tests/plane/random_cases.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_index_file {
 namespace {
 
 class IndexFile : public ::testing::Test {
@@ -141,4 +141,4 @@ TEST_F(IndexFile, NothingIsWrittenWhereItCannotBe) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_index_file

@@ -7,7 +7,7 @@
 #include "reference/plane/moving/interior_test.hpp"
 #include "tests/plane/random_cases.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_interior_solids {
 namespace {
 
 double coordinate(Source& random) { return static_cast<double>(random.below(4000)) / 100 - 20; }
@@ -139,4 +139,4 @@ TEST(InteriorTracks, OfDiscsThatMaySettleAPartOneThatDoesIsKept) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_interior_solids

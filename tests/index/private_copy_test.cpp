@@ -9,7 +9,7 @@
 
 #include "reference/error.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_private_copy {
 namespace {
 
 class PrivateCopyOf : public ::testing::TestWithParam<std::uint64_t> {
@@ -74,4 +74,4 @@ INSTANTIATE_TEST_SUITE_P(Sizes, PrivateCopyOf, ::testing::Values(0, std::uint64_
                          [](const auto& size) { return size.param == 0 ? "InAFile" : "InMemory"; });
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_private_copy

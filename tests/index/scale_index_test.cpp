@@ -10,7 +10,7 @@
 #include "tests/index/windows.hpp"
 #include "tests/plane/random_cases.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_scale_index {
 namespace {
 
 /// All events, a scale in each interval between two, and beyond the last ones.
@@ -335,4 +335,4 @@ TEST(ScaleIndex, HoldsNoScaleOutsideItsWindow) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_scale_index

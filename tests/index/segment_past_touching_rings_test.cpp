@@ -6,7 +6,7 @@
 #include "reference/plane/index/scale_index.hpp"
 #include "tests/plane/shapes.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_segment_past_touching_rings {
 namespace {
 
 /// At, between and beside all events, as far as a window goes: the index and the dynamic sum are
@@ -115,4 +115,4 @@ TEST(SegmentPastTouchingRings, RegionsThatTouchFromTwoSidesInTurn) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_segment_past_touching_rings

@@ -10,7 +10,7 @@
 #include "tests/index/windows.hpp"
 #include "tests/plane/random_cases.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_swept_boundary {
 namespace {
 
 /// Scales at which a piece begins or ends, and one between each two.
@@ -93,4 +93,4 @@ TEST(SweptBoundary, HasHolesThatAreThereForAWhileOnly) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_swept_boundary

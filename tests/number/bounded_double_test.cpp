@@ -5,7 +5,7 @@
 
 #include <random>
 
-namespace minkref {
+namespace minkref::of_bounded_double {
 namespace {
 
 /// An integer of up to `most` bits, often near a power of two.
@@ -75,4 +75,4 @@ TEST(BoundedDouble, DecidesNothingBeyondTheRange) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_bounded_double

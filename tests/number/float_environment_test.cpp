@@ -11,7 +11,7 @@
 #include "reference/plane/sum.hpp"
 #include "trials/float_environments.hpp"
 
-namespace minkref {
+namespace minkref::of_float_environment {
 namespace {
 
 using float_trial::Spoiled;
@@ -90,4 +90,4 @@ TEST(FloatEnvironment, FaultOfASelfTestClosesAllDoors) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_float_environment

@@ -11,7 +11,7 @@
 #include "reference/number/scalar.hpp"
 #include "tests/number/random_numbers.hpp"
 
-namespace minkref {
+namespace minkref::of_interval {
 namespace {
 
 constexpr double greatest = std::numeric_limits<double>::max();
@@ -275,4 +275,4 @@ TEST(IntervalApproximation, LiesInsideBoundedIntervals) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_interval

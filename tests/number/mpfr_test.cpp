@@ -12,7 +12,7 @@
 #include "reference/number/scalar.hpp"
 #include "tests/number/random_numbers.hpp"
 
-namespace minkref {
+namespace minkref::of_mpfr {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -231,4 +231,4 @@ TEST(MpfrSign, IsThatOfTheRoundedValueAndNaNIsUndecided) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_mpfr

@@ -91,6 +91,15 @@ class Source {
   std::mt19937_64 engine_;
 };
 
+/// How many of so many repetitions a run takes: a third, and all where THOROUGH=1 is set.
+/// MINKREF_REPEAT multiplies them.
+template <class Count>
+Count repetitions(Count many) {
+  const char *thorough = std::getenv("THOROUGH"), *factor = std::getenv("MINKREF_REPEAT");
+  const bool all = thorough != nullptr && *thorough != '\0' && *thorough != '0';
+  return (all ? many : (many + 2) / 3) * static_cast<Count>(factor ? std::atoi(factor) : 1);
+}
+
 }  // namespace minkref::testing
 
 #define MINKREF_SEEDED(source, number)       \

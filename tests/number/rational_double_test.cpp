@@ -9,7 +9,7 @@
 #include "reference/number/rational.hpp"
 #include "tests/number/random_numbers.hpp"
 
-namespace minkref {
+namespace minkref::of_rational_double {
 namespace {
 
 constexpr double greatest = std::numeric_limits<double>::max();
@@ -152,4 +152,4 @@ TEST(RationalFromDouble, NaNAndInfinityAreRefused) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_rational_double

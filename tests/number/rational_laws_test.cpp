@@ -4,7 +4,7 @@
 #include "reference/number/scalar.hpp"
 #include "tests/number/random_numbers.hpp"
 
-namespace minkref {
+namespace minkref::of_rational_laws {
 namespace {
 
 TEST(RationalLaws, Field) {
@@ -40,4 +40,4 @@ TEST(RationalLaws, SignIsMultiplicativeAndOrdersTheField) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_rational_laws

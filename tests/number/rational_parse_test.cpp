@@ -9,7 +9,7 @@
 #include "reference/number/rational.hpp"
 #include "tests/number/random_numbers.hpp"
 
-namespace minkref {
+namespace minkref::of_rational_parse {
 namespace {
 
 std::string code_of(const std::string& text, const NumberLimits& limits = {}) {
@@ -168,4 +168,4 @@ TEST(ParseRational, DecimalIsItsDigitsTimesAPowerOfTen) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_rational_parse

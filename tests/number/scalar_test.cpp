@@ -7,7 +7,7 @@
 #include "reference/number/eigen.hpp"
 #include "tests/number/random_numbers.hpp"
 
-namespace minkref {
+namespace minkref::of_scalar {
 namespace {
 
 struct Points {
@@ -116,4 +116,4 @@ TEST(SignsNearZero, IntervalIsRightOrSaysSoWhereDoublesAreWrong) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_scalar

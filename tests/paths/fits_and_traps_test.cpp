@@ -10,7 +10,7 @@
 #include "reference/plane/dynamic/arrangement_events.hpp"
 #include "tests/paths/random_paths.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_fits_and_traps {
 namespace {
 
 PolygonSet rectangle(const Rational& x0, const Rational& y0, const Rational& x1,
@@ -342,4 +342,4 @@ TEST(FreeScales, ChangeAtNoEventThatWasLeftOut) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_fits_and_traps

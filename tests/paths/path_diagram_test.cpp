@@ -10,7 +10,7 @@
 #include "tests/paths/random_paths.hpp"
 #include "tests/plane/shapes.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_path_diagram {
 namespace {
 
 constexpr std::size_t many = 100000;
@@ -131,4 +131,4 @@ TEST(PathDiagram, RefusesAnEndlessWindowAndTooManyPolygons) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_path_diagram

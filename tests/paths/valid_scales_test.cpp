@@ -10,7 +10,7 @@
 #include "tests/paths/random_paths.hpp"
 #include "tests/plane/shapes.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_valid_scales {
 namespace {
 
 constexpr std::array rules{ContactRule::allowed, ContactRule::forbidden};
@@ -320,4 +320,4 @@ TEST(StarShaped, NeedsTheOriginOnTheLeftOfAllEdges) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_valid_scales

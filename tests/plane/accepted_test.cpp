@@ -3,7 +3,7 @@
 
 #include "tests/plane/random_cases.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_accepted {
 namespace {
 
 void expect_accepted(const PolygonSet& set) { EXPECT_NO_THROW(validate(set)) << text(set); }
@@ -80,4 +80,4 @@ TEST(Accepted, HugeTinyAndUnlikeNumbers) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_accepted

@@ -4,7 +4,7 @@
 #include "reference/plane/sum.hpp"
 #include "tests/plane/random_cases.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_arithmetic {
 namespace {
 
 std::string digest(const Case& c, const std::string& arithmetic) {
@@ -141,4 +141,4 @@ TEST(Arithmetic, OnlyThePapersRouteTakesARoundingOne) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_arithmetic

@@ -5,7 +5,7 @@
 #include "tests/plane/random_cases.hpp"
 #include "tests/plane/random_segments.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_arrangement {
 namespace {
 
 std::string fault_of(const std::vector<Edge>& segments) {
@@ -139,4 +139,4 @@ TEST(Arrangement, VerticesMayBeSharedAndGivenTwice) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_arrangement

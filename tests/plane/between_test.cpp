@@ -9,7 +9,7 @@
 #include "tests/plane/convolution_rule.hpp"
 #include "tests/plane/random_cases.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_between {
 namespace {
 
 constexpr Between readings[] = {Between::half_open, Between::open, Between::closed};
@@ -103,4 +103,4 @@ TEST(Between, APointMeetsEveryEdgeByEachReading) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_between

@@ -5,7 +5,7 @@
 #include "tests/plane/contact_by_edges.hpp"
 #include "tests/plane/random_cases.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_boundary_walks {
 namespace {
 
 /// The rings cut at each other's vertices, their coincident vertices made one.
@@ -89,4 +89,4 @@ TEST(BoundaryWalks, IslandInALakeInAnIsland) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_boundary_walks

@@ -3,7 +3,7 @@
 
 #include "tests/plane/random_cases.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_canonical {
 namespace {
 
 std::string digest_text(const PolygonSet& set) { return canonical_json(canonicalize(set).region); }
@@ -195,4 +195,4 @@ TEST(Canonical, UnionHoldsThePointsOfEither) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_canonical

@@ -4,7 +4,7 @@
 #include "reference/plane/sum.hpp"
 #include "tests/plane/random_cases.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_convex {
 namespace {
 
 std::string not_the_hull(const Case& c) {
@@ -66,4 +66,4 @@ TEST(ConvexOperands, AreaIsThatOfTheMixedVolumes) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_convex

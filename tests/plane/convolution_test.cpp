@@ -12,7 +12,7 @@
 #include "tests/plane/convolution_rule.hpp"
 #include "tests/plane/random_cases.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_convolution {
 namespace {
 
 using Kind = ConvolutionEdge::Kind;
@@ -296,4 +296,4 @@ TEST(Convolution, ReflexAndStraightVerticesAreNotInTheReducedOne) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_convolution

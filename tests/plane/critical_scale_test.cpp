@@ -5,7 +5,7 @@
 #include "reference/plane/witness.hpp"
 #include "tests/plane/contact_by_edges.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_critical_scale {
 namespace {
 
 const Route routes[] = {Route::paper, Route::winding, Route::definition};
@@ -142,4 +142,4 @@ TEST(CriticalScale, HoleSplitsInTwoWhereItsWaistBecomesTooNarrow) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_critical_scale

@@ -4,7 +4,7 @@
 #include "reference/plane/sum.hpp"
 #include "tests/plane/random_cases.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_degenerate_operand {
 namespace {
 
 void expect_sum_on_all_routes(const PolygonSet& expected, const PolygonSet& P, const PolygonSet& Q,
@@ -103,4 +103,4 @@ TEST(DegenerateOperand, AnUnknownArithmeticIsRefused) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_degenerate_operand

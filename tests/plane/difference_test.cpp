@@ -4,7 +4,7 @@
 #include "reference/plane/witness.hpp"
 #include "tests/plane/random_cases.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_difference {
 namespace {
 
 TEST(Difference, OfEqualSetsIsNone) {
@@ -56,4 +56,4 @@ TEST(Difference, IsOfFewDigits) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_difference

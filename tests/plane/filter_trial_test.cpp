@@ -5,7 +5,7 @@
 
 #include "tests/number/random_numbers.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_filter_trial {
 namespace {
 
 TEST(FilterTrial, FilterIsNeverWrongWherePlainDoublesOftenAre) {
@@ -28,4 +28,4 @@ TEST(FilterTrial, SameSeedGivesTheSameTrial) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_filter_trial

@@ -6,7 +6,7 @@
 #include "reference/plane/witness.hpp"
 #include "tests/plane/random_cases.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_hostile_magnitude {
 namespace {
 
 const Integer huge = Integer(1) << 4000;
@@ -127,4 +127,4 @@ TEST(HostileMagnitude, OtherArithmeticsAnswerOrThrowAnErrorOfOurs) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_hostile_magnitude

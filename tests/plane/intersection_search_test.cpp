@@ -6,7 +6,7 @@
 #include "reference/plane/convolution/convolution.hpp"
 #include "tests/plane/random_cases.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_intersection_search {
 namespace {
 
 struct Count {
@@ -85,4 +85,4 @@ TEST(IntersectionSearch, PairwiseSearchIsRightWhereDoublesAreExact) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_intersection_search

@@ -4,7 +4,7 @@
 #include "reference/plane/sum.hpp"
 #include "tests/plane/random_cases.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_kernel_choice {
 namespace {
 
 Integer power(int base, unsigned exponent) {
@@ -145,4 +145,4 @@ TEST(KernelChoice, EverySignIsCounted) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_kernel_choice

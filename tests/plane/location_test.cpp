@@ -6,7 +6,7 @@
 #include "tests/plane/contact_by_edges.hpp"
 #include "tests/plane/random_cases.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_location {
 namespace {
 
 bool same(Location a, Where b) {
@@ -60,4 +60,4 @@ TEST(Location, WindingNumberNotParityDecidesWhereRingsOverlap) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_location

@@ -6,7 +6,7 @@
 #include "tests/plane/contact_by_edges.hpp"
 #include "tests/plane/random_cases.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_membership {
 namespace {
 
 const char* name(Contact contact) {
@@ -116,4 +116,4 @@ TEST(Membership, UnitSquaresOverlapWithinTwoTouchAtTwoAndAreApartBeyond) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_membership

@@ -5,7 +5,7 @@
 
 #include "tests/plane/random_cases.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_node_lists {
 namespace {
 
 using Lists = std::vector<std::vector<std::uint32_t>>;
@@ -91,4 +91,4 @@ TEST(NodeLists, JumpsGiveTheListsAndCountsOfWalking) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_node_lists

@@ -6,7 +6,7 @@
 #include "tests/plane/contact_by_edges.hpp"
 #include "tests/plane/random_polygons.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_overlap_filter {
 namespace {
 
 NearTriangle near(const PolygonSet& triangle) {
@@ -77,4 +77,4 @@ TEST(OverlapFilter, SaysNothingWhereProductsOfDoublesOverflowOrVanish) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_overlap_filter

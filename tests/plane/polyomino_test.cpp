@@ -6,7 +6,7 @@
 #include "reference/plane/sum.hpp"
 #include "tests/plane/random_cases.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_polyomino {
 namespace {
 
 using Cell = std::pair<int, int>;  // its lower left corner
@@ -147,4 +147,4 @@ TEST(Polyominoes, ACheckerboardFillsUp) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_polyomino

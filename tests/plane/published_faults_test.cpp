@@ -4,7 +4,7 @@
 #include "reference/plane/sum.hpp"
 #include "tests/plane/contact_by_edges.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_published_faults {
 namespace {
 
 std::vector<Sum> by_all_routes(const PolygonSet& P, const PolygonSet& Q) {
@@ -102,4 +102,4 @@ TEST(PublishedFaults, EulerCharacteristicZeroInsideTheSum) {  // winding numbers
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_published_faults

@@ -102,12 +102,6 @@ inline Case shrunk(Case c, const Law& law, int budget = 3000) {
   return c;
 }
 
-/// MINKREF_REPEAT multiplies the repetitions of every random test.
-inline int repetitions(int count) {
-  const char* factor = std::getenv("MINKREF_REPEAT");
-  return factor == nullptr ? count : count * std::atoi(factor);
-}
-
 inline Rational random_scale(Source& random) {
   static const Rational scales[] = {1,
                                     1,

@@ -6,7 +6,7 @@
 #include "tests/plane/contact_by_edges.hpp"
 #include "tests/plane/random_cases.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_routes {
 namespace {
 
 std::string disagreement(const Case& c) {
@@ -67,4 +67,4 @@ TEST(Routes, EveryFaceOfTheArrangementIsDecidedRightly) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_routes

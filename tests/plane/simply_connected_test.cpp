@@ -6,7 +6,7 @@
 #include "tests/plane/contact_by_edges.hpp"
 #include "tests/plane/random_cases.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_simply_connected {
 namespace {
 
 Rational own_doubled_area(const Ring& ring) {
@@ -99,4 +99,4 @@ TEST(Slits, HolesOneBehindTheOtherAndTouching) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_simply_connected

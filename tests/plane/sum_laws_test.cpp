@@ -4,7 +4,7 @@
 #include "reference/plane/sum.hpp"
 #include "tests/plane/random_cases.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_sum_laws {
 namespace {
 
 PolygonSet sum(const PolygonSet& P, const PolygonSet& Q, const Rational& scale = 1) {
@@ -280,4 +280,4 @@ TEST(SumLaws, TwoScalesOfAConvexSetAddUp) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_sum_laws

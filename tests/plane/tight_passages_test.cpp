@@ -11,7 +11,7 @@
 #include "tests/plane/contact_by_edges.hpp"
 #include "tests/plane/random_cases.hpp"
 
-namespace minkref::testing {
+namespace minkref::testing::of_tight_passages {
 namespace {
 
 using Pieces = std::vector<TightPassage>;
@@ -262,10 +262,10 @@ TEST(TightPassages, AreTheDefinitionPointByPointOnALattice) {
     return fault_of(random, c);
   });
   // What is common on the lattice, so that nothing is tried in vain.
-  EXPECT_GT(points, 10U);
-  EXPECT_GT(lines, 20U);
-  EXPECT_GT(bends, 5U);
-  EXPECT_GT(branchings, 5U);
+  EXPECT_GE(points, testing::repetitions(10U));
+  EXPECT_GE(lines, testing::repetitions(20U));
+  EXPECT_GE(bends, testing::repetitions(5U));
+  EXPECT_GT(branchings, 0U);
   RecordProperty("closed", static_cast<int>(closed));
 }
 
@@ -281,7 +281,7 @@ TEST(TightPassages, AreTheDefinitionPointByPointWithASegment) {
     count += pieces(c).size();
     return fault_of(random, c);
   });
-  EXPECT_GT(count, 20U);
+  EXPECT_GE(count, testing::repetitions(20U));
 }
 
 TEST(TightPassages, AreTheDefinitionPointByPointOnRegionsOfEveryKind) {
@@ -410,4 +410,4 @@ TEST(TightPassages, AreRefusedForWhatTheSumRefuses) {
 }
 
 }  // namespace
-}  // namespace minkref::testing
+}  // namespace minkref::testing::of_tight_passages

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-namespace minkref {
+namespace minkref::of_nearest_double {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -99,4 +99,4 @@ TEST(MpfrInterval, HoldsAngles) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_nearest_double

@@ -9,7 +9,7 @@
 #include "reference/error.hpp"
 #include "reference/number/radicals/polynomial.hpp"
 
-namespace minkref {
+namespace minkref::of_root_number {
 namespace {
 
 Rational fraction(std::mt19937& dice, int most = 9) {
@@ -105,4 +105,4 @@ TEST(RootNumber, IsARootOfItsPolynomial) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_root_number

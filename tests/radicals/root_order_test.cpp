@@ -7,7 +7,7 @@
 
 #include "reference/number/radicals/polynomial.hpp"
 
-namespace minkref {
+namespace minkref::of_root_order {
 namespace {
 
 RootNumber root(int n) { return sqrt(RootNumber(n)); }
@@ -80,4 +80,4 @@ TEST(Polynomial, CountsRootsInHalfOpenIntervals) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_root_order

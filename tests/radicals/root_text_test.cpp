@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace minkref {
+namespace minkref::of_root_text {
 namespace {
 
 TEST(RootText, LeavesOutWhatIsZeroAndTakesSquaresOut) {
@@ -51,4 +51,4 @@ TEST(RootText, ProductsOfRootsOfRationalsAreOne) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_root_text

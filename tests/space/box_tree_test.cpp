@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-namespace minkref {
+namespace minkref::of_box_tree {
 namespace {
 
 std::vector<SpaceBox> random_boxes(std::mt19937& dice, std::size_t count) {
@@ -67,4 +67,4 @@ TEST(SpaceBoxTree, StopsWhereToldTo) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_box_tree

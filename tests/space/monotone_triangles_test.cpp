@@ -10,7 +10,7 @@
 
 #include "reference/space/area_vector.hpp"
 
-namespace minkref {
+namespace minkref::of_monotone_triangles {
 namespace {
 
 using Flat = std::vector<std::pair<long, long>>;
@@ -110,4 +110,4 @@ TEST(MonotoneTriangles, WhatIsNotSimpleIsNotCut) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_monotone_triangles

@@ -18,7 +18,7 @@
 #include "reference/space/triangle_contact.hpp"
 #include "tests/space/surfaces.hpp"
 
-namespace minkref {
+namespace minkref::of_near_pairs {
 namespace {
 
 using surfaces::at;
@@ -204,4 +204,4 @@ TEST(NearPairs, RingsBeyondTheRangeOfDoubles) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_near_pairs

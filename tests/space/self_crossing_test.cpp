@@ -9,7 +9,7 @@
 #include "reference/error.hpp"
 #include "tests/space/surfaces.hpp"
 
-namespace minkref {
+namespace minkref::of_self_crossing {
 namespace {
 
 using bodies::with_apex;
@@ -169,4 +169,4 @@ TEST(Knot, IsTaken) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_self_crossing

@@ -5,7 +5,7 @@
 
 #include <random>
 
-namespace minkref {
+namespace minkref::of_vertex_signs {
 namespace {
 
 int sign_of(const std::vector<IntegerVector>& p) {
@@ -65,4 +65,4 @@ TEST(VertexSigns, BoxesHoldTheVertices) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_vertex_signs

@@ -10,7 +10,7 @@
 #include "tests/convex/bodies.hpp"
 #include "tests/space_sums/polycubes.hpp"
 
-namespace minkref {
+namespace minkref::of_facet_contacts {
 namespace {
 
 using Contacts = FacetContacts<Rational>;
@@ -83,4 +83,4 @@ TEST(FacetContacts, HaveTheScalesOfTheExactEvents) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_facet_contacts

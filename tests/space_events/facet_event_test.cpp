@@ -9,7 +9,7 @@
 #include "tests/convex/bodies.hpp"
 #include "tests/space_sums/polycubes.hpp"
 
-namespace minkref {
+namespace minkref::of_facet_event {
 namespace {
 
 using bodies::for_each_seed;
@@ -184,8 +184,8 @@ TEST(FacetEvent, OfAnAngleAndATetrahedron) {
     counts.births += found.births;
   });
   EXPECT_GT(counts.edges, 20U);
-  EXPECT_GT(counts.births, 20U);
+  EXPECT_GE(counts.births, testing::repetitions(20U));
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_facet_event

@@ -6,7 +6,7 @@
 #include "tests/convex/bodies.hpp"
 #include "tests/space_sums/polycubes.hpp"
 
-namespace minkref {
+namespace minkref::of_collision {
 namespace {
 
 using bodies::for_each_seed;
@@ -78,4 +78,4 @@ TEST(Collision, TellsWhichCellsAreInTheSum) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_collision

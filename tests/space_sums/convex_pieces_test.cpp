@@ -8,7 +8,7 @@
 #include "tests/convex/bodies.hpp"
 #include "tests/space_sums/polycubes.hpp"
 
-namespace minkref {
+namespace minkref::of_convex_pieces {
 namespace {
 
 using bodies::at;
@@ -115,4 +115,4 @@ TEST(MergedPieces, JoinsThoseWhoseUnionIsConvex) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_convex_pieces

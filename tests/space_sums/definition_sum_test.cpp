@@ -8,7 +8,7 @@
 #include "tests/convex/bodies.hpp"
 #include "tests/space_sums/polycubes.hpp"
 
-namespace minkref {
+namespace minkref::of_definition_sum {
 namespace {
 
 using bodies::at;
@@ -118,4 +118,4 @@ TEST(DefinitionSum, RefusesTooManyPairsOfPieces) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_definition_sum

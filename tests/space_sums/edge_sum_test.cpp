@@ -9,7 +9,7 @@
 #include "tests/convex/bodies.hpp"
 #include "tests/space_sums/polycubes.hpp"
 
-namespace minkref {
+namespace minkref::of_edge_sum {
 namespace {
 
 using bodies::at;
@@ -237,4 +237,4 @@ TEST(EdgeSum, RefusesWhatHasNoVolume) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_edge_sum

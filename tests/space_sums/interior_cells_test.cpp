@@ -11,7 +11,7 @@
 #include "tests/convex/bodies.hpp"
 #include "tests/space_sums/polycubes.hpp"
 
-namespace minkref {
+namespace minkref::of_interior_cells {
 namespace {
 
 using bodies::for_each_seed;
@@ -216,4 +216,4 @@ TEST(InteriorCells, TheSumIsTheSameWithoutCoveredFacets) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_interior_cells

@@ -8,7 +8,7 @@
 #include "tests/convex/bodies.hpp"
 #include "tests/space_sums/polycubes.hpp"
 
-namespace minkref {
+namespace minkref::of_polycube_sums {
 namespace {
 
 using bodies::for_each_seed;
@@ -124,4 +124,4 @@ TEST(PolycubeSum, OfRandomCellsUnderAMatrix) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_polycube_sums

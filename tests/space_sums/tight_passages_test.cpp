@@ -12,7 +12,7 @@
 #include "tests/convex/bodies.hpp"
 #include "tests/space_sums/polycubes.hpp"
 
-namespace minkref {
+namespace minkref::of_tight_passages {
 namespace {
 
 using bodies::for_each_seed;
@@ -253,7 +253,7 @@ TEST(TightPassages, OfRandomCells) {
   });
   EXPECT_GT(sheets, 10U);
   EXPECT_GT(lines, 10U);
-  EXPECT_GT(points, 2U);
+  EXPECT_GE(points, testing::repetitions(2U));
 }
 
 TEST(OpenCones, FourHalfSpacesLeaveNoDirectionOpen) {
@@ -267,4 +267,4 @@ TEST(OpenCones, FourHalfSpacesLeaveNoDirectionOpen) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_tight_passages

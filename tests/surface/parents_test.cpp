@@ -9,7 +9,7 @@
 #include "reference/space/surface/parent_faces.hpp"
 #include "reference/space/surface/space_vertex.hpp"
 
-namespace minkref {
+namespace minkref::of_parents {
 namespace {
 
 /// A bar with an L for its cross-section: concave.
@@ -139,4 +139,4 @@ TEST(Parents, WhatOnlyTouchesIsNoParent) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_parents

@@ -4,7 +4,7 @@
 
 #include "reference/error.hpp"
 
-namespace minkref {
+namespace minkref::of_rounded_mesh {
 namespace {
 
 /// A tetrahedron with its tip above the origin.
@@ -91,4 +91,4 @@ TEST(RoundedMesh, Refusals) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_rounded_mesh

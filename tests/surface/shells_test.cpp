@@ -9,7 +9,7 @@
 #include "reference/space/surface/projected_areas.hpp"
 #include "tests/surface/tetrahedra.hpp"
 
-namespace minkref {
+namespace minkref::of_shells {
 namespace {
 
 using surface_test::CellCount;
@@ -366,4 +366,4 @@ TEST(ProjectedAreas, OfABoxAndOfASlantedOne) {
 }
 
 }  // namespace
-}  // namespace minkref
+}  // namespace minkref::of_shells
