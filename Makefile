@@ -1,7 +1,9 @@
 # The front door. Every goal does its own set-up, and does again only what changed.
 #   make run                     reference against CGAL, a table, and build/report/index.html
 #   make test                    GoogleTest and pytest
-#   make evidence [ONLY="NAME ..."] [QUICK=1]
+#   make test-clang              GoogleTest, all of it compiled by clang
+#   make test-flushed            pytest of the module, in threads that flush subnormal numbers
+#   make evidence [ONLY="PART PART/STEP ..."] [QUICK=1 | FULL=1]
 #   make proofs                 the proofs of oracle/proved, and the checker that comes from them
 #   make lint | format
 #   make docs                    the documentation as a site, build/site/index.html
@@ -10,7 +12,7 @@
 #   make lock [UPGRADE=1]        requirements.txt and those of the site and the adapters, with digests
 SHELL := /bin/bash
 .DEFAULT_GOAL := run
-.PHONY: run test evidence proofs lint format docs wheel sdist sbom lock setup environment clean
+.PHONY: run test test-clang test-flushed evidence proofs lint format docs wheel sdist sbom lock setup environment clean
 
 CXX_SOURCES = $(shell find reference trials formats certify oracle python fuzz tests -name '*.cpp' -o -name '*.hpp')
 PYTHON_SOURCES = python commands strategies certify degeneracies docs/site fuzz oracle reports models tests scripts packaging
@@ -29,8 +31,18 @@ test: setup
 	ctest --preset release -j $$(nproc)
 	.venv/bin/python -m pytest -n $$(nproc) $(ARGS)
 
+test-clang: environment
+	@scripts/require_packages.sh clang
+	cmake --preset clang
+	cmake --build --preset clang
+	ctest --preset clang -j $$(nproc)
+
+test-flushed: setup
+	.venv/bin/python -m pytest -n $$(nproc) -p float_environments $(addprefix tests/,api certificates convex critical disc \
+	  dynamic formats index paper_update paths plane space space_events space_paths) $(ARGS)
+
 evidence: setup
-	.venv/bin/python reports/evidence/run.py $(ONLY) $(if $(QUICK),--quick)
+	.venv/bin/python reports/evidence/run.py $(ONLY) $(if $(QUICK),--quick) $(if $(FULL),--full)
 
 proofs:
 	@scripts/proofs.sh

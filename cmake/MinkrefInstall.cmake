@@ -1,4 +1,4 @@
-# Installs minkref::reference, its headers and the CMake package.
+# Installs minkref::reference, its headers, the CMake package and a file for pkg-config.
 include_guard(GLOBAL)
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
@@ -24,5 +24,16 @@ install(FILES "${PROJECT_BINARY_DIR}/minkrefConfig.cmake"
               "${PROJECT_SOURCE_DIR}/cmake/FindGMP.cmake"
               "${PROJECT_SOURCE_DIR}/cmake/FindMPFR.cmake"
         DESTINATION "${MINKREF_CMAKE_DIR}" COMPONENT development)
+# The prefix is told by the place of the file: `cmake --install --prefix` may choose another one.
+set(MINKREF_PC_PREFIX "${CMAKE_INSTALL_PREFIX}")
+if(NOT IS_ABSOLUTE "${CMAKE_INSTALL_LIBDIR}")
+  file(RELATIVE_PATH MINKREF_PC_PREFIX "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
+  string(PREPEND MINKREF_PC_PREFIX "\${pcfiledir}/")
+endif()
+cmake_path(APPEND MINKREF_PC_LIBDIR "\${prefix}" "${CMAKE_INSTALL_LIBDIR}")
+cmake_path(APPEND MINKREF_PC_INCLUDEDIR "\${prefix}" "${MINKREF_HEADER_DIR}")
+configure_file("${PROJECT_SOURCE_DIR}/cmake/minkref.pc.in" "${PROJECT_BINARY_DIR}/minkref.pc" @ONLY)
+install(FILES "${PROJECT_BINARY_DIR}/minkref.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig"
+        COMPONENT development)
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}"
         COMPONENT development)

@@ -19,6 +19,8 @@ import tempfile
 import tomllib
 from pathlib import Path
 
+import licence
+
 ROOT = Path(__file__).resolve().parents[1]
 BUILD = ROOT / "build"
 TOOLS = Path(sysconfig.get_path("scripts"))
@@ -85,6 +87,7 @@ def repaired(wheel: Path, out: Path) -> Path:
     with tempfile.TemporaryDirectory() as folder:
         call(sys.executable, "-m", "auditwheel", "repair", "--wheel-dir", folder, wheel)
         (made,) = Path(folder).iterdir()
+        licence.state(made)
         return Path(shutil.copy2(made, out))
 
 

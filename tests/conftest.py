@@ -5,7 +5,77 @@ from __future__ import annotations
 import linecache
 import re
 import signal
+import sys
+from collections import Counter
+from pathlib import Path
 from types import FunctionType
+
+import pytest
+from thoroughness import THOROUGH
+
+# What jsonschema would check IRIs with takes two seconds to import, and no schema of ours has any.
+sys.modules.setdefault("rfc3987_syntax", None)  # type: ignore[arg-type]
+
+README = Path(__file__).parent / "README.md"
+COSTS = README.parents[1] / "build" / "release" / "Testing" / "Temporary" / "CTestCostData.txt"
+ROW = re.compile(r"^(\| (\w+) \| [^|]* \| ).*\|$", re.M)  # of the table of rooms
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption(
+        "--keep-seconds", action="store_true", help="write them into the table of tests/README.md"
+    )
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Leaves out what only a thorough run takes: each of these has a smaller sibling that stays."""
+    if THOROUGH:
+        return
+    left_out = [item for item in items if item.get_closest_marker("thorough")]
+    config.hook.pytest_deselected(items=left_out)
+    items[:] = [item for item in items if not item.get_closest_marker("thorough")]
+
+
+def pytest_report_header() -> str:
+    return "draws: many (THOROUGH=1)" if THOROUGH else "draws: few; THOROUGH=1 takes many"
+
+
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """Prints the seconds of each room, all processes together, and keeps them where asked to."""
+    reports = [r for kind in terminalreporter.stats.values() for r in kind]
+    seconds: Counter[str] = Counter()
+    for report in reports:
+        if isinstance(report, pytest.TestReport):
+            seconds[Path(report.nodeid.partition("::")[0]).parent.name] += report.duration
+    if sum(seconds.values()) > 60:
+        line = ", ".join(f"{room} {value:.0f}" for room, value in seconds.most_common())
+        terminalreporter.write_line(f"seconds by room: {line}; {sum(seconds.values()):.0f} in all")
+    if terminalreporter.config.getoption("--keep-seconds"):
+        README.write_text(_with_seconds(README.read_text(encoding="utf-8"), seconds, _of_ctest()))
+
+
+def _of_ctest() -> Counter[str]:
+    """Seconds of the C++ tests by room, as ctest has kept them."""
+    seconds: Counter[str] = Counter()
+    for line in COSTS.read_text(encoding="utf-8").splitlines():
+        name, _, cost = line.rpartition(" ")
+        room = name.partition(".")[0]
+        if cost and name:
+            seconds["consumer" if room.startswith("Consumer") else room] += float(cost)
+    return seconds
+
+
+def _with_seconds(text: str, python: Counter[str], cpp: Counter[str]) -> str:
+    def renewed(row: re.Match[str]) -> str:
+        return (
+            row[1]
+            + " | ".join(
+                f"{costs[row[2]]:.0f}" if row[2] in costs else "" for costs in (cpp, python)
+            )
+            + " |"
+        )
+
+    return ROW.sub(renewed, text)
 
 
 def pytest_configure() -> None:

@@ -9,30 +9,41 @@ from typing import Any
 import typer
 from typer.core import TyperCommand, TyperGroup
 
-#: In the order of the help: the module in `minkref.commands` has the name of the command.
-COMMANDS = {
-    "sum": "The exact sum of sP and Q, in canonical form.",
-    "convolution": "The edges of P and Q at each other's vertices, with their parents.",
-    "index": "The sums at all scales of a window, found once and written to a file.",
-    "sweep": "The exact sums at many scales.",
-    "events": "The scales at which something changes, exact and sorted.",
-    "path": "The scales at which a part passes along a path.",
-    "fit": "The scales at which a part fits into a container.",
-    "trap": "The scales at which no translation takes a part out of an assembly.",
-    "view": "A page showing the sum, its events and its holes over a window of scales.",
-    "verify": "Test implementations against the exact reference.",
-    "certify": "A proof of a sum, an event or an interval without events.",
-    "check": "Check whether proofs hold.",
-    "generate": "Degenerate cases, each with a proof.",
-    "shrink": "The smallest case that still shows a fault.",
-    "adapter": "Write, check and install adapters: programs that connect an implementation to "
-    "the tests.",
-    "bench": "The paper's tables: dynamic updates and the index against computing from scratch.",
-    "report": "Pages: an audit of the paper, its tables and figures beside ours, the corpus.",
-    "models": "List the models that other commands accept.",
-    "targets": "List what `minkref verify` can test here.",
-    "families": "List the families of generated cases.",
+#: As in the help, headings and order: the module in `minkref.commands` has the name of the command.
+HEADINGS = {
+    "Answers": {
+        "sum": "The exact sum of sP and Q, in canonical form.",
+        "view": "A page showing the sum, its events and its holes over a window of scales.",
+        "events": "The scales at which something changes, exact and sorted.",
+        "sweep": "The exact sums at many scales.",
+        "index": "The sums at all scales of a window, found once and written to a file.",
+        "path": "The scales at which a part passes along a path.",
+        "fit": "The scales at which a part fits into a container.",
+        "trap": "The scales at which no translation takes a part out of an assembly.",
+        "convolution": "The edges of P and Q at each other's vertices, with their parents.",
+    },
+    "Judging": {
+        "verify": "Test implementations against the exact reference.",
+        "adapter": "Write, check and install adapters: programs that connect an implementation to "
+        "the tests.",
+        "targets": "List what `minkref verify` can test here.",
+        "shrink": "The smallest case that still shows a fault.",
+        "certify": "A proof of a sum, an event or an interval without events.",
+        "check": "Check whether proofs hold.",
+    },
+    "Inputs": {
+        "generate": "Degenerate cases, each with a proof.",
+        "families": "List the families of generated cases.",
+        "models": "List the models that other commands accept.",
+    },
+    "Reports": {
+        "report": "Pages: an audit of the paper, its tables and figures beside ours, the corpus.",
+        "bench": "The paper's tables: dynamic updates and the index against computing from "
+        "scratch.",
+    },
 }
+HEADING_OF = {name: heading for heading, lines in HEADINGS.items() for name in lines}
+COMMANDS = {name: line for lines in HEADINGS.values() for name, line in lines.items()}
 
 
 def load(name: str) -> Any:
@@ -89,7 +100,8 @@ class CommandGroup(TyperGroup):
 
     def get_command(self, ctx: Any, cmd_name: str) -> Any:
         if self._listing and cmd_name in COMMANDS:
-            return TyperCommand(cmd_name, help=COMMANDS[cmd_name])
+            heading = HEADING_OF[cmd_name]
+            return TyperCommand(cmd_name, help=COMMANDS[cmd_name], rich_help_panel=heading)
         return super().get_command(ctx, cmd_name)
 
     def format_help(self, ctx: Any, formatter: Any) -> None:

@@ -83,6 +83,23 @@ def place_sources(root: Path, pages: Path, sources: set[Path]) -> Iterator[Path]
         yield page
 
 
+def rank(page: str) -> float:
+    """What the search multiplies the weight of a page's words by: the guide comes first, then what
+    is said of commands and classes, last what lists everything."""
+    if page == "README.md" or page.startswith(("docs/", "api/command-line", "api/python")):
+        return 1.0 if page.startswith(("docs/audit/", "api/")) else 4.0
+    return 0.25 if page.startswith("api/") else 0.5
+
+
+def rank_all(pages: Path) -> None:
+    """Pages with a head of their own, which are those of source files, are not searched."""
+    for path in pages.rglob("*.md"):
+        text = path.read_text(encoding="utf-8")
+        if not text.startswith("---\n"):
+            boost = rank(str(path.relative_to(pages)))
+            write(path, f"---\nsearch:\n  boost: {boost}\n---\n{text}")
+
+
 def write(path: Path, text: str) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(text, encoding="utf-8")

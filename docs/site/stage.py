@@ -31,6 +31,7 @@ GUIDE = (
     "scale-index",
     "paths",
     "disc",
+    "space-sums",
     "convex-polyhedra",
     "first-finding",
     "verify",
@@ -72,6 +73,7 @@ def main(folder: Path) -> None:
     sources.discard(Path("commands/schemas/README.json"))
     write(pages / gallery.PLACE / "README.md", gallery.make(ROOT, pages))
     shown = list(repository_pages.place_sources(ROOT, pages, sources))
+    repository_pages.rank_all(pages)
 
     navigation = _navigation(pages, headers, [page for page, _ in schemas])
     settings = {

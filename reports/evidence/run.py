@@ -1,82 +1,78 @@
 #!/usr/bin/env python3
-"""Runs the evidence: `make evidence [ONLY="NAME ..."] [QUICK=1]`.
+"""Runs the evidence: `make evidence [ONLY="PART PART/STEP ..."] [QUICK=1 | FULL=1]`.
 
-Finished parts are kept in build/evidence and left alone until the files that they depend on change.
-Exit code 0: all that ran is met or missed (a missed target is recorded); 1: a law does not hold, or
-a script broke down; 2: wrong usage; 130: ended by a signal, and what it started too.
+Finished steps are kept in build/evidence and left alone until a file changes that they rest on, so
+a run that was ended goes on with its next step. Exit code 0: all that ran is met or missed (a
+missed target is recorded); 1: a law does not hold, or a step broke down; 2: wrong usage; 130: ended
+by a signal, and what it started too.
 """
 
 from __future__ import annotations
 
 import argparse
 import os
-import re
 import signal
 import sys
 import threading
-import time
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 if sys.path and Path(sys.path[0]) == Path(__file__).resolve().parent:
-    del sys.path[0]  # the scripts here are named by their subjects, not to be imported by name
+    del sys.path[0]  # the folders here are named by their subjects, not to be imported by name
 
-from minkref.reports.evidence.framework import child, store, table
-from minkref.reports.evidence.framework.part import Part, load, names
+from minkref.reports.evidence.framework import child, places, recorded, stale, store, table
+from minkref.reports.evidence.framework.part import Size
+from minkref.reports.evidence.framework.steps import Step, claim, steps
 from rich.console import Console
-from rich.status import Status as Spinner
 
-EARLIER = ", of an earlier run"
 interrupted = threading.Event()
 
 
 def arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="make evidence", description=__doc__)
-    parser.add_argument("only", nargs="*", metavar="NAME", help="parts to run (default: all)")
-    parser.add_argument("--quick", action="store_true", help="smaller counts, marked as such")
+    parser.add_argument("only", nargs="*", metavar="NAME", help="parts or steps (default: all)")
+    parser.add_argument("--quick", action="store_true", help="the smallest counts")
+    parser.add_argument("--full", action="store_true", help="the counts of the claims")
     parser.add_argument("--again", action="store_true", help="run also what is kept")
     parser.add_argument(
         "--jobs",
         type=int,
         metavar="N",
-        help="parts at a time (default: as many as there are cores if quick, else 1, since most "
-        "full parts use all cores); those that measure time run alone",
+        help="steps at a time (default: as many as there are cores if quick, else 1, since most "
+        "larger steps use all cores); those that measure time run alone",
     )
-    parser.add_argument("--list", action="store_true", help="name the parts and stop")
-    parser.add_argument("--child", metavar="NAME", help=argparse.SUPPRESS)
+    parser.add_argument("--list", action="store_true", help="name parts and steps, and stop")
+    parser.add_argument(
+        "--stale", action="store_true",
+        help="name the parts whose rows in SUMMARY.md are stale, or would be if these files "
+        "changed, and stop",
+    )  # fmt: skip
     options = parser.parse_args()
-    options.quick = options.quick or os.environ.get("QUICK", "") not in ("", "0")
+    for name in ("quick", "full"):
+        if os.environ.get(name.upper(), "") not in ("", "0"):
+            setattr(options, name, True)
+    if options.quick and options.full:
+        parser.error("--quick and --full are two sizes")
+    options.size = Size.QUICK if options.quick else Size.FULL if options.full else Size.WHOLE
     options.jobs = options.jobs or (os.cpu_count() or 1 if options.quick else 1)
     return options
 
 
-def minutes_of(part: Part, quick: bool) -> float:
-    return part.quick_minutes if quick and part.quick_minutes is not None else part.minutes
-
-
-def run_part(console: Console, part: Part, quick: bool, jobs: int) -> table.Document:
-    line = f"{part.name}, some {minutes_of(part, quick):g} minutes"
-    began = time.monotonic()
-    if jobs > 1 or not console.is_terminal:
-        console.print(line)
-        return child.run_in_child(part, quick, end_if_interrupted)
-    with Spinner(line, console=console) as spinner:
-        return child.run_in_child(
-            part, quick, lambda: spinner.update(f"{line}: {(time.monotonic() - began) / 60:.1f}")
-        )
+def minutes(chosen: list[Step], size: Size, jobs: int) -> float:
+    """Declared."""
+    of = {step: step.minutes[size] or 0 for step in chosen}
+    return sum(of[step] / (1 if step.alone else jobs) for step in chosen)
 
 
 def at_once(
-    parts: list[Part], document_of: Callable[[Part], table.Document], jobs: int
-) -> dict[str, table.Document]:
-    """Documents by name, of `jobs` parts at a time."""
-    if jobs == 1:
-        return {part.name: document_of(part) for part in parts}
+    chosen: list[Step], document_of: Callable[[Step], store.Document], jobs: int
+) -> dict[str, store.Document]:
+    """Documents by name, of `jobs` steps at a time."""
     with ThreadPoolExecutor(jobs) as pool:
         try:
-            found = pool.map(document_of, parts)
-            return {part.name: document for part, document in zip(parts, found, strict=True)}
+            found = pool.map(document_of, chosen)
+            return {step.name: document for step, document in zip(chosen, found, strict=True)}
         except KeyboardInterrupt:
             interrupted.set()
             pool.shutdown(cancel_futures=True)
@@ -84,90 +80,113 @@ def at_once(
 
 
 def end_if_interrupted() -> None:
-    """In the thread of a part: its child is ended too."""
+    """In the thread of a step: its child is ended too."""
     if interrupted.is_set():
         raise KeyboardInterrupt
 
 
-def write_summary(parts: list[Part], quick: bool) -> None:
-    """Of all parts: results, those of older code marked as such, and why others have none."""
-    documents, absent = [], {}
-    for part in parts:
-        document = store.kept(part, quick) or store.read(part.name, quick)
-        if document is None:
-            full_only = quick and part.quick_minutes is None
-            absent[part.name] = "full run only" if full_only else "not run"
-        elif document["dependencies"] != store.dependency_hash(part):
-            documents.append(document | {"status": f"{document['status']}, of older code"})
-        else:
-            documents.append(document)
-    text = table.markdown(documents, absent, quick)
-    if quick:
-        (store.FOLDER / "summary-quick.md").write_text(text, encoding="utf-8")
-        return
-    path = store.SCRIPTS_FOLDER / "SUMMARY.md"
-    before = path.read_text(encoding="utf-8") if path.exists() else ""
-    path.write_text(with_earlier(text, before, list(absent)), encoding="utf-8")
+def write_summary(every: list[Step], size: Size) -> None:
+    """Of all steps. Where there is no result here, as in a fresh clone, what the summary says that
+    is there is kept, and what it rests on."""
+    quick = size is Size.QUICK
+    path = places.FOLDER / "summary-quick.md" if quick else places.ROOM / "SUMMARY.md"
+    before = path.read_text(encoding="utf-8") if path.exists() and not quick else ""
+    documents = [
+        document for step in every if (document := store.latest(step.name, min(size, Size.WHOLE)))
+    ]
+    entries = table.entries_of(before) | {d["step"]: table.entry_of(d) for d in documents}
+    wanted = [step.name for step in every if not quick or step.minutes.quick is not None]
+    path.write_text(table.markdown(wanted, entries, claim, quick), encoding="utf-8")
+    if not quick:
+        stale.write(stale.path(), resting(every, documents))
 
 
-def with_earlier(text: str, before: str, absent: list[str]) -> str:
-    """The summary with rows and sections of parts that have no result here, as in a fresh clone,
-    from the summary that is there: they are marked, for nobody knows whether the code changed."""
-    for name in absent:
-        row = re.search(rf"^\| \[{name}\]\(#{name}\) \| ([^|]*) (\|.*)$", before, re.M)
-        section = re.search(rf"^## {name}\n.*?(?=^## |\Z)", before, re.M | re.S)
-        if row is None or section is None:
-            continue
-        status = row[1] if ", of " in row[1] else f"{row[1]}{EARLIER}"
-        line = f"| [{name}](#{name}) | {status} {row[2]}"
-        text = text.replace(f"| {name} | not run | | | |", line)
-        text += f"\n{section[0].rstrip()}\n"
-    return text
+def resting(every: list[Step], documents: list[store.Document]) -> dict[str, set[str]]:
+    """Files by part: of results that are here, and of others what was known."""
+    here = {document["step"] for document in documents}
+    found = stale.read(stale.path())
+    for part in {step.part for step in every}:
+        if {step.name for step in every if step.part == part} <= here:
+            found[part] = set()
+    for document in documents:
+        files = {file for file in document["files"] if not file.startswith(recorded.MODELS)}
+        found.setdefault(document["step"].partition("/")[0], set()).update(files)
+    return found
+
+
+def tell_stale(files: list[str]) -> int:
+    rests_on = stale.read(stale.path())
+    if files:
+        found = dict.fromkeys(stale.resting_on(map(in_repository, files), rests_on), "")
+    else:
+        found = stale.stale((places.ROOM / "SUMMARY.md").read_text(encoding="utf-8"), rests_on)
+    for part, why in sorted(found.items()):
+        print(f"{part}: {why}" if why else part)
+    return 0
+
+
+def in_repository(file: str) -> str:
+    path = Path(os.path.abspath(file))
+    return str(path.relative_to(places.ROOT)) if path.is_relative_to(places.ROOT) else file
 
 
 def main() -> int:
     options = arguments()
-    if os.environ.get("MINKREF_MODELS"):  # parts run commands in other folders
+    if options.stale:
+        return tell_stale(options.only)
+    if os.environ.get("MINKREF_MODELS"):  # steps run commands in other folders
         os.environ["MINKREF_MODELS"] = os.path.abspath(os.environ["MINKREF_MODELS"])
-    if options.child:
-        return child.run_here(options.child, options.quick)
     console = Console(stderr=False)
-    unknown = [name for name in options.only if name not in names()]
+    every = steps()
+    known = {name for step in every for name in (step.name, step.part)}
+    unknown = [name for name in options.only if name not in known]
     if unknown:
-        console.print(f"no such part: {', '.join(unknown)}; there are: {', '.join(names())}")
+        parts = ", ".join(dict.fromkeys(step.part for step in every))
+        console.print(f"no such part or step: {', '.join(unknown)}; there are the parts {parts}")
         return 2
-    every = [load(name) for name in names()]
     if options.list:
-        for part in every:
-            console.print(f"{part.name}: {part.subject}", highlight=False)
+        for part in dict.fromkeys(step.part for step in every):
+            console.print(f"{part}: {claim(part)}", highlight=False)
+            for step in (step for step in every if step.part == part):
+                told = ", ".join("-" if m is None else f"{m:g}" for m in step.minutes)
+                console.print(f"  {step.name}: {told} minutes", highlight=False)
         return 0
-    chosen = [part for part in every if not options.only or part.name in options.only]
-    absent = [part.name for part in chosen if options.quick and part.quick_minutes is None]
-    chosen = [part for part in chosen if part.name not in absent]
+    size: Size = options.size
+    chosen = [s for s in every if not options.only or {s.name, s.part} & set(options.only)]
+    absent = [step.name for step in chosen if step.minutes[size] is None]
+    chosen = [step for step in chosen if step.name not in absent]
+    kept = {
+        step.name: document
+        for step in chosen
+        if not options.again and (document := store.kept(step.name, size))
+    }
+    to_run = [step for step in chosen if step.name not in kept]
+    console.print(
+        f"{len(to_run)} steps of {size} size, some {minutes(to_run, size, options.jobs):.0f} "
+        f"minutes; {len(kept)} are kept",
+        highlight=False,
+    )
 
     for ends in (signal.SIGINT, signal.SIGTERM):  # in the background too, where a shell ignores it
         signal.signal(ends, signal.default_int_handler)
 
-    def document_of(part: Part) -> table.Document:
-        document = None if options.again else store.kept(part, options.quick)
-        if document is not None:
-            console.print(f"{part.name}: kept, {document['status']}, {document['date']}")
-            return document
-        document = run_part(console, part, options.quick, options.jobs)
-        console.print(f"{part.name}: {document['status']}, {document['seconds']:.1f} s")
+    def document_of(step: Step) -> store.Document:
+        console.print(f"{step.name}, some {step.minutes[size]:g} minutes", highlight=False)
+        document = child.run_in_child(step, size, end_if_interrupted)
+        console.print(f"{step.name}: {document['status']}, {document['seconds']:.1f} s")
         return document
 
-    beside = [part for part in chosen if not part.alone]
+    beside = [step for step in to_run if not step.alone]
     if options.jobs > 1:  # the longest first, so that no core waits for another at the end
-        beside.sort(key=lambda part: minutes_of(part, options.quick), reverse=True)
-    of_part = at_once(beside, document_of, options.jobs)
-    of_part |= at_once([part for part in chosen if part.alone], document_of, 1)
-    documents = [of_part[part.name] for part in chosen]
+        beside.sort(key=lambda step: step.minutes[size] or 0, reverse=True)
+    of_step = kept | at_once(beside, document_of, options.jobs)
+    of_step |= at_once([step for step in to_run if step.alone], document_of, 1)
+    documents = [of_step[step.name] for step in chosen]
     table.show(console, documents, absent)
-    write_summary(every, options.quick)
+    write_summary(every, size)
     failed = [document for document in documents if document["status"] == "failed"]
     for document in failed:  # last, and a line each, for those who see the end only
-        line = f"failed: {document['name']}: {table.short(document)}"
+        line = f"failed: {document['step']}: {table.short(document)}"
         console.print(line, markup=False, highlight=False, soft_wrap=True)
     return 1 if failed else 0
 

@@ -15,7 +15,7 @@ from minkref.reports.paper.program_plots import (
 )
 from minkref.reports.paper.program_runs import CORRECTED, Run, Runs, committed, share
 
-COMMAND = "make evidence ONLY=paper_program"
+COMMAND = "make evidence ONLY=paper_program FULL=1"
 PRINTED = "all as printed"
 SOLVE = "solve as printed"
 FINEST = ROUNDING[-1]

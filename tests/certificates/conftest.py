@@ -2,37 +2,52 @@
 
 from __future__ import annotations
 
+import io
 import json
 import subprocess
+import sys
 from collections.abc import Callable
+from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
 from typing import Any
 
 import pytest
-from minkref.reports.evidence.certificates.checkers import in_cpp, in_python
+from file_alone import checker
+from minkref.reports.evidence.certificates.checkers import in_cpp
 
 Verdict = tuple[int, str]
 Check = Callable[..., Verdict]
 CheckValue = Callable[[Any, Any], Verdict]
 
 
-def run(command: list[str], *arguments: str) -> Verdict:
-    ran = subprocess.run([*command, *arguments], capture_output=True, text=True, check=False)
+def in_cpp_of(*arguments: str) -> Verdict:
+    ran = subprocess.run([*in_cpp(), *arguments], capture_output=True, text=True, check=False)
     assert ran.stderr == "", ran.stderr
     return ran.returncode, ran.stdout
 
 
-def both(in_python: list[str], path: Path, *options: str) -> Verdict:
-    python = run(in_python, *options, str(path))
-    cpp = run(in_cpp(), *options, str(path))
-    assert cpp[0] == python[0], (python[1], cpp[1])
-    return python
+def in_python_of(*arguments: str) -> Verdict:
+    """In this process; as a file alone: tests/certificates/file_alone.py."""
+    most_digits = sys.get_int_max_str_digits()
+    with redirect_stdout(io.StringIO()) as out, redirect_stderr(io.StringIO()) as err:
+        try:
+            code = checker().main(list(arguments))
+        finally:
+            sys.set_int_max_str_digits(most_digits)
+    assert err.getvalue() == "", err.getvalue()
+    return code, out.getvalue()
 
 
 @pytest.fixture
 def check() -> Check:
     """Runs both checkers: they exit alike. What the one in Python says."""
-    return lambda path, *options: both(in_python(), path, *options)
+
+    def call(path: Path, *options: str) -> Verdict:
+        python, cpp = (run(*options, str(path)) for run in (in_python_of, in_cpp_of))
+        assert cpp[0] == python[0], (python[1], cpp[1])
+        return python
+
+    return call
 
 
 @pytest.fixture

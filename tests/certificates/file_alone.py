@@ -1,15 +1,28 @@
-"""check.py in a folder of its own, and certificates to be checked there."""
+"""check.py in a folder of its own with certificates to be checked, and as a module."""
 
 from __future__ import annotations
 
+import importlib.util
 import json
 import shutil
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 from minkref.reports.evidence.certificates.checkers import CHECKER
+
+
+@cache
+def checker() -> ModuleType:
+    """check.py as a module: a process for each of many small files is what they would cost."""
+    found = importlib.util.spec_from_file_location("check", CHECKER)
+    assert found is not None and found.loader is not None
+    module = importlib.util.module_from_spec(found)
+    found.loader.exec_module(module)
+    return module
 
 
 def alone(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:

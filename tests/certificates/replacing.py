@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import copy
 import json
-from collections.abc import Iterator, Sequence
+import random
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from functools import reduce
 from operator import getitem
@@ -12,14 +12,21 @@ from pathlib import Path
 from typing import Any
 
 from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, verdicts
+from thoroughness import draws
+
+SEED, FEW = 71, 60
+
+
+Value = dict[str, Any]
+Change = tuple[Value, Value]  # certificate, case
 
 
 def replaced(value: Any, path: Sequence[Any], new: Any) -> Any:
-    """A copy in which something else is at the end of the path."""
+    """A copy in which something else is at the end of the path; it shares all that is beside."""
     if not path:
         return new
-    made = copy.deepcopy(value)
-    reduce(getitem, path[:-1], made)[path[-1]] = new
+    made = value.copy()
+    made[path[0]] = replaced(value[path[0]], path[1:], new)
     return made
 
 
@@ -54,6 +61,14 @@ def changed(value: Any) -> Iterator[Any]:
         for other in others(present):
             if other != present:
                 yield replaced(value, path, other)
+
+
+def sample(values: Iterable[Change], most: int | None = None) -> list[Change]:
+    """Some of them where few are drawn; else all, or so many."""
+    every = list(values)
+    count = min(len(every), draws(FEW, most or len(every)))
+    print(f"{count} of {len(every)} changes, seed {SEED}")
+    return random.Random(SEED).sample(every, count)
 
 
 def verdicts_on(folder: Path, given: Sequence[tuple[Any, Any]]) -> list[int]:

@@ -124,7 +124,7 @@ def test_a_search_without_end_is_refused_and_says_how_far(monkeypatch: pytest.Mo
     """Without ways that move there are more and more that stay, shorter and shorter."""
     monkeypatch.setattr(moving_ways.MovingWays, "up_to", lambda *_: None)
     monkeypatch.setattr(moving_ways.MovingWays, "on_from", lambda *_: None)
-    monkeypatch.setattr(trap_cover, "MOST_CLAIMS", 12)
+    monkeypatch.setattr(trap_cover, "MOST_CLAIMS", 6)
     certificate = PathCertificate(SQUARE, ROOM, [(2, 2)])
     with pytest.raises(NoProof, match="at all scales just below 1, in 20 s") as refused:
         certificate.trap("forbidden")

@@ -3,8 +3,6 @@ they still verify is true by the slow engine."""
 
 from __future__ import annotations
 
-import copy
-import random
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -14,10 +12,10 @@ import solid_pairs
 from minkref.fuzz.judges.certified_solids import SolidConfirmation
 from minkref.fuzz.space.cells import surface_of
 from minkref.fuzz.space.polyhedron import Polyhedron
-from replacing import changed, verdicts_on
-from test_convex_changes import Change, digest_if_it_has_one
+from replacing import sample, verdicts_on
+from test_convex_changes import changes
 
-SEED, MOST = 71, 700
+MOST = 700
 PAIRS: dict[str, tuple[Polyhedron, Polyhedron, solid_pairs.Scaling]] = {
     "L and cube": (solid_pairs.L, solid_pairs.brick(1, 1, 1), solid_pairs.UNEQUAL),
     "two cells and a tetrahedron": (
@@ -26,27 +24,12 @@ PAIRS: dict[str, tuple[Polyhedron, Polyhedron, solid_pairs.Scaling]] = {
 }  # fmt: skip
 
 
-def changes(certificate: Any, case: Any) -> list[Change]:
-    """Of the certificate, and of the case with its digest as it was and as it has become."""
-    found = [(value, case) for value in changed(certificate)]
-    for value in changed(case):
-        found.append((certificate, value))
-        digest = digest_if_it_has_one(value)
-        if digest is not None and digest != certificate["case"]["sha256"]:
-            repaired = copy.deepcopy(certificate)
-            repaired["case"]["sha256"] = digest
-            found.append((repaired, value))
-    return found
-
-
 @pytest.mark.parametrize("name", PAIRS)
 def test_every_change_is_refused_or_true(tmp_path: Path, name: str) -> None:
     P, Q, scaling = PAIRS[name]
     certificate, case = solid_pairs.values(P, Q, [scaling])
     certificate = {name: certificate[name] for name in ("certificate", "case", "proof", "claims")}
-    given = changes(certificate, case)
-    print(len(given), SEED)
-    given = random.Random(SEED).sample(given, MOST)
+    given = sample(changes(certificate, case), MOST)
     codes = verdicts_on(tmp_path, [(certificate, case), *given])
     assert codes[0] == 0 and SolidConfirmation(case).all_hold(certificate["claims"])
     held = [one for one, code in zip(given, codes[1:], strict=True) if code == 0]
@@ -55,7 +38,7 @@ def test_every_change_is_refused_or_true(tmp_path: Path, name: str) -> None:
     assert all(same_claims(one, certificate) for one, _ in held)
     assert len(held) < len(given) / 10
     by_code = {code: codes.count(code) for code in (0, 1, 2)}
-    assert by_code[1] > 100 and by_code[2] > 100, by_code
+    assert min(by_code[1], by_code[2]) > len(given) / 7, by_code
 
 
 def same_claims(one: Any, other: Any) -> bool:

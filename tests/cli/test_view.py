@@ -10,7 +10,7 @@ from typing import Any
 import jsonschema
 import pytest
 from minkref.commands.schemas import result_schema
-from minkref.reports.evidence.view_page import difference, true_polygons
+from minkref.reports.evidence.pages.view import difference, true_polygons
 from page_decoder import Decoder, data_of
 
 Minkref = Callable[..., Any]

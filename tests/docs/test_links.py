@@ -17,6 +17,12 @@ def test_links_and_anchors_resolve() -> None:
     assert broken_links(ROOT, read) == []
 
 
+def test_the_first_page_of_docs_leads_to_each_of_them() -> None:
+    index = (ROOT / "docs/README.md").read_text(encoding="utf-8")
+    names = {path.name for path in (ROOT / "docs").glob("*.md")} - {"README.md"}
+    assert {name for name in names if f"]({name})" not in index} == set()
+
+
 def test_commands_and_options_exist() -> None:
     shown = [block for page in pages(ROOT) for block in blocks(ROOT, page)]
     assert [word for block in shown for word in unknown_words(block)] == []

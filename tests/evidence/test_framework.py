@@ -1,8 +1,9 @@
-"""The evidence framework: what is kept, what runs again, what fails a run."""
+"""The evidence framework: what is kept, what runs again, what a summary says."""
 
 from __future__ import annotations
 
 import json
+import sys
 from pathlib import Path
 
 import pytest
@@ -10,26 +11,28 @@ import pytest
 pytest.importorskip("minkref._core", reason="the extension module is not built")
 
 from minkref.reports.convolution_count import Turns, turns_of
-from minkref.reports.evidence.framework import child, store, table
-from minkref.reports.evidence.framework.part import Findings, Part, Status, load, names
+from minkref.reports.evidence.framework import child, places, recorded, store, table
+from minkref.reports.evidence.framework.part import Findings, Minutes, Size, Status
+from minkref.reports.evidence.framework.steps import Step, claim, module, steps
+
+ONE = Step("part/subject", Minutes(0.1, 0.5, 1.0))
 
 
 @pytest.fixture
-def folders(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """Results, scripts and code in a folder of the test's own."""
-    monkeypatch.setattr(store, "FOLDER", tmp_path / "evidence")
-    monkeypatch.setattr(store, "SCRIPTS_FOLDER", tmp_path / "scripts")
-    monkeypatch.setattr(store, "ROOT", tmp_path)
-    (tmp_path / "scripts").mkdir()
-    (tmp_path / "code.cpp").write_text("1")
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Results and code in a folder of the test's own."""
+    monkeypatch.setattr(places, "FOLDER", tmp_path / "build" / "evidence")
+    monkeypatch.setattr(places, "ROOT", tmp_path)
+    write(tmp_path, "code.cpp", "1")
+    write(tmp_path, "unread.cpp", "1")
     return tmp_path
 
 
-def part(findings: Findings | None = None) -> Part:
-    def run(quick: bool) -> Findings:
-        return findings or Findings()
-
-    return Part("subject", "A subject.", 1.0, 0.1, ("*.cpp",), run)
+def write(folder: Path, name: str, text: str) -> None:
+    (folder / name).parent.mkdir(exist_ok=True)
+    (folder / name).write_text(text)
+    for cache in (recorded.known, store.hash_of, store.files_below):
+        cache.cache_clear()
 
 
 def met() -> Findings:
@@ -38,8 +41,9 @@ def met() -> Findings:
     return findings
 
 
-def finish(one: Part, quick: bool, error: str = "") -> None:
-    store.write(child.document_of(one, quick, one.run(quick), 1.0, error))
+def finish(size: Size, *files: str, error: str = "") -> None:
+    document = child.document_of(ONE, size, met(), 1.0, error)
+    store.write(document | {"files": store.hashes(files or ["code.cpp"])})
 
 
 def test_status_tells_a_missed_target_from_a_broken_law() -> None:
@@ -55,94 +59,130 @@ def test_findings_without_a_check_are_a_failure() -> None:
     assert Findings(figures={"a": 1}).status is Status.FAILED
 
 
-def test_finished_part_is_kept_until_its_code_changes(folders: Path) -> None:
-    one = part(met())
-    assert store.kept(one, False) is None
-    finish(one, False)
-    kept = store.kept(one, False)
+def test_finished_step_is_kept_until_a_file_changes_that_it_rests_on(folder: Path) -> None:
+    assert store.kept(ONE.name, Size.WHOLE) is None
+    finish(Size.WHOLE)
+    kept = store.kept(ONE.name, Size.WHOLE)
     assert kept is not None and kept["status"] == "met"
-    (folders / "code.cpp").write_text("2")
-    assert store.kept(one, False) is None
+    write(folder, "unread.cpp", "2")
+    assert store.kept(ONE.name, Size.WHOLE)
+    write(folder, "code.cpp", "2")
+    assert store.kept(ONE.name, Size.WHOLE) is None
 
 
-def test_part_runs_again_when_its_own_script_changes(folders: Path) -> None:
-    one = part(met())
-    finish(one, False)
-    (folders / "scripts" / "subject.py").write_text("pass")
-    assert store.kept(one, False) is None
+@pytest.mark.parametrize(
+    ("name", "text", "kept"), [("a.hpp", "2", 0), ("c.hpp", "1", 0), ("A.md", "1", 1)]
+)
+def test_step_that_rests_on_a_folder_runs_again_for_each_file_of_it(
+    folder: Path, name: str, text: str, kept: bool
+) -> None:
+    for file in ("room/a.hpp", "room/b.hpp"):
+        write(folder, file, "1")
+    finish(Size.FULL, "room/a.hpp", "room/b.hpp", "code.cpp")
+    document = store.read(ONE.name, Size.FULL)
+    assert document is not None and set(document["files"]) == {"room/", "code.cpp"}
+    write(folder, f"room/{name}", text)
+    assert bool(store.kept(ONE.name, Size.FULL)) == kept
 
 
-def test_failed_part_is_not_kept(folders: Path) -> None:
-    one = part(met())
-    finish(one, False, error="RuntimeError: broke down")
-    assert store.read("subject", False) is not None
-    assert store.kept(one, False) is None
+def test_failed_step_is_not_kept(folder: Path) -> None:
+    finish(Size.WHOLE, error="RuntimeError: broke down")
+    assert store.read(ONE.name, Size.WHOLE) is not None
+    assert store.kept(ONE.name, Size.WHOLE) is None
 
 
-def test_quick_result_never_stands_for_a_full_one(folders: Path) -> None:
-    one = part(met())
-    finish(one, True)
-    assert store.kept(one, False) is None
-    quick = store.kept(one, True)
-    assert quick is not None and quick["quick"] is True
-    finish(one, False)
-    full = store.kept(one, True)
-    assert full is not None and full["quick"] is False
-    finish(one, True)
-    still = store.kept(one, False)
-    assert still is not None and still["quick"] is False
+def test_result_of_a_larger_size_serves_a_smaller_one(folder: Path) -> None:
+    for size in Size:
+        assert store.kept(ONE.name, size) is None
+        finish(size)
+        for smaller in Size:
+            kept = store.kept(ONE.name, smaller)
+            assert (kept and kept["size"]) == (str(size) if smaller <= size else None)
 
 
-def test_result_that_cannot_be_read_is_not_kept(folders: Path) -> None:
-    one = part(met())
-    finish(one, False)
-    store.result_path("subject", False).write_text("{")
-    assert store.kept(one, False) is None
+@pytest.mark.parametrize("text", ["{", '{"step": "part/other"}'])
+def test_result_that_cannot_be_read_is_not_kept(folder: Path, text: str) -> None:
+    finish(Size.WHOLE)
+    store.result_path(ONE.name, Size.WHOLE).write_text(text)
+    assert store.kept(ONE.name, Size.WHOLE) is None
 
 
-def test_crash_of_a_script_is_recorded_as_failed(folders: Path) -> None:
-    (folders / "scripts" / "run.py").write_text("import os\nos.abort()\n")
-    document = child.run_in_child(part(met()), False, lambda: None)
-    assert document["status"] == "failed"
-    assert "without a result" in document["error"]
-    assert json.loads(store.result_path("subject", False).read_text())["status"] == "failed"
+def test_result_whose_run_ended_before_its_files_were_known_is_not_kept(folder: Path) -> None:
+    store.write(child.document_of(ONE, Size.WHOLE, met(), 1.0, ""))
+    assert store.kept(ONE.name, Size.WHOLE) is None
 
 
-def test_script_that_hangs_is_ended(folders: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(child, "time_limit", lambda *_: 0.5)
-    (folders / "scripts" / "run.py").write_text("import time\ntime.sleep(600)\n")
-    document = child.run_in_child(part(met()), False, lambda: None)
-    assert document["status"] == "failed"
-    assert document["error"].startswith("ended after")
+@pytest.mark.parametrize(
+    ("code", "error"),
+    [("import os; os.abort()", "no result"), ("import time; time.sleep(600)", "ended after")],
+)
+def test_script_that_crashes_or_hangs_is_recorded_as_failed(
+    folder: Path, monkeypatch: pytest.MonkeyPatch, code: str, error: str
+) -> None:
+    monkeypatch.setattr(child, "command", lambda *_: [sys.executable, "-c", code])
+    monkeypatch.setattr(child, "time_limit", lambda *_: 2.0 if "sleep" in code else 60.0)
+    document = child.run_in_child(ONE, Size.QUICK, lambda: None)
+    assert document["status"] == "failed" and error in document["error"]
     assert document["seconds"] < 60
+    assert json.loads(store.result_path(ONE.name, Size.QUICK).read_text())["status"] == "failed"
 
 
-def test_summary_names_missed_targets_and_absent_parts() -> None:
+def test_summary_has_a_row_for_each_part_and_can_be_read_again(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.delenv("MINKREF_MODELS", raising=False)
     findings = met()
     findings.target("ratio | speed", False, "at most 1", 2.5)
-    document = child.document_of(part(findings), True, findings, 90.0, "")
-    text = table.markdown([document], {"other": "not run"}, quick=True)
-    assert "| [subject](#subject) | missed (quick) |" in text
+    findings.note("a note")
+    documents = [
+        child.document_of(Step(name, ONE.minutes), size, found, 90.0, "") | more
+        for name, size, found, more in (
+            ("part/a", Size.FULL, met(), {"date": "2026-01-02 03:04 UTC", "commit": "1234567890"}),
+            ("part/b", Size.WHOLE, findings, {"seed": 12, "commit": "1234567890+"}),
+            ("whole/a", Size.FULL, met(), {"commit": "1234567890+"}),
+        )
+    ]
+    entries = {one["step"]: table.entry_of(one) for one in documents}
+    names = ["part/a", "part/b", "part/c", "whole/a", "absent/a"]
+    text = table.markdown(names, entries, lambda part: f"The claim of {part}.", False)
+    row = (
+        "| [part](#part) | missed, 2 of 3 steps | whole | several | 2026-01-02 | 3.0 | look-alike |"
+    )
+    assert row in text
+    assert "| [whole](#whole) | met | full | 12345678+ |" in text
+    assert "| absent | not run |" in text
+    assert "\n## part\n\nThe claim of part.\n\n### part/a\n\nmet; full size; 1.5 minutes; " in text
+    assert "commit 12345678+; seed 12; look-alike models\n" in text
     assert "| ratio \\| speed (target) | at most 1 | 2.5 | missed |" in text
-    assert "| other | not run |" in text
+    assert table.entries_of(text) == entries
+    assert (
+        table.markdown(names, table.entries_of(text), lambda p: f"The claim of {p}.", False) == text
+    )
 
 
-def test_every_script_declares_what_the_framework_needs() -> None:
-    assert len(names()) >= 13
-    for name in names():
-        one = load(name)
-        assert one.minutes > 0
-        assert one.depends
-        assert callable(one.run)
-        assert len(one.subject) > 20
-        unmatched = [g for g in one.depends if not any(store.ROOT.glob(g))]
-        assert unmatched == [], f"{name}: globs that name nothing"
+def test_every_step_declares_sizes_and_every_part_a_claim() -> None:
+    every = steps()
+    assert len(every) > 70 and 30 <= len({step.part for step in every}) <= 40
+    for step in every:
+        quick, whole, full = step.minutes
+        assert 0 < (quick or 0.01) <= (whole or full) <= full, step.name
+        assert quick is None or whole is not None, step.name
+        assert 40 < len(claim(step.part)) < 320, step.part
 
 
-def test_quick_run_fits_ten_minutes_on_two_cores() -> None:
-    quick = [part for part in map(load, names()) if part.quick_minutes is not None]
-    alone = sum(part.quick_minutes or 0 for part in quick if part.alone)
-    assert alone + sum(part.quick_minutes or 0 for part in quick if not part.alone) / 2 <= 10
+@pytest.mark.parametrize("name", ["plane_sums/scalar_types", "packages/fresh_clone"])
+def test_a_step_is_a_module_that_runs(name: str) -> None:
+    step = next(step for step in steps() if step.name == name)
+    assert step.minutes == module(name).MINUTES
+    assert step.alone == hasattr(module(name), "ALONE")
+    assert callable(module(name).run)
+
+
+@pytest.mark.parametrize(("size", "most"), [(Size.QUICK, 5 * 2), (Size.WHOLE, 150)])
+def test_all_of_a_size_fits_into_its_time(size: Size, most: float) -> None:
+    """The quick one is minutes of both cores."""
+    declared = [step.minutes[size] or 0 for step in steps()]
+    assert sum(declared) <= most
 
 
 def test_recount_of_the_convolution_on_two_triangles_by_hand() -> None:

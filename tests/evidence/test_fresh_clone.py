@@ -1,4 +1,4 @@
-"""The part `fresh_clone`, on a small repository whose goals tell what they were given."""
+"""The step `fresh_clone`, on a small repository whose goals tell what they were given."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ import pytest
 
 pytest.importorskip("minkref._core", reason="the extension module is not built")
 
-from minkref.reports.evidence import fresh_clone
 from minkref.reports.evidence.framework import clone
-from minkref.reports.evidence.framework.part import Findings, Status
+from minkref.reports.evidence.framework.part import Findings, Size, Status
+from minkref.reports.evidence.packages import fresh_clone
 
 MAKEFILE = """
 all_but_three = $(shell env | cut -d= -f1 | grep -vxE "PATH|HOME|CCACHE_DISABLE|PWD|OLDPWD|SHLVL|_\\
@@ -21,7 +21,7 @@ setup run test:
 \t@test $@ != test || exit TESTS
 evidence:
 \t@test "$(QUICK)" = 1
-\t@case "$(ONLY)" in *fresh_clone*) exit 9;; *random_pairs*) ;; *) exit 8;; esac
+\t@case "$(ONLY)" in *fresh_clone*) exit 9;; *plane_sums/random_pairs*) ;; *) exit 8;; esac
 """
 
 
@@ -44,7 +44,7 @@ def test_commands_run_in_a_clean_environment_and_a_failure_is_a_failure(
     monkeypatch.setattr(clone, "FOLDER", tmp_path)
     monkeypatch.setenv("MINKREF_MODELS", "/nowhere")
     findings = Findings()
-    fresh_clone.run(findings, False)
+    fresh_clone.run(findings, Size.FULL)
     broken = [check.what for check in findings.checks if not check.met]
     assert broken == ([] if tests == 0 else ["make test"])
     assert findings.status is status

@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from minkref.reports.evidence import planted_faults
+from minkref.reports.evidence.planted_faults import faults as planted_faults
 
 ROOT = Path(__file__).resolve().parents[2]
 

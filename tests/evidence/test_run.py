@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import shutil
 import sys
 import threading
@@ -14,49 +15,63 @@ import pytest
 pytest.importorskip("minkref._core", reason="the extension module is not built")
 
 from minkref.reports.evidence import run
-from minkref.reports.evidence.framework import child, store
-from minkref.reports.evidence.framework.part import Findings, Part
-
-
-def findings(quick: bool) -> Findings:
-    found = Findings()
-    found.law("one is one", True, 1, 1)
-    return found
+from minkref.reports.evidence.framework import child, places, recorded, store
+from minkref.reports.evidence.framework.part import Findings, Minutes, Size
+from minkref.reports.evidence.framework.steps import Step
 
 
 class Stage:
-    """Two parts, the second without a quick form, and what their runs give."""
+    """Three steps of two parts, the last without a quick form, and what their runs give."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         self.ran: list[str] = []
         self.outcome: dict[str, str] = {}
-        self.parts = {
-            "first": Part("first", "The first subject.", 1.0, 0.1, (), findings),
-            "second": Part("second", "The second subject.", 1.0, None, (), findings),
-        }
+        self.steps = [
+            Step("first/a", Minutes(0.1, 0.5, 1.0)),
+            Step("first/b", Minutes(0.1, 0.5, 1.0)),
+            Step("second/a", Minutes(None, 0.5, 1.0)),
+        ]
 
-    def run_in_child(self, part: Part, quick: bool, tick: object) -> dict[str, object]:
-        self.ran.append(part.name)
-        found = part.run(quick)
-        outcome = self.outcome.get(part.name, "met")
+    def run_in_child(self, step: Step, size: Size, tick: object) -> store.Document:
+        self.ran.append(step.name)
+        found = Findings()
+        found.law("one is one", True, 1, 1)
+        outcome = self.outcome.get(step.name, "met")
         if outcome == "missed":
             found.target("speed", False, 1, 2)
         error = "RuntimeError: broke down" if outcome == "error" else ""
-        document = child.document_of(part, quick, found, 1.0, error)
+        document = child.document_of(step, size, found, 62.0, error)
+        document |= {"files": store.hashes([f"{step.name}.cpp"]), "commit": "0123456789"}
         store.write(document)
         return document
+
+    def change(self, step: str, text: str) -> None:
+        path = self.folder / f"{step}.cpp"
+        path.parent.mkdir(exist_ok=True)
+        path.write_text(text)
+        for cache in (recorded.known, store.hash_of, store.files_below):
+            cache.cache_clear()
+
+    @property
+    def summary(self) -> str:
+        return (self.folder / "SUMMARY.md").read_text()
 
 
 @pytest.fixture
 def stage(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Stage:
     made = Stage(tmp_path)
-    monkeypatch.setattr(store, "FOLDER", tmp_path / "evidence")
-    monkeypatch.setattr(store, "SCRIPTS_FOLDER", tmp_path)
-    monkeypatch.setattr(run, "names", lambda: sorted(made.parts))
-    monkeypatch.setattr(run, "load", made.parts.__getitem__)
+    monkeypatch.setattr(places, "FOLDER", tmp_path / "build")
+    monkeypatch.setattr(places, "ROOM", tmp_path)
+    monkeypatch.setattr(places, "ROOT", tmp_path)
+    monkeypatch.setattr(run, "steps", lambda: made.steps)
+    monkeypatch.setattr(run, "claim", lambda part: f"The claim of {part}.")
     monkeypatch.setattr(child, "run_in_child", made.run_in_child)
-    monkeypatch.delenv("QUICK", raising=False)
+    for name in ("QUICK", "FULL"):
+        monkeypatch.delenv(name, raising=False)
+    (tmp_path / "build").mkdir()
+    for step in made.steps:
+        made.change(step.name, "1")
     return made
 
 
@@ -66,78 +81,119 @@ def call(monkeypatch: pytest.MonkeyPatch, *arguments: str) -> int:
 
 
 def test_missed_target_does_not_fail_the_run(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
-    stage.outcome["first"] = "missed"
+    stage.outcome["first/b"] = "missed"
     assert call(monkeypatch) == 0
-    assert "| [first](#first) | missed |" in (stage.folder / "SUMMARY.md").read_text()
+    assert "| [first](#first) | missed | whole | 01234567 |" in stage.summary
 
 
-def test_error_fails_the_run_and_the_other_parts_run(
+def test_error_fails_the_run_and_the_other_steps_run(
     stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    stage.outcome["first"] = "error"
+    stage.outcome["first/a"] = "error"
     assert call(monkeypatch) == 1
-    last = capsys.readouterr().out.splitlines()[-1]
-    assert last == "failed: first: RuntimeError: broke down"
-    assert stage.ran == ["first", "second"]
-    assert "Broke down: `RuntimeError: broke down`" in (stage.folder / "SUMMARY.md").read_text()
+    out = capsys.readouterr().out.splitlines()
+    assert out[0] == "3 steps of whole size, some 2 minutes; 0 are kept"
+    assert out[-1] == "failed: first/a: RuntimeError: broke down"
+    assert stage.ran == ["first/a", "first/b", "second/a"]
+    assert "Broke down: `RuntimeError: broke down`" in stage.summary
 
 
-def test_finished_parts_are_not_run_again_but_failed_ones_are(
+def test_a_run_goes_on_with_the_steps_that_failed_or_whose_files_changed(
     stage: Stage, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    stage.outcome["first"] = "error"
+    stage.outcome["first/a"] = "error"
     assert call(monkeypatch) == 1
     stage.outcome.clear()
     assert call(monkeypatch) == 0
-    assert stage.ran == ["first", "second", "first"]
-
-
-def test_quick_run_writes_no_committed_summary(
-    stage: Stage, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setenv("QUICK", "1")
+    stage.change("second/a", "2")
     assert call(monkeypatch) == 0
-    assert stage.ran == ["first"]
+    assert stage.ran == ["first/a", "first/b", "second/a", "first/a", "second/a"]
+
+
+@pytest.mark.parametrize("way", ["QUICK", "--quick"])
+def test_quick_run_writes_no_committed_summary(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch, way: str
+) -> None:
+    if way == "QUICK":
+        monkeypatch.setenv("QUICK", "1")
+    assert call(monkeypatch, *([way] if way != "QUICK" else [])) == 0
+    assert sorted(stage.ran) == ["first/a", "first/b"]
     assert not (stage.folder / "SUMMARY.md").exists()
-    text = (stage.folder / "evidence" / "summary-quick.md").read_text()
-    assert "met (quick)" in text
-    assert "| second | full run only |" in text
+    text = (stage.folder / "build" / "summary-quick.md").read_text()
+    assert "| [first](#first) | met | quick |" in text
 
 
-def test_only_named_parts_are_run_and_the_summary_keeps_the_others(
+def test_a_full_result_serves_all_sizes(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert call(monkeypatch, "--full") == 0
+    assert call(monkeypatch) == 0
+    assert call(monkeypatch, "--quick") == 0
+    assert len(stage.ran) == 3
+    assert "| [second](#second) | met | full |" in stage.summary
+
+
+def test_only_named_parts_and_steps_are_run_and_the_summary_keeps_the_others(
     stage: Stage, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    assert call(monkeypatch, "second") == 0
+    assert call(monkeypatch, "second", "first/b") == 0
+    assert "| [first](#first) | met, 1 of 2 steps |" in stage.summary
     assert call(monkeypatch, "first") == 0
-    assert stage.ran == ["second", "first"]
-    text = (stage.folder / "SUMMARY.md").read_text()
-    assert "| [first](#first) | met |" in text and "| [second](#second) | met |" in text
+    assert stage.ran == ["first/b", "second/a", "first/a"]
+    assert "| [first](#first) | met | " in stage.summary
+    assert "| [second](#second) | met | " in stage.summary
 
 
 def test_in_a_fresh_clone_the_summary_keeps_what_others_have_reached(
     stage: Stage, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    stage.outcome["second"] = "missed"
+    stage.outcome["second/a"] = "missed"
     assert call(monkeypatch, "second") == 0
     for _ in range(2):  # and in the clone of the clone
-        shutil.rmtree(stage.folder / "evidence")
+        shutil.rmtree(stage.folder / "build")
+        (stage.folder / "build").mkdir()
         assert call(monkeypatch, "first") == 0
-        text = (stage.folder / "SUMMARY.md").read_text()
-        assert "| [first](#first) | met |" in text
-        assert "| [second](#second) | missed, of an earlier run |" in text
-        assert text.count("\n## second\n\nThe second subject.\n") == 1
-        assert "| speed (target) | 1 | 2 | missed |" in text
-    assert call(monkeypatch, "second") == 0
-    text = (stage.folder / "SUMMARY.md").read_text()
-    assert "| [second](#second) | missed |" in text and text.count("\n## second\n") == 1
+        assert "| [first](#first) | met |" in stage.summary
+        assert "| [second](#second) | missed | whole | 01234567 |" in stage.summary
+        assert stage.summary.count("\n## second\n\nThe claim of second.\n") == 1
+        assert "| speed (target) | 1 | 2 | missed |" in stage.summary
+        rests_on = json.loads((stage.folder / "rests_on.json").read_text())
+        assert rests_on["parts"] == ["first", "second"]
+        assert rests_on["files"]["second/a.cpp"] == [1]
 
 
-def test_unknown_part_is_wrong_usage(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_stale_parts_are_told_by_hash_here_and_by_commit_elsewhere(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    changed: dict[str, list[str] | None] = {"01234567": ["docs/a.md"]}
+    monkeypatch.setattr(store, "changed_since", lambda commit: changed.get(commit))
+    assert call(monkeypatch) == 0
+
+    def told(*arguments: str) -> list[str]:
+        capsys.readouterr()
+        assert call(monkeypatch, "--stale", *arguments) == 0
+        return [line.partition(":")[0] for line in capsys.readouterr().out.splitlines()]
+
+    assert told() == []
+    assert told(str(stage.folder / "first/b.cpp"), "elsewhere.cpp") == ["first"]
+    stage.change("second/a", "2")
+    assert told() == ["second"]
+    shutil.rmtree(stage.folder / "build")
+    assert told() == []  # as far as git says
+    changed["01234567"] = ["first/a.cpp", "docs/a.md"]
+    assert told() == ["first"]
+    changed.clear()  # a commit that nobody has
+    assert told() == ["first", "second"]
+
+
+def test_unknown_names_and_two_sizes_are_wrong_usage(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch
+) -> None:
     assert call(monkeypatch, "third") == 2
+    with pytest.raises(SystemExit, match="2"):
+        call(monkeypatch, "--quick", "--full")
     assert stage.ran == []
 
 
-def test_parts_that_run_alone_have_nothing_beside_them(
+def test_steps_that_run_alone_have_nothing_beside_them(
     stage: Stage, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Two others are under way at once: each waits for the other."""
@@ -145,53 +201,54 @@ def test_parts_that_run_alone_have_nothing_beside_them(
     under_way: set[str] = set()
     beside: dict[str, set[str]] = {}
 
-    def run_in_child(part: Part, quick: bool, tick: object) -> dict[str, object]:
-        under_way.add(part.name)
-        if not part.alone:
+    def run_in_child(step: Step, size: Size, tick: object) -> store.Document:
+        under_way.add(step.name)
+        if not step.alone:
             meeting.wait()
-        beside[part.name] = under_way - {part.name}
-        if not part.alone:
+        beside[step.name] = under_way - {step.name}
+        if not step.alone:
             meeting.wait()
-        under_way.remove(part.name)
-        return Stage.run_in_child(stage, part, quick, tick)
+        under_way.remove(step.name)
+        return Stage.run_in_child(stage, step, size, tick)
 
-    stage.parts |= {
-        name: Part(name, "A subject.", 1.0, 0.1, (), findings, alone=name == "timed")
-        for name in ("timed", "third")
-    }
+    stage.steps.append(Step("first/timed", Minutes(0.1, 0.5, 1.0), alone=True))
+    stage.change("first/timed", "1")
     monkeypatch.setattr(child, "run_in_child", run_in_child)
     assert call(monkeypatch, "--quick", "--jobs", "2") == 0
-    assert beside == {"first": {"third"}, "third": {"first"}, "timed": set()}
+    assert beside == {"first/a": {"first/b"}, "first/b": {"first/a"}, "first/timed": set()}
 
 
-def test_of_parts_at_once_the_longest_begin_first(
+def test_of_steps_at_once_the_longest_begin_first(
     stage: Stage, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Else a core waits at the end for one that began last; one at a time they go by name."""
-    stage.parts |= {
-        name: Part(name, "A subject.", 3.0 - quick, quick, (), findings)
+    stage.steps = [
+        Step(f"first/{name}", Minutes(quick, 2.0 - quick, 3.0))
         for name, quick in (("longest", 1.5), ("middle", 0.7), ("zero", 0.1))
-    }
+    ]
     lines: list[list[str]] = []
 
-    def at_once(parts: list[Part], *_: object) -> dict[str, object]:
-        lines.append([part.name for part in parts])
-        return {part.name: stage.run_in_child(part, True, None) for part in parts}
+    def at_once(chosen: list[Step], *_: object) -> dict[str, store.Document]:
+        lines.append([step.name.partition("/")[2] for step in chosen])
+        return {step.name: stage.run_in_child(step, Size.QUICK, None) for step in chosen}
 
     monkeypatch.setattr(run, "at_once", at_once)
-    by_name = ["first", "longest", "middle", "zero"]
-    for jobs, order in (("2", ["longest", "middle", "first", "zero"]), ("1", by_name)):
+    by_name = ["longest", "middle", "zero"]
+    for jobs, order in (("2", by_name), ("1", by_name)):
         lines.clear()
-        assert call(monkeypatch, "--quick", "--jobs", jobs) == 0
+        assert call(monkeypatch, "--quick", "--again", "--jobs", jobs) == 0
         assert lines == [order, []]
+    lines.clear()
+    assert call(monkeypatch, "--again", "--jobs", "2") == 0
+    assert lines == [by_name[::-1], []]
 
 
-def test_an_interrupt_ends_all_parts(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_interrupt_ends_all_steps(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> None:
     ended = []
     began = threading.Event()
 
-    def run_in_child(part: Part, quick: bool, tick: Callable[[], None]) -> dict[str, object]:
-        if part.name == "first":
+    def run_in_child(step: Step, size: Size, tick: Callable[[], None]) -> store.Document:
+        if step.name == "first/a":
             began.wait(60)
             raise KeyboardInterrupt
         try:
@@ -200,10 +257,10 @@ def test_an_interrupt_ends_all_parts(stage: Stage, monkeypatch: pytest.MonkeyPat
                 tick()
                 time.sleep(0.01)
         finally:
-            ended.append(part.name)
+            ended.append(step.name)
 
     monkeypatch.setattr(child, "run_in_child", run_in_child)
     monkeypatch.setattr(run, "interrupted", threading.Event())
     with pytest.raises(KeyboardInterrupt):
-        call(monkeypatch, "--jobs", "2")
-    assert ended == ["second"]
+        call(monkeypatch, "first", "--jobs", "2")
+    assert ended == ["first/b"]

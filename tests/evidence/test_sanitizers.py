@@ -8,7 +8,7 @@ import pytest
 
 pytest.importorskip("minkref._core", reason="the extension module is not built")
 
-from minkref.reports.evidence.sanitizers import read
+from minkref.reports.evidence.memory_and_flags.sanitizers import read
 
 RESULTS = """<?xml version="1.0"?><testsuite name="x">
 <testcase name="a.Passes" status="run"><system-out>all well</system-out></testcase>

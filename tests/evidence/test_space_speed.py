@@ -1,4 +1,4 @@
-"""The parts about the speed of sums in space, and about larger pairs, on small ones."""
+"""The steps about the speed of sums in space, and about larger pairs, on small ones."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from minkref.fuzz.space.generators.machined import plate
 from minkref.fuzz.space.generators.round import triangulated_torus
 from minkref.reports.bench.space_pairs import TimedPair
 from minkref.reports.bench.space_tools import Timed, Tools
-from minkref.reports.evidence.framework.part import Findings, Status
-from minkref.reports.evidence.space_large_pairs import judge
-from minkref.reports.evidence.space_speed import difference, look, ratio_of
+from minkref.reports.evidence.framework.part import Findings, Size, Status
+from minkref.reports.evidence.space_costs.sums import difference, look, ratio_of
+from minkref.reports.evidence.space_sums.large_pairs import judge
 from minkref.reports.space_speed_plot import draw
 
 TORUS = triangulated_torus(6, 3, 300, 100)
@@ -82,7 +82,7 @@ def test_the_seconds_of_nef_are_those_of_the_call() -> None:
 
 
 def test_a_large_pair_is_judged() -> None:
-    row = judge((4, True))  # a plate with bores
+    row = judge((4, Size.QUICK))  # a plate with bores
     assert row["messages"] == []
     assert row["compared"][-1] == "points"
     assert row["difference"] is None or row["difference"] < 1e-9

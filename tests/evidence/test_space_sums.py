@@ -1,4 +1,4 @@
-"""The part about sums of polyhedra of any shape, on some of its pairs."""
+"""The step about sums of polyhedra of any shape, on some of its pairs."""
 
 from __future__ import annotations
 
@@ -9,12 +9,13 @@ pytest.importorskip("minkref._core", reason="the extension module is not built")
 from minkref.fuzz.judges.space_laws import LAWS
 from minkref.fuzz.judges.space_routes import ROUTES, routes
 from minkref.fuzz.space.general_pairs import FAMILIES, OF_PARTS
-from minkref.reports.evidence.space_sums import EVERY_FOR_LAWS, QUICK_EVERY_FOR_LAWS, judge
+from minkref.reports.evidence.framework.part import Size
+from minkref.reports.evidence.space_sums.small_pairs import EVERY_FOR_LAWS, judge
 
 
 @pytest.mark.parametrize("index", [3, 4, 11, 12])  # a slot, a ring, a thin one, polycubes
 def test_all_answers_agree(index: int) -> None:
-    row = judge((index, True))
+    row = judge((index, Size.QUICK))
     assert row["messages"] == []
     assert row["compared"]["points"] > 0
     assert set(row["answers"]) >= set(routes()) and row["answers"]
@@ -23,7 +24,7 @@ def test_all_answers_agree(index: int) -> None:
 
 def test_laws_are_asked_of_all_families() -> None:
     families = len(FAMILIES) + len(OF_PARTS)
-    for every in (EVERY_FOR_LAWS, QUICK_EVERY_FOR_LAWS):
+    for every in EVERY_FOR_LAWS:
         assert {index % families for index in range(0, every * families, every)} == set(
             range(families)
         )
@@ -33,7 +34,7 @@ def test_laws_are_asked_of_all_families() -> None:
 def test_a_route_keeps_the_laws(route: str) -> None:
     """Of a pair whose two components give all laws something to say."""
     assert route in routes()
-    row = judge((13, True))
+    row = judge((13, Size.QUICK))
     assert row["messages"] == []
     assert route in row["answers"]
     assert set(row["laws"]) == set(LAWS)

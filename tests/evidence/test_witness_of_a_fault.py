@@ -7,7 +7,7 @@ import pytest
 pytest.importorskip("minkref._core", reason="the extension module is not built")
 
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict, Witness
-from minkref.reports.evidence.random_pairs import refutes
+from minkref.reports.evidence.plane_sums.random_pairs import refutes
 
 SQUARE = '{"polygons":[{"holes":[],"outer":[["0","0"],["2","0"],["2","2"],["0","2"]]}]}'
 HERE, THERE = ("1", "1"), ("3", "1")

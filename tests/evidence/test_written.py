@@ -11,7 +11,7 @@ pytest.importorskip("minkref._core", reason="the extension module is not built")
 pytest.importorskip("gmpy2")
 
 import gmpy2
-from minkref.reports.evidence.written import (
+from minkref.reports.evidence.as_written import (
     bulges,
     expressions,
     inputs_disc,
@@ -24,12 +24,12 @@ from minkref.reports.evidence.written import (
     read_svg,
     units,
 )
-from minkref.reports.evidence.written.covering import Neighbourhood
-from minkref.reports.evidence.written.curves import Grown, grown
-from minkref.reports.evidence.written.equidistant import Edge, Vertex, between, solutions
-from minkref.reports.evidence.written.judge_plane import area_told
-from minkref.reports.evidence.written.measures import area_and_length, bulge
-from minkref.reports.evidence.written.tally import Tally
+from minkref.reports.evidence.as_written.covering import Neighbourhood
+from minkref.reports.evidence.as_written.curves import Grown, grown
+from minkref.reports.evidence.as_written.equidistant import Edge, Vertex, between, solutions
+from minkref.reports.evidence.as_written.judge_plane import area_told
+from minkref.reports.evidence.as_written.measures import area_and_length, bulge
+from minkref.reports.evidence.as_written.tally import Tally
 
 SQUARE = [[("0", "0"), ("1", "0"), ("1", "1"), ("0", "1")]]
 

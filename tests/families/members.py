@@ -1,5 +1,5 @@
-"""What tests of families have in common: what a member depends on, faults of spoilt files, and
-vectors of their own."""
+"""What tests of families have in common: members that are made in other processes or again, faults
+of spoilt files, and vectors of their own."""
 
 from __future__ import annotations
 
@@ -7,45 +7,135 @@ import json
 import os
 import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
+from functools import cache
+from hashlib import sha256
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
-from minkref.degeneracies import lint
 from minkref.degeneracies.case_texts import canonical_text
-from minkref.degeneracies.files import AnyFamily, write_member
+from minkref.degeneracies.catalogue import (
+    DISC_FAMILIES,
+    PATH_FAMILIES,
+    SOLID_FAMILIES,
+    SPACE_FAMILIES,
+)
+from minkref.degeneracies.files import Made, made_member, made_path, made_with_disc
+from minkref.degeneracies.invalid.catalogue import (
+    INVALID_FAMILIES,
+    INVALID_MESH_FAMILIES,
+    invalid_member,
+)
+from minkref.fuzz.families.catalogue import FAMILIES
+from minkref.fuzz.families.random_pairs import Pair
+from thoroughness import THOROUGH, draws
 
 Vector = tuple[Fraction, Fraction, Fraction]
+Value = TypeVar("Value")
+LARGE = {"invalid-too-many-vertices", "invalid-too-many-digits"}  # some seconds each
 
 
-def lines_under_two_hash_seeds(script: str) -> list[str]:
-    """What a script prints, which must not depend on how Python hashes."""
+def turn(values: Iterable[Value], place: int, laws: int) -> list[Value]:
+    """Those for one of several laws, which take turns; all where the run is thorough."""
+    return list(values) if THOROUGH else list(values)[place::laws]
+
+
+def text_of(pair: Pair) -> str:
+    return f"{pair.P} {pair.Q} {pair.scale}\n"
+
+
+#: Of each group its families, those that other processes make, how many members of each, and how
+#: the one with a number is made.
+GROUPS: dict[
+    str, tuple[Mapping[str, Any], list[str], int, Callable[[Any, int, int], object]]
+] = {
+    "space": (SPACE_FAMILIES, turn(SPACE_FAMILIES, 1, 6), draws(1, 3), made_member),
+    "solids": (SOLID_FAMILIES, turn(SOLID_FAMILIES, 1, 8), 1, made_member),
+    "disc": (DISC_FAMILIES, turn(DISC_FAMILIES, 1, 6), 1, made_with_disc),
+    "paths": (PATH_FAMILIES, turn(PATH_FAMILIES, 1, 4), 1, made_path),
+    "invalid": (
+        INVALID_FAMILIES, [n for n in turn(INVALID_FAMILIES, 0, 5) if n not in LARGE], draws(2, 6),
+        invalid_member,
+    ),
+    "invalid meshes": (
+        INVALID_MESH_FAMILIES, turn(INVALID_MESH_FAMILIES, 0, 5), draws(2, 6), invalid_member,
+    ),
+    "pairs": (
+        FAMILIES, turn(FAMILIES, 0, 2), draws(3, 50), lambda f, seed, k: text_of(f.pair(seed, k)),
+    ),
+}  # fmt: skip
+SEED = 5
+TELL = "import members; members.tell()"
+
+
+def digest_of(group: str, name: str, seed: int = SEED) -> str:
+    """Of the first members of a family, the last of them made first."""
+    families, _, count, make = GROUPS[group]
+    made = [str(make(families[name], seed, k)) for k in reversed(range(count))]
+    return sha256("".join(reversed(made)).encode()).hexdigest()[:16]
+
+
+def tell() -> None:
+    found = {
+        group: {name: digest_of(group, name) for name in reversed(names)}
+        for group, (_, names, *_) in GROUPS.items()
+    }
+    print(json.dumps(found))
+
+
+@cache
+def digests() -> dict[str, dict[str, str]]:
+    """By group and family, as two processes tell them, which hash otherwise and agree."""
     running = [
         subprocess.Popen(
-            [sys.executable, "-c", script],
+            [sys.executable, "-c", TELL],
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
             text=True,
-            env={**os.environ, "PYTHONHASHSEED": hash_seed},
+            env={**os.environ, "PYTHONHASHSEED": seed, "PYTHONPATH": os.pathsep.join(sys.path)},
         )
-        for hash_seed in "01"
+        for seed in "01"
     ]
     ran = [(*each.communicate(), each.returncode) for each in running]
     assert [code for *_, code in ran] == [0, 0], ran
     assert ran[0][0] == ran[1][0]
-    return ran[0][0].splitlines()
+    found: dict[str, dict[str, str]] = json.loads(ran[0][0])
+    return found
+
+
+def assert_made_again(folder: Path, count: int, make: Callable[[int], Made]) -> None:
+    """That the members in a folder of the corpus, and no more, are made again: the same bytes. Of
+    one of them, where the run is not thorough."""
+    numbers = range(count) if THOROUGH else [len(folder.name) % count]
+    made = [make(k) for k in numbers]
+    files = [file for one in made for file in (one.case, one.beside) if file is not None]
+    stored = {path.name: path.read_bytes() for path in folder.iterdir()}
+    assert dict(files).items() <= stored.items()
+    assert len(dict(files)) == len(files) and len(stored) * len(numbers) == len(files) * count
+
+
+_MADE: dict[tuple[str, int], Made] = {}
 
 
 def faults_of_spoilt(
-    folder: Path, family: AnyFamily, seed: int, spoil: Callable[[Any], object]
+    folder: Path,
+    family: Any,
+    seed: int,
+    spoil: Callable[[Any], object],
+    make: Callable[[Any, int, int], Made] = made_member,
+    faults: Callable[[Path], Iterable[str]] | None = None,
 ) -> list[str]:
-    """What lint finds where the case file of a member is spoilt."""
-    path = Path(write_member(family, seed, 0, folder)["case"])
+    """What lint finds where the case file of the first member is spoilt."""
+    from minkref.degeneracies import lint  # slow to import, and not needed to make members
+
+    if (family.name, seed) not in _MADE:
+        _MADE[family.name, seed] = make(family, seed, 0)
+    path = Path(_MADE[family.name, seed].write(folder)["case"])
     value = json.loads(path.read_text(encoding="utf-8"))
     spoil(value)
     path.write_text(canonical_text(value), encoding="utf-8")
-    return list(lint.faults(folder))
+    return list((faults or lint.faults)(folder))
 
 
 def minus(a: Vector, b: Vector) -> Vector:

@@ -8,8 +8,10 @@ from functools import cache
 from typing import Any
 
 from minkref.degeneracies.catalogue import SOLID_FAMILIES
+from minkref.degeneracies.lint import CORPUS, case_paths
 from minkref.degeneracies.solids.case_document import DegenerateSolids
 from minkref.fuzz.space.polyhedron import Polyhedron
+from thoroughness import THOROUGH
 
 SEED = 911
 COUNT = 2
@@ -17,7 +19,9 @@ COUNT = 2
 
 @cache
 def documents(name: str) -> list[Any]:
-    """As they are read from their files."""
+    """As they are read from their files: one of the corpus, where few are drawn."""
+    if not THOROUGH:
+        return [json.loads(case_paths(CORPUS / name)[0].read_text(encoding="utf-8"))]
     print(f"{name} --seed {SEED}")
     made = [DegenerateSolids.of(SOLID_FAMILIES[name], SEED, k) for k in range(COUNT)]
     return [json.loads(each.case_text) for each in made]

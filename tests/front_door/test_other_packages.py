@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import importlib
 import json
 import re
 import shutil
@@ -25,11 +26,13 @@ def project(folder: Path) -> dict[str, Any]:
 
 VERSION = project(ROOT)["project"]["version"]
 # Options of CMakeLists.txt that are on where it is the top: a package does without them.
-OPTIONS = re.findall(
-    r"^option\(MINKREF_(\w+) .* \$\{PROJECT_IS_TOP_LEVEL\}\)$",
-    (ROOT / "CMakeLists.txt").read_text(encoding="utf-8"),
-    re.MULTILINE,
-)
+OPTIONS = set(
+    re.findall(
+        r"^option\(MINKREF_(\w+) .* \$\{PROJECT_IS_TOP_LEVEL\}\)$",
+        (ROOT / "CMakeLists.txt").read_text(encoding="utf-8"),
+        re.MULTILINE,
+    )
+) - {"INSTALL", "UNITY"}
 
 
 def test_vcpkg_port_builds_the_library_alone() -> None:
@@ -40,7 +43,7 @@ def test_vcpkg_port_builds_the_library_alone() -> None:
     assert names == manifest["dependencies"]
     recipe = (PACKAGING / "vcpkg/minkref/portfile.cmake").read_text(encoding="utf-8")
     off = re.findall(r"-DMINKREF_(\w+)=OFF", recipe)
-    assert sorted(off) == sorted(set(OPTIONS) - {"UNITY"})
+    assert sorted(off) == sorted(OPTIONS)
 
 
 @pytest.mark.skipif(not shutil.which("cmake"), reason="no CMake")
@@ -52,7 +55,7 @@ def test_conan_recipe_configures_the_library_alone(tmp_path: Path) -> None:
         if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Name)
     }
     off = ast.literal_eval(assigned["PARTS"])
-    assert sorted(off) == sorted(set(OPTIONS) - {"UNITY"})
+    assert sorted(off) == sorted(OPTIONS)
     ast.parse((PACKAGING / "conan/test_package/conanfile.py").read_text(encoding="utf-8"))
     for pattern in ast.literal_eval(assigned["SOURCES"]):
         for path in ROOT.glob(pattern):
@@ -84,22 +87,45 @@ def test_devcontainer_calls_what_there_is() -> None:
 
 def test_programs_of_cgal_are_a_package_under_the_gpl() -> None:
     ours = project(PACKAGING / "minkref-cgal")["project"]
-    assert (ours["version"], ours["license"]) == (VERSION, "GPL-3.0-or-later")
+    assert (ours["version"], ours["license"]) == (VERSION, "Apache-2.0 AND GPL-3.0-or-later")
     wheel = project(ROOT)["tool"]["scikit-build"]
     assert "cgal" not in json.dumps(wheel["wheel"]["packages"])
     assert wheel["install"]["components"] == ["python"]
 
 
-@pytest.mark.skipif(not shutil.which("cmake"), reason="no CMake")
-def test_programs_of_cgal_configure_from_their_source_distribution(tmp_path: Path) -> None:
-    command = [sys.executable, PACKAGING / "wheel.py", "--sdist", "--out", tmp_path]
+@pytest.fixture(scope="module")
+def sources_of_cgal(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("cgal")
+    command = [sys.executable, PACKAGING / "wheel.py", "--sdist", "--out", folder]
     subprocess.run([*command, "--project", PACKAGING / "minkref-cgal"], check=True)
-    (archive,) = tmp_path.glob("minkref_cgal-*.tar.gz")
+    (archive,) = folder.glob("minkref_cgal-*.tar.gz")
     with tarfile.open(archive) as file:
-        file.extractall(tmp_path)  # our own; Debian's Python 3.11.2 knows no filter
-    (sources,) = (path for path in tmp_path.iterdir() if path.is_dir())
-    assert (sources / "LICENSES" / "GPL-3.0-or-later.txt").is_file()
-    words = ["cmake", "-S", sources, "-B", tmp_path / "build", "-G", "Ninja"]
+        file.extractall(folder)  # our own; Debian's Python 3.11.2 knows no filter
+    (sources,) = (path for path in folder.iterdir() if path.is_dir())
+    return sources
+
+
+def test_programs_of_cgal_bring_the_licences_of_all_that_is_in_them(
+    sources_of_cgal: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Also in a wheel that is made of the source distribution alone."""
+    monkeypatch.syspath_prepend(str(PACKAGING))
+    stated = importlib.import_module("licence").IN_WHEELS["minkref_cgal"].split(" AND ")
+    for file in sources_of_cgal.rglob("*.?pp"):
+        assert file.read_text(encoding="utf-8").startswith("// SPDX-License-Identifier: GPL-3.0-")
+    for number, folder in enumerate((PACKAGING / "minkref-cgal", sources_of_cgal)):
+        made = tmp_path / str(number)
+        code = f"import scikit_build_core.build as b; b.prepare_metadata_for_build_wheel('{made}')"
+        subprocess.run([sys.executable, "-c", code], cwd=folder, check=True, capture_output=True)
+        texts = [path.name for path in made.glob("*.dist-info/licenses/*")]
+        assert sorted(one for one in stated for text in texts if text.startswith(one)) == stated
+
+
+@pytest.mark.skipif(not shutil.which("cmake"), reason="no CMake")
+def test_programs_of_cgal_configure_from_their_source_distribution(
+    sources_of_cgal: Path, tmp_path: Path
+) -> None:
+    words = ["cmake", "-S", sources_of_cgal, "-B", tmp_path / "build", "-G", "Ninja"]
     done = subprocess.run(words, capture_output=True, text=True)
     if "CGAL was not found" in done.stderr:
         pytest.skip("no CGAL")

@@ -42,7 +42,10 @@ def test_citation_names_the_version() -> None:
 
 
 def test_the_changelog_speaks_of_the_version() -> None:
-    assert version() in text("CHANGELOG.md")
+    """What comes next, then the versions with their dates, by setting."""
+    heads = re.findall(r"^## (.*)$", text("CHANGELOG.md"), re.MULTILINE)
+    assert heads[0] == "Unreleased"
+    assert re.fullmatch(rf"{re.escape(version())} - \d{{4}}-\d\d-\d\d", heads[1])
 
 
 def test_hooks_start_tools_of_the_checkout() -> None:
@@ -76,3 +79,10 @@ def test_paths_and_commands_that_contributors_are_told_exist() -> None:
     targets = set(re.findall(r"^([a-z]+(?: [a-z]+)*):", text("Makefile"), re.MULTILINE))
     known = {target for line in targets for target in line.split()}
     assert set(re.findall(r"\bmake ([a-z]+)", page)) - {"it"} <= known
+
+
+def test_each_room_of_the_tests_stands_in_their_table() -> None:
+    rows = re.findall(r"^\| (\w+) \| ", text("tests/README.md"), re.MULTILINE)
+    rooms = {path.parent.name for path in (ROOT / "tests").glob("*/*.[ch]pp")}
+    rooms |= {path.parent.name for path in (ROOT / "tests").glob("*/*.py")}
+    assert rows == ["Room", *sorted(rooms)]

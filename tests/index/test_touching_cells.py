@@ -16,23 +16,26 @@ from minkref.fuzz.families.touching_cells import (
     touching_sets,
     window_of,
 )
-from minkref.reports.evidence.touching_rings import Task, cell_tasks, same_as_static
+from minkref.reports.evidence.plane_index.touching_rings import Task, cell_tasks, same_as_static
+from thoroughness import THOROUGH, draws
 
 SEED = 3
-EVERY = 53  # of 3 x 3 cells; in step with neither directions, orders nor windows
+# Of 2 x 2 and of 3 x 3 cells; in step with neither directions, orders nor windows.
+EVERY = {2: draws(3, 1), 3: draws(211, 53)}
+DRAWN = range(60) if THOROUGH else range(3, 60, 4)  # regions and segments in each window
 
 
-@pytest.mark.parametrize("task", list(cell_tasks(2)), ids=lambda task: task[0])
+@pytest.mark.parametrize("task", list(cell_tasks(2))[:: EVERY[2]], ids=lambda task: task[0])
 def test_sums_of_two_by_two_cells(task: Task) -> None:
     check(task)
 
 
-@pytest.mark.parametrize("task", list(cell_tasks(3))[::EVERY], ids=lambda task: task[0])
+@pytest.mark.parametrize("task", list(cell_tasks(3))[:: EVERY[3]], ids=lambda task: task[0])
 def test_sums_of_some_of_three_by_three_cells(task: Task) -> None:
     check(task)
 
 
-@pytest.mark.parametrize("index", range(60))
+@pytest.mark.parametrize("index", DRAWN)
 def test_sums_of_random_cells(index: int) -> None:
     pair = random_cells(SEED, index)
     check((f"random cells {SEED} {index}", pair.P, pair.Q, window_of(index)))
@@ -79,7 +82,7 @@ def test_a_segment_meets_every_window() -> None:
         for task in cell_tasks(3)
     }
     assert kinds == {(window, corners) for window in WINDOWS for corners in (1, 2)}
-    drawn = {(window_of(index), index % 3 == 2) for index in range(60)}
+    drawn = {(window_of(index), index % 3 == 2) for index in DRAWN}
     assert drawn == {(window, regions) for window in WINDOWS for regions in (True, False)}
 
 

@@ -9,6 +9,7 @@ import pytest
 from minkref import _core
 from minkref.fuzz.judges.offset_cgal import OffsetJudge, absence
 from minkref.fuzz.judges.offset_comparison import Table, compare, compare_one
+from thoroughness import draws
 
 
 @pytest.fixture
@@ -31,9 +32,9 @@ def square(x: int, y: int) -> list[list[str]]:
 def test_sets_of_cells_have_the_curves_of_cgal(judge: OffsetJudge) -> None:
     judge.close()
     table = Table()
-    compare(7, range(60), table)
+    compare(7, range(count := draws(18, 60)), table)
     assert table.differences == []
-    assert table.counts["compared"] > 50
+    assert table.counts["compared"] > 5 * count / 6
 
 
 def test_components_that_touch_and_the_hole_between_them(judge: OffsetJudge) -> None:

@@ -8,17 +8,18 @@ from __future__ import annotations
 
 import json
 import random
-import subprocess
-import sysconfig
+from collections.abc import Callable
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
 import minkref
 import pytest
+from minkref.commands.line.cli import run
 from minkref.oracle.slow import Operand, minkowski_sum, topology
 from minkref.oracle.slow.canonical import digest, document
 from random_pairs import Source, as_json, pair, shrunk
+from thoroughness import draws
 
 SEED = 20124
 SCALES = [Fraction(n, d) for n, d in ((1, 1), (1, 2), (2, 1), (3, 1), (3, 2), (2, 3), (7, 5))]
@@ -62,40 +63,50 @@ def assert_equal(index: int, P: Source, Q: Source, scale: Fraction) -> None:
 
 @pytest.mark.parametrize("block", range(10))
 def test_sums_and_tight_passages_of_random_pairs_are_those_of_the_reference(block: int) -> None:
-    for index in range(block * 40, block * 40 + 40):
+    for index in range(block * 40, block * 40 + draws(20, 40)):
         P, Q = pair(SEED, index, small=index % 8 != 0)
         assert_equal(index, P, Q, SCALES[index % len(SCALES)])
 
 
-def events(folder: Path, P: Operand, Q: Operand, kind: str) -> dict[Fraction, list[Any]]:
-    """The events of the reference by their scales."""
+Events = Callable[[Operand, Operand, str], dict[Fraction, list[Any]]]
+
+
+@pytest.fixture
+def events(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Events:
+    """The events of the reference by their scales, as its command tells them."""
+
+    def call(P: Operand, Q: Operand, kind: str) -> dict[Fraction, list[Any]]:
+        names = written(tmp_path, P, Q)
+        assert run(["events", *names, "--kind", kind, "--json"]) == 0
+        found: dict[Fraction, list[Any]] = {}
+        for event in json.loads(capsys.readouterr().out)["events"]:
+            found.setdefault(Fraction(event["s"]), []).append(event)
+        return found
+
+    return call
+
+
+def written(folder: Path, P: Operand, Q: Operand) -> list[str]:
     names = []
     for role, operand in (("P", P), ("Q", Q)):
         names.append(folder / f"{role}.json")
         names[-1].write_text(json.dumps(as_json(operand)), encoding="utf-8")
-    command = Path(sysconfig.get_path("scripts")) / "minkref"
-    done = subprocess.run(
-        [command, "events", *names, "--kind", kind, "--json"], capture_output=True, check=True
-    )
-    found: dict[Fraction, list[Any]] = {}
-    for event in json.loads(done.stdout)["events"]:
-        found.setdefault(Fraction(event["s"]), []).append(event)
-    return found
+    return list(map(str, names))
 
 
-@pytest.mark.parametrize("index", range(12))
+@pytest.mark.parametrize("index", range(draws(8, 12)))
 def test_states_change_at_the_events_of_the_reference_and_at_no_other(
-    index: int, tmp_path: Path
+    index: int, events: Events
 ) -> None:
     P, Q = pair(SEED + 1, index)
     p, q = P.operand(), Q.operand()
     if (p.ends and q.ends) or p.is_empty or q.is_empty:
         return
-    scales = events(tmp_path, p, q, "arrangement")
-    boundary = events(tmp_path, p, q, "boundary")
-    changes = events(tmp_path, p, q, "topology")
+    scales = events(p, q, "arrangement")
+    boundary = events(p, q, "boundary")
+    changes = events(p, q, "topology")
     assert changes.keys() <= boundary.keys() <= scales.keys()
-    chosen = random.Random(SEED + index).sample(sorted(scales), min(15, len(scales)))
+    chosen = random.Random(SEED + index).sample(sorted(scales), min(draws(6, 15), len(scales)))
     for scale in {*chosen, *changes}:
         assert_equal(index, P, Q, scale)
         found = topology(p, q, scale)

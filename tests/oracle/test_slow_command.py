@@ -1,19 +1,34 @@
-"""The slow engine's command line, in a process of its own, as a reader of README.md calls it."""
+"""The slow engine's command line; in a process of its own, as a reader of README.md calls it."""
 
 from __future__ import annotations
 
+import io
 import json
 import os
 import subprocess
 import sys
+from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
 
 import pytest
+from minkref.oracle.slow.command import main
 
 ORACLE = Path(__file__).resolve().parents[2] / "oracle"
 
 
-def run(*arguments: object, module: str = "slow", folder: Path = ORACLE) -> tuple[int, str, str]:
+def run(*arguments: object) -> tuple[object, str, str]:
+    """In this process."""
+    with redirect_stdout(io.StringIO()) as out, redirect_stderr(io.StringIO()) as err:
+        try:
+            code: object = main(list(map(str, arguments)))
+        except SystemExit as ended:
+            code = ended.code
+    return code, out.getvalue(), err.getvalue()
+
+
+def run_alone(
+    *arguments: object, module: str = "slow", folder: Path = ORACLE
+) -> tuple[int, str, str]:
     done = subprocess.run(
         [sys.executable, "-m", module, *map(str, arguments)],
         cwd=folder,
@@ -33,7 +48,7 @@ def files(tmp_path: Path) -> tuple[Path, Path]:
 
 
 def test_sum_prints_a_document_whose_result_has_its_digest(files: tuple[Path, Path]) -> None:
-    code, out, _ = run("sum", *files, "--scale", "3/2", "--json")
+    code, out, _ = run_alone("sum", *files, "--scale", "3/2", "--json")
     answer = json.loads(out)
     assert (code, answer["holes"], answer["scale"]) == (0, 1, "3/2")
     assert answer["tight_passages"] == []
@@ -111,7 +126,7 @@ def test_numbers_of_thousands_of_digits_are_printed_whole(
 ) -> None:
     large = tmp_path / "large.wkt"
     large.write_text("POLYGON ((0 0, 1e4000 0, 0 1e4000, 0 0))")
-    code, out, _ = run("sum", large, files[1], "--json")
+    code, out, _ = run_alone("sum", large, files[1], "--json")
     assert code == 0 and len(json.loads(out)["area"]) >= 8000
 
 
@@ -124,5 +139,5 @@ def test_package_works_below_another_name(tmp_path: Path, files: tuple[Path, Pat
     """As a link inside of a larger package: imports are relative."""
     (tmp_path / "larger").mkdir()
     os.symlink(ORACLE / "slow", tmp_path / "larger" / "slow")
-    code, out, _ = run("sum", *files, "--json", module="larger.slow", folder=tmp_path)
+    code, out, _ = run_alone("sum", *files, "--json", module="larger.slow", folder=tmp_path)
     assert code == 0 and json.loads(out)["components"] == 1

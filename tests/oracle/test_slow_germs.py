@@ -13,6 +13,7 @@ from minkref.oracle.slow.germ import Germ, bits_needed, side_of
 from minkref.oracle.slow.operand import Polygon
 from minkref.oracle.slow.state import State
 from random_pairs import as_json, pair
+from thoroughness import draws
 
 SEED = 20122
 SCALES = [Fraction(1), Fraction(2), Fraction(1, 2), Fraction(3, 2), Fraction(2, 3), Fraction(3)]
@@ -32,7 +33,7 @@ def moved_on(state: State, step: Fraction) -> str:
     return digest([Polygon(part[0], part[1:]) for part in parts])
 
 
-@pytest.mark.parametrize("index", range(120))
+@pytest.mark.parametrize("index", range(draws(36, 120)))
 def test_tracks_lead_to_the_sums_very_near(index: int) -> None:
     P, Q = operands(index)
     scale = SCALES[index % len(SCALES)]
@@ -52,7 +53,7 @@ def test_tracks_lead_to_the_sums_very_near(index: int) -> None:
             assert a + b * step + c * step * step == result.area
 
 
-@pytest.mark.parametrize("index", range(40))
+@pytest.mark.parametrize("index", range(draws(12, 40)))
 def test_packed_numbers_and_germs_that_check_their_degree_agree(index: int) -> None:
     P, Q = operands(index)
     scale = SCALES[index % len(SCALES)]
@@ -69,7 +70,7 @@ def test_packed_numbers_and_germs_that_check_their_degree_agree(index: int) -> N
     assert packed.result == explicit.result
 
 
-@pytest.mark.parametrize("index", range(60))
+@pytest.mark.parametrize("index", range(draws(24, 60)))
 def test_nothing_changes_at_a_scale_beside_all_events(index: int) -> None:
     """At s0 + 1/10^7, which is no event, the state is the same on both sides and goes on."""
     P, Q = operands(index)
@@ -79,7 +80,7 @@ def test_nothing_changes_at_a_scale_beside_all_events(index: int) -> None:
     assert all(link.change == "same" for link in found.holes + found.components)
 
 
-@pytest.mark.parametrize("index", range(60))
+@pytest.mark.parametrize("index", range(draws(24, 60)))
 def test_links_name_each_hole_and_component_once(index: int) -> None:
     P, Q = operands(index)
     found = topology(P, Q, SCALES[index % len(SCALES)])

@@ -11,9 +11,10 @@ from minkref.oracle.slow.canonical import digest
 from minkref.oracle.slow.operand import Polygon
 from minkref.oracle.slow.place import inside, on_boundary
 from random_pairs import pair, star
+from thoroughness import draws
 
 SEED = 20121
-PAIRS = range(60)
+PAIRS = range(draws(24, 60))
 EMPTY = Operand([], [])
 Map = Callable[[Fraction, Fraction], tuple[Fraction, Fraction]]
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import random
 from fractions import Fraction
+from functools import cache
 
 import pytest
 from minkref.fuzz.judges.space_laws import LAWS
@@ -28,6 +29,7 @@ ONE = Fraction(1)
 CUP = cup(2, 2, 2, (1, 1, 2, 1), 1)
 
 
+@cache
 def truth(P: Polyhedron, Q: Polyhedron, scale: Fraction) -> str:
     first, second = (solid_from_json(solid.document()) for solid in (P, Q))
     return whole_sum(SolidSum(first, second, uniform(scale))).text()

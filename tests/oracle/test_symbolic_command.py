@@ -101,7 +101,6 @@ def test_the_command_runs_from_its_folder() -> None:
         check=True,
     )
     assert json.loads(ran.stdout)["events"][0]["at"] == ["-59/186", "-107/93"]
-    wrong = subprocess.run(
-        [sys.executable, "-m", "symbolic", "quadruple"], capture_output=True, cwd=FOLDER
-    )
-    assert wrong.returncode == 2
+    with pytest.raises(SystemExit) as wrong:
+        main(["quadruple"])
+    assert wrong.value.code == 2

@@ -11,6 +11,7 @@ from itertools import pairwise
 import pytest
 from minkref.fuzz.cgal.oracle import METHODS_WITH_HOLES, cgal_version
 from minkref.fuzz.geometry.plane import meet
+from thoroughness import draws
 
 SEED = 20120515
 CORNERS = ((0, 0), (1, 0), (1, 1), (0, 1))
@@ -107,7 +108,8 @@ def test_filtered_and_raw_sums_agree_where_the_raw_call_survives(oracle, polygon
     chance = random.Random(SEED)
     filtered, raw = oracle(method), oracle(method, raw=True)
     compared = removed = died = 0
-    for index in range(300):
+    count = draws(60, 300)
+    for index in range(count):
         P, Q = random_pair(chance, polygon)
         if chance.random() < 0.5:
             P, Q = Q, P
@@ -128,7 +130,7 @@ def test_filtered_and_raw_sums_agree_where_the_raw_call_survives(oracle, polygon
         one, other_one = boundary(*regions)
         assert one == other_one, (index, P, Q)
         compared += 1
-    assert compared >= 100 and removed >= 100
+    assert min(compared, removed) >= count / 3
     if cgal_version(method).startswith("5.5"):
         assert died > 0, "CGAL 5.5 dies where two holes vanish"
 

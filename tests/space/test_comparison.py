@@ -5,9 +5,11 @@ from __future__ import annotations
 import random
 from dataclasses import replace
 from fractions import Fraction
+from functools import cache
 from itertools import product
 
 import pytest
+from members import turn
 from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.cells import surface_of
 from minkref.fuzz.space.comparison import compare
@@ -20,6 +22,7 @@ from minkref.fuzz.space.pairs import pair_of_cells, space_pair
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.witness import holds
 from minkref.fuzz.verdicts.verdict import Reason, Witness
+from thoroughness import THOROUGH, draws
 
 KNOWN = (
     "polycube",
@@ -43,8 +46,10 @@ def total(pair: SpacePair) -> Polyhedron:
     return found
 
 
+@cache
 def pairs_of(family: str) -> list[SpacePair]:
-    pairs = []
+    """Three; the one whose sum has the fewest triangles, where few are drawn."""
+    pairs: list[SpacePair] = []
     for index in (1, 13, 40):
         pair = space_pair(family, 3, index)
         try:
@@ -53,7 +58,7 @@ def pairs_of(family: str) -> list[SpacePair]:
         except ValueError:
             continue  # rings of the region touch
     assert pairs
-    return pairs
+    return sorted(pairs, key=lambda pair: len(total(pair).triangles))[: draws(1, 3)]
 
 
 def in_triangles(polyhedron: Polyhedron) -> Polyhedron:
@@ -83,7 +88,7 @@ def with_one_face_split(polyhedron: Polyhedron) -> Polyhedron:
 def test_right_results_pass_in_every_form(family: str) -> None:
     for pair in pairs_of(family):
         right = total(pair)
-        for form in (
+        forms = (
             right,
             in_triangles(right),
             refined(right),
@@ -93,9 +98,11 @@ def test_right_results_pass_in_every_form(family: str) -> None:
             right.with_faces_of(right),
             in_triangles(right).with_faces_of(refined(right)),
             right.with_faces_of(right).with_faces_of(right.turned_inside_out()),
-        ):
+        )
+        for form in forms:
             answer = compare(pair, form)
             assert (answer.verdict, answer.proven) == ("pass", True), answer
+        for form in turn(forms, KNOWN.index(family) % 3, 3):
             assert compare(pair, form, exact=False, tolerance=EPS).verdict == "pass"
 
 
@@ -147,8 +154,14 @@ def assert_wrong(
     assert not holds(pair.P, pair.Q, pair.scale, lie)
 
 
-@pytest.mark.parametrize("tolerance", [None, EPS])
-@pytest.mark.parametrize("family", KNOWN)
+@pytest.mark.parametrize(
+    ("family", "tolerance"),
+    [
+        (family, tolerance)
+        for place, family in enumerate(KNOWN)
+        for tolerance in turn((None, EPS), place % 2, 2)
+    ],
+)
 def test_wrong_results_are_found(family: str, tolerance: Fraction | None) -> None:
     for pair in pairs_of(family):
         right = total(pair)
@@ -232,7 +245,7 @@ def nudged(polyhedron: Polyhedron, size: Fraction, seed: int) -> Polyhedron:
     return Polyhedron(vertices, polyhedron.triangles)  # type: ignore[arg-type]
 
 
-@pytest.mark.parametrize("family", KNOWN)
+@pytest.mark.parametrize("family", turn(KNOWN, 1, 2))
 def test_results_within_the_tolerance_pass_and_others_do_not(family: str) -> None:
     for pair in pairs_of(family):
         right = total(pair)
@@ -283,14 +296,16 @@ def test_sum_of_a_torus_from_overlapping_shells_passes_and_its_hole_counts(side:
     assert compare(pair, nudged(right, EPS, 2), False, EPS).verdict == "pass-within"
     solid = convex_hull(right.vertices)
     assert_wrong(pair, solid, Reason.EXTRA) if side == 1 else None
-    for tolerance in (None, EPS):
+    for tolerance in (None, EPS) if THOROUGH else (None if side == 1 else EPS,):
         assert_wrong(pair, pair.P, tolerance=tolerance)
         assert_wrong(pair, right.scaled(Fraction(101, 100)), tolerance=tolerance)
         assert_wrong(pair, right.turned_inside_out(), Reason.MISSING, tolerance=tolerance)
 
 
+@pytest.mark.thorough
 @pytest.mark.parametrize("index", [0, 20])
 def test_sum_of_two_stars_from_overlapping_shells_passes(index: int) -> None:
+    """As of a torus: test_sum_of_a_torus_from_overlapping_shells_passes_and_its_hole_counts."""
     pair = next(
         pair
         for k in range(index, 999)

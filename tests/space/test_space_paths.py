@@ -10,12 +10,13 @@ from minkref.fuzz.judges.space_path_cases import SpacePathCase
 from minkref.fuzz.judges.space_path_collisions import StaticSum, by_slow_engine
 from minkref.fuzz.space.generators.machined import plate
 from minkref.fuzz.space.polyhedron import Polyhedron
-from minkref.reports.evidence.paths_space import CONTACTS, SEED, judge
+from minkref.reports.evidence.space_paths.paths import CONTACTS, SEED, judge
+from thoroughness import draws
 
 ZERO = Fraction(0)
 
 
-@pytest.mark.parametrize("index", [0, 3, 6, 9, 11, 12, 21, 33])
+@pytest.mark.parametrize("index", [3, 11, 12, 0, 6, 9, 21, 33][: draws(3, 8)])
 def test_a_random_path_is_as_static_sums_say(index: int) -> None:
     """Kinds of paths in turn; 11 and 25 have a thin operand, and 12 is a corridor."""
     found = judge((index, True))

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 from minkref.operand import read_operand
-from minkref.reports.evidence.framework.browser import Browser, absent, browser
-from minkref.reports.evidence.view_page import RINGS, difference, true_polygons
+from minkref.reports.evidence.framework.browser import Browser, absent
+from minkref.reports.evidence.pages.view import RINGS, difference, true_polygons
 from page_decoder import data_of, page_of, scales
 from selenium.common.exceptions import JavascriptException
+from thoroughness import THOROUGH, draws
 
 pytestmark = pytest.mark.skipif(absent() is not None, reason=f"no browser: {absent()}")
 
@@ -21,12 +21,6 @@ SHOTS = Path(__file__).resolve().parents[2] / "build" / "view"
 DRAWN = "return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
 VALUE = "return document.getElementById(arguments[0]).value"
 TEXT = "return document.getElementById(arguments[0]).textContent"
-
-
-@pytest.fixture(scope="module")
-def window() -> Iterator[Browser]:
-    with browser() as started:
-        yield started
 
 
 def opened(window: Browser, page: Path) -> dict[str, Any]:
@@ -43,13 +37,16 @@ def press(window: Browser, key: str, shift: bool = False) -> None:
     window.run(DRAWN)
 
 
-@pytest.mark.parametrize("names", [("g1", "g2"), ("g3", "disc1"), ("disc1", "cells1815")])
+LARGE = pytest.param(("disc1", "cells1815"), marks=pytest.mark.thorough)
+
+
+@pytest.mark.parametrize("names", [("g1", "g2"), ("g3", "disc1"), LARGE])
 def test_rings_at_fifty_scales_are_those_of_the_sum(
     window: Browser, tmp_path: Path, names: tuple[str, str]
 ) -> None:
     opened(window, page_of(tmp_path, *names))
     P, Q = (read_operand(name).set for name in names)
-    wanted = scales(50, 2012)
+    wanted = scales(draws(8, 50), 2012)
     random.Random(1).shuffle(wanted)  # back and forth
     for scale, got in zip(wanted, window.run(RINGS, wanted), strict=True):
         assert difference(got, true_polygons(P, Q, scale)) < 1e-9, scale
@@ -93,7 +90,9 @@ def test_sliding_moves_the_scale_and_the_picture(window: Browser, tmp_path: Path
 def test_going_from_event_to_event_shows_each_scale_exactly(
     window: Browser, tmp_path: Path
 ) -> None:
-    data = opened(window, page_of(tmp_path, "g1", "g2"))
+    ends = () if THOROUGH else ("--from", "1", "--to", "3/2")
+    data = opened(window, page_of(tmp_path, "g1", "g2", *ends))
+    assert len(data["scales"]) > 12
     press(window, "Home")
     for scale in data["scales"]:
         press(window, "PageUp")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Iterator
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -12,10 +11,11 @@ from typing import Any
 import pytest
 from minkref import _core
 from minkref.operand import read_operand
-from minkref.reports.evidence.framework.browser import Browser, absent, browser
+from minkref.reports.evidence.framework.browser import Browser, absent
 from minkref.reports.evidence.pages.disc_rings import ring_difference, true_rings
-from minkref.reports.evidence.view_page import MARKS, OFFSETS
+from minkref.reports.evidence.pages.view import MARKS, OFFSETS
 from page_decoder import data_of, page_of
+from thoroughness import draws
 
 pytestmark = pytest.mark.skipif(absent() is not None, reason=f"no browser: {absent()}")
 
@@ -25,12 +25,6 @@ TEXT = "return document.getElementById(arguments[0]).textContent"
 PICTURE = "return document.getElementById('sum').toDataURL()"
 FRAME = "POLYGON ((0 0, 8 0, 8 8, 0 8, 0 0), (2 2, 2 6, 6 6, 6 2, 2 2))"
 L = "POLYGON ((0 0, 8 0, 8 1, 1 1, 1 5, 0 5, 0 0))"
-
-
-@pytest.fixture(scope="module")
-def window() -> Iterator[Browser]:
-    with browser() as started:
-        yield started
 
 
 def opened(window: Browser, folder: Path, P: str) -> dict[str, Any]:
@@ -48,7 +42,15 @@ def press(window: Browser, key: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "shape", ["g1", "glyph275", "cells1815", FRAME, L, "POINT (1 2)", "LINESTRING (0 0, 3 1)"]
+    "shape",
+    [
+        "g1",
+        FRAME,
+        L,
+        "POINT (1 2)",
+        "LINESTRING (0 0, 3 1)",
+        *(pytest.param(name, marks=pytest.mark.thorough) for name in ("glyph275", "cells1815")),
+    ],
 )
 def test_arcs_lines_and_counts_are_those_of_the_sum(
     window: Browser, tmp_path: Path, shape: str
@@ -58,7 +60,9 @@ def test_arcs_lines_and_counts_are_those_of_the_sum(
     print("seed 2012")
     dice = random.Random(2012)
     radii = [about for _, about in data["window"]]
-    radii += [dice.choice(data["radii"] or radii) * dice.uniform(0.9, 1.2) for _ in range(15)]
+    radii += [
+        dice.choice(data["radii"] or radii) * dice.uniform(0.9, 1.2) for _ in range(draws(5, 15))
+    ]
     for radius, got in zip(radii, window.run(OFFSETS, radii), strict=True):
         assert ring_difference(got, true_rings(P, radius)) < 1e-9, radius
         counts = window.run("return window.minkref.counts(arguments[0])", radius)

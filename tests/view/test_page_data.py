@@ -13,8 +13,9 @@ from minkref.commands.pages.plane.linear import linear
 from minkref.commands.pages.plane.picture import Sums, Window, picture
 from minkref.fuzz.families.random_pairs import random_pair
 from minkref.operand import read_operand
-from minkref.reports.evidence.view_page import difference, true_polygons
+from minkref.reports.evidence.pages.view import difference, true_polygons
 from page_decoder import Decoder, data_of, page_of, scales
+from thoroughness import THOROUGH, draws, some
 
 CLOSE = 1e-9  # diagonals
 
@@ -39,12 +40,12 @@ def shape(polygons: str) -> _core.PolygonSet:
     return _core.PolygonSet.from_json(polygons)
 
 
-@pytest.mark.parametrize("index", [*range(0, 60, 3), *range(1800, 1820)])
+@pytest.mark.parametrize("index", some([*range(0, 60, 3), *range(1800, 1820)], 12))
 def test_random_pairs_at_fifty_scales(index: int) -> None:
     pair = random_pair(2012, index)
     P, Q = shape(pair.P), shape(pair.Q)
     decoded = decoder(P, Q)
-    for scale in scales(50, index):
+    for scale in scales(draws(20, 50), index):
         assert difference(decoded.polygons(scale), true_polygons(P, Q, scale)) < CLOSE, scale
 
 
@@ -61,10 +62,12 @@ def test_random_pairs_by_the_dynamic_route_too(index: int) -> None:
 
 
 def test_disc_and_cells_at_fifty_scales(tmp_path: Path) -> None:
-    page = page_of(tmp_path, "disc1", "cells1815")
+    """Or the disc and a glyph, at fewer."""
+    names = "disc1", "cells1815" if THOROUGH else "glyph275"
+    page = page_of(tmp_path, *names)
     decoded = Decoder(data_of(page.read_text(encoding="utf-8")))
-    P, Q = read_operand("disc1").set, read_operand("cells1815").set
-    for scale in scales(50, 7):
+    P, Q = (read_operand(name).set for name in names)
+    for scale in scales(draws(8, 50), 7):
         assert difference(decoded.polygons(scale), true_polygons(P, Q, scale)) < CLOSE, scale
     assert page.stat().st_size < 2_000_000
 

@@ -13,11 +13,13 @@ from typing import Any
 
 from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, verdicts
 from minkref.reports.evidence.certificates.mutants import Mutant, mutants
+from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.part import Findings
 
 ANOTHER_PROOF = "the same claims by another proof, each confirmed"
 OTHER_CLAIMS = "other claims, true as well, each confirmed"
 BATCH = 100
+Certified = tuple[str, str, str]  # name, case, certificate
 WORDS = {1: "refuted", 2: "malformed", 4: "out of budget"}
 
 
@@ -49,6 +51,18 @@ class Tally:
         for kind in kinds:
             findings.figures[f"verified: {kind}"] = self.verified[kind]
         findings.figures["fields that were changed"] = len(self.fields)
+
+
+def spoil_all(
+    findings: Findings, spoilt: Callable[[tuple[int, Certified]], Tally],
+    certificates: list[Certified], least: int, kinds: tuple[str, ...],
+) -> Tally:  # fmt: skip
+    """All mutants of all certificates, and what is told of them."""
+    total = Tally()
+    for tally in in_processes(spoilt, list(enumerate(certificates)), what="certificates"):
+        total.add(tally)
+    total.tell(findings, len(certificates), least, kinds)
+    return total
 
 
 @dataclass

@@ -1,4 +1,6 @@
-"""One part in a child process with a time limit, so that no part can hang or take others down."""
+"""One step in a child process with a time limit, so that none can hang or take others down.
+
+As a program: `python -m minkref.reports.evidence.framework.child STEP SIZE`."""
 
 from __future__ import annotations
 
@@ -10,55 +12,62 @@ import resource
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 import traceback
 from collections.abc import Callable
 from dataclasses import asdict
+from pathlib import Path
 from typing import Any
 
-from minkref.reports.evidence.framework import store
-from minkref.reports.evidence.framework.part import Findings, Part, Status, load
+from minkref.reports.evidence.framework import places, recorded, store
+from minkref.reports.evidence.framework.part import Findings, Size, Status
+from minkref.reports.evidence.framework.steps import Step, declared, module
 from minkref.version import version
 
 
-def time_limit(part: Part, quick: bool) -> float:
-    """Seconds after which a part is ended: far more than it is expected to take."""
-    minutes = part.minutes if not quick or part.quick_minutes is None else part.quick_minutes
-    return 240 * minutes + (300 if quick else 900)
+def time_limit(step: Step, size: Size) -> float:
+    """Seconds after which a step is ended: far more than it is expected to take."""
+    return 240 * (step.minutes[size] or 0) + 900
 
 
-def see_log(name: str) -> str:
-    return f"see {store.log_path(name).relative_to(store.ROOT)}"
+def command(step: Step, size: Size) -> list[str]:
+    return [sys.executable, "-m", __name__, step.name, size.name]
 
 
-def run_in_child(part: Part, quick: bool, tick: Callable[[], None]) -> dict[str, Any]:
-    """Runs the part, calling `tick` some times a second meanwhile; its result is written and given.
+def run_in_child(step: Step, size: Size, tick: Callable[[], None]) -> store.Document:
+    """Runs the step, calling `tick` some times a second meanwhile; its result is written and given.
     A child that crashes or exceeds its time leaves a result `failed` that says so."""
-    store.FOLDER.mkdir(parents=True, exist_ok=True)
-    store.result_path(part.name, quick).unlink(missing_ok=True)
-    command = [sys.executable, str(store.SCRIPTS_FOLDER / "run.py"), "--child", part.name]
-    command += ["--quick"] if quick else []
-    began = time.monotonic()
-    with open(store.log_path(part.name), "w", encoding="utf-8") as log:
+    store.log_path(step.name).parent.mkdir(parents=True, exist_ok=True)
+    store.result_path(step.name, size).unlink(missing_ok=True)
+    began, problem = time.monotonic(), ""
+    with (
+        tempfile.TemporaryDirectory(prefix="minkref-recorded-", ignore_cleanup_errors=True) as name,
+        open(store.log_path(step.name), "w", encoding="utf-8") as log,
+    ):
+        Path(name).chmod(0o777)  # processes may be those of other users
         child = subprocess.Popen(
-            command, stdin=subprocess.DEVNULL, stdout=log, stderr=log, start_new_session=True
-        )
-        problem = ""
+            command(step, size), stdin=subprocess.DEVNULL, stdout=log, stderr=log,
+            start_new_session=True, env=recorded.environment(Path(name)),
+        )  # fmt: skip
         try:
             while child.poll() is None:
                 tick()
                 time.sleep(0.1)
-                if time.monotonic() - began > time_limit(part, quick):
-                    problem = f"ended after {time_limit(part, quick) / 60:.0f} minutes"
+                if time.monotonic() - began > time_limit(step, size):
+                    problem = f"ended after {time_limit(step, size) / 60:.0f} minutes"
                     break
         finally:
             _end_session(child)
-    document = store.read(part.name, quick)
+        found = recorded.files_of(Path(name), places.ROOT)
+    document = store.read(step.name, size)
     if document is None:
-        problem = problem or f"the script ended with code {child.returncode} without a result"
-        findings = Findings(notes=[problem, see_log(part.name)])
-        document = document_of(part, quick, findings, time.monotonic() - began, problem)
-        store.write(document)
+        problem = problem or f"the script ended with code {child.returncode} and no result"
+        findings = Findings(notes=[problem, see_log(step.name)])
+        document = document_of(step, size, findings, time.monotonic() - began, problem)
+    files = store.hashes({*found, *document["rests_on"]})
+    document |= {"commit": store.commit_of(files), "files": dict(sorted(files.items()))}
+    store.write(document)
     return document
 
 
@@ -71,20 +80,27 @@ def _end_session(child: subprocess.Popen[bytes]) -> None:
     child.wait()
 
 
-def run_here(name: str, quick: bool) -> int:
+def run_here(name: str, size: Size) -> int:
     """What the child does: run, write the result, tell by the exit code whether it broke down."""
-    part = load(name)
-    began = time.monotonic()
+    step = declared(name)
+    assert step is not None
+    findings, began = Findings(), time.monotonic()
+    more: dict[str, Any] = {}
     error = ""
     try:
-        findings = part.run(quick)
+        own = module(name)
+        more = {"seed": getattr(own, "SEED", None), "rests_on": getattr(own, "RESTS_ON", ())}
+        own.run(findings, size)
     except Exception as exception:  # noqa: BLE001 whatever it is, it is recorded
         traceback.print_exc()
         error = f"{type(exception).__name__}: {exception}"
         findings = Findings(notes=[see_log(name)])
-    document = document_of(part, quick, findings, time.monotonic() - began, error)
-    store.write(document)
+    store.write(document_of(step, size, findings, time.monotonic() - began, error) | more)
     return 1 if error else 0
+
+
+def see_log(step: str) -> str:
+    return f"see {os.path.relpath(store.log_path(step), places.ROOT)}"
 
 
 def machine() -> str:
@@ -92,27 +108,33 @@ def machine() -> str:
 
 
 def document_of(
-    part: Part, quick: bool, findings: Findings, seconds: float, error: str
-) -> dict[str, Any]:
-    usage = (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)
-    status = Status.FAILED if error else findings.status
+    step: Step, size: Size, findings: Findings, seconds: float, error: str
+) -> store.Document:
+    used = [resource.getrusage(who) for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
     document = {
-        "name": part.name,
-        "subject": part.subject,
-        "status": str(status),
-        "quick": quick,
+        "step": step.name,
+        "size": str(size),
+        "status": str(Status.FAILED if error else findings.status),
         "date": datetime.datetime.now(datetime.UTC).strftime("%Y-%m-%d %H:%M UTC"),
+        "commit": "",
+        "seed": None,
         "seconds": round(seconds, 2),
-        "peak_bytes": max(resource.getrusage(who).ru_maxrss for who in usage) * 1024,
-        "expected_minutes": part.quick_minutes if quick else part.minutes,
+        "processor_seconds": round(sum(each.ru_utime + each.ru_stime for each in used), 1),
+        "peak_bytes": max(each.ru_maxrss for each in used) * 1024,
+        "expected_minutes": step.minutes[size],
         "version": version(),
         "machine": machine(),
-        "paper_models": bool(os.environ.get("MINKREF_MODELS")),
-        "dependencies": store.dependency_hash(part),
+        "paper_models": bool(os.environ.get(recorded.MODELS)),
         "error": error or None,
         "checks": [asdict(check) for check in findings.checks],
         "figures": findings.figures,
         "notes": findings.notes,
+        "rests_on": [],
+        "files": {},
     }
     json.dumps(document)
     return document
+
+
+if __name__ == "__main__":
+    sys.exit(run_here(sys.argv[1], Size[sys.argv[2]]))

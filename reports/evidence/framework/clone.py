@@ -9,7 +9,7 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
-from minkref.reports.evidence.framework.store import FOLDER, ROOT
+from minkref.reports.evidence.framework.places import FOLDER, ROOT
 
 
 @dataclass(frozen=True)

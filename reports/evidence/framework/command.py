@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from minkref.reports.evidence.framework.part import Findings
-from minkref.reports.evidence.framework.store import ROOT
+from minkref.reports.evidence.framework.places import ROOT
 
 COMMAND = (sys.executable, "-m", "minkref")
 GRACE = 900.0  # seconds beyond what a run is given
@@ -33,12 +33,27 @@ def minkref(*words: object, seconds: float | None = None, **variables: str) -> t
 
 def verify(*words: object, seconds: float, path: Path | None = None) -> tuple[int, Document]:
     """The same of a run of so many seconds. `path` is put before PYTHONPATH."""
+    return minkref("verify", *words, seconds=seconds + GRACE, **searched(path))
+
+
+def first_found(
+    target: str, seconds: int, *words: object, path: Path | None = None
+) -> tuple[bool, Document]:
+    """Whether a search on one core, which ends with the first finding, has one."""
+    more = ("--first", "--seconds", seconds, "--jobs", 1, "--no-models", *words)
+    code, value = verify(target, *more, seconds=seconds, path=path)
+    return code in (1, 3), value
+
+
+def searched(path: Path | None) -> dict[str, str]:
+    """Variables: it is put before PYTHONPATH."""
     before = os.environ.get("PYTHONPATH", "")
-    variables = {} if path is None else {"PYTHONPATH": f"{path}{os.pathsep}{before}"}
-    return minkref("verify", *words, seconds=seconds + GRACE, **variables)
+    return {} if path is None else {"PYTHONPATH": f"{path}{os.pathsep}{before}"}
 
 
-def begun(ledger: Path, *arguments: str, **variables: str) -> subprocess.Popen[str]:
+def begun(
+    ledger: Path, *arguments: str, path: Path | None = None, **variables: str
+) -> subprocess.Popen[str]:
     """A run on a ledger, in a session of its own, whose document goes to a pipe."""
     words = [*COMMAND, "verify", *arguments, "--no-models", "--jobs", "2", "--shrink-calls", "0"]
     return subprocess.Popen(
@@ -47,7 +62,7 @@ def begun(ledger: Path, *arguments: str, **variables: str) -> subprocess.Popen[s
         stderr=subprocess.DEVNULL,
         text=True,
         start_new_session=True,
-        env={**os.environ, **variables},
+        env={**os.environ, **searched(path), **variables},
     )
 
 

@@ -8,7 +8,7 @@ import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 
-from minkref.reports.evidence.framework.store import ROOT
+from minkref.reports.evidence.framework.places import ROOT
 
 LIBRARY = ROOT / "build" / "release" / "reference" / "libminkref_reference.a"
 UNSAFE = 3  # exit code of the trial where the library refuses to compute

@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from minkref.reports.evidence.framework.store import ROOT
+from minkref.reports.evidence.framework.places import ROOT
 
 SEEDED = ROOT / "tests" / "seeded"  # a small implementation, and faults to put into it
 PAGE_ALONE = ROOT / "tests" / "page_alone"  # adapters written from the page of the protocol alone

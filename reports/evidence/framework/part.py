@@ -1,32 +1,44 @@
-"""A part of the evidence: one subject, one script, one function that finds figures."""
+"""What a step of the evidence is given and fills: its size, and its findings."""
 
 from __future__ import annotations
 
-import importlib
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
-from enum import StrEnum
-from pathlib import Path
-from typing import Any
+from enum import IntEnum, StrEnum
+from typing import Any, Generic, NamedTuple, TypeVar
 
-SCRIPTS = Path(__file__).resolve().parents[1]
-NOT_PARTS = ("__init__", "run")
+Count = TypeVar("Count")
+EVERYTHING = ("./",)  # for RESTS_ON: of what no process tells what it reads
 
-# Globs of code that parts depend on, from the repository root.
-REFERENCE = ("reference/**/*.?pp", "trials/*.?pp", "python/*.cpp", "CMakeLists.txt", "cmake/*")
-READERS = ("formats/*.?pp",)
-COMPARISON = ("fuzz/**/*.py", "python/minkref/*.py")
-CGAL = ("oracle/cgal/*.?pp", "oracle/cgal/CMakeLists.txt")
-MODELS = ("models/*.poly", "models/index.json")
-AGAINST_CGAL = (*REFERENCE, *READERS, *MODELS, *COMPARISON, *CGAL)
-CONVEX = (
-    "models/*.off", "python/minkref/space/*.py", "commands/space/*.py", "reports/bench/*.py",
-)  # fmt: skip
-CERTIFY = ("certify/*", "oracle/checker/*", "reports/evidence/certificates/*.py")
-DEGENERACIES = (
-    "degeneracies/*.py", "degeneracies/plane/*.py", "degeneracies/space/*.py",
-    "degeneracies/solids/*.py", "degeneracies/paths/*.py",
-)  # fmt: skip
+
+class Counts(NamedTuple, Generic[Count]):
+    """Of anything, by size."""
+
+    quick: Count
+    whole: Count
+    full: Count
+
+
+class Minutes(NamedTuple):
+    """Expected on two cores; None where there is no form of that size."""
+
+    quick: float | None
+    whole: float | None
+    full: float
+
+
+class Size(IntEnum):
+    """QUICK: all steps in minutes; WHOLE: `make evidence`; FULL: the counts of the claims."""
+
+    QUICK = 0
+    WHOLE = 1
+    FULL = 2
+
+    def of(self, counts: Counts[Count]) -> Count:
+        return counts[self]
+
+    def __str__(self) -> str:
+        return self.name.lower()
 
 
 class Status(StrEnum):
@@ -37,7 +49,7 @@ class Status(StrEnum):
 
 @dataclass(frozen=True)
 class Check:
-    """A law must hold, else the part has failed; a target may be missed, and is then recorded."""
+    """A law must hold, else the step has failed; a target may be missed, and is then recorded."""
 
     what: str
     wanted: str
@@ -76,35 +88,3 @@ class Findings:
         if any(check.law for check in missed) or not self.checks:
             return Status.FAILED
         return Status.MISSED if missed else Status.MET
-
-
-@dataclass(frozen=True)
-class Part:
-    """`quick_minutes` is None where a part has no quick form; quick runs then leave it out."""
-
-    name: str
-    subject: str
-    minutes: float
-    quick_minutes: float | None
-    depends: tuple[str, ...]
-    run: Callable[[bool], Findings]
-    alone: bool = False  # nothing runs beside it: it measures time, or looks at all processes
-
-
-def load(name: str) -> Part:
-    """What `name`.py declares: SUBJECT, MINUTES, DEPENDS, run(findings, quick); ALONE where nothing
-    may run beside it."""
-    module = importlib.import_module(f"minkref.reports.evidence.{name}")
-
-    def run(quick: bool) -> Findings:
-        findings = Findings()
-        module.run(findings, quick)
-        return findings
-
-    full, quick = module.MINUTES
-    alone = getattr(module, "ALONE", False)
-    return Part(name, module.SUBJECT, full, quick, tuple(module.DEPENDS), run, alone)
-
-
-def names() -> list[str]:
-    return sorted(path.stem for path in SCRIPTS.glob("*.py") if path.stem not in NOT_PARTS)

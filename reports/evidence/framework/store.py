@@ -1,71 +1,131 @@
-"""Results of parts, kept in build/evidence until the code that they depend on changes."""
+"""Results of steps, kept in build/evidence until a file changes that they rest on."""
 
 from __future__ import annotations
 
 import hashlib
 import json
 import os
+import subprocess
+from collections.abc import Iterable
+from functools import cache
 from pathlib import Path
 from typing import Any
 
-from minkref.reports.evidence.framework.part import SCRIPTS, Part
+from minkref.reports.evidence.framework import places
+from minkref.reports.evidence.framework.part import Size
+from minkref.reports.evidence.framework.recorded import MODELS, known
 
-SCRIPTS_FOLDER = SCRIPTS
-ROOT = SCRIPTS.parents[1]
-FOLDER = ROOT / "build" / "evidence"
-PAPER_FILES = ("nazca_monkey.poly", "bird.poly", "neuron.poly")
-
-
-def result_path(name: str, quick: bool) -> Path:
-    """A quick result has a file of its own: it never replaces a full one."""
-    return FOLDER / f"{name}{'.quick' if quick else ''}.json"
+Document = dict[str, Any]
+PROSE = (".md", ".svg", "rests_on.json")  # no result rests on it by the folder that it is in
 
 
-def log_path(name: str) -> Path:
-    return FOLDER / f"{name}.log"
+def result_path(step: str, size: Size) -> Path:
+    return places.FOLDER / f"{step}.{size}.json"
 
 
-def dependency_hash(part: Part) -> str:
-    """SHA-256 over names and contents of the files that the part's globs name, of its own script,
-    and of the paper's models where MINKREF_MODELS provides them."""
-    files = {path for glob in part.depends for path in ROOT.glob(glob) if path.is_file()}
-    files |= set((SCRIPTS_FOLDER / "framework").glob("*.py"))
-    files.add(SCRIPTS_FOLDER / f"{part.name}.py")
-    files = {path for path in files if path.is_file()}
-    total = hashlib.sha256()
-    for path in sorted(files):
-        name = path.relative_to(ROOT) if path.is_relative_to(ROOT) else path.name
-        total.update(f"{name} {hashlib.sha256(path.read_bytes()).hexdigest()}\n".encode())
-    for file in PAPER_FILES:
-        path = Path(os.environ.get("MINKREF_MODELS", "")) / file
-        if os.environ.get("MINKREF_MODELS") and path.is_file():
-            total.update(f"{file} {hashlib.sha256(path.read_bytes()).hexdigest()}\n".encode())
-    return total.hexdigest()
+def log_path(step: str) -> Path:
+    return places.FOLDER / f"{step}.log"
 
 
-def read(name: str, quick: bool) -> dict[str, Any] | None:
-    """The kept result, or None where there is none that can be read."""
+def hashes(names: Iterable[str]) -> dict[str, str]:
+    """By name. A folder whose files are all among them stands for these."""
+    return {name: hash_of(name) for name in in_folders(names)}
+
+
+@cache
+def hash_of(name: str) -> str:
+    """Of a file, or over all files of a folder (`oracle/cgal/`) but prose; empty without it."""
+    if name.endswith("/"):
+        rows = "".join(f"{one} {hash_of(one)}\n" for one in sorted(files_below(name)))
+        return hashlib.sha256(rows.encode()).hexdigest()[:16]
+    path = places.ROOT / name
+    if name.startswith(f"{MODELS}/"):
+        path = Path(os.environ.get(MODELS, ""), Path(name).name)
+    return hashlib.sha256(path.read_bytes()).hexdigest()[:16] if path.is_file() else ""
+
+
+@cache
+def files_below(folder: str) -> frozenset[str]:
+    prefix = folder.removeprefix("./")
+    every = known(places.ROOT)
+    return frozenset(n for n in every if n.startswith(prefix) and not n.endswith(PROSE))
+
+
+def in_folders(names: Iterable[str]) -> set[str]:
+    """A folder stands for its files where all of them are there."""
+    found = set(names)
+    parents = {name: {f"{parent}/" for parent in Path(name).parents} for name in found}
+    full = {f for f in set().union(*parents.values()) if len(files_below(f)) > 1 and
+            files_below(f) <= found} | {name for name in found if name.endswith("/")}  # fmt: skip
+    return {
+        name for name in found | full
+        if name.endswith(PROSE) or not full & {f"{parent}/" for parent in Path(name).parents}
+    }  # fmt: skip
+
+
+def commit_of(names: Iterable[str]) -> str:
+    """HEAD, with a `+` where one of the files is not as it is there; empty without git."""
+    head = git("rev-parse", "HEAD").strip()
+    return head + ("+" if touched(names, changed_since("HEAD") or ()) else "")
+
+
+def changed_since(commit: str) -> list[str] | None:
+    """Names of files; None where there is no such commit."""
+    command = ["git", "-C", str(places.ROOT), "diff", "--name-only", commit, "--"]
+    told = subprocess.run(command, capture_output=True, text=True, check=False)
+    if told.returncode:
+        return None
+    return [*told.stdout.splitlines(), *git("ls-files", "-o", "--exclude-standard").splitlines()]
+
+
+def touched(names: Iterable[str], changed: Iterable[str]) -> bool:
+    """Whether one of the changed files is among these, or in a folder among these."""
+    held = set(names)
+    folders = tuple(name.removeprefix("./") for name in held if name.endswith("/"))
+    return any(
+        one in held or (one.startswith(folders) and not one.endswith(PROSE)) for one in changed
+    )
+
+
+def git(*words: str) -> str:
+    command = ["git", "-C", str(places.ROOT), *words]
+    return subprocess.run(command, capture_output=True, text=True, check=False).stdout
+
+
+def read(step: str, size: Size) -> Document | None:
+    """The result, or None where there is none that can be read."""
     try:
-        value = json.loads(result_path(name, quick).read_text(encoding="utf-8"))
+        value = json.loads(result_path(step, size).read_text(encoding="utf-8"))
     except (OSError, ValueError):
         return None
-    return value if isinstance(value, dict) and value.get("name") == name else None
+    return value if isinstance(value, dict) and value.get("step") == step else None
 
 
-def write(document: dict[str, Any]) -> None:
-    path = result_path(document["name"], document["quick"])
+def write(document: Document) -> None:
+    path = result_path(document["step"], Size[document["size"].upper()])
     path.parent.mkdir(parents=True, exist_ok=True)
     beside = path.with_suffix(".part")
     beside.write_text(json.dumps(document, indent=1) + "\n", encoding="utf-8")
     beside.replace(path)
 
 
-def kept(part: Part, quick: bool) -> dict[str, Any] | None:
-    """A finished result that still stands for this code: a full one also serves a quick run. One
-    that failed is never kept."""
-    wanted = dependency_hash(part)
-    for form in (False, True) if quick else (False,):
-        document = read(part.name, form)
-        if document and document["dependencies"] == wanted and document["status"] != "failed":
+def is_current(document: Document) -> bool:
+    """Nothing that it rests on has changed."""
+    files = document["files"]  # none: the run was ended before they were known
+    return bool(files) and all(hash_of(name) == digest for name, digest in files.items())
+
+
+def kept(step: str, size: Size) -> Document | None:
+    """A finished result that stands for this code, of this size or a larger one. One that failed is
+    never kept."""
+    for each in sorted(Size, reverse=True):
+        document = read(step, each) if each >= size else None
+        if document and document["status"] != "failed" and is_current(document):
             return document
     return None
+
+
+def latest(step: str, size: Size) -> Document | None:
+    """What is told of a step: what is kept, or the last result of this size or a larger one."""
+    found = [document for each in Size if each >= size and (document := read(step, each))]
+    return kept(step, size) or max(found, key=lambda one: str(one["date"]), default=None)

@@ -1,15 +1,132 @@
-"""The summary: a table for the terminal, and the same as Markdown."""
+"""The summary: a table for the terminal, and as Markdown a row for each part and a section below
+it for each step, which later summaries read again where there is no other result."""
 
 from __future__ import annotations
 
 import datetime
+import re
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
 from typing import Any
 
+from minkref.reports.evidence.framework.part import Size, Status
 from rich.console import Console
 from rich.table import Table
 
 Document = dict[str, Any]
 COLOURS = {"met": "green", "missed": "yellow", "failed": "red"}
+SHORT = 8  # digits of a commit
+TOLD = re.compile(
+    r"^### (\w+/\w+)\n\n(\w+); (\w+) size; ([\d.]+) minutes; ([^;]+); commit ([^;]+); "
+    r"(?:seed (\d+); )?([^;]+) models\n(.*?)(?=^##|\Z)",
+    re.M | re.S,
+)
+
+
+@dataclass(frozen=True)
+class Entry:
+    """What the summary says of a step."""
+
+    step: str
+    status: str
+    size: str
+    minutes: float
+    date: str
+    commit: str
+    seed: str
+    models: str
+    body: str
+
+    def text(self) -> str:
+        seed = f"seed {self.seed}; " if self.seed else ""
+        return (
+            f"### {self.step}\n\n{self.status}; {self.size} size; {self.minutes:.1f} minutes; "
+            f"{self.date}; commit {self.commit}; {seed}{self.models} models\n{self.body}"
+        )
+
+
+def entries_of(text: str) -> dict[str, Entry]:
+    """Of a summary, by step."""
+    found = {}
+    for step, status, size, minutes, date, commit, seed, models, body in TOLD.findall(text):
+        body = f"{body.rstrip()}\n"
+        found[step] = Entry(
+            step, status, size, float(minutes), date, commit, seed, models, body
+        )  # fmt: skip
+    return found
+
+
+def entry_of(document: Document) -> Entry:
+    lines = [""]
+    if document["error"]:
+        lines += [f"Broke down: `{document['error']}`", ""]
+    if document["checks"]:
+        lines += ["| law or target | wanted | reached | |", "|---|---|---|---|"]
+    for check in document["checks"]:
+        kind = "law" if check["law"] else "target"
+        verdict = "met" if check["met"] else ("broken" if check["law"] else "missed")
+        cells = [f"{check['what']} ({kind})", check["wanted"], check["reached"], verdict]
+        lines.append("| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |")
+    lines += ["", *(f"- {note}" for note in document["notes"])] if document["notes"] else []
+    commit = document["commit"]
+    return Entry(
+        document["step"], document["status"], document["size"], round(document["seconds"] / 60, 1),
+        document["date"], (commit[:SHORT] + "+" * commit.endswith("+")) or "unknown",
+        str(document["seed"] or ""), "the paper's" if document["paper_models"] else "look-alike",
+        "\n".join(lines).rstrip() + "\n",
+    )  # fmt: skip
+
+
+def one_of(values: Iterable[str], otherwise: str) -> str:
+    """Theirs, if it is the same."""
+    found = set(values)
+    return found.pop() if len(found) == 1 else otherwise
+
+
+def row(part: str, steps: int, entries: list[Entry]) -> str:
+    """The worst status, the smallest size, the oldest date, all minutes."""
+    if not entries:
+        return f"| {part} | not run | | | | | |"
+    order = [str(status) for status in Status]
+    status = max((entry.status for entry in entries), key=order.index)
+    if len(entries) < steps:
+        status += f", {len(entries)} of {steps} steps"
+    cells = [
+        f"[{part}](#{part})",
+        status,
+        min((entry.size for entry in entries), key=[str(size) for size in Size].index),
+        one_of((entry.commit for entry in entries), "several"),
+        min(entry.date for entry in entries)[:10],
+        f"{sum(entry.minutes for entry in entries):.1f}",
+        one_of((entry.models for entry in entries), "both"),
+    ]
+    return f"| {' | '.join(cells)} |"
+
+
+def markdown(
+    steps: list[str], entries: dict[str, Entry], claim: Callable[[str], str], quick: bool
+) -> str:
+    """`steps`: all that there are, with results or not."""
+    today = datetime.datetime.now(datetime.UTC).strftime("%Y-%m-%d")
+    parts: dict[str, list[str]] = {}
+    for step in steps:
+        parts.setdefault(step.partition("/")[0], []).append(step)
+    lines = [
+        f"# Evidence, {today}" + (" (quick: smaller counts)" if quick else ""),
+        "",
+        f"Written by `make evidence{' QUICK=1' * quick}`. A *law* must hold; a *target* may be "
+        "missed, which is recorded.",
+        "",
+        "| part | status | size | commit | date | minutes | models |",
+        "|---|---|---|---|---|---:|---|",
+    ]
+    there = {part: [entries[s] for s in own if s in entries] for part, own in parts.items()}
+    lines += [row(part, len(own), there[part]) for part, own in parts.items()]
+    for part, own in there.items():
+        if own:
+            lines += ["", f"## {part}", "", claim(part)]
+            lines += [f"\n{entry.text().rstrip()}" for entry in own]
+    return "\n".join(lines) + "\n"
 
 
 def short(document: Document) -> str:
@@ -24,50 +141,12 @@ def short(document: Document) -> str:
 
 def show(console: Console, documents: list[Document], absent: list[str]) -> None:
     table = Table(title="Evidence", title_justify="left")
-    for column in ("part", "status", "minutes", "what was reached"):
+    for column in ("step", "status", "minutes", "what was reached"):
         table.add_column(column, justify="right" if column == "minutes" else "left")
     for document in documents:
-        status = document["status"] + (" (quick)" if document["quick"] else "")
-        colour = COLOURS[document["status"]]
+        told = f"[{COLOURS[document['status']]}]{document['status']}[/] ({document['size']})"
         minutes = f"{document['seconds'] / 60:.1f}"
-        table.add_row(
-            document["name"], f"[{colour}]{status}[/]", minutes, short(document), end_section=True
-        )
-    for name in absent:
-        table.add_row(name, "not run", "", "")
+        table.add_row(document["step"], told, minutes, short(document), end_section=True)
+    for step in absent:
+        table.add_row(step, "not run", "", "")
     console.print(table)
-
-
-def markdown(documents: list[Document], absent: dict[str, str], quick: bool) -> str:
-    """`absent`: parts without a result, and why."""
-    today = datetime.datetime.now(datetime.UTC).strftime("%Y-%m-%d")
-    command = "make evidence QUICK=1" if quick else "make evidence"
-    lines = [
-        f"# Evidence, {today}" + (" (quick: smaller counts)" if quick else ""),
-        "",
-        f"Written by `{command}`. A *law* must hold; a *target* may be missed, which is recorded.",
-        "",
-        "| part | status | date | minutes | models |",
-        "|---|---|---|---:|---|",
-    ]
-    for d in documents:
-        models = "the paper's" if d["paper_models"] else "look-alikes"
-        status = d["status"] + (" (quick)" if d["quick"] else "")
-        lines.append(
-            f"| [{d['name']}](#{d['name']}) | {status} | {d['date']} "
-            f"| {d['seconds'] / 60:.1f} | {models} |"
-        )
-    lines += [f"| {name} | {why} | | | |" for name, why in absent.items()]
-    for d in documents:
-        lines += ["", f"## {d['name']}", "", d["subject"], ""]
-        if d["error"]:
-            lines += [f"Broke down: `{d['error']}`", ""]
-        if d["checks"]:
-            lines += ["| law or target | wanted | reached | |", "|---|---|---|---|"]
-        for check in d["checks"]:
-            kind = "law" if check["law"] else "target"
-            verdict = "met" if check["met"] else ("broken" if check["law"] else "missed")
-            cells = [f"{check['what']} ({kind})", check["wanted"], check["reached"], verdict]
-            lines.append("| " + " | ".join(cell.replace("|", "\\|") for cell in cells) + " |")
-        lines += [""] + [f"- {note}" for note in d["notes"]] if d["notes"] else []
-    return "\n".join(lines) + "\n"

@@ -1,0 +1,22 @@
+"""A reader of pages: the data that their scripts read, numbers as texts."""
+
+from __future__ import annotations
+
+import re
+
+from minkref.reports.evidence.as_written.answers import Answers, Document
+from minkref.reports.evidence.as_written.read_plane import load
+
+DATA = re.compile(r'<script id="data" type="application/json">(.*?)</script>', re.S)
+
+
+def page_data(answers: Answers, *words: object) -> Document:
+    """What the page of a command holds. ValueError where it holds nothing."""
+    path = answers.folder / "page.html"
+    path.unlink(missing_ok=True)
+    answers.table(*words, "-o", path)
+    found = DATA.search(answers.read(path))
+    if found is None:
+        raise ValueError("a page without data")
+    value: Document = load(found[1])
+    return value

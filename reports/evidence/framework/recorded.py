@@ -1,0 +1,69 @@
+"""What the processes of a step read and started, as files of the repository."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+from functools import cache
+from pathlib import Path
+
+from minkref.reports.evidence.framework.includes import reached
+
+RECORDER = Path(__file__).with_name("recording")
+VARIABLE = "MINKREF_EVIDENCE_RECORD"
+MODELS = "MINKREF_MODELS"  # before the names of the paper's own models, which are elsewhere
+PAPER_FILES = ("nazca_monkey.poly", "bird.poly", "neuron.poly")
+LISTED = "models/index.json"
+
+
+def environment(folder: Path) -> dict[str, str]:
+    """In which a process, and the Python processes that it starts, record to this folder."""
+    before = os.environ.get("PYTHONPATH", "")
+    path = os.pathsep.join(filter(None, (str(RECORDER), before)))
+    return {**os.environ, VARIABLE: str(folder), "PYTHONPATH": path}
+
+
+def files_of(folder: Path, root: Path) -> set[str]:
+    """Names from the root: what was read, and of extension module and programs the sources."""
+    found = {name for line in lines(folder) if (name := named(line, root))}
+    if LISTED in found:  # C++ reads the files that it lists, unheard
+        found |= {name for name in known(root) if Path(name).parent == Path(LISTED).parent}
+        found |= {f"{MODELS}/{name}" for name in PAPER_FILES}
+    return reached(found, root)
+
+
+def lines(folder: Path) -> set[str]:
+    return {
+        line for path in folder.iterdir() for line in os.fsdecode(path.read_bytes()).splitlines()
+    }
+
+
+def named(line: str, root: Path) -> str | None:
+    """The source of a compiled module; the sources of a program that CMake built are those of the
+    folder that stands for it: `oracle/cgal/` for `build/release/oracle/cgal/minkref-cgal-full`."""
+    path = Path(line)
+    if path.parent.name == "__pycache__":
+        path = path.parent.parent / f"{path.name.partition('.')[0]}.py"
+    path = path.resolve()
+    if not path.is_relative_to(root):
+        return None
+    name = path.relative_to(root)
+    if name.parts[:1] == ("build",):
+        source = Path(*name.parts[2:-1])
+        is_built = len(name.parts) > 3 and os.access(path, os.X_OK)
+        return f"{source}/" if is_built and (root / source / "CMakeLists.txt").is_file() else None
+    return str(name) if str(name) in known(root) else None
+
+
+@cache
+def known(root: Path) -> frozenset[str]:
+    """All files of the repository: what git does not ignore, or without git what is there."""
+    command = ["git", "-C", str(root), "ls-files", "-z", "-co", "--exclude-standard"]
+    listed = subprocess.run(command, capture_output=True, text=True, check=False)
+    if listed.returncode == 0:
+        return frozenset(filter(None, listed.stdout.split("\0")))
+    return frozenset(
+        str(path.relative_to(root))
+        for path in root.rglob("*")
+        if path.is_file() and not {"build", ".venv", "__pycache__"} & set(path.parts)
+    )

@@ -1,0 +1,284 @@
+"""Faults put into the reference, and which judge, law or test catches each.
+
+The preset `faults` builds the reference with faults that the environment variable MINKREF_FAULT
+switches on (reference/fault.hpp). Each fault of the plane is put before the laws and tests of the
+reference, its own routes against each other, and the judges of `minkref verify minkref`; each of
+space before the laws and tests of space, and each of sums with a disc before those of the disc.
+
+`python -m minkref.reports.evidence.planted_faults.faults [FAULT...]` puts in these only (those
+that the table does not have, if none are named) and makes their rows anew. Exit code 1: one of them
+is not caught, or there is an alarm without a fault, and the table is left alone.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from collections import Counter
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from minkref.fuzz.plane.judgement import TRUTHS
+from minkref.reports.evidence.framework.part import EVERYTHING, Counts, Findings, Minutes, Size
+from minkref.reports.evidence.framework.places import ROOM, ROOT
+
+RESTS_ON = EVERYTHING
+MINUTES = Minutes(None, 3.5, 50)
+
+BUILD = ROOT / "build" / "faults"
+TABLE = ROOM / "planted_faults.md"
+SUITES = ("plane", "critical", "dynamic", "index")
+SPACE_SUITES = ("number", "space", "space_sums", "surface")
+DISC_SUITES = ("disc",)
+PYTEST_FOLDERS = ("tests/plane", "tests/dynamic")
+ROUTES = TRUTHS
+PAIRS = 60
+SUITE_SECONDS, VERIFY_SECONDS, PYTEST_SECONDS = 300, 150, 150
+FEWEST = 25
+FEWEST_OF_LIST = {"IN_PLANE": FEWEST, "IN_SPACE": FEWEST, "WITH_DISC": 12}
+JOBS = 2
+EVERY = Counts(0, 6, 1)  # of the faults, one in so many
+
+
+@dataclass
+class Caught:
+    """By whom: names of targets of `verify`, of suites and of tests."""
+
+    judges: list[str] = field(default_factory=list)
+    routes: list[str] = field(default_factory=list)
+    tests: list[str] = field(default_factory=list)
+
+    def __bool__(self) -> bool:
+        return bool(self.judges or self.routes or self.tests)
+
+
+def listed(where: str = "IN_PLANE|IN_SPACE|WITH_DISC") -> dict[str, str]:
+    """Every fault and what is wrong with it, in the order of reference/fault.hpp."""
+    text = (ROOT / "reference" / "fault.hpp").read_text(encoding="utf-8").replace("\\\n", " ")
+    lists = re.findall(rf"^#define MINKREF_FAULTS_(?:{where})\(X\)(.*)", text, re.MULTILINE)
+    return dict(re.findall(r'X\(\s*(\w+),\s*"([^"]+)"\s*\)', " ".join(lists)))
+
+
+def build(targets: tuple[str, ...] = ()) -> None:
+    """All of it, or what these targets need."""
+    words = ["cmake", "--build", str(BUILD), "-j", "2"]
+    for command in (
+        ["cmake", "--preset", "faults", f"-DPython_EXECUTABLE={sys.executable}"],
+        [*words, "--target", *targets] if targets else words,
+        *([] if targets else [[sys.executable, "scripts/link_package.py", str(BUILD)]]),
+    ):
+        done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+        if done.returncode:
+            raise RuntimeError(f"{' '.join(command)}: {(done.stderr or done.stdout)[-2000:]}")
+
+
+def ended(
+    fault: str, seconds: float, *command: str | Path
+) -> subprocess.CompletedProcess[str] | None:
+    """A command with the fault put in; None where it does not end."""
+    variables = {**os.environ, "MINKREF_FAULT": fault, "PYTHONPATH": str(BUILD / "package")}
+    try:
+        return subprocess.run(
+            command, cwd=ROOT, env=variables, capture_output=True, text=True, errors="replace",
+            check=False, timeout=seconds,
+        )  # fmt: skip
+    except subprocess.TimeoutExpired:
+        return None
+
+
+def laws(fault: str, suites: tuple[str, ...]) -> list[str]:
+    """The first test of each suite of the reference that fails; a suite that ends by a signal, or
+    not at all, has caught it too."""
+    failed = []
+    for suite in suites:
+        with tempfile.NamedTemporaryFile(suffix=".json") as report:
+            done = ended(
+                fault, SUITE_SECONDS, BUILD / "tests" / suite / f"test_{suite}",
+                f"--gtest_output=json:{report.name}", "--gtest_fail_fast",
+            )  # fmt: skip
+            if done is None:
+                failed.append(f"{suite}: no end in {SUITE_SECONDS} s")
+                continue
+            text = Path(report.name).read_text(encoding="utf-8")
+        found = [
+            f"{test['classname']}.{test['name']}"
+            for group in (json.loads(text)["testsuites"] if text else [])
+            for test in group["testsuite"]
+            if test.get("failures")
+        ]
+        if done.returncode and not found:
+            found = [f"{suite}: exit code {done.returncode}"]
+        failed += found
+    return failed
+
+
+def python_tests(fault: str) -> list[str]:
+    """The first that fails of tight passages made by hand, and of parents by their definition."""
+    words = ("-m", "pytest", "-qx", "-p", "no:cacheprovider", *PYTEST_FOLDERS)
+    done = ended(fault, PYTEST_SECONDS, sys.executable, *words)
+    if done is None:
+        return [f"{' '.join(PYTEST_FOLDERS)}: no end"]
+    found = re.findall(r"^(?:FAILED|ERROR) \S+?::(.+?)(?: - |$)", done.stdout, re.MULTILINE)
+    return found or ([f"pytest: exit code {done.returncode}"] if done.returncode else [])
+
+
+def before_judges(fault: str, caught: Caught) -> None:
+    """The judges, and our own routes against each other, on the same cases."""
+    words = ("-m", "minkref", "verify", "minkref", *ROUTES, "--pairs", str(PAIRS), "--no-models")
+    more = ("--json", "--jobs", "1", "--shrink-calls", "0")
+    done = ended(fault, VERIFY_SECONDS, sys.executable, *words, *more)
+    try:
+        matrix = json.loads(done.stdout if done is not None else "")["matrix"]
+    except (ValueError, KeyError):
+        caught.judges.append("verify: no end")
+        return
+    bad: Counter[str] = Counter()  # a row is a target on a family
+    for row in matrix:
+        bad[row["target"]] += sum(
+            n for verdict, n in row["verdicts"].items() if verdict not in ("pass", "skipped")
+        )
+    for target, count in bad.items():
+        if count:
+            where = caught.routes if target in ROUTES else caught.judges
+            where.append(f"{target.removeprefix('minkref@')} ({count})")
+
+
+def put_in(fault: str) -> Caught:
+    """Without a fault all that any is put before."""
+    caught = Caught()
+    if not fault or fault in listed("IN_PLANE"):
+        caught.tests += laws(fault, SUITES) + python_tests(fault)
+        before_judges(fault, caught)
+    if not fault or fault not in listed("IN_PLANE"):
+        caught.tests += laws(fault, _suites([fault] if fault else list(listed())))
+    print(f"{fault or 'none'}: {'caught' if caught else 'not caught'}", flush=True)
+    return caught
+
+
+def _suites(faults: list[str]) -> tuple[str, ...]:
+    """Before which faults that are not of the plane are put."""
+    chosen: tuple[str, ...] = ()
+    for where, suites in (("IN_SPACE", SPACE_SUITES), ("WITH_DISC", DISC_SUITES)):
+        if set(faults) & set(listed(where)):
+            chosen += suites
+    return chosen
+
+
+def all_put_in(names: list[str]) -> dict[str, Caught]:
+    with ThreadPoolExecutor(JOBS) as pool:
+        return dict(zip(names, pool.map(put_in, names), strict=True))
+
+
+def run(findings: Findings, size: Size) -> None:
+    if size is not Size.FULL:
+        _before_suites(findings, list(listed())[:: size.of(EVERY)])
+        return
+    build()
+    all_caught = all_put_in(["", *listed()])
+    without = all_caught.pop("")
+    missed = [name for name, caught in all_caught.items() if not caught]
+    by_judge = sum(bool(c.judges) for c in all_caught.values())
+    by_test = sum(bool(c.tests) for c in all_caught.values())
+    by_routes = sum(bool(c.routes) for c in all_caught.values())
+    findings.figures |= {
+        "pairs before the judges": PAIRS,
+        "faults": {name: vars(caught) for name, caught in all_caught.items()},
+        "alarms without a fault": vars(without),
+    }
+    findings.law("alarms without a fault", not without, "none", "none" if not without else without)
+    for where, fewest in FEWEST_OF_LIST.items():
+        count = len(listed(where))
+        what = f"faults {where.lower().replace('_', ' ')}"
+        findings.law(what, count >= fewest, f"at least {fewest}", count)
+    findings.law("not caught", not missed, "none", ", ".join(missed) or "none")
+    findings.target("caught by a judge", by_judge >= FEWEST, f"at least {FEWEST}", by_judge)
+    findings.target("caught by a law or test", by_test >= FEWEST, f"at least {FEWEST}", by_test)
+    findings.target("seen by our own routes", by_routes > 0, "some", by_routes)
+    rows = {name: row(name, caught) for name, caught in all_caught.items()}
+    TABLE.write_text(table(rows), encoding="utf-8")
+
+
+def _before_suites(findings: Findings, names: list[str]) -> None:
+    """Before the laws in C++ alone, which need a tenth of the build."""
+    suites = tuple(dict.fromkeys((*SUITES, *SPACE_SUITES, *DISC_SUITES)))
+    build(tuple(f"test_{suite}" for suite in suites))
+    findings.none("alarms without a fault", laws("", suites))
+    in_plane = listed("IN_PLANE")
+    with ThreadPoolExecutor(JOBS) as pool:
+        of = lambda name: laws(name, SUITES if name in in_plane else _suites([name]))  # noqa: E731
+        caught = dict(zip(names, pool.map(of, names), strict=True))
+    findings.figures["faults"] = caught
+    findings.target("caught by a law", all(caught.values()), len(caught),
+                    sum(map(bool, caught.values())))  # fmt: skip
+
+
+def row(name: str, caught: Caught) -> str:
+    columns = [caught.judges, caught.routes, caught.tests]
+    if name not in listed("IN_PLANE"):
+        columns = [caught.tests]
+    cells = [f"`{name}`", listed()[name], *(", ".join(names) for names in columns)]
+    return "| " + " | ".join(cell or "-" for cell in cells) + " |"
+
+
+def rows_of_table() -> dict[str, str]:
+    """By name, as they stand."""
+    lines = TABLE.read_text(encoding="utf-8").splitlines()
+    return {line.split("`")[1]: line for line in lines if line.startswith("| `")}
+
+
+def table(rows: dict[str, str]) -> str:
+    lines = [
+        "# Faults put into the reference",
+        "",
+        "Made by `make evidence ONLY=planted_faults`: each fault of `reference/fault.hpp`, put in "
+        "alone, and what caught it. *Judges*: of `minkref verify minkref`, with the number of "
+        f"the {PAIRS} random pairs, and of cases made from them, on which they saw it; a run ends "
+        "where the reference itself gives up. *Routes*: routes of the reference refuted on the "
+        "same pairs. *Laws and tests*: the first of each suite that fails.",
+        "",
+        "| fault | what is wrong | judges | routes | laws and tests |",
+        "|---|---|---|---|---|",
+        *(rows[name] for name in listed("IN_PLANE")),
+        "",
+        "Faults in the code of sums in space, and in the doubles with bounds under it. They are "
+        f"put before the C++ suites {', '.join(f'`{suite}`' for suite in SPACE_SUITES)} only.",
+        "",
+        "| fault | what is wrong | laws and tests |",
+        "|---|---|---|",
+        *(rows[name] for name in listed("IN_SPACE")),
+        "",
+        "Faults in the code of sums with a disc, put before the C++ suite `disc` only.",
+        "",
+        "| fault | what is wrong | laws and tests |",
+        "|---|---|---|",
+        *(rows[name] for name in listed("WITH_DISC")),
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def main(names: list[str]) -> int:
+    rows = rows_of_table()
+    names = names or [name for name in listed() if name not in rows]
+    if unknown := [name for name in names if name not in listed()]:
+        print(f"no such fault: {', '.join(unknown)}", file=sys.stderr)
+        return 2
+    in_plane = bool(set(names) & set(listed("IN_PLANE")))
+    suites = _suites(names)
+    build(() if in_plane else tuple(f"test_{suite}" for suite in suites))
+    without = put_in("") if in_plane else laws("", suites)
+    if without:
+        print(f"alarms without a fault: {without}", file=sys.stderr)
+        return 1
+    all_caught = all_put_in(names)
+    rows |= {name: row(name, caught) for name, caught in all_caught.items()}
+    TABLE.write_text(table(rows), encoding="utf-8")
+    return 0 if all(all_caught.values()) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
