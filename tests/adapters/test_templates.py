@@ -11,7 +11,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from minkref.commands.line.cli import run
 from minkref.fuzz.adapters.template import HEADER
+from thoroughness import some
 
 TEMPLATES = HEADER.parent / "templates"
 COMPILERS = {
@@ -131,11 +133,16 @@ def test_sets_of_several_polygons_with_holes_in_the_template_in_cpp(
     assert answer["polygons"] == sP["polygons"]
 
 
-LANGUAGES = {"python": "python3", "c": "cc", "c++": "c++", "javascript": "node", "rust": "rustc"}
+LANGUAGES = {"c": "cc", "c++": "c++", "python": "python3", "javascript": "node", "rust": "rustc"}
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
-def test_the_commands_that_are_printed_work_as_printed(tmp_path: Path, language: str) -> None:
+@pytest.mark.parametrize("language", some(LANGUAGES, 3))
+def test_the_commands_that_are_printed_work_as_printed(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    language: str,
+) -> None:
     if language in ("javascript", "rust") and not shutil.which(LANGUAGES[language]):
         pytest.skip(f"{LANGUAGES[language]} is not installed")
     environment = {
@@ -143,15 +150,16 @@ def test_the_commands_that_are_printed_work_as_printed(tmp_path: Path, language:
         "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}",
     }
 
-    def shell(line: str) -> str:
+    def shell(line: str) -> None:
         ran = subprocess.run(
             line, shell=True, cwd=tmp_path, env=environment, capture_output=True, text=True
         )
         assert ran.returncode == 0, ran.stdout + ran.stderr
-        return ran.stdout
 
-    first, *commands = shell(f"minkref adapter new my-lib --language {language}").splitlines()
+    monkeypatch.chdir(tmp_path)
+    assert run(["adapter", "new", "my-lib", "--language", language]) == 0
+    first, *commands = capsys.readouterr().out.splitlines()
     assert (tmp_path / first).is_file() and commands
     for line in commands:
-        short = line.strip().replace("--seconds 30", "--pairs 8 --no-models --jobs 1")
+        short = line.strip().replace("--seconds 30", "--pairs 2 --no-models --jobs 1")
         shell(short)

@@ -1,5 +1,5 @@
-"""Work of a second and more, one for each function that can be long: what a signal and a limit of
-memory have to end."""
+"""Work of a second and more where the run is thorough, and of two fifths of the size else, one for
+each function that can be long: what a signal and a limit of memory have to end."""
 
 from __future__ import annotations
 
@@ -8,8 +8,11 @@ from functools import cache
 from math import cos, pi, sin
 
 from minkref import _core
+from thoroughness import draws
 
 SCALING = ("1", "3/2", "7/5")
+SIXTY = draws(24_000, 60_000)
+MESH, STL, MANY, ROUND = (draws(n * 40_000, n * 100_000) for n in (4, 1, 8, 6))
 
 
 def _set(ring: list[tuple[int, int]]) -> _core.PolygonSet:
@@ -95,7 +98,7 @@ def cone_text(corners: int) -> bytes:
 @cache
 def mesh_text(form: str) -> bytes:
     """A mesh that takes long to read. STL writes each corner six times."""
-    text = cone_text(120_000 if form == "stl" else 400_000)
+    text = cone_text(STL if form == "stl" else MESH)
     if form == "off":
         return text
     return _core.write_mesh(_core.read_mesh_text(text, "off")[0], form).encode()
@@ -104,7 +107,7 @@ def mesh_text(form: str) -> bytes:
 @cache
 def many() -> _core.PolygonSet:
     """Vertices whose coordinates no decimal ends."""
-    return disc(800_000).scaled("1000/3001")
+    return disc(MANY).scaled("1000/3001")
 
 
 @cache
@@ -124,19 +127,19 @@ def prepare(name: str) -> None:
     elif name.startswith("reading "):
         mesh_text(name.removeprefix("reading "))
     elif name in ("validation, slivers", "certified as convex"):
-        double_cone(60_000)
+        double_cone(SIXTY)
     elif name in ("validation, large faces", "cut into triangles"):
-        star_prism(60_000)
+        star_prism(SIXTY)
     elif name == "validation":
-        disc(600_000)
+        disc(ROUND)
     elif name == "decision":
         disc(20_000), disc(20_001)
     elif name == "convex sum":
         drum(1500), drum(1501)
     elif name == "validation, spikes":
-        star(60_000, 10**9)
+        star(SIXTY, 10**9)
     elif name == "a set of points":
-        points(60_000)
+        points(SIXTY)
 
 
 def works() -> dict[str, Callable[[], object]]:
@@ -154,18 +157,18 @@ def works() -> dict[str, Callable[[], object]]:
         "index": lambda: _core.ScaleIndex(star(300), comb(250), "1/2", "2"),
         "proof of a sum": lambda: _proof(star(80), comb(60)),
         "decision": lambda: _core.decide(disc(20_000), disc(20_001), "1", "0", "0"),
-        "validation": lambda: disc(600_000).validate(),
+        "validation": lambda: disc(ROUND).validate(),
         "reading": lambda: _core.read_text(written(), "wkt"),
-        "validation, spikes": lambda: star(60_000, 10**9).validate(),
-        "validation, slivers": lambda: double_cone(60_000).validate(),
-        "validation, large faces": lambda: star_prism(60_000).validate(),
-        "certified as convex": lambda: _core.ConvexPolyhedron(double_cone(60_000)),
-        "a set of points": lambda: _core.PolygonSet(points(60_000)),
+        "validation, spikes": lambda: star(SIXTY, 10**9).validate(),
+        "validation, slivers": lambda: double_cone(SIXTY).validate(),
+        "validation, large faces": lambda: star_prism(SIXTY).validate(),
+        "certified as convex": lambda: _core.ConvexPolyhedron(double_cone(SIXTY)),
+        "a set of points": lambda: _core.PolygonSet(points(SIXTY)),
         **{
             f"reading {form}": lambda form=form: _core.read_mesh_text(mesh_text(form), form)
             for form in _core.MESH_FORMATS
         },
-        "cut into triangles": lambda: star_prism(60_000).cut_into_triangles(),
+        "cut into triangles": lambda: star_prism(SIXTY).cut_into_triangles(),
         "writing": lambda: _core.write(many(), "wkt"),
         "long lists": lambda: _core.reduced_convolution(star(2000), comb(2000)),
         "convex sum": lambda: _core.convex_sum(drum(1500), drum(1501), SCALING, "brute-force"),

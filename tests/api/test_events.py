@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import json
-import subprocess
-import sys
 from fractions import Fraction
 from typing import Any
 
 import minkref
 import pytest
 from minkref import Event, PolygonSet, events
+from minkref.commands.line.cli import run
 from minkref.event_values import KINDS, ROUTED_KINDS
 from minkref.operand import read_operand
 
@@ -41,12 +40,10 @@ def as_document(event: Event) -> dict[str, Any]:
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_events_are_those_of_the_command(kind: str) -> None:
+def test_events_are_those_of_the_command(kind: str, capsys: pytest.CaptureFixture[str]) -> None:
     words = ["events", "g1", "g2", "--kind", kind, "--from", "1/2", "--to", "2", "--json"]
-    ran = subprocess.run(
-        [sys.executable, "-m", "minkref", *words], capture_output=True, text=True, check=True
-    )
-    told = json.loads(ran.stdout)
+    assert run(words) == 0
+    told = json.loads(capsys.readouterr().out)
     found = events(G1, G2, kind, "1/2", 2)
     assert [as_document(event) for event in found] == told["events"]
     assert (len(found), found.distinct) == (told["count"], told["distinct"])

@@ -10,8 +10,10 @@ import time
 import pytest
 from long_works import comb, prepare, star, works
 from minkref import _core
+from thoroughness import draws
 
 SOON = 0.2  # seconds of this thread's processor: others may have the machine
+UNTIL = draws(50, 200) / 1000  # seconds, some fifth of the shortest work
 GROWING = (
     "sum, paper",
     "sum, winding",
@@ -34,7 +36,7 @@ def seconds_to_end(name: str) -> float:
         sent.append(time.clock_gettime(clock))
         os.kill(os.getpid(), signal.SIGINT)
 
-    timer = threading.Timer(0.2, send)
+    timer = threading.Timer(UNTIL, send)
     timer.start()
     try:
         with pytest.raises(KeyboardInterrupt):

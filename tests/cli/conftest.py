@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import io
 import json
-from collections.abc import Callable
+import shutil
+from collections.abc import Callable, Iterator
+from contextlib import redirect_stdout
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import jsonschema
 import pytest
 from minkref.commands.line.cli import run
 
@@ -26,6 +30,23 @@ class Ran:
 
 
 Minkref = Callable[..., Ran]
+
+
+@pytest.fixture(scope="session", autouse=True)
+def schemas_checked_once() -> Iterator[None]:
+    """To check a schema takes longer than to validate a document by it."""
+    kind = jsonschema.Draft202012Validator
+    check, checked = kind.check_schema, set[str]()
+
+    def once(schema: Any, *words: Any, **options: Any) -> None:
+        text = json.dumps(schema)
+        if text not in checked:
+            check(schema, *words, **options)
+            checked.add(text)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(kind, "check_schema", once)
+        yield
 
 
 @pytest.fixture
@@ -51,11 +72,15 @@ def squares(tmp_path: Path) -> tuple[Path, Path]:
     return first, second
 
 
-@pytest.fixture
-def letters(minkref: Minkref, tmp_path: Path) -> Path:
-    """The index of g1 and g2 at the scales from 1/4 to 4."""
-    from index_runs import build
-
-    path = tmp_path / "letters.index"
-    build(minkref, path, "g1", "g2", "--from", "1/4", "--to", "4")
+@pytest.fixture(scope="session")
+def kept_letters(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    path = tmp_path_factory.mktemp("kept") / "letters.index"
+    with redirect_stdout(io.StringIO()):
+        assert run(["index", "g1", "g2", "--from", "1/4", "--to", "4", "-o", str(path)]) == 0
     return path
+
+
+@pytest.fixture
+def letters(kept_letters: Path, tmp_path: Path) -> Path:
+    """The index of g1 and g2 at the scales from 1/4 to 4."""
+    return Path(shutil.copy(kept_letters, tmp_path))

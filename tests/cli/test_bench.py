@@ -18,7 +18,8 @@ Minkref = Callable[..., Any]
 
 @pytest.fixture
 def few(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Two small polygons, and no large pairs."""
+    """Two small polygons, and no large pairs; each time is taken once."""
+    monkeypatch.setattr(table1, "PASSES", 1)
     monkeypatch.setattr(pairs, "SMALL", ("g1", "g3"))
     monkeypatch.setattr(pairs, "QUICK_LARGE", ())
 
@@ -54,6 +55,7 @@ def test_table_2_follows_its_schema_and_has_all_pairs_twice(
     minkref: Minkref, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(table2, "MODELS", ("ti", "rod"))
+    monkeypatch.setattr(table2, "PASSES", 1)
     run, measured = table2.run, list[table2.Table2]()
 
     def run_once(*words: Any) -> table2.Table2:

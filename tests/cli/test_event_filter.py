@@ -11,6 +11,7 @@ from typing import Any
 
 import pyarrow.parquet
 import pytest
+from thoroughness import draws
 
 Minkref = Callable[..., Any]
 Event = dict[str, Any]
@@ -96,7 +97,7 @@ def test_a_condition_keeps_what_fractions_say(
     if not events:
         return
     dice = random.Random(SEED)
-    for _ in range(12):
+    for _ in range(draws(4, 12)):
         text, holds = condition(dice, events, 2)
         some = listed(minkref, kind, "--where", text, P=P, Q=Q)
         wanted = [event for event in events if holds(event)]

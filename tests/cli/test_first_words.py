@@ -11,17 +11,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from forked import forked
 
 
 def run(*words: str, folder: Path) -> subprocess.CompletedProcess[str]:
-    return subprocess.run(
-        [sys.executable, "-m", "minkref", *words],
-        cwd=folder,
-        capture_output=True,
-        text=True,
-        timeout=120,
-        env={**os.environ, "COLUMNS": "100"},
-    )
+    return forked(folder, *words)
 
 
 def test_the_version_in_short(tmp_path: Path) -> None:
@@ -37,10 +31,7 @@ complete_words() {
   _minkref_completion minkref
   echo "${COMPREPLY[@]}"
 }
-complete_words minkref ver
-complete_words minkref verify --no-s
 complete_words minkref verify clipper2-d
-complete_words minkref verify --family small
 exit 0
 """
 
@@ -55,8 +46,22 @@ def test_completion_in_bash(tmp_path: Path) -> None:
         text=True,
         timeout=120,
     )
-    said = "verify\n--no-settings\nclipper2-double\nsmall-holes\n"
-    assert (ran.stdout, ran.stderr) == (said, "")
+    assert (ran.stdout, ran.stderr) == ("clipper2-double\n", "")
+
+
+@pytest.mark.parametrize(
+    ("words", "completed"),
+    [
+        ("minkref ver", "verify"),
+        ("minkref verify --no-s", "--no-settings"),
+        ("minkref verify --family small", "small-holes"),
+    ],
+)
+def test_what_bash_is_told(tmp_path: Path, words: str, completed: str) -> None:
+    asked = {"_MINKREF_COMPLETE": "complete_bash", "COMP_WORDS": words}
+    asked["COMP_CWORD"] = str(len(words.split()) - 1)
+    ran = forked(tmp_path, before=lambda: os.environ.update(asked))
+    assert (ran.stdout.split(), ran.stderr) == ([completed], "")
 
 
 @pytest.mark.parametrize(
@@ -113,7 +118,7 @@ def test_where_the_header_is(tmp_path: Path) -> None:
 
 
 def test_a_quiet_run_says_it_by_its_exit_code(tmp_path: Path) -> None:
-    more = ("--pairs", "8", "--no-models", "--jobs", "1", "--quiet")
+    more = ("--pairs", "2", "--no-models", "--jobs", "1", "--quiet")
     for extra, code in ((("minkref:paper",), 0), (("minkref:paper", "--family", "x"), 2)):
         ran = run("verify", *extra, *more, folder=tmp_path)
         assert (ran.returncode, ran.stdout) == (code, "")
@@ -128,7 +133,7 @@ def test_entries_of_a_baseline_that_nothing_met(tmp_path: Path) -> None:
     ]
     text = json.dumps({"baseline": "baseline-v1", "entries": entries})
     (tmp_path / "known.json").write_text(text)
-    more = ("--pairs", "8", "--no-models", "--jobs", "1", "--baseline", "known.json", "--json")
+    more = ("--pairs", "2", "--no-models", "--jobs", "1", "--baseline", "known.json", "--json")
     ran = run("verify", "minkref:paper", *more, folder=tmp_path)
     notes = json.loads(ran.stdout)["notes"]
     assert notes == ["the baseline lists missing of minkref:paper, which this run did not meet"]

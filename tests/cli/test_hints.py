@@ -154,20 +154,21 @@ def test_what_a_hint_recommends_is_accepted(
     followed = 0
 
     @cache
-    def is_taken(*words: str) -> bool:
-        return minkref(*words).code != 2 or refusals[-1]["code"] in OF_THE_NUMBERS
+    def error_of(*words: str) -> dict[str, str] | None:
+        """None of a line that is taken."""
+        refused = minkref(*words).code == 2 and refusals[-1]["code"] not in OF_THE_NUMBERS
+        return refusals[-1] if refused else None
 
     def after(line: Words) -> list[Words]:
         """The line itself where it is taken, else all that its hint leads to."""
         nonlocal followed
-        if is_taken(*line):
+        error = error_of(*line)
+        if error is None:
             return [line]
-        minkref(*line)
-        error = refusals[-1]
         others = list(steps(line, error["where"], error["mend"]))
         for other in others:
             assert other != line, f"{line}: {error}"
-            assert is_taken(*other), f"{line}\n{error}\nleads to {other}\n{refusals[-1]}"
+            assert not error_of(*other), f"{line}\n{error}\nleads to {other}\n{refusals[-1]}"
         followed += len(others)
         return others
 
@@ -175,6 +176,6 @@ def test_what_a_hint_recommends_is_accepted(
         for option, line in lines(command, setting):
             right = [taken for taken in after(line) if option in taken]
             for wrong in misspelt(right[0], option) if right and option in WORDS else ():
-                assert not is_taken(*wrong), wrong
+                assert error_of(*wrong), wrong
                 assert after(wrong), wrong
     assert followed or command == "certify", "hints are read"

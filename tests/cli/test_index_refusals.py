@@ -20,12 +20,10 @@ EACH = pytest.mark.parametrize("command", COMMANDS)
 
 
 @pytest.fixture
-def at(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def at(letters: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A working folder with an index."""
-    monkeypatch.chdir(tmp_path)
-    index = _core.ScaleIndex(read_operand("g1").set, read_operand("g2").set, "1/4", "4")
-    index.save("letters.index")
-    return tmp_path
+    monkeypatch.chdir(letters.parent)
+    return letters.parent
 
 
 @EACH

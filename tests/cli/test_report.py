@@ -5,9 +5,12 @@ from __future__ import annotations
 import json
 import re
 import shutil
+from collections import Counter
 from collections.abc import Callable
+from dataclasses import replace
+from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, NoReturn
 
 import audit_runs
 import jsonschema
@@ -17,31 +20,59 @@ from minkref.degeneracies import lint
 from minkref.degeneracies.catalogue import DISC_FAMILIES, FAMILIES, PATH_FAMILIES, SPACE_FAMILIES
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES
 from minkref.degeneracies.make_corpus import COUNT_OF_PATHS, COUNT_WITH_DISC
+from minkref.fuzz.space.generators.convex import box
+from minkref.operand import read_operand
 from minkref.reports.audit.catalogue import ENTRIES
-from minkref.reports.audit.entry import Entry
-from minkref.reports.degeneracies.page import case_paths_of_report
+from minkref.reports.audit.entry import Drawing, Entry, Shown
+from minkref.reports.bench import pairs, table1, table2
+from minkref.reports.bench.cgal_space_service import NoSumError
+from minkref.reports.bench.space_pairs import TimedPair
+from minkref.reports.degeneracies import page as pages
+from minkref.reports.paper import crossing_facets, plots, program_plots
+from minkref.space.operand import read_space_operand
+from thoroughness import THOROUGH, draws, some
+
+INVALID = cache(pages._invalid)
 
 
-def test_a_page_for_each_family(minkref: Any, tmp_path: Path) -> None:
+@pytest.fixture(autouse=True)
+def invalid_input_made_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of which some is large, and is on each front page."""
+    monkeypatch.setattr(pages, "_invalid", INVALID)
+
+
+def test_a_page_for_each_family(
+    minkref: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Of so many cases of each; `found` has a drawing of each of its cases."""
+    most, drawn = draws(1, COUNT_WITH_DISC + COUNT_OF_PATHS), draws(1, 2)
+    counts: Counter[Path] = Counter()
+    cases = []
+    for path in pages.case_paths_of_report(lint.CORPUS):
+        counts[path.parent] += 1
+        if THOROUGH or path.parent.name == "found" or counts[path.parent] <= most:
+            cases.append(path)
+    monkeypatch.setattr(pages, "case_paths_of_report", lambda corpus: cases)
     ran = minkref("report", "degeneracies", "-o", str(tmp_path / "pages"), "--json")
     assert ran.code == 0
     front = Path(ran.json["pages"][0]).read_text(encoding="utf-8")
-    assert f"{len(case_paths_of_report(lint.CORPUS))} cases" in front
+    assert f"{len(cases)} cases" in front
     for name in (*FAMILIES, *SPACE_FAMILIES, "found"):
         page = (tmp_path / "pages" / f"{name}.html").read_text(encoding="utf-8")
-        assert f'href="{name}.html"' in front and page.count("<svg") >= 10
+        assert f'href="{name}.html"' in front and page.count("<svg") >= 5 * drawn
         numbers = re.findall(
             r"(?<=[ML ])[^ MLZ\"]+(?=[ LZ])", "".join(re.findall(r' d="[^"]*"', page))
         )
         assert numbers and all(-1e4 < float(number) < 1e4 for number in numbers)
     for name in DISC_FAMILIES:
         page = (tmp_path / "pages" / f"{name}.html").read_text(encoding="utf-8")
-        assert f'href="{name}.html"' in front and page.count("<svg") >= 6
-        assert page.count("<tr>") == COUNT_WITH_DISC + 1 and len(re.findall("A[0-9]", page)) > 6
+        assert f'href="{name}.html"' in front and page.count("<svg") >= 3 * drawn
+        assert page.count("<tr>") == min(COUNT_WITH_DISC, most) + 1
+        assert len(re.findall("A[0-9]", page)) > 3 * drawn
     for name in PATH_FAMILIES:
         page = (tmp_path / "pages" / f"{name}.html").read_text(encoding="utf-8")
-        assert f'href="{name}.html"' in front and page.count("<svg") >= 6
-        assert page.count("<tr>") == COUNT_OF_PATHS + 1
+        assert f'href="{name}.html"' in front and page.count("<svg") >= 3 * drawn
+        assert page.count("<tr>") == min(COUNT_OF_PATHS, most) + 1
         numbers = re.findall(r"[ML ](-?[0-9.]+)", "".join(re.findall(r' d="[^"]*"', page)))
         assert numbers and all(-400 < float(number) < 400 for number in numbers)
     for name in INVALID_FAMILIES:
@@ -92,7 +123,7 @@ def corpus_of(
     value = json.loads(whole)
     text = change(value)
     where = folder / "cases" / "mine"
-    where.mkdir(parents=True)
+    where.mkdir(parents=True, exist_ok=True)
     (where / "a.json").write_text(whole, encoding="utf-8")
     (where / "b.json").write_text(text or json.dumps(value), encoding="utf-8")
     return where / "b.json"
@@ -186,22 +217,19 @@ def test_a_folder_may_hold_cases_in_the_plane_and_in_space(minkref: Any, tmp_pat
     assert "the sum just above 1<" in page
 
 
-@pytest.mark.parametrize(
-    "change",
-    [
+def test_what_a_page_can_do_without_may_be_left_out(minkref: Any, tmp_path: Path) -> None:
+    changes = (
         without("title", "tags", "flags", "expected", "source", "licence", "certificate"),
         put("flags", ["of-my-own"]),
         put("scales", [2, 1, 3]),
-    ],
-)
-def test_what_a_page_can_do_without_may_be_left_out(
-    minkref: Any, tmp_path: Path, change: Callable[[Value], str | None]
-) -> None:
-    corpus_of(tmp_path, change)
+    )
+    for number, change in enumerate(changes):
+        path = corpus_of(tmp_path, change)
+        path.rename(path.with_name(f"{number}.json"))
     words = ("--corpus", tmp_path / "cases", "-o", tmp_path / "new" / "pages")
     assert minkref("report", "degeneracies", *words).code == 0
     page = (tmp_path / "new" / "pages" / "mine.html").read_text(encoding="utf-8")
-    assert page.count("<tr>") == 3 and "minkref generate mine" not in page
+    assert page.count("<tr>") == 5 and "minkref generate mine" not in page
 
 
 def a_file(folder: Path) -> str:
@@ -246,14 +274,38 @@ def test_no_family_takes_the_place_of_the_front_page(minkref: Any, tmp_path: Pat
     assert (ran.code, "the front page has this name" in ran.err) == (2, True)
 
 
-def test_both_reports_by_one_command(
-    minkref: Any,
-    tmp_path: Path,
-    tmp_path_factory: pytest.TempPathFactory,
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    """With each check of the audit that is not slow; tests/reports holds them to their words."""
-    monkeypatch.setattr(Entry, "run", lambda entry: audit_runs.once(tmp_path_factory, entry))
+def without_cgal() -> NoReturn:
+    raise NoSumError("it is left out")
+
+
+@pytest.fixture
+def small(monkeypatch: pytest.MonkeyPatch, tmp_path_factory: pytest.TempPathFactory) -> None:
+    """The smallest operands under the names of all, few repetitions, and of the checks of the audit
+    some; a thorough run takes all as they are. tests/reports holds the checks to their words."""
+    checked = some(ENTRIES, 3)
+
+    def run(entry: Entry) -> Shown:
+        if entry.name in checked:
+            return audit_runs.once(tmp_path_factory, entry)
+        return Shown(["It is so."], [Drawing("what is so", "<svg></svg>")])
+
+    monkeypatch.setattr(Entry, "run", run)
+    if THOROUGH:
+        return
+    polygon, solid = read_operand("g3"), read_space_operand("rod")
+    monkeypatch.setattr(pairs, "read_operand", lambda name: replace(polygon, name=name))
+    monkeypatch.setattr(table2, "read_space_operand", lambda name: replace(solid, name=name))
+    monkeypatch.setattr(table2, "CgalSpaceService", without_cgal)  # tests of `bench` have it
+    boxes = TimedPair("boxes", lambda: (box((0, 0, 0), (3, 2, 1)), box((-1, -1, -1), (1, 1, 2))))
+    monkeypatch.setattr(crossing_facets, "QUICK_PAIR", boxes)
+    for module in (plots, program_plots):  # which tests/reports draws
+        monkeypatch.setattr(module, "svg_element", lambda figure: "<svg></svg>")
+    for module in (table1, table2):
+        monkeypatch.setattr(module, "QUICK_COUNT", 2)
+        monkeypatch.setattr(module, "PASSES", 1)
+
+
+def test_both_reports_by_one_command(minkref: Any, tmp_path: Path, small: None) -> None:
     ran = minkref("report", "audit", "paper", "--quick", "-o", str(tmp_path), "--json")
     assert ran.code == 0
     jsonschema.validate(ran.json, schema("report"))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import resource
 import subprocess
@@ -11,10 +12,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from forked import forked
 from minkref.documents import lasting, write_together
 from minkref.errors import Refusal
 
-MINKREF = (sys.executable, "-m", "minkref")
 PART = "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))"
 WALLS = "MULTIPOLYGON (((-9 0, -1 0, -1 1, -9 1, -9 0)), ((3 0, 9 0, 9 1, 3 1, 3 0)))"
 WAY = "LINESTRING (0 3, 0 -3)"
@@ -44,23 +45,39 @@ def files(folder: Path) -> dict[str, bytes]:
 
 
 def run(
-    words: tuple[str, ...], folder: Path, before: Callable[[], Any] | None = None
+    words: tuple[str, ...], folder: Path, before: Callable[[], Any] = int
 ) -> subprocess.CompletedProcess[str]:
     folder.mkdir(exist_ok=True)
-    return subprocess.run(
-        [*MINKREF, *words], cwd=folder, capture_output=True, text=True, preexec_fn=before
-    )
+    return forked(folder, *words, before=before)
+
+
+ALL_OF_THEM = """
+import json, os, sys
+from pathlib import Path
+from minkref.commands.line.cli import run
+for name, words in json.loads(sys.argv[1]).items():
+    os.makedirs(Path(sys.argv[2], name))
+    os.chdir(Path(sys.argv[2], name))
+    assert run(words) == 0, name
+"""
+
+
+@pytest.fixture(scope="module")
+def twice(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
+    """Folders with what all commands have written in two runs, whose sets are in other orders."""
+    folders = [tmp_path_factory.mktemp("run") for _ in range(2)]
+    for seed, folder in enumerate(folders, start=1):
+        words = [sys.executable, "-c", ALL_OF_THEM, json.dumps({**SEVERAL, **ONE}), str(folder)]
+        environment = {**os.environ, "PYTHONHASHSEED": str(seed)}
+        subprocess.run(words, check=True, stdout=subprocess.DEVNULL, env=environment)
+    return folders
 
 
 @pytest.mark.parametrize("name", [*SEVERAL, *ONE])
-def test_two_runs_write_the_same_bytes(name: str, tmp_path: Path) -> None:
-    words = {**SEVERAL, **ONE}[name]
-    for folder in ("a", "b"):
-        ran = run(words, tmp_path / folder)
-        assert ran.returncode == 0, ran.stderr
-    written = files(tmp_path / "a")
+def test_two_runs_write_the_same_bytes(name: str, twice: list[Path]) -> None:
+    written, again = (files(folder / name) for folder in twice)
     assert written
-    assert written == files(tmp_path / "b")
+    assert written == again
 
 
 @pytest.mark.parametrize("name", SEVERAL)

@@ -120,9 +120,9 @@ def test_in_a_pipe_the_picture_has_no_colours() -> None:
         (("gs3", "rod", "--only-sum", "-o", "sum.off"), "no picture is drawn in space"),
     ],
 )
-def test_what_is_refused(words: tuple[str, ...], said: str) -> None:
-    ran = run(*words)
-    assert (ran.returncode, ran.stdout[:1] in ("", "{")) == (2, True) and said in ran.stderr
+def test_what_is_refused(minkref: Minkref, words: tuple[str, ...], said: str) -> None:
+    ran = minkref("sum", *words)
+    assert (ran.code, ran.out[:1] in ("", "{")) == (2, True) and said in ran.err
 
 
 def test_an_encoding_without_braille_is_refused() -> None:

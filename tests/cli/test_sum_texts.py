@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import json
-import subprocess
-import sys
 from pathlib import Path
+from subprocess import CompletedProcess
 from typing import Any
 
 import pytest
+from forked import forked
 from minkref import _core
 
 TRIANGLE = "POLYGON ((0 0, 2 0, 0 2, 0 0))"
@@ -16,18 +16,8 @@ GEOJSON = '{"type": "Polygon", "coordinates": [[[0, 0], [2, 0], [0, 2], [0, 0]]]
 PLAIN = '{"polygons": [{"outer": [["0", "0"], ["2", "0"], ["0", "2"]], "holes": []}]}'
 
 
-def run(folder: Path, *words: str, text: str | bytes = "") -> subprocess.CompletedProcess[str]:
-    data = text.encode() if isinstance(text, str) else text
-    ran = subprocess.run(
-        [sys.executable, "-m", "minkref", "sum", *words],
-        cwd=folder,
-        input=data,
-        capture_output=True,
-        timeout=120,
-    )
-    return subprocess.CompletedProcess(
-        ran.args, ran.returncode, ran.stdout.decode(), ran.stderr.decode()
-    )
+def run(folder: Path, *words: str, text: str | bytes = "") -> CompletedProcess[str]:
+    return forked(folder, "sum", *words, given=text.encode() if isinstance(text, str) else text)
 
 
 def region(text: str, form: str) -> Any:
@@ -86,14 +76,8 @@ def test_a_long_text_is_no_name_of_a_file(tmp_path: Path) -> None:
 def test_standard_input_is_one_operand_of_every_command(tmp_path: Path, command: str) -> None:
     more = {"sweep": ["--from", "1", "--to", "2", "--steps", "2"], "index": ["-o", "x.index"]}
     more["certify"] = ["-o", "x.cert.json"]
-    ran = subprocess.run(
-        [sys.executable, "-m", "minkref", command, "-", "-", *more.get(command, [])],
-        cwd=tmp_path,
-        input=TRIANGLE.encode(),
-        capture_output=True,
-        timeout=120,
-    )
-    assert ran.returncode == 2 and b"it is one operand: name a file" in ran.stderr
+    ran = forked(tmp_path, command, "-", "-", *more.get(command, []), given=TRIANGLE.encode())
+    assert ran.returncode == 2 and "it is one operand: name a file" in ran.stderr
 
 
 def test_in_space(tmp_path: Path) -> None:

@@ -8,6 +8,7 @@ import re
 import sys
 from collections.abc import Callable
 from fractions import Fraction
+from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +21,7 @@ from minkref.commands.schemas import schema
 from minkref.disc.disc import Disc, read_disc
 from minkref.disc.polygons import polygon_near
 from minkref.exact import digest
+from thoroughness import some
 
 Minkref = Callable[..., Any]
 
@@ -130,6 +132,8 @@ SHAPES = (
     "LINESTRING (0 0, 3 1)",
     "POINT (1/3 2)",
 )
+#: Each shape twice, by either route, with each radius.
+SUMS = some(product(SHAPES, ["1/2", "sqrt:2", "3/4"], ["definition", "paper"]), 12)
 
 
 def value_of(expression: str) -> mpmath.mpf:
@@ -138,9 +142,7 @@ def value_of(expression: str) -> mpmath.mpf:
     return mpmath.mpf(eval(number, {"mpf": mpmath.mpf, "sqrt": mpmath.sqrt}))
 
 
-@pytest.mark.parametrize("route", ["definition", "paper"])
-@pytest.mark.parametrize("radius", ["1/2", "sqrt:2", "3/4"])
-@pytest.mark.parametrize("shape", SHAPES)
+@pytest.mark.parametrize(("shape", "radius", "route"), SUMS)
 def test_measures_are_sums_of_terms(minkref: Minkref, shape: str, radius: str, route: str) -> None:
     ran = minkref("sum", shape, f"disc:{radius}", "--route", route, "--measures", "--json")
     assert ran.code == 0, ran.err
@@ -177,9 +179,7 @@ def test_measures_of_a_square(minkref: Minkref) -> None:
     assert whole["angles"][0]["from"] == whole["angles"][0]["to"]
 
 
-@pytest.mark.parametrize("route", ["definition", "paper"])
-@pytest.mark.parametrize("radius", ["1/2", "sqrt:2", "3/4"])
-@pytest.mark.parametrize("shape", SHAPES)
+@pytest.mark.parametrize(("shape", "radius", "route"), SUMS)
 def test_a_drawing_has_arcs_as_bulges(
     minkref: Minkref, tmp_path: Path, shape: str, radius: str, route: str
 ) -> None:

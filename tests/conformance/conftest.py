@@ -6,6 +6,7 @@ from __future__ import annotations
 import json
 from collections import Counter
 from collections.abc import Callable
+from copy import deepcopy
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
@@ -93,8 +94,8 @@ def finding() -> Callable[..., Finding]:
     return finding_of
 
 
-@pytest.fixture
-def made() -> Made:
+@pytest.fixture(scope="session")
+def made_once() -> Made:
     filled = (
         '{"polygons":[{"outer":[["0","0"],["1","0"],["6","2"],["5","3"],["0","5"]],"holes":[]}]}'
     )
@@ -172,6 +173,12 @@ def made() -> Made:
             small = replace(own.case, name=CaseName(HOLE, "shrinking"))
             group.small = [SmallFinding(HOLE, small, own.outcome, 7, True, False)]
     return Made(run, groups, _document(run))
+
+
+@pytest.fixture
+def made(made_once: Made) -> Made:
+    """A copy, which a test may change."""
+    return deepcopy(made_once)
 
 
 def _document(run: Run) -> dict[str, Any]:

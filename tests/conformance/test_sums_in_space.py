@@ -15,6 +15,7 @@ from minkref.fuzz.judges.space_nef import NefJudge
 from minkref.fuzz.judges.space_planes import PlaneFaces, planes_of_solid, planes_of_text
 from minkref.fuzz.judges.space_routes import core_polyhedron
 from minkref.fuzz.space.generators.convex import box
+from minkref.reports.conformance import space_showcase
 from minkref.reports.conformance.page import write_report
 from minkref.reports.conformance.solid_view import PAD, solid_view
 from minkref.reports.conformance.space_showcase import (
@@ -25,6 +26,7 @@ from minkref.reports.conformance.space_showcase import (
     space_showcases,
     told,
 )
+from thoroughness import some
 
 WIDTH = 60
 
@@ -73,9 +75,13 @@ def test_nothing_is_drawn_of_the_empty_set() -> None:
     assert "a &lt; b" in solid_view([], "sum", "a < b")
 
 
-def test_all_give_the_same_sums_and_the_page_shows_them(made: Any, tmp_path: Path) -> None:
+def test_all_give_the_same_sums_and_the_page_shows_them(
+    made: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pairs = dict(some(PAIRS.items(), 2))
+    monkeypatch.setattr(space_showcase, "PAIRS", pairs)
     shown = space_showcases()
-    assert [show.title for show in shown] == list(PAIRS)
+    assert [show.title for show in shown] == list(pairs)
     with NefJudge(1) as nef:
         absent = nef.absence
     for show in shown:
@@ -84,7 +90,7 @@ def test_all_give_the_same_sums_and_the_page_shows_them(made: Any, tmp_path: Pat
         assert (show.seconds[NEF] is None) == bool(absent)
         assert len(show.pictures) == 3
     line = told(shown)
-    assert "6 sums by edges, definition" in line and "all the same" in line
+    assert f"{len(pairs)} sums by edges, definition" in line and "all the same" in line
     wrong = [*shown[1:], replace(shown[0], differ=[DEFINITION])]
     assert f"NOT the same of {shown[0].title}" in told(wrong)
     write_report(tmp_path, made.run, made.groups, made.value, solids=shown)

@@ -8,13 +8,14 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from thoroughness import some
 
 FOLDER = Path(__file__).parent
 WORDS = ("--no-models", "--shrink-calls", "0", "--jobs", "1", "--no-settings")
 FILES = (
-    *("an underscore, json", "an exponent of twenty digits, wkt", "PLY, two billion vertices"),
-    *("settings, lists in lists", "index, a column of 2^64 - 1 elements"),
-    *("certificate, a case that is a device", "a bomb in gzip"),
+    *("an underscore, json", "PLY, two billion vertices", "an exponent of twenty digits, wkt"),
+    *("index, a column of 2^64 - 1 elements", "certificate, a case that is a device"),
+    *("settings, lists in lists", "a bomb in gzip"),
 )
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
 
@@ -26,8 +27,18 @@ def room(monkeypatch: pytest.MonkeyPatch) -> None:
         monkeypatch.syspath_prepend(str(folder))
 
 
-@pytest.mark.parametrize("kind", ["", "py:mischief:"])
-@pytest.mark.parametrize("name", ["Daemon", "ForgesTheLedger"])
+@pytest.mark.parametrize(
+    ("kind", "name"),
+    some(
+        [
+            ("", "Daemon"),
+            ("", "ForgesTheLedger"),
+            ("py:mischief:", "Daemon"),
+            ("py:mischief:", "ForgesTheLedger"),
+        ],
+        few=2,
+    ),
+)
 def test_an_attack_is_judged_and_leaves_nothing(kind: str, name: str, room: None) -> None:
     from attack import attack
     from attacks import ATTACKS
@@ -39,7 +50,7 @@ def test_an_attack_is_judged_and_leaves_nothing(kind: str, name: str, room: None
     assert faults_of(chosen, seen, sandboxed) == []
 
 
-@pytest.mark.parametrize("title", FILES)
+@pytest.mark.parametrize("title", some(FILES, 5))
 def test_a_file_is_refused(title: str, room: None) -> None:
     from file_catalogue import FILES
     from reading import read

@@ -13,6 +13,7 @@ from minkref.fuzz.families.random_pairs import random_pair
 from minkref.operand import read_operand
 from numpy.typing import NDArray
 from pairs_of_texts import ISLANDS, RING_OF_SQUARES, SEVERAL_COMPONENTS, TRIANGLE
+from thoroughness import draws
 
 Index = _core.ScaleIndex
 Rings = _core.IndexRings
@@ -35,7 +36,7 @@ TEXTS = {
     "nothing": ("POLYGON EMPTY", TRIANGLE),
 }
 MODELS = {"letters": ("g1", "g2"), "right angles": ("g3", "g1")}
-NAMES = (*TEXTS, *MODELS, "huge and tiny", *(f"random {k}" for k in range(6)))
+NAMES = (*TEXTS, *MODELS, "huge and tiny", *(f"random {k}" for k in range(draws(3, 6))))
 # Of which a boundary is told in integers of more than one word.
 LONG = "huge and tiny"
 
@@ -59,7 +60,7 @@ def window_of(name: str) -> tuple[str | None, str | None]:
     return ("1/3", "5") if name in ("letters", "random 1") else (None, None)
 
 
-def scales(index: Index, most: int = 12) -> list[str]:
+def scales(index: Index, most: int = draws(6, 12)) -> list[str]:
     """Events, with those of the topology first, and scales between them, beyond them, at the ends
     of the window."""
     low, high = (None if bound is None else Fraction(bound) for bound in index.window)

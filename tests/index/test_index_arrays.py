@@ -112,9 +112,9 @@ def test_numbers_at_the_ends_of_words(shift: int) -> None:
 
 @pytest.mark.parametrize("opened", [False, True])
 def test_arrays_outlive_the_index_and_the_rings(tmp_path: Path, opened: bool) -> None:
-    P, Q = operands("letters")
+    P, Q = operands("several components")
     made = Index(P, Q)
-    path = tmp_path / "letters.index"
+    path = tmp_path / "kept.index"
     made.save(str(path))
     index = Index.open(str(path)) if opened else Index(P, Q)
     del made

@@ -15,6 +15,7 @@ from hypothesis import strategies as st
 from indexed_sums import FORMS, Index, Point, Rings, exact_tracks, integers, points, scales
 from minkref import _core
 from minkref.strategies import pairs, to_set
+from thoroughness import draws
 
 DRAWN = settings(
     derandomize=True, database=None, deadline=None, phases=(Phase.generate, Phase.shrink)
@@ -197,7 +198,7 @@ def turned(ring: list[int]) -> list[int]:
 # Drawn operands.
 
 
-@settings(DRAWN, max_examples=40)
+@settings(DRAWN, max_examples=draws(12, 40))
 @given(pairs(holes=1, components=2, without_area=True), st.integers(1, 12), st.integers(1, 12))
 def test_drawn_operands_at_events_and_elsewhere(both: Any, n: int, d: int) -> None:
     P, Q = map(to_set, both)
@@ -219,7 +220,7 @@ def test_drawn_operands_at_events_and_elsewhere(both: Any, n: int, d: int) -> No
             assert abs(Fraction(y) - point[1]) <= Fraction(rings.error)
 
 
-@settings(DRAWN, max_examples=25)
+@settings(DRAWN, max_examples=draws(8, 25))
 @given(
     pairs(magnitude=10**20, denominators=(10**9 + 7, 7), components=2),
     st.integers(1, 10**30),

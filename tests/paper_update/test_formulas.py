@@ -11,8 +11,9 @@ import pytest
 from minkref import _core
 from minkref.fuzz.families.random_pairs import random_pair
 from minkref.oracle.symbolic.paper_formulas import Edge, parallel, region, s_edge, t_edge
+from thoroughness import draws
 
-PAIRS = (0, 1, 5, 9)  # of few edges
+PAIRS = (0, 36, 1, 5, 9)[: draws(2, 5)]  # of few edges; 36 has events by all formulas
 FORMS = ("printed", "corrected")
 WAYS = ("printed", "least-squares", "corrected")
 Regions = dict[tuple[int, int], tuple[Fraction | None, Fraction | None]]
@@ -64,4 +65,4 @@ def test_regions_of_pairs(observation: str, solve: str, interval: str) -> None:
                     expected = None
                 assert found.get((a, b)) == expected, (index, a, b)
                 seen += expected is not None
-    assert seen > 0 or (observation, solve) == ("printed", "printed")
+    assert seen > 0

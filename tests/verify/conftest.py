@@ -2,17 +2,32 @@
 
 from __future__ import annotations
 
+import faulthandler
+import multiprocessing
+import os
+import sys
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
-from minkref.fuzz.cases.case_list import CaseList
+from minkref.commands.schemas import schema
+from minkref.fuzz.cases import naming
+from minkref.fuzz.cases.case_list import RANDOM, CaseList
+from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.isolation.isolation import Isolation
+from minkref.fuzz.run import pool
 from minkref.fuzz.run.runner import Run, run
+from minkref.fuzz.settings import asking_about
 from minkref.fuzz.targets.answer import Limits
+from minkref.fuzz.targets.catalogue import make_target
 from minkref.fuzz.verdicts.baseline import Baseline
+from minkref.fuzz.verdicts.verdict import Outcome
+from thoroughness import THOROUGH
 
+os.register_at_fork(after_in_child=faulthandler.disable)  # forked workers die on purpose
 SEED = 20
 NO_BASELINE = Baseline()
 
@@ -33,13 +48,14 @@ def verify(faulty_sums: None) -> Callable[..., Run]:
         baseline: Baseline = NO_BASELINE,
         jobs: int = 1,
         named: tuple[str, ...] = (),
+        families: tuple[str, ...] = (RANDOM,),
         call_seconds: float = 30.0,
         versions: dict[str, Any] | None = None,
         walls: Isolation | None = None,
     ) -> Run:
         print(f"seed {SEED}")
         return run(
-            CaseList(SEED, pairs, named=named, models=False),
+            CaseList(SEED, pairs, named=named, families=families, models=False),
             list(targets),
             versions or {},
             baseline,
@@ -48,6 +64,50 @@ def verify(faulty_sums: None) -> Callable[..., Run]:
         )
 
     return call
+
+
+@pytest.fixture
+def outcomes(faulty_sums: None) -> Callable[..., list[Outcome]]:
+    """What is said of one target on named cases, without a run and its workers."""
+
+    def call(name: str, *cases: str, limits: Limits | None = None) -> list[Outcome]:
+        sys.set_int_max_str_digits(0)  # as in a worker
+        limits = limits or Limits(seconds=60)
+        target = cache(lambda name: make_target(name, limits))  # it, or one of ours
+        found: list[Outcome] = []
+        try:
+            for text in cases:
+                case = naming.load(CaseName(text, "test"))
+                found += asking_about(case, target, lambda _: None, {}, limits).outcomes([name])
+        finally:
+            target(name).close()
+        return [outcome for outcome in found if outcome.target == name]
+
+    return call
+
+
+@cache
+def _validator(name: str) -> Any:
+    import jsonschema
+
+    kind = jsonschema.validators.validator_for(schema(name))
+    kind.check_schema(schema(name))
+    return kind(schema(name))
+
+
+@pytest.fixture(scope="session")
+def follows_schema() -> Callable[[Any, str], None]:
+    """Raises where a document does not follow the schema of its command."""
+    return lambda value, name: _validator(name).validate(value)
+
+
+@pytest.fixture(autouse=True)
+def light_workers(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Forks the workers of runs in this process, which has imported what they need. In runs that
+    are processes, and where the tests are thorough, they begin as they do for a user."""
+    if not THOROUGH:
+        forking = SimpleNamespace(get_context=lambda _: multiprocessing.get_context("fork"))
+        monkeypatch.setattr(pool, "multiprocessing", forking)
 
 
 @pytest.fixture(autouse=True)

@@ -4,24 +4,30 @@ do; the run goes on, ends with a documented exit code, and leaves no process beh
 from __future__ import annotations
 
 import json
-import os
 import subprocess
 import sys
 import uuid
+from collections.abc import Callable
+from multiprocessing import resource_tracker
 from pathlib import Path
 from typing import Any
 
-import jsonschema
 import pytest
-from minkref.commands.schemas import schema
+from minkref.commands.line.cli import run
 from minkref.errors import Refusal
+from minkref.fuzz.isolation.isolation import choose
+from minkref.fuzz.isolation.leftovers import marked
 from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.targets.catalogue import select
 from minkref.fuzz.targets.declared import declarations_of
+from minkref.fuzz.verdicts.verdict import GOOD, Outcome, Verdict
+from thoroughness import THOROUGH, draws, some
 
+Outcomes = Callable[..., list[Outcome]]
+Verify = Callable[..., tuple[int, Any]]
+MIB = 1 << 20
 FOLDER = Path(__file__).parent / "bad_adapters"
 PLANE = ("--family", "random", "--family", "degenerate")
-SPACE = ("--family", "space-polycube")
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
 
 
@@ -40,34 +46,36 @@ def left_behind(mark: str) -> list[str]:
     return found
 
 
+@pytest.fixture
 def verify(
-    targets: list[str],
-    folder: Path,
-    *options: str | Path,
-    seconds: int = 60,
-    megabytes: int = 1024,
-    jobs: int | None = None,
-) -> tuple[int, Any]:
-    """The document of a run in `folder`, which follows its schema, and leaves nothing running.
-    The limit of time is far away unless a test is about it, so that a slow machine tells no lie."""
-    mark = uuid.uuid4().hex
-    words = [sys.executable, "-m", "minkref", "verify", "--call-seconds", str(seconds), *targets]
-    words += ["--no-models", "--call-memory", str(megabytes), "--shrink-calls", "0"]
-    words += ["--jobs", str(jobs)] if jobs else []
-    words += map(str, options)
-    ran = subprocess.run(
-        [*words, "--json"],
-        env={**os.environ, "MINKREF_TEST_MARK": mark},
-        capture_output=True,
-        text=True,
-        timeout=300,
-        cwd=folder,
-    )
-    assert "Traceback" not in ran.stderr
-    value = json.loads(ran.stdout)
-    jsonschema.validate(value, schema("verify"))
-    assert left_behind(mark) == []
-    return ran.returncode, value
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capfd: pytest.CaptureFixture[str],
+    follows_schema: Callable[[Any, str], None],
+) -> Callable[..., tuple[int, Any]]:
+    """Gives the document of a run in a folder of its own, which follows its schema, and leaves
+    nothing running. The limit of time is far away unless a test is about it, so that a slow machine
+    tells no lie."""
+
+    def call(
+        targets: list[str], *options: str | Path, seconds: int = 60, megabytes: int = 1024
+    ) -> tuple[int, Any]:
+        mark = uuid.uuid4().hex
+        resource_tracker.ensure_running()  # it stays
+        words = ["verify", "--call-seconds", str(seconds), *targets, "--no-models", "--jobs", "1"]
+        words += ["--call-memory", str(megabytes), "--shrink-calls", "0"]
+        with monkeypatch.context() as patch:
+            patch.chdir(tmp_path)
+            patch.setenv("MINKREF_TEST_MARK", mark)
+            code = run([*words, *map(str, options), "--json"])
+        said = capfd.readouterr()
+        assert "Traceback" not in said.err
+        value = json.loads(said.out)
+        follows_schema(value, "verify")
+        assert left_behind(mark) == []
+        return code, value
+
+    return call
 
 
 def verdicts(value: Any, name: str) -> set[str]:
@@ -114,32 +122,51 @@ NO_BEGIN += [f"capabilities-{what}" for what in ("text", "numbers", "empty")]
 NO_BEGIN += ["protocol-v9", "protocol-missing", "protocol-list", "name-long", "numbers-words"]
 NO_BEGIN += ["sum-other", "arithmetic-number"]
 NO_BEGIN += [f"tolerance-{what}" for what in ("negative", "no-number", "list", "nan", "long")]
-# Those that hang take no processor: they are waited for at the same time.
-LIMITS = {TIMED_OUT[0]: {"seconds": 3, "jobs": 6}, "memory-without-end": {"megabytes": 256}}
+CHARGED = {
+    Verdict.CRASHED: CRASHED,
+    Verdict.ERRORED: ERRORED,
+    Verdict.WRONG: WRONG,
+    Verdict.PASS: PASS,
+    Verdict.PASS_WITHIN: ["float-within"],
+    Verdict.TIMED_OUT: TIMED_OUT,
+    Verdict.OUT_OF_MEMORY: ["memory-without-end"],
+    Verdict.SKIPPED: ["space-only"],
+}
+
+
+@pytest.mark.parametrize("verdict", CHARGED)
+def test_each_is_charged_with_what_it_does(verdict: Verdict, outcomes: Outcomes) -> None:
+    seconds = 0.3 if verdict is Verdict.TIMED_OUT else 60
+    memory = MIB << (8 if verdict is Verdict.OUT_OF_MEMORY else 10)
+    walls = choose()
+    limits = Limits(seconds, memory, output=4 * MIB, isolation=walls)
+    cases = ("random:1:0", "degenerate:1:0")[: draws(1, 2)]
+    said = {
+        way: {outcome.verdict for outcome in outcomes(target(way), *cases, limits=limits)}
+        for way in CHARGED[verdict]
+    }
+    assert said == {way: {verdict} for way in CHARGED[verdict]}
+    assert marked(walls.mark) == []
 
 
 @pytest.mark.parametrize(
-    ("ways", "expected", "code"),
+    ("kinds", "seconds", "code"),
     [
-        (CRASHED, {"crashed"}, 3),
-        (ERRORED, {"errored"}, 3),
-        (WRONG, {"wrong"}, 1),
-        (PASS, {"pass"}, 0),
-        (["float-within"], {"pass-within"}, 0),
-        (TIMED_OUT, {"timed-out"}, 3),
-        (["memory-without-end"], {"out-of-memory"}, 3),
-        (["space-only"], {"skipped"}, 0),
+        ((Verdict.CRASHED, Verdict.ERRORED, Verdict.TIMED_OUT, Verdict.OUT_OF_MEMORY), 3, 3),
+        ((Verdict.WRONG, Verdict.CRASHED), 60, 1),
+        ((Verdict.PASS, Verdict.PASS_WITHIN, Verdict.SKIPPED), 60, 0),
     ],
-    ids=lambda value: "-".join(sorted(value)) if isinstance(value, set) else None,
 )
-def test_each_is_charged_with_what_it_does(
-    tmp_path: Path, ways: list[str], expected: set[str], code: int
+def test_a_run_ends_with_a_documented_code(
+    verify: Verify, kinds: tuple[Verdict, ...], seconds: int, code: int
 ) -> None:
-    targets = [target(way) for way in ways]
-    limits = LIMITS.get(ways[0], {})
-    found, value = verify([*targets, "minkref:paper"], tmp_path, *PLANE, "--pairs", "3", **limits)
-    said = {way: verdicts(value, name) for way, name in zip(ways, targets, strict=True)}
-    assert said == {way: expected for way in ways}
+    few = 1 if Verdict.TIMED_OUT in kinds else 2
+    ways = {way: str(kind) for kind in kinds for way in some(CHARGED[kind], few)}
+    found, value = verify(
+        [*map(target, ways), "minkref:paper"], *PLANE, "--pairs", draws(1, 3),
+        seconds=seconds, megabytes=256,
+    )  # fmt: skip
+    assert {way: verdicts(value, target(way)) for way in ways} == {w: {v} for w, v in ways.items()}
     assert verdicts(value, "minkref:paper") == {"pass"}
     assert found == code
 
@@ -148,7 +175,7 @@ def test_each_is_charged_with_what_it_does(
 def test_one_that_does_not_begin_is_refused(way: str) -> None:
     chosen, _ = select([target(way)])
     with pytest.raises(Refusal, match="does not begin"):
-        declarations_of(chosen, Limits(60, 1 << 30))
+        declarations_of(chosen, Limits(60, 256 * MIB))
 
 
 @pytest.mark.parametrize(
@@ -161,13 +188,13 @@ def test_one_that_does_not_begin_is_refused(way: str) -> None:
     ],
 )
 def test_a_run_with_one_that_does_not_begin_ends_at_once(
-    tmp_path: Path, name: str, what: str
+    verify: Verify, tmp_path: Path, name: str, what: str
 ) -> None:
     """Nothing is run, and nothing written."""
     (tmp_path / "text.py").write_text("no program\n")
     (tmp_path / "text.py").chmod(0o755)
     more = ("--report", tmp_path / "report", "--ledger", tmp_path / "ledger", "--pairs", "500")
-    code, value = verify(["minkref:paper", name], tmp_path, *more)
+    code, value = verify(["minkref:paper", name], *more)
     assert code == 2 and what in value["error"]["what"] and value["error"]["where"] == name
     assert sorted(path.name for path in tmp_path.iterdir()) == ["text.py"]
 
@@ -175,30 +202,29 @@ def test_a_run_with_one_that_does_not_begin_ends_at_once(
 @pytest.mark.parametrize(
     ("ways", "expected"),
     [
-        (["open", "not-planar", "cube", "twice", "inside-out", "nothing"], {"wrong"}),
-        (["index-out-of-range", "index-negative", "index-float", "face-of-two"], {"errored"}),
-        (["long-exponent", "zero-denominator", "plane", "faces-missing"], {"errored"}),
+        (["open", "not-planar", "cube", "twice", "inside-out", "nothing"], Verdict.WRONG),
+        (["index-out-of-range", "index-negative", "index-float", "face-of-two"], Verdict.ERRORED),
+        (["long-exponent", "zero-denominator", "plane", "faces-missing"], Verdict.ERRORED),
     ],
     ids=["sets", "indices", "numbers"],
 )
-def test_each_is_charged_in_space(tmp_path: Path, ways: list[str], expected: set[str]) -> None:
-    targets = [target(f"space-{way}") for way in ways]
-    _, value = verify(targets, tmp_path, *SPACE, "--pairs", "3", "--no-derived")
-    said = {way: verdicts(value, name) for way, name in zip(ways, targets, strict=True)}
-    assert said == {way: expected for way in ways}
+def test_each_is_charged_in_space(ways: list[str], expected: Verdict, outcomes: Outcomes) -> None:
+    cases = [f"space-polycube:1:{k}" for k in range(draws(1, 3))]
+    said = {way: {o.verdict for o in outcomes(target(f"space-{way}"), *cases)} for way in ways}
+    assert said == {way: {expected} for way in ways}
 
 
-def test_answer_of_many_vertices_ends_no_run(tmp_path: Path) -> None:
-    words = ("--case", "random:1:0", "--call-seconds", "60")
-    code, value = verify([target("million-vertices")], tmp_path, *words)
+def test_answer_of_many_vertices_ends_no_run(verify: Verify) -> None:
+    name = target("million-vertices" if THOROUGH else "many-vertices")
+    code, value = verify([name], "--case", "random:1:0")
     assert code == 3
-    assert verdicts(value, target("million-vertices")) <= {"errored", "timed-out"}
+    assert verdicts(value, name) <= {"errored", "timed-out"}
 
 
 def test_line_that_reproduces_a_finding_of_a_command_can_be_given_to_a_shell(
-    tmp_path: Path,
+    verify: Verify,
 ) -> None:
-    _, value = verify([target("rings-none")], tmp_path, "--case", "random:1:0")
+    _, value = verify([target("rings-none")], "--case", "random:1:0")
     line = value["findings"][0]["reproduce"]
     shell = line.replace("minkref verify", f"{sys.executable} -m minkref verify", 1) + " --json"
     ran = subprocess.run(shell, shell=True, capture_output=True, text=True, timeout=60)
@@ -210,11 +236,24 @@ flat-rings-shuffled triangles triangle-polygons rings-twice double double-rings 
 boundary everything""".split()
 
 
-def test_right_answers_pass_in_every_form(tmp_path: Path) -> None:
+RIGHT = ("random:1:0", "holes:1:9", "degenerate:1:0", "probe:0(random:1:26)", "invalid:1:0")
+RIGHT += ("update(star:1:0)", "events(holes:1:9)")
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_right_answers_pass_in_every_form(form: str, outcomes: Outcomes) -> None:
     """Order, start, orientation, collinear and repeated vertices, triangles, rings with nesting;
     doubles and a grid within their tolerance; sums of boundaries."""
+    said = outcomes(target(form, "right_adapter.py"), *RIGHT)
+    assert {o.verdict for o in said} <= {*GOOD, Verdict.SKIPPED}, [o.message for o in said]
+    assert Verdict.PASS in {o.verdict for o in said}
+
+
+@pytest.mark.thorough
+def test_right_answers_pass_in_every_form_in_a_run(verify: Verify) -> None:
+    """As `test_right_answers_pass_in_every_form`, on many cases."""
     targets = [target(form, "right_adapter.py") for form in FORMS]
-    code, value = verify(targets, tmp_path, "--pairs", "60")
+    code, value = verify(targets, "--pairs", "60")
     assert [f for f in value["findings"]] == []
     assert code == 0
     for form, name in zip(FORMS, targets, strict=True):

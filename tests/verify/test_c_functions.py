@@ -5,14 +5,16 @@ from __future__ import annotations
 import json
 import shutil
 import subprocess
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-import jsonschema
 import pytest
 from minkref.commands.line.cli import run
-from minkref.commands.schemas import schema
 from minkref.fuzz.adapters.template import HEADER
+from minkref.fuzz.targets.answer import Limits
+from minkref.fuzz.verdicts.verdict import Outcome, Verdict
+from thoroughness import draws
 
 pytestmark = pytest.mark.skipif(not shutil.which("gcc"), reason="gcc is not installed")
 
@@ -92,43 +94,48 @@ const char* minkref_hello(void) {
 }
 """
 EXPECTED = {
-    "right": {"pass", "pass-within"},
-    "wrong": {"wrong"},
-    "skips": {"errored"},
-    "rejects": {"wrong"},
-    "fails": {"errored"},
-    "odd_status": {"errored"},
-    "crashes": {"crashed"},
-    "aborts": {"crashed"},
-    "leaves": {"crashed"},
-    "never": {"timed-out"},
-    "nothing_set": {"wrong"},
-    "no_arrays": {"errored"},
-    "negative": {"errored"},
-    "not_a_number": {"errored"},
-    "infinite": {"errored"},
-    "too_far": {"crashed"},
-    "far_sizes": {"errored"},
-    "far_rings": {"crashed"},
-    "not_by_malloc": {"crashed"},
+    "right": {Verdict.PASS, Verdict.PASS_WITHIN},
+    "wrong": {Verdict.WRONG},
+    "skips": {Verdict.ERRORED},
+    "rejects": {Verdict.WRONG},
+    "fails": {Verdict.ERRORED},
+    "odd_status": {Verdict.ERRORED},
+    "crashes": {Verdict.CRASHED},
+    "aborts": {Verdict.CRASHED},
+    "leaves": {Verdict.CRASHED},
+    "never": {Verdict.TIMED_OUT},
+    "nothing_set": {Verdict.WRONG},
+    "no_arrays": {Verdict.ERRORED},
+    "negative": {Verdict.ERRORED},
+    "not_a_number": {Verdict.ERRORED},
+    "infinite": {Verdict.ERRORED},
+    "too_far": {Verdict.CRASHED},
+    "far_sizes": {Verdict.ERRORED},
+    "far_rings": {Verdict.CRASHED},
+    "not_by_malloc": {Verdict.CRASHED},
 }
 
 
 def test_each_function_is_charged_with_what_it_does(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path,
+    outcomes: Callable[..., list[Outcome]],
+    follows_schema: Callable[[Any, str], None],
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
+    """And a run over a few says the same."""
     source, library = tmp_path / "sums.c", tmp_path / "libsums.so"
     source.write_text(SOURCE, encoding="utf-8")
     words = ["gcc", "-std=c99", "-O1", "-shared", "-fPIC", f"-I{HEADER.parent}", str(source)]
     subprocess.run([*words, "-o", str(library), "-lm"], check=True, timeout=60)
-    names = {f"so:{library}:{name}": name for name in EXPECTED}
-    options = ["--family", "convex", "--pairs", "2", "--no-derived", "--no-models"]
-    options += ["--call-seconds", "1", "--shrink-calls", "0", "--json"]
-    code = run(["verify", *names, *options])
+    cases = [f"convex:1:{k}" for k in range(draws(1, 2))]
+    for name, verdicts in EXPECTED.items():
+        limits = Limits(seconds=0.3 if name == "never" else 60)
+        said = outcomes(f"so:{library}:{name}", *cases, limits=limits)
+        assert {outcome.verdict for outcome in said} <= verdicts, (name, said)
+    names = {f"so:{library}:{name}": name for name in ("right", "wrong", "fails")}
+    options = ["--case", "convex:1:0", "--shrink-calls", "0", "--jobs", "1", "--json"]
+    assert run(["verify", *names, *options]) == 1
     value = json.loads(capsys.readouterr().out)
-    jsonschema.validate(value, schema("verify"))
-    assert code == 1
-    said: dict[str, set[Any]] = {name: set() for name in EXPECTED}
+    follows_schema(value, "verify")
     for cell in value["matrix"]:
-        said[names[cell["target"]]] |= set(cell["verdicts"])
-    assert {name: found <= EXPECTED[name] and found for name, found in said.items()} == said
+        assert set(cell["verdicts"]) <= EXPECTED[names[cell["target"]]]

@@ -5,17 +5,20 @@ from __future__ import annotations
 import json
 import re
 import xml.etree.ElementTree as ElementTree
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-import jsonschema
 import pytest
 from minkref.commands.line.cli import run
-from minkref.commands.schemas import schema
+from thoroughness import draws
 
 WRONG = "py:faulty_sums:loses_holes"
-PLAIN = ("--family", "random", "--no-derived", "--no-models")
-FEW = ("--pairs", "500", *PLAIN)
+ALWAYS = ("--no-derived", "--no-models", "--jobs", "1")
+UNSHRUNK = ("--shrink-calls", "0")
+PLAIN = ("--family", "random", *ALWAYS, *UNSHRUNK)
+COUNT = str(draws(12, 500))
+FEW = ("--pairs", COUNT, "--family", "holes", *ALWAYS, "--shrink-calls", "8")
 
 
 @pytest.fixture
@@ -28,18 +31,20 @@ def minkref(faulty_sums: None, capsys: pytest.CaptureFixture[str]) -> Any:
     return call
 
 
-def test_document_follows_its_schema_and_findings_carry_their_case(minkref: Any) -> None:
-    code, out, err = minkref("minkref:paper", WRONG, *FEW, "--json")
+def test_document_follows_its_schema_and_findings_carry_their_case(
+    minkref: Any, follows_schema: Callable[[Any, str], None]
+) -> None:
+    code, out, err = minkref("minkref:paper", WRONG, *FEW, "--json", *UNSHRUNK)
     assert (code, err) == (1, "")
     value = json.loads(out)
-    jsonschema.validate(value, schema("verify"))
+    follows_schema(value, "verify")
     assert value["exit_code"] == 1
     finding = value["findings"][0]
     assert finding["target"] == WRONG
     assert finding["reasons"] == ["hole-lost"]
     assert finding["witness"]["in_truth"] is False
     assert finding["P"]["set"]["polygons"]
-    code, out, _ = minkref(*finding["reproduce"].split()[2:], "--json")
+    code, out, _ = minkref(*finding["reproduce"].split()[2:], "--json", *UNSHRUNK)
     assert code == 1
     assert json.loads(out)["findings"][0]["witness"] == finding["witness"]
 
@@ -48,7 +53,7 @@ def test_table_shows_verdicts_witness_and_the_line_that_reproduces(minkref: Any)
     code, out, err = minkref("minkref:paper", WRONG, *FEW)
     assert (code, err) == (1, "")
     for text in (
-        "500",
+        COUNT,
         "shrunk to",
         "wrong: hole-lost",
         "witness (",
@@ -56,7 +61,7 @@ def test_table_shows_verdicts_witness_and_the_line_that_reproduces(minkref: Any)
         "--case '{",
     ):
         assert text in out
-    assert re.search(r"minkref:paper[^\n]* 500 ", out)
+    assert re.search(rf"minkref:paper[^\n]* {COUNT} ", out)
 
 
 def test_all_well_exits_0(minkref: Any) -> None:
@@ -76,7 +81,7 @@ def test_baseline_file_makes_a_fault_known(minkref: Any, tmp_path: Path) -> None
     path = tmp_path / "baseline.json"
     entry = {"target": WRONG, "version": "*", "kind": "hole-lost", "reason": "a fault that we made"}
     path.write_text(json.dumps({"baseline": "baseline-v1", "entries": [entry]}), encoding="utf-8")
-    code, out, _ = minkref("minkref:paper", WRONG, *FEW, "--baseline", path)
+    code, out, _ = minkref("minkref:paper", WRONG, *FEW, "--baseline", path, *UNSHRUNK)
     assert code == 0
     assert "known (was wrong): hole-lost" in out
     assert "a fault that we made" in out
@@ -124,7 +129,7 @@ def test_junit_counts_failures_errors_and_skips(minkref: Any, tmp_path: Path) ->
 
 
 def test_nothing_run_is_one_document(minkref: Any) -> None:
-    code, out, err = minkref("py:faulty_sums:declines", "--pairs", "2", "--no-models", "--json")
+    code, out, err = minkref("py:faulty_sums:declines", "--case", "random:1:0", *ALWAYS, "--json")
     assert (code, json.loads(out)["exit_code"]) == (2, 2)
     assert "nothing was run" in err
 
@@ -146,7 +151,7 @@ def test_function_that_cannot_be_loaded_is_refused(minkref: Any, target: str, me
 def test_what_a_target_prints_is_not_in_the_document(
     faulty_sums: None, capfd: pytest.CaptureFixture[str]
 ) -> None:
-    code = run(["verify", "py:faulty_sums:prints", "--pairs", "2", "--no-models", "--json"])
+    code = run(["verify", "py:faulty_sums:prints", "--pairs", "2", *PLAIN, "--json"])
     captured = capfd.readouterr()
     assert (code, json.loads(captured.out)["exit_code"]) == (0, 0)
     assert captured.err == ""
@@ -154,7 +159,7 @@ def test_what_a_target_prints_is_not_in_the_document(
 
 def test_messages_are_cut_and_legal_in_xml(minkref: Any, tmp_path: Path) -> None:
     target, path = "py:faulty_sums:raises_control_characters", tmp_path / "junit.xml"
-    code, out, _ = minkref(target, "--pairs", "1", "--no-models", "--json", "--junit", path)
+    code, out, _ = minkref(target, "--pairs", "1", *PLAIN, "--json", "--junit", path)
     assert code == 3
     assert len(json.loads(out)["findings"][0]["message"]) <= 2000
     ElementTree.parse(path)
@@ -165,7 +170,9 @@ def test_run_ends_in_its_time(minkref: Any) -> None:
     import time
 
     start = time.monotonic()
-    code, out, _ = minkref("minkref:paper", "--seconds", "3", "--no-models", "--json")
+    code, out, _ = minkref(
+        "minkref:paper", "--seconds", "3", "--no-models", "--jobs", "1", "--json"
+    )
     assert code == 0
     assert 3 <= time.monotonic() - start < 20
     assert sum(group["cases"] for group in json.loads(out)["groups"]) > 10
@@ -173,11 +180,18 @@ def test_run_ends_in_its_time(minkref: Any) -> None:
 
 def test_slow_target_skips_large_cases_and_says_so(minkref: Any) -> None:
     code, out, _ = minkref(
-        "minkref:definition", "--case", "glyph275+dog145@1", "--size-limit", "100"
+        "minkref:definition", "--case", "g1+g2@1", "--size-limit", "100", *ALWAYS
     )
     assert code == 2
     code, out, _ = minkref(
-        "minkref:definition", "minkref:paper", "--case", "g1+g2@1", "--size-limit", "100", "--json"
+        "minkref:definition",
+        "minkref:paper",
+        "--case",
+        "g1+g2@1",
+        "--size-limit",
+        "100",
+        "--json",
+        *ALWAYS,
     )
     assert code == 0
     (row,) = (row for row in json.loads(out)["matrix"] if row["target"] == "minkref:definition")

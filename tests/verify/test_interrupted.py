@@ -11,20 +11,21 @@ import sys
 import time
 import xml.etree.ElementTree as ElementTree
 from collections import Counter
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-import jsonschema
 import pytest
-from minkref.commands.schemas import schema
 from minkref.fuzz.run import runner
 from minkref.fuzz.run.pool import InternalError
 from minkref.fuzz.shrink import groups as shrinking
+from thoroughness import draws
 
 FOLDER = Path(__file__).parent
-MOMENTS = 4
+MOMENTS = draws(2, 4)
+JOBS = str(draws(1, 2))
 SEED = 23
-WORDS = ["py:faulty_sums:loses_holes", "minkref:winding", "--pairs", "100000", "--jobs", "2"]
+WORDS = ["py:faulty_sums:loses_holes", "minkref:winding", "--pairs", "100000", "--jobs", JOBS]
 WORDS += ["--no-models", "--shrink-calls", "5"]
 
 
@@ -94,25 +95,27 @@ def same_as_the_ledger(folder: Path, value: Any) -> None:
     assert (folder / "report" / "index.html").is_file() and (folder / "verify.md").is_file()
 
 
-def test_a_run_that_is_interrupted_writes_all_that_it_has_judged(tmp_path: Path) -> None:
+def test_a_run_that_is_interrupted_writes_all_that_it_has_judged_and_goes_on(
+    tmp_path: Path, follows_schema: Callable[[Any, str], None]
+) -> None:
+    print("seed", SEED)
     dice = random.Random(SEED)
     for k in range(MOMENTS):
-        number = (signal.SIGINT, signal.SIGINT, signal.SIGTERM, signal.SIGHUP)[k % 4]
+        number = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGINT)[k % 4]
         folder = tmp_path / str(k)
-        code, value, _ = ended(folder, number, dice.uniform(0, 1.5))
-        jsonschema.validate(value, schema("verify"))
+        code, value, _ = ended(folder, number, dice.uniform(0, draws(2, 15) / 10))
+        follows_schema(value, "verify")
         assert (code, value["exit_code"]) == (128 + number,) * 2, (SEED, k)
         assert value["ended_by"] == signal.Signals(number).name
         assert any("continues from run.jsonl" in note for note in value["notes"])
         same_as_the_ledger(folder, value)
+    goes_on(tmp_path / "0")
 
 
-def test_the_ledger_of_an_interrupted_run_goes_on(tmp_path: Path) -> None:
-    folder = tmp_path / "first"
-    ended(folder, signal.SIGINT, 0.2)
-    before = (folder / "run.jsonl").read_text().splitlines()
-    folder.rename(tmp_path / "again")
-    ledger = tmp_path / "again" / "run.jsonl"
+def goes_on(folder: Path) -> None:
+    """The ledger of an interrupted run, with a run that is interrupted, too."""
+    ledger = folder / "run.jsonl"
+    before = ledger.read_text().splitlines()
     words = [sys.executable, "-m", "minkref", "verify", *WORDS, "--ledger", "run.jsonl", "--json"]
     with subprocess.Popen(
         words,
@@ -153,7 +156,10 @@ def test_a_shrinker_that_fails_costs_no_finding(
 
 
 def test_a_fault_of_ours_costs_no_finding(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path,
+    follows_schema: Callable[[Any, str], None],
 ) -> None:
     real = runner.run_cases
 
@@ -168,7 +174,7 @@ def test_a_fault_of_ours_costs_no_finding(
     monkeypatch.setattr(runner, "run_cases", fails)
     code, value, errors = verify_here("--report", str(tmp_path / "report"), capsys=capsys)
     assert code == 70 and "a fault of the suite" in errors
-    jsonschema.validate(value, schema("verify"))
+    follows_schema(value, "verify")
     assert value["exit_code"] == 70 and value["findings"]
     assert sum(group["cases"] for group in value["groups"]) <= 30
     assert (tmp_path / "report" / "index.html").is_file()

@@ -10,6 +10,7 @@ import subprocess
 import sys
 from collections.abc import Callable
 from fractions import Fraction
+from itertools import product
 from pathlib import Path
 
 import pytest
@@ -26,6 +27,7 @@ from minkref.fuzz.targets.answer import Answer, Limits
 from minkref.fuzz.targets.catalogue import make_target, select_one
 from minkref.fuzz.targets.declared import declarations_of
 from minkref.fuzz.verdicts.verdict import Verdict
+from thoroughness import some
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
 needs_sandbox = pytest.mark.skipif(sandbox.absence() is not None, reason=str(sandbox.absence()))
@@ -149,16 +151,16 @@ def test_a_c_function_writes_nowhere(
     assert not (tmp_path / "written").exists()
 
 
-@pytest.mark.parametrize("fault", ["dies", "leaves", "hangs", "exits", "exhausts_memory"])
 def test_a_function_that_breaks_costs_no_worker(
-    verify: Callable[..., Run], monkeypatch: pytest.MonkeyPatch, fault: str
+    verify: Callable[..., Run], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def replaced(*_: object) -> None:
         raise AssertionError("a worker was lost")
 
     monkeypatch.setattr(pool, "_replaced", replaced)
-    run = verify(f"py:faulty_sums:{fault}", pairs=2, call_seconds=1.0)
-    assert run.failed is None and len(run.findings) == 2
+    faults = ("dies", "leaves", "hangs", "exits", "exhausts_memory")
+    run = verify(*(f"py:faulty_sums:{fault}" for fault in faults), pairs=2, call_seconds=1.0)
+    assert run.failed is None and len(run.findings) == 2 * len(faults)
 
 
 def test_operands_are_those_of_the_case_and_new_at_each_call(walls: Isolation) -> None:
@@ -205,9 +207,17 @@ def test_a_value_error_rejects_invalid_operands_and_is_a_fault_on_others(walls: 
     assert (said.verdict, said.region) == (Verdict.WRONG, None)
 
 
-@pytest.mark.parametrize("name", ["adapter_protocol", "surfaces", "c_function", "package.sub"])
-@pytest.mark.parametrize("place", [".", "mine", "../beside"])
-@pytest.mark.parametrize("safe", ["", "1"])
+@pytest.mark.parametrize(
+    ("name", "place", "safe"),
+    some(
+        product(
+            ["adapter_protocol", "surfaces", "c_function", "package.sub"],
+            [".", "mine", "../beside"],
+            ["", "1"],
+        ),
+        few=6,
+    ),
+)
 def test_modules_of_the_current_folder_and_of_the_path_are_found_whatever_their_names(
     walls: Isolation,
     monkeypatch: pytest.MonkeyPatch,

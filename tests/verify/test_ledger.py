@@ -9,32 +9,53 @@ import signal
 import subprocess
 import sys
 import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import pytest
+from minkref.commands.line.cli import run
 from minkref.errors import Refusal
 from minkref.fuzz.run.ledger import Ledger
+from thoroughness import draws
 
-KILLS = 20
-FAULTY = "py:faulty_sums:loses_holes"
-COMMAND = [sys.executable, "-m", "minkref", "verify", FAULTY, "py:faulty_sums:shifted"]
-FEW = ["--pairs", "30", "--seed", "3", "--no-models", "--shrink-calls", "0", "--jobs", "1"]
-MANY = ["--pairs", "300", "--seed", "3", "--no-models", "--shrink-calls", "0", "--jobs", "2"]
+Verify = Callable[..., Any]
+SEED = 19
+KILLS = draws(3, 20)
+FAULTY = ["py:faulty_sums:loses_holes", "py:faulty_sums:shifted"]
+ALWAYS = ["--seed", "3", "--no-models", "--shrink-calls", "0", "--jobs"]
+FEW = ["--pairs", "4", *ALWAYS, "1"]
+MANY = ["--pairs", str(draws(40, 300)), *ALWAYS, "2"]
 
 
 @pytest.fixture
-def environment() -> dict[str, str]:
-    paths = [str(Path(__file__).parent), os.environ.get("PYTHONPATH", "")]
-    return {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, paths))}
+def verify(faulty_sums: None, capsys: pytest.CaptureFixture[str]) -> Verify:
+    def call(*words: str | Path, code: int = 1) -> Any:
+        found = run(["verify", *map(str, words), "--json"])
+        said = capsys.readouterr()
+        assert found == code, said.err
+        assert "Traceback" not in said.err
+        return json.loads(said.out)
+
+    return call
 
 
-def verify(environment: dict[str, str], *options: str | Path, code: int = 1) -> Any:
-    words = [*COMMAND, *map(str, options), "--json"]
-    ran = subprocess.run(words, env=environment, capture_output=True, text=True, timeout=300)
-    assert ran.returncode == code, ran.stderr
-    assert "Traceback" not in ran.stderr
-    return json.loads(ran.stdout)
+def started(*words: str | Path) -> subprocess.Popen[bytes]:
+    """The same as a process of its own, which can be killed."""
+    command = [sys.executable, "-m", "minkref", "verify", *map(str, words), "--json"]
+    quiet: Any = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+    return subprocess.Popen(command, start_new_session=True, **quiet)
+
+
+def lines_of(ledger: Path) -> list[str]:
+    return ledger.read_text(encoding="utf-8").splitlines() if ledger.exists() else []
+
+
+def wait_for_lines(process: subprocess.Popen[bytes], ledger: Path, count: int) -> bool:
+    """Whether it still runs when there are so many."""
+    while process.poll() is None and len(lines_of(ledger)) < count:
+        time.sleep(0.05)
+    return process.poll() is None
 
 
 def facts(value: Any) -> Any:
@@ -43,103 +64,93 @@ def facts(value: Any) -> Any:
     return value["findings"], cells
 
 
-def test_run_that_is_killed_again_and_again_loses_nothing(
-    environment: dict[str, str], tmp_path: Path
-) -> None:
-    dice = random.Random(19)
-    undisturbed = verify(environment, *MANY)
+def test_run_that_is_killed_again_and_again_loses_nothing(verify: Verify, tmp_path: Path) -> None:
+    dice = random.Random(SEED)
+    undisturbed = verify(*FAULTY, *MANY)
     ledger = tmp_path / "run.jsonl"
-    words = [*COMMAND, *MANY, "--ledger", str(ledger), "--json"]
-    quiet: Any = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
     kept: list[str] = []
     interrupted = 0
     for _ in range(KILLS):
-        with subprocess.Popen(words, env=environment, start_new_session=True, **quiet) as process:
-            time.sleep(dice.uniform(0.3, 2.5))
+        with started(*FAULTY, *MANY, "--ledger", ledger) as process:
+            wait_for_lines(process, ledger, len(kept) + dice.randint(0, 8))
+            time.sleep(dice.uniform(0, 0.05))
             interrupted += process.poll() is None
             os.killpg(process.pid, signal.SIGKILL) if process.poll() is None else None
-        lines = ledger.read_text(encoding="utf-8").splitlines() if ledger.exists() else []
-        assert lines[: len(kept)] == kept, "a line that was written is gone"
+        lines = lines_of(ledger)
+        assert lines[: len(kept)] == kept, f"a line that was written is gone, seed {SEED}"
         kept = lines if not lines or lines[-1].endswith("}") else lines[:-1]
     assert interrupted >= 2
-    assert facts(verify(environment, *MANY, "--ledger", ledger)) == facts(undisturbed)
-    numbers = [json.loads(line)["number"] for line in ledger.read_text().splitlines()[1:]]
+    assert facts(verify(*FAULTY, *MANY, "--ledger", ledger)) == facts(undisturbed)
+    numbers = [json.loads(line)["number"] for line in lines_of(ledger)[1:]]
     assert len(numbers) == len(set(numbers))
 
 
-def test_half_a_line_is_run_again(environment: dict[str, str], tmp_path: Path) -> None:
-    ledger = tmp_path / "run.jsonl"
-    first = verify(environment, *FEW, "--ledger", ledger)
-    data = ledger.read_bytes()
+def test_half_a_line_is_run_again(verify: Verify, tmp_path: Path) -> None:
+    options = (*FAULTY, *FEW, "--ledger", tmp_path / "run.jsonl")
+    first = verify(*options)
+    data = (tmp_path / "run.jsonl").read_bytes()
     for cut in (1, len(data) // 2, len(data) - 5):
-        ledger.write_bytes(data[: len(data) - cut])
-        assert facts(verify(environment, *FEW, "--ledger", ledger)) == facts(first)
+        (tmp_path / "run.jsonl").write_bytes(data[: len(data) - cut])
+        assert facts(verify(*options)) == facts(first)
 
 
-@pytest.mark.parametrize(
-    "line",
-    [b"{", b"", b"[1, 2]", b"7", b"null", b"\xff\xfe", b"[" * 100_000, b"{}", b'{"number": 1}'],
-)
-def test_damaged_line_is_refused_and_kept(
-    environment: dict[str, str], tmp_path: Path, line: bytes
-) -> None:
+def test_damaged_line_is_refused_and_kept(verify: Verify, tmp_path: Path) -> None:
     ledger = tmp_path / "run.jsonl"
-    options = ("--pairs", "2", *FEW[2:], "--ledger", ledger)
-    verify(environment, *options)
-    with ledger.open("ab") as file:
-        file.write(line + b"\n")
-    before = ledger.read_bytes()
-    assert verify(environment, *options, code=2)["error"]["where"].startswith(str(ledger))
-    assert ledger.read_bytes() == before
+    options = ("minkref:paper", *FEW, "--ledger", ledger)
+    verify(*options, code=0)
+    whole = ledger.read_bytes()
+    for line in (
+        b"{",
+        b"",
+        b"[1, 2]",
+        b"7",
+        b"null",
+        b"\xff\xfe",
+        b"[" * 100_000,
+        b"{}",
+        b'{"number": 1}',
+    ):
+        ledger.write_bytes(whole + line + b"\n")
+        assert verify(*options, code=2)["error"]["where"].startswith(str(ledger)), line
+        assert ledger.read_bytes() == whole + line + b"\n"
 
 
 @pytest.mark.parametrize("content", [b"notes", b"notes\n", b"notes\nmore", b'{"P": 1}', b"\n"])
 def test_file_that_is_no_ledger_is_refused_and_kept(
-    environment: dict[str, str], tmp_path: Path, content: bytes
+    verify: Verify, tmp_path: Path, content: bytes
 ) -> None:
     file = tmp_path / "precious"
     file.write_bytes(content)
-    assert verify(environment, *FEW, "--ledger", file, code=2)["error"]["what"]
+    assert verify("minkref:paper", *FEW, "--ledger", file, code=2)["error"]["what"]
     assert file.read_bytes() == content
 
 
-@pytest.mark.parametrize("options", [["--seed", "4"], ["--pairs", "31"], ["--call-seconds", "9"]])
-def test_ledger_of_another_run_is_refused_and_kept(
-    environment: dict[str, str], tmp_path: Path, options: list[str]
-) -> None:
+def test_ledger_of_another_run_is_refused_and_kept(verify: Verify, tmp_path: Path) -> None:
     ledger = tmp_path / "run.jsonl"
-    few = ("--pairs", "2", *FEW[2:])
-    verify(environment, *few, "--ledger", ledger)
+    verify("minkref:paper", *FEW, "--ledger", ledger, code=0)
     before = ledger.read_bytes()
-    error = verify(environment, *few, *options, "--ledger", ledger, code=2)["error"]
-    assert error["code"] == "other-ledger"
-    assert ledger.read_bytes() == before
+    for other in (["--seed", "4"], ["--pairs", "31"], ["--call-seconds", "9"]):
+        value = verify("minkref:paper", *FEW, *other, "--ledger", ledger, code=2)
+        assert value["error"]["code"] == "other-ledger", other
+        assert ledger.read_bytes() == before
 
 
-def test_place_that_cannot_be_written_is_refused(
-    environment: dict[str, str], tmp_path: Path
-) -> None:
+def test_place_that_cannot_be_written_is_refused(verify: Verify, tmp_path: Path) -> None:
     pipe = tmp_path / "pipe"
     os.mkfifo(pipe)
     for place in (tmp_path, tmp_path / "no" / "file", pipe, Path("/dev/full")):
-        assert verify(environment, *FEW, "--ledger", place, code=2)["error"]["what"]
+        assert verify("minkref:paper", *FEW, "--ledger", place, code=2)["error"]["what"], place
 
 
 def test_second_run_on_a_ledger_is_refused_and_the_first_goes_on(
-    environment: dict[str, str], tmp_path: Path
+    verify: Verify, tmp_path: Path
 ) -> None:
     ledger = tmp_path / "run.jsonl"
-    long = [*MANY, "--pairs", "1000000", "--ledger", str(ledger)]
-    quiet: Any = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
-    with subprocess.Popen([*COMMAND, *long], env=environment, **quiet) as first:
-        deadline = time.monotonic() + 30
-        while (not ledger.exists() or not ledger.stat().st_size) and time.monotonic() < deadline:
-            time.sleep(0.05)
-        error = verify(environment, *long, code=2)["error"]
-        before = ledger.stat().st_size
-        time.sleep(2)
-        assert first.poll() is None
-        assert ledger.stat().st_size > before
+    long = ("minkref:paper", "--pairs", "1000000", *ALWAYS, "1", "--ledger", ledger)
+    with started(*long) as first:
+        assert wait_for_lines(first, ledger, 1)
+        error = verify(*long, code=2)["error"]
+        assert wait_for_lines(first, ledger, len(lines_of(ledger)) + 2)
         first.terminate()
     assert "another run" in error["what"]
 

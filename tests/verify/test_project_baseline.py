@@ -11,6 +11,7 @@ from minkref.commands.line.cli import run
 from minkref.fuzz.cgal.executables import OracleNotFoundError, cgal_version, target_names
 from minkref.fuzz.verdicts.baseline import read_baseline
 from minkref.fuzz.verdicts.verdict import Reason, Verdict
+from thoroughness import draws
 
 BASELINE = Path(fuzz.__file__).parent / "baseline.json"
 
@@ -44,7 +45,8 @@ def test_lost_hole_of_cgal_is_wrong_with_a_program_and_known_with_the_baseline(
     lost_hole: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     report = tmp_path / "report"
-    call = ["verify", "cgal-reduced", "--case", lost_hole, "--json"]
+    call = ["verify", "cgal-reduced", "--case", lost_hole, "--json", "--jobs", "1"]
+    call += ["--shrink-calls", str(draws(5, 200))]
     assert run([*call, "--report", str(report)]) == 1
     finding = json.loads(capsys.readouterr().out)["findings"][0]
     assert finding["reasons"] == ["hole-lost"]

@@ -9,12 +9,14 @@ from typing import Any
 
 import pytest
 from minkref.exits import ExitCode
+from minkref.fuzz.cases import case_list
 from minkref.fuzz.isolation.isolation import choose
 from minkref.fuzz.plane.witness import holds
 from minkref.fuzz.run import pool
 from minkref.fuzz.run.runner import Run
 from minkref.fuzz.verdicts.baseline import Baseline, Entry
 from minkref.fuzz.verdicts.verdict import Reason, Verdict
+from thoroughness import draws
 
 Verify = Callable[..., Run]
 
@@ -25,40 +27,37 @@ def counts(run: Run, target: str) -> dict[str, int]:
 
 def test_right_target_and_all_routes_pass(verify: Verify) -> None:
     names = ["minkref:paper", "minkref:winding", "minkref:definition", "py:faulty_sums:right"]
-    run = verify(*names, pairs=40)
+    pairs = draws(12, 40)
+    run = verify(*names, pairs=pairs)
     assert run.findings == []
     assert run.exit_code() is ExitCode.ALL_WELL
-    assert all(counts(run, name) == {"pass": 40} for name in names)
+    assert all(counts(run, name) == {"pass": pairs} for name in names)
 
 
-@pytest.mark.parametrize(
-    ("fault", "reason"),
-    [
-        ("shifted", Reason.MISSING),
-        ("invents_a_component", Reason.COMPONENT),
-        ("nothing", Reason.COMPONENT),
-        ("covers_twice", Reason.SELF_INTERSECTING),
-        ("leaves_a_stub", Reason.NOT_CLOSED),
-        ("adds_a_flat_ring", Reason.NOT_CLOSED),
-        ("answers_in_long_numbers", Reason.EXTRA),
-    ],
-)
-def test_wrong_target_is_wrong_with_a_witness_that_holds(
-    verify: Verify, fault: str, reason: Reason
-) -> None:
-    run = verify(f"py:faulty_sums:{fault}")
+def test_wrong_target_is_wrong_with_a_witness_that_holds(verify: Verify) -> None:
+    expected = {
+        "py:faulty_sums:shifted": Reason.MISSING,
+        "py:faulty_sums:invents_a_component": Reason.COMPONENT,
+        "py:faulty_sums:nothing": Reason.COMPONENT,
+        "py:faulty_sums:covers_twice": Reason.SELF_INTERSECTING,
+        "py:faulty_sums:leaves_a_stub": Reason.NOT_CLOSED,
+        "py:faulty_sums:adds_a_flat_ring": Reason.NOT_CLOSED,
+        "py:faulty_sums:answers_in_long_numbers": Reason.EXTRA,
+    }
+    pairs = draws(3, 12)
+    run = verify(*expected, pairs=pairs)
     assert run.exit_code() is ExitCode.WRONG
-    assert len(run.findings) == 12
+    assert all(counts(run, name) == {"wrong": pairs} for name in expected)
     for finding in run.findings:
         assert finding.outcome.verdict is Verdict.WRONG
-        assert reason in finding.outcome.reasons
+        assert expected[finding.outcome.target] in finding.outcome.reasons
         assert finding.outcome.witness is not None
         assert finding.case.P and finding.case.Q
         assert holds(finding.case.P, finding.case.Q, finding.case.scale, finding.outcome.witness)
 
 
 def test_rings_of_a_python_target_may_run_either_way(verify: Verify) -> None:
-    run = verify("py:faulty_sums:runs_the_other_way", pairs=40)
+    run = verify("py:faulty_sums:runs_the_other_way", pairs=draws(12, 40))
     assert run.findings == []
 
 
@@ -68,8 +67,8 @@ def test_import_is_no_part_of_a_call(verify: Verify) -> None:
 
 
 def test_lost_hole_is_found_named_and_reproduced(verify: Verify) -> None:
-    run = verify("py:faulty_sums:loses_holes", pairs=600, jobs=2)
-    assert run.findings, "no sum among the 600 has a hole"
+    run = verify("py:faulty_sums:loses_holes", pairs=draws(12, 200), families=("holes",))
+    assert len(run.findings) > 1, "no sum has a hole"
     assert {finding.outcome.reasons for finding in run.findings} == {(Reason.HOLE_LOST,)}
     ((smallest, count),) = run.smallest()
     assert count == len(run.findings)
@@ -79,29 +78,30 @@ def test_lost_hole_is_found_named_and_reproduced(verify: Verify) -> None:
     assert smallest.reproduce.endswith(f"--case {smallest.case.name.text}")
 
 
-@pytest.mark.parametrize(
-    ("fault", "verdict", "message"),
-    [
-        ("raises", Verdict.ERRORED, "this never works"),
-        ("speaks_nonsense", Verdict.ERRORED, "not a polygon set"),
-        ("answers_in_floats", Verdict.ERRORED, "exact numbers"),
-        ("exhausts_memory", Verdict.OUT_OF_MEMORY, ""),
-        ("raises_what_has_no_text", Verdict.ERRORED, "Mute"),
-        ("answers_with_a_spiteful_object", Verdict.ERRORED, "not a polygon set"),
-        ("exits", Verdict.ERRORED, "SystemExit"),
-        ("dies", Verdict.CRASHED, "SIGSEGV"),
-        ("leaves", Verdict.CRASHED, "exit code 3"),
-        ("hangs", Verdict.TIMED_OUT, "no answer in 1 s"),
-    ],
-)
-def test_broken_target_is_charged_and_others_are_not(
-    verify: Verify, fault: str, verdict: Verdict, message: str
-) -> None:
-    broken, right = f"py:faulty_sums:{fault}", "py:faulty_sums:right"
-    run = verify(broken, right, pairs=2, call_seconds=1.0)
-    assert counts(run, broken) == {str(verdict): 2}
-    assert counts(run, right) == {"pass": 2}
-    assert message in run.findings[0].outcome.message
+BROKEN = {
+    "raises": (Verdict.ERRORED, "this never works"),
+    "speaks_nonsense": (Verdict.ERRORED, "not a polygon set"),
+    "answers_in_floats": (Verdict.ERRORED, "exact numbers"),
+    "exhausts_memory": (Verdict.OUT_OF_MEMORY, ""),
+    "raises_what_has_no_text": (Verdict.ERRORED, "Mute"),
+    "answers_with_a_spiteful_object": (Verdict.ERRORED, "not a polygon set"),
+    "exits": (Verdict.ERRORED, "SystemExit"),
+    "dies": (Verdict.CRASHED, "SIGSEGV"),
+    "leaves": (Verdict.CRASHED, "exit code 3"),
+    "hangs": (Verdict.TIMED_OUT, "no answer in 1 s"),
+}
+
+
+def test_broken_target_is_charged_and_others_are_not(verify: Verify) -> None:
+    broken = {f"py:faulty_sums:{fault}": said for fault, said in BROKEN.items()}
+    pairs = draws(1, 2)
+    run = verify(*broken, "py:faulty_sums:right", pairs=pairs, call_seconds=1.0)
+    assert {name: counts(run, name) for name in broken} == {
+        name: {str(verdict): pairs} for name, (verdict, _) in broken.items()
+    }
+    assert counts(run, "py:faulty_sums:right") == {"pass": pairs}
+    for finding in run.findings:
+        assert broken[finding.outcome.target][1] in finding.outcome.message
     assert run.exit_code() is ExitCode.BROKEN
 
 
@@ -119,9 +119,10 @@ def test_answer_that_cannot_be_judged_is_undecided_and_ends_no_run(
 ) -> None:
     spoils_judging = importlib.import_module("spoils_judging")
     monkeypatch.setattr(pool, "work", getattr(spoils_judging, fault))
-    run = verify(spoils_judging.SPOILT, "minkref:winding", pairs=2)
-    assert counts(run, spoils_judging.SPOILT) == {"undecided": 2}
-    assert counts(run, "minkref:winding") == {"pass": 2}
+    pairs = draws(1, 2)
+    run = verify(spoils_judging.SPOILT, "minkref:winding", pairs=pairs)
+    assert counts(run, spoils_judging.SPOILT) == {"undecided": pairs}
+    assert counts(run, "minkref:winding") == {"pass": pairs}
     assert run.exit_code() is ExitCode.ALL_WELL
     assert message in run.findings[0].outcome.message
 
@@ -148,8 +149,11 @@ def test_one_late_answer_is_no_time_out(
     assert (tmp_path / "called").exists()
 
 
-def test_target_that_declines_everything_leaves_nothing_run(verify: Verify) -> None:
-    run = verify("py:faulty_sums:declines")
+def test_target_that_declines_everything_leaves_nothing_run(
+    verify: Verify, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(case_list, "FEWEST_TRIES", draws(20, case_list.FEWEST_TRIES))
+    run = verify("py:faulty_sums:declines", pairs=1)
     assert not run.cases and set(run.untaken) == {"outside the capabilities of the target"}
     assert run.exit_code() is ExitCode.USAGE
 
@@ -157,35 +161,29 @@ def test_target_that_declines_everything_leaves_nothing_run(verify: Verify) -> N
 def test_baseline_turns_a_wrong_into_known_and_the_exit_code_into_0(verify: Verify) -> None:
     target = "py:faulty_sums:nothing"
     baseline = Baseline((Entry(target, "1.2*", "component", "it never answers"),))
-    run = verify(target, baseline=baseline, versions={target: "1.2.3"})
-    assert counts(run, target) == {"known": 12}
+    run = verify(target, pairs=2, baseline=baseline, versions={target: "1.2.3"})
+    assert counts(run, target) == {"known": 2}
     assert run.exit_code() is ExitCode.ALL_WELL
     outcome = run.findings[0].outcome
     assert (outcome.was, outcome.message) == (Verdict.WRONG, "it never answers")
     assert outcome.witness is not None
 
 
-@pytest.mark.parametrize(
-    "entry",
-    [
+def test_baseline_of_another_target_version_or_fault_excuses_nothing(verify: Verify) -> None:
+    """Nor does one that lists one of two reasons."""
+    target, two_reasons = "py:faulty_sums:nothing", "py:faulty_sums:shifted"
+    entries = (
         Entry("py:faulty_sums:other", "1.2.3", "component", "r"),
-        Entry("py:faulty_sums:nothing", "1.2.4", "component", "r"),
-        Entry("py:faulty_sums:nothing", "1.2.3", "extra", "r"),
-        Entry("py:faulty_sums:nothing", "1.2.3", "crashed", "r"),
-    ],
-)
-def test_baseline_of_another_target_version_or_fault_excuses_nothing(
-    verify: Verify, entry: Entry
-) -> None:
-    target = "py:faulty_sums:nothing"
-    run = verify(target, pairs=2, baseline=Baseline((entry,)), versions={target: "1.2.3"})
+        Entry(target, "1.2.4", "component", "r"),
+        Entry(target, "1.2.3", "extra", "r"),
+        Entry(target, "1.2.3", "crashed", "r"),
+        Entry(two_reasons, "*", "missing", "r"),
+    )
+    run = verify(
+        target, two_reasons, pairs=2, baseline=Baseline(entries), versions={target: "1.2.3"}
+    )
+    assert counts(run, target) == counts(run, two_reasons) == {"wrong": 2}
     assert run.exit_code() is ExitCode.WRONG
-
-
-def test_baseline_that_lists_one_of_two_reasons_excuses_nothing(verify: Verify) -> None:
-    target = "py:faulty_sums:shifted"
-    baseline = Baseline((Entry(target, "*", "missing", "r"),))
-    assert verify(target, pairs=2, baseline=baseline).exit_code() is ExitCode.WRONG
 
 
 def test_baseline_excuses_a_crash(verify: Verify) -> None:
@@ -205,7 +203,7 @@ def facts(run: Run) -> Any:
 
 def test_findings_do_not_depend_on_the_number_of_workers(verify: Verify) -> None:
     names = ["minkref:paper", "py:faulty_sums:shifted", "py:faulty_sums:loses_holes"]
-    one, two = (verify(*names, pairs=60, jobs=jobs) for jobs in (1, 2))
+    one, two = (verify(*names, pairs=draws(8, 60), jobs=jobs) for jobs in (1, 2))
     assert facts(one) == facts(two)
     assert [f.kind for f, _ in one.smallest()] == [f.kind for f, _ in two.smallest()]
     assert one.cases == two.cases

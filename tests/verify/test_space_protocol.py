@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import shlex
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -15,7 +16,9 @@ from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.space.case import SpaceCase
 from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.targets.catalogue import make_target
+from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict
 
+Outcomes = Callable[..., list[Outcome]]
 ADAPTER = Path(__file__).with_name("space_adapter.py")
 LARGE = "2,1,1/3"  # three factors
 
@@ -44,19 +47,16 @@ def verified(
     return code, value
 
 
-def test_three_factors_are_sent_as_a_list_and_one_as_a_text(
-    capsys: pytest.CaptureFixture[str],
-) -> None:
+def test_three_factors_are_sent_as_a_list_and_one_as_a_text(outcomes: Outcomes) -> None:
     """The adapter ends where they are not."""
-    code, value = verified(capsys, "right", literal(LARGE), literal("3/2"))
-    assert code == 0, value["findings"]
+    said = outcomes(target_named("right"), literal(LARGE), literal("3/2"))
+    assert [outcome.verdict for outcome in said] == [Verdict.PASS] * 2, said
 
 
-def test_vertices_that_no_face_names_are_not_looked_at(capsys: pytest.CaptureFixture[str]) -> None:
+def test_vertices_that_no_face_names_are_not_looked_at(outcomes: Outcomes) -> None:
     cases = ("space-convex:1:0", "space-convex:1:1", literal(LARGE))
-    code, value = verified(capsys, "unused-vertices", *cases)
-    assert code == 0, value["findings"]
-    assert value["matrix"][0]["verdicts"] == {"pass": 3}
+    said = outcomes(target_named("unused-vertices"), *cases)
+    assert [outcome.verdict for outcome in said] == [Verdict.PASS] * 3, said
 
 
 UPDATES = tuple(f"update(space-convex:1:{index})" for index in range(3))
@@ -71,18 +71,15 @@ def test_an_update_is_asked_for_from_another_scale() -> None:
 
 
 @pytest.mark.parametrize("way", ["update-cube", "update-stale"])
-def test_a_wrong_update_drifts(capsys: pytest.CaptureFixture[str], way: str) -> None:
-    code, value = verified(capsys, way, *UPDATES)
-    assert code == 1
-    assert all("state-drift" in finding["reasons"] for finding in value["findings"])
-    assert verified(capsys, "right", *UPDATES)[0] == 0
+def test_a_wrong_update_drifts(outcomes: Outcomes, way: str) -> None:
+    wrong = [o for o in outcomes(target_named(way), *UPDATES) if o.verdict is Verdict.WRONG]
+    assert wrong and all(Reason.STATE_DRIFT in outcome.reasons for outcome in wrong)
+    assert {o.verdict for o in outcomes(target_named("right"), *UPDATES)} == {Verdict.PASS}
 
 
-def test_answers_that_differ_are_told(capsys: pytest.CaptureFixture[str]) -> None:
-    names = tuple(f"space-convex:1:{index}" for index in range(6))
-    code, value = verified(capsys, "fickle", *names)
-    assert code == 1
-    assert any("nondeterministic" in finding["reasons"] for finding in value["findings"])
+def test_answers_that_differ_are_told(outcomes: Outcomes) -> None:
+    said = outcomes(target_named("fickle"), *(f"space-convex:1:{index}" for index in range(6)))
+    assert any(Reason.NONDETERMINISTIC in o.reasons for o in said if o.verdict is Verdict.WRONG)
 
 
 def test_what_is_declared_and_not_asked_for_is_noted(capsys: pytest.CaptureFixture[str]) -> None:

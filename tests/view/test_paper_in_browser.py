@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from minkref.reports.evidence.framework.browser import Browser, absent, browser
+from minkref.reports.evidence.framework.browser import Browser, absent
 from page_decoder import data_of, page_of
+from thoroughness import draws
 
 pytestmark = pytest.mark.skipif(absent() is not None, reason=f"no browser: {absent()}")
 
@@ -24,13 +24,7 @@ const seen = ink.getImageData(0, 0, canvas.width, canvas.height).data;
 let count = 0;
 for (let i = 0; i < seen.length; i += 4) count += wanted.every((value, k) => seen[i + k] === value);
 return count"""
-WINDOW = ("--route", "paper-update", "--from", "1/2", "--to", "2", "--steps", "9")
-
-
-@pytest.fixture(scope="module")
-def window() -> Iterator[Browser]:
-    with browser() as started:
-        yield started
+WINDOW = ("--route", "paper-update", "--from", "1/2", "--to", "2", "--steps", str(draws(5, 9)))
 
 
 def opened(window: Browser, page: Path) -> None:

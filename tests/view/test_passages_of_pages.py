@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 from minkref.commands.line.cli import run
-from minkref.reports.evidence.framework.browser import absent, browser
+from minkref.reports.evidence.framework.browser import Browser, absent
 from page_decoder import data_of
 
 #: A unit square in a corridor of width 1 and in a hole of side 1.
@@ -51,7 +51,7 @@ def test_the_picture_of_a_sum_with_a_disc_has_them(tmp_path: Path) -> None:
 
 
 @pytest.mark.skipif(absent() is not None, reason=f"no browser: {absent()}")
-def test_pages_draw_them_and_open_at_their_top(tmp_path: Path) -> None:
+def test_pages_draw_them_and_open_at_their_top(window: Browser, tmp_path: Path) -> None:
     """That of a path opened scrolled to its list, and cut its last column, on a telephone."""
     files = {
         "plane": (SQUARE, WALLS, "--from", "1/2", "--to", "2"),
@@ -64,17 +64,16 @@ def test_pages_draw_them_and_open_at_their_top(tmp_path: Path) -> None:
         "disc": lambda: "goToRadius(0)",
     }
     drawn = "return new Promise((done) => setTimeout(done, 300))"
-    with browser() as opened:
-        opened.viewport(390, 844)
-        for name in files:
-            opened.open(tmp_path / f"{name}.html")
-            opened.run(drawn)
-            assert opened.run("return window.scrollY") == 0, name
-            wide = "const box = document.getElementById('events');"
-            assert opened.run(f"{wide} return box.scrollWidth <= box.clientWidth"), name
-            assert opened.run("return document.documentElement.scrollWidth") <= 390, name
-            if name in go:
-                opened.run(f"window.minkref.{go[name]()}; {drawn}")
-                assert opened.run("return window.minkref.passages.length") > 0, name
-                assert not opened.run("return document.getElementById('key-tight').hidden"), name
-            assert opened.messages() == []
+    window.viewport(390, 844)
+    for name in files:
+        window.open(tmp_path / f"{name}.html")
+        window.run(drawn)
+        assert window.run("return window.scrollY") == 0, name
+        wide = "const box = document.getElementById('events');"
+        assert window.run(f"{wide} return box.scrollWidth <= box.clientWidth"), name
+        assert window.run("return document.documentElement.scrollWidth") <= 390, name
+        if name in go:
+            window.run(f"window.minkref.{go[name]()}; {drawn}")
+            assert window.run("return window.minkref.passages.length") > 0, name
+            assert not window.run("return document.getElementById('key-tight').hidden"), name
+        assert window.messages() == []

@@ -3,11 +3,13 @@ page in headless Chromium."""
 
 from __future__ import annotations
 
+import contextlib
+import io
 import json
 import re
 import sys
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -21,6 +23,7 @@ from minkref.commands.schemas import result_schema, schema
 from minkref.exact import digest
 from minkref.reports.evidence.framework import browser as framework
 from minkref.space.operand import read_space_operand
+from thoroughness import THOROUGH, some
 
 View = Callable[..., tuple[Path, dict[str, Any]]]
 
@@ -305,15 +308,34 @@ NOTES = ("GL Driver Message", "willReadFrequently", "software WebGL")  # of Chro
 
 
 @pytest.fixture(scope="module")
-def window() -> Iterator[framework.Browser]:
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(framework, "OPTIONS", (*framework.OPTIONS, "--enable-unsafe-swiftshader"))
-        with framework.browser() as started:
-            yield started
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """With a cube, an octahedron and scales."""
+    made = tmp_path_factory.mktemp("solids")
+    write_off(made / "cube.off", CUBE)
+    write_off(made / "octahedron.off", OCTAHEDRON)
+    (made / "scales.txt").write_text("\n".join(SCALES) + "\n", encoding="utf-8")
+    return made
+
+
+def made_once(folder: Path, name: str, *words: str) -> tuple[Path, dict[str, Any]]:
+    """The page of solids of the folder or models, and the document of the command."""
+    page, kept = folder / f"{name}.html", folder / f"{name}.json"
+    if not kept.exists():
+        said = io.StringIO()
+        with contextlib.chdir(folder), contextlib.redirect_stdout(said):
+            assert run(["view", *words, "-o", str(page), "--json"]) == 0
+        kept.write_text(said.getvalue(), encoding="utf-8")
+    return page, json.loads(kept.read_text(encoding="utf-8"))
+
+
+WALK = ("walk", "octahedron.off", "rod", "--scales", "scales.txt")
+CUBES = ("cubes", "cube.off", "octahedron.off")
 
 
 def opened(window: framework.Browser, page: Path) -> None:
-    window.prefer("light")
+    """Where it is not open already: to load it costs most."""
+    if window.current_url == page.resolve().as_uri():
+        return
     window.open(page)
     window.run("return window.minkref.ready.then(() => true)")
     window.run(SETTLED)
@@ -327,7 +349,6 @@ def slide(window: framework.Browser, frame: int) -> None:
         "return window.minkref.show(window.minkref.index).then(() => true)",
         frame,
     )
-    window.run(SETTLED)
 
 
 def coloured(window: framework.Browser, plot: str, shot: Path) -> dict[str, float]:
@@ -361,94 +382,9 @@ def said(window: framework.Browser) -> list[str]:
 
 
 @in_browser
-def test_the_three_solids_are_drawn(
-    window: framework.Browser, view: View, cube: str, octahedron: str
-) -> None:
-    page, _ = view(cube, octahedron)
-    opened(window, page)
-    sum_, P, Q = (
-        coloured(window, f"plot-{name}", SHOTS / "cube-octahedron.png")
-        for name in ("sum", "P", "Q")
-    )
-    assert sum_["drawn"] > 0.15 and sum_["blue"] > 0.02 and sum_["orange"] > 0.02
-    assert P["blue"] > 0.05 and P["orange"] < 0.01
-    assert Q["orange"] > 0.05 and Q["blue"] < 0.01
-    window.run("document.getElementById('show-fv').click()")
-    window.run(SETTLED)
-    assert coloured(window, "plot-sum", SHOTS / "without-fv.png")["blue"] < sum_["blue"] / 2
-    window.run(  # typed, a facet is turned to the front
-        "const field = document.getElementById('facet'); field.value = 0;"
-        "field.dispatchEvent(new Event('change'))"
-    )
-    waited(window, lambda: coloured(window, "plot-sum", SHOTS / "chosen.png")["red"] > 0.001)
-    assert said(window) == []
-
-
-@in_browser
-def test_the_slider_changes_caption_picture_and_facts(
-    window: framework.Browser, view: View, scales: Path
-) -> None:
-    page, value = view("gs3", "rod", "--scales", scales)
-    opened(window, page)
-    seen = set()
-    for number, frame in enumerate(value["frames"]):
-        slide(window, number)
-        caption = window.run(TEXT, "caption")
-        assert f"{frame['vertices']:,} vertices" in caption
-        assert f"{frame['kinds']['fv']} fv" in caption
-        assert frame["digest"][:12] in caption
-        assert frame["digest"] in window.run(TEXT, "facts")
-        assert window.run(TEXT, "number") == f"frame {number + 1} of 5"
-        step = window.run(TEXT, "step")
-        assert (f"{frame['fv_errors']} fv-errors" if number else "from scratch") in step
-        seen.add(caption)
-        assert coloured(window, "plot-sum", SHOTS / "gs3-rod.png")["drawn"] > 0.02
-    assert len(seen) == 5
-    window.prefer("dark")
-    window.run(SETTLED)
-    assert coloured(window, "plot-sum", SHOTS / "gs3-rod-dark.png")["drawn"] > 0.02
-    assert said(window) == []
-
-
-@in_browser
-def test_exact_coordinates_and_parents_are_those_of_the_sum(
-    window: framework.Browser, view: View, scales: Path
-) -> None:
-    page, _ = view("gs3", "rod", "--scales", scales)
-    opened(window, page)
-    points = window.run(
-        """const { frames, exactPoint } = window.minkref;
-        const text = ([n, d]) => (d === 1n ? `${n}` : `${n}/${d}`);
-        return frames.map((frame) =>
-          [...Array(frame.vertices).keys()].map((v) => exactPoint(frame, v).map(text)))"""
-    )
-    for got, scale in zip(points, SCALES, strict=True):
-        assert [tuple(point) for point in got] == true_sum("gs3", "rod", scale).surface.points()
-    slide(window, 2)
-    true = true_sum("gs3", "rod", SCALES[2])
-    operands = data_of(page)[0]
-    words = {1: "vertex", 2: "edge"}
-    for facet in (0, 40, 700, len(true.facet_parents) - 1):
-        window.run("return window.minkref.choose('facet', arguments[0]).then(() => true)", facet)
-        told = window.run(TEXT, "chosen")
-        for name, face in zip("PQ", true.facet_parents[facet], strict=True):
-            ordered = [sorted(ring) for ring in operands[name]["faces"]]
-            number = (
-                "–".join(map(str, sorted(face))) if len(face) < 3 else ordered.index(sorted(face))
-            )
-            assert f"{words.get(len(face), 'facet')} {number} of {name}" in told
-    window.run("return window.minkref.choose('vertex', 5).then(() => true)")
-    p, q = true.vertex_parents[5]
-    assert f"vertex 5 = vertex {p} of P + vertex {q} of Q" in window.run(TEXT, "chosen")
-    assert said(window) == []
-
-
-@in_browser
-def test_pointing_at_a_facet_tells_its_parents(
-    window: framework.Browser, view: View, cube: str, octahedron: str
-) -> None:
-    page, _ = view(cube, octahedron)
-    opened(window, page)
+def test_pointing_at_a_facet_tells_its_parents(page_kept: framework.Browser, folder: Path) -> None:
+    window = page_kept
+    opened(window, made_once(folder, *CUBES)[0])
     told = window.run(
         """const plot = document.getElementById('plot-sum'), box = plot.getBoundingClientRect();
         const under = plot.querySelector('canvas'), tip = document.getElementById('tip');
@@ -470,19 +406,105 @@ def test_pointing_at_a_facet_tells_its_parents(
 
 
 @in_browser
-@pytest.mark.parametrize("width", [400, 1280])
-def test_the_page_is_not_wider_than_the_window(
-    window: framework.Browser, view: View, scales: Path, width: int
+def test_the_three_solids_are_drawn(page_kept: framework.Browser, folder: Path) -> None:
+    window = page_kept
+    opened(window, made_once(folder, *CUBES)[0])
+    sum_, P, Q = (
+        coloured(window, f"plot-{name}", SHOTS / "cube-octahedron.png")
+        for name in ("sum", "P", "Q")
+    )
+    assert sum_["drawn"] > 0.15 and sum_["blue"] > 0.02 and sum_["orange"] > 0.02
+    assert P["blue"] > 0.05 and P["orange"] < 0.01
+    assert Q["orange"] > 0.05 and Q["blue"] < 0.01
+    window.run("document.getElementById('show-fv').click()")
+    window.run(SETTLED)
+    assert coloured(window, "plot-sum", SHOTS / "without-fv.png")["blue"] < sum_["blue"] / 2
+    window.run(  # typed, a facet is turned to the front
+        "const field = document.getElementById('facet'); field.value = 0;"
+        "field.dispatchEvent(new Event('change'))"
+    )
+    waited(window, lambda: coloured(window, "plot-sum", SHOTS / "chosen.png")["red"] > 0.001)
+    assert said(window) == []
+
+
+@in_browser
+def test_the_slider_changes_caption_picture_and_facts(
+    page_kept: framework.Browser, folder: Path
 ) -> None:
-    page, _ = view("gs3", "rod", "--scales", scales)
-    window.set_window_size(width, 1000)
-    try:
-        opened(window, page)
+    window = page_kept
+    page, value = made_once(folder, *WALK)
+    opened(window, page)
+    seen = set()
+    slid = some(enumerate(value["frames"]), 3)
+    for number, frame in slid:
+        slide(window, number)
+        caption = window.run(TEXT, "caption")
+        assert f"{frame['vertices']:,} vertices" in caption
+        assert f"{frame['kinds']['fv']} fv" in caption
+        assert frame["digest"][:12] in caption
+        assert frame["digest"] in window.run(TEXT, "facts")
+        assert window.run(TEXT, "number") == f"frame {number + 1} of 5"
+        step = window.run(TEXT, "step")
+        assert (f"{frame['fv_errors']} fv-errors" if number else "from scratch") in step
+        seen.add(caption)
+        window.run(SETTLED)
+        assert coloured(window, "plot-sum", SHOTS / "walk.png")["drawn"] > 0.02
+    assert len(seen) == len(slid)
+    window.prefer("dark")
+    window.run(SETTLED)
+    assert coloured(window, "plot-sum", SHOTS / "walk-dark.png")["drawn"] > 0.02
+    assert said(window) == []
+
+
+@in_browser
+def test_exact_coordinates_and_parents_are_those_of_the_sum(
+    page_kept: framework.Browser, folder: Path
+) -> None:
+    window = page_kept
+    names = str(folder / "octahedron.off"), "rod"
+    page, _ = made_once(folder, *WALK)
+    opened(window, page)
+    points = window.run(
+        """const { frames, exactPoint } = window.minkref;
+        const text = ([n, d]) => (d === 1n ? `${n}` : `${n}/${d}`);
+        return frames.map((frame) =>
+          [...Array(frame.vertices).keys()].map((v) => exactPoint(frame, v).map(text)))"""
+    )
+    for got, scale in zip(points, SCALES, strict=True):
+        assert [tuple(point) for point in got] == true_sum(*names, scale).surface.points()
+    slide(window, 2)
+    true = true_sum(*names, SCALES[2])
+    operands = data_of(page)[0]
+    words = {1: "vertex", 2: "edge"}
+    for facet in some(range(len(true.facet_parents)), 3):
+        window.run("return window.minkref.choose('facet', arguments[0]).then(() => true)", facet)
+        told = window.run(TEXT, "chosen")
+        for name, face in zip("PQ", true.facet_parents[facet], strict=True):
+            ordered = [sorted(ring) for ring in operands[name]["faces"]]
+            number = (
+                "–".join(map(str, sorted(face))) if len(face) < 3 else ordered.index(sorted(face))
+            )
+            assert f"{words.get(len(face), 'facet')} {number} of {name}" in told
+    window.run("return window.minkref.choose('vertex', 5).then(() => true)")
+    p, q = true.vertex_parents[5]
+    assert f"vertex 5 = vertex {p} of P + vertex {q} of Q" in window.run(TEXT, "chosen")
+    assert said(window) == []
+
+
+@in_browser
+def test_the_page_is_not_wider_than_the_window(page_kept: framework.Browser, folder: Path) -> None:
+    """Which is made narrow and wide; in a thorough run the page is opened in each."""
+    window = page_kept
+    opened(window, made_once(folder, *WALK)[0])
+    for width in (400, 1280):
+        window.viewport(width, 1000)
+        if THOROUGH:
+            window.get("about:blank")
+            opened(window, made_once(folder, *WALK)[0])
+        window.run(SETTLED)
         needed, there = window.run(
             "const { scrollWidth, clientWidth } = document.documentElement;"
             "return [scrollWidth, clientWidth]"
         )
-        window.save_screenshot(SHOTS / f"gs3-rod-{width}.png")
-        assert needed <= there
-    finally:
-        window.set_window_size(1440, 1000)
+        window.save_screenshot(SHOTS / f"walk-{width}.png")
+        assert needed <= there == width

@@ -420,9 +420,10 @@ WAYS["both-forms"] = results(lambda v, a: {**v, "rings": []})
 WAYS["vertices-just-within"] = results(
     lambda v, a: {"polygons": [{"outer": parabola(390_000), "holes": []}]}
 )
-WAYS["million-vertices"] = results(
-    lambda v, a: {"polygons": [{"outer": parabola(1_000_000), "holes": []}]}
-)
+for name, count in {"many-vertices": 410_000, "million-vertices": 1_000_000}.items():
+    WAYS[name] = results(
+        lambda v, a, count=count: {"polygons": [{"outer": parabola(count), "holes": []}]}
+    )
 
 
 def parabola(count: int) -> list[list[int]]:
