@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from copy import deepcopy
 from dataclasses import replace
 from html.parser import HTMLParser
 from pathlib import Path
@@ -63,11 +64,18 @@ class Page(HTMLParser):
             self.text += data
 
 
-@pytest.fixture
-def pages(made: Any, tmp_path: Path) -> dict[str, str]:
-    front = write_report(tmp_path, made.run, made.groups, made.value, again=AGAIN)
-    assert front == tmp_path / "index.html"
-    return {path.name: path.read_text(encoding="utf-8") for path in tmp_path.glob("*.html")}
+@pytest.fixture(scope="module")
+def folder(made_once: Any, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The report, which tests read only."""
+    folder, made = tmp_path_factory.mktemp("report"), deepcopy(made_once)
+    front = write_report(folder, made.run, made.groups, made.value, again=AGAIN)
+    assert front == folder / "index.html"
+    return folder
+
+
+@pytest.fixture(scope="module")
+def pages(folder: Path) -> dict[str, str]:
+    return {path.name: path.read_text(encoding="utf-8") for path in folder.glob("*.html")}
 
 
 def test_there_is_a_page_for_each_target_and_each_kind(pages: dict[str, str], made: Any) -> None:
@@ -92,13 +100,13 @@ def test_nothing_comes_from_outside_and_nothing_runs_but_the_copying_of_commands
         assert control is None, text[control.start() - 80 : control.end()]
 
 
-def test_every_link_leads_somewhere(pages: dict[str, str], tmp_path: Path) -> None:
+def test_every_link_leads_somewhere(pages: dict[str, str], folder: Path) -> None:
     for name, text in pages.items():
         page = Page(text)
         assert len(page.anchors) == len(set(page.anchors)), name
         for link in page.links:
             file, _, anchor = link.partition("#")
-            assert not file or (tmp_path / file).is_file(), (name, link)
+            assert not file or (folder / file).is_file(), (name, link)
             if anchor:
                 assert anchor in (Page(pages[file]) if file else page).anchors, (name, link)
 
@@ -153,7 +161,7 @@ def test_skipped_cases_are_in_no_denominator(pages: dict[str, str], made: Any) -
     assert "does not declare <space>" in Page(pages["target-minkref-paper.html"]).text
 
 
-def test_a_finding_in_the_plane_is_drawn_and_argued(pages: dict[str, str], tmp_path: Path) -> None:
+def test_a_finding_in_the_plane_is_drawn_and_argued(pages: dict[str, str], folder: Path) -> None:
     html = pages["finding-pysfcgal-hole-lost.html"]
     text = Page(html).text
     for part in ('class="first"', 'class="extra"', 'class="witness"', 'class="got"'):
@@ -167,7 +175,7 @@ def test_a_finding_in_the_plane_is_drawn_and_argued(pages: dict[str, str], tmp_p
         "## Why the expected is right",
     ):
         assert part in text
-    program = (tmp_path / "pysfcgal-hole-lost.py").read_text(encoding="utf-8")
+    program = (folder / "pysfcgal-hole-lost.py").read_text(encoding="utf-8")
     assert "minkref" not in program.split('"""')[2]
     assert program in text
 

@@ -26,7 +26,7 @@ from minkref.reports.conformance.space_showcase import (
     space_showcases,
     told,
 )
-from thoroughness import some
+from thoroughness import THOROUGH
 
 WIDTH = 60
 
@@ -78,7 +78,8 @@ def test_nothing_is_drawn_of_the_empty_set() -> None:
 def test_all_give_the_same_sums_and_the_page_shows_them(
     made: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    pairs = dict(some(PAIRS.items(), 2))
+    pairs = {title: PAIRS[title] for title in (PAIRS if THOROUGH else ("torus + L", "cup + L"))}
+    monkeypatch.setattr(space_showcase, "NEF_SECONDS", 300.0)  # whatever the machine does beside
     monkeypatch.setattr(space_showcase, "PAIRS", pairs)
     shown = space_showcases()
     assert [show.title for show in shown] == list(pairs)
