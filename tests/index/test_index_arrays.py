@@ -22,6 +22,7 @@ from indexed_sums import (
 )
 from minkref import _core
 from numpy.typing import NDArray
+from thoroughness import draws
 
 
 @pytest.mark.parametrize("form", FORMS)
@@ -127,7 +128,7 @@ def test_arrays_outlive_the_index_and_the_rings(tmp_path: Path, opened: bool) ->
     path.unlink()
     del index
     gc.collect()
-    others = [Index(P, Q).rings("7/5", "homogeneous").homogeneous for _ in range(20)]
+    others = [Index(P, Q).rings("7/5", "homogeneous").homogeneous for _ in range(draws(5, 20))]
     gc.collect()
     assert all(numpy.array_equal(a, b) for a, b in zip(kept, before, strict=True))
     # Rings need no index either.
