@@ -476,7 +476,8 @@ def test_exact_coordinates_and_parents_are_those_of_the_sum(
     true = true_sum(*names, SCALES[2])
     operands = data_of(page)[0]
     words = {1: "vertex", 2: "edge"}
-    for facet in some(range(len(true.facet_parents)), 3):
+    last = len(true.facet_parents) - 1
+    for facet in (0, last // 2, last):
         window.run("return window.minkref.choose('facet', arguments[0]).then(() => true)", facet)
         told = window.run(TEXT, "chosen")
         for name, face in zip("PQ", true.facet_parents[facet], strict=True):
