@@ -26,6 +26,7 @@ from minkref.degeneracies import lint
 from minkref.degeneracies.case_document import Degenerate
 from minkref.degeneracies.draft import NothingDrawn
 from minkref.errors import Refusal
+from processes import program, started
 
 SECONDS = 60.0  # more than enough for what ends at once
 
@@ -293,17 +294,13 @@ def test_a_certificate_is_not_written_without_its_case(
 def test_processes_end_with_the_command(tmp_path: Path, number: signal.Signals) -> None:
     """Its output is closed only when all of them are gone. Files are whole, none is left over."""
     words = ("generate", "fits-slot", "--count", "10000000", "--jobs", "2", "-o", str(tmp_path))
-    with subprocess.Popen(
-        [sys.executable, "-m", "minkref", *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE
-    ) as running:
+    streams = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
+    with started(program(*words), **streams) as running:
         until = time.monotonic() + SECONDS
         while not list(tmp_path.rglob("*.json")) and time.monotonic() < until:
             time.sleep(0.05)
         running.send_signal(number)
-        try:
-            running.communicate(timeout=SECONDS)
-        finally:
-            running.kill()  # one that does not end fails the test, and holds nobody up
+        running.communicate(timeout=SECONDS)
     assert running.returncode == (-number if number == signal.SIGKILL else 128 + number)
     if number == signal.SIGTERM:
         assert not [path for path in tmp_path.rglob("*") if path.name.startswith(".minkref")]

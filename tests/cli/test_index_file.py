@@ -9,6 +9,8 @@ import stat
 import subprocess
 import sys
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from fractions import Fraction
 from pathlib import Path
 from typing import Any
@@ -29,6 +31,7 @@ from index_runs import (
 )
 from minkref import _core
 from minkref.commands.schemas import schema
+from processes import started
 
 # The document, the file.
 
@@ -146,20 +149,17 @@ sys.exit(run(sys.argv[1:]))
 """
 
 
-def started(path: Path, P: str, Q: str, last: str = "") -> subprocess.Popen[str]:
+@contextmanager
+def begun(path: Path, P: str, Q: str, last: str = "") -> Iterator[subprocess.Popen[str]]:
     """A build that has begun."""
-
-    def heed_interrupts() -> None:  # a background job of a shell is started deaf to them
-        signal.signal(signal.SIGINT, signal.SIG_DFL)
-
     command = ["index", P, Q, "-o", str(path), "--threads", "1", "--check", "0"]
-    process = subprocess.Popen(
-        [sys.executable, "-c", SLOW.format(last=last), *command],
-        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, preexec_fn=heed_interrupts,
-    )  # fmt: skip
-    assert process.stdout is not None
-    assert process.stdout.readline() == "building\n"
-    return process
+    streams = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
+    with started(
+        [sys.executable, "-c", SLOW.format(last=last), *command], text=True, **streams
+    ) as process:
+        assert process.stdout is not None
+        assert process.stdout.readline() == "building\n"
+        yield process
 
 
 @pytest.mark.parametrize(
@@ -177,13 +177,10 @@ def test_a_build_that_is_killed_leaves_no_file_and_an_older_one_whole(
     path = tmp_path / "sums.index"
     if old is not None:
         path.write_bytes(old)
-    process = started(path, "glyph1204", "glyph275")
-    try:
+    with begun(path, "glyph1204", "glyph275") as process:
         time.sleep(0.2)
         process.send_signal(number)
         process.communicate(timeout=60)
-    finally:
-        process.kill()
     assert process.returncode in (-number, 128 + number)
     assert [(p.name, p.read_bytes()) for p in tmp_path.iterdir()] == (
         [] if old is None else [(path.name, old)]
@@ -198,8 +195,8 @@ def test_a_build_that_is_killed_before_its_file_has_its_name_leaves_an_older_one
     if old is not None:
         path.write_bytes(old)
     dies = "documents.os.replace = lambda *paths: os.kill(os.getpid(), signal.SIGKILL)"
-    process = started(path, "g1", "g3", dies)
-    process.communicate(timeout=60)
+    with begun(path, "g1", "g3", dies) as process:
+        process.communicate(timeout=60)
     assert process.returncode == -signal.SIGKILL
     assert (path.read_bytes() if path.exists() else None) == old
 

@@ -11,6 +11,7 @@ import time
 from pathlib import Path
 
 import pytest
+from processes import program, started
 from thoroughness import some
 
 MINKREF = f"{sys.executable} -m minkref"
@@ -76,40 +77,24 @@ def seconds_of(process: subprocess.Popen[bytes]) -> float:
 
 
 def test_interrupt_ends_a_sum_that_computes() -> None:
-    command = [sys.executable, "-m", "minkref", "sum", "glyph1204", "cells1815"]
-
-    def heed_interrupts() -> None:  # a background job of a shell is started deaf to them
-        signal.signal(signal.SIGINT, signal.SIG_DFL)
-
-    command += ["--route", "definition"]
-    with subprocess.Popen(command, preexec_fn=heed_interrupts) as process:
+    with started(program("sum", "glyph1204", "cells1815", "--route", "definition")) as process:
         until = time.monotonic() + 60
         while seconds_of(process) < 1 and time.monotonic() < until:
             time.sleep(0.05)
         process.send_signal(signal.SIGINT)
-        try:
-            assert process.wait(30) == 130
-        finally:
-            process.kill()
+        assert process.wait(30) == 130
 
 
 @pytest.mark.parametrize(("ending", "number"), some(SIGNALS, 3))
 def test_a_signal_leaves_no_file_that_is_half_written(
     tmp_path: Path, ending: str, number: signal.Signals
 ) -> None:
-    def heed_it() -> None:  # a background job of a shell, or of nohup, is started deaf to some
-        signal.signal(number, signal.SIG_DFL)
-
-    command = [sys.executable, "-m", "minkref", "events", "glyph275", "glyph275"]
-    command += ["-o", str(tmp_path / f"events.{ending}")]
-    with subprocess.Popen(command, preexec_fn=heed_it) as process:
-        try:
-            until = time.monotonic() + 60
-            while not any(tmp_path.iterdir()) and time.monotonic() < until:
-                time.sleep(0.005)
-            assert process.poll() is None
-            process.send_signal(number)
-            assert process.wait(30) == 128 + number
-        finally:
-            process.kill()
+    command = program("events", "glyph275", "glyph275", "-o", tmp_path / f"events.{ending}")
+    with started(command) as process:
+        until = time.monotonic() + 60
+        while not any(tmp_path.iterdir()) and time.monotonic() < until:
+            time.sleep(0.005)
+        assert process.poll() is None
+        process.send_signal(number)
+        assert process.wait(30) == 128 + number
     assert not list(tmp_path.iterdir())

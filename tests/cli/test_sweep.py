@@ -20,6 +20,7 @@ from minkref.documents import lasting
 from minkref.exact import digest
 from minkref.fuzz.families.random_pairs import random_pair
 from minkref.operand import read_operand
+from processes import program, started
 from thoroughness import draws
 
 Minkref = Callable[..., Any]
@@ -187,23 +188,14 @@ def test_table_for_people_and_silence_of_progress_in_a_pipe() -> None:
 def test_interrupted_sweep_leaves_whole_files_and_no_index(
     minkref: Minkref, tmp_path: Path, number: signal.Signals
 ) -> None:
-    def heed_interrupts() -> None:  # a background job of a shell is started deaf to them
-        signal.signal(signal.SIGINT, signal.SIG_DFL)
-
     folder = tmp_path / "sums"
-    process = subprocess.Popen(
-        [sys.executable, "-m", "minkref", "sweep", "g1", "g2", "--from", "1", "--to", "2",
-         "--steps", "100000", "-o", folder],
-        stderr=subprocess.PIPE, preexec_fn=heed_interrupts,
-    )  # fmt: skip
-    try:
+    words = ["sweep", "g1", "g2", "--from", "1", "--to", "2", "--steps", "100000", "-o", folder]
+    with started(program(*words), stderr=subprocess.PIPE) as process:
         until = time.monotonic() + 60
         while not (folder / "sum-0003.json").exists() and time.monotonic() < until:
             time.sleep(0.01)
         process.send_signal(number)
         _, errors = process.communicate(timeout=60)
-    finally:
-        process.kill()
     assert (process.returncode, errors) == (128 + number, b"")
     mark, *files = sorted(folder.iterdir())
     assert mark.name == ".minkref-sweep"

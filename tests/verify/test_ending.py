@@ -10,6 +10,7 @@ import time
 from pathlib import Path
 
 import pytest
+from processes import program, started
 from thoroughness import some
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
@@ -36,13 +37,6 @@ def lives(process: int) -> bool:
     return text.rpartition(")")[2].split()[0] != "Z"
 
 
-def heed_signals() -> None:
-    """A background job of a shell is started deaf to SIGINT, and nohup's to SIGHUP; both are
-    inherited."""
-    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-        signal.signal(number, signal.SIG_DFL)
-
-
 @pytest.mark.parametrize(
     ("number", "code"),
     some(
@@ -56,10 +50,9 @@ def heed_signals() -> None:
     ),
 )
 def test_workers_end_with_the_command(number: int, code: int) -> None:
-    command = [sys.executable, "-m", "minkref", "verify", "minkref:paper", "--seconds", "60"]
-    command += ["--jobs", "2", "--no-models"]
+    words = ("verify", "minkref:paper", "--seconds", "60", "--jobs", "2", "--no-models")
     quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
-    with subprocess.Popen(command, preexec_fn=heed_signals, **quiet) as process:
+    with started(program(*words), **quiet) as process:
         deadline = time.monotonic() + 30
         workers: list[int] = []
         while len(workers) < 2 and time.monotonic() < deadline:

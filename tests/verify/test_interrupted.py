@@ -7,7 +7,6 @@ import os
 import random
 import signal
 import subprocess
-import sys
 import time
 import xml.etree.ElementTree as ElementTree
 from collections import Counter
@@ -19,6 +18,7 @@ import pytest
 from minkref.fuzz.run import runner
 from minkref.fuzz.run.pool import InternalError
 from minkref.fuzz.shrink import groups as shrinking
+from processes import program, started
 from thoroughness import draws
 
 FOLDER = Path(__file__).parent
@@ -27,12 +27,6 @@ JOBS = str(draws(1, 2))
 SEED = 23
 WORDS = ["py:faulty_sums:loses_holes", "minkref:winding", "--pairs", "100000", "--jobs", JOBS]
 WORDS += ["--no-models", "--shrink-calls", "5"]
-
-
-def heed_signals() -> None:
-    """A background job of a shell is started deaf to SIGINT."""
-    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
-        signal.signal(number, signal.SIG_DFL)
 
 
 def environment() -> dict[str, str]:
@@ -44,15 +38,13 @@ def ended(folder: Path, number: int, seconds: float) -> tuple[int, Any, str]:
     folder.mkdir()
     files = ["--ledger", "run.jsonl", "--report", "report", "--junit", "junit.xml"]
     files += ["--sarif", "verify.sarif", "--markdown", "verify.md", "--lines", "lines.jsonl"]
-    words = [sys.executable, "-m", "minkref", "verify", *WORDS, *files, "--json"]
-    with subprocess.Popen(
-        words,
+    with started(
+        program("verify", *WORDS, *files, "--json"),
         cwd=folder,
         env=environment(),
         text=True,
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
-        preexec_fn=heed_signals,
     ) as process:
         deadline = time.monotonic() + 60
         ledger = folder / "run.jsonl"
@@ -66,10 +58,11 @@ def ended(folder: Path, number: int, seconds: float) -> tuple[int, Any, str]:
 
 
 def lines_of(ledger: Path) -> list[Any]:
-    """The results in it, without those that only say that there is no such case."""
+    """The results in it, without those that only say that there is no such case, and without a last
+    line that is not yet whole."""
     if not ledger.is_file():
         return []
-    rows = [json.loads(line) for line in ledger.read_text().splitlines()[1:]]
+    rows = [json.loads(line) for line in ledger.read_text().split("\n")[1:-1]]
     return [row for row in rows if "absent" not in row and "untaken" not in row]
 
 
@@ -116,14 +109,8 @@ def goes_on(folder: Path) -> None:
     """The ledger of an interrupted run, with a run that is interrupted, too."""
     ledger = folder / "run.jsonl"
     before = ledger.read_text().splitlines()
-    words = [sys.executable, "-m", "minkref", "verify", *WORDS, "--ledger", "run.jsonl", "--json"]
-    with subprocess.Popen(
-        words,
-        cwd=ledger.parent,
-        env=environment(),
-        stdout=subprocess.DEVNULL,
-        preexec_fn=heed_signals,
-    ) as process:
+    words = program("verify", *WORDS, "--ledger", "run.jsonl", "--json")
+    with started(words, cwd=ledger.parent, env=environment(), stdout=subprocess.DEVNULL) as process:
         deadline = time.monotonic() + 60
         while time.monotonic() < deadline and len(ledger.read_text().splitlines()) <= len(before):
             time.sleep(0.05)

@@ -25,6 +25,7 @@ from minkref.fuzz.targets.adapter import AdapterTarget
 from minkref.fuzz.targets.adapter_process import AdapterProcess, Failure
 from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.verdicts.verdict import Verdict
+from processes import started
 
 PROGRAM = Path(__file__).parent / "isolated_adapter.py"
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="reads /proc")
@@ -214,7 +215,7 @@ def test_nothing_is_left_where_the_one_that_started_it_is_killed(walls: Isolatio
         "print('begun', flush=True)\n"
         "time.sleep(600)\n"
     )
-    with subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE) as process:
+    with started([sys.executable, "-c", script], stdout=subprocess.PIPE) as process:
         assert process.stdout is not None
         assert process.stdout.readline() == b"begun\n"
         assert marked(walls.mark)

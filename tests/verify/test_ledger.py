@@ -7,9 +7,9 @@ import os
 import random
 import signal
 import subprocess
-import sys
 import time
 from collections.abc import Callable
+from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +17,7 @@ import pytest
 from minkref.commands.line.cli import run
 from minkref.errors import Refusal
 from minkref.fuzz.run.ledger import Ledger
+from processes import program, started
 from thoroughness import draws
 
 Verify = Callable[..., Any]
@@ -40,11 +41,10 @@ def verify(faulty_sums: None, capsys: pytest.CaptureFixture[str]) -> Verify:
     return call
 
 
-def started(*words: str | Path) -> subprocess.Popen[bytes]:
+def begun(*words: str | Path) -> AbstractContextManager[subprocess.Popen[Any]]:
     """The same as a process of its own, which can be killed."""
-    command = [sys.executable, "-m", "minkref", "verify", *map(str, words), "--json"]
     quiet: Any = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
-    return subprocess.Popen(command, start_new_session=True, **quiet)
+    return started(program("verify", *words, "--json"), start_new_session=True, **quiet)
 
 
 def lines_of(ledger: Path) -> list[str]:
@@ -71,7 +71,7 @@ def test_run_that_is_killed_again_and_again_loses_nothing(verify: Verify, tmp_pa
     kept: list[str] = []
     interrupted = 0
     for _ in range(KILLS):
-        with started(*FAULTY, *MANY, "--ledger", ledger) as process:
+        with begun(*FAULTY, *MANY, "--ledger", ledger) as process:
             wait_for_lines(process, ledger, len(kept) + dice.randint(0, 8))
             time.sleep(dice.uniform(0, 0.05))
             interrupted += process.poll() is None
@@ -147,7 +147,7 @@ def test_second_run_on_a_ledger_is_refused_and_the_first_goes_on(
 ) -> None:
     ledger = tmp_path / "run.jsonl"
     long = ("minkref:paper", "--pairs", "1000000", *ALWAYS, "1", "--ledger", ledger)
-    with started(*long) as first:
+    with begun(*long) as first:
         assert wait_for_lines(first, ledger, 1)
         error = verify(*long, code=2)["error"]
         assert wait_for_lines(first, ledger, len(lines_of(ledger)) + 2)

@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 from minkref.errors import Refusal
 from minkref.output_folder import held_folder
+from processes import started
 
 
 def test_a_folder_is_held_until_the_end_and_leaves_nothing(tmp_path: Path) -> None:
@@ -30,9 +31,8 @@ def test_a_process_that_is_killed_holds_no_folder(tmp_path: Path) -> None:
     code += (
         "with o.held_folder(pathlib.Path(sys.argv[1])):\n print(1, flush=True); sys.stdin.read()"
     )
-    with subprocess.Popen(
-        [sys.executable, "-c", code, str(tmp_path)], stdin=subprocess.PIPE, stdout=subprocess.PIPE
-    ) as process:
+    streams = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE}
+    with started([sys.executable, "-c", code, str(tmp_path)], **streams) as process:
         assert process.stdout is not None and process.stdout.readline()
         with pytest.raises(Refusal, match="another run"), held_folder(tmp_path):
             pass
