@@ -94,11 +94,19 @@ def write_summary(every: list[Step], size: Size) -> None:
     documents = [
         document for step in every if (document := store.latest(step.name, min(size, Size.WHOLE)))
     ]
-    entries = table.entries_of(before) | {d["step"]: table.entry_of(d) for d in documents}
+    entries = table.entries_of(before) | {
+        d["step"]: table.entry_of(standing_now(d)) for d in documents
+    }
     wanted = [step.name for step in every if not quick or step.minutes.quick is not None]
     path.write_text(table.markdown(wanted, entries, claim, quick), encoding="utf-8")
     if not quick:
         stale.write(stale.path(), resting(every, documents))
+
+
+def standing_now(document: store.Document) -> store.Document:
+    """Of this commit, if the files that it rests on are as they were when it ran."""
+    commit = store.commit_of(document["files"]) if store.is_current(document) else ""
+    return document | {"commit": commit or document["commit"]}
 
 
 def resting(every: list[Step], documents: list[store.Document]) -> dict[str, set[str]]:

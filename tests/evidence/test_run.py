@@ -184,6 +184,21 @@ def test_stale_parts_are_told_by_hash_here_and_by_commit_elsewhere(
     assert told() == ["first", "second"]
 
 
+def test_a_row_is_of_the_last_commit_at_which_its_files_were_as_in_the_run(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(store, "changed_since", lambda commit: [])
+    assert call(monkeypatch) == 0
+    monkeypatch.setattr(store, "commit_of", lambda names: "fedcba9876")
+    stage.change("second/a", "2")
+    assert call(monkeypatch, "first") == 0
+    assert "| [first](#first) | met | whole | fedcba98 |" in stage.summary
+    assert "| [second](#second) | met | whole | 01234567 |" in stage.summary
+    capsys.readouterr()
+    assert call(monkeypatch, "--stale") == 0
+    assert capsys.readouterr().out.startswith("second: ")
+
+
 def test_unknown_names_and_two_sizes_are_wrong_usage(
     stage: Stage, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -49,7 +50,7 @@ def stale(summary: str, rests_on: Mapping[str, Iterable[str]]) -> dict[str, str]
     for step, entry in table.entries_of(summary).items():
         part = step.partition("/")[0]
         document = store.latest(step, Size.WHOLE)
-        if document is not None and table.entry_of(document) == entry:
+        if document is not None and is_of(document, entry):
             if not store.is_current(document):
                 found[part] = f"{step} rests on what has changed"
             continue
@@ -59,6 +60,11 @@ def stale(summary: str, rests_on: Mapping[str, Iterable[str]]) -> dict[str, str]
         elif store.touched(rests_on[part], changed):
             found[part] = f"something has changed since {entry.commit}"
     return found
+
+
+def is_of(document: store.Document, entry: table.Entry) -> bool:
+    """Whether the row tells this result. Its commit may be a later one, with the same files."""
+    return replace(table.entry_of(document), commit=entry.commit) == entry
 
 
 def path() -> Path:
