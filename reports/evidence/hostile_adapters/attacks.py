@@ -10,15 +10,15 @@ from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, S
 from minkref.reports.evidence.framework.places import ROOT
 
 RESTS_ON = ("tests/hostile/",)
-MINUTES = Minutes(0.4, 1.5, 60)
+MINUTES = Minutes(None, 1.5, 60)
 ALONE = True
 
 FOLDER = ROOT / "tests" / "hostile"
 WORDS: tuple[str, ...] = ("--no-models", "--shrink-calls", "0", "--jobs", "1", "--no-settings")
 WORDS += ("--call-seconds", "3", "--call-memory", "400", "--call-output", "32")
 WAYS = ("sandbox", "none")
-EVERY = Counts(24, 4, 1)  # of the files, one in so many
-FEWER = Counts(4, 1, 1)  # of the attacks that are quick
+EVERY = Counts(0, 4, 1)  # of the files, one in so many
+FEWER = Counts(0, 1, 1)  # of the attacks that are quick
 AT_ONCE = 2
 
 

@@ -16,12 +16,12 @@ from minkref.reports.bench.space_tools import THREADS, Timed, Tools
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 from minkref.reports.space_speed_plot import draw
 
-MINUTES = Minutes(0.2, 1.5, 30)
+MINUTES = Minutes(None, 1.5, 30)
 ALONE = True
 
 NEF_LIMIT = 300.0  # seconds of a call, where Nef's time is a target
-LIMIT = Counts(20.0, 20.0, 60.0)  # of any other
-GROWN = Counts(1, 2, 99)  # of the sizes, the first so many
+LIMIT = Counts(0.0, 20.0, 60.0)  # of any other
+GROWN = Counts(0, 2, 99)  # of the sizes, the first so many
 LONGEST = 20.0  # seconds of ours, after which a family ends
 BUSY = 0.1  # the share of the machine that others take beyond which processor time counts
 
