@@ -31,6 +31,7 @@ def read_rings(path: Path) -> list[Ring]:
     return rings
 
 
+@pytest.mark.thorough  # the sizes are looked at always
 def test_regenerating_gives_identical_bytes(tmp_path: Path) -> None:
     script = [sys.executable, "-I", str(MODELS / "generate.py"), str(tmp_path)]
     subprocess.run(script, check=True, timeout=300)
