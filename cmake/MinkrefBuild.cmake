@@ -46,19 +46,14 @@ function(minkref_precompiled target)
   endif()
 endfunction()
 
-# minkref_unity(TARGET...): sources are compiled some at a time, since headers take longest: six, so that names
-# of unnamed namespaces seldom meet, or MINKREF_UNITY_FILES. Each is still a file of its own: MINKREF_UNITY=OFF
-# (and every build by clang for the fuzzers) compiles one by one.
+# minkref_unity(TARGET...): sources are compiled some at a time, since headers take longest. Each is still
+# a file of its own: MINKREF_UNITY=OFF (and every build by clang for the fuzzers) compiles one by one.
 function(minkref_unity)
   if(NOT MINKREF_UNITY)
     return()
   endif()
   foreach(target IN LISTS ARGN)
-    set(files 6)
-    if(DEFINED MINKREF_UNITY_FILES)
-      set(files ${MINKREF_UNITY_FILES})
-    endif()
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${files})
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
     # A name of one source may hide that of another, and types of an unnamed namespace stand in a class.
     target_compile_options(${target} PRIVATE -Wno-shadow)
     if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
