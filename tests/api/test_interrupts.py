@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 import os
 import signal
 import threading
 import time
+from collections.abc import Callable
 
 import pytest
 from long_works import comb, prepare, star, works
@@ -26,9 +28,9 @@ GROWING = (
 )
 
 
-def seconds_to_end(name: str) -> float:
-    """From an interrupt to the end of the work."""
-    work = works()[name]
+def seconds_to_end(work: Callable[[], object], until: float = UNTIL) -> float:
+    """From an interrupt to the end of the work; infinite where the work was over before it came, as
+    may be on a busy machine. No interrupt is left to end the tests."""
     clock = time.pthread_getcpuclockid(threading.get_ident())
     sent = []
 
@@ -36,31 +38,36 @@ def seconds_to_end(name: str) -> float:
         sent.append(time.clock_gettime(clock))
         os.kill(os.getpid(), signal.SIGINT)
 
-    timer = threading.Timer(UNTIL, send)
+    timer = threading.Timer(until, send)
+    over = False
     timer.start()
     try:
-        with pytest.raises(KeyboardInterrupt):
-            work()
-        return time.clock_gettime(clock) - sent[0]
-    finally:
+        work()
+        over = True
         timer.cancel()
         timer.join()
+        time.sleep(0.01)
+    except KeyboardInterrupt:
+        ended = time.clock_gettime(clock)
+        timer.join()
+        return math.inf if over else ended - sent[0]
+    return math.inf
 
 
 @pytest.mark.parametrize("name", works())
 def test_an_interrupt_ends_work_within_a_fifth_of_a_second(name: str) -> None:
     """The shortest of three: what others do to the caches makes a thread's own time longer too."""
     prepare(name)
-    assert any(seconds_to_end(name) < SOON for _ in range(3))
+    assert any(seconds_to_end(works()[name]) < SOON for _ in range(3))
 
 
 def test_operands_are_whole_after_an_interrupt() -> None:
     P, Q = star(200), comb(150)
     before = P.to_json(), Q.to_json()
-    timer = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
-    timer.start()
-    with pytest.raises(KeyboardInterrupt):
-        _core.minkowski_sum(P, Q, "1", "winding")
+    assert any(
+        seconds_to_end(lambda: _core.minkowski_sum(P, Q, "1", "winding"), 0.2) < math.inf
+        for _ in range(3)
+    )
     assert (P.to_json(), Q.to_json()) == before
     small = _core.minkowski_sum(star(5), comb(3), "1")
     assert small.region.canonical_json() == (

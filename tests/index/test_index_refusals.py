@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import os
-import signal
 import subprocess
 import sys
-import threading
 from pathlib import Path
 
 import pytest
@@ -106,15 +103,6 @@ def test_more_memory_than_allowed_is_refused() -> None:
     with pytest.raises(_core.LimitExceeded) as refused:
         Index(*operands("islands"), "1", "2", 1, 1 << 20)
     assert code_of(refused) == "memory-limit"
-
-
-def test_ctrl_c_ends_a_build() -> None:
-    P, Q = read_operand("disc1").set, read_operand("cells1815").set
-    timer = threading.Timer(0.1, os.kill, (os.getpid(), signal.SIGINT))
-    timer.start()
-    with pytest.raises(KeyboardInterrupt):
-        Index(P, Q, "1/10", "10")
-    assert not timer.is_alive()
 
 
 def test_files_that_cannot_be_read_or_written_are_refused(
