@@ -24,8 +24,6 @@ WORKERS = 2  # adapters judged at a time
 # Two that take only convex polygons meet more of them here.
 CONVEX = ("--family", "convex", "--family", "collinear", "--family", "offset")
 GOOD = ("pass", "pass-within", "skipped")
-# Of shells that overlap, only so many triangles inside are cut by each other: then nothing is said.
-LIMIT = "triangles lie off the boundary of the sum"
 
 
 def programs(folder: Path) -> dict[str, str]:
@@ -44,8 +42,7 @@ def programs(folder: Path) -> dict[str, str]:
 def judged(
     target: str, cases: int, pairs: int, more: tuple[str, ...]
 ) -> tuple[Counter[str], list[str]]:
-    """Verdicts on at least so many cases that were not skipped, and lines that show the others.
-    `undecided` are those whose reason is no documented limit, `beyond` those whose reason is."""
+    """Verdicts on at least so many cases that were not skipped, and lines that show the others."""
     counts: Counter[str] = Counter()
     shown: list[str] = []
     for seed in range(1, RUNS + 1):
@@ -53,16 +50,10 @@ def judged(
         words += ("--call-seconds", 300, "--no-models", "--shrink-calls", 0)
         _, value = verify(*words, seconds=1800)
         counts.update(counts_of(value, value["targets"][0]["name"]))
-        beyond = [finding for finding in value["findings"] if LIMIT in finding["message"]]
-        counts.update(beyond=len(beyond), undecided=-len(beyond))
-        shown += [found["reproduce"] for found in value["findings"] if found not in beyond]
-        if judged_cases(counts) >= cases:
+        shown += [finding["reproduce"] for finding in value["findings"]]
+        if sum(counts[verdict] for verdict in counts if verdict != "skipped") >= cases:
             break
-    return +counts, shown
-
-
-def judged_cases(counts: Counter[str]) -> int:
-    return sum(n for verdict, n in counts.items() if verdict not in ("skipped", "beyond"))
+    return counts, shown
 
 
 def run(findings: Findings, size: Size) -> None:
@@ -83,13 +74,11 @@ def run(findings: Findings, size: Size) -> None:
     for name, (counts, shown) in rows.items():
         findings.figures[name] = told(counts)
         open_cases += counts["undecided"]
-        open_names = ("undecided", "beyond")
-        alarms += sum(n for verdict, n in counts.items() if verdict not in (*GOOD, *open_names))
-        few += judged_cases(counts) < cases
+        alarms += sum(n for verdict, n in counts.items() if verdict not in (*GOOD, "undecided"))
+        few += sum(n for verdict, n in counts.items() if verdict != "skipped") < cases
         for line in shown[:3]:
             findings.note(f"{name}: {line}")
     findings.figures["kinds"] = len(rows)
     findings.none("alarms", alarms)
-    findings.none("cases undecided without a limit that is reached", open_cases)
-    findings.figures["beyond the limit"] = sum(counts["beyond"] for counts, _ in rows.values())
+    findings.none("cases undecided", open_cases)
     findings.none(f"kinds with fewer than {cases} cases", few)
