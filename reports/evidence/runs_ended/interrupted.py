@@ -49,7 +49,7 @@ def results(folder: Path) -> list[dict[str, Any]]:
     path = folder / "run.jsonl"
     if not path.is_file():
         return []
-    rows = [json.loads(line) for line in path.read_text().splitlines()[1:]]
+    rows = [json.loads(line) for line in path.read_text().split("\n")[1:-1]]
     return [row for row in rows if "absent" not in row and "untaken" not in row]
 
 
