@@ -23,7 +23,7 @@ from minkref.fuzz.space.witness import holds
 from minkref.fuzz.verdicts.verdict import Reason, Witness
 
 Rating = Literal["pass", "pass-within", "wrong", "undecided"]
-MOST_STRAY = 300  # triangles off the boundary of the sum that are cut by each other
+MOST_PIECES = 60_000  # into which triangles off the boundary of the sum are cut by each other
 MOST_MIDDLES = 6  # places inside a hull of which one is off the surface of the result
 MOST_CELLS = 200_000  # of the grid, whose centres are asked
 
@@ -187,7 +187,7 @@ def _prove(search: FaultSearch, exact: bool) -> tuple[bool, str]:
     try:
         off_boundary = None if faces is None else faces.left
         for outer, inner in changes(
-            search.whole, search.result, surface, stray, MOST_STRAY, off_boundary
+            search.whole, search.result, surface, stray, MOST_PIECES, off_boundary
         ):
             changed = True
             search.test(outer)

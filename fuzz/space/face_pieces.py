@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 from fractions import Fraction
+from itertools import pairwise
 from math import gcd
 
 from minkref.fuzz.geometry.space import Point, Whole, cross, dot, middle, minus, normal
@@ -25,19 +27,16 @@ def heights(polygon: Polygon, plane: Plane) -> list[int]:
 
 
 def pieces(polygons: list[Polygon], n: Whole, others: Iterable[Triangle]) -> list[Polygon]:
-    """Convex polygons that cover those, which lie in one plane with normal `n`; no triangle of
-    `others` divides the inside of one, and those in its plane hold all of it or nothing of its
-    inside. Exact; as many pieces as the planes leave, k^2 for k planes."""
+    """Convex polygons that cover those, which lie in one plane with normal `n` and all run the same
+    way around it; no triangle of `others` divides the inside of one, and those in its plane hold
+    all of it or nothing of its inside. Exact; a triangle cuts only the pieces that it meets."""
+    if polygons and _turn(polygons[0], n) < 0:
+        n = (-n[0], -n[1], -n[2])
     parts = polygons
-    for other in others:
-        if not parts:
-            break
-        low, high = _box(other)
-        for plane in _planes(n, parts[0][0], other):
-            cut: list[Polygon] = []
-            for part in parts:
-                cut += _split(part, plane) if _overlaps(part, low, high) else [part]
-            parts = cut
+    for other in others if polygons else ():
+        for cut in _cuts(n, polygons[0][0], other):
+            if any(_meets(polygon, n, cut) for polygon in polygons):
+                parts = [piece for part in parts for piece in _split(part, n, cut)]
     return parts
 
 
@@ -48,24 +47,68 @@ def inside(polygon: Polygon, unit: int = 1) -> Point:
     return (x / unit, y / unit, z / unit)
 
 
-def _planes(n: Whole, origin: Corner, other: Triangle) -> list[Plane]:
-    m = normal(*other)
-    if cross(n, m) != (0, 0, 0):
-        return [(m, dot(m, other[0]))]
-    if any(heights([origin], (n, dot(n, other[0])))):
-        return []
-    found = []
+@dataclass(frozen=True)
+class Cut:
+    """A segment in the plane of a face, in another plane through it."""
+
+    plane: Plane
+    ends: tuple[Corner, Corner]
+
+
+def _cuts(n: Whole, origin: Corner, other: Triangle) -> list[Cut]:
+    """Where a triangle meets the plane: its sides, or where it passes through or stands on it."""
+    level = n[0] * origin[0] + n[1] * origin[1] + n[2] * origin[2]
+    sides = [dot(n, corner) * origin[3] - level for corner in other]
+    if not any(sides):
+        found = []
+        for k in range(3):
+            across = cross(n, minus(other[k], other[k - 1]))
+            ends = ((*other[k - 1], 1), (*other[k], 1))
+            found.append(Cut((across, dot(across, other[k])), ends))
+        return found
+    ends = [(*corner, 1) for corner, side in zip(other, sides, strict=True) if side == 0]
     for k in range(3):
-        across = cross(n, minus(other[k], other[k - 1]))
-        found.append((across, dot(across, other[k])))
-    return found
+        before, after = sides[k - 1], sides[k]
+        if (before < 0 < after) or (after < 0 < before):
+            ends.append(_between((*other[k - 1], 1), abs(before), (*other[k], 1), abs(after)))
+    if len(ends) < 2:
+        return []
+    m = normal(*other)
+    return [Cut((m, dot(m, other[0])), (ends[0], ends[1]))]
 
 
-def _split(polygon: Polygon, plane: Plane) -> list[Polygon]:
-    sides = heights(polygon, plane)
-    if min(sides) >= 0 or max(sides) <= 0:
+def _split(polygon: Polygon, n: Whole, cut: Cut) -> list[Polygon]:
+    """Along the line of a cut that meets its inside."""
+    if not _meets(polygon, n, cut):
         return [polygon]
-    return list(halves(polygon, sides))
+    return list(halves(polygon, heights(polygon, cut.plane)))
+
+
+def _meets(polygon: Polygon, n: Whole, cut: Cut) -> bool:
+    """The cut passes through the inside: neither its line nor a side of the polygon, which runs
+    counter-clockwise, has one on the one side and all of the other on the other."""
+    sides = heights(polygon, cut.plane)
+    if min(sides) >= 0 or max(sides) <= 0:
+        return False
+    for k, corner in enumerate(polygon):
+        m = cross(n, _step(polygon[k - 1], corner))
+        x, y, z, w = corner
+        level = m[0] * x + m[1] * y + m[2] * z
+        if all((m[0] * p + m[1] * q + m[2] * r) * w <= level * s for p, q, r, s in cut.ends):
+            return False
+    return True
+
+
+def _turn(polygon: Polygon, n: Whole) -> int:
+    """Positive where it runs counter-clockwise; 0 where it has no area."""
+    steps = [_step(polygon[0], corner) for corner in polygon[1:]]
+    turns = (dot(n, cross(a, b)) for a, b in pairwise(steps))
+    return next(filter(None, turns), 0)
+
+
+def _step(a: Corner, b: Corner) -> Whole:
+    """From a to b, times a positive number."""
+    return (b[0] * a[3] - a[0] * b[3], b[1] * a[3] - a[1] * b[3], b[2] * a[3] - a[2] * b[3])
 
 
 def halves(polygon: Polygon, sides: Sequence[int]) -> tuple[Polygon, Polygon]:
@@ -90,15 +133,3 @@ def _between(a: Corner, of_a: int, b: Corner, of_b: int) -> Corner:
     x, y, z, w = (of_b * p + of_a * q for p, q in zip(a, b, strict=True))
     divisor = gcd(x, y, z, w)
     return (x // divisor, y // divisor, z // divisor, w // divisor)
-
-
-def _box(triangle: Triangle) -> tuple[list[int], list[int]]:
-    columns = list(zip(*triangle, strict=True))
-    return [min(c) for c in columns], [max(c) for c in columns]
-
-
-def _overlaps(polygon: Polygon, low: list[int], high: list[int]) -> bool:
-    return all(
-        any(p[k] <= high[k] * p[3] for p in polygon) and any(p[k] >= low[k] * p[3] for p in polygon)
-        for k in range(3)
-    )

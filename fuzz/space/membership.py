@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from fractions import Fraction
 from functools import cached_property
-from math import inf, isfinite, isqrt, lcm
+from math import ceil, floor, inf, isfinite, isqrt, lcm
 
 from minkref.fuzz.geometry.space import (
     Point,
@@ -19,6 +20,8 @@ from minkref.fuzz.space.boxes import Box, BoxTree, box_of
 from minkref.fuzz.space.polyhedron import Polyhedron
 
 MOST_COLUMNS = 64  # along one axis
+FEW = 64  # triangles whose planes are asked for
+NEAR = 64  # of the size of a surface: segments beside a place are no longer than one in so many
 
 
 class Surface:
@@ -64,6 +67,10 @@ class Surface:
     @cached_property
     def boxes(self) -> list[Box]:
         return [box_of(triangle) for triangle in self.triangles]
+
+    @cached_property
+    def _box(self) -> Box:
+        return box_of(point for triangle in self.triangles for point in triangle)
 
     @cached_property
     def _tree(self) -> BoxTree:
@@ -112,14 +119,17 @@ class Surface:
 
     def clear_step(self, point: Point, direction: Point) -> Fraction | None:
         """A power of two t so that the segments from the point to point + t direction and to
-        point - t direction meet the plane of no triangle but in the point itself. None where the
-        direction runs along a plane that holds the point."""
+        point - t direction meet no triangle but in the point itself: no plane of those whose box
+        meets the box of both. None where the direction runs along such a plane that holds the
+        point."""
         v = lcm(*(number.denominator for number in point))
         x, y, z = whole(point, v)
         w = lcm(*(number.denominator for number in direction))
         dx, dy, dz = whole(direction, w)
-        least = 0  # the least power of two so far
-        for (unit, a, _, _), n in zip(self._corners, self.normals, strict=True):
+        near, least = self._reached(point, direction)
+        for number in near:
+            unit, a, _, _ = self._corners[number]
+            n = self.normals[number]
             side = (
                 n[0] * (a[0] * v - x * unit)
                 + n[1] * (a[1] * v - y * unit)
@@ -133,6 +143,27 @@ class Surface:
                 power = (side * w).bit_length() - (along * unit * v).bit_length() - 2
                 least = min(least, power)
         return Fraction(1, 1 << -least)
+
+    def _reached(self, point: Point, direction: Point) -> tuple[Sequence[int], int]:
+        """Triangles whose box meets that of the two segments, and the power of two at which these
+        were asked for, so that they may be few."""
+        if len(self._corners) <= FEW:
+            return range(len(self._corners)), 0
+        unit = self.denominator
+        x, y, z = (number * unit for number in point)
+        a, b, c = (abs(number) * unit for number in direction)
+        reach, power = max(a, b, c), 0
+        size = max(high - low for low, high in zip(self._box[::2], self._box[1::2], strict=True))
+        if reach * NEAR > size:
+            power = -(int(reach * NEAR) // max(size, 1)).bit_length()
+        for shorter in (power, power - 3, power - 6):
+            step = Fraction(1, 1 << -shorter)
+            i, j, k = step * a, step * b, step * c
+            box = floor(x - i), ceil(x + i), floor(y - j), ceil(y + j), floor(z - k), ceil(z + k)
+            near = self._tree.meeting(box)
+            if len(near) <= FEW:
+                break
+        return near, shorter
 
 
 def winding_number(polyhedron: Polyhedron, point: Point) -> int | None:

@@ -13,13 +13,13 @@ from minkref.fuzz.space.membership import Surface
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.sides import both_sides
 
-PLACES = 3  # tried in a piece of a face
+PLACES = 3  # tried in a piece of a face that bounds the set
 # The boundary of the sum may pass between the two points; then they are moved closer.
 SHRINKS = (Fraction(1), Fraction(1, 1 << 8), Fraction(1, 1 << 24), Fraction(1, 1 << 60))
 
 
 class TooMany(Exception):
-    """There are more triangles than can be cut by each other."""
+    """The triangles cut each other into more pieces than can be looked at."""
 
 
 def changes(
@@ -34,7 +34,7 @@ def changes(
     winding number and one not, some for each piece of a triangle that parts the set from the rest.
     If there are none, none of the triangles bounds the set anywhere. `whole` is the result with
     its opposite faces; `off_boundary` leaves of a triangle and parts of it what has to be looked
-    at. TooMany where more than `most` triangles would have to be cut."""
+    at. TooMany where that is more than `most` pieces."""
     covered = CoveredFaces(whole)
     left = {}
     for number in stray:
@@ -46,15 +46,21 @@ def changes(
     unit = surface.denominator
     for number, parts in left.items():
         yield from _change(surface, inside(parts[0], unit), surface.normals[number])
-    if len(left) > most:
-        raise TooMany(f"{len(left)} triangles lie off the boundary of the sum")
+    count = 0
     for number, parts in left.items():
         near = [surface.triangles[k] for k in surface.near(number)]
-        for piece in pieces(parts, surface.normals[number], near):
+        cut = pieces(parts, surface.normals[number], near)
+        count += len(cut)
+        if count > most:
+            raise TooMany(f"triangles off the boundary of the sum have more than {most:,} pieces")
+        for piece in cut:
             dice = random.Random(number)
             for _ in range(PLACES):
                 place = inside(piece + [dice.choice(piece) for _ in range(2)], unit)
-                yield from _change(surface, place, surface.normals[number])
+                points = list(_change(surface, place, surface.normals[number]))
+                yield from points
+                if not points:  # nor at any other place of the piece
+                    break
 
 
 def _change(surface: Surface, place: Point, n: Whole) -> Iterator[tuple[Point, Point]]:

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from contextlib import suppress
 from fractions import Fraction
 from itertools import product
 
 import pytest
 from minkref.fuzz.geometry.space import Point
+from minkref.fuzz.space import comparison
 from minkref.fuzz.space.comparison import compare
+from minkref.fuzz.space.families import drawn_pair
 from minkref.fuzz.space.generators.convex import box
 from minkref.fuzz.space.hull import convex_hull
 from minkref.fuzz.space.pair import SpacePair
@@ -71,6 +74,40 @@ def test_a_block_too_few_or_too_many() -> None:
     fewer = together(t for b in boxes if b is not low for t in tetrahedra(b))
     found = compare(pair, fewer)
     assert found.verdict == "wrong" and found.reasons and Reason.EXTRA not in found.reasons
+
+
+def sums_of_triangles(pair: SpacePair) -> Polyhedron:
+    """Each operand at a vertex of the other, and the sum of each triangle and each other: right,
+    with most of its triangles inside."""
+    P, Q = pair.P.scaled(pair.meeting.scale), pair.Q
+    bodies = [P.translated(Q.vertices[0]), Q.translated(P.vertices[0])]
+    for a, b in product(P.triangles, Q.triangles):
+        corners = [
+            tuple(x + y for x, y in zip(P.vertices[i], Q.vertices[j], strict=True))
+            for i in a for j in b
+        ]  # fmt: skip
+        with suppress(ValueError):  # they are parallel
+            bodies.append(convex_hull([(x, y, z) for x, y, z in corners]))
+    return together(bodies)
+
+
+@pytest.mark.parametrize(
+    ("family", "index"),
+    [
+        ("space-cavity", 1),
+        pytest.param("space-cup", 3, marks=pytest.mark.thorough),  # 443 triangles cut each other
+    ],
+)
+def test_faces_inside_that_cut_each_other(
+    family: str, index: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pair = drawn_pair(family, 1, index)
+    result = sums_of_triangles(pair)
+    assert compare(pair, result).proven
+    monkeypatch.setattr(comparison, "MOST_PIECES", 20)
+    found = compare(pair, result)
+    assert found.verdict == "undecided"
+    assert found.message == "triangles off the boundary of the sum have more than 20 pieces"
 
 
 def block(low: str, high: str) -> Polyhedron:
