@@ -45,8 +45,8 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--list", action="store_true", help="name parts and steps, and stop")
     parser.add_argument(
         "--stale", action="store_true",
-        help="name the parts whose rows in SUMMARY.md are stale, or would be if these files "
-        "changed, and stop",
+        help="name the rows of SUMMARY.md that are stale, or would be if these files changed, "
+        "and stop",
     )  # fmt: skip
     options = parser.parse_args()
     for name in ("quick", "full"):
@@ -89,7 +89,7 @@ def write_summary(every: list[Step], size: Size) -> None:
     """Of all steps. Where there is no result here, as in a fresh clone, what the summary says that
     is there is kept, and what it rests on."""
     quick = size is Size.QUICK
-    path = places.FOLDER / "summary-quick.md" if quick else places.ROOM / "SUMMARY.md"
+    path = places.FOLDER / "summary-quick.md" if quick else places.ROOM / store.SUMMARY
     before = path.read_text(encoding="utf-8") if path.exists() and not quick else ""
     documents = [
         document for step in every if (document := store.latest(step.name, min(size, Size.WHOLE)))
@@ -97,7 +97,7 @@ def write_summary(every: list[Step], size: Size) -> None:
     entries = table.entries_of(before) | {
         d["step"]: table.entry_of(standing_now(d)) for d in documents
     }
-    wanted = [step.name for step in every if not quick or step.minutes.quick is not None]
+    wanted = [step for step in every if not quick or step.minutes.quick is not None]
     path.write_text(table.markdown(wanted, entries, claim, quick), encoding="utf-8")
     if not quick:
         stale.write(stale.path(), resting(every, documents))
@@ -110,15 +110,16 @@ def standing_now(document: store.Document) -> store.Document:
 
 
 def resting(every: list[Step], documents: list[store.Document]) -> dict[str, set[str]]:
-    """Files by part: of results that are here, and of others what was known."""
-    here = {document["step"] for document in documents}
-    found = stale.read(stale.path())
-    for part in {step.part for step in every}:
-        if {step.name for step in every if step.part == part} <= here:
-            found[part] = set()
-    for document in documents:
-        files = {file for file in document["files"] if not file.startswith(recorded.MODELS)}
-        found.setdefault(document["step"].partition("/")[0], set()).update(files)
+    """Files by row: of results that are here, and of others what was known."""
+    here = {document["step"]: document for document in documents}
+    known, found = stale.read(stale.path()), dict[str, set[str]]()
+    for name in {step.row for step in every}:
+        own = [step.name for step in every if step.row == name]
+        if known.get(name) and not set(own) <= here.keys():
+            found[name] = known[name]
+        for document in (here[step] for step in own if step in here):
+            files = {file for file in document["files"] if not file.startswith(recorded.MODELS)}
+            found.setdefault(name, set()).update(files)
     return found
 
 
@@ -127,9 +128,12 @@ def tell_stale(files: list[str]) -> int:
     if files:
         found = dict.fromkeys(stale.resting_on(map(in_repository, files), rests_on), "")
     else:
-        found = stale.stale((places.ROOM / "SUMMARY.md").read_text(encoding="utf-8"), rests_on)
-    for part, why in sorted(found.items()):
-        print(f"{part}: {why}" if why else part)
+        summary = (places.ROOM / store.SUMMARY).read_text(encoding="utf-8")
+        found = stale.stale(summary, rests_on, {step.name: step.row for step in steps()})
+    for row, why in sorted(found.items()):
+        print(f"{row}: {why}" if why else row)
+    if not files and not os.environ.get(recorded.MODELS):
+        print(f"{recorded.MODELS} is not set: whether the paper's models changed was not asked.")
     return 0
 
 

@@ -127,6 +127,18 @@ def test_script_that_crashes_or_hangs_is_recorded_as_failed(
     assert json.loads(store.result_path(ONE.name, Size.QUICK).read_text())["status"] == "failed"
 
 
+def test_a_step_does_not_rest_on_what_the_run_itself_writes(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A step that reads the summary, as one that builds the site, would be stale for ever."""
+    monkeypatch.setattr(places, "FOLDER", tmp_path)
+    names = ["docs/disc.md", *store.written()]
+    code = "".join(f"open({str(places.ROOT / name)!r}).close()\n" for name in names)
+    monkeypatch.setattr(child, "command", lambda *_: [sys.executable, "-c", code])
+    assert len(names) == 3
+    assert list(child.run_in_child(ONE, Size.QUICK, lambda: None)["files"]) == ["docs/disc.md"]
+
+
 def test_summary_has_a_row_for_each_part_and_can_be_read_again(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
@@ -140,24 +152,28 @@ def test_summary_has_a_row_for_each_part_and_can_be_read_again(
             ("part/a", Size.FULL, met(), {"date": "2026-01-02 03:04 UTC", "commit": "1234567890"}),
             ("part/b", Size.WHOLE, findings, {"seed": 12, "commit": "1234567890+"}),
             ("whole/a", Size.FULL, met(), {"commit": "1234567890+"}),
+            ("part/hours", Size.FULL, findings, {"commit": "abcdef0123"}),
         )
     ]
     entries = {one["step"]: table.entry_of(one) for one in documents}
     names = ["part/a", "part/b", "part/c", "whole/a", "absent/a"]
-    text = table.markdown(names, entries, lambda part: f"The claim of {part}.", False)
+    every = [Step(name, ONE.minutes) for name in names]
+    every += [Step(f"part/{name}", Minutes(None, None, 60)) for name in ("hours", "never")]
+    text = table.markdown(every, entries, lambda part: f"The claim of {part}.", False)
     row = (
         "| [part](#part) | missed, 2 of 3 steps | whole | several | 2026-01-02 | 3.0 | look-alike |"
     )
     assert row in text
     assert "| [whole](#whole) | met | full | 12345678+ |" in text
     assert "| absent | not run |" in text
+    assert "| [part/hours](#parthours) | missed | full | abcdef01 |" in text
+    assert "| part/never | not run |" in text
     assert "\n## part\n\nThe claim of part.\n\n### part/a\n\nmet; full size; 1.5 minutes; " in text
     assert "commit 12345678+; seed 12; look-alike models\n" in text
     assert "| ratio \\| speed (target) | at most 1 | 2.5 | missed |" in text
     assert table.entries_of(text) == entries
-    assert (
-        table.markdown(names, table.entries_of(text), lambda p: f"The claim of {p}.", False) == text
-    )
+    again = table.markdown(every, table.entries_of(text), lambda p: f"The claim of {p}.", False)
+    assert again == text
 
 
 def test_every_step_declares_sizes_and_every_part_a_claim() -> None:

@@ -69,6 +69,7 @@ def stage(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Stage:
     monkeypatch.setattr(child, "run_in_child", made.run_in_child)
     for name in ("QUICK", "FULL"):
         monkeypatch.delenv(name, raising=False)
+    monkeypatch.setenv(recorded.MODELS, str(tmp_path))
     (tmp_path / "build").mkdir()
     for step in made.steps:
         made.change(step.name, "1")
@@ -156,7 +157,7 @@ def test_in_a_fresh_clone_the_summary_keeps_what_others_have_reached(
         assert stage.summary.count("\n## second\n\nThe claim of second.\n") == 1
         assert "| speed (target) | 1 | 2 | missed |" in stage.summary
         rests_on = json.loads((stage.folder / "rests_on.json").read_text())
-        assert rests_on["parts"] == ["first", "second"]
+        assert rests_on["rows"] == ["first", "second"]
         assert rests_on["files"]["second/a.cpp"] == [1]
 
 
@@ -197,6 +198,39 @@ def test_a_row_is_of_the_last_commit_at_which_its_files_were_as_in_the_run(
     capsys.readouterr()
     assert call(monkeypatch, "--stale") == 0
     assert capsys.readouterr().out.startswith("second: ")
+
+
+def test_a_step_that_runs_in_full_only_has_a_row_of_its_own(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Its old result would else make that of its part one of several commits, and stale."""
+    monkeypatch.setattr(store, "changed_since", lambda commit: [])
+    stage.steps.append(Step("second/hours", Minutes(None, None, 60.0)))
+    stage.change("second/hours", "1")
+    assert call(monkeypatch, "--full", "second/hours") == 0
+    assert call(monkeypatch) == 0
+    assert "| [second](#second) | met | whole | 01234567 |" in stage.summary
+    assert "| [second/hours](#secondhours) | met | full | 01234567 |" in stage.summary
+    stage.change("second/hours", "2")
+    capsys.readouterr()
+    assert call(monkeypatch, "--stale") == 0
+    assert [line.partition(":")[0] for line in capsys.readouterr().out.splitlines()] == [
+        "second/hours"
+    ]
+
+
+def test_without_the_models_of_the_paper_only_what_is_here_is_asked(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    name = f"{recorded.MODELS}/bird.poly"
+    document = {"files": {name: "0123"}}
+    monkeypatch.delenv(recorded.MODELS)
+    assert not store.is_current(document)
+    assert store.is_current(document, with_models=False)
+    assert call(monkeypatch) == 0
+    capsys.readouterr()
+    assert call(monkeypatch, "--stale") == 0
+    assert capsys.readouterr().out.startswith("MINKREF_MODELS is not set: ")
 
 
 def test_unknown_names_and_two_sizes_are_wrong_usage(

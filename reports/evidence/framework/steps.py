@@ -23,6 +23,15 @@ class Step:
     def part(self) -> str:
         return self.name.partition("/")[0]
 
+    @property
+    def only_full(self) -> bool:
+        return self.minutes.whole is None
+
+    @property
+    def row(self) -> str:
+        """The name of its row in the summary: its part's, or its own."""
+        return self.name if self.only_full else self.part
+
 
 def steps() -> list[Step]:
     """All, by name. Their modules are read, not imported, which would take seconds."""

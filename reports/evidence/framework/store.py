@@ -16,7 +16,8 @@ from minkref.reports.evidence.framework.part import Size
 from minkref.reports.evidence.framework.recorded import MODELS, known
 
 Document = dict[str, Any]
-PROSE = (".md", ".svg", "rests_on.json")  # no result rests on it by the folder that it is in
+SUMMARY, RESTS_ON = "SUMMARY.md", "rests_on.json"  # in the room
+PROSE = (".md", ".svg", RESTS_ON)  # no result rests on it by the folder that it is in
 
 
 def result_path(step: str, size: Size) -> Path:
@@ -30,6 +31,14 @@ def log_path(step: str) -> Path:
 def hashes(names: Iterable[str]) -> dict[str, str]:
     """By name. A folder whose files are all among them stands for these."""
     return {name: hash_of(name) for name in in_folders(names)}
+
+
+def written() -> set[str]:
+    """What a run itself writes: if a step reads it, as for the site, it does not rest on it."""
+    if not places.ROOM.is_relative_to(places.ROOT):
+        return set()
+    room = places.ROOM.relative_to(places.ROOT)
+    return {str(room / SUMMARY), str(room / RESTS_ON)}
 
 
 @cache
@@ -109,10 +118,14 @@ def write(document: Document) -> None:
     beside.replace(path)
 
 
-def is_current(document: Document) -> bool:
-    """Nothing that it rests on has changed."""
+def is_current(document: Document, with_models: bool = True) -> bool:
+    """Nothing that it rests on has changed. The paper's models are not always there to ask."""
     files = document["files"]  # none: the run was ended before they were known
-    return bool(files) and all(hash_of(name) == digest for name, digest in files.items())
+    return bool(files) and all(
+        hash_of(name) == digest
+        for name, digest in files.items()
+        if with_models or not name.startswith(f"{MODELS}/")
+    )
 
 
 def kept(step: str, size: Size) -> Document | None:

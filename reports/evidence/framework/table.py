@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from minkref.reports.evidence.framework.part import Size, Status
+from minkref.reports.evidence.framework.steps import Step
 from rich.console import Console
 from rich.table import Table
 
@@ -83,16 +84,16 @@ def one_of(values: Iterable[str], otherwise: str) -> str:
     return found.pop() if len(found) == 1 else otherwise
 
 
-def row(part: str, steps: int, entries: list[Entry]) -> str:
-    """The worst status, the smallest size, the oldest date, all minutes."""
+def row(name: str, steps: int, entries: list[Entry]) -> str:
+    """Of a part or a step. The worst status, the smallest size, the oldest date, all minutes."""
     if not entries:
-        return f"| {part} | not run | | | | | |"
+        return f"| {name} | not run | | | | | |"
     order = [str(status) for status in Status]
     status = max((entry.status for entry in entries), key=order.index)
     if len(entries) < steps:
         status += f", {len(entries)} of {steps} steps"
     cells = [
-        f"[{part}](#{part})",
+        f"[{name}](#{name.replace('/', '')})",
         status,
         min((entry.size for entry in entries), key=[str(size) for size in Size].index),
         one_of((entry.commit for entry in entries), "several"),
@@ -104,25 +105,33 @@ def row(part: str, steps: int, entries: list[Entry]) -> str:
 
 
 def markdown(
-    steps: list[str], entries: dict[str, Entry], claim: Callable[[str], str], quick: bool
+    steps: list[Step], entries: dict[str, Entry], claim: Callable[[str], str], quick: bool
 ) -> str:
-    """`steps`: all that there are, with results or not."""
+    """`steps`: all that there are, with results or not. Those that run in full only have rows of
+    their own below the parts'."""
     today = datetime.datetime.now(datetime.UTC).strftime("%Y-%m-%d")
-    parts: dict[str, list[str]] = {}
-    for step in steps:
-        parts.setdefault(step.partition("/")[0], []).append(step)
+    rows: dict[str, list[str]] = {}
+    for step in sorted(steps, key=lambda step: step.only_full):
+        rows.setdefault(step.row, []).append(step.name)
+    parts = list(dict.fromkeys(step.part for step in steps))
+    head = ["status | size | commit | date | minutes | models |", "---|---|---|---|---:|---|"]
     lines = [
         f"# Evidence, {today}" + (" (quick: smaller counts)" if quick else ""),
         "",
         f"Written by `make evidence{' QUICK=1' * quick}`. A *law* must hold; a *target* may be "
         "missed, which is recorded.",
         "",
-        "| part | status | size | commit | date | minutes | models |",
-        "|---|---|---|---|---|---:|---|",
+        f"| part | {head[0]}",
+        f"|---|{head[1]}",
     ]
-    there = {part: [entries[s] for s in own if s in entries] for part, own in parts.items()}
-    lines += [row(part, len(own), there[part]) for part, own in parts.items()]
-    for part, own in there.items():
+    there = {name: [entries[s] for s in own if s in entries] for name, own in rows.items()}
+    lines += [row(name, len(own), there[name]) for name, own in rows.items() if name in parts]
+    if any(name not in parts for name in rows):
+        lines += ["", "Steps of hours, which run with `FULL=1` only:", ""]
+        lines += [f"| step | {head[0]}", f"|---|{head[1]}"]
+        lines += [row(name, 1, there[name]) for name in rows if name not in parts]
+    for part in parts:
+        own = [entries[s.name] for s in steps if s.part == part and s.name in entries]
         if own:
             lines += ["", f"## {part}", "", claim(part)]
             lines += [f"\n{entry.text().rstrip()}" for entry in own]

@@ -27,7 +27,7 @@ from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.operands import operand, tell_absent
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 
-MINUTES = Minutes(None, 2.5, 55)
+MINUTES = Minutes(None, 7, 55)
 
 SEED = 2012
 WINDOW = ("1/10", "10")
