@@ -63,10 +63,10 @@ def _cuts(n: Whole, origin: Corner, other: Triangle) -> list[Cut]:
         found = []
         for k in range(3):
             across = cross(n, minus(other[k], other[k - 1]))
-            ends = ((*other[k - 1], 1), (*other[k], 1))
-            found.append(Cut((across, dot(across, other[k])), ends))
+            side = ((*other[k - 1], 1), (*other[k], 1))
+            found.append(Cut((across, dot(across, other[k])), side))
         return found
-    ends = [(*corner, 1) for corner, side in zip(other, sides, strict=True) if side == 0]
+    ends: list[Corner] = [(*other[k], 1) for k in range(3) if sides[k] == 0]
     for k in range(3):
         before, after = sides[k - 1], sides[k]
         if (before < 0 < after) or (after < 0 < before):
