@@ -53,7 +53,9 @@ def lines_of(ledger: Path) -> list[str]:
 
 def wait_for_lines(process: subprocess.Popen[bytes], ledger: Path, count: int) -> bool:
     """Whether it still runs when there are so many."""
+    end = time.monotonic() + 300
     while process.poll() is None and len(lines_of(ledger)) < count:
+        assert time.monotonic() < end, f"no {count} lines in five minutes"
         time.sleep(0.05)
     return process.poll() is None
 

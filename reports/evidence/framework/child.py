@@ -59,7 +59,7 @@ def run_in_child(step: Step, size: Size, tick: Callable[[], None]) -> store.Docu
                     break
         finally:
             _end_session(child)
-        found = recorded.files_of(Path(name), places.ROOT) - store.written()
+        found = recorded.files_of(Path(name), places.ROOT) - store.bookkeeping()
     document = store.read(step.name, size)
     if document is None:
         problem = problem or f"the script ended with code {child.returncode} and no result"

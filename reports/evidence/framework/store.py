@@ -17,6 +17,7 @@ from minkref.reports.evidence.framework.recorded import MODELS, known
 
 Document = dict[str, Any]
 SUMMARY, RESTS_ON = "SUMMARY.md", "rests_on.json"  # in the room
+BOOKKEEPERS = ("child", "includes", "places", "recorded", "stale", "steps", "store", "table")
 PROSE = (".md", ".svg", RESTS_ON)  # no result rests on it by the folder that it is in
 
 
@@ -33,12 +34,14 @@ def hashes(names: Iterable[str]) -> dict[str, str]:
     return {name: hash_of(name) for name in in_folders(names)}
 
 
-def written() -> set[str]:
-    """What a run itself writes: if a step reads it, as for the site, it does not rest on it."""
+def bookkeeping() -> frozenset[str]:
+    """What starts steps, and keeps and tells their results, and the summary, which the site shows:
+    every step reads some of it, and no result rests on it."""
     if not places.ROOM.is_relative_to(places.ROOT):
-        return set()
+        return frozenset()
     room = places.ROOM.relative_to(places.ROOT)
-    return {str(room / SUMMARY), str(room / RESTS_ON)}
+    modules = (room / "framework" / f"{name}.py" for name in BOOKKEEPERS)
+    return frozenset(map(str, (room / SUMMARY, room / RESTS_ON, *modules)))
 
 
 @cache
@@ -121,10 +124,11 @@ def write(document: Document) -> None:
 def is_current(document: Document, with_models: bool = True) -> bool:
     """Nothing that it rests on has changed. The paper's models are not always there to ask."""
     files = document["files"]  # none: the run was ended before they were known
+    unasked = bookkeeping()
     return bool(files) and all(
         hash_of(name) == digest
         for name, digest in files.items()
-        if with_models or not name.startswith(f"{MODELS}/")
+        if name not in unasked and (with_models or not name.startswith(f"{MODELS}/"))
     )
 
 
