@@ -56,25 +56,38 @@ class CoveredFaces:
                 shell = _convex_shell(own, self._points)
                 if shell is not None:
                     self._convex[name] = shell
-        others = [t for name, own in enumerate(triples) if name not in self._convex for t in own]
-        for name in self._around(others):
-            others += triples[name]
-            del self._convex[name]
-        if self._convex and not _never_negative(result, others):
-            self._convex = {}
+        others = [own for name, own in enumerate(triples) if name not in self._convex]
+        self._convex = self._beside(result, triples, others)
         self._order = sorted(self._convex, key=lambda name: -self._convex[name].size)
         self._tree = BoxTree([self._convex[name].box for name in self._order])
         self._own = {t: name for name in self._convex for t in triples[name]}
 
-    def _around(self, others: Sequence[Triple]) -> list[int]:
-        """The largest convex shell, where these may be cavities in it."""
-        points = {self._points[k] for triple in others for k in triple}
-        around = [
-            name
-            for name, shell in self._convex.items()
-            if all(dot(n, point) <= d for n, d in shell.planes for point in points)
-        ]
-        return sorted(around, key=lambda name: -self._convex[name].size)[:1] if points else []
+    def _beside(
+        self, result: Polyhedron, triples: list[list[Triple]], others: list[list[Triple]]
+    ) -> dict[int, Shell]:
+        """Convex shells, beside which the winding number of the rest is nowhere negative: the
+        others may be cavities, in one of these or in several, which then belong to the rest."""
+        together = [[t for own in others for t in own]] if others else []
+        for cavities in (together, others) if self._convex else ():
+            around = self._around(cavities)
+            rest = [*others, *(triples[name] for name in around)]
+            if _never_negative(result, [t for own in rest for t in own]):
+                return {name: own for name, own in self._convex.items() if name not in around}
+        return {}
+
+    def _around(self, groups: Sequence[Sequence[Triple]]) -> list[int]:
+        """For each group of triangles the largest convex shell around it, each for one only."""
+        found: list[int] = []
+        for triples in groups:
+            points = {self._points[k] for triple in triples for k in triple}
+            around = [
+                name
+                for name, shell in self._convex.items()
+                if name not in found
+                and all(dot(n, point) <= d for n, d in shell.planes for point in points)
+            ]
+            found += sorted(around, key=lambda name: -self._convex[name].size)[:1]
+        return found
 
     def left(self, triple: Triple) -> list[Polygon]:
         """In parts of the unit, as many as the denominator of the result, whose vertices are

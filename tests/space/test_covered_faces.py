@@ -11,6 +11,7 @@ import pytest
 from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space import comparison
 from minkref.fuzz.space.comparison import compare
+from minkref.fuzz.space.covered_faces import CoveredFaces
 from minkref.fuzz.space.families import drawn_pair
 from minkref.fuzz.space.generators.convex import box
 from minkref.fuzz.space.hull import convex_hull
@@ -74,6 +75,23 @@ def test_a_block_too_few_or_too_many() -> None:
     fewer = together(t for b in boxes if b is not low for t in tetrahedra(b))
     found = compare(pair, fewer)
     assert found.verdict == "wrong" and found.reasons and Reason.EXTRA not in found.reasons
+
+
+def test_cavities_of_several_shells_leave_the_others_covering() -> None:
+    """Two boxes with a cavity each, apart, and two blocks elsewhere, one in the other."""
+    hollow = [
+        body
+        for x in (0, 100)
+        for body in (
+            block(f"{x} 0 0", f"{x + 9} 9 9"),
+            block(f"{x + 3} 3 3", f"{x + 6} 6 6").turned_inside_out(),
+        )
+    ]
+    inner, outer = block("51 1 1", "52 2 2"), block("50 0 0", "53 3 3")
+    result = together([*hollow, outer, inner])
+    covered = CoveredFaces(result)
+    left = [any(covered.left(triple)) for triple in result.triangles]
+    assert left == [True] * 12 * 5 + [False] * 12
 
 
 def sums_of_triangles(pair: SpacePair) -> Polyhedron:
