@@ -55,6 +55,7 @@ lint: setup
 	MYPYPATH=models .venv/bin/mypy models/*.py scripts/*.py packaging/*.py
 	MYPYPATH=docs/site .venv/bin/mypy docs/site/*.py
 	.venv/bin/python scripts/check_includes.py
+	.venv/bin/lint-imports --no-cache pyproject.toml
 
 format: environment
 	.venv/bin/clang-format -i $(CXX_SOURCES)
