@@ -8,6 +8,7 @@ from itertools import pairwise
 
 import pytest
 from minkref.fuzz.geometry.space import Point, Whole, cross, dot, minus
+from minkref.fuzz.space import membership
 from minkref.fuzz.space.face_pieces import Polygon, inside, pieces, polygon_of
 from minkref.fuzz.space.hull import convex_hull
 from minkref.fuzz.space.membership import Surface
@@ -48,8 +49,13 @@ def area(polygon: Polygon, n: Whole) -> Fraction:
     return total
 
 
+@pytest.mark.parametrize("few", [4, 64])
 @pytest.mark.parametrize(("seed", "size"), [(1, 3), (2, 4), (3, 6), (4, 40)])
-def test_the_winding_number_is_one_on_each_side_of_a_piece(seed: int, size: int) -> None:
+def test_the_winding_number_is_one_on_each_side_of_a_piece(
+    seed: int, size: int, few: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Also where a step beside a face is bounded by near planes alone, as in large surfaces."""
+    monkeypatch.setattr(membership, "FEW", few)
     dice = random.Random(seed)
     for _ in range(4):
         surface = Surface(overlapping(dice, dice.randrange(2, 6), size))
