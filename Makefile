@@ -1,6 +1,6 @@
 # The front door. Every goal does its own set-up, and does again only what changed.
 #   make run                     reference against CGAL, a table, and build/report/index.html
-#   make test                    GoogleTest and pytest
+#   make test                    GoogleTest and pytest, of which a third waits: a process more than cores
 #   make test-clang              GoogleTest, all of it compiled by clang
 #   make test-flushed            pytest of the module, in threads that flush subnormal numbers
 #   make evidence [ONLY="PART PART/STEP ..."] [QUICK=1 | FULL=1]
@@ -29,7 +29,7 @@ run:
 
 test: setup
 	ctest --preset release -j $$(nproc)
-	.venv/bin/python -m pytest -n $$(nproc) $(ARGS)
+	.venv/bin/python -m pytest -n $$(($$(nproc) + 1)) $(ARGS)
 
 test-clang: environment
 	@scripts/require_packages.sh clang
