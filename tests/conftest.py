@@ -31,8 +31,8 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Leaves out what only a thorough run takes: each of these has a smaller sibling that stays. Puts
-    first what waits for processes and clocks: what computes fills the time beside it."""
+    """Leaves out what only a thorough run takes: each of these has a smaller sibling that stays.
+    Puts first what waits for processes and clocks: what computes fills the time beside it."""
     items.sort(key=lambda item: item.path.parent.name not in WAITING)
     if THOROUGH:
         return
