@@ -3,7 +3,7 @@
 #   make test                    GoogleTest and pytest, of which a third waits: a process more than cores
 #   make test-clang              GoogleTest, all of it compiled by clang
 #   make test-flushed            pytest of the module, in threads that flush subnormal numbers
-#   make evidence [ONLY="PART PART/STEP ..."] [QUICK=1 | FULL=1]
+#   make evidence [ONLY="PART PART/STEP ..."] [QUICK=1 | FULL=1] [CHANGED=1]
 #   make proofs                 the proofs of oracle/proved, and the checker that comes from them
 #   make lint | format
 #   make docs                    the documentation as a site, build/site/index.html
@@ -42,7 +42,7 @@ test-flushed: setup
 	  dynamic formats index paper_update paths plane space space_events space_paths) $(ARGS)
 
 evidence: setup
-	.venv/bin/python reports/evidence/run.py $(ONLY) $(if $(QUICK),--quick) $(if $(FULL),--full)
+	.venv/bin/python reports/evidence/run.py $(ONLY) $(if $(QUICK),--quick) $(if $(FULL),--full) $(if $(CHANGED),--changed)
 
 proofs:
 	@scripts/proofs.sh

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs the evidence: `make evidence [ONLY="PART PART/STEP ..."] [QUICK=1 | FULL=1]`.
+"""Runs the evidence: `make evidence [ONLY="PART PART/STEP ..."] [QUICK=1 | FULL=1] [CHANGED=1]`.
 
 Finished steps are kept in build/evidence and left alone until a file changes that they rest on, so
 a run that was ended goes on with its next step. Exit code 0: all that ran is met or missed (a
@@ -34,6 +34,10 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("only", nargs="*", metavar="NAME", help="parts or steps (default: all)")
     parser.add_argument("--quick", action="store_true", help="the smallest counts")
     parser.add_argument("--full", action="store_true", help="the counts of the claims")
+    parser.add_argument(
+        "--changed", action="store_true",
+        help="leave out the rows of SUMMARY.md that rest on nothing that has changed since",
+    )  # fmt: skip
     parser.add_argument("--again", action="store_true", help="run also what is kept")
     parser.add_argument(
         "--jobs",
@@ -98,6 +102,7 @@ def write_summary(every: list[Step], size: Size) -> None:
         d["step"]: table.entry_of(standing_now(d)) for d in documents
     }
     wanted = [step for step in every if not quick or step.minutes.quick is not None]
+    path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(table.markdown(wanted, entries, claim, quick), encoding="utf-8")
     if not quick:
         stale.write(stale.path(), resting(every, documents))
@@ -124,17 +129,33 @@ def resting(every: list[Step], documents: list[store.Document]) -> dict[str, set
 
 
 def tell_stale(files: list[str]) -> int:
-    rests_on = stale.read(stale.path())
     if files:
+        rests_on = stale.read(stale.path())
         found = dict.fromkeys(stale.resting_on(map(in_repository, files), rests_on), "")
     else:
-        summary = (places.ROOM / store.SUMMARY).read_text(encoding="utf-8")
-        found = stale.stale(summary, rests_on, {step.name: step.row for step in steps()})
+        found = stale_rows(steps())
     for row, why in sorted(found.items()):
         print(f"{row}: {why}" if why else row)
     if not files and not os.environ.get(recorded.MODELS):
         print(f"{recorded.MODELS} is not set: whether the paper's models changed was not asked.")
     return 0
+
+
+def summary_here() -> str:
+    return (places.ROOM / store.SUMMARY).read_text(encoding="utf-8")
+
+
+def changed_since_told(chosen: list[Step], every: list[Step]) -> list[Step]:
+    """Steps that the summary does not tell of, and those whose row is stale."""
+    told, rows = table.entries_of(summary_here()), stale_rows(every)
+    return [step for step in chosen if step.row in rows or step.name not in told]
+
+
+def stale_rows(every: list[Step]) -> dict[str, str]:
+    """Of SUMMARY.md as it is, and why."""
+    summary = summary_here()
+    rests_on = stale.read(stale.path())
+    return stale.stale(summary, rests_on, {step.name: step.row for step in every})
 
 
 def in_repository(file: str) -> str:
@@ -165,6 +186,8 @@ def main() -> int:
         return 0
     size: Size = options.size
     chosen = [s for s in every if not options.only or {s.name, s.part} & set(options.only)]
+    if options.changed:
+        chosen = changed_since_told(chosen, every)
     absent = [step.name for step in chosen if step.minutes[size] is None]
     chosen = [step for step in chosen if step.name not in absent]
     kept = {

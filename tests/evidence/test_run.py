@@ -185,6 +185,33 @@ def test_stale_parts_are_told_by_hash_here_and_by_commit_elsewhere(
     assert told() == ["first", "second"]
 
 
+def test_only_what_has_changed_is_run_where_that_is_asked_for(
+    stage: Stage, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As continuous integration does, in a clone without results. A new step runs as well."""
+    changed: dict[str, list[str] | None] = {"01234567": ["docs/a.md"]}
+    monkeypatch.setattr(store, "changed_since", lambda commit: changed.get(commit))
+    assert call(monkeypatch) == 0
+
+    def ran() -> list[str]:
+        shutil.rmtree(stage.folder / "build")
+        stage.ran.clear()
+        assert call(monkeypatch, "--quick", "--changed", "--jobs", "1") == 0
+        return stage.ran
+
+    assert ran() == []
+    changed["01234567"] = ["second/a.cpp"]
+    assert ran() == [], "it has no quick form"
+    changed["01234567"] = ["first/b.cpp"]
+    assert ran() == ["first/a", "first/b"], "their row is one"
+    changed["01234567"] = []
+    stage.steps.append(Step("third/a", Minutes(0.1, 0.5, 1.0)))
+    stage.change("third/a", "1")
+    assert ran() == ["third/a"]
+    changed.clear()
+    assert ran() == ["first/a", "first/b", "third/a"], "nobody knows what has changed"
+
+
 def test_a_row_is_of_the_last_commit_at_which_its_files_were_as_in_the_run(
     stage: Stage, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
