@@ -29,7 +29,6 @@ def build(text, folder):
     return folder / name
 
 
-@pytest.mark.thorough  # it compiles CGAL; the text of such programs is looked at below
 def test_the_program_shows_the_lost_hole(lost_hole, tmp_path):
     compiler = shutil.which("g++")
     probe = ["g++", "-fsyntax-only", "-include", "CGAL/version.h", "-x", "c++", "/dev/null"]

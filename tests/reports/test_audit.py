@@ -40,10 +40,6 @@ LONG = {
     "theorem-1-edge-errors": "theorem-1-one-kind",
     "largest-valid-scale": "trapping-scale",
     "path-events": "trapping-scale",
-    "between": "interval-of-a-pair",
-    "coplanar-faces": "four-facets",
-    "edges-of-neuron-and-disc": "edge-events",
-    "events-of-both-pairs": "edge-events",
 }
 
 
