@@ -36,7 +36,7 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--full", action="store_true", help="the counts of the claims")
     parser.add_argument(
         "--changed", action="store_true",
-        help="leave out the rows of SUMMARY.md that rest on nothing that has changed since",
+        help="leave out what did not fail and rests on nothing that has changed since SUMMARY.md",
     )  # fmt: skip
     parser.add_argument("--again", action="store_true", help="run also what is kept")
     parser.add_argument(
@@ -146,9 +146,10 @@ def summary_here() -> str:
 
 
 def changed_since_told(chosen: list[Step], every: list[Step]) -> list[Step]:
-    """Steps that the summary does not tell of, and those whose row is stale."""
+    """Steps that the summary does not tell of, or as failed, and those whose row is stale."""
     told, rows = table.entries_of(summary_here()), stale_rows(every)
-    return [step for step in chosen if step.row in rows or step.name not in told]
+    well = {name for name, entry in told.items() if entry.status != "failed"}
+    return [step for step in chosen if step.row in rows or step.name not in well]
 
 
 def stale_rows(every: list[Step]) -> dict[str, str]:
