@@ -14,7 +14,7 @@ SHELL := /bin/bash
 .DEFAULT_GOAL := run
 .PHONY: run test test-clang test-flushed evidence proofs lint format docs wheel sdist sbom lock setup environment clean
 
-CXX_SOURCES = $(shell find reference trials formats certify oracle python fuzz tests -name '*.cpp' -o -name '*.hpp')
+CXX_SOURCES = $(shell find reference formats certify oracle python fuzz tests -name '*.cpp' -o -name '*.hpp')
 PYTHON_SOURCES = python commands strategies certify degeneracies docs/site fuzz oracle reports models tests scripts packaging
 
 setup:

@@ -25,7 +25,7 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 
 # The error bounds of the float filters are stated for IEEE operations in the order written. (They hold
-# with contraction too, for those who compile our headers with it: trials/float_trial.hpp.)
+# with contraction too, for those who compile our headers with it: reference/paper/trials/float_trial.hpp.)
 add_compile_options(-ffp-contract=off)
 
 # minkref_precompiled(TARGET HEADER...): a precompiled header of these and cmake/precompiled.hpp.

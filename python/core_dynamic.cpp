@@ -17,10 +17,10 @@
 #include "python/stopwatch.hpp"
 #include "python/vector_caster.hpp"
 #include "reference/error.hpp"
+#include "reference/paper/trials/from_scratch.hpp"
 #include "reference/plane/critical/event_places.hpp"
 #include "reference/plane/dynamic/dynamic_sum.hpp"
 #include "reference/plane/dynamic/event_list.hpp"
-#include "trials/from_scratch.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;

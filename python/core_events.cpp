@@ -17,6 +17,7 @@
 #include "python/stopwatch.hpp"
 #include "python/vector_caster.hpp"
 #include "reference/error.hpp"
+#include "reference/paper/trials/precision_trial.hpp"
 #include "reference/plane/critical/event_places.hpp"
 #include "reference/plane/critical/event_search.hpp"
 #include "reference/plane/critical/line_intersection.hpp"
@@ -24,7 +25,6 @@
 #include "reference/plane/critical/pair_interval.hpp"
 #include "reference/plane/critical/parallel_pair.hpp"
 #include "reference/plane/kernel/grid_kernel.hpp"
-#include "trials/precision_trial.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;

@@ -8,9 +8,9 @@
 #include "python/core.hpp"
 #include "python/core_fields.hpp"
 #include "python/vector_caster.hpp"
+#include "reference/paper/trials/filter_trial.hpp"
 #include "reference/plane/routes/face_points.hpp"
 #include "reference/plane/witness.hpp"
-#include "trials/filter_trial.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;

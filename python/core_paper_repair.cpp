@@ -15,8 +15,8 @@
 #include "python/core_readings.hpp"
 #include "python/core_space.hpp"
 #include "python/vector_caster.hpp"
+#include "reference/paper/space/paper_repair.hpp"
 #include "reference/space/convex/static_convex_sum.hpp"
-#include "reference/space/paper/paper_repair.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;

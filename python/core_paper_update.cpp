@@ -14,7 +14,7 @@
 #include "python/core_timed_sum.hpp"
 #include "python/stopwatch.hpp"
 #include "python/vector_caster.hpp"
-#include "reference/plane/paper/paper_update.hpp"
+#include "reference/paper/plane/paper_update.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;

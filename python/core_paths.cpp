@@ -16,8 +16,8 @@
 #include "python/core_timeline.hpp"
 #include "python/path_rows.hpp"
 #include "python/vector_caster.hpp"
-#include "reference/paths/fits_and_traps.hpp"
-#include "reference/paths/path_diagram.hpp"
+#include "reference/motion/fits_and_traps.hpp"
+#include "reference/motion/path_diagram.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;

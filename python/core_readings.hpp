@@ -6,7 +6,7 @@
 #include <tuple>
 #include <vector>
 
-#include "reference/reading_name.hpp"
+#include "reference/paper/reading_name.hpp"
 
 namespace minkref::python {
 

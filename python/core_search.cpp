@@ -4,7 +4,7 @@
 
 #include "python/core.hpp"
 #include "python/stopwatch.hpp"
-#include "reference/plane/intersection_search.hpp"
+#include "reference/paper/trials/intersection_search.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;

@@ -24,9 +24,9 @@
 #include "python/core_build.hpp"
 #include "python/core_space.hpp"
 #include "python/vector_caster.hpp"
+#include "reference/paper/trials/facet_contact_trial.hpp"
 #include "reference/space/critical/critical_events.hpp"
 #include "reference/space/critical/crossing_facets.hpp"
-#include "trials/facet_contact_trial.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;

@@ -16,7 +16,7 @@
 #include "python/core_timeline.hpp"
 #include "python/path_rows.hpp"
 #include "python/vector_caster.hpp"
-#include "reference/space/paths/valid_scales_in_space.hpp"
+#include "reference/motion/space/valid_scales.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;

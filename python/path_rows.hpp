@@ -8,7 +8,7 @@
 
 #include "python/core.hpp"
 #include "python/core_fields.hpp"
-#include "reference/paths/valid_scales.hpp"
+#include "reference/motion/valid_scales.hpp"
 
 namespace minkref::python {
 

@@ -17,17 +17,16 @@ INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.MULTIL
 BY_NAME = re.compile(r"(import_module|__import__)\(\s*f?[\"'](?!\.[^.])[^\"']*")
 FOREIGN = ("CGAL/", "nlohmann/")
 ROOMS = (
-    "reference", "trials", "formats", "certify", "oracle", "degeneracies", "fuzz", "reports",
+    "reference", "formats", "certify", "oracle", "degeneracies", "fuzz", "reports",
     "python", "commands", "strategies",
 )  # fmt: skip
 
 # Room: the rooms of ours that it may include, and the foreign libraries of FOREIGN that it may use.
 MAY_INCLUDE: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "reference": (("reference",), ()),
-    "trials": (("trials", "reference"), ()),
     "formats": (("formats", "reference"), ("nlohmann/",)),
     "certify": (("certify", "formats", "reference"), ("nlohmann/",)),
-    "python": (("python", "certify", "formats", "trials", "reference"), ()),
+    "python": (("python", "certify", "formats", "reference"), ()),
     "fuzz": (("fuzz", "formats", "reference"), ("nlohmann/",)),
     "oracle": (("oracle",), FOREIGN),
 }
@@ -36,26 +35,33 @@ _AFTER_CRITICAL = tuple(f"reference/plane/{room}/" for room in ("history", "dyna
 # below them.
 APART = {
     "reference/number": ("reference/plane/", "reference/space/"),
-    "reference/plane": ("reference/space/", "reference/paths/"),
-    "reference/paths": ("reference/space/", "reference/disc/"),
+    "reference/plane": ("reference/space/", "reference/motion/", "reference/paper/"),
+    "reference/disc": ("reference/paper/",),
+    "reference/space": ("reference/motion/", "reference/paper/"),
+    "reference/motion": ("reference/space/", "reference/disc/", "reference/paper/"),
+    "reference/paper/plane": ("reference/paper/trials/",),
+    "reference/paper/space": ("reference/paper/trials/",),
     "reference/plane/moving": ("reference/plane/critical/", *_AFTER_CRITICAL),
     "reference/plane/critical": _AFTER_CRITICAL,
     "reference/plane/history": _AFTER_CRITICAL[1:],
     "reference/plane/dynamic": ("reference/plane/index/",),
     "reference/plane/index": ("reference/plane/dynamic/",),
     "reference/space/definition": tuple(
-        f"reference/space/{room}/" for room in ("convex", "edges", "paper")
+        f"reference/space/{room}/" for room in ("convex", "edges")
     ),
     "reference/space/critical": tuple(
-        f"reference/space/{room}/" for room in ("convex", "definition", "paper")
+        f"reference/space/{room}/" for room in ("convex", "definition")
     ),
-    "reference/space/paths": tuple(
-        f"reference/space/{room}/" for room in ("convex", "critical", "edges", "paper")
+    "reference/motion/space": (
+        "reference/disc/", "reference/paper/",
+        *(f"reference/space/{room}/" for room in ("convex", "critical", "edges")),
     ),
     "reference/space/edges": tuple(
-        f"reference/space/{room}/" for room in ("convex", "definition", "paper")
+        f"reference/space/{room}/" for room in ("convex", "definition")
     ),
-}
+}  # fmt: skip
+# A folder whose own rule stands for that of the folder around it.
+ITS_OWN = {"reference/motion": "reference/motion/space"}
 # Folder: what its Python may not import. "standard library" lets nothing else through but itself.
 NO_IMPORT = {"oracle": ("minkref", "fuzz", "reports")}
 # They run the checker, and add nothing.
@@ -101,7 +107,11 @@ def check_cpp(root: Path) -> Iterator[str]:
         own, foreign = MAY_INCLUDE.get(
             room, (tuple(r for r in ROOMS if r != "oracle"), ("nlohmann/",))
         )
-        apart = [f for folder, f in APART.items() if relative.is_relative_to(folder)]
+        apart = [
+            apart for folder, apart in APART.items()
+            if relative.is_relative_to(folder)
+            and not relative.is_relative_to(ITS_OWN.get(folder, "/"))
+        ]  # fmt: skip
         for line, include in includes(path.read_text(encoding="utf-8")):
             target = room_named(include)
             if ".." in include.split("/"):

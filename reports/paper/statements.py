@@ -20,7 +20,7 @@ REPAIR = "minkref sweep gs3 rod --scales scalings.txt --repair literal"
 CRITICAL, PLANE = "reference/plane/critical", "reference/plane"
 DISC_PAIRS = "minkref events g1 disc --kind pair"
 PAIRS, DIAGRAM = "reference/disc/pairs", "reference/disc/diagram"
-CONVEX, LITERAL = "reference/space/convex", "reference/space/paper"
+CONVEX, LITERAL = "reference/space/convex", "reference/paper/space"
 REPORT, BENCH = "reports/paper", "reports/bench"
 
 

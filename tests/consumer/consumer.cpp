@@ -2,7 +2,7 @@
 // library; and a unit square on its way through a gap of width 2 may be twice as large.
 #include <iostream>
 
-#include "reference/paths/path_diagram.hpp"
+#include "reference/motion/path_diagram.hpp"
 #include "reference/plane/boundary/canonical.hpp"
 #include "reference/plane/sum.hpp"
 

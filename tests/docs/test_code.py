@@ -33,7 +33,7 @@ NEEDED = {"docs/tutorials/adapter.md": ("node", "rustc")}  # beside what builds 
 LONG = (
     "--pairs 100 --no-models --report",  # of first-finding.md, that goes on with single cases
     "--case path:1:16",  # a finding that is shrunk: reading-a-finding.md has one too
-    "reference/paths/fits_and_traps.hpp",  # a program in C++: scale-index.md has one
+    "reference/motion/fits_and_traps.hpp",  # a program in C++: scale-index.md has one
     "cmake -S . -B fetched",
 )
 #: From a command with one of these to the next `adapter new` of the page.

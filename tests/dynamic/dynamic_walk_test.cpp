@@ -6,10 +6,10 @@
 #include <tuple>
 
 #include "reference/error.hpp"
+#include "reference/paper/trials/from_scratch.hpp"
 #include "reference/plane/history/topology_timeline.hpp"
 #include "reference/plane/kernel/plain_kernel.hpp"
 #include "tests/plane/random_cases.hpp"
-#include "trials/from_scratch.hpp"
 
 namespace minkref::testing::of_dynamic_walk {
 namespace {

@@ -31,7 +31,7 @@ CHECK = _check()
         ("reference/plane/index/slice.cpp", '#include "reference/plane/dynamic/dynamic_sum.hpp"'),
         ("reference/plane/moving/track.hpp", '#include "reference/plane/critical/moments.hpp"'),
         ("reference/plane/sum.cpp", '#include "reference/space/polyhedron.hpp"'),
-        ("reference/plane/sum.cpp", '#include "trials/filter_trial.hpp"'),
+        ("reference/plane/sum.cpp", '#include "reference/paper/trials/filter_trial.hpp"'),
         ("formats/read.cpp", "#include <CGAL/Polygon_2.h>"),
         ("oracle/cgal/full.cpp", '#include "reference/plane/sum.hpp"'),
         ("oracle/cgal/full.cpp", '#include "formats/read.hpp"'),

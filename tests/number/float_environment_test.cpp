@@ -7,9 +7,9 @@
 #include <atomic>
 
 #include "reference/build/in_parallel.hpp"
+#include "reference/paper/trials/float_environments.hpp"
 #include "reference/plane/boundary/canonical.hpp"
 #include "reference/plane/sum.hpp"
-#include "trials/float_environments.hpp"
 
 namespace minkref::of_float_environment {
 namespace {

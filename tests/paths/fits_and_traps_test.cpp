@@ -1,12 +1,12 @@
 // Fits and traps at single scales are as static sums by another route say.
-#include "reference/paths/fits_and_traps.hpp"
+#include "reference/motion/fits_and_traps.hpp"
 
 #include <gtest/gtest.h>
 
 #include "reference/error.hpp"
-#include "reference/paths/container_frame.hpp"
-#include "reference/paths/free_space.hpp"
-#include "reference/paths/star_centre.hpp"
+#include "reference/motion/container_frame.hpp"
+#include "reference/motion/free_space.hpp"
+#include "reference/motion/star_centre.hpp"
 #include "reference/plane/dynamic/arrangement_events.hpp"
 #include "tests/paths/random_paths.hpp"
 

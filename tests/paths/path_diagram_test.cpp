@@ -1,12 +1,12 @@
 // The bad polygons of a path hold the places and scales that collide, and no others.
-#include "reference/paths/path_diagram.hpp"
+#include "reference/motion/path_diagram.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "reference/error.hpp"
-#include "reference/paths/routes.hpp"
+#include "reference/motion/routes.hpp"
 #include "tests/paths/random_paths.hpp"
 #include "tests/plane/shapes.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "reference/paths/valid_scales.hpp"
+#include "reference/motion/valid_scales.hpp"
 #include "reference/plane/sum.hpp"
 #include "reference/plane/witness.hpp"
 #include "tests/plane/random_cases.hpp"

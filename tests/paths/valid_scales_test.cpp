@@ -1,11 +1,11 @@
 // Three routes to the valid scales of a path agree, and single scales are as static sums say.
-#include "reference/paths/valid_scales.hpp"
+#include "reference/motion/valid_scales.hpp"
 
 #include <gtest/gtest.h>
 
 #include "reference/error.hpp"
-#include "reference/paths/path_cuts.hpp"
-#include "reference/paths/routes.hpp"
+#include "reference/motion/path_cuts.hpp"
+#include "reference/motion/routes.hpp"
 #include "reference/plane/convolution/convolution.hpp"
 #include "tests/paths/random_paths.hpp"
 #include "tests/plane/shapes.hpp"

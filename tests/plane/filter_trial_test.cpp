@@ -1,5 +1,5 @@
 // The float filter of the grid kernel is never wrong, and is tried where doubles are.
-#include "trials/filter_trial.hpp"
+#include "reference/paper/trials/filter_trial.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The searches that the dynamic update is timed against find what there is.
-#include "reference/plane/intersection_search.hpp"
+#include "reference/paper/trials/intersection_search.hpp"
 
 #include <gtest/gtest.h>
 

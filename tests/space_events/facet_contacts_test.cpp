@@ -1,5 +1,5 @@
 // The paper's way to events of two facets (Sec. 5.1, 5.2), over rational numbers.
-#include "reference/space/paper/facet_contacts.hpp"
+#include "reference/paper/space/facet_contacts.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <tuple>
 
+#include "reference/motion/space/valid_scales.hpp"
 #include "reference/plane/routes/simply_connected.hpp"
-#include "reference/space/paths/valid_scales_in_space.hpp"
 #include "tests/paths/random_paths.hpp"
 #include "tests/space/surfaces.hpp"
 #include "tests/space_sums/polycubes.hpp"

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "reference/error.hpp"
-#include "reference/space/paths/contact_scales.hpp"
+#include "reference/motion/space/contact_scales.hpp"
 #include "tests/space_paths/random_space_paths.hpp"
 
 namespace minkref::testing::of_space_paths {

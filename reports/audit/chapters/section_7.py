@@ -39,7 +39,7 @@ PHASES = 400
     of events are roots of linear equations. MPFR has a fixed number of bits, to which quotients and
     decimals are rounded. Then scales are not the exact ones, and there are events that are none:
     more bits do not fix that.""",
-    code=("trials/precision_trial.hpp",),
+    code=("reference/paper/trials/precision_trial.hpp",),
 )
 def _(shown: Shown) -> None:
     """All events of pairs of two small models, by the corrected form of the paper's way: in MPFR

@@ -109,7 +109,7 @@ def _obstacle_in_the_way(ring: list[Place]) -> tuple[Fraction, _core.PolygonSet]
     scales are then a union of intervals, all of which have to be told: the first contact above the
     given size ends one of them, beyond which there may be others, and there may be no largest
     scale.""",
-    code=("reports/audit/paths.py", "reference/paths/valid_scales.hpp"),
+    code=("reports/audit/paths.py", "reference/motion/valid_scales.hpp"),
 )  # fmt: skip
 def _(shown: Shown) -> None:
     """A box that does not have its reference point in it, and one obstacle: whether they overlap is
@@ -323,7 +323,7 @@ def _(shown: Shown) -> None:
     and equal to the bound only if the path is a widest one. It is where the place of the part comes
     to lie in a bounded component of the complement of $O \oplus (-s R)$, that is, where a hole of
     the sum is born around it: a topology event.""",
-    code=("reference/paths/fits_and_traps.hpp", "reports/audit/paths.py"),
+    code=("reference/motion/fits_and_traps.hpp", "reports/audit/paths.py"),
 )
 def _(shown: Shown) -> None:
     """A cavity with two openings, of width 2 and 4, and a unit square in it: the valid scales of

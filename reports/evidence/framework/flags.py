@@ -1,4 +1,4 @@
-"""The trial of doubles (trials/float_trial.cpp), compiled as people compile what includes us."""
+"""The trial of doubles (float_trial.cpp), compiled as people compile what includes us."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from pathlib import Path
 
 from minkref.reports.evidence.framework.places import ROOT
 
+TRIAL = "reference/paper/trials/float_trial.cpp"
 LIBRARY = ROOT / "build" / "release" / "reference" / "libminkref_reference.a"
 UNSAFE = 3  # exit code of the trial where the library refuses to compute
 
@@ -91,7 +92,7 @@ def trial(compiler: str, flags: tuple[str, ...], seed: int, count: int) -> Tried
         made = subprocess.run(
             [
                 compiler, "-std=c++20", f"-I{ROOT}", "-isystem", "/usr/include/eigen3",
-                *compile_flags, "-c", str(ROOT / "trials" / "float_trial.cpp"), "-o", str(unit),
+                *compile_flags, "-c", str(ROOT / TRIAL), "-o", str(unit),
             ],
             capture_output=True, text=True, check=False,
         )  # fmt: skip

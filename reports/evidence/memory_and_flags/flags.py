@@ -9,7 +9,7 @@ from minkref import _core
 from minkref.reports.evidence.framework.flags import REFUSED, TAKEN, compilers, trial
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 
-RESTS_ON = ("trials/", "reference/number/")
+RESTS_ON = ("reference/paper/trials/", "reference/number/")
 MINUTES = Minutes(0.05, 1.5, 8)
 
 WANTED = 1000

@@ -2,10 +2,10 @@
 // against what the timeline of holes and components tells.
 #include <algorithm>
 
+#include "reference/paper/trials/from_scratch.hpp"
 #include "reference/plane/boundary/canonical.hpp"
 #include "reference/plane/dynamic/dynamic_sum.hpp"
 #include "tests/fuzzing/reference/pair_input.hpp"
-#include "trials/from_scratch.hpp"
 
 namespace minkref::fuzzing {
 

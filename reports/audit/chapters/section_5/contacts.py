@@ -139,7 +139,7 @@ def _in_arithmetics(shown: Shown) -> None:
     remark fails as well: they are in one plane, for the difference of both points has the direction
     of the edge, so that they are never skew.) Over rounded numbers the three equations seldom
     agree, at any precision.""",
-    code=(*ORACLE, "reference/space/paper/facet_contacts.hpp"),
+    code=(*ORACLE, "reference/paper/space/facet_contacts.hpp"),
 )
 def _(shown: Shown) -> None:
     """By computer algebra $(x(s) - e_0(s)) \\times d = 0$ whatever $n$ is. One event inside a

@@ -154,7 +154,7 @@ def _random_edge(dice: random.Random, size: int = 3) -> Edge:
     right=r"""It is singular wherever $l_1$ is parallel to $p_2$, and so for parallel edges. Faces
     need not be parallel for that: a face that comes down on another one along an edge has edge
     events, no vertex event, and no $x_1$. The determinant of the two lines finds them.""",
-    code=(*ORACLE, "reference/space/paper/facet_contacts.hpp"),
+    code=(*ORACLE, "reference/paper/space/facet_contacts.hpp"),
 )
 def _(shown: Shown) -> None:
     """A level triangle, and an upright one that comes down on it: the determinant of the matrix of

@@ -1,0 +1,94 @@
+#include <algorithm>
+#include <tuple>
+
+#include "reference/motion/moving_pieces.hpp"
+#include "reference/motion/piece_collisions.hpp"
+#include "reference/motion/routes.hpp"
+
+namespace minkref::inline paths {
+namespace {
+
+Rational cross_of(const Point& a, const Point& b, const Point& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+/// Whether a point lies on a closed segment.
+bool on_segment(const Point& a, const Point& b, const Point& p) {
+  if (cross_of(a, b, p) != 0) return false;
+  return (p.x - a.x) * (p.x - b.x) + (p.y - a.y) * (p.y - b.y) <= 0;
+}
+
+bool holds_point(const ConvexCorners& piece, const Point& p) {
+  const std::size_t n = piece.size();
+  if (n == 1) return piece[0] == p;
+  if (n == 2) return on_segment(piece[0], piece[1], p);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (cross_of(piece[i], piece[(i + 1) % n], p) < 0) return false;
+  }
+  return true;
+}
+
+/// The vertex at a point of the boundary of a set, or the edge through it.
+std::optional<TouchingFeature> feature_at(const PolygonSet& set, const Point& p) {
+  std::vector<const Ring*> rings;
+  for (const Polygon& polygon : set.polygons) {
+    rings.push_back(&polygon.outer);
+    for (const Ring& hole : polygon.holes) rings.push_back(&hole);
+  }
+  std::optional<TouchingFeature> edge;
+  for (std::uint32_t r = 0; r < rings.size(); ++r) {
+    const Ring& ring = *rings[r];
+    for (std::uint32_t i = 0; i < ring.size(); ++i) {
+      if (ring[i] == p) return TouchingFeature{false, {r, i}};
+      if (!edge && on_segment(ring[i], ring[(i + 1) % ring.size()], p)) {
+        edge = TouchingFeature{true, {r, i}};
+      }
+    }
+  }
+  return edge;
+}
+
+/// Where two pieces touch that share no area: a corner of one that is in the other.
+struct TouchingPoint {
+  Point at;
+  TouchingFeature part, obstacle;
+};
+std::optional<TouchingPoint> touching(const PathProblem& problem, const ConvexCorners& robot,
+                                      const ConvexCorners& obstacle, const Point& x,
+                                      const Rational& scale) {
+  std::vector<Point> placed;  // the pieces are those of -R
+  for (const Point& p : robot) placed.push_back({x.x - scale * p.x, x.y - scale * p.y});
+  std::vector<Point> candidates;
+  for (const Point& p : placed) {
+    if (holds_point(obstacle, p)) candidates.push_back(p);
+  }
+  for (const Point& p : obstacle) {
+    if (holds_point(placed, p)) candidates.push_back(p);
+  }
+  std::sort(candidates.begin(), candidates.end(),
+            [](const Point& a, const Point& b) { return std::tie(a.x, a.y) < std::tie(b.x, b.y); });
+  for (const Point& p : candidates) {
+    const auto part = feature_at(problem.robot, {(p.x - x.x) / scale, (p.y - x.y) / scale});
+    const auto other = feature_at(problem.obstacles, p);
+    if (part && other) return TouchingPoint{p, *part, *other};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<PathBound> bounds_of(const PathProblem& problem, const std::vector<ScaleRange>& valid) {
+  const MovingPieces pieces(problem.robot, problem.obstacles, problem.path,
+                            problem.rule == ContactRule::allowed);
+  std::vector<PathBound> bounds;
+  for (const auto& [scale, blocks, at, triple] :
+       ends_of_collisions(pieces, problem.window, valid)) {
+    const auto where = touching(problem, pieces.robot()[triple.robot].corners,
+                                pieces.obstacles()[triple.obstacle].corners, at.point, scale);
+    if (!where) throw std::logic_error("pieces do not touch at a bound of the valid scales");
+    bounds.push_back({scale, blocks, at, where->part, where->obstacle, where->at});
+  }
+  return bounds;
+}
+
+}  // namespace minkref::inline paths

@@ -1,0 +1,27 @@
+// The outside of a container as an obstacle.
+#pragma once
+
+#include "reference/motion/valid_scales.hpp"
+
+namespace minkref::inline paths {
+
+/// A box less a container, so wide that a part which does not meet it is in the container, or all
+/// outside of the box.
+struct ContainerFrame {
+  PolygonSet set;
+  ScaleWindow window;  ///< scales at which the part has room in the box of the container, twice
+
+  /// For a part at scales at which its box fits into that of the container. `about`: places of the
+  /// part that are asked for; there it is not outside of the box. Exact. Throws BadInput
+  /// ("point-part") for a part without any extent.
+  ContainerFrame(const PolygonSet& part, const PolygonSet& container,
+                 const std::vector<Point>& about);
+
+  /// The same feature in the container's rings.
+  TouchingFeature in_container(const TouchingFeature& feature) const;
+
+ private:
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> rings_;  ///< of the container, and lengths
+};
+
+}  // namespace minkref::inline paths

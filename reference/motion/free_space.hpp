@@ -1,0 +1,39 @@
+// The places that a part may take at one scale, and how they hang together.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "reference/motion/valid_scales.hpp"
+#include "reference/plane/sum.hpp"
+
+namespace minkref::inline paths {
+
+/// The complement of a sum, in parts: with contact forbidden the connected components of the open
+/// complement of the closed sum; with contact allowed those of the closed complement of the sum of
+/// the interiors, so of the closures of the former and the tight passages.
+class FreeSpace {
+ public:
+  /// `sum`: canonical, and with tight passages where contact is allowed. `about`: points that will
+  /// be asked for. Exact. O(b^2) for a boundary of b vertices.
+  FreeSpace(const Sum& sum, ContactRule rule, const std::vector<Point>& about);
+
+  /// Number of the part that holds a point; none where it is not free. Part 0 is the unbounded one.
+  std::optional<std::size_t> part_of(const Point& x) const;
+  std::size_t parts() const { return parts_; }  ///< the unbounded one included
+
+ private:
+  void join_touching();
+  std::size_t root(std::size_t k) const;
+  bool on_boundary(std::size_t cell, const Point& x) const;
+  static bool on_passage(const TightPassage& passage, const Point& x);
+
+  ContactRule rule_;
+  std::vector<PolygonSet> cells_;  ///< the unbounded one first, cut off by a box
+  std::vector<TightPassage> passages_;
+  std::vector<std::size_t> joined_;  ///< cells, then passages
+  std::vector<std::size_t> number_;  ///< of each root
+  std::size_t parts_ = 0;
+};
+
+}  // namespace minkref::inline paths

@@ -1,0 +1,73 @@
+// Convex pieces in space that move along a path.
+#pragma once
+
+#include <utility>
+
+#include "reference/motion/moving_pieces_of.hpp"
+#include "reference/space/box_tree.hpp"
+#include "reference/space/definition/exact_vectors.hpp"
+
+namespace minkref::inline space {
+
+/// Whether the operand has no volume: empty, a point, a segment, a plane polygon.
+inline bool is_thin(const Polyhedron& polyhedron) { return polyhedron.faces.size() < 2; }
+
+/// The set -R, its faces turned outwards again.
+Polyhedron half_turned(const Polyhedron& robot);
+
+/// A convex polyhedron or plane polygon, a segment or a point, with all that its sums with others
+/// take their planes from.
+struct SolidPiece {
+  /// Two corners of an edge, and one more of each face beside it.
+  struct Edge {
+    std::uint32_t from, to;
+    std::vector<std::uint32_t> beside;
+  };
+
+  std::vector<SpacePoint> corners;
+  std::vector<Face> faces;
+  std::vector<Edge> edges;
+  std::vector<SpacePoint> across;  ///< normals of the faces; of a plane polygon both
+  std::vector<NearVector<3>> near_corners, near_across;
+  SpaceBox box;
+
+  explicit SolidPiece(const Polyhedron& convex);
+  bool is_solid() const { return faces.size() > 1; }
+  /// The greatest product of a corner with a direction. Exact.
+  Rational reach(const SpacePoint& direction) const;
+  /// Exact.
+  bool contains(const SpacePoint& point) const;
+  /// The middle of the corners.
+  SpacePoint middle() const;
+};
+
+/// Of MovingPiecesOf.
+struct PathsInSpace {
+  using Point = SpacePoint;
+  using Piece = SolidPiece;
+  static constexpr std::size_t dimensions = 3;
+  static NearVector<3> near(const SpacePoint& p) {
+    return {Interval(p.x), Interval(p.y), Interval(p.z)};
+  }
+  static SpacePoint point_at(const SpacePoint& from, const SpacePoint& to, const Rational& t) {
+    return from + t * (to - from);
+  }
+  static std::vector<NearVector<3>> across(const SpacePoint& from, const SpacePoint& to);
+  /// A facet of B ⊕ -sA is parallel to a face of one, or to an edge of each.
+  static std::vector<StripCondition> conditions(const SolidPiece& robot, const SolidPiece& obstacle,
+                                                const SpacePoint& from, const SpacePoint& to);
+  /// Looks for a plane between the obstacle and what the part covers on its way at all scales of
+  /// the gap (Gilbert's descent, in doubles), and proves it by intervals.
+  static bool apart(const SolidPiece& robot, const SolidPiece& obstacle, const NearVector<3>& from,
+                    const NearVector<3>& to, const ScaleGap& gap, bool strict);
+};
+
+}  // namespace minkref::inline space
+
+namespace minkref::inline paths {
+extern template class MovingPiecesOf<PathsInSpace>;
+}  // namespace minkref::inline paths
+
+namespace minkref::inline space {
+using MovingSolids = MovingPiecesOf<PathsInSpace>;
+}  // namespace minkref::inline space

@@ -1,0 +1,49 @@
+// Whether a part collides on a path at one scale: what each piece of it sweeps, against obstacles.
+#pragma once
+
+#include "reference/motion/space/solid_piece.hpp"
+#include "reference/motion/space/valid_scales.hpp"
+#include "reference/space/definition/convex_clip.hpp"
+
+namespace minkref::inline space {
+
+/// A convex piece A of the part sweeps the convex set of all x + sA, x on a segment. It meets an
+/// obstacle B in its interior iff a face of what is swept has a point strictly inside of B, or an
+/// inner point of B lies strictly inside of what is swept.
+class SweptPieces {
+ public:
+  /// One of the operands at most is thin.
+  SweptPieces(const Polyhedron& robot, const Polyhedron& obstacles,
+              const std::vector<SpacePoint>& path, ContactRule rule);
+
+  /// Exact. O(a b k) for a and b pieces and k segments.
+  bool collide(const Rational& scale);
+
+  std::size_t pieces_of_robot() const { return robot_.size(); }
+  std::size_t pieces_of_obstacles() const { return obstacles_.size(); }
+
+ private:
+  struct Sweep {
+    std::uint32_t segment, robot;
+    SpacePoint from, along;
+    std::vector<SpacePoint> normals;  ///< of what is swept, and perhaps others
+    bool is_solid;
+  };
+  /// At one scale.
+  struct Placed {
+    std::vector<std::vector<SpacePoint>> faces;  ///< they hold the whole boundary
+    std::vector<HalfSpace> planes;
+    SpaceBox box;
+  };
+  Placed placed(const Sweep& sweep, const Rational& scale) const;
+  bool collides(const Sweep& sweep, const Placed& at, std::size_t obstacle) const;
+
+  bool strict_;  ///< interiors meet
+  std::vector<SolidPiece> robot_, obstacles_;
+  std::vector<std::vector<HalfSpace>> planes_;               ///< of obstacles
+  std::vector<std::vector<std::vector<SpacePoint>>> faces_;  ///< of those without volume: the whole
+  std::vector<Sweep> sweeps_;
+  std::vector<std::pair<std::size_t, std::size_t>> likely_;  ///< the last that collided, first
+};
+
+}  // namespace minkref::inline space

@@ -1,0 +1,59 @@
+// For which scales a polyhedron passes along a path in space (Behar & Lien 2012, Section 8.1).
+#pragma once
+
+#include "reference/motion/valid_scales.hpp"
+#include "reference/space/polyhedron.hpp"
+
+namespace minkref::inline space {
+
+using SpacePathPlace = PathPlaceOf<SpacePoint>;
+
+/// What of a polyhedron touches: a vertex (`first`), the edge between two (`first` below `second`),
+/// or the inside of a face (`first` is its number).
+struct SpaceFeature {
+  enum class Kind : std::uint8_t { vertex, edge, face };
+  Kind kind = Kind::vertex;
+  std::uint32_t first = 0, second = 0;
+  friend bool operator==(const SpaceFeature&, const SpaceFeature&) = default;
+};
+
+using SpacePathBound = PathBoundOf<SpacePoint, SpaceFeature>;
+using SpaceValidScales = ValidScalesOf<SpacePathBound>;
+
+/// As in the plane: the scales s of the window at which the part s R, carried along the polyline
+/// with its origin on it and never turned, does not meet the obstacles; with contact allowed
+/// interiors count. Polyhedra of any shape; one operand may be a point, a segment or a plane
+/// polygon, which counts without its border. Exact: a union of intervals, which may be single
+/// scales. Both must have passed `validate_summand`. Throws BadInput ("bad-path", "bad-window",
+/// "degenerate-operands" where both are without volume; "no-route" for `index`, which is of the
+/// plane), and as convex_pieces does. For a and b convex pieces and k segments O(k a b) in doubles,
+/// memory O(k (a + b)); beside them some ten planes for each piece.
+SpaceValidScales valid_scales(const Polyhedron& robot, const Polyhedron& obstacles,
+                              const std::vector<SpacePoint>& path,
+                              ContactRule rule = ContactRule::allowed,
+                              const ScaleWindow& window = {}, PathRoute route = PathRoute::pieces);
+
+/// Of two pieces, or of a piece and a vertex of the path; some 300 bytes each.
+constexpr std::size_t most_pairs_on_a_path = std::size_t{1} << 22;
+
+/// Whether each point of the part sees the origin in it. Exact. Linear.
+bool star_shaped(const Polyhedron& robot);
+
+/// A scale at which the answer was found again from what the pieces sweep (swept_pieces.hpp).
+struct SweptProof {
+  Rational scale;
+  bool holds = false;
+};
+
+struct SpaceFit {
+  SpaceValidScales scales;         ///< `obstacle` is of the container
+  std::vector<SweptProof> proofs;  ///< at each bound, just below and just above it
+};
+
+/// The scales at which the part, with its origin at a place, lies in the container, a solid (with
+/// contact forbidden: in its interior). Exact. Throws BadInput as valid_scales, and "point-part"
+/// where the part is a point, "degenerate-operands" where the container has no volume.
+SpaceFit scales_that_fit_at(const Polyhedron& part, const Polyhedron& container,
+                            const SpacePoint& at, ContactRule rule = ContactRule::allowed);
+
+}  // namespace minkref::inline space

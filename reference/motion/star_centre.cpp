@@ -1,0 +1,58 @@
+#include "reference/motion/star_centre.hpp"
+
+#include <algorithm>
+
+#include "reference/interrupt.hpp"
+
+namespace minkref::inline paths {
+namespace {
+
+Rational side_of(const Point& a, const Point& b, const Point& x) {
+  return (b.x - a.x) * (x.y - a.y) - (b.y - a.y) * (x.x - a.x);
+}
+
+/// What of a convex polygon is on the left of a line, with the line.
+Ring left_part(const Ring& polygon, const Point& a, const Point& b) {
+  Ring rest;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+    const Rational at_p = side_of(a, b, p), at_q = side_of(a, b, q);
+    if (at_p >= 0) rest.push_back(p);
+    if ((at_p < 0 && at_q > 0) || (at_p > 0 && at_q < 0)) {
+      const Rational part = at_p / (at_p - at_q);
+      rest.push_back({p.x + part * (q.x - p.x), p.y + part * (q.y - p.y)});
+    }
+  }
+  return rest;
+}
+
+}  // namespace
+
+bool has_star_centre(const PolygonSet& set) {
+  if (!set.is_region()) return true;
+  if (set.polygons.size() != 1 || !set.polygons[0].holes.empty()) return false;
+  const Ring& ring = set.polygons[0].outer;
+  const auto edge = [&](std::size_t i) -> std::pair<const Point&, const Point&> {
+    return {ring[i], ring[(i + 1) % ring.size()]};
+  };
+  bool is_convex = true;
+  for (std::size_t i = 0; i < ring.size() && is_convex; ++i) {
+    const auto [a, b] = edge(i);
+    is_convex = side_of(a, b, ring[(i + 2) % ring.size()]) >= 0;
+  }
+  if (is_convex) return true;
+  Point low = ring[0], high = ring[0];
+  for (const Point& p : ring) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  Ring kernel{low, {high.x, low.y}, high, {low.x, high.y}};
+  for (std::size_t i = 0; i < ring.size() && !kernel.empty(); ++i) {
+    look_for_interrupt();
+    const auto [a, b] = edge(i);
+    kernel = left_part(kernel, a, b);
+  }
+  return !kernel.empty();
+}
+
+}  // namespace minkref::inline paths

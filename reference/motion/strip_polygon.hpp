@@ -1,0 +1,44 @@
+// Where linear conditions on a place of a segment and a scale hold.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "reference/motion/valid_scales.hpp"
+
+namespace minkref::inline paths {
+
+/// t_slope t + s_slope s + constant < 0, or <= 0.
+struct StripCondition {
+  Rational t_slope, s_slope, constant;
+};
+
+/// A place of a segment, and a scale.
+struct StripPoint {
+  Rational t, s;
+  friend bool operator==(const StripPoint&, const StripPoint&) = default;
+};
+
+/// A convex polygon in (t, s), 0 <= t <= 1 and s >= 0, perhaps without area.
+struct StripPolygon {
+  std::vector<StripPoint> corners;  ///< counter-clockwise, one at least
+  bool endless = false;             ///< it goes on upwards
+};
+
+/// Its scales, and the least t at their ends.
+struct StripScales {
+  Rational from;
+  std::optional<Rational> to;  ///< none: all scales above `from`
+  Rational t_at_from, t_at_to;
+};
+
+/// The places of the segment and scales that meet all conditions: a polygon, of which the sides on
+/// a condition do not belong to the set where conditions are `strict` (they exclude equality);
+/// none where there is no place. `is_point`: t is 0 only. Exact. O(n^2) for n conditions.
+std::optional<StripPolygon> strip_polygon(const std::vector<StripCondition>& conditions,
+                                          bool strict, bool is_point);
+
+/// Exact. O(n).
+StripScales scales_of(const StripPolygon& polygon);
+
+}  // namespace minkref::inline paths

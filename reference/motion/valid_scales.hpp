@@ -1,0 +1,88 @@
+// For which scales a part passes along a path (Behar & Lien 2012, Section 8.1).
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "reference/motion/scale_set.hpp"
+#include "reference/plane/polygon_set.hpp"
+
+namespace minkref::inline paths {
+
+/// What a part and an obstacle may do: touch, or not even that.
+enum class ContactRule : std::uint8_t { allowed, forbidden };
+
+/// Three ways to the valid scales that share as little as they can.
+enum class PathRoute : std::uint8_t {
+  pieces,    ///< one convex polygon in (t, s) for each pair of convex pieces and segment
+  contacts,  ///< where contacts of a vertex and an edge start or stop lying on the path
+  index      ///< where the path meets the sums of an index of all scales
+};
+
+/// A place on a polyline: on the segment from vertex `segment` to the next, at (1 - t) of the one
+/// and t of the other. Of a path of one vertex, segment 0 and t = 0.
+template <class PointType>
+struct PathPlaceOf {
+  std::uint32_t segment = 0;
+  Rational t;
+  PointType point;
+};
+using PathPlace = PathPlaceOf<Point>;
+
+/// A vertex, or the edge that starts there.
+struct TouchingFeature {
+  bool is_edge = false;
+  VertexId id;
+  friend bool operator==(const TouchingFeature&, const TouchingFeature&) = default;
+};
+
+/// Where valid scales end or begin, and the contact that is the cause.
+template <class PointType, class Feature>
+struct PathBoundOf {
+  Rational scale;
+  /// Scales just above are not valid since the part then meets the obstacles at the place: they
+  /// block it. Otherwise scales just below are not, and there they free it.
+  bool blocks = true;
+  PathPlaceOf<PointType> at;
+  Feature part, obstacle;  ///< touch at that place, at that scale
+  PointType touching;      ///< where
+};
+using PathBound = PathBoundOf<Point, TouchingFeature>;
+
+struct PathStatistics {
+  std::uint64_t pieces_of_part = 0, pieces_of_obstacles = 0;
+  std::uint64_t triples = 0;          ///< a piece of each and a segment of the path
+  std::uint64_t exact_triples = 0;    ///< which doubles could not leave out
+  std::uint64_t critical_scales = 0;  ///< that routes by critical scales looked at
+};
+
+template <class Bound>
+struct ValidScalesOf {
+  std::vector<ScaleRange> valid;  ///< ascending, apart
+  std::vector<Bound> bounds;  ///< two at most for each range: ends that are no end of the window
+  PathStatistics statistics;
+};
+using ValidScales = ValidScalesOf<PathBound>;
+
+/// The scales s of the window at which the part s R, carried along the polyline with its origin on
+/// it and never turned, does not meet the obstacles: with contact allowed, at which no place of the
+/// path has interiors in common (`int O` and `x + s int R`); with contact forbidden, at which no
+/// place has a point in common. A point or a segment counts with its relative interior. Exact: a
+/// union of intervals, which may be single scales. Both sets must have passed `validate`. Throws
+/// BadInput ("bad-path" for a path without vertices, "bad-window", "degenerate-operands" where both
+/// are a point or a segment). O(k a b) in doubles for k segments and a, b convex pieces,
+/// memory O(k (a + b)).
+ValidScales valid_scales(const PolygonSet& robot, const PolygonSet& obstacles,
+                         const std::vector<Point>& path, ContactRule rule = ContactRule::allowed,
+                         const ScaleWindow& window = {}, PathRoute route = PathRoute::pieces);
+
+/// Whether each point of the set sees the origin in it. The valid scales of such a part are one
+/// interval that starts at 0. Exact. O(n).
+bool star_shaped(const PolygonSet& robot);
+
+/// Throws BadInput; names are "allowed", "forbidden" and those of the routes.
+ContactRule contact_rule(std::string_view name);
+PathRoute path_route(std::string_view name);
+
+}  // namespace minkref::inline paths

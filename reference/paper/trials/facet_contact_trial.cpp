@@ -1,0 +1,105 @@
+#include "reference/paper/trials/facet_contact_trial.hpp"
+
+#include <vector>
+
+#include "reference/error.hpp"
+#include "reference/interrupt.hpp"
+#include "reference/paper/space/facet_contacts.hpp"
+#include "reference/paper/trials/misplaced.hpp"
+#include "reference/plane/kernel/arithmetic_name.hpp"
+#include "reference/space/critical/moving_facet.hpp"
+
+namespace minkref {
+namespace {
+
+constexpr std::size_t most_facets = 3000;
+
+template <class T>
+std::vector<typename FacetContacts<T>::Facet> facets_in(const MovingConvolution& convolution,
+                                                        const Arithmetic<T>& in) {
+  using Contacts = FacetContacts<T>;
+  const auto vector = [&](const IntegerVector& v) {
+    return typename Contacts::Vector(in(Rational(v[0])), in(Rational(v[1])), in(Rational(v[2])));
+  };
+  std::vector<typename Contacts::Facet> facets;
+  for (const MovingFacet& facet : convolution.facets) {
+    auto& corners = facets.emplace_back();
+    for (std::size_t k = 0; k < facet.size; ++k) {
+      corners.push_back({vector(convolution.P.points[facet.names[k].of_P].exact),
+                         vector(convolution.Q.points[facet.names[k].of_Q].exact)});
+    }
+  }
+  return facets;
+}
+
+/// Whether an answer for another contact of the facets has the scale of this one.
+template <class T>
+bool another_has(const std::vector<PaperContact<Rational>>& truth,
+                 const std::vector<PaperContact<T>>& answer, std::size_t k) {
+  for (std::size_t l = 0; l < truth.size(); ++l) {
+    if (answer[l].scale && truth[l].scale && *truth[l].scale == *truth[k].scale) return true;
+  }
+  return false;
+}
+
+template <class T>
+void compare(const std::vector<PaperContact<Rational>>& truth,
+             const std::vector<PaperContact<T>>& answer, long bits, FacetContactTrial& result) {
+  for (std::size_t k = 0; k < truth.size(); ++k) {
+    const bool root = truth[k].solutions[0].kind == Solution::root;
+    for (const ScaleSolution<T>& found : answer[k].solutions) {
+      result.roots += root;
+      result.false_inconsistent += root && found.kind == Solution::inconsistent;
+      result.false_identity += root && found.kind == Solution::identity;
+      result.invented_roots += !root && found.kind == Solution::root;
+    }
+    const bool event = truth[k].scale.has_value(), answered = answer[k].scale.has_value();
+    result.events += event;
+    if (event && !answered && !another_has(truth, answer, k)) {
+      ++result.missed;
+      result.singular += answer[k].solutions.empty();
+    }
+    result.invented += !event && answered;
+    result.misplaced += event && answered && misplaced(*truth[k].scale, *answer[k].scale, bits);
+  }
+}
+
+}  // namespace
+
+FacetContactTrial facet_contact_trial(const Polyhedron& P, const Polyhedron& Q,
+                                      const std::string& arithmetic, Form form) {
+  FacetContactTrial result;
+  if (P.empty() || Q.empty()) return result;
+  const SpaceOperands operands = space_operands(P, Q, {1, 1, 1});
+  const MovingConvolution convolution(operands.P, operands.Q);
+  if (convolution.facets.size() > most_facets) {
+    throw LimitExceeded(
+        "too-many-facets",
+        "the convolution has " + std::to_string(convolution.facets.size()) +
+            " facets, and the paper's way looks at all pairs",
+        "give operands whose convolution has at most " + std::to_string(most_facets));
+  }
+  const auto exact = facets_in<Rational>(convolution, {});
+  with_arithmetic(arithmetic, [&]<class T>(const Arithmetic<T>& in) {
+    const auto facets = facets_in<T>(convolution, in);
+    const long bits = precision(in);
+    for (std::size_t i = 0; i < facets.size(); ++i) {
+      for (std::size_t j = i + 1; j < facets.size(); ++j) {
+        look_for_interrupt();
+        const MovingFacet &a = convolution.facets[i], &b = convolution.facets[j];
+        if (is_zero(cross(a.normal.exact, b.normal.exact))) continue;
+        ++result.pairs;
+        const auto truth = FacetContacts<Rational>(exact[i], exact[j], Form::corrected).all();
+        try {
+          compare(truth, FacetContacts<T>(facets[i], facets[j], form).all(), bits, result);
+        } catch (const UndecidedSign&) {
+          ++result.undecided_pairs;
+        }
+      }
+    }
+    return 0;
+  });
+  return result;
+}
+
+}  // namespace minkref

@@ -1,0 +1,21 @@
+// float_trial SEED COUNT: the trial in this program, compiled with whatever flags. Prints what was
+// tried, how often, and how often it was wrong; exit code 1 if anything was.
+#include <cstdio>
+#include <cstdlib>
+
+#include "reference/paper/trials/float_environments.hpp"
+
+int main(int, char** arguments) {
+  try {
+    const auto number = [&](int k) { return std::strtoull(arguments[k], nullptr, 10); };
+    const auto counts = minkref::float_trial::run(number(1), number(2));
+    for (const auto& [what, count] : counts.all()) {
+      std::printf("%s\t%llu\t%llu\n", what.c_str(), static_cast<unsigned long long>(count.tried),
+                  static_cast<unsigned long long>(count.wrong));
+    }
+    return counts.wrong() == 0 ? 0 : 1;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 3;
+  }
+}
