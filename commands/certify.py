@@ -11,9 +11,9 @@ from typing import Annotated
 
 import typer
 from minkref import _core
-from minkref.certify.certificate import Certificate, NoProof
-from minkref.certify.convex_certificate import ConvexCertificate
-from minkref.certify.solid_certificate import SolidCertificate
+from minkref.certify.plane.certificate import Certificate, NoProof
+from minkref.certify.space.convex_certificate import ConvexCertificate
+from minkref.certify.space.solid_certificate import SolidCertificate
 from minkref.commands.certificate_output import CHECKED, CertificateFiles
 from minkref.commands.certify_theorem import HOW, check_theorem, theorem_of
 from minkref.commands.line.memory import SIMPLER, Memory, memory_wall

@@ -8,8 +8,8 @@ from typing import Annotated, Any
 
 import typer
 from minkref import _core
-from minkref.certify.certificate import NoProof
-from minkref.certify.path_certificate import PathCertificate
+from minkref.certify.motion.path_certificate import PathCertificate
+from minkref.certify.plane.certificate import NoProof
 from minkref.commands.certificate_output import CHECKED, CertificateFiles, Checked
 from minkref.errors import Refusal
 from minkref.terminal import counted, escaped

@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import Any
 
 from minkref import _core
-from minkref.certify.certificate import Certificate
+from minkref.certify.plane.certificate import Certificate
 from minkref.degeneracies.case_texts import IN_FULL, CaseTexts, id_of, is_double, source_of
 from minkref.degeneracies.draft import Facts, Family
 from minkref.degeneracies.flags import flags_of

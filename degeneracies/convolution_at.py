@@ -10,8 +10,8 @@ from typing import Any
 
 from minkref import _core
 from minkref.certify.case_text import ring_numbers
-from minkref.certify.coincidence import Edge, ends_of
-from minkref.certify.predicate import Place, Vertices
+from minkref.certify.plane.coincidence import Edge, ends_of
+from minkref.certify.plane.predicate import Place, Vertices
 
 Segment = tuple[Place, Place]
 Window = tuple[Fraction, Fraction, Fraction, Fraction]  # the least x and y, the greatest

@@ -13,7 +13,7 @@ from typing import Any
 
 from minkref import _core
 from minkref.certify.case_text import places
-from minkref.certify.predicate import Predicate, Vertices
+from minkref.certify.plane.predicate import Predicate, Vertices
 from minkref.degeneracies.convolution_at import ConvolutionAt
 from minkref.fuzz.families.drawing import shape_text
 from minkref.fuzz.geometry.plane import Shape

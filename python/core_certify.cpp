@@ -7,7 +7,7 @@
 
 #include <optional>
 
-#include "certify/step_text.hpp"
+#include "certify/plane/step_text.hpp"
 #include "python/core.hpp"
 #include "python/vector_caster.hpp"
 

@@ -8,7 +8,7 @@ from fractions import Fraction
 from math import gcd, lcm
 from typing import Any, Literal
 
-from minkref.certify.predicate import Predicate
+from minkref.certify.plane.predicate import Predicate
 from minkref.degeneracies.draft import Draft
 from minkref.fuzz.geometry.plane import Shape, extent, mapped, moved, scaled
 from minkref.strategies.values import points_of

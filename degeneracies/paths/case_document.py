@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-from minkref.certify.path_certificate import PathCertificate
-from minkref.certify.scale_cells import document as range_document
+from minkref.certify.motion.path_certificate import PathCertificate
+from minkref.certify.motion.scale_cells import document as range_document
 from minkref.degeneracies.case_document import set_content
 from minkref.degeneracies.case_texts import LICENCE, CaseTexts, id_of, source_of
 from minkref.degeneracies.paths.draft import CONTACTS, PathFacts, PathFamily

@@ -13,7 +13,7 @@ from typing import Any
 
 import jsonschema
 from minkref import _core
-from minkref.certify.path_certificate import PathCertificate
+from minkref.certify.motion.path_certificate import PathCertificate
 from minkref.degeneracies.case_texts import canonical_text
 from minkref.degeneracies.catalogue import PATH_FAMILIES
 from minkref.degeneracies.paths.case_document import DegeneratePath, path_case_id

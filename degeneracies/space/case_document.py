@@ -8,7 +8,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
-from minkref.certify.convex_certificate import ConvexCertificate
+from minkref.certify.space.convex_certificate import ConvexCertificate
 from minkref.degeneracies.case_texts import IN_FULL, CaseTexts, id_of, is_double, source_of
 from minkref.degeneracies.space.body import Body, Corners
 from minkref.degeneracies.space.draft import Coincidence, SpaceFacts, SpaceFamily

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from minkref import _core
-from minkref.certify.convex_certificate import ConvexCertificate
+from minkref.certify.space.convex_certificate import ConvexCertificate
 from minkref.degeneracies.case_faults import of_certificate, of_place
 from minkref.degeneracies.space.body import Body
 from minkref.degeneracies.space.case_document import content_in_space

@@ -11,7 +11,7 @@ from functools import cached_property
 from random import Random
 
 from minkref import _core
-from minkref.certify.convex_certificate import ConvexCertificate
+from minkref.certify.space.convex_certificate import ConvexCertificate
 from minkref.degeneracies.draft import Subject
 from minkref.degeneracies.space.body import Body, Corners, Facet
 from minkref.degeneracies.space.doubles import signs_in_doubles

@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 import sympy
-from minkref.certify.moving_form import moving_form
+from minkref.certify.plane.moving_form import moving_form
 from minkref.exact import digest
 from minkref.oracle import slow
 

@@ -26,11 +26,11 @@ from minkref.argument_types import (
     text_of,
     whole,
 )
-from minkref.certify.certificate import Certificate as Certificate
-from minkref.certify.certificate import NoProof as NoProof
-from minkref.certify.convex_certificate import ConvexCertificate as ConvexCertificate
-from minkref.certify.path_certificate import PathCertificate as PathCertificate
-from minkref.certify.solid_certificate import SolidCertificate as SolidCertificate
+from minkref.certify.motion.path_certificate import PathCertificate as PathCertificate
+from minkref.certify.plane.certificate import Certificate as Certificate
+from minkref.certify.plane.certificate import NoProof as NoProof
+from minkref.certify.space.convex_certificate import ConvexCertificate as ConvexCertificate
+from minkref.certify.space.solid_certificate import SolidCertificate as SolidCertificate
 from minkref.convolution_values import Convolution as Convolution
 from minkref.convolution_values import ConvolutionEdge as ConvolutionEdge
 from minkref.convolution_values import convolution as convolution

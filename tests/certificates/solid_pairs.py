@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from minkref import _core
-from minkref.certify.solid_certificate import SolidCertificate
+from minkref.certify.space.solid_certificate import SolidCertificate
 from minkref.fuzz.space.cells import surface_of
 from minkref.fuzz.space.generators import machined
 from minkref.fuzz.space.generators.convex import box

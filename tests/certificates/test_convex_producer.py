@@ -14,7 +14,7 @@ from typing import Any
 import cubes
 import pytest
 from minkref import _core
-from minkref.certify.convex_certificate import ConvexCertificate, Texts, convex_certificate
+from minkref.certify.space.convex_certificate import ConvexCertificate, Texts, convex_certificate
 from minkref.commands.line.cli import run
 from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.generators.convex import box, random_hull, sphere

@@ -13,11 +13,11 @@ from typing import Any
 import minkref
 import pytest
 import walls
-from minkref.certify import moving_ways, trap_cover
-from minkref.certify.certificate import NoProof
-from minkref.certify.moving_cells import Linear, Station, moving, steady
-from minkref.certify.path_certificate import PathCertificate
-from minkref.certify.scale_cells import document
+from minkref.certify.motion import moving_ways, trap_cover
+from minkref.certify.motion.moving_cells import Linear, Station, moving, steady
+from minkref.certify.motion.path_certificate import PathCertificate
+from minkref.certify.motion.scale_cells import document
+from minkref.certify.plane.certificate import NoProof
 from minkref.fuzz.judges.trap_cases import KINDS, trap_case
 from walls import scales
 

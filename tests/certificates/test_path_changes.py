@@ -14,7 +14,7 @@ from typing import Any
 import minkref
 import pytest
 import walls
-from minkref.certify.path_certificate import PathCertificate
+from minkref.certify.motion.path_certificate import PathCertificate
 from minkref.fuzz.judges.certified_paths import PathConfirmation
 from replacing import Change, Value, changed, replaced, sample, verdicts_on
 

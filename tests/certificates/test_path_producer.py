@@ -13,9 +13,9 @@ from typing import Any
 
 import minkref
 import pytest
-from minkref.certify.certificate import NoProof
-from minkref.certify.path_certificate import PathCertificate
-from minkref.certify.scale_cells import document
+from minkref.certify.motion.path_certificate import PathCertificate
+from minkref.certify.motion.scale_cells import document
+from minkref.certify.plane.certificate import NoProof
 from minkref.fuzz.judges.path_cases import path_case
 from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, verdicts
 from minkref.scale_ranges import ScaleRange

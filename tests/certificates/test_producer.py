@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 from minkref import _core
-from minkref.certify.certificate import Certificate, NoProof
+from minkref.certify.plane.certificate import Certificate, NoProof
 from minkref.exact import digest
 from minkref.fuzz.families.catalogue import FAMILIES
 from minkref.reports.evidence.certificates.mutants import mutants

@@ -13,8 +13,8 @@ import pytest
 from cubes import CUBE
 from file_alone import checker
 from minkref import _core
-from minkref.certify.certificate import Certificate
-from minkref.certify.convex_certificate import convex_certificate
+from minkref.certify.plane.certificate import Certificate
+from minkref.certify.space.convex_certificate import convex_certificate
 from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, verdicts
 from replacing import replaced
 from thoroughness import draws

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 from minkref import _core
-from minkref.certify.certificate import Certificate, NoProof
+from minkref.certify.plane.certificate import Certificate, NoProof
 
 Triangle = list[tuple[int, int]]
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from minkref.certify.certificate import Certificate
+from minkref.certify.plane.certificate import Certificate
 from minkref.reports.evidence.certificates.checkers import in_cpp
 
 TRIANGLE = "POLYGON((-3 -2, 4 -1, 1 3, -3 -2))"

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from minkref.certify.solid_certificate import SolidCertificate
+from minkref.certify.space.solid_certificate import SolidCertificate
 from minkref.errors import Refusal
 from minkref.path_text import read_path
 from minkref.space.operand import read_summand

@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 from minkref import _core
-from minkref.certify.certificate import Certificate
+from minkref.certify.plane.certificate import Certificate
 from minkref.reports.evidence.certificates.certified_cases import written
 from minkref.reports.evidence.certificates.checkers import ROOT
 

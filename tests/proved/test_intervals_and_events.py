@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 import squares
 from minkref import _core
-from minkref.certify.certificate import Certificate
+from minkref.certify.plane.certificate import Certificate
 from minkref.fuzz.judges.certified_claims import Confirmation
 from minkref.reports.evidence.certificates.certified_cases import events, written
 from minkref.reports.evidence.certificates.checkers import ROOT

@@ -14,7 +14,7 @@ import pytest
 import squares
 import walls
 from minkref import _core
-from minkref.certify.certificate import Certificate
+from minkref.certify.plane.certificate import Certificate
 from minkref.fuzz.families.catalogue import FAMILIES
 from minkref.fuzz.judges.certified_claims import Confirmation
 from minkref.reports.evidence.certificates.certified_cases import written

@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 import squares
 from minkref import _core
-from minkref.certify.certificate import Certificate
+from minkref.certify.plane.certificate import Certificate
 from minkref.reports.evidence.certificates.certified_cases import written
 
 VERIFIED, REFUTED, MALFORMED = 0, 1, 2

@@ -9,7 +9,7 @@ from fractions import Fraction
 from pathlib import Path
 
 from minkref import _core
-from minkref.certify.certificate import Certificate
+from minkref.certify.plane.certificate import Certificate
 from minkref.fuzz.cases import naming
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.families.catalogue import FAMILIES

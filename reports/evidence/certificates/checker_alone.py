@@ -10,7 +10,7 @@ import tempfile
 from pathlib import Path
 
 from minkref import _core
-from minkref.certify.certificate import Certificate
+from minkref.certify.plane.certificate import Certificate
 from minkref.reports.evidence.certificates.certified_cases import cases, written
 from minkref.reports.evidence.certificates.checkers import CHECKER
 from minkref.reports.evidence.framework.command import tests_pass

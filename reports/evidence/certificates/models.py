@@ -8,7 +8,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from minkref.certify.certificate import Certificate
+from minkref.certify.plane.certificate import Certificate
 from minkref.reports.evidence.certificates.certified_cases import written
 from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, timed
 from minkref.reports.evidence.framework.operands import operand, tell_absent

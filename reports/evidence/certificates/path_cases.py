@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import Any
 
 from minkref import _core
-from minkref.certify.certificate import NoProof
-from minkref.certify.path_certificate import PathCertificate
+from minkref.certify.motion.path_certificate import PathCertificate
+from minkref.certify.plane.certificate import NoProof
 from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, timed, verdicts
 
 #: What one size or time of a set of certificates is: the sum, or the worst.

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from minkref import _core
-from minkref.certify.solid_certificate import SolidCertificate
+from minkref.certify.space.solid_certificate import SolidCertificate
 from minkref.fuzz.space.general_pairs import GeneralPair, general_pair
 from minkref.fuzz.space.polyhedron import Polyhedron
 

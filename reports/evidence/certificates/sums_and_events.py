@@ -11,7 +11,7 @@ from fractions import Fraction
 from functools import partial
 from pathlib import Path
 
-from minkref.certify.certificate import Certificate
+from minkref.certify.plane.certificate import Certificate
 from minkref.fuzz.plane.case import Case
 from minkref.reports.evidence.certificates.certified_cases import (
     cases,

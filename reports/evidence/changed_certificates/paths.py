@@ -6,7 +6,7 @@ import json
 import random
 from functools import partial
 
-from minkref.certify.path_certificate import PathCertificate
+from minkref.certify.motion.path_certificate import PathCertificate
 from minkref.degeneracies.catalogue import PATH_FAMILIES
 from minkref.degeneracies.paths.case_document import DegeneratePath
 from minkref.fuzz.judges.certified_paths import PathConfirmation

@@ -8,7 +8,7 @@ import random
 from collections import Counter
 
 from minkref import _core
-from minkref.certify.certificate import Certificate
+from minkref.certify.plane.certificate import Certificate
 from minkref.fuzz.judges.certified_claims import Confirmation
 from minkref.fuzz.plane.case import Case
 from minkref.reports.evidence.certificates.certified_cases import cases, events

@@ -15,7 +15,7 @@ from multiprocessing import get_context
 from multiprocessing.connection import Connection
 from typing import Any
 
-from minkref.certify.certificate import Certificate, NoProof
+from minkref.certify.plane.certificate import Certificate, NoProof
 from minkref.errors import message_of
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.judges.sampled_events import Events, SampledEvents, judge

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from minkref import _core
-from minkref.certify.certificate import Certificate
+from minkref.certify.plane.certificate import Certificate
 from minkref.degeneracies import lint
 from minkref.exact import digest
 from minkref.fuzz.families.holed_pairs import fit_pair, holes_pair, nested_pair, small_holes_pair

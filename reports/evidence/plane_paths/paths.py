@@ -10,7 +10,7 @@ from fractions import Fraction
 from typing import Any
 
 import minkref
-from minkref.certify.path_certificate import THIN
+from minkref.certify.motion.path_certificate import THIN
 from minkref.fuzz.cgal.oracle import CgalOracle
 from minkref.fuzz.judges.path_cases import PathCase, path_case
 from minkref.fuzz.judges.path_collisions import Collisions, by_slow_engine, by_triangles

@@ -19,8 +19,8 @@ from fractions import Fraction
 from pathlib import Path
 
 from minkref import _core
-from minkref.certify.certificate import Certificate, NoProof
-from minkref.certify.convex_certificate import convex_certificate
+from minkref.certify.plane.certificate import Certificate, NoProof
+from minkref.certify.space.convex_certificate import convex_certificate
 from minkref.commands.check_proved import PROGRAM
 from minkref.fuzz.judges.certified_claims import Confirmation
 from minkref.fuzz.plane.case import Case

@@ -9,7 +9,7 @@ from fractions import Fraction
 from pathlib import Path
 
 from minkref import _core
-from minkref.certify.convex_certificate import ConvexCertificate
+from minkref.certify.space.convex_certificate import ConvexCertificate
 from minkref.exact import digest
 from minkref.fuzz.judges.convex_facets import convex_facets
 from minkref.fuzz.space.generators.convex import random_hull

@@ -1,0 +1,1 @@
+"""Proofs for parts on paths, fits and traps."""

@@ -1,0 +1,1 @@
+"""Proofs of sums in the plane, of events and of tight passages."""

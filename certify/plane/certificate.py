@@ -1,0 +1,246 @@
+"""The producer of certificates (docs/certificates.md). It is not trusted: the checker is."""
+
+from __future__ import annotations
+
+import json
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+from minkref import _core
+from minkref.argument_types import expect_sets, number
+from minkref.certify.case_text import case_digest, case_text, places
+from minkref.certify.plane.coincidence import coincidences
+from minkref.certify.plane.moving_form import Figure, figure, moving_form
+from minkref.certify.plane.predicate import Place, Predicate, Vertices
+from minkref.certify.simplest import simplest_between
+from minkref.errors import Refusal, cut
+from minkref.version import version
+
+PIECES = (0, 1)  # the numbers of their steps
+MOST_ATTEMPTS = 400
+Number = str | int | Fraction
+
+
+class NoProof(Exception):
+    """What is to be claimed does not hold, or has no certificate that was found. `mend`: what to
+    do, None for what is always advised."""
+
+    def __init__(self, problem: str, mend: str | None = None) -> None:
+        super().__init__(problem)
+        self.mend = mend
+
+
+class Certificate:
+    """Steps and claims about sP + Q. Scales are exact numbers: texts, ints, Fractions. Each method
+    adds what it says, with its proof, and returns the number of the claim. Exact. Raises NoProof
+    where a claim does not hold, and RuntimeError where the reference is wrong: there is no proof
+    then."""
+
+    def __init__(self, P: _core.PolygonSet, Q: _core.PolygonSet) -> None:
+        """Validates both operands: raises BadInput for one that is none."""
+        expect_sets(P=P, Q=Q)
+        for name, operand in (("P", P), ("Q", Q)):
+            operand.validate(name)
+        self.P, self.Q = P, Q
+        self._prover = _core.Prover(P, Q)
+        self._steps: list[str] = []
+        self._vertices = Vertices(places(P), places(Q))
+        self.claims: list[dict[str, Any]] = []
+        self._figures: dict[int, Figure] = {}  # of claims about sums and intervals
+
+    def sum(self, scale: Number, passages: bool = False) -> int:
+        """The sum at a scale; with its tight passages, each a claim of its own, after it. Contacts
+        prove none where an operand is a point or a segment: then there are no such claims."""
+        text = str(_exact("scale", scale))
+        passages = passages and all(o.is_region for o in (self.P, self.Q))
+        step, here, found = self._prove(text, passages)
+        at = self._step(step)
+        claim = self._claim(
+            "sum", scale=text, step=at, components=here.components, holes=here.holes,
+            digest=here.digest,
+        )  # fmt: skip
+        self._figures[claim] = here
+        for points, path in found:
+            places = [list(point) for point in points]
+            self._claim("passage", scale=text, step=at, points=places, path=path)
+        return claim
+
+    def interval(self, from_scale: Number, to_scale: Number) -> int:
+        """That the boundary has no event between two scales. Raises NoProof if it has."""
+        a, b = _exact("from_scale", from_scale), _exact("to_scale", to_scale)
+        step, at, moving = self._move(a, b)
+        steps = [step]
+        while at < b:
+            here, event = at, NoProof(f"the boundary has an event at {at}")
+            step, state, _ = self._prove(str(here), False)
+            if state != moving.at(here):
+                raise event
+            steps.append(step)
+            step, at, above = self._move(here, b)
+            if above != moving:
+                raise event
+            steps.append(step)
+        claim = self._claim(
+            "interval", **{"from": str(a), "to": str(b)}, steps=[self._step(s) for s in steps],
+            components=moving.components, holes=moving.holes, digest=moving.digest,
+        )  # fmt: skip
+        self._figures[claim] = moving
+        return claim
+
+    def event(
+        self, scale: Number, from_scale: Number, kind: str | None = None, passages: bool = False
+    ) -> int:
+        """A boundary or topology event at a scale: what is below, none in between, what is at it,
+        perhaps with its tight passages, and what is just above. Without `kind` a topology event if
+        it is one."""
+        s = _exact("scale", scale)
+        before = self.interval(from_scale, s)
+        at = self.sum(s, passages)
+        step, end, above = self._move(s, 2 * s)
+        below, here = self._figures[before], self._figures[at]
+        counts = {(f.components, f.holes) for f in (below, here, above)}
+        kind = kind or ("topology" if len(counts) > 1 else "boundary")
+        if kind == "topology" and len(counts) == 1:
+            raise NoProof(f"components and holes are the same below, at and above {s}")
+        if kind == "boundary" and below == above and below.at(s) == here:
+            since = self.claims[before]["from"]
+            raise NoProof(f"the boundary has no event at {s}, nor between {since} and {s}")
+        after = self._claim(
+            "interval", **{"from": str(s), "to": str(end)}, steps=[self._step(step)],
+            components=above.components, holes=above.holes, digest=above.digest,
+        )  # fmt: skip
+        return self._claim("event", scale=str(s), kind=kind, before=before, at=at, after=after)
+
+    def point(self, scale: Number, point: tuple[Number, Number]) -> int:
+        """That a point is in the sum."""
+        s = _exact("scale", scale)
+        point = (number("x", point[0]), number("y", point[1]))
+        answer = _core.decide(self.P, self.Q, str(s), *point)
+        if answer["contact"] == "empty":
+            raise NoProof(f"the point ({cut(point[0])}, {cut(point[1])}) is not in the sum at {s}")
+        parts = [(Fraction(x), Fraction(y)) for x, y in (answer["p"], answer["q"])]
+        by = self._pieces()
+        pieces = [self._piece(step, part) for step, part in zip(by, parts, strict=True)]
+        p, q = ([str(x) for x in part] for part in parts)
+        return self._claim(
+            "point", scale=str(s), point=list(point), p=p, q=q, by=list(by), pieces=pieces
+        )
+
+    def sign(self, of: Predicate, from_scale: Number, to_scale: Number) -> int:
+        """The sign of a predicate (predicate.py) at all scales between two, or at one."""
+        a, b = Fraction(from_scale), Fraction(to_scale)
+        sign = self._vertices.sign_between(of, a, b)
+        if sign is None:
+            raise NoProof(f"no one sign between {a} and {b} is seen in the coefficients")
+        return self._claim("sign", of=of, **{"from": str(a), "to": str(b)}, sign=sign)
+
+    def zero(self, of: Predicate, scale: Number) -> list[int]:
+        """That a predicate is zero at a scale, and its signs just below and above; or that it is
+        zero at all scales, said of half to double of this one."""
+        s = Fraction(scale)
+        if self._vertices.value(of, s) != 0:
+            raise NoProof(f"{of[0]} is not zero at {s}")
+        if self._vertices.sign_between(of, s, s + 1) == 0:
+            return [self.sign(of, s / 2, 2 * s)]
+        return [self.sign(of, *ends) for ends in (self._beside(of, s, 0), (s, s),
+                                                  self._beside(of, s, 2 * s))]  # fmt: skip
+
+    def degeneracy(self, scale: Number) -> list[int]:
+        """What makes a scale critical: for all edges of the convolution that start or stop meeting
+        there, alone or three in a point, the predicate that is zero at it, and its signs beside."""
+        found = coincidences(self.P, self.Q, self._vertices, _exact("scale", scale))
+        if not found:
+            raise NoProof(f"no edges of the convolution start or stop meeting at {scale}")
+        return [claim for of in found for claim in self.zero(of, scale)]
+
+    def text(self, case: Path | str, title: str = "", producer: str = "") -> str:
+        """The certificate; `case`: the path of its case, relative to its own."""
+        head = {
+            "certificate": "certificate-v1",
+            "title": title,
+            "producer": producer or f"minkref {version()}",
+            "case": {"path": str(case), "sha256": case_digest(self.P, self.Q)},
+        }
+        told = {name: value for name, value in head.items() if value}
+        parts = [f'"{name}":{json.dumps(told[name], ensure_ascii=False)}' for name in told]
+        parts.append(f'"steps":[{",".join(self._steps)}]')
+        parts.append(f'"claims":{json.dumps(self.claims, separators=(",", ":"))}')
+        return "{" + ",\n".join(parts) + "}\n"
+
+    def case(self) -> str:
+        """The text of the case that is certified."""
+        return case_text(self.P, self.Q)
+
+    def _prove(self, scale: str, passages: bool) -> tuple[str, Figure, list[Any]]:
+        """The step at a scale, what is there, and its tight passages."""
+        step, region, components, holes, found, touching = self._prover.prove(
+            scale, self._prover.box(scale), self._pieces(), passages
+        )
+        return step, figure(region.canonical_json(), touching, components, holes), found
+
+    def _pieces(self) -> tuple[int, int]:
+        if not self._steps:
+            self._steps += [self._prover.pieces("P"), self._prover.pieces("Q")]
+        return PIECES
+
+    def _piece(self, step: int, place: Place) -> int:
+        """The piece of an operand that a point of it is in."""
+        value = json.loads(self._steps[step])
+        vertices = (self._vertices.P, self._vertices.Q)[step]
+        for k, piece in enumerate(value["pieces"]):
+            corners = [vertices[i] for i in piece]
+            sides = zip(corners, corners[1:] + corners[:1], strict=True)
+            if len(piece) > 2 and all(_turn(a, b, place) >= 0 for a, b in sides):
+                return k
+        raise NoProof("a point or a segment has no pieces for a claim about a point")
+
+    def _beside(self, of: Predicate, s: Fraction, end: Fraction | int) -> tuple[Fraction, Fraction]:
+        """Scales from s towards an end, in order, between which the sign of a predicate is seen.
+        Halves end where the predicate has no other root, unless it is zero everywhere."""
+        other = Fraction(end)
+        for _ in range(MOST_ATTEMPTS):
+            other = simplest_between(*sorted(((s + other) / 2, (s + 3 * other) / 4)))
+            low, high = sorted((s, other))
+            if self._vertices.sign_between(of, low, high):
+                return low, high
+        raise NoProof(f"no sign of {of[0]} is seen beside the scale {cut(str(s))}")
+
+    def _step(self, text: str) -> int:
+        self._steps.append(text)
+        return len(self._steps) - 1
+
+    def _claim(self, claim: str, /, **members: Any) -> int:
+        self.claims.append({"claim": claim, **members})
+        return len(self.claims) - 1
+
+    def _move(self, a: Fraction, b: Fraction) -> tuple[str, Fraction, Figure]:
+        """A proof from a on, as far as it goes: the step, the end, and what moves."""
+        box = self._prover.box(str(b))
+        low = b
+        for _ in range(MOST_ATTEMPTS):
+            third = (low - a) / 3
+            s = simplest_between(a + third, low - third)
+            found = self._prover.prove_around(str(s), box, self._pieces(), str(a), str(b))
+            if found is None:  # lines meet at this scale that do not at others
+                low = s
+                continue
+            step, begin, end, polygons, components, holes, touching = found
+            if Fraction(begin) == a:
+                form = moving_form(polygons)
+                return step, Fraction(end), figure(form, touching, components, holes)
+            low = Fraction(begin)
+        raise RuntimeError(f"there is no proof from {a} on")
+
+
+def _exact(name: str, given: Number) -> Fraction:
+    text = number(name, given)
+    try:
+        return Fraction(text)
+    except (ValueError, ZeroDivisionError):
+        mend = "write an integer, a decimal or a fraction, such as 7/5"
+        raise Refusal(f"{cut(text)!r} is not a number", name, mend, "not-a-number") from None
+
+
+def _turn(a: Place, b: Place, c: Place) -> Fraction:
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
