@@ -10,11 +10,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from minkref.oracle.symbolic import disc
-from minkref.oracle.symbolic.disc import Arc, Offset, Place
-from minkref.oracle.symbolic.disc_contact import Feature, ends, moved_out, on, on_arc
+from minkref.oracle.symbolic.disc.disc import disc
+from minkref.oracle.symbolic.disc.disc.disc import Arc, Offset, Place
+from minkref.oracle.symbolic.disc.disc.disc_contact import Feature, ends, moved_out, on, on_arc
+from minkref.oracle.symbolic.disc.disc.radicals import Radical, number, square_root
 from minkref.oracle.symbolic.moving import Point
-from minkref.oracle.symbolic.radicals import Radical, number, square_root
 from minkref.oracle.symbolic.rational import Rational
 
 #: whose end, which; ("", 0) is a tangent

@@ -10,10 +10,10 @@ from typing import Any
 
 from minkref.exact import digest
 from minkref.fuzz.space.hull import convex_hull
-from minkref.oracle.slow.exposed import Exposed, lifted, rings_of
-from minkref.oracle.slow.solid import height, solid_from_json
-from minkref.oracle.slow.solid_sum import SolidSum
-from minkref.oracle.slow.solid_whole import whole_sum
+from minkref.oracle.slow.space.exposed import Exposed, lifted, rings_of
+from minkref.oracle.slow.space.solid import height, solid_from_json
+from minkref.oracle.slow.space.solid_sum import SolidSum
+from minkref.oracle.slow.space.solid_whole import whole_sum
 
 
 @dataclass(frozen=True)

@@ -17,9 +17,9 @@ from minkref.fuzz.judges.space_event_comparison import moving_facet
 from minkref.fuzz.judges.space_routes import core_polyhedron
 from minkref.fuzz.space.general_pairs import GeneralPair
 from minkref.oracle.symbolic.rational import Rational, rational
-from minkref.oracle.symbolic.space_events import planes_parallel
-from minkref.oracle.symbolic.space_moving import MovingFacet, Vector, cross, dot, minus
-from minkref.oracle.symbolic.space_standing import (
+from minkref.oracle.symbolic.space.space_events import planes_parallel
+from minkref.oracle.symbolic.space.space_moving import MovingFacet, Vector, cross, dot, minus
+from minkref.oracle.symbolic.space.space_standing import (
     Segment3,
     in_polygon,
     on_segment,

@@ -22,10 +22,14 @@ from minkref import _core
 from minkref.fuzz.judges.space_event_comparison import FROM, TO, Difference, moving_facet, solids_of
 from minkref.fuzz.judges.space_routes import core_polyhedron
 from minkref.fuzz.space.general_pairs import GeneralPair
-from minkref.oracle.symbolic.coplanar_triples import TupleEvent
-from minkref.oracle.symbolic.facet_tuples import parallel_among, quadruple_event, triple_events
 from minkref.oracle.symbolic.rational import rational
-from minkref.oracle.symbolic.space_moving import MovingFacet
+from minkref.oracle.symbolic.space.coplanar_triples import TupleEvent
+from minkref.oracle.symbolic.space.facet_tuples import (
+    parallel_among,
+    quadruple_event,
+    triple_events,
+)
+from minkref.oracle.symbolic.space.space_moving import MovingFacet
 
 MOST_FACETS = 1_000
 OF_EACH = 60  # quadruples of each origin that are taken from two polyhedra

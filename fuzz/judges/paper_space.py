@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from minkref.oracle.symbolic import space_events
 from minkref.oracle.symbolic.pairs import Interval
 from minkref.oracle.symbolic.rational import text
-from minkref.oracle.symbolic.space_moving import (
+from minkref.oracle.symbolic.space import space_events
+from minkref.oracle.symbolic.space.space_moving import (
     MovingFacet,
     SpaceSegment,
     SpaceVertex,

@@ -20,9 +20,9 @@ from minkref import _core
 from minkref.fuzz.judges.space_routes import core_polyhedron
 from minkref.fuzz.space.general_pairs import FAMILIES, GeneralPair, pair_of_family
 from minkref.fuzz.space.polyhedron import Polyhedron
-from minkref.oracle.symbolic.facet_pairs import FacetEvents, facet_events
 from minkref.oracle.symbolic.rational import rational
-from minkref.oracle.symbolic.space_moving import MovingFacet, facet
+from minkref.oracle.symbolic.space.facet_pairs import FacetEvents, facet_events
+from minkref.oracle.symbolic.space.space_moving import MovingFacet, facet
 
 KINDS = ("vertex", "edge", "once", "always")
 """Pairs with an event of a vertex, with one of an edge; planes that are one once, or always."""

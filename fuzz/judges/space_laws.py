@@ -17,8 +17,8 @@ from minkref.fuzz.space.hull import convex_hull
 from minkref.fuzz.space.laws import refined
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.oracle.slow import Exposed, exposed_from_json
-from minkref.oracle.slow.exposed import lifted, rings_of
-from minkref.oracle.slow.solid_claim import inner_point, winding
+from minkref.oracle.slow.space.exposed import lifted, rings_of
+from minkref.oracle.slow.space.solid_claim import inner_point, winding
 
 ORIGIN: Point = (Fraction(0), Fraction(0), Fraction(0))
 ONE = Fraction(1)

@@ -14,9 +14,9 @@ from minkref.fuzz.judges.space_path_cases import SpacePathCase
 from minkref.fuzz.space.exact_sum import EDGES, core_polyhedron, exposed_sum, polyhedron_of_planes
 from minkref.fuzz.space.membership import Surface
 from minkref.fuzz.space.polyhedron import Polyhedron
-from minkref.oracle.slow.exposed import Exposed, exposed_from_json, lifted, rings_of
-from minkref.oracle.slow.solid import Solid, solid_from_json
-from minkref.oracle.slow.solid_sum import SolidSum, uniform
+from minkref.oracle.slow.space.exposed import Exposed, exposed_from_json, lifted, rings_of
+from minkref.oracle.slow.space.solid import Solid, solid_from_json
+from minkref.oracle.slow.space.solid_sum import SolidSum, uniform
 
 ORIGIN: Point = (Fraction(0), Fraction(0), Fraction(0))
 Ends = tuple[Point, Point]

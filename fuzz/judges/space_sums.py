@@ -31,7 +31,7 @@ from minkref.oracle.slow import (
     uniform,
     whole_sum,
 )
-from minkref.oracle.slow.solid_claim import place_of, told_apart, winding
+from minkref.oracle.slow.space.solid_claim import place_of, told_apart, winding
 
 REFUSALS = (_core.BadInput, _core.LimitExceeded, RuntimeError, ValueError)
 MOST_PAIRS = 6  # of convex pieces, for the slow engine to make the sum whole

@@ -19,7 +19,13 @@ from minkref.fuzz.space.membership import Surface
 from minkref.fuzz.space.polyhedron import Face, Polyhedron
 from minkref.fuzz.space.sites import sites
 from minkref.fuzz.space.trapezoids import trapezoids
-from minkref.oracle.slow.exposed import Exposed, exposed_from_json, is_mirrored, lifted, rings_of
+from minkref.oracle.slow.space.exposed import (
+    Exposed,
+    exposed_from_json,
+    is_mirrored,
+    lifted,
+    rings_of,
+)
 
 EDGES, DEFINITION = "edges", "definition"
 ROUTES = {EDGES: _core.edge_sum_in_space, DEFINITION: _core.definition_sum_in_space}

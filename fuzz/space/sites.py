@@ -8,8 +8,8 @@ from fractions import Fraction
 from minkref.fuzz.geometry.space import Point, Whole, dot
 from minkref.fuzz.space.boxes import Box, BoxTree, box_of
 from minkref.fuzz.space.polyhedron import Polyhedron
-from minkref.oracle.slow.exposed import lifted, seen, viewing_axis
-from minkref.oracle.slow.solid import plane_of
+from minkref.oracle.slow.space.exposed import lifted, seen, viewing_axis
+from minkref.oracle.slow.space.solid import plane_of
 
 Flat = tuple[Fraction, Fraction]
 Ring = list[Flat]

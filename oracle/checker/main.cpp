@@ -10,11 +10,11 @@
 #include <new>
 #include <optional>
 
-#include "oracle/checker/claims.hpp"
-#include "oracle/checker/convex.hpp"
 #include "oracle/checker/gzip.hpp"
-#include "oracle/checker/path.hpp"
-#include "oracle/checker/solid.hpp"
+#include "oracle/checker/motion/path.hpp"
+#include "oracle/checker/plane/claims.hpp"
+#include "oracle/checker/space/convex.hpp"
+#include "oracle/checker/space/solid.hpp"
 
 namespace {
 

@@ -12,16 +12,16 @@ Start with README.md. The entry points, each exact and on rational coordinates:
 """
 
 from .claim import Claim, check_claim
-from .exposed import Exposed, exposed_from_json, of_faces
 from .minkowski import Sum, minkowski_sum
 from .operand import InputError, Operand, Polygon, operand_from_json
 from .reader import read_operand
-from .solid import Solid, solid_from_json
-from .solid_cells import CellSum
-from .solid_claim import Fault, open_lines
-from .solid_claim import faults as solid_faults
-from .solid_sum import SolidSum, uniform
-from .solid_whole import whole_sum
+from .space.exposed import Exposed, exposed_from_json, of_faces
+from .space.solid import Solid, solid_from_json
+from .space.solid_cells import CellSum
+from .space.solid_claim import Fault, open_lines
+from .space.solid_claim import faults as solid_faults
+from .space.solid_sum import SolidSum, uniform
+from .space.solid_whole import whole_sum
 from .topology import Topology, topology
 from .witness import Meeting, witness
 

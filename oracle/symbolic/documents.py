@@ -7,15 +7,22 @@ import json
 from collections.abc import Sequence
 from typing import Any
 
-from .disc import AlgebraicScale, Arc
-from .disc_contact import DiscEvent, Feature, polygon_events
+from .disc.disc import AlgebraicScale, Arc
+from .disc.disc_contact import DiscEvent, Feature, polygon_events
+from .disc.radicals import Radical
 from .moving import KINDS, MovingSegment, parallel, point_text, s_edge, t_edge
 from .pairs import Event, Interval, contact_set, pair_events
 from .parallels import always_on_one_line, parallel_events
-from .radicals import Radical
 from .rational import rational, text
-from .space_events import Coming, edge_contact, facet_contact, four_event, plane_event, vertex_event
-from .space_moving import SpaceSegment, SpaceVertex, facet, vector
+from .space.space_events import (
+    Coming,
+    edge_contact,
+    facet_contact,
+    four_event,
+    plane_event,
+    vertex_event,
+)
+from .space.space_moving import SpaceSegment, SpaceVertex, facet, vector
 from .triples import ends_passed, meeting_scales, triple_events
 
 Document = dict[str, Any]

@@ -11,7 +11,7 @@ from math import prod
 from minkref.fuzz.space.cells import cells_of
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.oracle.slow import of_faces
-from minkref.oracle.slow.solid_cells import side
+from minkref.oracle.slow.space.solid_cells import side
 
 Place = tuple[Fraction, Fraction, Fraction]
 Cell = tuple[int, int, int]

@@ -27,7 +27,7 @@ from minkref.oracle.slow import (
     whole_sum,
 )
 from minkref.oracle.slow.operand import Polygon
-from minkref.oracle.slow.solid_cells import IDENTITY, Matrix
+from minkref.oracle.slow.space.solid_cells import IDENTITY, Matrix
 from thoroughness import THOROUGH
 
 SEED = 71205

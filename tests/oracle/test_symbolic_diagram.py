@@ -20,8 +20,13 @@ from minkref.fuzz.judges.equidistant_comparison import (
     main,
 )
 from minkref.fuzz.judges.outline import Outline
-from minkref.oracle.symbolic.disc import Offset
-from minkref.oracle.symbolic.disc_diagram import SquaredRadius, between, equidistant, in_front
+from minkref.oracle.symbolic.disc.disc.disc import Offset
+from minkref.oracle.symbolic.disc.disc.disc_diagram import (
+    SquaredRadius,
+    between,
+    equidistant,
+    in_front,
+)
 from minkref.oracle.symbolic.rational import Rational
 from mpmath import mp, mpf, polyval
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from minkref.fuzz.judges import facet_arrangement, facet_tuple_comparison, space_event_comparison
 from minkref.oracle.symbolic.rational import Rational
-from minkref.oracle.symbolic.space_standing import on_segment, shared
+from minkref.oracle.symbolic.space.space_standing import on_segment, shared
 from thoroughness import draws
 
 SEED = 20120811

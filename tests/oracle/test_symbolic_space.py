@@ -8,7 +8,7 @@ import pytest
 from minkref.oracle.symbolic import solutions
 from minkref.oracle.symbolic.pairs import Interval
 from minkref.oracle.symbolic.rational import Rational, rationals
-from minkref.oracle.symbolic.space_events import (
+from minkref.oracle.symbolic.space.space_events import (
     edge_contact,
     facet_contact,
     four_event,
@@ -17,7 +17,7 @@ from minkref.oracle.symbolic.space_events import (
     planes_parallel,
     vertex_event,
 )
-from minkref.oracle.symbolic.space_moving import (
+from minkref.oracle.symbolic.space.space_moving import (
     MovingFacet,
     SpaceSegment,
     SpaceVertex,
@@ -25,7 +25,7 @@ from minkref.oracle.symbolic.space_moving import (
     facet,
     vector,
 )
-from minkref.oracle.symbolic.space_standing import in_polygon, shared
+from minkref.oracle.symbolic.space.space_standing import in_polygon, shared
 
 SEED = 99
 CORNER = ((0, 0, 0), (6, 0, 0), (0, 6, 0))

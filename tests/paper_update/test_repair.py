@@ -14,7 +14,7 @@ from minkref.fuzz.space.convex_sum import body_of
 from minkref.fuzz.space.generators.convex import box, random_hull
 from minkref.fuzz.space.generators.over_polygon import random_prism
 from minkref.fuzz.space.hull import convex_hull
-from minkref.oracle.symbolic.incompatibility import descent
+from minkref.oracle.symbolic.space.incompatibility import descent
 from thoroughness import draws
 
 Body = _core.ConvexPolyhedron

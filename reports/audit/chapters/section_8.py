@@ -382,7 +382,7 @@ def _(shown: Shown) -> None:
     and Seidel 1983): numbers such as those of Fig. 12 differ by a factor of two between the two
     readings. With the diameter the disc that is added has the radius $\alpha / 2$, and two vertices
     at the distance $D$ have a bridge from $\alpha = D$ on.""",
-    code=("oracle/symbolic/disc.py",),
+    code=("oracle/symbolic/disc/disc.py",),
 )
 def _(shown: Shown) -> None:
     """The symbolic oracle: the scale of the radius at which the circles about two vertices at the
@@ -405,7 +405,7 @@ def _(shown: Shown) -> None:
     the exterior, and three curves of the convolution pass through it. There a hole of $P \oplus D$
     may end with all its bridges, and no two curves start or stop meeting.""",
     formula="Events of two arcs or segments are all events (Section 8.2, Appendix)",
-    code=("oracle/symbolic/disc_contact.py",),
+    code=("oracle/symbolic/disc/disc_contact.py",),
 )
 def _(shown: Shown) -> None:
     """A pocket with a floor, and tips 8 apart. All scales of pairs of its features come from the
@@ -462,7 +462,7 @@ def _bridges_of_pocket(t: Fraction) -> int:
     walls $\rho$ is constant; between walls at the angle $2 \theta$ it is $\sin \theta$ times the
     distance from their corner.""",
     reading=r"""Measure the segments by the change of clearance along them, in $\alpha$.""",
-    code=("oracle/symbolic/disc_contact.py",),
+    code=("oracle/symbolic/disc/disc_contact.py",),
 )
 def _(shown: Shown) -> None:
     """By computer algebra the change of the clearance between two vertices is less than that of
@@ -527,7 +527,7 @@ def _root(square: Fraction) -> Fraction:
     h n$ has no vertex $w$ inside if $|w - m|^2 - D^2/4 - 2 h n \cdot (w - m) \ge 0$, for all large
     $h$ only if $w$ is not beyond the line $u v$. What is meant are the edges of the hull that are
     no edges of $P$.""",
-    code=("oracle/symbolic/disc_contact.py",),
+    code=("oracle/symbolic/disc/disc_contact.py",),
 )  # fmt: skip
 def _(shown: Shown) -> None:
     """The identities by computer algebra. For a pocket, the least event from the symbolic oracle;

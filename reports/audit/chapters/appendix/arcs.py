@@ -15,7 +15,7 @@ from minkref.reports.audit.symbolic_disc import FIVES, corner_of_normals, normal
 
 PART = Chapter("appendix", "Appendix: a scaling disc")
 SEED = 12
-ORACLE = ("oracle/symbolic/disc.py", "oracle/symbolic/derive_disc.py")
+ORACLE = ("oracle/symbolic/disc/disc.py", "oracle/symbolic/disc/derive_disc.py")
 
 
 @PART.entry(

@@ -27,7 +27,7 @@ from minkref.reports.audit.symbolic_disc import FIVES, r, s, unit, vector, z
 
 PART = Chapter("appendix", "Appendix: a scaling disc")
 SEED = 12
-ORACLE = ("oracle/symbolic/disc.py", "oracle/symbolic/derive_disc.py")
+ORACLE = ("oracle/symbolic/disc/disc.py", "oracle/symbolic/disc/derive_disc.py")
 
 
 @PART.entry(

@@ -28,7 +28,7 @@ from minkref.reports.audit.symbolic_space import facet as symbolic_facet
 
 PART = Chapter("section-5", "Section 5: uniform scaling in space")
 SEED = 5
-ORACLE = ("oracle/symbolic/space_events.py", "oracle/symbolic/derive_space.py")
+ORACLE = ("oracle/symbolic/space/space_events.py", "oracle/symbolic/space/derive_space.py")
 ORIGIN = (0, 0, 0)
 
 

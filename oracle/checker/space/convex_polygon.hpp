@@ -1,0 +1,24 @@
+// Convex polygons in space, and the half-spaces that cut them.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "oracle/checker/space/space.hpp"
+
+namespace minkref::checker {
+
+/// The point (x / w, y / w, z / w), w > 0.
+using Corner = std::array<mpz_class, 4>;
+using ConvexPolygon = std::vector<Corner>;
+/// normal * x <= height
+using HalfSpace = std::pair<Whole, mpz_class>;
+
+/// What a convex polygon with an area has below a plane: empty if that has no area, null if it is
+/// all of it, also where the polygon lies in the plane.
+std::optional<ConvexPolygon> below(const ConvexPolygon& polygon, const HalfSpace& half,
+                                   Budget& budget);
+
+}  // namespace minkref::checker
