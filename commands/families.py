@@ -11,7 +11,7 @@ from minkref.degeneracies.catalogue import FAMILIES as DEGENERATE
 from minkref.degeneracies.catalogue import SPACE_FAMILIES as DEGENERATE_IN_SPACE
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, INVALID_MESH_FAMILIES
 from minkref.documents import Stopwatch, document
-from minkref.fuzz.families.catalogue import FAMILIES
+from minkref.fuzz.plane.families.catalogue import FAMILIES
 from minkref.fuzz.space.families import SPACE_FAMILIES
 from minkref.terminal import console
 

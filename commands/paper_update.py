@@ -14,8 +14,8 @@ from minkref.commands.lists.scale_index import cores
 from minkref.commands.lists.sum_fields import sum_fields
 from minkref.errors import Refusal, refusing
 from minkref.exact import in_double_range
-from minkref.fuzz.judges.paper_events import Edge, Event, compare_events
-from minkref.fuzz.judges.rounded_sums import Comparison, compare, significant_bits
+from minkref.fuzz.judges.plane.paper_events import Edge, Event, compare_events
+from minkref.fuzz.judges.plane.rounded_sums import Comparison, compare, significant_bits
 from minkref.operand import Operand
 
 T = TypeVar("T")

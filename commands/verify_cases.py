@@ -12,7 +12,7 @@ from minkref.fuzz.cases.case_list import CaseList
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.no_case import NoCase
 from minkref.fuzz.cases.verbs import EVENTS, PATH, RANGES, UPDATE
-from minkref.fuzz.families.catalogue import FAMILIES
+from minkref.fuzz.plane.families.catalogue import FAMILIES
 from minkref.fuzz.plane.laws import LAWS
 from minkref.fuzz.settings import SETTINGS
 from minkref.fuzz.space.families import SPACE_FAMILIES

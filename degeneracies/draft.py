@@ -15,8 +15,8 @@ from minkref import _core
 from minkref.certify.case_text import places
 from minkref.certify.plane.predicate import Predicate, Vertices
 from minkref.degeneracies.convolution_at import ConvolutionAt
-from minkref.fuzz.families.drawing import shape_text
 from minkref.fuzz.geometry.plane import Shape
+from minkref.fuzz.plane.families.drawing import shape_text
 
 Place = tuple[str, str]
 PAGES = Path(__file__).parent / "pages"

@@ -7,8 +7,8 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import compress
 
-from minkref.fuzz.families.drawing import is_valid, shape_text
 from minkref.fuzz.geometry.plane import Point, Polygon, Ring, Shape, box, extent, moved
+from minkref.fuzz.plane.families.drawing import is_valid, shape_text
 from minkref.strategies.values import points_of
 
 Corner = tuple[int, int, int]  # x, y, and the edge at which the search for its place begins

@@ -10,7 +10,7 @@ def targets(incomplete: str) -> list[str]:
 
 
 def families(incomplete: str) -> list[str]:
-    from minkref.fuzz.families.catalogue import FAMILIES
+    from minkref.fuzz.plane.families.catalogue import FAMILIES
     from minkref.fuzz.space.families import SPACE_FAMILIES
 
     return [name for name in (*FAMILIES, *SPACE_FAMILIES) if name.startswith(incomplete)]

@@ -16,8 +16,8 @@ from minkref.commands.paper_update import decided
 from minkref.commands.repair_options import Repair
 from minkref.errors import refusing
 from minkref.exact import approximate, in_double_range
-from minkref.fuzz.judges.convex_claims import compare_claims, largest_distance
-from minkref.fuzz.judges.rounded_sums import significant_bits
+from minkref.fuzz.judges.plane.rounded_sums import significant_bits
+from minkref.fuzz.judges.space.convex_claims import compare_claims, largest_distance
 from minkref.space.operand import SpaceOperand, solid
 from minkref.space.scaling import Scaling, text_of
 from minkref.terminal import counted

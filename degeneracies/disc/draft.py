@@ -12,8 +12,8 @@ from typing import Any
 
 from minkref import _core
 from minkref.degeneracies.draft import Subject
-from minkref.fuzz.families.drawing import shape_text
 from minkref.fuzz.geometry.plane import Shape, cross, dot, edges, minus
+from minkref.fuzz.plane.families.drawing import shape_text
 
 Spot = tuple[Fraction, Fraction]
 LARGEST_GAP = 400  # 2^-k beside a squared radius is looked at down to this k

@@ -17,8 +17,8 @@ from minkref.degeneracies.invalid.mesh_sheet import (
     shuffled,
     vertex_text,
 )
-from minkref.fuzz.families.drawing import convex
 from minkref.fuzz.geometry.space import Point, dot, normal
+from minkref.fuzz.plane.families.drawing import convex
 from minkref.fuzz.space.polyhedron import Face, Polyhedron
 
 FAMILIES = Families(MESH)

@@ -8,10 +8,10 @@ from fractions import Fraction
 from random import Random
 
 from minkref.degeneracies.shapes import MAPS, framed, turned
-from minkref.fuzz.families.drawing import convex
-from minkref.fuzz.families.hard_numbers import polygon
 from minkref.fuzz.geometry.plane import Point, Polygon, Ring, Shape, box, moved
 from minkref.fuzz.geometry.plane import extent as extent_of
+from minkref.fuzz.plane.families.drawing import convex
+from minkref.fuzz.plane.families.hard_numbers import polygon
 
 DECIMAL_FACTORS = tuple(Fraction(n, d) for n, d in (
     (1, 1), (1, 1), (1, 2), (3, 4), (10, 1), (7, 5), (1, 1000),

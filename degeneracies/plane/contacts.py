@@ -7,9 +7,9 @@ from random import Random
 
 from minkref.degeneracies.draft import Draft, Facts, Family
 from minkref.degeneracies.shapes import changed, framed, number, reflected, turned
-from minkref.fuzz.families.drawing import convex
-from minkref.fuzz.families.touching_pairs import touching_shape
 from minkref.fuzz.geometry.plane import Ring, box, extent
+from minkref.fuzz.plane.families.drawing import convex
+from minkref.fuzz.plane.families.touching_pairs import touching_shape
 
 
 def _happens(facts: Facts, feature: str, *changes: str) -> bool:

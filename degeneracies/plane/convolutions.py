@@ -7,10 +7,10 @@ from random import Random
 
 from minkref.degeneracies.draft import Draft, Facts, Family
 from minkref.degeneracies.shapes import changed, corridor, framed, number, turned_left
-from minkref.fuzz.families.drawing import convex
-from minkref.fuzz.families.hard_numbers import polygon
-from minkref.fuzz.families.random_pairs import random_pair
 from minkref.fuzz.geometry.plane import Point, Ring, Shape, box, extent, moved, read_shape
+from minkref.fuzz.plane.families.drawing import convex
+from minkref.fuzz.plane.families.hard_numbers import polygon
+from minkref.fuzz.plane.families.random_pairs import random_pair
 
 MOST_TEETH = 12  # of both operands
 

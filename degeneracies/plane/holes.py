@@ -9,8 +9,8 @@ from random import Random
 from minkref.degeneracies.draft import Draft, Facts, Family
 from minkref.degeneracies.plane.mining import mined
 from minkref.degeneracies.shapes import changed, corridor, framed, number
-from minkref.fuzz.families.drawing import convex
 from minkref.fuzz.geometry.plane import Ring, Shape, box
+from minkref.fuzz.plane.families.drawing import convex
 
 CORRIDORS: tuple[tuple[tuple[int, int], ...], ...] = (
     ((0, 0), (6, 0), (6, 6)),

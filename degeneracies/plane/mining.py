@@ -10,10 +10,10 @@ from typing import Any
 from minkref import _core
 from minkref.degeneracies.draft import Draft, Facts, NothingDrawn
 from minkref.degeneracies.shapes import changed, number
-from minkref.fuzz.families.drawing import convex, shape_text
-from minkref.fuzz.families.hard_numbers import polygon
-from minkref.fuzz.families.outlines import comb
 from minkref.fuzz.geometry.plane import Shape, box
+from minkref.fuzz.plane.families.drawing import convex, shape_text
+from minkref.fuzz.plane.families.hard_numbers import polygon
+from minkref.fuzz.plane.families.outlines import comb
 
 PATIENCE = 60
 FROM, TO = "1/16", "16"

@@ -10,8 +10,8 @@ from random import Random
 from minkref import _core
 from minkref.degeneracies.draft import Draft, Facts, Family
 from minkref.degeneracies.shapes import changed, framed, number
-from minkref.fuzz.families.drawing import convex
 from minkref.fuzz.geometry.plane import Polygon, Ring, Shape, box, extent, moved, written_rings
+from minkref.fuzz.plane.families.drawing import convex
 
 FRAME = 100  # half of the opening of a frame around all
 ONE = Fraction(1)

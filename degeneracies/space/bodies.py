@@ -13,8 +13,8 @@ from minkref.degeneracies.draft import NothingDrawn
 from minkref.degeneracies.space.draft import SpaceDraft
 from minkref.degeneracies.space.vectors import inverse, moved, stretched, vector
 from minkref.degeneracies.space.vectors import product as dotted
-from minkref.fuzz.families.drawing import convex
 from minkref.fuzz.geometry.space import Point
+from minkref.fuzz.plane.families.drawing import convex
 from minkref.fuzz.space.hull import convex_hull
 from minkref.fuzz.space.polyhedron import Polyhedron
 

@@ -61,7 +61,7 @@ def absence(name: str) -> str | None:
         except OracleNotFoundError as error:
             return str(error)
     if check == "sampled-events":
-        from minkref.fuzz.judges.sampled_events import find_executable as find_sampled
+        from minkref.fuzz.judges.plane.sampled_events import find_executable as find_sampled
 
         try:
             find_sampled()
@@ -91,7 +91,7 @@ class Check:
 
             self._arguments = (self._open.enter_context(SweptSolid()),)
         if self._short == "sampled-events":
-            from minkref.fuzz.judges.sampled_events import SampledEvents
+            from minkref.fuzz.judges.plane.sampled_events import SampledEvents
 
             self._arguments = (self._open.enter_context(SampledEvents()),)
 

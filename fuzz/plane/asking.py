@@ -6,15 +6,15 @@ from dataclasses import dataclass, replace
 from functools import partial
 
 from minkref.fuzz.cases.verbs import EVENTS, UPDATE
-from minkref.fuzz.plane.asked_path import AskedPath
+from minkref.fuzz.invalid.invalid_case import InvalidCase
+from minkref.fuzz.invalid.invalid_judgement import judge_invalid
+from minkref.fuzz.motion.asked_path import AskedPath
+from minkref.fuzz.motion.path_judgement import judge_path, without_claim
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.event_judgement import MOST_PAIRS, judge_events, window, without_scales
-from minkref.fuzz.plane.invalid_case import InvalidCase
-from minkref.fuzz.plane.invalid_judgement import judge_invalid
 from minkref.fuzz.plane.judgement import TRUTHS, judge, without_answer
 from minkref.fuzz.plane.law_judgement import judge_law
 from minkref.fuzz.plane.laws import LAWS
-from minkref.fuzz.plane.path_judgement import judge_path, without_claim
 from minkref.fuzz.run.asking import JUDGING, Asking, is_asked_again
 from minkref.fuzz.targets.adapter import AdapterTarget
 from minkref.fuzz.targets.answer import Answer, skipped

@@ -11,11 +11,11 @@ from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.grid import rounded, unit_for
 from minkref.fuzz.cases.no_case import NoCase
 from minkref.fuzz.cases.verbs import EVENTS, UPDATE
-from minkref.fuzz.families.mutation import mutate
-from minkref.fuzz.families.probes import scale_probes
 from minkref.fuzz.geometry.plane import Ring, mapped
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.exact_shapes import set_of, shape_of
+from minkref.fuzz.plane.families.mutation import mutate
+from minkref.fuzz.plane.families.probes import scale_probes
 from minkref.fuzz.plane.laws import LAWS
 
 MOST_PROBES = 12

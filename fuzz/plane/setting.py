@@ -14,15 +14,15 @@ from minkref.fuzz.cases.any_case import AnyCase
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.no_case import NoCase
 from minkref.fuzz.cases.verbs import EVENTS, PATH, RANGES, REJECTS, UPDATE, is_path
-from minkref.fuzz.families.catalogue import FAMILIES
-from minkref.fuzz.plane import asked_path
-from minkref.fuzz.plane.asked_path import AskedPath, drawn_path, named_path
+from minkref.fuzz.invalid.invalid_case import FAMILY, InvalidCase, load_invalid
+from minkref.fuzz.motion import asked_path
+from minkref.fuzz.motion.asked_path import AskedPath, drawn_path, named_path
+from minkref.fuzz.motion.small_path import SmallPath, smaller_paths
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.derived import derived
-from minkref.fuzz.plane.invalid_case import FAMILY, InvalidCase, load_invalid
+from minkref.fuzz.plane.families.catalogue import FAMILIES
 from minkref.fuzz.plane.protocol import plane_answer, sent_set
 from minkref.fuzz.plane.small_case import PlaneCase, smaller_in_plane
-from minkref.fuzz.plane.small_path import SmallPath, smaller_paths
 from minkref.fuzz.setting import Setting
 from minkref.fuzz.targets.answer import Answer
 from minkref.fuzz.targets.declaration import Declaration

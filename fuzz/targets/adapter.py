@@ -12,9 +12,9 @@ from typing import Any
 
 from minkref.errors import cut, message_of
 from minkref.fuzz.cases.any_case import AnyCase
-from minkref.fuzz.plane.asked_path import AskedPath
+from minkref.fuzz.motion.asked_path import AskedPath
+from minkref.fuzz.motion.path_claim import PathClaim
 from minkref.fuzz.plane.case import Case
-from minkref.fuzz.plane.path_claim import PathClaim
 from minkref.fuzz.settings import setting_of
 from minkref.fuzz.targets.adapter_process import AdapterProcess, Failure
 from minkref.fuzz.targets.answer import REGIONS, Answer, Limits, lacking, skipped

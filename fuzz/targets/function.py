@@ -13,8 +13,8 @@ from typing import Any
 
 from minkref.errors import Refusal, message_of
 from minkref.fuzz.cases.any_case import AnyCase
+from minkref.fuzz.invalid.invalid_case import InvalidCase
 from minkref.fuzz.isolation.sandbox import EMPTIED
-from minkref.fuzz.plane.invalid_case import InvalidCase
 from minkref.fuzz.plane.setting import PLANE
 from minkref.fuzz.settings import setting_of
 from minkref.fuzz.targets.adapter import ProgramTarget

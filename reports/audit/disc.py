@@ -10,8 +10,8 @@ from typing import Any
 
 import sympy as sp
 from minkref.fuzz.geometry.plane import cross
-from minkref.fuzz.judges.paper_disc import Corner, Root, Vertex
-from minkref.fuzz.judges.paper_disc import Edge as Side
+from minkref.fuzz.judges.disc.paper_disc import Corner, Root, Vertex
+from minkref.fuzz.judges.disc.paper_disc import Edge as Side
 from minkref.reports.audit.edges import Edge
 from minkref.reports.audit.plane import Place
 

@@ -10,7 +10,7 @@ from typing import Any
 
 import sympy as sp
 from minkref import _core
-from minkref.fuzz.judges.paper_disc import Feature, Vertex, touches
+from minkref.fuzz.judges.disc.paper_disc import Feature, Vertex, touches
 from minkref.reports.audit.disc import exact
 from minkref.reports.audit.entry import CheckFailed, text
 

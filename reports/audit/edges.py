@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from minkref import _core
-from minkref.fuzz.judges.paper_pairs import contact_interval
+from minkref.fuzz.judges.plane.paper_pairs import contact_interval
 
 Place = tuple[int, int]
 Interval = (

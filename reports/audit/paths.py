@@ -11,8 +11,8 @@ from fractions import Fraction
 from itertools import combinations, pairwise
 
 from minkref import _core
-from minkref.fuzz.families.drawing import reflected, shape_text
 from minkref.fuzz.geometry.plane import cross, dot, minus, plus
+from minkref.fuzz.plane.families.drawing import reflected, shape_text
 from minkref.reports.audit.edges import Interval
 from minkref.reports.audit.plane import Place, Ring, rings_of
 

@@ -11,8 +11,6 @@ from fractions import Fraction
 
 from minkref import _core
 from minkref.degeneracies.plane.convolutions import crossing_combs
-from minkref.fuzz.families.drawing import shape_text
-from minkref.fuzz.families.random_pairs import random_pair
 from minkref.fuzz.geometry.plane import (
     Ring,
     Vector,
@@ -24,6 +22,8 @@ from minkref.fuzz.geometry.plane import (
     minus,
     plus,
 )
+from minkref.fuzz.plane.families.drawing import shape_text
+from minkref.fuzz.plane.families.random_pairs import random_pair
 
 __all__ = [
     "Ring",

@@ -9,7 +9,7 @@ from itertools import pairwise
 
 from minkref import _core
 from minkref.fuzz.geometry.plane import cross, dot
-from minkref.fuzz.judges.paper_disc import Corner, Vertex
+from minkref.fuzz.judges.disc.paper_disc import Corner, Vertex
 from minkref.reports.audit.disc import along, corner, sides
 from minkref.reports.audit.plane import Place, rings_of
 from minkref.reports.drawing import Box, Layer, Segment, picture

@@ -10,7 +10,7 @@ from fractions import Fraction
 from itertools import pairwise
 
 from minkref.fuzz.geometry.space import Point, Whole, cross, dot, minus, normal
-from minkref.fuzz.judges import paper_space
+from minkref.fuzz.judges.space import paper_space
 
 Vector = Point
 

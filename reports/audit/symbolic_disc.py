@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sympy as sp
-from minkref.fuzz.judges.paper_disc import Corner
+from minkref.fuzz.judges.disc.paper_disc import Corner
 
 s, r, z = sp.symbols("s r z", positive=True)
 # Directions of length 5 with whole coordinates.

@@ -15,7 +15,7 @@ from typing import Any
 from minkref import _core
 from minkref.errors import refusing
 from minkref.fuzz.cgal.oracle import CgalOracle
-from minkref.fuzz.families.drawing import reflected
+from minkref.fuzz.plane.families.drawing import reflected
 from minkref.model_catalogue import VARIABLE, all_models, or_look_alike
 from minkref.operand import Operand, read_operand
 from minkref.reports.bench.baselines import CGAL, NoTimeError, by_cgal

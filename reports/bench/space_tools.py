@@ -17,9 +17,9 @@ from statistics import median
 
 from minkref import _core
 from minkref.fuzz.isolation.process_tree import tree_seconds
-from minkref.fuzz.judges.space_manifold import MANIFOLD, ManifoldJudge
-from minkref.fuzz.judges.space_nef import NEF, NefJudge
-from minkref.fuzz.judges.space_routes import core_polyhedron
+from minkref.fuzz.judges.space.space_manifold import MANIFOLD, ManifoldJudge
+from minkref.fuzz.judges.space.space_nef import NEF, NefJudge
+from minkref.fuzz.judges.space.space_routes import core_polyhedron
 from minkref.fuzz.space.generators.machined import plate
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.targets.answer import Limits

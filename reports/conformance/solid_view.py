@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from html import escape
 
-from minkref.fuzz.judges.space_planes import PlaneFaces
+from minkref.fuzz.judges.space.space_planes import PlaneFaces
 from minkref.reports.conformance.solid_drawing import Place, projected
 from minkref.terminal import escaped
 

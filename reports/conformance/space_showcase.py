@@ -10,9 +10,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from minkref import _core
-from minkref.fuzz.judges.space_nef import NEF, NefJudge
-from minkref.fuzz.judges.space_planes import planes_of_solid, planes_of_text
-from minkref.fuzz.judges.space_routes import core_polyhedron
+from minkref.fuzz.judges.space.space_nef import NEF, NefJudge
+from minkref.fuzz.judges.space.space_planes import planes_of_solid, planes_of_text
+from minkref.fuzz.judges.space.space_routes import core_polyhedron
 from minkref.fuzz.space.generators.machined import cup, plate, prism_over, u_solid
 from minkref.fuzz.space.generators.round import geodesic_sphere, triangulated_torus
 from minkref.fuzz.space.generators.tube import knot_tube

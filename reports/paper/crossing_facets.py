@@ -11,7 +11,7 @@ from itertools import pairwise
 from statistics import median
 
 from minkref import _core
-from minkref.fuzz.judges.space_routes import core_polyhedron
+from minkref.fuzz.judges.space.space_routes import core_polyhedron
 from minkref.reports.bench.space_pairs import EVENT_PAIRS, TimedPair
 from minkref.reports.paper.entry import Claim, Entry, Picture, Table
 from minkref.reports.paper.plots import speedup_plot, time_plot

@@ -10,7 +10,7 @@ import pytest
 from minkref import Convolution, ConvolutionEdge, PolygonSet, _core, convolution
 from minkref.convolution_values import COMPATIBLE, Place
 from minkref.exact_frame import exact_polygons
-from minkref.fuzz.families.catalogue import FAMILIES
+from minkref.fuzz.plane.families.catalogue import FAMILIES
 
 SEED = 4
 SQUARE = PolygonSet([(0, 0), (1, 0), (1, 1), (0, 1)])

@@ -18,7 +18,7 @@ from minkref.certify.motion.moving_cells import Linear, Station, moving, steady
 from minkref.certify.motion.path_certificate import PathCertificate
 from minkref.certify.motion.scale_cells import document
 from minkref.certify.plane.certificate import NoProof
-from minkref.fuzz.judges.trap_cases import KINDS, trap_case
+from minkref.fuzz.judges.motion.trap_cases import KINDS, trap_case
 from walls import scales
 
 SEED = 46

@@ -15,7 +15,7 @@ import minkref
 import pytest
 import walls
 from minkref.certify.motion.path_certificate import PathCertificate
-from minkref.fuzz.judges.certified_paths import PathConfirmation
+from minkref.fuzz.judges.motion.certified_paths import PathConfirmation
 from replacing import Change, Value, changed, replaced, sample, verdicts_on
 
 

@@ -12,7 +12,7 @@ import pytest
 from minkref import _core
 from minkref.certify.plane.certificate import Certificate, NoProof
 from minkref.exact import digest
-from minkref.fuzz.families.catalogue import FAMILIES
+from minkref.fuzz.plane.families.catalogue import FAMILIES
 from minkref.reports.evidence.certificates.mutants import mutants
 from named_cases import named
 from thoroughness import draws

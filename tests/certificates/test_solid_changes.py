@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 import solid_pairs
-from minkref.fuzz.judges.certified_solids import SolidConfirmation
+from minkref.fuzz.judges.space.certified_solids import SolidConfirmation
 from minkref.fuzz.space.cells import surface_of
 from minkref.fuzz.space.polyhedron import Polyhedron
 from replacing import sample, verdicts_on

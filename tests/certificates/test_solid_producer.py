@@ -15,7 +15,7 @@ from minkref import _core
 from minkref.certify.space import solid_certificate
 from minkref.certify.space.convex_certificate import convex_certificate
 from minkref.errors import Refusal
-from minkref.fuzz.judges.certified_solids import SolidConfirmation
+from minkref.fuzz.judges.space.certified_solids import SolidConfirmation
 from minkref.fuzz.space.general_pairs import FAMILIES, pair_of_family
 from thoroughness import THOROUGH, draws
 

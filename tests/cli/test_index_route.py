@@ -24,7 +24,7 @@ from index_runs import (
 )
 from minkref.commands.schemas import result_schema
 from minkref.documents import lasting
-from minkref.fuzz.families.random_pairs import random_pair
+from minkref.fuzz.plane.families.random_pairs import random_pair
 from minkref.operand import read_operand
 
 STEPS = ("insertions", "deletions", "swaps", "updated", "event_scales", "update_seconds")

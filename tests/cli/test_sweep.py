@@ -18,7 +18,7 @@ from minkref import _core
 from minkref.commands.schemas import schema
 from minkref.documents import lasting
 from minkref.exact import digest
-from minkref.fuzz.families.random_pairs import random_pair
+from minkref.fuzz.plane.families.random_pairs import random_pair
 from minkref.operand import read_operand
 from processes import program, started
 from thoroughness import draws

@@ -11,7 +11,7 @@ from typing import Any
 import minkref
 import pytest
 from minkref import _core
-from minkref.fuzz.judges.mesh_files import (
+from minkref.fuzz.judges.space.mesh_files import (
     faults_of,
     read_as_written,
     sextuple_volume,

@@ -11,9 +11,9 @@ from typing import Any
 
 import pytest
 from minkref import _core
-from minkref.fuzz.judges.space_nef import NefJudge
-from minkref.fuzz.judges.space_planes import PlaneFaces, planes_of_solid, planes_of_text
-from minkref.fuzz.judges.space_routes import core_polyhedron
+from minkref.fuzz.judges.space.space_nef import NefJudge
+from minkref.fuzz.judges.space.space_planes import PlaneFaces, planes_of_solid, planes_of_text
+from minkref.fuzz.judges.space.space_routes import core_polyhedron
 from minkref.fuzz.space.generators.convex import box
 from minkref.reports.conformance import space_showcase
 from minkref.reports.conformance.page import write_report

@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 from minkref import _core
 from minkref.event_lists import ArrangementEventList, BoundaryEventList
-from minkref.fuzz.families.lattice_pairs import lattice_pair
+from minkref.fuzz.plane.families.lattice_pairs import lattice_pair
 
 Point = tuple[Fraction, Fraction]
 Segment = tuple[Point, Point]

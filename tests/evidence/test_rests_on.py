@@ -12,7 +12,7 @@ import pytest
 pytest.importorskip("minkref._core", reason="the extension module is not built")
 
 from minkref import _core
-from minkref.fuzz.judges.offset_cgal import absence
+from minkref.fuzz.judges.disc.offset_cgal import absence
 from minkref.reports.evidence.framework import child, includes, places, recorded, stale, store
 from minkref.reports.evidence.framework.part import Size
 from minkref.reports.evidence.framework.steps import steps
@@ -164,7 +164,7 @@ def rests_on(tmp_path_factory: pytest.TempPathFactory) -> dict[str, set[str]]:
         ("reference/disc/region/exact_pieces.hpp", ["disc_events"]),
         ("python/core_disc_events.cpp", ["disc_events"]),
         ("oracle/cgal/offset_service.cpp", ["disc_events"]),
-        ("fuzz/judges/offset_cgal.py", ["disc_events"]),
+        ("fuzz/judges/disc/offset_cgal.py", ["disc_events"]),
         ("reference/plane/polygon_set.cpp", ["disc_events", "plane_sums"]),
         ("python/minkref/operand.py", ["disc_events", "plane_sums"]),
         ("models/g1.poly", ["disc_events", "plane_sums"]),

@@ -9,8 +9,8 @@ import pytest
 
 pytest.importorskip("minkref._core", reason="the extension module is not built")
 
-from minkref.fuzz.judges.space_manifold import VolumeAnswer
-from minkref.fuzz.judges.space_nef import NEF, NefJudge
+from minkref.fuzz.judges.space.space_manifold import VolumeAnswer
+from minkref.fuzz.judges.space.space_nef import NEF, NefJudge
 from minkref.fuzz.space.generators.machined import plate
 from minkref.fuzz.space.generators.round import triangulated_torus
 from minkref.reports.bench.space_pairs import TimedPair

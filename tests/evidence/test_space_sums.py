@@ -6,8 +6,8 @@ import pytest
 
 pytest.importorskip("minkref._core", reason="the extension module is not built")
 
-from minkref.fuzz.judges.space_laws import LAWS
-from minkref.fuzz.judges.space_routes import ROUTES, routes
+from minkref.fuzz.judges.space.space_laws import LAWS
+from minkref.fuzz.judges.space.space_routes import ROUTES, routes
 from minkref.fuzz.space.general_pairs import FAMILIES, OF_PARTS
 from minkref.reports.evidence.framework.part import Size
 from minkref.reports.evidence.space_sums.small_pairs import EVERY_FOR_LAWS, judge

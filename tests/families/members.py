@@ -27,8 +27,8 @@ from minkref.degeneracies.invalid.catalogue import (
     INVALID_MESH_FAMILIES,
     invalid_member,
 )
-from minkref.fuzz.families.catalogue import FAMILIES
-from minkref.fuzz.families.random_pairs import Pair
+from minkref.fuzz.plane.families.catalogue import FAMILIES
+from minkref.fuzz.plane.families.random_pairs import Pair
 from thoroughness import THOROUGH, draws
 
 Vector = tuple[Fraction, Fraction, Fraction]

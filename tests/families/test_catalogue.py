@@ -9,7 +9,7 @@ from hashlib import sha256
 import pytest
 from members import text_of
 from minkref import _core
-from minkref.fuzz.families.catalogue import FAMILIES
+from minkref.fuzz.plane.families.catalogue import FAMILIES
 from thoroughness import draws
 
 SEED = 11

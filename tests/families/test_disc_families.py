@@ -21,7 +21,7 @@ from minkref.degeneracies.make_corpus import SEED as CORPUS_SEED
 from minkref.disc.disc import read_disc
 from minkref.exact import digest
 from minkref.fuzz.geometry.plane import read_shape
-from minkref.fuzz.judges.disc_places import faults_of, rows_of
+from minkref.fuzz.judges.disc.disc_places import faults_of, rows_of
 from thoroughness import THOROUGH
 
 SEED = 23

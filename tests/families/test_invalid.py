@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 from minkref import _core
-from minkref.fuzz.families.invalid import KINDS, invalid_pair
+from minkref.fuzz.invalid.family import KINDS, invalid_pair
 
 SEED = 13
 CODES = {

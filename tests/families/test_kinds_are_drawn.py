@@ -12,21 +12,21 @@ from itertools import product
 import pytest
 from minkref.fuzz.cases.case_list import FAR_AND_LARGE, CaseList
 from minkref.fuzz.cases.case_name import CaseName
-from minkref.fuzz.families.catalogue import FAMILIES
-from minkref.fuzz.families.drawing import is_valid
-from minkref.fuzz.families.invalid import KINDS as INVALID
-from minkref.fuzz.families.invalid import invalid_pair
-from minkref.fuzz.families.pinched_pairs import pinched_pair
-from minkref.fuzz.families.random_pairs import GROWTH, random_pair
-from minkref.fuzz.judges.disc_diagram import SETS, drawn_set
-from minkref.fuzz.judges.path_cases import KINDS as PATHS
-from minkref.fuzz.judges.path_cases import path_case
-from minkref.fuzz.judges.space_path_cases import KINDS as SPACE_PATHS
-from minkref.fuzz.judges.space_path_cases import space_path_case
-from minkref.fuzz.judges.trap_cases import KINDS as TRAPS
-from minkref.fuzz.judges.trap_cases import trap_case
-from minkref.fuzz.plane.asked_path import FAMILIES as ASKED
-from minkref.fuzz.plane.asked_path import POSITIONS, drawn_path
+from minkref.fuzz.invalid.family import KINDS as INVALID
+from minkref.fuzz.invalid.family import invalid_pair
+from minkref.fuzz.judges.disc.disc_diagram import SETS, drawn_set
+from minkref.fuzz.judges.motion.path_cases import KINDS as PATHS
+from minkref.fuzz.judges.motion.path_cases import path_case
+from minkref.fuzz.judges.motion.space_path_cases import KINDS as SPACE_PATHS
+from minkref.fuzz.judges.motion.space_path_cases import space_path_case
+from minkref.fuzz.judges.motion.trap_cases import KINDS as TRAPS
+from minkref.fuzz.judges.motion.trap_cases import trap_case
+from minkref.fuzz.motion.asked_path import FAMILIES as ASKED
+from minkref.fuzz.motion.asked_path import POSITIONS, drawn_path
+from minkref.fuzz.plane.families.catalogue import FAMILIES
+from minkref.fuzz.plane.families.drawing import is_valid
+from minkref.fuzz.plane.families.pinched_pairs import pinched_pair
+from minkref.fuzz.plane.families.random_pairs import GROWTH, random_pair
 from minkref.fuzz.space.case import LAWS_IN_SPACE
 from minkref.fuzz.space.general_pairs import FAMILIES as SOLIDS
 from minkref.fuzz.space.general_pairs import OF_PARTS

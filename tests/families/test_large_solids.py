@@ -10,7 +10,7 @@ import pytest
 
 pytest.importorskip("minkref._core", reason="the extension module is not built")
 
-from minkref.fuzz.judges.space_routes import core_polyhedron
+from minkref.fuzz.judges.space.space_routes import core_polyhedron
 from minkref.fuzz.space.generators.machined import plate
 from minkref.fuzz.space.generators.placed import around_origin
 from minkref.fuzz.space.generators.round import clutch, geodesic_sphere, triangulated_torus

@@ -7,10 +7,10 @@ from fractions import Fraction
 
 import pytest
 from minkref import _core
-from minkref.fuzz.families.catalogue import FAMILIES
-from minkref.fuzz.families.mutation import CHANGES, mutate
-from minkref.fuzz.families.probes import boundary_scales, scale_probes
 from minkref.fuzz.geometry.plane import read_shape
+from minkref.fuzz.plane.families.catalogue import FAMILIES
+from minkref.fuzz.plane.families.mutation import CHANGES, mutate
+from minkref.fuzz.plane.families.probes import boundary_scales, scale_probes
 
 SEED = 14
 

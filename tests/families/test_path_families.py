@@ -17,8 +17,8 @@ from minkref.degeneracies.make_corpus import COUNT_OF_PATHS
 from minkref.degeneracies.make_corpus import SEED as CORPUS_SEED
 from minkref.degeneracies.paths import case_faults
 from minkref.degeneracies.paths.case_document import DegeneratePath
-from minkref.fuzz.judges.path_collisions import Collisions, by_triangles
-from minkref.fuzz.judges.path_traps import enclosing_ring, way_out
+from minkref.fuzz.judges.motion.path_collisions import Collisions, by_triangles
+from minkref.fuzz.judges.motion.path_traps import enclosing_ring, way_out
 from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, verdicts
 from thoroughness import THOROUGH
 

@@ -13,7 +13,7 @@ from minkref import _core
 from minkref.degeneracies.catalogue import SOLID_FAMILIES
 from minkref.degeneracies.solids.generate import drawn_solids
 from minkref.exact import digest
-from minkref.fuzz.judges.space_routes import core_polyhedron, routes
+from minkref.fuzz.judges.space.space_routes import core_polyhedron, routes
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.oracle.slow import (
     SolidSum,

@@ -9,8 +9,8 @@ from itertools import combinations
 from typing import Any
 
 from minkref import _core
-from minkref.fuzz.families.catalogue import FAMILIES
-from minkref.fuzz.families.random_pairs import Pair
+from minkref.fuzz.plane.families.catalogue import FAMILIES
+from minkref.fuzz.plane.families.random_pairs import Pair
 
 SEED = 12
 COUNT = 80

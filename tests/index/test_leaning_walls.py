@@ -4,7 +4,7 @@ numbers that nearly cancel: sums and events of the index are those of the other 
 from __future__ import annotations
 
 import pytest
-from minkref.fuzz.families.leaning_walls import leaning_pair
+from minkref.fuzz.plane.families.leaning_walls import leaning_pair
 from minkref.reports.evidence.plane_index.sums import same_events, same_sums
 from thoroughness import draws
 

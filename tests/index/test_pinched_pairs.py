@@ -9,8 +9,8 @@ from fractions import Fraction
 from typing import Any
 
 import pytest
-from minkref.fuzz.families.pinched_pairs import pinched_pair
-from minkref.fuzz.families.touching_cells import WINDOWS, window_of
+from minkref.fuzz.plane.families.pinched_pairs import pinched_pair
+from minkref.fuzz.plane.families.touching_cells import WINDOWS, window_of
 from minkref.reports.evidence.plane_index.sums import same_events, same_sums_by_all_routes
 from thoroughness import draws
 

@@ -8,7 +8,7 @@ import json
 
 import pytest
 from minkref import _core
-from minkref.fuzz.families.touching_cells import (
+from minkref.fuzz.plane.families.touching_cells import (
     DIRECTIONS,
     WINDOWS,
     beside_segments,

@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from fractions import Fraction
 from random import Random
 
-from minkref.fuzz.families.catalogue import FAMILIES
 from minkref.fuzz.geometry.plane import (
     Ring,
     Shape,
@@ -17,6 +16,7 @@ from minkref.fuzz.geometry.plane import (
     read_shape,
     scaled,
 )
+from minkref.fuzz.plane.families.catalogue import FAMILIES
 
 CHANGES = 11
 

@@ -6,7 +6,7 @@ import random
 
 import pytest
 from minkref import _core
-from minkref.fuzz.judges.convex_facets import convex_facets
+from minkref.fuzz.judges.space.convex_facets import convex_facets
 from minkref.fuzz.space.convex_sum import body_of
 from minkref.fuzz.space.generators.convex import random_hull
 from thoroughness import draws

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from minkref.fuzz.judges.disc_pair_comparison import Table, compare, compare_printed
-from minkref.fuzz.judges.disc_pair_draws import KINDS
-from minkref.fuzz.judges.disc_pair_polygons import compare_polygons
+from minkref.fuzz.judges.disc.disc_pair_comparison import Table, compare, compare_printed
+from minkref.fuzz.judges.disc.disc_pair_draws import KINDS
+from minkref.fuzz.judges.disc.disc_pair_polygons import compare_polygons
 from thoroughness import draws
 
 SEED = 20120811

@@ -10,9 +10,9 @@ from functools import cache
 from typing import Any
 
 import pytest
-from minkref.fuzz.judges.disc_places import Table, compare, faults_of, law_faults, rows_of
-from minkref.fuzz.judges.place_draws import KINDS, drawn_set, set_of
-from minkref.fuzz.judges.place_mutants import MUTANTS
+from minkref.fuzz.judges.disc.disc_places import Table, compare, faults_of, law_faults, rows_of
+from minkref.fuzz.judges.disc.place_draws import KINDS, drawn_set, set_of
+from minkref.fuzz.judges.disc.place_mutants import MUTANTS
 from minkref.oracle.places import Boundary
 from minkref.oracle.places.bridges import bridges
 from minkref.oracle.places.chambers import Chambers

@@ -7,8 +7,8 @@ from fractions import Fraction
 
 import pytest
 from minkref import _core
-from minkref.fuzz.judges.offset_cgal import OffsetJudge, absence
-from minkref.fuzz.judges.offset_comparison import Table, compare, compare_one
+from minkref.fuzz.judges.disc.offset_cgal import OffsetJudge, absence
+from minkref.fuzz.judges.disc.offset_comparison import Table, compare, compare_one
 from thoroughness import draws
 
 

@@ -8,8 +8,8 @@ from fractions import Fraction
 from typing import Any
 
 import pytest
-from minkref.fuzz.families.lattice_pairs import lattice_pair
-from minkref.fuzz.judges.sampled_events import SampledEvents
+from minkref.fuzz.judges.plane.sampled_events import SampledEvents
+from minkref.fuzz.plane.families.lattice_pairs import lattice_pair
 
 Ring = list[tuple[int, int]]
 SEED = 71

@@ -8,9 +8,9 @@ from fractions import Fraction
 from functools import cache
 
 import pytest
-from minkref.fuzz.judges.space_laws import LAWS
-from minkref.fuzz.judges.space_nef import NefJudge
-from minkref.fuzz.judges.space_sums import SpaceSums, moved
+from minkref.fuzz.judges.space.space_laws import LAWS
+from minkref.fuzz.judges.space.space_nef import NefJudge
+from minkref.fuzz.judges.space.space_sums import SpaceSums, moved
 from minkref.fuzz.space.general_pairs import GeneralPair, general_pair
 from minkref.fuzz.space.generators.machined import cup, plate
 from minkref.fuzz.space.generators.mapped import unimodular

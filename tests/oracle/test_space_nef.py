@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 import pytest
-from minkref.fuzz.judges.space_nef import NefJudge
+from minkref.fuzz.judges.space.space_nef import NefJudge
 from minkref.fuzz.space.pairs import space_pair
 from minkref.oracle.slow import CellSum, SolidSum, solid_from_json, uniform, whole_sum
 

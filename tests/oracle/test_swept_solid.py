@@ -8,7 +8,7 @@ import pytest
 from minkref import _core
 from minkref.fuzz.cgal.executables import OracleNotFoundError
 from minkref.fuzz.cgal.swept_solid import SweptSolid
-from minkref.fuzz.families.random_pairs import random_pair
+from minkref.fuzz.plane.families.random_pairs import random_pair
 from thoroughness import draws
 
 UNIT = [(0, 0), (1, 0), (1, 1), (0, 1)]

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from minkref.fuzz.judges.event_comparison import TYPES, compare
-from minkref.fuzz.judges.interval_comparison import compare_intervals
+from minkref.fuzz.judges.plane.event_comparison import TYPES, compare
+from minkref.fuzz.judges.plane.interval_comparison import compare_intervals
 
 SEED = 20120811
 

@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 from minkref import _core
-from minkref.fuzz.judges.equidistant_comparison import (
+from minkref.fuzz.judges.disc.equidistant_comparison import (
     KINDS,
     Choice,
     Table,
@@ -19,7 +19,7 @@ from minkref.fuzz.judges.equidistant_comparison import (
     difference,
     main,
 )
-from minkref.fuzz.judges.outline import Outline
+from minkref.fuzz.judges.disc.outline import Outline
 from minkref.oracle.symbolic.disc.disc.disc import Offset
 from minkref.oracle.symbolic.disc.disc.disc_diagram import (
     SquaredRadius,

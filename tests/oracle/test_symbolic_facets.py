@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
-from minkref.fuzz.judges import facet_arrangement, facet_tuple_comparison, space_event_comparison
+from minkref.fuzz.judges.space import (
+    facet_arrangement,
+    facet_tuple_comparison,
+    space_event_comparison,
+)
 from minkref.oracle.symbolic.rational import Rational
 from minkref.oracle.symbolic.space.space_standing import on_segment, shared
 from thoroughness import draws

@@ -6,7 +6,7 @@ import random
 from collections import Counter
 
 import pytest
-from minkref.fuzz.judges.segment_draws import draw
+from minkref.fuzz.judges.plane.segment_draws import draw
 from minkref.oracle.symbolic.moving import MovingSegment, cross, parallel, s_edge, t_edge
 from minkref.oracle.symbolic.pairs import CONDITIONS, Event, Interval, contact_set, pair_events
 from minkref.oracle.symbolic.rational import Rational, rationals

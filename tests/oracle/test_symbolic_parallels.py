@@ -6,7 +6,7 @@ import random
 from itertools import pairwise
 from typing import Any
 
-from minkref.fuzz.judges.segment_draws import draw
+from minkref.fuzz.judges.plane.segment_draws import draw
 from minkref.oracle.symbolic.moving import MovingSegment, s_edge, t_edge
 from minkref.oracle.symbolic.pairs import contact_set
 from minkref.oracle.symbolic.parallels import always_on_one_line, parallel_events

@@ -5,7 +5,7 @@ from __future__ import annotations
 import random
 from itertools import permutations
 
-from minkref.fuzz.judges.segment_draws import draw
+from minkref.fuzz.judges.plane.segment_draws import draw
 from minkref.oracle.symbolic.moving import MovingSegment, parallel, s_edge, t_edge
 from minkref.oracle.symbolic.pairs import Event, Interval
 from minkref.oracle.symbolic.rational import Rational, rationals

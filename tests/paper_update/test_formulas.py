@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 from minkref import _core
-from minkref.fuzz.families.random_pairs import random_pair
+from minkref.fuzz.plane.families.random_pairs import random_pair
 from minkref.oracle.symbolic.paper_formulas import Edge, parallel, region, s_edge, t_edge
 from thoroughness import draws
 

@@ -9,7 +9,11 @@ from fractions import Fraction
 
 import pytest
 from minkref import _core
-from minkref.fuzz.judges.convex_claims import ClaimComparison, compare_claims, largest_distance
+from minkref.fuzz.judges.space.convex_claims import (
+    ClaimComparison,
+    compare_claims,
+    largest_distance,
+)
 from minkref.fuzz.space.convex_sum import body_of
 from minkref.fuzz.space.generators.convex import box, random_hull
 from minkref.fuzz.space.generators.over_polygon import random_prism

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 from minkref import _core
-from minkref.fuzz.judges.rounded_sums import Comparison, compare
+from minkref.fuzz.judges.plane.rounded_sums import Comparison, compare
 
 SQUARE = _core.PolygonSet([(0, 0), (1, 0), (1, 1), (0, 1)])
 FRAME = _core.PolygonSet([[(0, 0), (8, 0), (8, 8), (0, 8)], [(2, 2), (2, 6), (6, 6), (6, 2)]])

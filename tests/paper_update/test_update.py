@@ -8,9 +8,9 @@ from fractions import Fraction
 
 import pytest
 from minkref import _core
-from minkref.fuzz.families.catalogue import FAMILIES
-from minkref.fuzz.families.random_pairs import random_pair
-from minkref.fuzz.judges.rounded_sums import compare, significant_bits
+from minkref.fuzz.judges.plane.rounded_sums import compare, significant_bits
+from minkref.fuzz.plane.families.catalogue import FAMILIES
+from minkref.fuzz.plane.families.random_pairs import random_pair
 
 SEED = 27
 SCALES = 25  # of each pair: 1,000 in all

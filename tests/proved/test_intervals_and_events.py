@@ -13,7 +13,7 @@ import pytest
 import squares
 from minkref import _core
 from minkref.certify.plane.certificate import Certificate
-from minkref.fuzz.judges.certified_claims import Confirmation
+from minkref.fuzz.judges.plane.certified_claims import Confirmation
 from minkref.reports.evidence.certificates.certified_cases import events, written
 from minkref.reports.evidence.certificates.checkers import ROOT
 from minkref.reports.evidence.certificates.mutants import is_changed, mutants

@@ -15,8 +15,8 @@ import squares
 import walls
 from minkref import _core
 from minkref.certify.plane.certificate import Certificate
-from minkref.fuzz.families.catalogue import FAMILIES
-from minkref.fuzz.judges.certified_claims import Confirmation
+from minkref.fuzz.judges.plane.certified_claims import Confirmation
+from minkref.fuzz.plane.families.catalogue import FAMILIES
 from minkref.reports.evidence.certificates.certified_cases import written
 from minkref.reports.evidence.certificates.mutants import is_changed, mutants
 from named_cases import named

@@ -6,8 +6,8 @@ from fractions import Fraction
 
 import minkref
 import pytest
-from minkref.fuzz.judges.space_path_cases import SpacePathCase
-from minkref.fuzz.judges.space_path_collisions import StaticSum, by_slow_engine
+from minkref.fuzz.judges.motion.space_path_cases import SpacePathCase
+from minkref.fuzz.judges.motion.space_path_collisions import StaticSum, by_slow_engine
 from minkref.fuzz.space.generators.machined import plate
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.reports.evidence.space_paths.paths import CONTACTS, SEED, judge

@@ -12,11 +12,11 @@ from minkref.fuzz.cases import naming
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.grid import bits_of, unit_for
 from minkref.fuzz.cases.no_case import NoCase
-from minkref.fuzz.families.invalid import KINDS
+from minkref.fuzz.invalid.family import KINDS
+from minkref.fuzz.invalid.invalid_case import InvalidCase
+from minkref.fuzz.invalid.invalid_judgement import judge_invalid
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.event_judgement import judge_events, window
-from minkref.fuzz.plane.invalid_case import InvalidCase
-from minkref.fuzz.plane.invalid_judgement import judge_invalid
 from minkref.fuzz.plane.witness import holds
 from minkref.fuzz.targets.answer import Answer, answered
 from minkref.fuzz.targets.declaration import Declaration

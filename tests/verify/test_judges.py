@@ -13,8 +13,8 @@ from minkref.commands.line.cli import run
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cgal.executables import OracleNotFoundError
 from minkref.fuzz.cgal.swept_solid import SweptSolid
-from minkref.fuzz.judges import (
-    checks,
+from minkref.fuzz.judges import checks
+from minkref.fuzz.judges.plane import (
     event_rows,
     sampled_events,
     slow_points,

@@ -4,9 +4,9 @@ found."""
 from __future__ import annotations
 
 import pytest
-from minkref.fuzz.families.drawing import shape_text
 from minkref.fuzz.geometry.plane import moved, read_shape
 from minkref.fuzz.plane.case import Case
+from minkref.fuzz.plane.families.drawing import shape_text
 from minkref.fuzz.plane.law_judgement import judge_law
 from minkref.fuzz.plane.laws import LAWS
 from minkref.fuzz.plane.witness import holds

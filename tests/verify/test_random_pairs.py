@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 from minkref import _core
-from minkref.fuzz.families.random_pairs import GROWTH, Pair, random_pair
+from minkref.fuzz.plane.families.random_pairs import GROWTH, Pair, random_pair
 
 SEED = 11
 COUNT = 1500
@@ -35,7 +35,7 @@ def fingerprint() -> str:
 
 def test_a_pair_depends_on_seed_and_index_only() -> None:
     code = (
-        "import hashlib; from minkref.fuzz.families.random_pairs import random_pair;"
+        "import hashlib; from minkref.fuzz.plane.families.random_pairs import random_pair;"
         f"print(hashlib.sha256(''.join(repr(random_pair({SEED}, i)) for i in"
         " (10007, 2500, 500, 1, 0)[::-1]).encode()).hexdigest())"
     )

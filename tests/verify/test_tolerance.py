@@ -8,10 +8,10 @@ from fractions import Fraction
 
 import pytest
 from minkref import _core
-from minkref.fuzz.families.drawing import shape_text
 from minkref.fuzz.geometry.plane import moved
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.exact_shapes import shape_of
+from minkref.fuzz.plane.families.drawing import shape_text
 from minkref.fuzz.plane.judgement import judge
 from minkref.fuzz.plane.tolerance import grown, shrunk
 from minkref.fuzz.plane.witness import holds

@@ -11,7 +11,7 @@ import pytest
 from minkref import _core
 from minkref.commands.pages.plane.linear import linear
 from minkref.commands.pages.plane.picture import Sums, Window, picture
-from minkref.fuzz.families.random_pairs import random_pair
+from minkref.fuzz.plane.families.random_pairs import random_pair
 from minkref.operand import read_operand
 from minkref.reports.evidence.pages.view import difference, true_polygons
 from page_decoder import Decoder, data_of, page_of, scales

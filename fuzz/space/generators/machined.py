@@ -9,15 +9,15 @@ from fractions import Fraction
 from math import cos, pi, sin
 
 from minkref import _core
-from minkref.fuzz.families.integer_rings import (
+from minkref.fuzz.geometry.plane import turn
+from minkref.fuzz.geometry.space import Point
+from minkref.fuzz.plane.families.integer_rings import (
     Ring,
     counter_clockwise,
     rings_meet,
     scattered,
     untangled,
 )
-from minkref.fuzz.geometry.plane import turn
-from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.prism import Prism
 

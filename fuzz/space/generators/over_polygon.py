@@ -7,9 +7,9 @@ from fractions import Fraction
 from itertools import combinations
 
 from minkref import _core
-from minkref.fuzz.families.integer_rings import Ring, rings_meet
-from minkref.fuzz.families.random_pairs import random_operand
 from minkref.fuzz.geometry.plane import written_rings
+from minkref.fuzz.plane.families.integer_rings import Ring, rings_meet
+from minkref.fuzz.plane.families.random_pairs import random_operand
 from minkref.fuzz.space.prism import Prism
 
 

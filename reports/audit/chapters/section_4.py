@@ -11,8 +11,8 @@ from typing import Any
 
 import sympy as sp
 from minkref import _core
-from minkref.fuzz.families.drawing import convex
 from minkref.fuzz.geometry.plane import cross, in_box, turn
+from minkref.fuzz.plane.families.drawing import convex
 from minkref.model_catalogue import all_models, or_look_alike
 from minkref.operand import read_operand
 from minkref.reports.audit.edges import (

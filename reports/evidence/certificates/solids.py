@@ -10,7 +10,7 @@ from itertools import islice
 from pathlib import Path
 from typing import Any
 
-from minkref.fuzz.judges.certified_solids import SolidConfirmation
+from minkref.fuzz.judges.space.certified_solids import SolidConfirmation
 from minkref.fuzz.space.general_pairs import GeneralPair
 from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, timed
 from minkref.reports.evidence.certificates.solid_cases import certified, solid_pairs

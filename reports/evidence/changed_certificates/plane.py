@@ -9,7 +9,7 @@ from collections import Counter
 
 from minkref import _core
 from minkref.certify.plane.certificate import Certificate
-from minkref.fuzz.judges.certified_claims import Confirmation
+from minkref.fuzz.judges.plane.certified_claims import Confirmation
 from minkref.fuzz.plane.case import Case
 from minkref.reports.evidence.certificates.certified_cases import cases, events
 from minkref.reports.evidence.certificates.mutant_tally import (

@@ -6,7 +6,7 @@ import json
 import random
 from functools import partial
 
-from minkref.fuzz.judges.certified_solids import SolidConfirmation
+from minkref.fuzz.judges.space.certified_solids import SolidConfirmation
 from minkref.reports.evidence.certificates.mutant_tally import (
     ANOTHER_PROOF,
     Certified,

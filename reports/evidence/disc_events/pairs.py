@@ -6,9 +6,9 @@ from __future__ import annotations
 from typing import Any
 
 from minkref import _core
-from minkref.fuzz.judges.disc_pair_comparison import SENTENCES, compare, compare_printed
-from minkref.fuzz.judges.disc_pair_draws import KINDS
-from minkref.fuzz.judges.disc_pair_polygons import compare_polygons
+from minkref.fuzz.judges.disc.disc_pair_comparison import SENTENCES, compare, compare_printed
+from minkref.fuzz.judges.disc.disc_pair_draws import KINDS
+from minkref.fuzz.judges.disc.disc_pair_polygons import compare_polygons
 from minkref.reports.evidence.framework.operands import operand, tell_absent
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 

@@ -11,10 +11,10 @@ from typing import Any
 from minkref import _core
 from minkref.degeneracies.catalogue import DISC_FAMILIES
 from minkref.degeneracies.disc.generate import drawn_with_disc
-from minkref.fuzz.families.drawing import shape_text
-from minkref.fuzz.judges.disc_places import Table, compare, faults_of, rows_of
-from minkref.fuzz.judges.place_draws import KINDS, drawn_set, set_of
-from minkref.fuzz.judges.place_mutants import MUTANTS
+from minkref.fuzz.judges.disc.disc_places import Table, compare, faults_of, rows_of
+from minkref.fuzz.judges.disc.place_draws import KINDS, drawn_set, set_of
+from minkref.fuzz.judges.disc.place_mutants import MUTANTS
+from minkref.fuzz.plane.families.drawing import shape_text
 from minkref.reports.evidence.framework.command import minkref
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size

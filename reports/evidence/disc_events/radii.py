@@ -10,8 +10,8 @@ from fractions import Fraction
 from typing import Any
 
 from minkref import _core
-from minkref.fuzz.judges.offset_cgal import OffsetJudge
-from minkref.fuzz.judges.offset_comparison import Table, compare_one, grid_set
+from minkref.fuzz.judges.disc.offset_cgal import OffsetJudge
+from minkref.fuzz.judges.disc.offset_comparison import Table, compare_one, grid_set
 from minkref.reports.evidence.disc_sums.sums import LARGE, has_judge
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.operands import operand, tell_absent

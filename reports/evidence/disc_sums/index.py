@@ -12,9 +12,9 @@ from fractions import Fraction
 from typing import Any
 
 from minkref import _core
-from minkref.fuzz.judges.offset_cgal import OffsetJudge
-from minkref.fuzz.judges.offset_comparison import grid_set
-from minkref.fuzz.judges.offset_sandwich import sandwich
+from minkref.fuzz.judges.disc.offset_cgal import OffsetJudge
+from minkref.fuzz.judges.disc.offset_comparison import grid_set
+from minkref.fuzz.judges.disc.offset_sandwich import sandwich
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.operands import operand, tell_absent
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size

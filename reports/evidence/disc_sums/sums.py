@@ -8,10 +8,10 @@ from collections import Counter
 from fractions import Fraction
 
 from minkref import _core
-from minkref.fuzz.judges.offset_cgal import OffsetJudge, absence
-from minkref.fuzz.judges.offset_comparison import Table, compare, compare_one
-from minkref.fuzz.judges.offset_routes import RouteTable, compare_routes
-from minkref.fuzz.judges.offset_sandwich import sandwich
+from minkref.fuzz.judges.disc.offset_cgal import OffsetJudge, absence
+from minkref.fuzz.judges.disc.offset_comparison import Table, compare, compare_one
+from minkref.fuzz.judges.disc.offset_routes import RouteTable, compare_routes
+from minkref.fuzz.judges.disc.offset_sandwich import sandwich
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.operands import operand, tell_absent
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size

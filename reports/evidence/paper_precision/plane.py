@@ -6,8 +6,8 @@ from collections import Counter
 from typing import Any
 
 from minkref import _core
-from minkref.fuzz.families.random_pairs import random_pair
 from minkref.fuzz.least_precision import MOST_BITS, least_precision
+from minkref.fuzz.plane.families.random_pairs import random_pair
 from minkref.reports.evidence.framework.operands import operand, tell_absent
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 from minkref.reports.evidence.framework.places import ROOT

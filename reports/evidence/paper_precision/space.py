@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from minkref import _core
-from minkref.fuzz.judges.space_routes import core_polyhedron
+from minkref.fuzz.judges.space.space_routes import core_polyhedron
 from minkref.fuzz.space.general_pairs import FAMILIES, pair_of_family
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size

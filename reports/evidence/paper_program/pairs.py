@@ -9,7 +9,7 @@ from collections import Counter
 from dataclasses import dataclass
 
 from minkref import _core
-from minkref.fuzz.judges.rounded_sums import compare, significant_bits
+from minkref.fuzz.judges.plane.rounded_sums import compare, significant_bits
 from minkref.reports.bench.pairs import Pair, pairs
 from minkref.reports.bench.rescalings import rescalings
 from minkref.reports.evidence.framework.in_processes import in_processes

@@ -12,7 +12,11 @@ from itertools import combinations, product
 
 from minkref import _core
 from minkref.fuzz.geometry.space import Point
-from minkref.fuzz.judges.convex_claims import ClaimComparison, compare_claims, largest_distance
+from minkref.fuzz.judges.space.convex_claims import (
+    ClaimComparison,
+    compare_claims,
+    largest_distance,
+)
 from minkref.fuzz.space.convex_sum import body_of, reference_sum
 from minkref.fuzz.space.generators.convex import box, random_hull
 from minkref.fuzz.space.hull import convex_hull

@@ -18,7 +18,7 @@ from typing import Any
 from minkref.certify.plane.certificate import Certificate, NoProof
 from minkref.errors import message_of
 from minkref.fuzz.cases.case_name import CaseName
-from minkref.fuzz.judges.sampled_events import Events, SampledEvents, judge
+from minkref.fuzz.judges.plane.sampled_events import Events, SampledEvents, judge
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.run import child
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size

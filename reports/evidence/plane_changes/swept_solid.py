@@ -8,7 +8,7 @@ from typing import Any
 
 from minkref import _core
 from minkref.fuzz.cgal.swept_solid import MOST_PAIRS, SweptSolid
-from minkref.fuzz.families.random_pairs import Pair, random_pair
+from minkref.fuzz.plane.families.random_pairs import Pair, random_pair
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 
 MINUTES = Minutes(0.05, 0.4, 0.5)

@@ -9,8 +9,8 @@ from typing import Any
 
 from minkref import _core
 from minkref.exact import set_json
-from minkref.fuzz.families.integer_rings import Ring, counter_clockwise, scattered, untangled
-from minkref.fuzz.families.random_pairs import random_holes
+from minkref.fuzz.plane.families.integer_rings import Ring, counter_clockwise, scattered, untangled
+from minkref.fuzz.plane.families.random_pairs import random_holes
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 

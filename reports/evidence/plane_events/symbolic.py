@@ -7,7 +7,7 @@ import time
 from collections import Counter
 from typing import Any
 
-from minkref.fuzz.judges import event_comparison, interval_comparison
+from minkref.fuzz.judges.plane import event_comparison, interval_comparison
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 
 MINUTES = Minutes(0.1, 0.3, 0.6)

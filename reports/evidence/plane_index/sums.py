@@ -16,11 +16,16 @@ from minkref import _core
 from minkref.certify.plane.certificate import Certificate
 from minkref.degeneracies import lint
 from minkref.exact import digest
-from minkref.fuzz.families.holed_pairs import fit_pair, holes_pair, nested_pair, small_holes_pair
-from minkref.fuzz.families.leaning_walls import leaning_pair
-from minkref.fuzz.families.pinched_pairs import pinched_pair
-from minkref.fuzz.families.random_pairs import Pair
-from minkref.fuzz.families.touching_cells import window_of
+from minkref.fuzz.plane.families.holed_pairs import (
+    fit_pair,
+    holes_pair,
+    nested_pair,
+    small_holes_pair,
+)
+from minkref.fuzz.plane.families.leaning_walls import leaning_pair
+from minkref.fuzz.plane.families.pinched_pairs import pinched_pair
+from minkref.fuzz.plane.families.random_pairs import Pair
+from minkref.fuzz.plane.families.touching_cells import window_of
 from minkref.reports.evidence.certificates.certified_cases import written
 from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, verdicts
 from minkref.reports.evidence.framework.in_processes import in_processes

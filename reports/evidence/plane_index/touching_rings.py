@@ -10,10 +10,15 @@ from fractions import Fraction
 
 from minkref import _core
 from minkref.exact import digest
-from minkref.fuzz.families.drawing import is_valid, shape_text
-from minkref.fuzz.families.pinched_pairs import pinched_pair
-from minkref.fuzz.families.touching_cells import Window, beside_segments, random_cells, window_of
 from minkref.fuzz.geometry.plane import Point, Ring, Shape, doubled_area
+from minkref.fuzz.plane.families.drawing import is_valid, shape_text
+from minkref.fuzz.plane.families.pinched_pairs import pinched_pair
+from minkref.fuzz.plane.families.touching_cells import (
+    Window,
+    beside_segments,
+    random_cells,
+    window_of,
+)
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 

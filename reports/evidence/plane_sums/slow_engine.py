@@ -12,9 +12,9 @@ from typing import Any
 
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cgal.executables import target_names
-from minkref.fuzz.judges import slow_points, slow_sums, slow_tight_passages, slow_topology
-from minkref.fuzz.judges.cgal_claims import CgalClaims
-from minkref.fuzz.judges.large_points import decided_otherwise
+from minkref.fuzz.judges.plane import slow_points, slow_sums, slow_tight_passages, slow_topology
+from minkref.fuzz.judges.plane.cgal_claims import CgalClaims
+from minkref.fuzz.judges.plane.large_points import decided_otherwise
 from minkref.fuzz.plane.case import Case
 from minkref.reports.drawing import Layer, picture
 from minkref.reports.evidence.framework.in_processes import in_processes

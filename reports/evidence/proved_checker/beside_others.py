@@ -22,7 +22,7 @@ from minkref import _core
 from minkref.certify.plane.certificate import Certificate, NoProof
 from minkref.certify.space.convex_certificate import convex_certificate
 from minkref.commands.check_proved import PROGRAM
-from minkref.fuzz.judges.certified_claims import Confirmation
+from minkref.fuzz.judges.plane.certified_claims import Confirmation
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.space.generators.convex import random_hull, sphere
 from minkref.fuzz.space.polyhedron import Polyhedron

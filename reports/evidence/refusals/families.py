@@ -16,7 +16,7 @@ from minkref.commands.line.cli import run as run_command
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, invalid_member
 from minkref.degeneracies.invalid.commands import COMMANDS, left_out, words
 from minkref.degeneracies.invalid.member import Invalid
-from minkref.fuzz.judges.slow_operands import slow_refuses
+from minkref.fuzz.judges.plane.slow_operands import slow_refuses
 from minkref.reports.evidence.framework.command import minkref
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size

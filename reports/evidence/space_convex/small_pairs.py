@@ -11,7 +11,7 @@ from pathlib import Path
 from minkref import _core
 from minkref.certify.space.convex_certificate import ConvexCertificate
 from minkref.exact import digest
-from minkref.fuzz.judges.convex_facets import convex_facets
+from minkref.fuzz.judges.space.convex_facets import convex_facets
 from minkref.fuzz.space.generators.convex import random_hull
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.reports.bench.cgal_space_service import NEF, CgalSpaceService

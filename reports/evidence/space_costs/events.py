@@ -11,7 +11,7 @@ from typing import Any
 
 from minkref import _core
 from minkref.documents import replacing
-from minkref.fuzz.judges.space_routes import core_polyhedron
+from minkref.fuzz.judges.space.space_routes import core_polyhedron
 from minkref.reports.bench.space_pairs import EVENT_PAIRS, Solids
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 from minkref.reports.space_event_plot import draw

@@ -6,8 +6,12 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass, field
 
-from minkref.fuzz.judges import facet_arrangement, facet_tuple_comparison, space_event_comparison
-from minkref.fuzz.judges.space_event_comparison import KINDS, solids_of
+from minkref.fuzz.judges.space import (
+    facet_arrangement,
+    facet_tuple_comparison,
+    space_event_comparison,
+)
+from minkref.fuzz.judges.space.space_event_comparison import KINDS, solids_of
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 

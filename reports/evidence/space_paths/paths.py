@@ -11,8 +11,8 @@ from typing import Any
 
 import minkref
 from minkref import _core
-from minkref.fuzz.judges.space_path_cases import SpacePathCase, space_path_case
-from minkref.fuzz.judges.space_path_collisions import StaticSum, by_slow_engine
+from minkref.fuzz.judges.motion.space_path_cases import SpacePathCase, space_path_case
+from minkref.fuzz.judges.motion.space_path_collisions import StaticSum, by_slow_engine
 from minkref.fuzz.space.exact_sum import core_polyhedron
 from minkref.fuzz.space.generators.tube import wide_knot
 from minkref.reports.evidence.framework.in_processes import in_processes

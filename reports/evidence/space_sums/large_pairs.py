@@ -9,10 +9,10 @@ from fractions import Fraction
 from typing import Any
 
 from minkref import _core
-from minkref.fuzz.judges.space_manifold import MANIFOLD, NEAREST, ManifoldJudge
-from minkref.fuzz.judges.space_nef import NEF, NefJudge
-from minkref.fuzz.judges.space_routes import core_polyhedron
-from minkref.fuzz.judges.space_sums import REFUSALS, SpaceSums
+from minkref.fuzz.judges.space.space_manifold import MANIFOLD, NEAREST, ManifoldJudge
+from minkref.fuzz.judges.space.space_nef import NEF, NefJudge
+from minkref.fuzz.judges.space.space_routes import core_polyhedron
+from minkref.fuzz.judges.space.space_sums import REFUSALS, SpaceSums
 from minkref.fuzz.space.large_pairs import large_pair
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size

@@ -9,11 +9,11 @@ from fractions import Fraction
 from typing import Any
 
 from minkref import _core
-from minkref.fuzz.judges.mesh_files import faults_of, read_as_written, sextuple_volume
-from minkref.fuzz.judges.space_laws import LAWS
-from minkref.fuzz.judges.space_nef import NefJudge
-from minkref.fuzz.judges.space_routes import ROUTES, core_polyhedron, routes
-from minkref.fuzz.judges.space_sums import SpaceSums
+from minkref.fuzz.judges.space.mesh_files import faults_of, read_as_written, sextuple_volume
+from minkref.fuzz.judges.space.space_laws import LAWS
+from minkref.fuzz.judges.space.space_nef import NefJudge
+from minkref.fuzz.judges.space.space_routes import ROUTES, core_polyhedron, routes
+from minkref.fuzz.judges.space.space_sums import SpaceSums
 from minkref.fuzz.space.general_pairs import general_pair
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size

@@ -7,8 +7,8 @@ import json
 import sys
 from pathlib import Path
 
-from minkref.fuzz.families.catalogue import FAMILIES
-from minkref.fuzz.families.probes import scale_probes
+from minkref.fuzz.plane.families.catalogue import FAMILIES
+from minkref.fuzz.plane.families.probes import scale_probes
 
 FOLDER = Path(__file__).resolve().parents[1] / "corpus" / "pair"
 SEED = 2012

@@ -6,7 +6,7 @@ import random
 from fractions import Fraction
 
 import sympy as sp
-from minkref.fuzz.judges.paper_disc import Corner, circles, end_on_circle, touches
+from minkref.fuzz.judges.disc.paper_disc import Corner, circles, end_on_circle, touches
 from minkref.reports.audit.disc import exact
 from minkref.reports.audit.disc_code import CODE, code_events, scales_by_both, scales_of_ends
 from minkref.reports.audit.entry import Chapter, Shown, Status

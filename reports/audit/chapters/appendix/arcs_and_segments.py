@@ -8,8 +8,8 @@ from fractions import Fraction
 from itertools import combinations
 
 import sympy as sp
-from minkref.fuzz.judges.paper_disc import Edge as Side
-from minkref.fuzz.judges.paper_disc import (
+from minkref.fuzz.judges.disc.paper_disc import Edge as Side
+from minkref.fuzz.judges.disc.paper_disc import (
     circle_on_line,
     greatest_degrees,
     ring_touches,

@@ -9,9 +9,9 @@ from fractions import Fraction
 import sympy as sp
 from minkref import _core
 from minkref.fuzz.geometry.plane import cross
-from minkref.fuzz.judges.paper_disc import Edge as Side
-from minkref.fuzz.judges.paper_disc import end_on_line, touches
-from minkref.fuzz.judges.paper_pairs import contact_interval
+from minkref.fuzz.judges.disc.paper_disc import Edge as Side
+from minkref.fuzz.judges.disc.paper_disc import end_on_line, touches
+from minkref.fuzz.judges.plane.paper_pairs import contact_interval
 from minkref.reports.audit.disc import along, exact, moving, squared_distance
 from minkref.reports.audit.disc_code import (
     CODE,

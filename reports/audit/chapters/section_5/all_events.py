@@ -10,8 +10,8 @@ from math import comb
 import sympy as sp
 from minkref import _core
 from minkref.fuzz.geometry.space import area_vector, cross, dot, minus
-from minkref.fuzz.judges import paper_space
-from minkref.fuzz.judges.space_routes import core_polyhedron
+from minkref.fuzz.judges.space import paper_space
+from minkref.fuzz.judges.space.space_routes import core_polyhedron
 from minkref.fuzz.space.generators.star import star
 from minkref.fuzz.space.meeting import Meeting
 from minkref.fuzz.space.polyhedron import Polyhedron

@@ -11,8 +11,8 @@ from math import isqrt
 import sympy as sp
 from minkref import _core
 from minkref.fuzz.geometry.space import cross, dot, minus
-from minkref.fuzz.judges import paper_space
-from minkref.fuzz.judges.space_routes import core_polyhedron
+from minkref.fuzz.judges.space import paper_space
+from minkref.fuzz.judges.space.space_routes import core_polyhedron
 from minkref.fuzz.space.general_pairs import pair_of_family
 from minkref.reports.audit.entry import Chapter, Shown, Status, text
 from minkref.reports.audit.space import (

@@ -1,0 +1,1 @@
+"""Judges of sums with a disc."""

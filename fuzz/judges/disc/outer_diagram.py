@@ -1,0 +1,161 @@
+"""The outer Voronoi diagram of a polygon set, by CGAL's segment Delaunay graph and by
+Boost.Polygon."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import combinations
+from pathlib import Path
+from typing import Any, Self
+
+from minkref.fuzz.cgal.executables import BUILD_COMMAND, built_folders, search_folders
+from minkref.fuzz.judges.disc.outline import Feature, Outline, distance, height
+from minkref.fuzz.judges.line_process import LineProcess
+
+CGAL, BOOST = "CGAL", "Boost"
+_PROGRAMS = {CGAL: "minkref-cgal-diagram", BOOST: "minkref-boost-diagram"}
+_BUILD = {CGAL: BUILD_COMMAND, BOOST: BUILD_COMMAND.replace("minkref_cgal", _PROGRAMS[BOOST])}
+ROUNDED = 64 * 2.0**-53  # of a coordinate, by Boost
+LARGEST = 2**31 - 1  # of Boost's coordinates
+
+
+@dataclass(frozen=True)
+class Vertex:
+    """Off the boundary and outside of the set. `features` are three or more, straight vertices of
+    the set replaced by the lines through them."""
+
+    x: float
+    y: float
+    radius: float
+    features: frozenset[Feature]
+
+
+@dataclass(frozen=True)
+class DiagramAnswer:
+    """`vertices` is None where there is no answer, and `why` says what became of it. `sides`: pairs
+    of features that an edge of the diagram lies between. `straight` counts vertices that a
+    straight vertex of the set makes; `seconds` are those of the library's functions alone."""
+
+    vertices: list[Vertex] | None
+    sides: frozenset[frozenset[Feature]] = frozenset()
+    straight: int = 0
+    seconds: float = 0.0
+    why: str = ""
+
+
+def executable(judge: str) -> Path | None:
+    folders = search_folders() if judge == CGAL else built_folders("boost")
+    paths = (folder / _PROGRAMS[judge] for folder in folders)
+    return next((path for path in paths if path.is_file()), None)
+
+
+def absence(judge: str) -> str | None:
+    """What is missing, and the command that gets it."""
+    return None if executable(judge) else f"{_PROGRAMS[judge]} is not built: {_BUILD[judge]}"
+
+
+class DiagramJudge:
+    """CGAL or Boost, in a child process for many sets. Close it, or use it in a `with`. CGAL's
+    places are doubles next to exact ones; Boost's are doubles, most of them within 64 units in the
+    last place, and its coordinates are integers of 32 bits."""
+
+    def __init__(self, judge: str, seconds: float) -> None:
+        path = executable(judge)
+        self.judge = judge
+        self._process = None if path is None else LineProcess(path, seconds)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def close(self) -> None:
+        if self._process is not None:
+            self._process.close()
+
+    def vertices(self, outline: Outline) -> DiagramAnswer:
+        if self._process is None:
+            return DiagramAnswer(None, why=str(absence(self.judge)))
+        segments = outline.integers()
+        if self.judge == BOOST and max(map(max, segments)) > LARGEST:
+            return DiagramAnswer(None, why="coordinates have more than 32 bits")
+        sent: Any = segments
+        if self.judge == CGAL:
+            sent = [[str(c) for c in segment] for segment in segments]
+        answer = self._process.ask({"segments": sent})
+        if "error" in answer:
+            return DiagramAnswer(None, why=str(answer["error"]))
+        return _outer(outline, self.judge, answer)
+
+
+def _outer(outline: Outline, judge: str, answer: dict[str, Any]) -> DiagramAnswer:
+    feature = _by_number(outline) if judge == BOOST else _by_coordinates(outline)
+    ends = {(a, b) for x, y, u, v in outline.integers() for a, b in ((x, y), (u, v))}
+    found, straight = [], 0
+    sides: set[frozenset[Feature]] = set()
+    for each in answer["vertices"]:
+        x, y = (float(c) / outline.factor for c in each["at"])
+        features = {feature(site) for site in each["sites"]}
+        far = distance((x, y), next(iter(features)))
+        if judge == CGAL:
+            far = math.sqrt(each["squared_radius"]) / outline.factor
+        elif _is_at_end(each["at"], ends):
+            continue
+        if not outline.is_outside(x, y):
+            continue
+        kept = _without_straight(outline, features, (x, y))
+        sides |= {frozenset(pair) for pair in combinations(kept, 2)}
+        if len(kept) < 3:
+            straight += 1
+            continue
+        found.append(Vertex(x, y, far, kept))
+    return DiagramAnswer(found, frozenset(sides), straight, float(answer["seconds"]))
+
+
+def _by_number(outline: Outline) -> Callable[[Sequence[int]], Feature]:
+    """A site of Boost's: an open segment, or one of its ends."""
+
+    def feature(site: Sequence[int]) -> Feature:
+        piece = outline.pieces[site[0]]
+        if len(site) == 1:
+            return piece.line
+        return ("vertex", *(piece.end if site[1] else piece.start))
+
+    return feature
+
+
+def _by_coordinates(outline: Outline) -> Callable[[Sequence[str]], Feature]:
+    """A site of CGAL's: a point, or an open segment, either way round."""
+    lines: dict[tuple[str, ...], Feature] = {}
+    for piece, (a, b, c, d) in zip(outline.pieces, outline.integers(), strict=True):
+        for ends in ((a, b, c, d), (c, d, a, b)):
+            lines[tuple(map(str, ends))] = piece.line
+
+    def feature(site: Sequence[str]) -> Feature:
+        if len(site) == 4:
+            return lines[tuple(site)]
+        return ("vertex", *(Fraction(c) / outline.factor for c in site))
+
+    return feature
+
+
+def _is_at_end(at: Sequence[float], ends: set[tuple[int, int]]) -> bool:
+    """Whether a vertex of Boost's lies at an end of segments, whose distance is zero."""
+    end = round(at[0]), round(at[1])
+    return end in ends and math.dist(at, end) <= ROUNDED * max(1, *end)
+
+
+def _without_straight(
+    outline: Outline, features: set[Feature], spot: tuple[float, float]
+) -> frozenset[Feature]:
+    """A vertex of the set at which a line goes on straight is nothing of its own for places in
+    front of that line: these are in front of the vertex."""
+    kept = set()
+    for feature in features:
+        lines = [line for line in outline.straight.get(feature, []) if height(spot, line) > 0]
+        kept |= set(lines) or {feature}
+    return frozenset(kept)

@@ -1,0 +1,1 @@
+"""Judges of parts on paths, and of traps."""

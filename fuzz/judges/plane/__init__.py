@@ -1,0 +1,1 @@
+"""Judges of sums and events in the plane."""

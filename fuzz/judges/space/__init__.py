@@ -1,0 +1,1 @@
+"""Judges of sums of polyhedra."""

@@ -1,0 +1,35 @@
+"""A box with many holes full of dents, and a triangle so small that most of each hole survives.
+
+What is left of such a hole is thin in places: good for finding codes that look at one point of a
+face to decide whether it is a hole.
+"""
+
+from __future__ import annotations
+
+import random
+
+from minkref.fuzz.geometry.plane import Ring, Shape, box
+from minkref.fuzz.plane.families.drawing import family
+from minkref.fuzz.plane.families.integer_rings import scattered, untangled
+
+CELL = 12  # across, for each hole
+FEW = 14  # vertices of a pair up to which there is one hole
+
+
+@family("dents")
+def dented_pair(dice: random.Random, size: int) -> tuple[Shape, Shape]:
+    across, corners = (1, 5) if size <= FEW else dice.choice(((3, 5), (4, 4)))
+    side = across * CELL
+    polygon: list[Ring] = [box(0, 0, side, side)]
+    for x in range(0, side, CELL):
+        for y in range(0, side, CELL):
+            hole = _ring(dice, corners, CELL - 2)
+            polygon.append([(a + x + 1, b + y + 1) for a, b in hole])
+    return [polygon], [[_ring(dice, 3, 1)]]
+
+
+def _ring(dice: random.Random, vertices: int, side: int) -> Ring:
+    while True:
+        ring = untangled(scattered(dice, vertices, side, side))
+        if ring is not None:
+            return list(ring)
