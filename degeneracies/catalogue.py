@@ -6,9 +6,8 @@ from __future__ import annotations
 
 from minkref.degeneracies.disc import across, around, doors, nearly
 from minkref.degeneracies.disc.draft import DiscFamily
-from minkref.degeneracies.draft import Family
-from minkref.degeneracies.paths import along, traps
-from minkref.degeneracies.paths.draft import PathFamily
+from minkref.degeneracies.motion import along, traps
+from minkref.degeneracies.motion.draft import PathFamily
 from minkref.degeneracies.plane import (
     contacts,
     convolutions,
@@ -19,6 +18,7 @@ from minkref.degeneracies.plane import (
     parallel_edges,
     touches,
 )
+from minkref.degeneracies.plane.draft import Family
 from minkref.degeneracies.solids import always as always_of_solids
 from minkref.degeneracies.solids import corners, fits, numbers, same
 from minkref.degeneracies.solids.draft import SolidFamily

@@ -8,15 +8,15 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TypedDict
 
-from minkref.degeneracies.case_document import Degenerate
 from minkref.degeneracies.disc.case_document import DegenerateWithDisc
 from minkref.degeneracies.disc.draft import DiscFamily
-from minkref.degeneracies.draft import Family
 from minkref.degeneracies.found import Story
 from minkref.degeneracies.invalid.catalogue import invalid_member
 from minkref.degeneracies.invalid.member import InvalidFamily
-from minkref.degeneracies.paths.case_document import DegeneratePath
-from minkref.degeneracies.paths.draft import PathFamily
+from minkref.degeneracies.motion.case_document import DegeneratePath
+from minkref.degeneracies.motion.draft import PathFamily
+from minkref.degeneracies.plane.case_document import Degenerate
+from minkref.degeneracies.plane.draft import Family
 from minkref.degeneracies.solids.case_document import DegenerateSolids
 from minkref.degeneracies.solids.draft import SolidFamily
 from minkref.degeneracies.space.case_document import DegenerateInSpace

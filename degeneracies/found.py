@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from minkref import _core
-from minkref.degeneracies.draft import Facts, Subject
+from minkref.degeneracies.plane.draft import Facts, Subject
 
 NAME = "found"
 

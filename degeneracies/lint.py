@@ -14,14 +14,14 @@ from typing import Any
 import jsonschema
 from minkref import _core
 from minkref.certify.case_text import case_digest
-from minkref.degeneracies.case_document import Degenerate, content_of
-from minkref.degeneracies.case_faults import of_certificate, of_place
-from minkref.degeneracies.case_texts import canonical_text
 from minkref.degeneracies.catalogue import ALL_FAMILIES
 from minkref.degeneracies.files import AnyDegenerate, member_of
-from minkref.degeneracies.flags import FLAGS, explained
 from minkref.degeneracies.found import FOUND
 from minkref.degeneracies.found import NAME as FOUND_NAME
+from minkref.degeneracies.plane.case_document import Degenerate, content_of
+from minkref.degeneracies.plane.case_faults import of_certificate, of_place
+from minkref.degeneracies.plane.case_texts import canonical_text
+from minkref.degeneracies.plane.flags import FLAGS, explained
 from minkref.degeneracies.solids.case_faults import case_faults as case_faults_of_solids
 from minkref.degeneracies.solids.flags import FLAGS_OF_SOLIDS
 from minkref.degeneracies.space.case_faults import case_faults as case_faults_in_space

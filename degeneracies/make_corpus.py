@@ -17,7 +17,7 @@ from minkref.degeneracies.catalogue import (
 from minkref.degeneracies.disc.case_faults import CORPUS as CORPUS_WITH_DISC
 from minkref.degeneracies.files import made_path, made_with_disc, write_found, write_member
 from minkref.degeneracies.found import FOUND
-from minkref.degeneracies.paths.case_faults import CORPUS as CORPUS_OF_PATHS
+from minkref.degeneracies.motion.case_faults import CORPUS as CORPUS_OF_PATHS
 
 SEED = 1
 COUNT = 11  # of each family in the plane

@@ -7,7 +7,7 @@ from random import Random
 from typing import Any, TypeVar
 
 from hypothesis import strategies as st
-from minkref.degeneracies.draft import NothingDrawn
+from minkref.degeneracies.plane.draft import NothingDrawn
 
 T = TypeVar("T")
 THROWS = 100  # that are drawn one by one; those after them follow from one number

@@ -9,7 +9,7 @@ from math import gcd, lcm
 from typing import Any, Literal
 
 from minkref.certify.plane.predicate import Predicate
-from minkref.degeneracies.draft import Draft
+from minkref.degeneracies.plane.draft import Draft
 from minkref.fuzz.geometry.plane import Shape, extent, mapped, moved, scaled
 from minkref.strategies.values import points_of
 

@@ -7,7 +7,7 @@ from random import Random
 
 from minkref.degeneracies.disc.draft import DiscDraft, DiscFacts, DiscFamily, Spot
 from minkref.degeneracies.disc.placing import TRIPLES, placed
-from minkref.degeneracies.shapes import framed, number
+from minkref.degeneracies.plane.shapes import framed, number
 from minkref.fuzz.geometry.plane import Point, Ring, Shape, box
 
 HALF = Fraction(1, 2)

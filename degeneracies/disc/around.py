@@ -7,7 +7,7 @@ from random import Random
 
 from minkref.degeneracies.disc.draft import DiscDraft, DiscFacts, DiscFamily, Spot
 from minkref.degeneracies.disc.placing import frame_at, placed, unit, ways_around
-from minkref.degeneracies.shapes import number
+from minkref.degeneracies.plane.shapes import number
 from minkref.fuzz.geometry.plane import Ring
 
 FEWEST, MOST = 4, 12

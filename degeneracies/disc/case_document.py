@@ -10,10 +10,10 @@ from functools import cached_property
 from typing import Any
 
 from minkref import _core
-from minkref.degeneracies.case_document import set_content
-from minkref.degeneracies.case_texts import LICENCE, CaseTexts, Provable, id_of, source_of
 from minkref.degeneracies.disc.draft import DiscFacts, DiscFamily
 from minkref.degeneracies.disc.generate import drawn_with_disc
+from minkref.degeneracies.plane.case_document import set_content
+from minkref.degeneracies.plane.case_texts import LICENCE, CaseTexts, Provable, id_of, source_of
 from minkref.disc.disc import Disc
 from minkref.exact import digest
 

@@ -12,11 +12,11 @@ from typing import Any
 
 import jsonschema
 from minkref import _core
-from minkref.degeneracies.case_document import set_content
-from minkref.degeneracies.case_faults import of_place
-from minkref.degeneracies.case_texts import canonical_text
 from minkref.degeneracies.catalogue import DISC_FAMILIES
 from minkref.degeneracies.disc.case_document import DegenerateWithDisc
+from minkref.degeneracies.plane.case_document import set_content
+from minkref.degeneracies.plane.case_faults import of_place
+from minkref.degeneracies.plane.case_texts import canonical_text
 
 ROOM = Path(__file__).parents[1]
 CORPUS = Path(__file__).parent / "corpus"

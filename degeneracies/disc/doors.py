@@ -8,7 +8,7 @@ from random import Random
 from minkref import _core
 from minkref.degeneracies.disc.draft import DiscDraft, DiscFacts, DiscFamily, Spot
 from minkref.degeneracies.disc.placing import placed
-from minkref.degeneracies.shapes import framed, number
+from minkref.degeneracies.plane.shapes import framed, number
 from minkref.fuzz.geometry.plane import Point, Ring, Shape, box, cross, dot, edges, minus
 
 

@@ -11,7 +11,7 @@ from random import Random
 from typing import Any
 
 from minkref import _core
-from minkref.degeneracies.draft import Subject
+from minkref.degeneracies.plane.draft import Subject
 from minkref.fuzz.geometry.plane import Shape, cross, dot, edges, minus
 from minkref.fuzz.plane.families.drawing import shape_text
 

@@ -6,8 +6,8 @@ from random import Random
 
 from minkref import _core
 from minkref.degeneracies.disc.draft import DiscFacts, DiscFamily
-from minkref.degeneracies.draft import NothingDrawn
-from minkref.degeneracies.generate import FEWEST, MOST, PATIENCE, nothing_drawn
+from minkref.degeneracies.plane.draft import NothingDrawn
+from minkref.degeneracies.plane.generate import FEWEST, MOST, PATIENCE, nothing_drawn
 
 
 def drawn_with_disc(

@@ -8,7 +8,7 @@ from math import pi, tan
 from random import Random
 
 from minkref.degeneracies.disc.draft import DiscDraft, Spot
-from minkref.degeneracies.shapes import turned_left
+from minkref.degeneracies.plane.shapes import turned_left
 from minkref.fuzz.geometry.plane import Point, Ring, mapped
 
 TRIPLES = ((3, 4, 5), (5, 12, 13), (8, 15, 17), (7, 24, 25), (20, 21, 29), (1, 0, 1), (1, 0, 1))

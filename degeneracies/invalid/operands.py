@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from random import Random
 
-from minkref.degeneracies.shapes import MAPS, framed, turned
+from minkref.degeneracies.plane.shapes import MAPS, framed, turned
 from minkref.fuzz.geometry.plane import Point, Polygon, Ring, Shape, box, moved
 from minkref.fuzz.geometry.plane import extent as extent_of
 from minkref.fuzz.plane.families.drawing import convex

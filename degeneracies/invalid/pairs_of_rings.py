@@ -9,7 +9,7 @@ from minkref.degeneracies.invalid.member import Families, Invalid
 from minkref.degeneracies.invalid.operands import Spot, region, spot
 from minkref.degeneracies.invalid.sheet import FORMS, Sheet, place_of, sheet
 from minkref.degeneracies.invalid.writing import refused
-from minkref.degeneracies.shapes import turned
+from minkref.degeneracies.plane.shapes import turned
 from minkref.fuzz.geometry.plane import Ring, Shape, box, extent
 
 FAMILIES = Families()

@@ -5,8 +5,8 @@ from __future__ import annotations
 from fractions import Fraction
 from random import Random
 
-from minkref.degeneracies.draft import Draft, Facts, Family
-from minkref.degeneracies.shapes import changed, framed, number, reflected, turned
+from minkref.degeneracies.plane.draft import Draft, Facts, Family
+from minkref.degeneracies.plane.shapes import changed, framed, number, reflected, turned
 from minkref.fuzz.geometry.plane import Ring, box, extent
 from minkref.fuzz.plane.families.drawing import convex
 from minkref.fuzz.plane.families.touching_pairs import touching_shape

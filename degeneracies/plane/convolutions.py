@@ -5,8 +5,8 @@ from __future__ import annotations
 from fractions import Fraction
 from random import Random
 
-from minkref.degeneracies.draft import Draft, Facts, Family
-from minkref.degeneracies.shapes import changed, corridor, framed, number, turned_left
+from minkref.degeneracies.plane.draft import Draft, Facts, Family
+from minkref.degeneracies.plane.shapes import changed, corridor, framed, number, turned_left
 from minkref.fuzz.geometry.plane import Point, Ring, Shape, box, extent, moved, read_shape
 from minkref.fuzz.plane.families.drawing import convex
 from minkref.fuzz.plane.families.hard_numbers import polygon

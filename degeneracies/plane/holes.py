@@ -6,9 +6,9 @@ from collections.abc import Callable
 from fractions import Fraction
 from random import Random
 
-from minkref.degeneracies.draft import Draft, Facts, Family
+from minkref.degeneracies.plane.draft import Draft, Facts, Family
 from minkref.degeneracies.plane.mining import mined
-from minkref.degeneracies.shapes import changed, corridor, framed, number
+from minkref.degeneracies.plane.shapes import changed, corridor, framed, number
 from minkref.fuzz.geometry.plane import Ring, Shape, box
 from minkref.fuzz.plane.families.drawing import convex
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from random import Random
 
-from minkref.degeneracies.draft import Draft, Facts, Family
-from minkref.degeneracies.flags import three_lines_meet
+from minkref.degeneracies.plane.draft import Draft, Facts, Family
+from minkref.degeneracies.plane.flags import three_lines_meet
 from minkref.degeneracies.plane.mining import (
     convex_pair,
     ends_at,

@@ -8,8 +8,8 @@ from fractions import Fraction
 from math import gcd, lcm
 from random import Random
 
-from minkref.degeneracies.draft import Draft, Facts, Family
 from minkref.degeneracies.plane.contacts import FAMILIES as CONTACTS
+from minkref.degeneracies.plane.draft import Draft, Facts, Family
 from minkref.degeneracies.plane.holes import FAMILIES as HOLES
 from minkref.fuzz.geometry.plane import Point, Shape, mapped, moved, scaled
 

@@ -7,9 +7,9 @@ from random import Random
 
 from minkref.certify.case_text import ring_numbers
 from minkref.certify.plane.coincidence import ends_of
-from minkref.degeneracies.draft import Draft, Facts, Family
+from minkref.degeneracies.plane.draft import Draft, Facts, Family
 from minkref.degeneracies.plane.mining import mined, upright_pair
-from minkref.degeneracies.shapes import changed, left_of
+from minkref.degeneracies.plane.shapes import changed, left_of
 from minkref.fuzz.geometry.plane import Point, Ring
 
 

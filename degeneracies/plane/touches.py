@@ -8,8 +8,8 @@ from fractions import Fraction
 from random import Random
 
 from minkref import _core
-from minkref.degeneracies.draft import Draft, Facts, Family
-from minkref.degeneracies.shapes import changed, framed, number
+from minkref.degeneracies.plane.draft import Draft, Facts, Family
+from minkref.degeneracies.plane.shapes import changed, framed, number
 from minkref.fuzz.geometry.plane import Polygon, Ring, Shape, box, extent, moved, written_rings
 from minkref.fuzz.plane.families.drawing import convex
 

@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import Any
 
 from minkref import _core
-from minkref.degeneracies.case_texts import CaseTexts, Provable, id_of, source_of
+from minkref.degeneracies.plane.case_texts import CaseTexts, Provable, id_of, source_of
 from minkref.degeneracies.solids.draft import Probe, SolidDraft, SolidFacts, SolidFamily
 from minkref.degeneracies.solids.flags import flags_of_solids
 from minkref.degeneracies.solids.generate import drawn_solids

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from minkref import _core
-from minkref.degeneracies.case_faults import of_place, of_scales
+from minkref.degeneracies.plane.case_faults import of_place, of_scales
 from minkref.degeneracies.solids.mesh import Mesh
 from minkref.degeneracies.space.case_document import content_in_space
 from minkref.fuzz.space.polyhedron import Polyhedron

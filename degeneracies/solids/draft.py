@@ -9,7 +9,7 @@ from functools import cached_property
 from random import Random
 
 from minkref import _core
-from minkref.degeneracies.draft import Subject
+from minkref.degeneracies.plane.draft import Subject
 from minkref.degeneracies.solids.convolution import Convolution, sum_at
 from minkref.degeneracies.solids.euler import euler_of_meeting
 from minkref.degeneracies.solids.mesh import Mesh

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 
-from minkref.degeneracies.flags import at_limits, far_apart, far_out, is_no_double
+from minkref.degeneracies.plane.flags import at_limits, far_apart, far_out, is_no_double
 from minkref.degeneracies.solids.draft import SolidFacts
 from minkref.degeneracies.solids.mesh import Mesh
 from minkref.degeneracies.solids.proofs import edges_of, face_and_edge

@@ -5,8 +5,8 @@ from __future__ import annotations
 from random import Random
 
 from minkref import _core
-from minkref.degeneracies.draft import NothingDrawn
-from minkref.degeneracies.generate import FEWEST, MOST, PATIENCE, nothing_drawn
+from minkref.degeneracies.plane.draft import NothingDrawn
+from minkref.degeneracies.plane.generate import FEWEST, MOST, PATIENCE, nothing_drawn
 from minkref.degeneracies.solids.draft import SolidDraft, SolidFacts, SolidFamily
 from minkref.degeneracies.solids.ties import Tie
 

@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import Any
 
 from minkref.certify.space.convex_certificate import ConvexCertificate
-from minkref.degeneracies.case_texts import IN_FULL, CaseTexts, id_of, is_double, source_of
+from minkref.degeneracies.plane.case_texts import IN_FULL, CaseTexts, id_of, is_double, source_of
 from minkref.degeneracies.space.body import Body, Corners
 from minkref.degeneracies.space.draft import Coincidence, SpaceFacts, SpaceFamily
 from minkref.degeneracies.space.flags import flags_in_space

@@ -8,7 +8,7 @@ from typing import Any
 
 from minkref import _core
 from minkref.certify.space.convex_certificate import ConvexCertificate
-from minkref.degeneracies.case_faults import of_certificate, of_place
+from minkref.degeneracies.plane.case_faults import of_certificate, of_place
 from minkref.degeneracies.space.body import Body
 from minkref.degeneracies.space.case_document import content_in_space
 from minkref.fuzz.space.polyhedron import Polyhedron

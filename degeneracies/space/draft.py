@@ -12,7 +12,7 @@ from random import Random
 
 from minkref import _core
 from minkref.certify.space.convex_certificate import ConvexCertificate
-from minkref.degeneracies.draft import Subject
+from minkref.degeneracies.plane.draft import Subject
 from minkref.degeneracies.space.body import Body, Corners, Facet
 from minkref.degeneracies.space.doubles import signs_in_doubles
 from minkref.degeneracies.space.vectors import direction, inverse

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from minkref.degeneracies.flags import CLOSE, at_limits, far_apart, far_out, is_no_double
+from minkref.degeneracies.plane.flags import CLOSE, at_limits, far_apart, far_out, is_no_double
 from minkref.degeneracies.space.body import Body
 from minkref.degeneracies.space.draft import SpaceFacts
 from minkref.degeneracies.space.magnitudes import LEAST_BITS, LONG

@@ -13,31 +13,31 @@ from minkref import _core
 from minkref.degeneracies import found, lint
 from minkref.degeneracies.catalogue import ALL_FAMILIES, DISC_FAMILIES, PATH_FAMILIES
 from minkref.degeneracies.disc.case_faults import CORPUS as CORPUS_WITH_DISC
-from minkref.degeneracies.flags import explained
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, invalid_member
-from minkref.degeneracies.paths.case_faults import CORPUS as CORPUS_OF_PATHS
-from minkref.degeneracies.paths.case_faults import case_paths as case_paths_of_paths
+from minkref.degeneracies.motion.case_faults import CORPUS as CORPUS_OF_PATHS
+from minkref.degeneracies.motion.case_faults import case_paths as case_paths_of_paths
+from minkref.degeneracies.plane.flags import explained
 from minkref.documents import check_writable, write_together
 from minkref.errors import Refusal, message_of
 from minkref.fuzz.space.case_file import is_in_space
 from minkref.output_folder import make_folder
 from minkref.reports.degeneracies.cases import cases_in, space_case, unfit
-from minkref.reports.degeneracies.disc_cases import (
+from minkref.reports.degeneracies.disc.cases import (
     DiscRow,
     disc_case_pictures,
     disc_cases_in,
     disc_row,
 )
-from minkref.reports.degeneracies.path_cases import (
+from minkref.reports.degeneracies.motion.cases import (
     PathRow,
     path_case_pictures,
     path_cases_in,
     path_row,
 )
 from minkref.reports.degeneracies.pictures import Drawn, case_pictures
-from minkref.reports.degeneracies.solid_pictures import solid_pictures
-from minkref.reports.degeneracies.solid_row import SolidRow, solid_row
-from minkref.reports.degeneracies.space_pictures import space_case_pictures
+from minkref.reports.degeneracies.space.solid_pictures import solid_pictures
+from minkref.reports.degeneracies.space.solid_row import SolidRow, solid_row
+from minkref.reports.degeneracies.space.space_pictures import space_case_pictures
 from minkref.reports.pages import environment
 from minkref.space.scaling import read_scaling, text_of
 from minkref.terminal import escaped

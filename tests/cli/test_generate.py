@@ -23,8 +23,8 @@ import pytest
 from minkref.commands import generate
 from minkref.commands.schemas import schema
 from minkref.degeneracies import lint
-from minkref.degeneracies.case_document import Degenerate
-from minkref.degeneracies.draft import NothingDrawn
+from minkref.degeneracies.plane.case_document import Degenerate
+from minkref.degeneracies.plane.draft import NothingDrawn
 from minkref.errors import Refusal
 from processes import program, started
 

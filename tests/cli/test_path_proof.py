@@ -9,7 +9,7 @@ from typing import Any
 import jsonschema
 import pytest
 from minkref.commands.schemas import schema
-from minkref.degeneracies.paths.case_faults import case_validator
+from minkref.degeneracies.motion.case_faults import case_validator
 from minkref.reports.evidence.certificates.checkers import in_cpp, verdicts
 
 PART = "POLYGON((2 0,3 0,3 1,2 1,2 0))"

@@ -14,7 +14,6 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Any, TypeVar
 
-from minkref.degeneracies.case_texts import canonical_text
 from minkref.degeneracies.catalogue import (
     DISC_FAMILIES,
     PATH_FAMILIES,
@@ -27,6 +26,7 @@ from minkref.degeneracies.invalid.catalogue import (
     INVALID_MESH_FAMILIES,
     invalid_member,
 )
+from minkref.degeneracies.plane.case_texts import canonical_text
 from minkref.fuzz.plane.families.catalogue import FAMILIES
 from minkref.fuzz.plane.families.random_pairs import Pair
 from thoroughness import THOROUGH, draws

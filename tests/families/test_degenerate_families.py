@@ -15,13 +15,13 @@ import pytest
 from members import assert_made_again, faults_of_spoilt, turn
 from minkref import _core
 from minkref.degeneracies import lint
-from minkref.degeneracies.case_document import content_of
 from minkref.degeneracies.catalogue import ALL_FAMILIES, FAMILIES, SOLID_FAMILIES, SPACE_FAMILIES
 from minkref.degeneracies.files import made_member, write_member
-from minkref.degeneracies.flags import FLAGS, explained
 from minkref.degeneracies.found import FOUND
 from minkref.degeneracies.make_corpus import COUNT, SEED
+from minkref.degeneracies.plane.case_document import content_of
 from minkref.degeneracies.plane.contacts import FAMILIES as CONTACTS
+from minkref.degeneracies.plane.flags import FLAGS, explained
 from minkref.degeneracies.space.flags import FLAGS_IN_SPACE
 from minkref.oracle import slow
 from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, verdicts

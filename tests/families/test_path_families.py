@@ -15,8 +15,8 @@ from minkref.degeneracies.catalogue import ALL_FAMILIES, DISC_FAMILIES, PATH_FAM
 from minkref.degeneracies.files import made_path
 from minkref.degeneracies.make_corpus import COUNT_OF_PATHS
 from minkref.degeneracies.make_corpus import SEED as CORPUS_SEED
-from minkref.degeneracies.paths import case_faults
-from minkref.degeneracies.paths.case_document import DegeneratePath
+from minkref.degeneracies.motion import case_faults
+from minkref.degeneracies.motion.case_document import DegeneratePath
 from minkref.fuzz.judges.motion.path_collisions import Collisions, by_triangles
 from minkref.fuzz.judges.motion.path_traps import enclosing_ring, way_out
 from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, verdicts

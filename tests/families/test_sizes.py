@@ -10,10 +10,10 @@ from itertools import pairwise, product
 import pytest
 from minkref import _core
 from minkref.degeneracies.catalogue import FAMILIES
-from minkref.degeneracies.draft import Draft, Facts
-from minkref.degeneracies.generate import member
 from minkref.degeneracies.make_corpus import COUNT, SEED
 from minkref.degeneracies.plane.convolutions import crossing_combs, crossing_spirals
+from minkref.degeneracies.plane.draft import Draft, Facts
+from minkref.degeneracies.plane.generate import member
 from minkref.fuzz.geometry.plane import Shape
 from thoroughness import draws
 

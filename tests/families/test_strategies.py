@@ -18,7 +18,7 @@ from hypothesis import Phase, find, given, settings
 from hypothesis import strategies as st
 from members import turn
 from minkref.degeneracies.catalogue import FAMILIES
-from minkref.degeneracies.draft import Draft, Facts
+from minkref.degeneracies.plane.draft import Draft, Facts
 from minkref.strategies import (
     DEGENERATE_FAMILIES,
     SetData,

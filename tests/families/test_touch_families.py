@@ -6,7 +6,7 @@ from __future__ import annotations
 import pytest
 from minkref.degeneracies.catalogue import FAMILIES
 from minkref.degeneracies.found import FOUND
-from minkref.degeneracies.generate import member
+from minkref.degeneracies.plane.generate import member
 from minkref.degeneracies.plane.touches import FAMILIES as TOUCHES
 
 STORIES = {

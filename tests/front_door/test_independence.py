@@ -53,7 +53,7 @@ CHECK = _check()
         ("reference/CMakeLists.txt", "find_package(CGAL)"),
         ("python/minkref/api.py", "from minkref.commands.line import cli"),
         ("python/minkref/api.py", "def f():\n    from minkref import fuzz"),
-        ("certify/plane/certificate.py", "import minkref.degeneracies.draft"),
+        ("certify/plane/certificate.py", "import minkref.degeneracies.plane.draft"),
         ("fuzz/run/runner.py", "from minkref.reports import pages"),
         ("reports/conformance/page.py", 'import_module("minkref.commands.verify")'),
         ("reports/conformance/page.py", 'importlib.import_module(f"minkref.commands.{name}")'),

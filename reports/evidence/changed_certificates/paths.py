@@ -8,7 +8,7 @@ from functools import partial
 
 from minkref.certify.motion.path_certificate import PathCertificate
 from minkref.degeneracies.catalogue import PATH_FAMILIES
-from minkref.degeneracies.paths.case_document import DegeneratePath
+from minkref.degeneracies.motion.case_document import DegeneratePath
 from minkref.fuzz.judges.motion.certified_paths import PathConfirmation
 from minkref.fuzz.judges.motion.path_cases import path_case
 from minkref.fuzz.judges.motion.trap_cases import trap_case

@@ -11,7 +11,7 @@ from typing import Any
 
 from minkref.degeneracies import lint
 from minkref.degeneracies.catalogue import FAMILIES, SPACE_FAMILIES
-from minkref.degeneracies.verdict_of_floats import WIDTHS
+from minkref.degeneracies.plane.verdict_of_floats import WIDTHS
 from minkref.reports.evidence.certificates.checkers import in_cpp, verdicts
 from minkref.reports.evidence.framework.command import minkref
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size

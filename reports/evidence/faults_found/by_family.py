@@ -8,8 +8,8 @@ from fractions import Fraction
 from typing import Any
 
 from minkref import _core
-from minkref.degeneracies.case_document import Degenerate
 from minkref.degeneracies.catalogue import FAMILIES
+from minkref.degeneracies.plane.case_document import Degenerate
 from minkref.fuzz.plane.region import region_of_rings
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.of_tests import SEEDED, module, seeded_faults

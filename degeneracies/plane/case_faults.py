@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from minkref.degeneracies.case_texts import id_of
+from minkref.degeneracies.plane.case_texts import id_of
 
 
 def of_place(

@@ -7,9 +7,9 @@ from fractions import Fraction
 from itertools import pairwise
 from random import Random
 
-from minkref.degeneracies.paths.draft import PathDraft, PathFacts, PathFamily, Spot
-from minkref.degeneracies.paths.placing import SCALES, heights, placed, some_part
-from minkref.degeneracies.shapes import number
+from minkref.degeneracies.motion.draft import PathDraft, PathFacts, PathFamily, Spot
+from minkref.degeneracies.motion.placing import SCALES, heights, placed, some_part
+from minkref.degeneracies.plane.shapes import number
 from minkref.fuzz.geometry.plane import ORIGIN, Point, Ring, box, moved
 
 NEAR = Fraction(1, 1 << 40)  # beside an instant, as a part of the segment

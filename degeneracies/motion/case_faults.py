@@ -1,6 +1,6 @@
 """What must hold of the cases of paths and traps: schema, canonical form, ids, no case twice, a
 certificate of all that is expected, and each is what its source makes. `python -m
-minkref.degeneracies.paths.case_faults [FOLDER]`: a line for each fault, exit code 1 if there is
+minkref.degeneracies.motion.case_faults [FOLDER]`: a line for each fault, exit code 1 if there is
 one."""
 
 from __future__ import annotations
@@ -14,9 +14,9 @@ from typing import Any
 import jsonschema
 from minkref import _core
 from minkref.certify.motion.path_certificate import PathCertificate
-from minkref.degeneracies.case_texts import canonical_text
 from minkref.degeneracies.catalogue import PATH_FAMILIES
-from minkref.degeneracies.paths.case_document import DegeneratePath, path_case_id
+from minkref.degeneracies.motion.case_document import DegeneratePath, path_case_id
+from minkref.degeneracies.plane.case_texts import canonical_text
 
 ROOM = Path(__file__).parents[1]
 CORPUS = Path(__file__).parent / "corpus"

@@ -10,7 +10,7 @@ from random import Random
 
 import minkref
 from minkref import _core
-from minkref.degeneracies.draft import Subject
+from minkref.degeneracies.plane.draft import Subject
 from minkref.fuzz.geometry.plane import Shape
 from minkref.fuzz.plane.families.drawing import shape_text
 from minkref.path_values import FreeScales, PathBound, ScaleRange, ValidScales

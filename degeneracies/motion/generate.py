@@ -5,8 +5,8 @@ from __future__ import annotations
 from random import Random
 
 from minkref import _core
-from minkref.degeneracies.generate import PATIENCE, nothing_drawn
-from minkref.degeneracies.paths.draft import PathFacts, PathFamily
+from minkref.degeneracies.motion.draft import PathFacts, PathFamily
+from minkref.degeneracies.plane.generate import PATIENCE, nothing_drawn
 
 
 def drawn_path(family: PathFamily, seed: int, index: int) -> PathFacts:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from fractions import Fraction
 from random import Random
 
-from minkref.degeneracies.paths.draft import PathDraft, Spot
-from minkref.degeneracies.shapes import FACTORS, MAPS
+from minkref.degeneracies.motion.draft import PathDraft, Spot
+from minkref.degeneracies.plane.shapes import FACTORS, MAPS
 from minkref.fuzz.geometry.plane import Point, Ring, mapped
 
 SCALES = tuple(Fraction(n, d) for n, d in ((1, 1), (2, 1), (1, 2), (3, 2), (1, 3), (7, 5), (4, 9)))

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from minkref import _core
-from minkref.degeneracies.paths.case_faults import case_validator
+from minkref.degeneracies.motion.case_faults import case_validator
 from minkref.errors import cut, message_of
 from minkref.fuzz.geometry.plane import Point, fraction_rings
 from minkref.path_values import ScaleRange

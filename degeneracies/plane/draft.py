@@ -14,12 +14,12 @@ from typing import Any
 from minkref import _core
 from minkref.certify.case_text import places
 from minkref.certify.plane.predicate import Predicate, Vertices
-from minkref.degeneracies.convolution_at import ConvolutionAt
+from minkref.degeneracies.plane.convolution_at import ConvolutionAt
 from minkref.fuzz.geometry.plane import Shape
 from minkref.fuzz.plane.families.drawing import shape_text
 
 Place = tuple[str, str]
-PAGES = Path(__file__).parent / "pages"
+PAGES = Path(__file__).parents[1] / "pages"
 LARGEST_GAP = 2000  # 2^-k beside a scale is looked at down to this k
 
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from fractions import Fraction
 from random import Random
 
-from minkref.degeneracies.paths.draft import PathDraft, PathFacts, PathFamily, Spot
-from minkref.degeneracies.paths.placing import heights, placed, some_part
-from minkref.degeneracies.shapes import number
+from minkref.degeneracies.motion.draft import PathDraft, PathFacts, PathFamily, Spot
+from minkref.degeneracies.motion.placing import heights, placed, some_part
+from minkref.degeneracies.plane.shapes import number
 from minkref.fuzz.geometry.plane import ORIGIN, Ring, extent, moved
 
 

@@ -9,7 +9,7 @@ from dataclasses import replace
 from fractions import Fraction
 from random import Random
 
-from minkref.degeneracies.draft import Draft
+from minkref.degeneracies.plane.draft import Draft
 from minkref.fuzz.geometry.plane import (
     Point,
     Polygon,

@@ -9,7 +9,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any, Protocol
 
-from minkref.degeneracies.draft import Subject
+from minkref.degeneracies.plane.draft import Subject
 from minkref.exact import digest
 
 LICENCE = "Apache-2.0"

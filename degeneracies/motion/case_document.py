@@ -9,10 +9,10 @@ from typing import Any
 
 from minkref.certify.motion.path_certificate import PathCertificate
 from minkref.certify.motion.scale_cells import document as range_document
-from minkref.degeneracies.case_document import set_content
-from minkref.degeneracies.case_texts import LICENCE, CaseTexts, id_of, source_of
-from minkref.degeneracies.paths.draft import CONTACTS, PathFacts, PathFamily
-from minkref.degeneracies.paths.generate import drawn_path
+from minkref.degeneracies.motion.draft import CONTACTS, PathFacts, PathFamily
+from minkref.degeneracies.motion.generate import drawn_path
+from minkref.degeneracies.plane.case_document import set_content
+from minkref.degeneracies.plane.case_texts import LICENCE, CaseTexts, id_of, source_of
 
 SCHEMA = "path-case-v1"
 

@@ -13,7 +13,7 @@ from typing import Any
 from minkref import _core
 from minkref.certify.case_text import ring_numbers
 from minkref.certify.plane.predicate import Place
-from minkref.degeneracies.draft import Facts
+from minkref.degeneracies.plane.draft import Facts
 from minkref.fuzz.geometry.plane import in_box, turn
 
 CLOSE = 60  # another critical scale is within 2^-60

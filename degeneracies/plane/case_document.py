@@ -10,11 +10,11 @@ from typing import Any
 
 from minkref import _core
 from minkref.certify.plane.certificate import Certificate
-from minkref.degeneracies.case_texts import IN_FULL, CaseTexts, id_of, is_double, source_of
-from minkref.degeneracies.draft import Facts, Family
-from minkref.degeneracies.flags import flags_of
-from minkref.degeneracies.generate import member
-from minkref.degeneracies.verdict_of_floats import precision
+from minkref.degeneracies.plane.case_texts import IN_FULL, CaseTexts, id_of, is_double, source_of
+from minkref.degeneracies.plane.draft import Facts, Family
+from minkref.degeneracies.plane.flags import flags_of
+from minkref.degeneracies.plane.generate import member
+from minkref.degeneracies.plane.verdict_of_floats import precision
 from minkref.exact import digest
 from minkref.fuzz.geometry.plane import written_rings
 from minkref.rings import from_least

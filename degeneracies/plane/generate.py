@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from random import Random
 
-from minkref.degeneracies.draft import Facts, Family, NothingDrawn
+from minkref.degeneracies.plane.draft import Facts, Family, NothingDrawn
 from minkref.errors import Refusal
 
 PATIENCE = 400

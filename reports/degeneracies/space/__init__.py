@@ -1,0 +1,1 @@
+"""Pages of families: what is drawn and told of their cases."""
