@@ -38,8 +38,8 @@ test-clang: environment
 	ctest --preset clang -j $$(nproc)
 
 test-flushed: setup
-	.venv/bin/python -m pytest -n $$(nproc) -p float_environments $(addprefix tests/,api certificates convex critical disc \
-	  dynamic formats index paper_update paths plane space space_events space_paths) $(ARGS)
+	.venv/bin/python -m pytest -n $$(nproc) -p float_environments $(addprefix tests/,api certificates disc formats paper \
+	  plane space) $(ARGS)
 
 evidence: setup
 	.venv/bin/python reports/evidence/run.py $(ONLY) $(if $(QUICK),--quick) $(if $(FULL),--full) $(if $(CHANGED),--changed)

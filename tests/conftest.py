@@ -21,7 +21,7 @@ sys.modules.setdefault("rfc3987_syntax", None)  # type: ignore[arg-type]
 WAITING = {"verify", "view", "page_alone", "hostile"}
 README = Path(__file__).parent / "README.md"
 COSTS = README.parents[1] / "build" / "release" / "Testing" / "Temporary" / "CTestCostData.txt"
-ROW = re.compile(r"^(\| (\w+) \| [^|]* \| ).*\|$", re.M)  # of the table of rooms
+ROW = re.compile(r"^(\| ([\w/]+) \| [^|]* \| ).*\|$", re.M)  # of the table of rooms
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -57,7 +57,8 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
     seconds: Counter[str] = Counter()
     for report in reports:
         if isinstance(report, pytest.TestReport):
-            seconds[Path(report.nodeid.partition("::")[0]).parent.name] += report.duration
+            room = Path(report.nodeid.partition("::")[0]).parts[1:-1]
+            seconds["/".join(room)] += report.duration
     if sum(seconds.values()) > 60:
         line = ", ".join(f"{room} {value:.0f}" for room, value in seconds.most_common())
         terminalreporter.write_line(f"seconds by room: {line}; {sum(seconds.values()):.0f} in all")

@@ -82,7 +82,8 @@ def test_paths_and_commands_that_contributors_are_told_exist() -> None:
 
 
 def test_each_room_of_the_tests_stands_in_their_table() -> None:
-    rows = re.findall(r"^\| (\w+) \| ", text("tests/README.md"), re.MULTILINE)
-    rooms = {path.parent.name for path in (ROOT / "tests").glob("*/*.[ch]pp")}
-    rooms |= {path.parent.name for path in (ROOT / "tests").glob("*/*.py")}
+    rows = re.findall(r"^\| ([\w/]+) \| ", text("tests/README.md"), re.MULTILINE)
+    tests = ROOT / "tests"
+    kinds = ("*_test.cpp", "test_*.py", "fuzz_*.cpp", "consumer.cpp")
+    rooms = {str(path.parent.relative_to(tests)) for kind in kinds for path in tests.rglob(kind)}
     assert rows == ["Room", *sorted(rooms)]

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "reference/space/polyhedron.hpp"
-#include "tests/convex/bodies.hpp"
+#include "tests/space/convex/bodies.hpp"
 
 namespace minkref::surfaces {
 

@@ -8,7 +8,7 @@ from minkref.reports.evidence.framework.command import first_found
 from minkref.reports.evidence.framework.of_tests import page_adapter, page_adapters
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 
-RESTS_ON = ("tests/page_alone/",)
+RESTS_ON = ("tests/adapters/page_alone/",)
 MINUTES = Minutes(None, 1.2, 40)
 
 SECONDS, SOON = 240, 60

@@ -9,7 +9,7 @@ from minkref.reports.evidence.framework.command import first_found, verify
 from minkref.reports.evidence.framework.of_tests import SEEDED, seeded_adapter, seeded_faults
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 
-RESTS_ON = ("tests/seeded/",)
+RESTS_ON = ("tests/adapters/seeded/",)
 MINUTES = Minutes(0.1, 1.2, 30)
 
 SECONDS = Counts(4, 12, 60)

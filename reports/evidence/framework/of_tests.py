@@ -9,8 +9,8 @@ from typing import Any
 
 from minkref.reports.evidence.framework.places import ROOT
 
-SEEDED = ROOT / "tests" / "seeded"  # a small implementation, and faults to put into it
-PAGE_ALONE = ROOT / "tests" / "page_alone"  # adapters written from the page of the protocol alone
+SEEDED = ROOT / "tests" / "adapters" / "seeded"  # a small implementation, and faults to put into it
+PAGE_ALONE = SEEDED.with_name("page_alone")  # adapters written from the page of the protocol alone
 VERIFY = ROOT / "tests" / "verify"  # adapters with planted faults
 
 

@@ -9,11 +9,11 @@ from minkref.reports.evidence.framework.of_tests import module
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 from minkref.reports.evidence.framework.places import ROOT
 
-RESTS_ON = ("tests/hostile/",)
+RESTS_ON = ("tests/adapters/hostile/",)
 MINUTES = Minutes(None, 1.5, 60)
 ALONE = True
 
-FOLDER = ROOT / "tests" / "hostile"
+FOLDER = ROOT / "tests" / "adapters" / "hostile"
 WORDS: tuple[str, ...] = ("--no-models", "--shrink-calls", "0", "--jobs", "1", "--no-settings")
 WORDS += ("--call-seconds", "3", "--call-memory", "400", "--call-output", "32")
 WAYS = ("sandbox", "none")
@@ -23,7 +23,7 @@ AT_ONCE = 2
 
 
 def room(name: str) -> Any:
-    """A module of tests/hostile."""
+    """A module of tests/adapters/hostile."""
     return module(name, FOLDER, FOLDER / "files")
 
 

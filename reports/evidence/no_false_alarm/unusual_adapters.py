@@ -14,7 +14,7 @@ from minkref.reports.evidence.framework.command import counts_of, told, verify
 from minkref.reports.evidence.framework.of_tests import PAGE_ALONE, page_adapter, page_adapters
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 
-RESTS_ON = ("tests/page_alone/",)
+RESTS_ON = ("tests/adapters/page_alone/",)
 MINUTES = Minutes(None, 12, 60)
 
 CASES = Counts(0, 15, 500)

@@ -12,7 +12,7 @@ from minkref.reports.evidence.framework.places import ROOT
 
 MINUTES = Minutes(0.05, 0.2, 0.5)
 
-BUILD = ROOT / "build" / "release" / "tests" / "dynamic"
+BUILD = ROOT / "build" / "release" / "tests" / "plane" / "dynamic"
 COUNTS = "DynamicWalk.InsertionsDeletionsAndSwapsAreTheEventsCrossed"
 REPEAT = Counts(1, 6, 20)  # times 80 pairs of operands, 5 counted steps each
 SECONDS = 600
@@ -33,7 +33,7 @@ def run(findings: Findings, size: Size) -> None:
     findings.none("undefined symbols of ours in the library of a step", len(missing))
     repeat = size.of(REPEAT)
     done = subprocess.run(
-        [str(BUILD / "test_dynamic"), f"--gtest_filter={COUNTS}"],
+        [str(BUILD / "test_plane_dynamic"), f"--gtest_filter={COUNTS}"],
         capture_output=True, text=True, check=False, timeout=SECONDS,
         env={**os.environ, "MINKREF_REPEAT": str(repeat)},
     )  # fmt: skip

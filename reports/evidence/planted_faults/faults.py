@@ -31,15 +31,15 @@ MINUTES = Minutes(None, 13, 50)  # it builds
 
 BUILD = ROOT / "build" / "faults"
 TABLE = ROOM / "planted_faults.md"
-SUITES = ("plane", "critical", "dynamic", "index")
-SPACE_SUITES = ("number", "space", "space_sums", "surface")
+SUITES = ("plane", "plane/critical", "plane/dynamic", "plane/index")
+SPACE_SUITES = ("number", "space", "space/sums", "space/surface")
 DISC_SUITES = ("disc",)
 EVERY_SUITE = (*SUITES, *SPACE_SUITES, *DISC_SUITES)
 RESTS_ON = (
     "CMakeLists.txt", "CMakePresets.json", "cmake/", "formats/", "reference/",
     "tests/CMakeLists.txt", *(f"tests/{suite}/" for suite in EVERY_SUITE),
 )  # fmt: skip
-PYTEST_FOLDERS = ("tests/plane", "tests/dynamic")
+PYTEST_FOLDERS = ("tests/plane", "tests/plane/dynamic")
 ROUTES = TRUTHS
 PAIRS = 60
 SUITE_SECONDS, VERIFY_SECONDS, PYTEST_SECONDS = 300, 150, 150
@@ -102,7 +102,7 @@ def laws(fault: str, suites: tuple[str, ...]) -> list[str]:
     for suite in suites:
         with tempfile.NamedTemporaryFile(suffix=".json") as report:
             done = ended(
-                fault, SUITE_SECONDS, BUILD / "tests" / suite / f"test_{suite}",
+                fault, SUITE_SECONDS, BUILD / "tests" / suite / f"test_{suite.replace('/', '_')}",
                 f"--gtest_output=json:{report.name}", "--gtest_fail_fast",
             )  # fmt: skip
             if done is None:

@@ -21,7 +21,7 @@ from minkref.reports.evidence.framework.command import begun
 from minkref.reports.evidence.framework.of_tests import SEEDED, losing_a_hole, seeded_adapter
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 
-RESTS_ON = ("tests/seeded/",)
+RESTS_ON = ("tests/adapters/seeded/",)
 MINUTES = Minutes(None, 1.2, 23)
 
 SEED = 11

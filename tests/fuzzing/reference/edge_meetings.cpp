@@ -1,7 +1,7 @@
 #include "tests/fuzzing/reference/edge_meetings.hpp"
 
 #include "reference/plane/critical/pair_interval.hpp"
-#include "tests/critical/segments_meet.hpp"
+#include "tests/plane/critical/segments_meet.hpp"
 
 namespace minkref::fuzzing {
 namespace {
