@@ -83,7 +83,7 @@ class Check:
 
     def __post_init__(self) -> None:
         self._open = ExitStack()
-        module = import_module(f"minkref.fuzz.judges.{MODULES[self._short][0]}")
+        module = import_module(f"minkref.fuzz.judges.plane.{MODULES[self._short][0]}")
         self._judge: Callable[..., Ruling] = module.judge
         self._arguments: tuple[object, ...] = ()
         if self._short == "swept-boundary":
