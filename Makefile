@@ -14,8 +14,8 @@ SHELL := /bin/bash
 .DEFAULT_GOAL := run
 .PHONY: run test test-clang test-flushed evidence proofs lint format docs wheel sdist sbom lock setup environment clean
 
-CXX_SOURCES = $(shell find reference formats certify oracle python fuzz tests -name '*.cpp' -o -name '*.hpp')
-PYTHON_SOURCES = python commands strategies certify degeneracies docs/site fuzz oracle reports models tests scripts packaging
+CXX_SOURCES = $(shell find reference formats certify oracle bindings fuzz tests -name '*.cpp' -o -name '*.hpp')
+PYTHON_SOURCES = minkref certify degeneracies docs/site fuzz oracle reports tests scripts packaging
 
 setup:
 	@scripts/set_up.sh
@@ -52,7 +52,7 @@ lint: setup
 	.venv/bin/ruff check $(PYTHON_SOURCES)
 	.venv/bin/ruff format --check $(PYTHON_SOURCES)
 	.venv/bin/mypy
-	MYPYPATH=models .venv/bin/mypy models/*.py scripts/*.py packaging/*.py
+	MYPYPATH=models .venv/bin/mypy minkref/models/*.py scripts/*.py packaging/*.py
 	MYPYPATH=docs/site .venv/bin/mypy docs/site/*.py
 	.venv/bin/python scripts/check_includes.py
 	.venv/bin/lint-imports --no-cache pyproject.toml

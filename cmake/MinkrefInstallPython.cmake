@@ -25,6 +25,7 @@ if(NOT SKBUILD)
     install(DIRECTORY "${PROJECT_SOURCE_DIR}/${CMAKE_MATCH_2}/"
             DESTINATION "${MINKREF_PYTHON_DIR}/${CMAKE_MATCH_1}" COMPONENT python
             PATTERN "__pycache__" EXCLUDE PATTERN "CMakeLists.txt" EXCLUDE
+            REGEX "/minkref/(certify|degeneracies|fuzz|reports|oracle|_core[^/]*)$" EXCLUDE  # links
             REGEX "/(certify|checker)/([a-z]+/)?[a-z_0-9]+\\.[ch]pp$" EXCLUDE)
   endforeach()
 endif()

@@ -21,8 +21,8 @@ from minkref.degeneracies.solids.case_document import DegenerateSolids
 from minkref.degeneracies.solids.draft import SolidFamily
 from minkref.degeneracies.space.case_document import DegenerateInSpace
 from minkref.degeneracies.space.draft import SpaceFamily
-from minkref.documents import replacing
-from minkref.output_folder import make_folder
+from minkref.output.documents import replacing
+from minkref.output.output_folder import make_folder
 
 
 class FileRow(TypedDict):

@@ -24,7 +24,7 @@ from bare_root import BareRoot
 ROOT = Path(__file__).resolve().parents[1]
 EXTRAS = sorted({step.extra for step in STEPS if step.extra})
 LIMIT = 300.0  # seconds of one command
-HAS = "from minkref.commands.line.command_group import COMMANDS; print(*COMMANDS)"
+HAS = "from minkref.cli.command_group import COMMANDS; print(*COMMANDS)"
 WHERE = "import minkref._core as core; print(core.__file__)"
 
 

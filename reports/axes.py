@@ -7,7 +7,7 @@ import math
 from dataclasses import dataclass
 from fractions import Fraction
 
-from minkref.exact_frame import Frame
+from minkref.plane.exact_frame import Frame
 
 LONGEST = 7  # characters of a number at an axis
 LONGEST_BASE = 24

@@ -8,8 +8,8 @@ from fractions import Fraction
 from math import hypot
 from typing import Any
 
-from minkref.exact_frame import Exact, ExactPolygons, Frame, box_of, box_text, exact_polygons
-from minkref.operand import Operand
+from minkref.plane.exact_frame import Exact, ExactPolygons, Frame, box_of, box_text, exact_polygons
+from minkref.plane.operand import Operand
 from minkref.reports.drawing import Layer, Segment, height_of
 from minkref.reports.side_by_side import side_by_side
 from minkref.reports.sum_picture import OPERANDS, PANE, common_frame, pane, short_name

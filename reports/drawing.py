@@ -6,9 +6,9 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from html import escape
 
-from minkref.exact_frame import Frame
+from minkref.output.terminal import escaped
+from minkref.plane.exact_frame import Frame
 from minkref.reports.axes import drawn_axes, room_of_numbers
-from minkref.terminal import escaped
 
 Segment = tuple[float, float, float, float]
 Polygons = Sequence[Sequence[Sequence[tuple[float, float]]]]  # per polygon: outer ring, holes

@@ -7,7 +7,7 @@ from fractions import Fraction
 from html import escape
 
 from minkref import _core
-from minkref.terminal import escaped
+from minkref.output.terminal import escaped
 
 WIDTH = 680.0
 PAD = 12.0

@@ -6,7 +6,7 @@ from importlib import resources
 
 from jinja2 import Environment, FunctionLoader, StrictUndefined
 from markupsafe import Markup
-from minkref.terminal import escaped
+from minkref.output.terminal import escaped
 
 ROOM = "minkref.reports"
 

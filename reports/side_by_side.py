@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from html import escape
 
-from minkref.terminal import escaped
+from minkref.output.terminal import escaped
 
 LINE = 16  # of a caption
 

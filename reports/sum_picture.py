@@ -7,11 +7,11 @@ from fractions import Fraction
 from itertools import pairwise
 
 from minkref import _core
-from minkref.exact_frame import ExactBox, Frame, box_of, box_text, exact_polygons, fitted
-from minkref.operand import Operand
+from minkref.output.terminal import counted
+from minkref.plane.exact_frame import ExactBox, Frame, box_of, box_text, exact_polygons, fitted
+from minkref.plane.operand import Operand
 from minkref.reports.drawing import Box, Layer, bounds, height_of, picture
 from minkref.reports.side_by_side import side_by_side
-from minkref.terminal import counted
 
 PANE = 340
 LONGEST_NAME = 40  # letters of an operand that are shown

@@ -18,7 +18,7 @@ BY_NAME = re.compile(r"(import_module|__import__)\(\s*f?[\"'](?!\.[^.])[^\"']*")
 FOREIGN = ("CGAL/", "nlohmann/")
 ROOMS = (
     "reference", "formats", "certify", "oracle", "degeneracies", "fuzz", "reports",
-    "python", "commands", "strategies",
+    "bindings", "minkref",
 )  # fmt: skip
 
 # Room: the rooms of ours that it may include, and the foreign libraries of FOREIGN that it may use.
@@ -26,7 +26,7 @@ MAY_INCLUDE: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "reference": (("reference",), ()),
     "formats": (("formats", "reference"), ("nlohmann/",)),
     "certify": (("certify", "formats", "reference"), ("nlohmann/",)),
-    "python": (("python", "certify", "formats", "reference"), ()),
+    "bindings": (("bindings", "certify", "formats", "reference"), ()),
     "fuzz": (("fuzz", "formats", "reference"), ("nlohmann/",)),
     "oracle": (("oracle",), FOREIGN),
 }
@@ -65,17 +65,23 @@ ITS_OWN = {"reference/motion": "reference/motion/space"}
 # Folder: what its Python may not import. "standard library" lets nothing else through but itself.
 NO_IMPORT = {"oracle": ("minkref", "fuzz", "reports")}
 # They run the checker, and add nothing.
-CHECK_COMMANDS = (Path("commands/check.py"), Path("commands/certify_check.py"))
+CHECK_COMMANDS = (Path("minkref/verbs/check.py"), Path("minkref/verbs/certify_check.py"))
 STANDARD_LIBRARY_ONLY = ("oracle/slow", "oracle/places", "oracle/checker")
 # The floors of the package, from the ground up: what stands on one imports nothing that stands on a
-# floor above it, also not by a module's name. `python` is the package's own folder; its interface
+# floor above it, also not by a module's name; a folder stands where the last line says that names
+# it. The ground is what the package has of its own, values, operands and streams; its interface
 # stands above what it offers.
-API = ("python/minkref/api", "python/minkref/api.py", "python/minkref/__init__.py")
-FLOORS = (
-    ("python",), ("certify",), API, ("fuzz",), ("degeneracies",), ("strategies", "reports"),
-    ("commands",), ("reports/documentation", "reports/evidence"),
+API = ("minkref/api", "minkref/api.py", "minkref/__init__.py")
+SETTINGS = ("plane", "disc", "space", "motion")
+COMMANDS = (
+    "minkref/verbs", "minkref/cli", "minkref/page", "minkref/schemas",
+    *(f"minkref/{setting}/{room}" for setting in SETTINGS for room in ("commands", "page")),
 )  # fmt: skip
-DOOR = Path("python/minkref/__main__.py")  # `python -m minkref` is the command
+FLOORS = (
+    ("minkref",), ("certify",), API, ("fuzz",), ("degeneracies",),
+    ("minkref/strategies", "reports"), COMMANDS, ("reports/documentation", "reports/evidence"),
+)  # fmt: skip
+DOOR = Path("minkref/__main__.py")  # `python -m minkref` is the command
 # Words that do not occur in a build file of the room, comments aside.
 NO_LINK = {"reference": ("CGAL", "nlohmann", "minkref::formats")}
 
@@ -144,10 +150,11 @@ def floor_of(place: str) -> int:
 
 
 def place_of(module: str) -> str:
-    """`reports/audit/page` for minkref.reports.audit.page; python/ for what is in no other room."""
+    """`reports/audit/page` for minkref.reports.audit.page; minkref/ for what is in no other
+    room."""
     inside = "/".join(module.split(".")[1:])
     room = inside.split("/")[0]
-    return inside if room in (*ROOMS, "oracle", "models") else f"python/minkref/{inside}"
+    return inside if room in ROOMS else f"minkref/{inside}"
 
 
 def modules(tree: ast.AST) -> Iterator[tuple[int, str]]:

@@ -1,12 +1,11 @@
 """Makes the checkout the package `minkref` of .venv: an edited Python file is seen at once.
 
-The package is spread over the rooms of the repository (the table in pyproject.toml).
-build/package/minkref holds a link to each piece and to the extension module of build/release; a
-path file in .venv names build/package. Command, metadata and CGAL executables go beside the
-interpreter.
+Rooms of the repository are parts of the package (the table in pyproject.toml): the folder minkref/
+gets a link to each, and to the extension module of build/release; git ignores them. A path file in
+.venv names the checkout. Command, metadata and CGAL executables go beside the interpreter.
 
-link_package.py BUILD: only the links, in BUILD/package, with the extension module of BUILD. With
-PYTHONPATH=BUILD/package it comes before that of build/release.
+link_package.py BUILD: a package of links in BUILD/package, with the extension module of BUILD.
+Where PYTHONPATH=BUILD/package and PYTHONSAFEPATH=1 it comes before that of the checkout.
 """
 
 from __future__ import annotations
@@ -15,43 +14,43 @@ import shutil
 import sys
 import sysconfig
 import tomllib
+from collections.abc import Iterable
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
-PACKAGE = ROOT / "build" / "package"
+PACKAGE = ROOT / "minkref"
 BUILD = ROOT / "build" / "release"
 PROVED = "minkref-check-proved"  # of `make proofs`
 
 
 def set_links(folder: Path, wanted: dict[Path, Path]) -> None:
-    """Leaves exactly the links `wanted` (path below `folder` to target), touching no right one."""
-    for path in sorted(folder.rglob("*"), reverse=True):
-        if path.is_symlink():
-            if wanted.get(path.relative_to(folder)) != path.readlink():
-                path.unlink()
-        elif path.is_dir() and not any(path.iterdir()):
-            path.rmdir()
+    """Leaves exactly the links `wanted` (name in `folder` to target), touching no right one."""
+    for path in folder.iterdir():
+        if path.is_symlink() and wanted.get(Path(path.name)) != path.readlink():
+            path.unlink()
     for name, target in wanted.items():
-        where = folder / name
-        if not where.is_symlink():
-            where.parent.mkdir(parents=True, exist_ok=True)
-            where.symlink_to(target)
+        if not (folder / name).is_symlink():
+            (folder / name).symlink_to(target)
 
 
-def rooms_of_package(rooms: dict[str, str], build: Path = BUILD) -> dict[Path, Path]:
-    """A link for each entry of the package's own folder, each room, and the extension module."""
-    wanted: dict[Path, Path] = {}
-    for name, folder in rooms.items():
-        if "/" in name:
-            wanted[Path(name)] = ROOT / folder
-            continue
-        for entry in (ROOT / folder).iterdir():
-            if entry.name != "__pycache__":
-                wanted[Path(name, entry.name)] = entry
-        for built in (build / "python").glob("_core*"):
-            if built.suffix in (".so", ".pyi"):
-                wanted[Path(name, built.name)] = built
+def links_to(rooms: Iterable[str], build: Path) -> dict[Path, Path]:
+    """The rooms of the package that stand beside its own folder, and the extension module."""
+    beside = {Path(name).parts[1] for name in rooms if "/" in name}
+    wanted = {Path(name): ROOT / name for name in beside}
+    for built in (build / "bindings").glob("_core*"):
+        if built.suffix in (".so", ".pyi"):
+            wanted[Path(built.name)] = built
     return wanted
+
+
+def set_package(folder: Path, rooms: Iterable[str], build: Path) -> None:
+    """A package of links."""
+    wanted = links_to(rooms, build)
+    for entry in PACKAGE.iterdir():
+        if entry.name != "__pycache__" and not entry.is_symlink():
+            wanted[Path(entry.name)] = entry
+    folder.mkdir(parents=True, exist_ok=True)
+    set_links(folder, wanted)
 
 
 def write_metadata(site: Path, project: dict[str, object]) -> None:
@@ -67,7 +66,7 @@ def write_metadata(site: Path, project: dict[str, object]) -> None:
     )
     (info / "INSTALLER").write_text("scripts/link_package.py\n", encoding="utf-8")
     (info / "RECORD").write_text("", encoding="utf-8")
-    (site / "minkref.pth").write_text(f"{PACKAGE}\n", encoding="utf-8")
+    (site / "minkref.pth").write_text(f"{ROOT}\n", encoding="utf-8")
 
 
 def write_command(command: Path, entry: str) -> None:
@@ -105,11 +104,9 @@ def main() -> None:
     rooms = project["tool"]["scikit-build"]["wheel"]["packages"]
     if len(sys.argv) > 1:
         build = Path(sys.argv[1]).resolve()
-        (build / "package").mkdir(parents=True, exist_ok=True)
-        set_links(build / "package", rooms_of_package(rooms, build))
+        set_package(build / "package" / "minkref", rooms, build)
         return
-    PACKAGE.mkdir(parents=True, exist_ok=True)
-    set_links(PACKAGE, rooms_of_package(rooms))
+    set_links(PACKAGE, links_to(rooms, BUILD))
     write_metadata(Path(sysconfig.get_path("purelib")), project["project"])
     scripts = Path(sysconfig.get_path("scripts"))
     for name, entry in project["project"]["scripts"].items():

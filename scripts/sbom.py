@@ -23,7 +23,7 @@ from packageurl import PackageURL
 
 ROOT = Path(__file__).resolve().parents[1]
 BUILD = ROOT / "build" / "release"
-BINARIES = ("python/_core*.so", "oracle/*/minkref-*")  # in BUILD
+BINARIES = ("bindings/_core*.so", "oracle/*/minkref-*")  # in BUILD
 MINKREF = "root-component"  # as cyclonedx-bom names what a project file describes
 
 Json = dict[str, Any]

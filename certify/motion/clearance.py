@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from minkref.certify.motion.moving_parts import Corner, Pair, Vector, Way, cut
 from minkref.certify.motion.scale_cells import left_of
-from minkref.scale_ranges import ScaleRange
+from minkref.motion.scale_ranges import ScaleRange
 
 SPLIT_R, SPLIT_O, HALVE = -1, -2, -3
 RECENT = 6

@@ -12,7 +12,7 @@ from typing import Any
 from minkref.certify.motion.convex_cells import Place, below, middle
 from minkref.certify.motion.moving_parts import Corner, Pair, Vector, Way, cut, levels
 from minkref.certify.motion.scale_cells import Cut, cuts
-from minkref.scale_ranges import ScaleRange
+from minkref.motion.scale_ranges import ScaleRange
 
 MOST_HITS = 10_000  # of one claim
 ENOUGH = 64  # of hits that go on at a scale, from which the one that goes farthest is taken

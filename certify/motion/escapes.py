@@ -13,8 +13,8 @@ from minkref.certify.motion.convex_cells import Place
 from minkref.certify.motion.free_ways import FreeCells
 from minkref.certify.motion.moving_parts import Pair, Vector
 from minkref.certify.motion.scale_cells import ALL, Cut, common, cuts
-from minkref.path_values import valid_scales
-from minkref.scale_ranges import ScaleRange
+from minkref.motion.path_values import valid_scales
+from minkref.motion.scale_ranges import ScaleRange
 
 MOST_STEPS = 24  # of a way that are all tried
 AXES = ((-1, 0), (1, 0), (0, -1), (0, 1))

@@ -11,7 +11,7 @@ from typing import Any
 from minkref import _core
 from minkref.certify.case_text import places
 from minkref.certify.motion.convex_cells import Place
-from minkref.scale_ranges import ScaleRange
+from minkref.motion.scale_ranges import ScaleRange
 
 Vector = tuple[int, int]
 #: Linear in t, s and w.

@@ -25,7 +25,7 @@ from minkref.certify.motion.moving_cells import (
 from minkref.certify.motion.moving_parts import MovingPlace, MovingWay, Pair, Vector
 from minkref.certify.motion.scale_cells import Cut, between, left_of
 from minkref.certify.simplest import simplest_between
-from minkref.scale_ranges import ScaleRange
+from minkref.motion.scale_ranges import ScaleRange
 
 MOST_EDGES = 40_000  # of the convolution, at most: vertices of one set times those of the other
 MOST_VERTICES = 600  # of the boundary

@@ -21,8 +21,8 @@ from minkref.certify.motion.trap_cover import TrapCover
 from minkref.certify.plane.certificate import NoProof
 from minkref.errors import Refusal
 from minkref.exact import digest
-from minkref.path_values import trapped_scales, valid_scales
-from minkref.scale_ranges import ScaleRange, ranges_of
+from minkref.motion.path_values import trapped_scales, valid_scales
+from minkref.motion.scale_ranges import ScaleRange, ranges_of
 from minkref.version import version
 
 PIECES = [0, 1]  # the numbers of their steps

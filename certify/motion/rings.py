@@ -13,7 +13,7 @@ from typing import Any
 
 from minkref.certify.motion.convex_cells import Place, Polygon, below, crossings, middle
 from minkref.certify.motion.moving_parts import Pair, Vector, hull_of
-from minkref.scale_ranges import ScaleRange
+from minkref.motion.scale_ranges import ScaleRange
 
 #: Pieces of R and of O: the places B - sA.
 Nodes = tuple[int, int]

@@ -8,7 +8,7 @@ from math import inf
 from typing import Any
 
 from minkref.certify.motion.moving_parts import Corner, Gap, cut, ends_of, levels
-from minkref.scale_ranges import ScaleRange
+from minkref.motion.scale_ranges import ScaleRange
 
 ALL = ScaleRange(Fraction(0), None, False, False)
 #: Just below a scale; True: just above it.

@@ -17,7 +17,7 @@ from minkref.certify.motion.scale_cells import Cut, between, cuts
 from minkref.certify.motion.search_time import OutOfTime, SearchTime
 from minkref.certify.plane.certificate import NoProof
 from minkref.certify.simplest import simplest_between
-from minkref.scale_ranges import ScaleRange
+from minkref.motion.scale_ranges import ScaleRange
 
 MOST_ATTEMPTS = 24  # to find a ring that holds just above a scale
 MOST_CLAIMS = 100

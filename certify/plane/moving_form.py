@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from minkref.exact import digest
-from minkref.rings import from_least
+from minkref.plane.rings import from_least
 
 
 class Figure(NamedTuple):

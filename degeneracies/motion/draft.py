@@ -13,7 +13,7 @@ from minkref import _core
 from minkref.degeneracies.plane.draft import Subject
 from minkref.fuzz.geometry.plane import Shape
 from minkref.fuzz.plane.families.drawing import shape_text
-from minkref.path_values import FreeScales, PathBound, ScaleRange, ValidScales
+from minkref.motion.path_values import FreeScales, PathBound, ScaleRange, ValidScales
 
 Spot = tuple[Fraction, Fraction]
 CONTACTS = ("allowed", "forbidden")

@@ -17,7 +17,7 @@ from minkref.degeneracies.plane.generate import member
 from minkref.degeneracies.plane.verdict_of_floats import precision
 from minkref.exact import digest
 from minkref.fuzz.geometry.plane import written_rings
-from minkref.rings import from_least
+from minkref.plane.rings import from_least
 
 FINE = 60  # bits: a sibling is this near, where neighbouring doubles are 52 or 53 bits apart
 

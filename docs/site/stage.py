@@ -64,13 +64,13 @@ def main(folder: Path) -> None:
         write(pages / header.page, header.text())
         sources.add(Path(header.path))
     write(pages / cpp_api.FOLDER / "README.md", cpp_api.index(headers))
-    write(pages / python_api.PAGE, python_api.page(ROOT / "build/package"))
+    write(pages / python_api.PAGE, python_api.page(ROOT))
     write(pages / tool_pages.COMMAND_LINE, tool_pages.command_line(ROOT))
     schemas = list(tool_pages.schema_pages(ROOT))
     for page, text in schemas:
         write(pages / page, text)
-        sources.add(Path("commands/schemas", f"{page.stem.removesuffix('-json')}.json"))
-    sources.discard(Path("commands/schemas/README.json"))
+        sources.add(Path("minkref/schemas", f"{page.stem.removesuffix('-json')}.json"))
+    sources.discard(Path("minkref/schemas/README.json"))
     write(pages / gallery.PLACE / "README.md", gallery.make(ROOT, pages))
     shown = list(repository_pages.place_sources(ROOT, pages, sources))
     repository_pages.rank_all(pages)
@@ -83,9 +83,7 @@ def main(folder: Path) -> None:
         "hooks": [str(ROOT / "docs/site/hooks.py")],
         "nav": navigation,
         "not_in_nav": "\n".join(f"/{page}" for page in shown),
-        "plugins": {
-            "mkdocstrings": {"handlers": {"python": {"paths": [str(ROOT / "build/package")]}}}
-        },
+        "plugins": {"mkdocstrings": {"handlers": {"python": {"paths": [str(ROOT)]}}}},
     }
     write(folder / "mkdocs.yml", json.dumps(settings, indent=1))  # JSON is YAML
 

@@ -28,7 +28,7 @@ COMMAND = re.compile(r"^(\.venv/bin/)?(\w+=\S+ )*(minkref|cat|echo|printf|python
 
 def command_line(root: Path) -> str:
     """All commands with their arguments, options and examples."""
-    words = ["--app", "app", "minkref.commands.line.cli", "utils", "docs", "--name", "minkref"]
+    words = ["--app", "app", "minkref.cli.cli", "utils", "docs", "--name", "minkref"]
     done = subprocess.run(
         [root / ".venv/bin/typer", *words, "--title", "The command line"],
         check=True,
@@ -60,7 +60,7 @@ def schema_pages(root: Path) -> Iterator[tuple[Path, str]]:
     """A page for each schema, the index last."""
     logger.disable("jsonschema_markdown")  # it tells of forms that it shows as they are
     listed = []
-    for path in sorted((root / "commands/schemas").glob("*.json")):
+    for path in sorted((root / "minkref/schemas").glob("*.json")):
         schema = json.loads(path.read_text(encoding="utf-8"))
         title = schema.get("title", path.stem)
         text = jsonschema_markdown.generate(

@@ -35,7 +35,7 @@ from minkref.fuzz.plane.derived import WAYS
 from minkref.fuzz.plane.laws import LAWS
 from minkref.fuzz.settings import SETTINGS, setting_of, setting_of_document, setting_of_operands
 from minkref.model_catalogue import all_models
-from minkref.operand import is_file, read_operand
+from minkref.plane.operand import is_file, read_operand
 
 DEEPEST = 64  # operations in a name
 _GENERATED = re.compile(r"([a-z0-9-]+):(-?[0-9]+):([0-9]+)")

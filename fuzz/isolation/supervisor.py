@@ -18,7 +18,7 @@ from collections.abc import Callable
 from contextlib import suppress
 
 from minkref.fuzz.isolation.process_tree import children_of
-from minkref.signals import PR_SET_PDEATHSIG, end_with_parent, kill_group
+from minkref.output.signals import PR_SET_PDEATHSIG, end_with_parent, kill_group
 
 PR_SET_CHILD_SUBREAPER = 36
 MOST_FILES = 1 << 16  # open ones that the supervisor closes

@@ -29,7 +29,7 @@ from minkref.fuzz.judges.motion.path_cases import (
     path_case,
 )
 from minkref.fuzz.plane.exact_shapes import set_of, shape_of
-from minkref.scale_ranges import CONTACTS
+from minkref.motion.scale_ranges import CONTACTS
 
 GRID = "-grid"  # at the end of a family: coordinates are multiples of UNIT
 UNIT = Fraction(1, 64)

@@ -27,7 +27,7 @@ from minkref.fuzz.setting import Setting
 from minkref.fuzz.targets.answer import Answer
 from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.targets.number_text import number_of
-from minkref.operand import read_operand
+from minkref.plane.operand import read_operand
 
 if TYPE_CHECKING:
     from minkref.fuzz.plane.asking import PlaneAsking

@@ -8,7 +8,7 @@ import signal
 import sys
 from multiprocessing.context import SpawnProcess
 
-from minkref.signals import end_with_parent, kill_group
+from minkref.output.signals import end_with_parent, kill_group
 
 
 def begin() -> None:

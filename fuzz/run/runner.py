@@ -7,7 +7,6 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 
-from minkref.exits import ExitCode
 from minkref.fuzz.cases.case_list import CaseList, Wait
 from minkref.fuzz.cases.verbs import EVENTS, PATH, RANGES, REJECTS, UPDATE, is_path
 from minkref.fuzz.invalid.invalid_case import FAMILY as INVALID
@@ -19,7 +18,8 @@ from minkref.fuzz.run.worker import CaseResult, Job
 from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.verdicts.baseline import Baseline
 from minkref.fuzz.verdicts.verdict import BROKEN, GOOD, Outcome, Verdict
-from minkref.signals import Ended, Stoppable
+from minkref.output.exits import ExitCode
+from minkref.output.signals import Ended, Stoppable
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from minkref.fuzz.shrink.finding import SmallFinding, shrink_finding
 from minkref.fuzz.shrink.shrinker import MOST_CALLS
 from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.verdicts.verdict import Outcome, Verdict
-from minkref.signals import Ended
+from minkref.output.signals import Ended
 
 EXAMPLES = 3  # findings of a kind that are shrunk; of a known fault one
 CALLS_FOR_KNOWN = 150

@@ -19,7 +19,7 @@ from minkref.fuzz.geometry.space import (
     whole,
 )
 from minkref.fuzz.space.polyhedron import Polyhedron
-from minkref.rings import from_least
+from minkref.plane.rings import from_least
 
 Triple = tuple[int, int, int]
 

@@ -23,7 +23,7 @@ from minkref.fuzz.geometry.space import (
 )
 from minkref.fuzz.space.face_triangles import face_triangles
 from minkref.fuzz.space.parts import Parts
-from minkref.rings import from_least
+from minkref.plane.rings import from_least
 
 _NUMBER = re.compile(r"[+-]?\d+(/\d+)?", re.ASCII)
 Face = tuple[int, ...]

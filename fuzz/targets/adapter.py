@@ -21,7 +21,7 @@ from minkref.fuzz.targets.answer import REGIONS, Answer, Limits, lacking, skippe
 from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.targets.numbers import Unreadable, double, received
 from minkref.fuzz.verdicts.verdict import Verdict
-from minkref.scale_ranges import ScaleRange
+from minkref.motion.scale_ranges import ScaleRange
 
 MOST_FAILED_STARTS = 3
 

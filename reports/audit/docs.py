@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from minkref.documents import write_atomically
+from minkref.output.documents import write_atomically
 from minkref.reports.audit.catalogue import CHAPTERS, ENTRIES
 from minkref.reports.audit.entry import Chapter, Entry, counted, formulas
 from minkref.reports.audit.page import ROOT

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from minkref.documents import write_together
+from minkref.output.documents import write_together
 from minkref.reports.audit.catalogue import CHAPTERS, ENTRIES
 from minkref.reports.audit.entry import CheckFailed, Entry, Shown, counted
 from minkref.reports.pages import environment

@@ -17,7 +17,7 @@ from minkref.errors import refusing
 from minkref.fuzz.cgal.oracle import CgalOracle
 from minkref.fuzz.plane.families.drawing import reflected
 from minkref.model_catalogue import VARIABLE, all_models, or_look_alike
-from minkref.operand import Operand, read_operand
+from minkref.plane.operand import Operand, read_operand
 from minkref.reports.bench.baselines import CGAL, NoTimeError, by_cgal
 from minkref.reports.bench.pairs import SMALL, Pair
 from minkref.reports.bench.rescalings import WINDOW

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from minkref.model_catalogue import VARIABLE, all_models, or_look_alike
-from minkref.operand import Operand, read_operand
+from minkref.plane.operand import Operand, read_operand
 
 #: 30, 34, 24, 43 and 145 vertices, as the paper's five small polygons have.
 SMALL = ("g1", "g2", "g3", "g4", "dog145")

@@ -5,10 +5,10 @@ from __future__ import annotations
 import sys
 from typing import Any
 
+from minkref.output.terminal import console, lines
 from minkref.reports.bench.baselines import ABOUT, CGAL
 from minkref.reports.bench.table1 import PAPER_MEAN
 from minkref.reports.bench.table2 import ABOUT as KINDS
-from minkref.terminal import console, lines
 from rich.table import Table
 
 

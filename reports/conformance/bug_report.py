@@ -6,11 +6,11 @@ import re
 
 from minkref.fuzz.libraries.programs import library
 from minkref.fuzz.verdicts.verdict import Verdict
+from minkref.output.terminal import escaped
 from minkref.reports.conformance.case_view import CaseView, written
 from minkref.reports.conformance.markdown_text import plain
 from minkref.reports.conformance.path_words import path_argument, path_question
 from minkref.reports.conformance.words import meaning
-from minkref.terminal import escaped
 
 
 def bug_report(view: CaseView, version: str | None, presence: list[str]) -> str:

@@ -17,6 +17,7 @@ from minkref.fuzz.run.worker import CaseResult
 from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.verdicts.verdict import Outcome, Reason
+from minkref.output.terminal import counted, escaped
 from minkref.reports.conformance.argument import argument_in_plane, point_text
 from minkref.reports.conformance.path_words import path_argument, path_question
 from minkref.reports.conformance.plane_pictures import (
@@ -32,7 +33,6 @@ from minkref.reports.conformance.space_pictures import (
     space_comparison_pictures,
     space_operand_pictures,
 )
-from minkref.terminal import counted, escaped
 
 MOST_TEXT = 6000  # characters of an operand that is written out
 MOST_ROWS = 60  # of a table of vertices or faces

@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 from itertools import pairwise
 
-from minkref.exact_frame import Exact, ExactBox, ExactPolygons, box_of
+from minkref.plane.exact_frame import Exact, ExactBox, ExactPolygons, box_of
 
 SEEN = Fraction(1, 8)  # of the longer side of the picture: less wide and less high is looked at
 THIN = Fraction(1, 60)  # of the same: less thick is

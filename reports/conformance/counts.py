@@ -8,9 +8,9 @@ from dataclasses import dataclass, field
 
 from minkref.fuzz.run.runner import Cell
 from minkref.fuzz.verdicts.verdict import GOOD, Verdict
+from minkref.output.terminal import escaped
 from minkref.reports.conformance.run_words import general_reason
 from minkref.reports.conformance.words import SIGNS
-from minkref.terminal import escaped
 
 MOST_REASONS = 12
 _APART = (*GOOD, Verdict.SKIPPED)

@@ -11,13 +11,13 @@ from minkref.errors import cut
 from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.verdicts.verdict import Outcome, Verdict
+from minkref.output.terminal import escaped
 from minkref.reports.conformance.bug_report import bug_report
 from minkref.reports.conformance.case_view import CaseView, case_views
 from minkref.reports.conformance.plane_pictures import Picture
 from minkref.reports.conformance.run_words import describe
 from minkref.reports.conformance.versions import Presence, presence
 from minkref.reports.conformance.words import SIGNS, meaning
-from minkref.terminal import escaped
 
 LONGEST = 60  # characters of the name of a file
 

@@ -10,8 +10,8 @@ from minkref.fuzz.isolation.isolation import Isolation
 from minkref.fuzz.run.runner import Cell, Run
 from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.verdicts.verdict import BROKEN, Verdict
+from minkref.output.terminal import escaped
 from minkref.reports.conformance.run_words import cell_text, describe
-from minkref.terminal import escaped
 
 Kind = tuple[str, str, tuple[str, ...]]
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from minkref.terminal import escaped
+from minkref.output.terminal import escaped
 
 
 def plain(text: str) -> str:

@@ -7,11 +7,12 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from minkref.documents import write_together
 from minkref.fuzz.run.runner import Run
 from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.verdicts.verdict import Verdict
+from minkref.output.documents import write_together
+from minkref.output.terminal import escaped
 from minkref.reports.conformance.finding_page import FindingPage, finding_pages
 from minkref.reports.conformance.run_words import conclusion, left_out
 from minkref.reports.conformance.showcase import showcases
@@ -19,7 +20,6 @@ from minkref.reports.conformance.space_showcase import SpaceShowcase
 from minkref.reports.conformance.target_page import TargetPage, target_pages
 from minkref.reports.conformance.words import SIGNS, VERDICTS, ending
 from minkref.reports.pages import environment
-from minkref.terminal import escaped
 
 ONE_FILE = "report.html"
 FRONT = "index.html"

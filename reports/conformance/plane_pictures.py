@@ -9,7 +9,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from minkref import _core
-from minkref.exact_frame import (
+from minkref.fuzz.verdicts.verdict import Outcome, Witness
+from minkref.plane.exact_frame import (
     Exact,
     ExactBox,
     ExactPolygons,
@@ -18,7 +19,6 @@ from minkref.exact_frame import (
     exact_polygons,
     fitted,
 )
-from minkref.fuzz.verdicts.verdict import Outcome, Witness
 from minkref.reports.axes import rounded
 from minkref.reports.conformance.close_up import clipped, close_up
 from minkref.reports.drawing import Box, Label, Layer, picture

@@ -11,8 +11,8 @@ from minkref.fuzz.run.worker import CaseResult
 from minkref.fuzz.shrink.finding import SmallFinding
 from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.verdicts.verdict import GOOD, Verdict, Witness
+from minkref.output.terminal import counted, escaped
 from minkref.reports.conformance.path_words import path_witness_text
-from minkref.terminal import counted, escaped
 
 LACKING = "does not declare "
 LOG_SHOWN = 400  # characters

@@ -10,9 +10,9 @@ from urllib.parse import quote
 from minkref.fuzz.run.runner import Finding
 from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.verdicts.verdict import Verdict
+from minkref.output.terminal import escaped
 from minkref.reports.conformance.run_words import describe
 from minkref.reports.conformance.words import meaning
-from minkref.terminal import escaped
 from minkref.version import version
 
 SCHEMA = (

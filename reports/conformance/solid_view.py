@@ -9,8 +9,8 @@ from dataclasses import dataclass
 from html import escape
 
 from minkref.fuzz.judges.space.space_planes import PlaneFaces
+from minkref.output.terminal import escaped
 from minkref.reports.conformance.solid_drawing import Place, projected
-from minkref.terminal import escaped
 
 SHADES = 6
 LIGHT: Place = (0.5, 0.15, 0.85)

@@ -18,9 +18,9 @@ from minkref.fuzz.space.generators.round import geodesic_sphere, triangulated_to
 from minkref.fuzz.space.generators.tube import knot_tube
 from minkref.fuzz.space.generators.workshop import hollow_block, rounded_bracket, spur_gear
 from minkref.fuzz.space.polyhedron import Polyhedron
+from minkref.output.terminal import counted
 from minkref.reports.conformance.showcase import Showcase
 from minkref.reports.conformance.solid_view import solid_view
-from minkref.terminal import counted
 
 NEF_SECONDS = 10.0
 EDGES, DEFINITION = "edges", "definition"

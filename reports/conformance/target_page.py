@@ -8,9 +8,9 @@ from typing import Any
 from minkref.errors import cut
 from minkref.exact import scientific
 from minkref.fuzz.run.runner import Run
+from minkref.output.terminal import escaped
 from minkref.reports.conformance.counts import Counts, total
 from minkref.reports.conformance.finding_page import FindingPage, file_names
-from minkref.terminal import escaped
 
 
 @dataclass

@@ -13,7 +13,7 @@ from minkref.errors import Refusal, cut
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.space.case import SpaceCase
 from minkref.fuzz.space.case_file import is_in_space, read_space_case, scalings_in
-from minkref.operand import read_operand
+from minkref.plane.operand import read_operand
 
 SIBLINGS = 3  # scales at least: the one, and one below and above
 

@@ -17,10 +17,11 @@ from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, invalid_mem
 from minkref.degeneracies.motion.case_faults import CORPUS as CORPUS_OF_PATHS
 from minkref.degeneracies.motion.case_faults import case_paths as case_paths_of_paths
 from minkref.degeneracies.plane.flags import explained
-from minkref.documents import check_writable, write_together
 from minkref.errors import Refusal, message_of
 from minkref.fuzz.space.case_file import is_in_space
-from minkref.output_folder import make_folder
+from minkref.output.documents import check_writable, write_together
+from minkref.output.output_folder import make_folder
+from minkref.output.terminal import escaped
 from minkref.reports.degeneracies.cases import cases_in, space_case, unfit
 from minkref.reports.degeneracies.disc.cases import (
     DiscRow,
@@ -40,7 +41,6 @@ from minkref.reports.degeneracies.space.solid_row import SolidRow, solid_row
 from minkref.reports.degeneracies.space.space_pictures import space_case_pictures
 from minkref.reports.pages import environment
 from minkref.space.scaling import read_scaling, text_of
-from minkref.terminal import escaped
 
 INDEX = "index"
 DRAWN = 2  # cases of a family

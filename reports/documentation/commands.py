@@ -9,7 +9,7 @@ from functools import cache
 from typing import Any
 
 import typer
-from minkref.commands.line.cli import app
+from minkref.cli.cli import app
 from minkref.reports.documentation.blocks import Block
 
 OPTION = re.compile(r"(?<![\w/.-])(--[a-z][a-z-]*|-[a-zA-Z])(?![\w-])")

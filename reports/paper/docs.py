@@ -3,7 +3,7 @@ A test holds the page to it."""
 
 from __future__ import annotations
 
-from minkref.documents import write_atomically
+from minkref.output.documents import write_atomically
 from minkref.reports.audit.catalogue import CHAPTERS
 from minkref.reports.audit.page import ROOT
 from minkref.reports.paper.statements import STATEMENTS, Statement

@@ -8,7 +8,7 @@ from fractions import Fraction
 from itertools import pairwise
 
 from minkref import _core
-from minkref.operand import read_operand
+from minkref.plane.operand import read_operand
 from minkref.reports.bench.pairs import Pair
 from minkref.reports.drawing import Layer, picture
 from minkref.reports.offset_picture import offset_picture

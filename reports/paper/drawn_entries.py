@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from minkref import _core
-from minkref.operand import read_operand
+from minkref.plane.operand import read_operand
 from minkref.reports.bench.pairs import SMALL, Pair
 from minkref.reports.paper import drawings, moving_edges_drawn, space_drawn
 from minkref.reports.paper.entry import Claim, Entry

@@ -11,7 +11,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
-from minkref.documents import write_together
+from minkref.output.documents import write_together
 from minkref.reports.pages import environment
 from minkref.reports.paper.entries import entries
 from minkref.reports.paper.entry import RULE, Entry, Table

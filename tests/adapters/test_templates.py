@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from minkref.commands.line.cli import run
+from minkref.cli.cli import run
 from minkref.fuzz.adapters.template import HEADER
 from thoroughness import some
 

@@ -8,9 +8,9 @@ from fractions import Fraction
 import minkref
 import pytest
 from minkref import Convolution, ConvolutionEdge, PolygonSet, _core, convolution
-from minkref.convolution_values import COMPATIBLE, Place
-from minkref.exact_frame import exact_polygons
 from minkref.fuzz.plane.families.catalogue import FAMILIES
+from minkref.plane.convolution_values import COMPATIBLE, Place
+from minkref.plane.exact_frame import exact_polygons
 
 SEED = 4
 SQUARE = PolygonSet([(0, 0), (1, 0), (1, 1), (0, 1)])

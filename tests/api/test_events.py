@@ -9,9 +9,9 @@ from typing import Any
 import minkref
 import pytest
 from minkref import Event, PolygonSet, events
-from minkref.commands.line.cli import run
-from minkref.event_values import KINDS, ROUTED_KINDS
-from minkref.operand import read_operand
+from minkref.cli.cli import run
+from minkref.plane.event_values import KINDS, ROUTED_KINDS
+from minkref.plane.operand import read_operand
 
 FRAME = PolygonSet([[(0, 0), (4, 0), (4, 4), (0, 4)], [(1, 1), (1, 3), (3, 3), (3, 1)]])
 SQUARE = PolygonSet([(0, 0), (1, 0), (1, 1), (0, 1)])

@@ -15,7 +15,7 @@ import cubes
 import pytest
 from minkref import _core
 from minkref.certify.space.convex_certificate import ConvexCertificate, Texts, convex_certificate
-from minkref.commands.line.cli import run
+from minkref.cli.cli import run
 from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.generators.convex import box, random_hull, sphere
 from minkref.fuzz.space.hull import sum_of_convex

@@ -13,7 +13,7 @@ from typing import Any
 
 import jsonschema
 import pytest
-from minkref.commands.line.cli import run
+from minkref.cli.cli import run
 
 pytest.register_assert_rewrite("index_runs")
 

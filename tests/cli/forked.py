@@ -14,7 +14,7 @@ from pathlib import Path
 from subprocess import CompletedProcess
 from typing import IO, Any, NoReturn
 
-from minkref.commands.line.cli import main
+from minkref.cli.cli import main
 
 
 def forked(

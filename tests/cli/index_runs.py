@@ -10,8 +10,8 @@ from typing import Any
 import jsonschema
 import pytest
 from minkref import _core
-from minkref.commands.schemas import error_schema, result_schema
-from minkref.operand import read_operand
+from minkref.plane.operand import read_operand
+from minkref.schemas import error_schema, result_schema
 from pairs_of_texts import ISLANDS, RING_OF_SQUARES, SEVERAL_COMPONENTS, TRIANGLE
 
 Minkref = Callable[..., Any]

@@ -10,7 +10,7 @@ from typing import Any
 import jsonschema
 import pytest
 from forked import forked
-from minkref.commands.schemas import schema
+from minkref.schemas import schema
 from thoroughness import THOROUGH
 
 HULL = '''

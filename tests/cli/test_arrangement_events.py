@@ -9,7 +9,7 @@ from typing import Any
 
 import jsonschema
 import pytest
-from minkref.commands.schemas import result_schema
+from minkref.schemas import result_schema
 
 Minkref = Callable[..., Any]
 KINDS = ("triple", "arrangement", "boundary", "topology")

@@ -8,10 +8,10 @@ from typing import Any
 
 import jsonschema
 import pytest
-from minkref.commands.schemas import schema
 from minkref.reports.bench import pairs, table1, table2
 from minkref.reports.bench.rescalings import rescalings
 from minkref.reports.bench.spread import least, spread
+from minkref.schemas import schema
 
 Minkref = Callable[..., Any]
 

@@ -10,9 +10,9 @@ from typing import Any
 import pyarrow.parquet
 import pytest
 from minkref import _core
-from minkref.commands.lists import event_output
-from minkref.event_lists import PairEventList
-from minkref.operand import read_operand
+from minkref.plane.commands import event_output
+from minkref.plane.event_lists import PairEventList
+from minkref.plane.operand import read_operand
 
 Minkref = Callable[..., Any]
 

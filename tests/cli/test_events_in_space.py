@@ -10,9 +10,9 @@ from typing import Any
 
 import jsonschema
 import pytest
-from minkref.commands.schemas import schema
-from minkref.commands.space.event_parts import EventParts
-from minkref.commands.space.event_rows import rows_of
+from minkref.schemas import schema
+from minkref.space.commands.event_parts import EventParts
+from minkref.space.commands.event_rows import rows_of
 from minkref.space.operand import read_summand
 from written_solids import cube, frame, polygon, prism
 

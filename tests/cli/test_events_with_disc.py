@@ -9,7 +9,7 @@ from typing import Any
 
 import jsonschema
 import pytest
-from minkref.commands.schemas import schema
+from minkref.schemas import schema
 
 Minkref = Callable[..., Any]
 

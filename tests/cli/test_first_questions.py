@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from minkref.certify.space.solid_certificate import SolidCertificate
 from minkref.errors import Refusal
-from minkref.path_text import read_path
+from minkref.motion.path_text import read_path
 from minkref.space.operand import read_summand
 from minkref.space.tight_passages import tight_passages
 

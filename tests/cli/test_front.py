@@ -12,8 +12,8 @@ from typing import Any
 import jsonschema
 import minkref as package
 import pytest
-from minkref.commands.line.command_group import HEADING_OF, HEADINGS, load
-from minkref.commands.schemas import result_schema, schema
+from minkref.cli.command_group import HEADING_OF, HEADINGS, load
+from minkref.schemas import result_schema, schema
 from rich.text import Text
 
 Minkref = Callable[..., Any]
@@ -58,7 +58,7 @@ OPTIONAL = (
 WITHOUT_OPTIONAL = f"""
 import sys
 sys.modules.update(dict.fromkeys({OPTIONAL!r}))  # to import one of them raises
-from minkref.commands.line.cli import run
+from minkref.cli.cli import run
 sys.exit(any(run(words) for words in {[["--version"], *([name, "--help"] for name in COMMANDS)]}))
 """
 
@@ -143,7 +143,7 @@ def test_absent_target_names_the_command_that_builds_it(
 def test_internal_error_is_short_and_exits_70(
     minkref: Minkref, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from minkref.commands import models
+    from minkref.verbs import models
 
     def broken() -> None:
         raise RuntimeError("a fault of ours")

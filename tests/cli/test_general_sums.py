@@ -11,7 +11,7 @@ from typing import Any
 
 import jsonschema
 import pytest
-from minkref.commands.schemas import schema
+from minkref.schemas import schema
 from written_solids import (
     SQUARE,
     L,

@@ -20,12 +20,12 @@ from typing import Any, NoReturn
 
 import jsonschema
 import pytest
-from minkref.commands import generate
-from minkref.commands.schemas import schema
 from minkref.degeneracies import lint
 from minkref.degeneracies.plane.case_document import Degenerate
 from minkref.degeneracies.plane.draft import NothingDrawn
 from minkref.errors import Refusal
+from minkref.schemas import schema
+from minkref.verbs import generate
 from processes import program, started
 
 SECONDS = 60.0  # more than enough for what ends at once
@@ -311,7 +311,7 @@ KILLED = """
 import operator
 from concurrent.futures import ProcessPoolExecutor
 from multiprocessing import active_children, get_context
-from minkref.commands.generate import _kill
+from minkref.verbs.generate import _kill
 
 if __name__ == "__main__":
     pool = ProcessPoolExecutor(2, get_context("spawn"))

@@ -8,9 +8,9 @@ from typing import Any
 
 import jsonschema
 import pytest
-from minkref.commands.schemas import schema
 from minkref.degeneracies.catalogue import SPACE_FAMILIES
 from minkref.degeneracies.invalid.catalogue import INVALID_MESH_FAMILIES
+from minkref.schemas import schema
 
 
 def test_all_families_in_space_at_once(minkref: Any, tmp_path: Path) -> None:

@@ -11,8 +11,8 @@ from typing import Any
 import pytest
 from hint_steps import Words, steps
 from minkref import errors as minkref_errors
-from minkref.commands.line.command_group import load
-from minkref.commands.line.command_options import options_of
+from minkref.cli.command_group import load
+from minkref.cli.command_options import options_of
 
 Minkref = Callable[..., Any]
 

@@ -10,7 +10,7 @@ import pytest
 
 TOLD = """
 import sys
-from minkref.commands.line.cli import main
+from minkref.cli.cli import main
 try:
     main()
 finally:
@@ -31,11 +31,9 @@ def modules(*arguments: str) -> set[str]:
 
 def commands(names: set[str]) -> set[str]:
     """Modules of single commands, in the plane and in space, and their pages."""
-    shared = ("minkref.commands.line", "minkref.commands.lists", "minkref.commands.schemas")
+    shared = ("minkref.cli", "minkref.verbs.lists", "minkref.schemas")
     return {
-        name
-        for name in names
-        if name.startswith("minkref.commands.") and not name.startswith(shared)
+        name for name in names if name.startswith("minkref.verbs.") and not name.startswith(shared)
     }
 
 
@@ -58,6 +56,6 @@ def test_a_sum_imports_no_other_command_and_nothing_that_it_does_not_use(tmp_pat
     operand = tmp_path / "P.wkt"
     operand.write_text("POLYGON((0 0, 2 0, 0 2, 0 0))", encoding="utf-8")
     imported = modules("sum", str(operand), str(operand), "--json")
-    assert commands(imported) <= {"minkref.commands.sum", "minkref.commands.sum_table"}
+    assert commands(imported) <= {"minkref.verbs.sum", "minkref.plane.commands.sum_table"}
     assert not heavy(imported)
     assert "rich.progress" not in imported

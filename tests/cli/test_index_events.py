@@ -20,7 +20,7 @@ from index_runs import (
     window_options,
 )
 from minkref import _core
-from minkref.operand import read_operand
+from minkref.plane.operand import read_operand
 
 # With holes that are born, die, merge and split.
 EVENTFUL = ("letters", "islands", "several components")

@@ -30,7 +30,7 @@ from index_runs import (
     written,
 )
 from minkref import _core
-from minkref.commands.schemas import schema
+from minkref.schemas import schema
 from processes import started
 
 # The document, the file.
@@ -136,9 +136,9 @@ def test_a_pipe_is_written_to_and_stays_a_pipe(minkref: Minkref, tmp_path: Path)
 # Says so when the build begins; LAST stands for what happens before the file takes its name.
 SLOW = """
 import os, signal, sys
-from minkref import documents
-from minkref.commands import index
-from minkref.commands.line.cli import run
+from minkref.output import documents
+from minkref.verbs import index
+from minkref.cli.cli import run
 build = index.build_index
 def telling(*arguments):
     print("building", flush=True)
@@ -210,7 +210,7 @@ def test_a_file_that_cannot_be_written_leaves_an_older_one_whole(
     def full(*paths: Any) -> None:
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr("minkref.documents.os.replace", full)
+    monkeypatch.setattr("minkref.output.documents.os.replace", full)
     text, _ = refused(minkref, tmp_path, "index", "g1", "g3", "-o", path)
     assert "No space left" in text
     assert [path.name for path in tmp_path.iterdir()] == ["sums.index"]

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 from index_runs import Minkref, Window, ask, build, operands, window_options
-from minkref.operand import read_operand
+from minkref.plane.operand import read_operand
 from minkref.reports.evidence.pages.view import difference, true_polygons
 from page_decoder import Decoder, data_of
 

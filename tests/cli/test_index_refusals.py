@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 from index_runs import THIN, TRIANGLE, Minkref, U, ask, refused, written
 from minkref import _core
-from minkref.operand import read_operand
+from minkref.plane.operand import read_operand
 
 COMMANDS = {
     "sum": ["sum", "g1", "g2"],
@@ -249,7 +249,7 @@ class Differing:
 def test_an_index_that_differs_from_the_static_route_is_not_written(
     minkref: Minkref, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from minkref.commands import index
+    from minkref.verbs import index
 
     build_index = index.build_index
     monkeypatch.setattr(index, "build_index", lambda *given: Differing(build_index(*given)))

@@ -22,10 +22,10 @@ from index_runs import (
     told,
     written,
 )
-from minkref.commands.schemas import result_schema
-from minkref.documents import lasting
 from minkref.fuzz.plane.families.random_pairs import random_pair
-from minkref.operand import read_operand
+from minkref.output.documents import lasting
+from minkref.plane.operand import read_operand
+from minkref.schemas import result_schema
 
 STEPS = ("insertions", "deletions", "swaps", "updated", "event_scales", "update_seconds")
 

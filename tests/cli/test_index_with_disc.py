@@ -10,7 +10,7 @@ from typing import Any
 
 import jsonschema
 import pytest
-from minkref.commands.schemas import result_schema, schema
+from minkref.schemas import result_schema, schema
 
 Minkref = Callable[..., Any]
 

@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 from minkref import _core
-from minkref.commands.line import cli
-from minkref.commands.line.memory import SIMPLER, memory_wall
+from minkref.cli import cli
+from minkref.cli.memory import SIMPLER, memory_wall
 from minkref.errors import Refusal
 
 Minkref = Callable[..., Any]

@@ -10,7 +10,7 @@ from typing import Any
 
 import jsonschema
 import pytest
-from minkref.commands.schemas import error_schema
+from minkref.schemas import error_schema
 
 Minkref = Callable[..., Any]
 
@@ -183,7 +183,7 @@ def test_a_current_folder_that_is_gone_is_no_fault_of_ours(tmp_path: Path, isola
     words = ["verify", "minkref:winding", "--pairs", "2", "--no-models", "--isolation", isolation]
     script = (
         f"import os, sys; os.chdir({str(gone)!r}); os.rmdir({str(gone)!r})\n"
-        f"from minkref.commands.line.cli import run; sys.exit(run({words!r}))"
+        f"from minkref.cli.cli import run; sys.exit(run({words!r}))"
     )
     ran = subprocess.run(
         [sys.executable, "-c", script], capture_output=True, text=True, check=False

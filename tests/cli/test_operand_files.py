@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from minkref.commands.schemas import schema
+from minkref.schemas import schema
 
 Minkref = Callable[..., Any]
 NOT_UTF8 = os.fsdecode(b"\xff.wkt")

@@ -12,7 +12,7 @@ from typing import Any
 import jsonschema
 import pytest
 from minkref import _core
-from minkref.commands.schemas import schema
+from minkref.schemas import schema
 
 Minkref = Callable[..., Any]
 

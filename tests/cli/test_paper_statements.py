@@ -9,12 +9,12 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from minkref.commands.bench import PARTS
-from minkref.commands.report import SUBJECTS
 from minkref.reports.audit.catalogue import CHAPTERS, ENTRIES
 from minkref.reports.audit.page import ROOT
 from minkref.reports.paper import docs
 from minkref.reports.paper.statements import STATEMENTS
+from minkref.verbs.bench import PARTS
+from minkref.verbs.report import SUBJECTS
 
 COMMANDS = sorted({statement.command for statement in STATEMENTS})
 TAKE_LONG = ("report", "bench")  # these run as evidence

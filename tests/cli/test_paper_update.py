@@ -10,7 +10,7 @@ from typing import Any
 
 import jsonschema
 import pytest
-from minkref.commands.schemas import schema
+from minkref.schemas import schema
 
 Minkref = Callable[..., Any]
 WINDOW = ("--from", "1", "--to", "2", "--steps", "4")

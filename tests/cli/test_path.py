@@ -9,7 +9,7 @@ from typing import Any
 
 import jsonschema
 import pytest
-from minkref.commands.schemas import schema
+from minkref.schemas import schema
 
 Minkref = Callable[..., Any]
 PART = "POLYGON((2 0,3 0,3 1,2 1,2 0))"

@@ -8,9 +8,9 @@ from typing import Any
 
 import jsonschema
 import pytest
-from minkref.commands.schemas import schema
 from minkref.degeneracies.motion.case_faults import case_validator
 from minkref.reports.evidence.certificates.checkers import in_cpp, verdicts
+from minkref.schemas import schema
 
 PART = "POLYGON((2 0,3 0,3 1,2 1,2 0))"
 WALLS = "MULTIPOLYGON(((1 0,4 0,4 1,1 1,1 0)),((6 0,9 0,9 1,6 1,6 0)))"

@@ -15,13 +15,12 @@ from typing import Any, NoReturn
 import audit_runs
 import jsonschema
 import pytest
-from minkref.commands.schemas import schema
 from minkref.degeneracies import lint
 from minkref.degeneracies.catalogue import DISC_FAMILIES, FAMILIES, PATH_FAMILIES, SPACE_FAMILIES
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES
 from minkref.degeneracies.make_corpus import COUNT_OF_PATHS, COUNT_WITH_DISC
 from minkref.fuzz.space.generators.convex import box
-from minkref.operand import read_operand
+from minkref.plane.operand import read_operand
 from minkref.reports.audit.catalogue import ENTRIES
 from minkref.reports.audit.entry import Drawing, Entry, Shown
 from minkref.reports.bench import pairs, table1, table2
@@ -29,6 +28,7 @@ from minkref.reports.bench.cgal_space_service import NoSumError
 from minkref.reports.bench.space_pairs import TimedPair
 from minkref.reports.degeneracies import page as pages
 from minkref.reports.paper import crossing_facets, plots, program_plots
+from minkref.schemas import schema
 from minkref.space.operand import read_space_operand
 from thoroughness import THOROUGH, draws, some
 

@@ -10,8 +10,8 @@ from typing import Any
 import jsonschema
 import pytest
 from minkref import BadInput, _core
-from minkref.commands.schemas import schema
-from minkref.commands.space.rounding import is_closed, rounding_of
+from minkref.schemas import schema
+from minkref.space.commands.rounding import is_closed, rounding_of
 from written_solids import SQUARE, L, cube, frame, moved, off, prism, together
 
 Minkref = Callable[..., Any]

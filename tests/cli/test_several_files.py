@@ -13,8 +13,8 @@ from typing import Any
 
 import pytest
 from forked import forked
-from minkref.documents import lasting, write_together
 from minkref.errors import Refusal
+from minkref.output.documents import lasting, write_together
 
 PART = "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))"
 WALLS = "MULTIPOLYGON (((-9 0, -1 0, -1 1, -9 1, -9 0)), ((3 0, 9 0, 9 1, 3 1, 3 0)))"
@@ -54,7 +54,7 @@ def run(
 ALL_OF_THEM = """
 import json, os, sys
 from pathlib import Path
-from minkref.commands.line.cli import run
+from minkref.cli.cli import run
 for name, words in json.loads(sys.argv[1]).items():
     os.makedirs(Path(sys.argv[2], name))
     os.chdir(Path(sys.argv[2], name))

@@ -8,7 +8,7 @@ from typing import Any
 
 import jsonschema
 import pytest
-from minkref.commands.schemas import schema
+from minkref.schemas import schema
 from written_solids import SQUARE, cube, frame, hollow_cube, polygon
 
 Minkref = Callable[..., Any]

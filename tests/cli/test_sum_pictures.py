@@ -13,7 +13,7 @@ from typing import Any
 
 import pytest
 from minkref import _core
-from minkref.commands.line.terminal_picture import COLUMNS, ROWS, terminal_picture
+from minkref.cli.terminal_picture import COLUMNS, ROWS, terminal_picture
 
 Minkref = Callable[..., Any]
 BITS = ((0, 3, 0x40), (1, 3, 0x80), *((x, y, 1 << (3 * x + y)) for x in (0, 1) for y in (0, 1, 2)))

@@ -17,10 +17,10 @@ import jsonschema
 import mpmath
 import pytest
 from minkref import _core
-from minkref.commands.schemas import schema
 from minkref.disc.disc import Disc, read_disc
 from minkref.disc.polygons import polygon_near
 from minkref.exact import digest
+from minkref.schemas import schema
 from thoroughness import some
 
 Minkref = Callable[..., Any]

@@ -15,11 +15,11 @@ from typing import Any
 import jsonschema
 import pytest
 from minkref import _core
-from minkref.commands.schemas import schema
-from minkref.documents import lasting
 from minkref.exact import digest
 from minkref.fuzz.plane.families.random_pairs import random_pair
-from minkref.operand import read_operand
+from minkref.output.documents import lasting
+from minkref.plane.operand import read_operand
+from minkref.schemas import schema
 from processes import program, started
 from thoroughness import draws
 

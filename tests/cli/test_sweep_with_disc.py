@@ -11,9 +11,9 @@ from typing import Any
 import jsonschema
 import pytest
 from minkref import _core
-from minkref.commands.schemas import schema
 from minkref.exact import digest
-from minkref.operand import read_operand
+from minkref.plane.operand import read_operand
+from minkref.schemas import schema
 
 Minkref = Callable[..., Any]
 

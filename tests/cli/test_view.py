@@ -9,8 +9,8 @@ from typing import Any
 
 import jsonschema
 import pytest
-from minkref.commands.schemas import result_schema
 from minkref.reports.evidence.pages.view import difference, true_polygons
+from minkref.schemas import result_schema
 from page_decoder import Decoder, data_of
 
 Minkref = Callable[..., Any]
@@ -115,7 +115,7 @@ def test_two_points_are_refused(minkref: Minkref, tmp_path: Path) -> None:
 def test_a_point_and_a_segment_are_operands(
     minkref: Minkref, tmp_path: Path, shape: str, first: bool
 ) -> None:
-    from minkref.operand import read_operand
+    from minkref.plane.operand import read_operand
 
     thin = tmp_path / "thin.wkt"
     thin.write_text(shape, encoding="utf-8")

@@ -11,10 +11,10 @@ from typing import Any
 import jsonschema
 import pytest
 from minkref import _core
-from minkref.commands.pages.plane.paper_run import slider_scales
-from minkref.commands.pages.plane.picture import Window
-from minkref.commands.schemas import result_schema
-from minkref.operand import read_operand
+from minkref.plane.operand import read_operand
+from minkref.plane.page.paper_run import slider_scales
+from minkref.plane.page.picture import Window
+from minkref.schemas import result_schema
 from page_decoder import data_of as data_in
 
 Minkref = Callable[..., Any]
@@ -91,7 +91,7 @@ def test_events_that_are_missed_and_invented_have_parents(minkref: Minkref, tmp_
 def test_what_is_too_much_for_a_page_is_left_out(
     minkref: Minkref, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("minkref.commands.pages.plane.paper_run.MOST_NUMBERS", 5 * 20)
+    monkeypatch.setattr("minkref.plane.page.paper_run.MOST_NUMBERS", 5 * 20)
     page = tmp_path / "page.html"
     assert minkref("view", "g1", "g2", *ROUTE, *WINDOW, "-o", page).code == 0
     steps = data_of(page)["paper"]["steps"]

@@ -13,10 +13,10 @@ import jsonschema
 import pytest
 from disc_page_decoder import DiscDecoder
 from minkref import _core
-from minkref.commands.pages.disc import picture
-from minkref.commands.schemas import result_schema, schema
-from minkref.operand import read_operand
+from minkref.disc.page import picture
+from minkref.plane.operand import read_operand
 from minkref.reports.evidence.pages.disc_rings import ring_difference, true_rings
+from minkref.schemas import result_schema, schema
 from page_decoder import data_of
 
 Minkref = Callable[..., Any]

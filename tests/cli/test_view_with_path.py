@@ -13,9 +13,9 @@ from xml.etree import ElementTree
 import jsonschema
 import minkref as api
 import pytest
-from minkref.commands.pages.path import picture
-from minkref.commands.schemas import result_schema, schema
-from minkref.operand import read_operand
+from minkref.motion.page import picture
+from minkref.plane.operand import read_operand
+from minkref.schemas import result_schema, schema
 
 Minkref = Callable[..., Any]
 PART = "POLYGON((2 0,3 0,3 1,2 1,2 0))"

@@ -5,8 +5,8 @@ from __future__ import annotations
 import shlex
 from pathlib import Path
 
-from minkref.commands import verify
-from minkref.commands.line.command_line import command_line
+from minkref.cli.command_line import command_line
+from minkref.verbs import verify
 
 
 def test_what_was_given_is_said_and_nothing_else() -> None:

@@ -8,9 +8,9 @@ from fractions import Fraction
 from typing import Any
 
 import pytest
-from minkref.exact_frame import ExactPolygons
 from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.verdicts.verdict import Reason
+from minkref.plane.exact_frame import ExactPolygons
 from minkref.reports.axes import axis
 from minkref.reports.conformance.close_up import clipped, close_up
 from minkref.reports.conformance.plane_pictures import comparison_pictures, operand_pictures

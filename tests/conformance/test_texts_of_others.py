@@ -13,7 +13,6 @@ from typing import Any
 
 import pytest
 from markdown_it import MarkdownIt
-from minkref.commands.verify_output import print_tables
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.run.runner import Cell, Finding
 from minkref.fuzz.run.worker import CaseResult
@@ -26,6 +25,7 @@ from minkref.reports.conformance.markdown import markdown
 from minkref.reports.conformance.markdown_text import plain
 from minkref.reports.conformance.page import write_report as write_pages
 from minkref.reports.conformance.sarif import _place, sarif
+from minkref.verbs.verify_output import print_tables
 
 NASTY = (
     "<script>alert(1)</script> [a](javascript:b) ![c](d) *e* _f_ __g__ ~~h~~ `i` | # j --> ]]> "

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from minkref.exits import MEANINGS
+from minkref.output.exits import MEANINGS
 from minkref.strategies import DEGENERATE_FAMILIES
 
 ROOT = Path(__file__).resolve().parents[2]

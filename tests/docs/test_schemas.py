@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-SCHEMAS = sorted((Path(__file__).resolve().parents[2] / "commands/schemas").glob("*.json"))
+SCHEMAS = sorted((Path(__file__).resolve().parents[2] / "minkref/schemas").glob("*.json"))
 
 
 def references(value: Any) -> Iterator[str]:

@@ -1,5 +1,6 @@
 """The polyhedra that ship: exactly convex, of the sizes that they state, on the surfaces and with
-the symmetries that models/README.md claims. All by plain integers, from the bytes of the files."""
+the symmetries that minkref/models/README.md claims. All by plain integers, from the bytes of the
+files."""
 
 from __future__ import annotations
 

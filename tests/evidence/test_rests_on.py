@@ -26,10 +26,10 @@ BINDING = """
 FILES = {
     "CMakeLists.txt": "",
     "cmake/MinkrefBuild.cmake": "",
-    "python/core.cpp": '#include "python/core.hpp"',
-    "python/core.hpp": "",
-    "python/core_disc.cpp": BINDING,
-    "python/core_sum.cpp": '#include "reference/sum.hpp"\n module.def("sum", &sum);',
+    "bindings/core.cpp": '#include "bindings/core.hpp"',
+    "bindings/core.hpp": "",
+    "bindings/core_disc.cpp": BINDING,
+    "bindings/core_sum.cpp": '#include "reference/sum.hpp"\n module.def("sum", &sum);',
     "reference/sum.hpp": "",
     "reference/sum.cpp": '#include "reference/sum.hpp"\n#include "reference/number.hpp"',
     "reference/number.hpp": "",
@@ -44,9 +44,9 @@ FILES = {
     "quoted.py": 'getattr(_core, "sum")',
     "pure.py": 'core.offset("sum")',
 }
-BUILD = {"CMakeLists.txt", "cmake/MinkrefBuild.cmake", "python/core.cpp", "python/core.hpp"}
-SUM = {"python/core_sum.cpp", "reference/sum.hpp", "reference/sum.cpp", "reference/number.hpp"}
-DISC = {"python/core_disc.cpp", *(name for name in FILES if name.startswith("reference/disc"))}
+BUILD = {"CMakeLists.txt", "cmake/MinkrefBuild.cmake", "bindings/core.cpp", "bindings/core.hpp"}
+SUM = {"bindings/core_sum.cpp", "reference/sum.hpp", "reference/sum.cpp", "reference/number.hpp"}
+DISC = {"bindings/core_disc.cpp", *(name for name in FILES if name.startswith("reference/disc"))}
 JUDGE = {name for name in FILES if name.startswith("oracle")}
 
 
@@ -123,8 +123,8 @@ def test_all_processes_record_what_they_read_and_start(tmp_path: Path) -> None:
         [sys.executable, script], cwd=places.ROOT, env=recorded.environment(to), check=True
     )
     names = {recorded.named(line, places.ROOT) for line in recorded.lines(to)}
-    expected = {"docs/formats.md", "docs/verify.md", "python/minkref/exact.py", "Makefile"}
-    assert expected | {"python/minkref/__main__.py", "commands/line/cli.py"} <= names
+    expected = {"docs/formats.md", "docs/verify.md", "minkref/exact.py", "Makefile"}
+    assert expected | {"minkref/__main__.py", "minkref/cli/cli.py"} <= names
     assert "README.md" not in names
 
 
@@ -162,15 +162,15 @@ def rests_on(tmp_path_factory: pytest.TempPathFactory) -> dict[str, set[str]]:
     [
         ("reference/disc/diagram/none.hpp", []),
         ("reference/disc/region/exact_pieces.hpp", ["disc_events"]),
-        ("python/core_disc_events.cpp", ["disc_events"]),
+        ("bindings/core_disc_events.cpp", ["disc_events"]),
         ("oracle/cgal/offset_service.cpp", ["disc_events"]),
         ("fuzz/judges/disc/offset_cgal.py", ["disc_events"]),
         ("reference/plane/polygon_set.cpp", ["disc_events", "plane_sums"]),
-        ("python/minkref/operand.py", ["disc_events", "plane_sums"]),
-        ("models/g1.poly", ["disc_events", "plane_sums"]),
+        ("minkref/plane/operand.py", ["disc_events", "plane_sums"]),
+        ("minkref/models/g1.poly", ["disc_events", "plane_sums"]),
         ("reports/evidence/plane_sums/scalar_types.py", ["plane_sums"]),
         ("reports/evidence/run.py", []),
-        ("commands/disc/disc_events.py", []),
+        ("minkref/disc/commands/disc_events.py", []),
         ("oracle/checker/main.cpp", []),
         ("reference/space/edges/edge_sum.cpp", []),
         ("docs/disc.md", []),

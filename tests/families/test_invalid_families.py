@@ -14,7 +14,7 @@ from random import Random
 
 import pytest
 from members import LARGE
-from minkref.commands.line.cli import run
+from minkref.cli.cli import run
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, invalid_member
 from minkref.degeneracies.invalid.commands import COMMANDS, left_out, words, written
 from minkref.degeneracies.invalid.member import Invalid
@@ -23,10 +23,10 @@ from minkref.degeneracies.invalid.sheet import FORMS, sheet
 from minkref.degeneracies.invalid.writing import of_bytes, text_of
 from minkref.errors import Refusal, refusal_text
 from minkref.exact import read_scale
-from minkref.operand import read_operand
 from minkref.oracle import slow
 from minkref.oracle.slow.command import main as slow_command
 from minkref.oracle.slow.exact import positive
+from minkref.plane.operand import read_operand
 from thoroughness import THOROUGH, draws
 
 SEED = 31

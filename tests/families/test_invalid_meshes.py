@@ -15,7 +15,7 @@ from random import Random
 
 import pytest
 from minkref import _core
-from minkref.commands.line.cli import run
+from minkref.cli.cli import run
 from minkref.degeneracies.invalid.catalogue import INVALID_MESH_FAMILIES, invalid_member
 from minkref.degeneracies.invalid.commands import left_out
 from minkref.degeneracies.invalid.member import Invalid

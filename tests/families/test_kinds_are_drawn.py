@@ -30,7 +30,7 @@ from minkref.fuzz.plane.families.random_pairs import GROWTH, random_pair
 from minkref.fuzz.space.case import LAWS_IN_SPACE
 from minkref.fuzz.space.general_pairs import FAMILIES as SOLIDS
 from minkref.fuzz.space.general_pairs import OF_PARTS
-from minkref.scale_ranges import CONTACTS
+from minkref.motion.scale_ranges import CONTACTS
 
 SEED = 61
 Kind = tuple[object, ...]

@@ -13,9 +13,9 @@ from typing import Any
 
 import minkref
 import pytest
-from minkref.commands.line.output import measure
+from minkref.cli.output import measure
 from minkref.exact import approximate, in_double_range, rounded
-from minkref.shapes import _of_bits
+from minkref.plane.shapes import _of_bits
 
 SEED = 20
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"

@@ -80,7 +80,7 @@ def ninja_plan(target: str) -> str:
 
 def test_the_main_job_waits_for_no_test_and_no_program_that_it_does_not_call() -> None:
     plan = ninja_plan("minkref_run")
-    assert "python/core_sum.cpp" in plan
+    assert "bindings/core_sum.cpp" in plan
     assert "oracle/cgal/reduced.cpp" in plan and "oracle/cgal/space_nef.cpp" in plan
     for other in ("tests/", "oracle/cgal/swept", "oracle/checker/", "oracle/sampled/"):
         assert f"{ROOT}/{other}" not in plan

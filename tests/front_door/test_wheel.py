@@ -17,7 +17,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 import pytest
-from minkref.commands.line.command_group import COMMANDS
+from minkref.cli.command_group import COMMANDS
 
 ROOT = Path(__file__).resolve().parents[2]
 PACKAGING = ROOT / "packaging"
@@ -115,7 +115,7 @@ def test_source_distribution_holds_what_is_tracked_but_for_the_workplace(tmp_pat
         file.extractall(tmp_path)  # our own; Debian's Python 3.11.2 knows no filter
     sources = tmp_path / archive.name.removesuffix(".tar.gz")
     held = {str(path.relative_to(sources)) for path in sources.rglob("*") if path.is_file()}
-    assert {"CMakeLists.txt", "LICENSE", "LICENSES/THIRD_PARTY.md", "python/core.cpp"} <= held
+    assert {"CMakeLists.txt", "LICENSE", "LICENSES/THIRD_PARTY.md", "bindings/core.cpp"} <= held
     assert {"reference/plane/sum.cpp", "packaging/wheel.py", "tests/CMakeLists.txt"} <= held
     first = {name.split("/")[0] for name in held}
     assert not first & {"build", "dist", ".venv", ".ci", ".github", ".devcontainer"}

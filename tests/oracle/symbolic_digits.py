@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from minkref.oracle.symbolic.disc.disc.disc import Arc, Offset, cross
-from minkref.oracle.symbolic.disc.disc.radicals import Radical
+from minkref.oracle.symbolic.disc.disc import Arc, Offset, cross
+from minkref.oracle.symbolic.disc.radicals import Radical
 from mpmath import mp, mpf
 
 mp.dps = 60

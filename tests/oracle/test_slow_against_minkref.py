@@ -15,7 +15,7 @@ from typing import Any
 
 import minkref
 import pytest
-from minkref.commands.line.cli import run
+from minkref.cli.cli import run
 from minkref.oracle.slow import Operand, minkowski_sum, topology
 from minkref.oracle.slow.canonical import digest, document
 from random_pairs import Source, as_json, pair, shrunk

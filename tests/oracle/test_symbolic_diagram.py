@@ -20,13 +20,8 @@ from minkref.fuzz.judges.disc.equidistant_comparison import (
     main,
 )
 from minkref.fuzz.judges.disc.outline import Outline
-from minkref.oracle.symbolic.disc.disc.disc import Offset
-from minkref.oracle.symbolic.disc.disc.disc_diagram import (
-    SquaredRadius,
-    between,
-    equidistant,
-    in_front,
-)
+from minkref.oracle.symbolic.disc.disc import Offset
+from minkref.oracle.symbolic.disc.disc_diagram import SquaredRadius, between, equidistant, in_front
 from minkref.oracle.symbolic.rational import Rational
 from mpmath import mp, mpf, polyval
 

@@ -8,7 +8,7 @@ from itertools import combinations, pairwise, product
 import sympy as sp
 from minkref.fuzz.judges.plane.small_operands import star
 from minkref.oracle.symbolic import solutions
-from minkref.oracle.symbolic.disc.disc.disc import (
+from minkref.oracle.symbolic.disc.disc import (
     Offset,
     arcs,
     eliminated_polynomial,
@@ -16,13 +16,13 @@ from minkref.oracle.symbolic.disc.disc.disc import (
     three_circles,
     three_lines,
 )
-from minkref.oracle.symbolic.disc.disc.disc_contact import (
+from minkref.oracle.symbolic.disc.disc_contact import (
     Feature,
     adjacent,
     pair_disc_events,
     polygon_events,
 )
-from minkref.oracle.symbolic.disc.disc.radicals import Radical, number, square_root
+from minkref.oracle.symbolic.disc.radicals import Radical, number, square_root
 from minkref.oracle.symbolic.moving import cross
 from minkref.oracle.symbolic.rational import Rational
 from minkref.oracle.symbolic.standing import minus

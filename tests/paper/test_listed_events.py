@@ -7,7 +7,7 @@ import hashlib
 
 import pytest
 from minkref import _core
-from minkref.operand import read_operand
+from minkref.plane.operand import read_operand
 from thoroughness import THOROUGH
 
 CORRECTED = {name: corrected for name, _, corrected, _ in _core.paper_readings()}

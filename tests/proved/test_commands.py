@@ -11,9 +11,9 @@ from typing import Any
 import pytest
 import squares
 import walls
-from minkref.commands import check_proved
-from minkref.commands.line.cli import run
+from minkref.cli.cli import run
 from minkref.reports.evidence.certificates.checkers import ROOT
+from minkref.verbs import check_proved
 
 HOLED = "POLYGON((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 3, 3 3, 3 1, 1 1))"
 

@@ -8,7 +8,7 @@ import io
 import re
 
 import pytest
-from minkref.operand import read_operand
+from minkref.plane.operand import read_operand
 from minkref.reports.bench.pairs import Pair
 from minkref.reports.paper import drawings, moving_edges_drawn, space_drawn
 from minkref.reports.paper.entry import Claim, Entry, Verdict, verdict_of

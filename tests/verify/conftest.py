@@ -13,7 +13,6 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
-from minkref.commands.schemas import schema
 from minkref.fuzz.cases import naming
 from minkref.fuzz.cases.case_list import RANDOM, CaseList
 from minkref.fuzz.cases.case_name import CaseName
@@ -25,6 +24,7 @@ from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.targets.catalogue import make_target
 from minkref.fuzz.verdicts.baseline import Baseline
 from minkref.fuzz.verdicts.verdict import Outcome
+from minkref.schemas import schema
 from thoroughness import THOROUGH
 
 os.register_at_fork(after_in_child=faulthandler.disable)  # forked workers die on purpose

@@ -32,7 +32,7 @@ from typing import Any
 
 import minkref
 from minkref.fuzz.geometry.plane import fraction_rings, hull
-from minkref.scale_ranges import ScaleRange
+from minkref.motion.scale_ranges import ScaleRange
 from path_by_trapezoids import passes
 
 HAIR = Fraction(1, 10**12)

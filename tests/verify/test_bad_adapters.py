@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from minkref.commands.line.cli import run
+from minkref.cli.cli import run
 from minkref.errors import Refusal
 from minkref.fuzz.isolation.isolation import choose
 from minkref.fuzz.isolation.leftovers import marked

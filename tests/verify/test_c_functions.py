@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from minkref.commands.line.cli import run
+from minkref.cli.cli import run
 from minkref.fuzz.adapters.template import HEADER
 from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.verdicts.verdict import Outcome, Verdict

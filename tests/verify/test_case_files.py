@@ -13,7 +13,7 @@ from typing import Any
 
 import jsonschema
 import pytest
-from minkref.commands.line.cli import run
+from minkref.cli.cli import run
 from minkref.degeneracies import lint
 from minkref.degeneracies.catalogue import SOLID_FAMILIES
 from minkref.fuzz.space.case import known_pair

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from minkref.commands.line.cli import run
+from minkref.cli.cli import run
 from thoroughness import draws
 
 WRONG = "py:faulty_sums:loses_holes"

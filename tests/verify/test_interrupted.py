@@ -120,7 +120,7 @@ def goes_on(folder: Path) -> None:
 
 
 def verify_here(*words: str, capsys: pytest.CaptureFixture[str]) -> tuple[int, Any, str]:
-    from minkref.commands.line.cli import run
+    from minkref.cli.cli import run
 
     more = ("--pairs", "40", "--jobs", "1", "--no-models", "--family", "holes", "--json")
     code = run(["verify", "py:faulty_sums:loses_holes", *more, *words])

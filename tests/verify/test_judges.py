@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 from minkref import _core
-from minkref.commands.line.cli import run
+from minkref.cli.cli import run
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cgal.executables import OracleNotFoundError
 from minkref.fuzz.cgal.swept_solid import SweptSolid

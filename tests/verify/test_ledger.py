@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from minkref.commands.line.cli import run
+from minkref.cli.cli import run
 from minkref.errors import Refusal
 from minkref.fuzz.run.ledger import Ledger
 from processes import program, started

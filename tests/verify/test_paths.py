@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from minkref.commands.line.cli import run as command
+from minkref.cli.cli import run as command
 from minkref.errors import Refusal
 from minkref.fuzz.cases import naming
 from minkref.fuzz.cases.case_list import CaseList, Wait
@@ -30,7 +30,7 @@ from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.verdicts.baseline import Baseline
 from minkref.fuzz.verdicts.verdict import GOOD, Outcome, Reason, Verdict
-from minkref.scale_ranges import ScaleRange
+from minkref.motion.scale_ranges import ScaleRange
 from thoroughness import THOROUGH, draws
 
 Outcomes = Callable[..., list[Outcome]]

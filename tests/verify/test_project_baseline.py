@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from minkref import fuzz
-from minkref.commands.line.cli import run
+from minkref.cli.cli import run
 from minkref.fuzz.cgal.executables import OracleNotFoundError, cgal_version, target_names
 from minkref.fuzz.verdicts.baseline import read_baseline
 from minkref.fuzz.verdicts.verdict import Reason, Verdict

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 from minkref.errors import Refusal
-from minkref.output_folder import held_folder
+from minkref.output.output_folder import held_folder
 from processes import started
 
 
@@ -27,7 +27,7 @@ def test_a_folder_is_held_until_the_end_and_leaves_nothing(tmp_path: Path) -> No
 
 
 def test_a_process_that_is_killed_holds_no_folder(tmp_path: Path) -> None:
-    code = "import sys, pathlib, minkref.output_folder as o\n"
+    code = "import sys, pathlib, minkref.output.output_folder as o\n"
     code += (
         "with o.held_folder(pathlib.Path(sys.argv[1])):\n print(1, flush=True); sys.stdin.read()"
     )

@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from minkref.exits import ExitCode
 from minkref.fuzz.cases import case_list
 from minkref.fuzz.isolation.isolation import choose
 from minkref.fuzz.plane.witness import holds
@@ -16,6 +15,7 @@ from minkref.fuzz.run import pool
 from minkref.fuzz.run.runner import Run
 from minkref.fuzz.verdicts.baseline import Baseline, Entry
 from minkref.fuzz.verdicts.verdict import Reason, Verdict
+from minkref.output.exits import ExitCode
 from thoroughness import draws
 
 Verify = Callable[..., Run]

@@ -7,10 +7,10 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from minkref.commands.line.cli import run
-from minkref.commands.line.command_options import options_of
-from minkref.commands.line.settings import KINDS
-from minkref.commands.verify import command
+from minkref.cli.cli import run
+from minkref.cli.command_options import options_of
+from minkref.cli.settings import KINDS
+from minkref.verbs.verify import command
 
 BASE = 'targets = ["minkref:paper"]\npairs = 2\nmodels = false\njobs = 1\n'
 

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 from minkref import _core
-from minkref.commands.line.cli import run
+from minkref.cli.cli import run
 from thoroughness import THOROUGH, draws, some
 
 TARGET = "py:planted_conditions:"

@@ -10,7 +10,7 @@ import re
 from pathlib import Path
 from typing import Any
 
-from minkref.commands.line.cli import run
+from minkref.cli.cli import run
 from minkref.reports.evidence.pages.view import Polygons
 
 Point = tuple[float, float]

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from minkref.operand import read_operand
+from minkref.plane.operand import read_operand
 from minkref.reports.evidence.framework.browser import Browser, absent
 from minkref.reports.evidence.pages.view import RINGS, difference, true_polygons
 from page_decoder import data_of, page_of, scales

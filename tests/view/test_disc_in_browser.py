@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 from minkref import _core
-from minkref.operand import read_operand
+from minkref.plane.operand import read_operand
 from minkref.reports.evidence.framework.browser import Browser, absent
 from minkref.reports.evidence.pages.disc_rings import ring_difference, true_rings
 from minkref.reports.evidence.pages.view import MARKS, OFFSETS

@@ -9,10 +9,10 @@ from typing import Any
 
 import pytest
 from minkref import _core
-from minkref.commands.pages.plane.linear import linear
-from minkref.commands.pages.plane.picture import Sums, Window, picture
 from minkref.fuzz.plane.families.random_pairs import random_pair
-from minkref.operand import read_operand
+from minkref.plane.operand import read_operand
+from minkref.plane.page.linear import linear
+from minkref.plane.page.picture import Sums, Window, picture
 from minkref.reports.evidence.pages.view import difference, true_polygons
 from page_decoder import Decoder, data_of, page_of, scales
 from thoroughness import THOROUGH, draws, some

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from minkref.commands.line.cli import run
+from minkref.cli.cli import run
 from minkref.reports.evidence.framework.browser import Browser, absent
 from page_decoder import data_of
 

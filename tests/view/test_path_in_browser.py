@@ -11,8 +11,8 @@ from typing import Any
 import minkref
 import pytest
 from minkref.fuzz.judges.motion.path_cases import path_case, texts
-from minkref.operand import read_operand
-from minkref.path_text import read_path
+from minkref.motion.path_text import read_path
+from minkref.plane.operand import read_operand
 from minkref.reports.evidence.framework.browser import Browser, absent
 from page_decoder import data_of, page_of
 from thoroughness import some

@@ -5,8 +5,8 @@ from __future__ import annotations
 import random
 
 import pytest
-from minkref.commands.pages.plane.replay import Replay
-from minkref.commands.pages.plane.ring_changes import (
+from minkref.plane.page.replay import Replay
+from minkref.plane.page.ring_changes import (
     Change,
     RingChanges,
     Row,

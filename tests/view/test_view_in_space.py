@@ -17,12 +17,12 @@ from typing import Any
 import jsonschema
 import pytest
 from minkref import _core
-from minkref.commands.line.cli import run
-from minkref.commands.pages.space import view_page
-from minkref.commands.schemas import result_schema, schema
+from minkref.cli.cli import run
 from minkref.exact import digest
 from minkref.reports.evidence.framework import browser as framework
+from minkref.schemas import result_schema, schema
 from minkref.space.operand import read_space_operand
+from minkref.space.page import view_page
 from thoroughness import THOROUGH, some
 
 View = Callable[..., tuple[Path, dict[str, Any]]]

@@ -12,9 +12,9 @@ from typing import Any
 
 import jsonschema
 import pytest
-from minkref.commands.line.cli import run
-from minkref.commands.schemas import schema
+from minkref.cli.cli import run
 from minkref.reports.evidence.framework import browser as framework
+from minkref.schemas import schema
 from thoroughness import some
 
 View = Callable[..., tuple[Path, dict[str, Any]]]

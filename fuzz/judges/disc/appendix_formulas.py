@@ -10,10 +10,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from minkref.oracle.symbolic.disc.disc import disc
-from minkref.oracle.symbolic.disc.disc.disc import Arc, Offset, Place
-from minkref.oracle.symbolic.disc.disc.disc_contact import Feature, ends, moved_out, on, on_arc
-from minkref.oracle.symbolic.disc.disc.radicals import Radical, number, square_root
+from minkref.oracle.symbolic.disc import disc
+from minkref.oracle.symbolic.disc.disc import Arc, Offset, Place
+from minkref.oracle.symbolic.disc.disc_contact import Feature, ends, moved_out, on, on_arc
+from minkref.oracle.symbolic.disc.radicals import Radical, number, square_root
 from minkref.oracle.symbolic.moving import Point
 from minkref.oracle.symbolic.rational import Rational
 

@@ -23,9 +23,9 @@ from typing import Any
 from minkref import _core
 from minkref.fuzz.judges.disc.appendix_formulas import printed_events
 from minkref.fuzz.judges.disc.disc_pair_draws import KINDS, Drawn, Feature, draw
-from minkref.oracle.symbolic.disc.disc.disc import Arc, Offset
-from minkref.oracle.symbolic.disc.disc.disc_contact import DiscEvent, pair_disc_events
-from minkref.oracle.symbolic.disc.disc.radicals import Radical, number
+from minkref.oracle.symbolic.disc.disc import Arc, Offset
+from minkref.oracle.symbolic.disc.disc_contact import DiscEvent, pair_disc_events
+from minkref.oracle.symbolic.disc.radicals import Radical, number
 from minkref.oracle.symbolic.rational import Rational, rationals
 
 #: whose end, which; as minkref names them, in the order of the oracle's conditions

@@ -12,8 +12,8 @@ from itertools import pairwise
 from minkref import _core
 from minkref.fuzz.geometry.plane import cross, minus
 from minkref.fuzz.judges.plane.small_operands import Corner, as_set, random_rings
-from minkref.oracle.symbolic.disc.disc.disc import Offset
-from minkref.oracle.symbolic.disc.disc.disc_contact import DiscEvent, Feature, polygon_events
+from minkref.oracle.symbolic.disc.disc import Offset
+from minkref.oracle.symbolic.disc.disc_contact import DiscEvent, Feature, polygon_events
 from minkref.oracle.symbolic.rational import Rational, text
 
 #: an edge by the number of its first corner, an arc by its vertex

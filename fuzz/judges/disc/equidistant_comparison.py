@@ -20,9 +20,9 @@ import sympy as sp
 from minkref import _core
 from minkref.fuzz.judges.disc.disc_diagram import drawn_set
 from minkref.fuzz.judges.disc.outline import Outline
-from minkref.oracle.symbolic.disc.disc import disc_diagram
-from minkref.oracle.symbolic.disc.disc.disc import Offset
-from minkref.oracle.symbolic.disc.disc.disc_diagram import Feature, SquaredRadius
+from minkref.oracle.symbolic.disc import disc_diagram
+from minkref.oracle.symbolic.disc.disc import Offset
+from minkref.oracle.symbolic.disc.disc_diagram import Feature, SquaredRadius
 from minkref.oracle.symbolic.rational import Rational
 
 KINDS = (

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from minkref.oracle.symbolic import solutions
-from minkref.oracle.symbolic.disc.disc import disc, disc_contact
-from minkref.oracle.symbolic.disc.disc.disc import AlgebraicScale, Arc, Offset
+from minkref.oracle.symbolic.disc import disc, disc_contact
+from minkref.oracle.symbolic.disc.disc import AlgebraicScale, Arc, Offset
 from minkref.oracle.symbolic.rational import rational, rationals, text
 
 Vertex = tuple[int, int]

@@ -11,7 +11,7 @@ from math import inf
 from typing import Any
 
 import minkref
-from minkref.scale_ranges import ScaleRange
+from minkref.motion.scale_ranges import ScaleRange
 
 Cut = tuple[Any, bool]
 Span = tuple[Cut, Cut]

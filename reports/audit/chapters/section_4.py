@@ -14,7 +14,7 @@ from minkref import _core
 from minkref.fuzz.geometry.plane import cross, in_box, turn
 from minkref.fuzz.plane.families.drawing import convex
 from minkref.model_catalogue import all_models, or_look_alike
-from minkref.operand import read_operand
+from minkref.plane.operand import read_operand
 from minkref.reports.audit.edges import (
     Answers,
     Edge,

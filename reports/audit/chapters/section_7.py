@@ -8,7 +8,7 @@ from itertools import product
 
 from minkref import _core
 from minkref.model_catalogue import all_models
-from minkref.operand import read_operand
+from minkref.plane.operand import read_operand
 from minkref.reports.audit.entry import Chapter, Shown, Status
 from minkref.reports.audit.paper_numbers import (
     EDGES,

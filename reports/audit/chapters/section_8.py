@@ -13,6 +13,7 @@ from minkref.fuzz.geometry.plane import cross, dot, minus, turn
 from minkref.fuzz.judges.disc.paper_disc import circles, ring_touches
 from minkref.fuzz.judges.plane.small_operands import star
 from minkref.fuzz.plane.families.drawing import convex, reflected
+from minkref.motion.scale_ranges import PATH_ROUTES
 from minkref.reports.audit.disc import corner, crossing, exact, reflex_pairs, squared_distance
 from minkref.reports.audit.edges import Edge, Interval, answers, written
 from minkref.reports.audit.entry import Chapter, CheckFailed, Shown, Status, text
@@ -28,7 +29,6 @@ from minkref.reports.audit.paths import (
 from minkref.reports.audit.plane import Place, Ring, box, operand
 from minkref.reports.audit.sketches import robot_on_path, swept
 from minkref.reports.audit.symbolic_edges import kinds_of
-from minkref.scale_ranges import PATH_ROUTES
 
 CHAPTER = Chapter("section-8", "Section 8: applications")
 SEED = 8

@@ -14,7 +14,7 @@ from minkref import _core
 from minkref.degeneracies.motion.case_faults import case_validator
 from minkref.errors import cut, message_of
 from minkref.fuzz.geometry.plane import Point, fraction_rings
-from minkref.path_values import ScaleRange
+from minkref.motion.path_values import ScaleRange
 from minkref.reports.degeneracies.cases import unfit
 from minkref.reports.degeneracies.pictures import Drawn
 

@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import Any
 
 from minkref.errors import cut
+from minkref.output.terminal import escaped
 from minkref.space.scaling import read_scaling, text_of
-from minkref.terminal import escaped
 
 
 @dataclass(frozen=True)

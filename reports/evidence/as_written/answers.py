@@ -15,7 +15,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
-from minkref.commands.line.cli import main
+from minkref.cli.cli import main
 from minkref.reports.evidence.as_written.read_plane import load
 
 Document = dict[str, Any]

@@ -9,7 +9,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from minkref.signals import kill_group
+from minkref.output.signals import kill_group
 from selenium.webdriver import Chrome, ChromeOptions, ChromeService
 from selenium.webdriver.common.options import BaseOptions
 

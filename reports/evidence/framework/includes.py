@@ -18,7 +18,7 @@ USED = re.compile(r"\b_core\.(\w+)")
 IMPORTED = re.compile(r"from minkref\._core import \(?([\w\s,]+)")
 INCLUDED = re.compile(r'^\s*#\s*include "([^"]+)"', re.M)
 SOURCES = (".cpp", ".hpp", ".h")
-BINDING = "python"  # the folder of the sources of the extension module
+BINDING = "bindings"  # the folder of the sources of the extension module
 ALWAYS = ("CMakeLists.txt", "cmake/MinkrefBuild.cmake", f"{BINDING}/core.cpp")
 
 

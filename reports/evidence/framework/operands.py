@@ -8,7 +8,7 @@ from functools import cache
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.plane.case import Case
 from minkref.model_catalogue import all_models, or_look_alike
-from minkref.operand import Operand, read_operand
+from minkref.plane.operand import Operand, read_operand
 from minkref.reports.evidence.framework.part import Findings
 
 SCALES = ("1/3", "1", "7/5", "541/186", "9")

@@ -13,7 +13,7 @@ RECORDER = Path(__file__).with_name("recording")
 VARIABLE = "MINKREF_EVIDENCE_RECORD"
 MODELS = "MINKREF_MODELS"  # before the names of the paper's own models, which are elsewhere
 PAPER_FILES = ("nazca_monkey.poly", "bird.poly", "neuron.poly")
-LISTED = "models/index.json"
+LISTED = "minkref/models/index.json"
 
 
 def environment(folder: Path) -> dict[str, str]:

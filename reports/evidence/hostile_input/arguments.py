@@ -14,7 +14,7 @@ from typing import Any
 from minkref import _core
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 
-RESTS_ON = ("python/", "reference/", "formats/", "certify/")
+RESTS_ON = ("bindings/", "minkref/", "reference/", "formats/", "certify/")
 MINUTES = Minutes(0.05, 1, 20)
 
 SEED = 20120524

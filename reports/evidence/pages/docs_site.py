@@ -10,7 +10,7 @@ from minkref.reports.evidence.framework.browser import PACKAGES, Browser, absent
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 from minkref.reports.evidence.framework.places import ROOT
 
-RESTS_ON = ("docs/", "python/", "reference/", "commands/")
+RESTS_ON = ("docs/", "bindings/", "minkref/", "reference/")
 MINUTES = Minutes(None, 5.5, 15)
 
 SITE = ROOT / "build" / "site"

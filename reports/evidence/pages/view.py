@@ -11,13 +11,13 @@ from pathlib import Path
 from typing import Any
 
 from minkref import _core
-from minkref.commands.pages.disc import picture as disc_picture
-from minkref.commands.pages.disc.write_page import page as disc_page
-from minkref.commands.pages.plane.picture import Window, picture
-from minkref.commands.pages.plane.write_page import page
-from minkref.documents import write_atomically
+from minkref.disc.page import picture as disc_picture
+from minkref.disc.page.write_page import page as disc_page
 from minkref.fuzz.geometry.plane import read_shape
-from minkref.operand import Operand
+from minkref.output.documents import write_atomically
+from minkref.plane.operand import Operand
+from minkref.plane.page.picture import Window, picture
+from minkref.plane.page.write_page import page
 from minkref.reports.evidence.framework.browser import PACKAGES, absent, browser
 from minkref.reports.evidence.framework.operands import operand, tell_absent
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size

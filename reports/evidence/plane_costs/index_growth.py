@@ -14,7 +14,7 @@ from statistics import fmean
 from typing import Any
 
 from minkref import _core
-from minkref.documents import replacing
+from minkref.output.documents import replacing
 from minkref.reports.bench.index import query_scales
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 from minkref.reports.index_growth_plot import draw

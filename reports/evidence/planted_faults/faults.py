@@ -85,7 +85,10 @@ def ended(
     fault: str, seconds: float, *command: str | Path
 ) -> subprocess.CompletedProcess[str] | None:
     """A command with the fault put in; None where it does not end."""
-    variables = {**os.environ, "MINKREF_FAULT": fault, "PYTHONPATH": str(BUILD / "package")}
+    variables = {
+        **os.environ, "MINKREF_FAULT": fault, "PYTHONPATH": str(BUILD / "package"),
+        "PYTHONSAFEPATH": "1",  # not the package of the checkout, in which this runs
+    }  # fmt: skip
     try:
         return subprocess.run(
             command, cwd=ROOT, env=variables, capture_output=True, text=True, errors="replace",

@@ -21,7 +21,6 @@ from pathlib import Path
 from minkref import _core
 from minkref.certify.plane.certificate import Certificate, NoProof
 from minkref.certify.space.convex_certificate import convex_certificate
-from minkref.commands.check_proved import PROGRAM
 from minkref.fuzz.judges.plane.certified_claims import Confirmation
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.space.generators.convex import random_hull, sphere
@@ -44,6 +43,7 @@ from minkref.reports.evidence.certificates.checkers import (
 from minkref.reports.evidence.certificates.mutants import is_changed, mutants
 from minkref.reports.evidence.framework.operands import operand, tell_absent
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
+from minkref.verbs.check_proved import PROGRAM
 
 RESTS_ON = ("oracle/proved/",)
 MINUTES = Minutes(0.1, 1, 6)

@@ -12,7 +12,7 @@ from contextlib import redirect_stderr, redirect_stdout
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from minkref.commands.line.cli import run as run_command
+from minkref.cli.cli import run as run_command
 from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, invalid_member
 from minkref.degeneracies.invalid.commands import COMMANDS, left_out, words
 from minkref.degeneracies.invalid.member import Invalid

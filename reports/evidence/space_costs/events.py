@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import Any
 
 from minkref import _core
-from minkref.documents import replacing
 from minkref.fuzz.judges.space.space_routes import core_polyhedron
+from minkref.output.documents import replacing
 from minkref.reports.bench.space_pairs import EVENT_PAIRS, Solids
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 from minkref.reports.space_event_plot import draw

@@ -8,9 +8,9 @@ from fractions import Fraction
 from pathlib import Path
 from typing import Any
 
-from minkref.documents import replacing
 from minkref.fuzz.judges.space.space_manifold import MANIFOLD, NEAREST
 from minkref.fuzz.judges.space.space_nef import NEF
+from minkref.output.documents import replacing
 from minkref.reports.bench.space_pairs import GROWING, PAIRS, SIZES, TimedPair
 from minkref.reports.bench.space_tools import THREADS, Timed, Tools
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size

@@ -12,8 +12,8 @@ from typing import Any
 
 import pytest
 from minkref import _core
-from minkref.event_lists import ArrangementEventList, BoundaryEventList
 from minkref.fuzz.plane.families.lattice_pairs import lattice_pair
+from minkref.plane.event_lists import ArrangementEventList, BoundaryEventList
 
 Point = tuple[Fraction, Fraction]
 Segment = tuple[Point, Point]

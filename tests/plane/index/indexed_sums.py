@@ -10,7 +10,7 @@ from typing import Any
 import numpy
 from minkref import _core
 from minkref.fuzz.plane.families.random_pairs import random_pair
-from minkref.operand import read_operand
+from minkref.plane.operand import read_operand
 from numpy.typing import NDArray
 from pairs_of_texts import ISLANDS, RING_OF_SQUARES, SEVERAL_COMPONENTS, TRIANGLE
 from thoroughness import draws

@@ -11,7 +11,7 @@ import numpy
 import pytest
 from indexed_sums import FORMS, LONG, NAMES, Index, Rings, arrays, operands, scales
 from minkref import _core
-from minkref.commands.lists.scale_index import STAGES
+from minkref.plane.commands.scale_index import STAGES
 
 # What needs no rings.
 

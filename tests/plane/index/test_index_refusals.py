@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from indexed_sums import FORMS, NUMBERS, Index, operands, scales
 from minkref import _core
-from minkref.operand import read_operand
+from minkref.plane.operand import read_operand
 
 
 def code_of(refused: pytest.ExceptionInfo[_core.BadInput]) -> str:
@@ -134,7 +134,7 @@ def test_too_many_threads_are_refused(indices: dict[str, Index]) -> None:
 NO_ROOM_FOR_STACKS = """
 import resource
 from minkref import _core
-from minkref.operand import read_operand
+from minkref.plane.operand import read_operand
 P, Q = read_operand("g1").set, read_operand("g2").set
 index = _core.ScaleIndex(P, Q, "1/2", "2")
 scales = [f"{k}/100" for k in range(60, 190)]

@@ -1,0 +1,64 @@
+// Reading and writing files in Python.
+#include <nanobind/stl/string.h>
+
+#include "bindings/core.hpp"
+#include "bindings/vector_caster.hpp"
+#include "formats/read.hpp"
+#include "formats/write.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace minkref::python {
+namespace {
+
+/// Of the last successful read of this thread.
+thread_local std::vector<std::string> last_warnings;
+
+Set keep(Reading reading) {
+  last_warnings = std::move(reading.warnings);
+  return {std::move(reading.set), false, std::move(reading.origins)};
+}
+
+}  // namespace
+
+void bind_files(nb::module_& module) {
+  nb::dict formats;
+  for (const FormatEntry& entry : format_table()) {
+    if (entry.is_extension) {
+      formats[nb::str(entry.name.data(), entry.name.size())] = entry.is_read;
+    }
+  }
+  module.attr("SET_FORMATS") = formats;
+  module.def(
+      "read_file",
+      [](const std::string& path) {
+        last_warnings.clear();
+        return keep(read_file(path));
+      },
+      "path"_a, Released(),
+      "Reads an operand, exact; the format by the extension. Raises BadInput.");
+  module.def(
+      "read_text",
+      [](const std::string& text, const std::string& format, const std::string& source) {
+        last_warnings.clear();
+        return keep(read_text(text, format_named(format), source));
+      },
+      "text"_a, "format"_a, "source"_a = "", Released(),
+      "Reads an operand from text in wkt, geojson, poly, json or case. Raises BadInput.");
+  module.def("warnings", [] { return last_warnings; }, "The warnings of the last read.");
+  module.def(
+      "write",
+      [](const Set& set, const std::string& format) {
+        return write(set.value, format_named(format));
+      },
+      "set"_a, "format"_a, Released(), "The text of a set in wkt, geojson, poly, json or svg.");
+  module.def(
+      "writes_exactly",
+      [](const Set& set, const std::string& format) {
+        return writes_exactly(set.value, format_named(format));
+      },
+      "set"_a, "format"_a, Released(), "Whether reading what `write` gives yields the same set.");
+}
+
+}  // namespace minkref::python

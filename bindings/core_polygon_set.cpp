@@ -1,0 +1,178 @@
+// PolygonSet in Python.
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+
+#include <algorithm>
+#include <functional>
+#include <tuple>
+
+#include "bindings/core.hpp"
+#include "bindings/core_shapes.hpp"
+#include "bindings/vector_caster.hpp"
+#include "formats/json_text.hpp"
+#include "formats/read_json.hpp"
+#include "formats/refusal_place.hpp"
+#include "formats/write.hpp"
+#include "reference/plane/boundary/canonical.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace minkref::python {
+namespace {
+
+using DrawnRing = std::vector<std::pair<double, double>>;
+
+DrawnRing drawn(const Ring& ring) {
+  DrawnRing points;
+  points.reserve(ring.size());
+  for (const auto& point : ring)
+    points.emplace_back(finite_double(point.x), finite_double(point.y));
+  return points;
+}
+
+std::vector<std::vector<DrawnRing>> drawn_rings(const Set& set) {
+  std::vector<std::vector<DrawnRing>> polygons;
+  for (const auto& polygon : set.value.polygons) {
+    auto& rings = polygons.emplace_back();
+    rings.push_back(drawn(polygon.outer));
+    for (const auto& hole : polygon.holes) rings.push_back(drawn(hole));
+  }
+  return polygons;
+}
+
+std::tuple<double, double, double, double> bounding_box(const Set& set) {
+  const auto& polygons = set.value.polygons;
+  if (polygons.empty() || polygons[0].outer.empty()) {
+    throw std::invalid_argument("the empty set has no bounding box");
+  }
+  Point low = polygons[0].outer[0], high = low;
+  for (const auto& polygon : polygons) {
+    for (const auto& point : polygon.outer) {
+      low = {std::min(low.x, point.x), std::min(low.y, point.y)};
+      high = {std::max(high.x, point.x), std::max(high.y, point.y)};
+    }
+  }
+  return {finite_double(low.x), finite_double(low.y), finite_double(high.x), finite_double(high.y)};
+}
+
+std::string canonical_text(const Set& set) {
+  return canonical_json(set.canonical ? set.value : canonicalize(set.value).region);
+}
+
+/// The rings as they stand in the text: nothing is turned, nothing is validated.
+Set set_of(const std::string& text, const ReadLimits& limits) {
+  Input input("", limits);
+  const JsonText document(text, input);
+  SetBuilder builder(input);
+  read_json_set(document.root(), builder, JsonNumbers::any);
+  Reading reading = builder.finish_as_read();
+  return {std::move(reading.set), false, std::move(reading.origins)};
+}
+
+Set from_json(const std::string& text) { return set_of(text, ReadLimits{}); }
+
+std::string to_json(const Set& set) {
+  std::string text = write(set.value, Format::json);
+  while (text.ends_with('\n')) text.pop_back();
+  return text;
+}
+
+/// Of a text that we wrote, however long its numbers are. Where the rings stood in a file is gone.
+Set from_state(const std::pair<std::string, bool>& state) {
+  return {set_of(state.first, no_limits()).value, state.second};
+}
+
+}  // namespace
+
+void bind_polygon_set(nb::module_& module) {
+  unchanging(nb::class_<Set>(
+                 module, "PolygonSet",
+                 "A closed regular set bounded by polygons; exact. A value: never changed, equal "
+                 "to each set of the same points."))
+      .def(
+          "__init__",
+          [](Set* self, const nb::object& shape, bool validate) {
+            new (self) Set(set_of_shape(shape, validate));
+          },
+          "shape"_a.none() = nb::make_tuple(), nb::kw_only(), "validate"_a = true,
+          nb::sig("def __init__(self, shape: object = (), *, validate: bool = True) -> None"),
+          "From one point (x, y), a ring of points, a polygon (its outer ring, then its holes), "
+          "a list of polygons, GeoJSON, an object with __geo_interface__ (Shapely), WKT, or a "
+          "set; without one, the empty set. Numbers count by their exact value: int, Fraction, "
+          "Decimal, float (0.1 is the double next to a tenth), scalars and arrays of NumPy, texts "
+          "('0.1', '7/5'). Rings are turned as they should run; a sequence of points is a ring, "
+          "whose first point may be repeated at its end. Raises BadInput for all else: what is no "
+          "shape (None too), what a file of the same would be refused for, as a line of three "
+          "points, and what is no regular closed set. With `validate` false the last is not looked "
+          "at, and no ring is turned. O(n log n) on usual input.")
+      .def(
+          "__eq__",
+          [](const Set& a, const Set& b) {
+            return a.value == b.value || canonical_text(a) == canonical_text(b);
+          },
+          nb::is_operator(), nb::sig("def __eq__(self, other: object, /) -> bool"))
+      .def("__hash__",
+           [](const Set& set) { return std::hash<std::string>()(canonical_text(set)) >> 1; })
+      .def("__repr__", [](const Set& set) { return shown(set); })
+      .def("_repr_svg_", [](const Set& set) { return write(set.value, Format::svg); })
+      .def_prop_ro(
+          "__geo_interface__",
+          [](const Set& set) {
+            return nb::module_::import_("json").attr("loads")(write(set.value, Format::geojson));
+          },
+          "GeoJSON's geometry in doubles, as Shapely and others take it.")
+      .def_static("from_json", from_json, "text"_a, Released(),
+                  "From {\"polygons\":[{\"outer\":ring,\"holes\":[...]}]}; nothing is validated.")
+      .def("to_json", to_json, Released(), "The rings as they are stored.")
+      .def("__getstate__", [](const Set& set) { return std::pair(to_json(set), set.canonical); })
+      .def("__setstate__",
+           [](Set& self, const std::pair<std::string, bool>& state) {
+             new (&self) Set(from_state(state));
+           })
+      .def("canonical_json", canonical_text, Released(), "Canonical JSON of the canonical form.")
+      .def(
+          "validate",
+          [](const Set& set, const std::string& source) {
+            validate_as_read(set.value, set.origins, source);
+          },
+          "source"_a = "", Released(), "Raises BadInput unless the set is regular closed.")
+      .def("rings", exact_rings,
+           nb::sig("def rings(self) -> list[list[list[tuple[fractions.Fraction, "
+                   "fractions.Fraction]]]]"),
+           "Exact: per polygon its outer ring, then its holes, points as pairs of Fractions.")
+      .def("arrays", arrays_of_doubles, nb::sig("def arrays(self) -> list[list[typing.Any]]"),
+           "As rings(), each an array of NumPy of shape (n, 2), of the nearest doubles. Raises "
+           "LimitExceeded for a coordinate beyond their range.")
+      .def("approximate_rings", drawn_rings,
+           "As rings(), points as pairs of the nearest doubles. Raises as arrays().")
+      .def("bounding_box", bounding_box,
+           "xmin, ymin, xmax, ymax: the nearest doubles. Raises as arrays(); ValueError for the "
+           "empty set.")
+      .def(
+          "area", [](const Set& set) { return to_string(area(set.value)); }, Released(),
+          "The exact area.")
+      .def(
+          "scaled",
+          [](const Set& set, const std::string& factor) {
+            return Set{scaled(set.value, parse_rational(factor))};
+          },
+          "factor"_a, Released())
+      .def(
+          "translated",
+          [](const Set& set, const std::string& x, const std::string& y) {
+            return Set{translated(set.value, {parse_rational(x), parse_rational(y)})};
+          },
+          "x"_a, "y"_a, Released())
+      .def_prop_ro("vertices", [](const Set& set) { return set.value.vertices(); })
+      .def_prop_ro("ring_count", [](const Set& set) { return set.value.rings(); })
+      .def_prop_ro(
+          "is_region", [](const Set& set) { return set.value.is_region(); },
+          "Neither empty nor a point nor a segment.")
+      .def_prop_ro("is_empty", [](const Set& set) { return set.value.empty(); })
+      .def_prop_ro("is_point", [](const Set& set) { return set.value.is_point(); })
+      .def_prop_ro("is_segment", [](const Set& set) { return set.value.is_segment(); });
+}
+
+}  // namespace minkref::python

@@ -1,0 +1,200 @@
+// Polyhedra in Python.
+#include "bindings/core_space.hpp"
+
+#include <nanobind/stl/array.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "bindings/core.hpp"
+#include "bindings/core_shapes.hpp"
+#include "bindings/vector_caster.hpp"
+#include "reference/error.hpp"
+#include "reference/space/area_vector.hpp"
+#include "reference/space/canonical_polyhedron.hpp"
+#include "reference/space/face_triangles.hpp"
+#include "reference/space/integer_points.hpp"
+#include "reference/space/polyhedron_place.hpp"
+#include "reference/space/surface/manifold_mesh.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace minkref::python {
+namespace {
+
+Polyhedron polyhedron_of(const std::vector<ExactSpacePoint>& vertices,
+                         const std::vector<Face>& faces) {
+  Polyhedron result;
+  for (const ExactSpacePoint& vertex : vertices) result.vertices.push_back(to_point(vertex));
+  result.faces = faces;
+  validate_faces(result);
+  return result;
+}
+
+/// Rows of three numbers of Python, or an array.
+std::vector<ExactSpacePoint> points_of(const nb::object& vertices) {
+  std::vector<ExactSpacePoint> result;
+  for (const nb::handle row : vertices) {
+    const std::string where = "vertex " + std::to_string(result.size());
+    std::array<std::string, 3> texts;
+    std::size_t count = 0;
+    for (const nb::handle number : row) {
+      if (count < texts.size()) texts[count] = number_text(number, where);
+      ++count;
+    }
+    if (count != texts.size()) {
+      throw BadInput("not-a-point", where + " has " + std::to_string(count) + " coordinates",
+                     "give x, y and z");
+    }
+    result.emplace_back(texts[0], texts[1], texts[2]);
+  }
+  return result;
+}
+
+std::vector<ExactSpacePoint> points(const Polyhedron& polyhedron) {
+  std::vector<ExactSpacePoint> result;
+  result.reserve(polyhedron.vertices.size());
+  for (const SpacePoint& vertex : polyhedron.vertices) result.push_back(to_strings(vertex));
+  return result;
+}
+
+std::vector<std::array<double, 3>> approximate_points(const Polyhedron& polyhedron) {
+  std::vector<std::array<double, 3>> result;
+  result.reserve(polyhedron.vertices.size());
+  for (const SpacePoint& v : polyhedron.vertices) {
+    result.push_back({to_double(v.x), to_double(v.y), to_double(v.z)});
+  }
+  return result;
+}
+
+/// Of all faces together, of their projections along the axes.
+ExactSpacePoint projected_areas(const Polyhedron& polyhedron) {
+  const IntegerPoints integers = integer_points(polyhedron.vertices);
+  IntegerVector twice{0, 0, 0};
+  for (const Face& face : polyhedron.faces) {
+    const IntegerVector area = area_vector(integers.points, face);
+    for (std::size_t k = 0; k < 3; ++k) twice[k] += abs(area[k]);
+  }
+  const Rational unit(Integer(1), 2 * integers.denominator * integers.denominator);
+  return to_strings({twice[0] * unit, twice[1] * unit, twice[2] * unit});
+}
+
+/// Of each face the triangles into which it is cut.
+std::vector<std::vector<TriangleCorners>> triangles(const Polyhedron& polyhedron) {
+  const IntegerPoints integers = integer_points(polyhedron.vertices);
+  const VertexSigns signs(integers.points);
+  std::vector<std::vector<TriangleCorners>> result;
+  for (std::uint32_t f = 0; f < polyhedron.faces.size(); ++f) {
+    const auto cut = face_triangles(polyhedron.faces[f], signs);
+    if (!cut) {
+      throw BadInput("face-not-simple", "a face cannot be cut into triangles",
+                     "split the face where it meets itself",
+                     place_in(polyhedron, f, polyhedron.faces[f]));
+    }
+    result.push_back(*cut);
+  }
+  return result;
+}
+
+}  // namespace
+
+void bind_space(nb::module_& module) {
+  unchanging(nb::class_<Surface>(
+                 module, "Polyhedron",
+                 "A closed surface of planar faces, exact; faces run counter-clockwise seen "
+                 "from outside. Without faces: the empty set, a point, a segment."))
+      .def(
+          "__init__",
+          [](Surface* self, const nb::object& vertices, const std::vector<Face>& faces) {
+            const std::vector<ExactSpacePoint> points = points_of(vertices);
+            const Computing computing;
+            new (self) Surface(polyhedron_of(points, faces));
+          },
+          "vertices"_a, "faces"_a,
+          "From points (x, y, z), whose numbers count by their exact value as those of PolygonSet, "
+          "and for each face the numbers of its vertices. Refuses (BadInput) a face that names no "
+          "vertex, or has fewer than three.")
+      .def("__getstate__",
+           [](const Surface& self) { return std::pair(points(self.value()), self.value().faces); })
+      .def("__setstate__",
+           [](Surface& self,
+              const std::pair<std::vector<ExactSpacePoint>, std::vector<Face>>& state) {
+             new (&self) Surface(polyhedron_of(state.first, state.second));
+           })
+      .def("__repr__",
+           [](const Surface& self) {
+             return "<Polyhedron: " + std::to_string(self.value().vertices.size()) + " vertices, " +
+                    std::to_string(self.value().faces.size()) + " faces>";
+           })
+      .def(
+          "points", [](const Surface& self) { return points(self.value()); },
+          "The vertices, exact.")
+      .def(
+          "approximate_points",
+          [](const Surface& self) { return approximate_points(self.value()); },
+          "The nearest doubles, for drawing.")
+      .def(
+          "rings", [](const Surface& self) { return self.value().faces; },
+          "For each face the numbers of its vertices.")
+      .def(
+          "triangles", [](const Surface& self) { return triangles(self.value()); }, Released(),
+          "Of each face, planar and simple, the triangles into which diagonals cut it, by the "
+          "numbers of their vertices. Exact.")
+      .def(
+          "cut_into_triangles",
+          [](const Surface& self) { return Surface(cut_into_triangles(self.value())); }, Released(),
+          "The same surface of triangles of positive area with its vertices; a diagonal that "
+          "would run along an edge elsewhere is cut in its middle. Exact.")
+      .def_prop_ro("vertices", [](const Surface& self) { return self.value().vertices.size(); })
+      .def_prop_ro("faces", [](const Surface& self) { return self.value().faces.size(); })
+      .def(
+          "validate",
+          [](const Surface& self, const std::string& source) {
+            validate_as_read(self.reading, source);
+          },
+          "source"_a = "", Released(),
+          "Refuses what is no closed 2-manifold of planar simple faces, crosses or covers itself, "
+          "or has a shell in the material of another (BadInput). Exact.")
+      .def(
+          "validate_summand",
+          [](const Surface& self, const std::string& source) {
+            validate_summand_as_read(self.reading, source);
+          },
+          "source"_a = "", Released(),
+          "The same, but takes a plane polygon as well: a single face. Exact.")
+      .def(
+          "sextuple_volume",
+          [](const Surface& self) { return to_string(sextuple_volume(self.value())); },
+          "Six times the volume. Exact.")
+      .def(
+          "projected_areas", [](const Surface& self) { return projected_areas(self.value()); },
+          Released(),
+          "The areas of the projections of all faces along x, y and z, added up, whether they hide "
+          "each other or not. Exact.")
+      .def(
+          "scaled",
+          [](const Surface& self, const ExactSpacePoint& by) {
+            return Surface(scaled(self.value(), to_scaling(by)));
+          },
+          "by"_a)
+      .def(
+          "translated",
+          [](const Surface& self, const ExactSpacePoint& by) {
+            return Surface(translated(self.value(), to_point(by)));
+          },
+          "by"_a)
+      .def(
+          "with_shared_vertices",
+          [](const Surface& self) { return Surface(with_shared_vertices(self.value())); },
+          "One vertex for all that have the same coordinates.")
+      .def(
+          "canonical_json", [](const Surface& self) { return canonical_json(self.value()); },
+          "The text of which the digest is taken; of a surface in canonical form.");
+}
+
+}  // namespace minkref::python

@@ -1,0 +1,11 @@
+// What a sum in space has for a boundary.
+#pragma once
+
+#include "bindings/core.hpp"
+#include "reference/space/polyhedral_set.hpp"
+
+namespace minkref::python {
+
+void bind_space_surface(nanobind::module_& module, nanobind::class_<PolyhedralSet>& set);
+
+}  // namespace minkref::python

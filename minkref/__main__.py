@@ -1,0 +1,6 @@
+"""`python -m minkref` is the command `minkref`."""
+
+from minkref.cli.cli import main
+
+if __name__ == "__main__":
+    main()

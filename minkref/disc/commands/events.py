@@ -1,0 +1,221 @@
+"""`minkref events P disc`: the radii at which the sum with a disc changes."""
+
+from __future__ import annotations
+
+import json
+import math
+import sys
+from collections.abc import Iterator
+from fractions import Fraction
+from itertools import islice
+from pathlib import Path
+from typing import Any
+
+from minkref import _core
+from minkref.certain_digits import between
+from minkref.cli.memory import SIMPLER, memory_wall
+from minkref.disc.commands.index_file import Places, from_places
+from minkref.disc.commands.sum import enclosed
+from minkref.disc.disc import ANY
+from minkref.errors import Refusal, choice
+from minkref.exact import read_scale
+from minkref.output.documents import (
+    Stopwatch,
+    as_text,
+    document,
+    lasting,
+    listing,
+    refuse_overwriting,
+)
+from minkref.output.output_target import target_of
+from minkref.output.terminal import console, counted
+from minkref.plane.commands.scale_index import cores, refuse_overwriting_index
+from minkref.plane.operand import read_operand
+
+FORMATS = ("json", "jsonl")
+KINDS = ("boundary", "topology")
+KINDS_OF_PLACES = ("corner", "joint", "saddle", "ridge", "maximum")
+SHOWN = 10  # events that people see
+Row = dict[str, Any]
+
+
+def events_with_disc(
+    P: str,
+    Q: str,
+    kind: str | None,
+    first: str | None,
+    last: str | None,
+    limit: int | None,
+    output: Path | None,
+    form: str | None,
+    json_document: bool,
+    memory: int | None,
+    index: Path | None,
+    given: dict[str, bool],
+) -> None:
+    """The command, its options read but not yet checked. `given`: options that there are not."""
+    watch = Stopwatch()
+    if Q != ANY:
+        mend = "name the disc `disc`, and bounds of its radius by --from and --to"
+        raise Refusal("events are found for all radii", Q, mend)
+    for option, is_given in given.items():
+        if is_given:
+            raise Refusal("events of a disc do not have this option", option, "leave it out")
+    if kind is not None and kind not in KINDS:
+        raise Refusal(
+            f"there are no events {kind} of a disc", "--kind", choice(kind, (*KINDS, "pair"))
+        )
+    chosen = kind or "boundary"
+    if limit is not None and limit < 0:
+        raise Refusal("the limit is negative", f"--limit {limit}", "give a number of events")
+    bounds = [
+        None if bound is None else Fraction(read_scale(bound, option))
+        for bound, option in ((first, "--from"), (last, "--to"))
+    ]
+    if bounds[0] is not None and bounds[1] is not None and bounds[0] > bounds[1]:
+        raise Refusal(
+            "no radius is in the window", f"--from {first} --to {last}", "exchange the bounds"
+        )
+    target = target_of(output, form, FORMATS, "json", json_document)
+    with memory_wall(memory, "events of a disc", P, SIMPLER):
+        operand = read_operand(P)
+        if output is not None:
+            refuse_overwriting(output, [operand.file])
+            refuse_overwriting_index(output, index)
+        squares = [None if bound is None else str(bound**2) for bound in bounds]
+        listed: Boundary | Topology = from_places(
+            index,
+            operand,
+            lambda places: (Boundary if chosen == KINDS[0] else Topology)(
+                operand.set, squares, places
+            ),
+        )
+    rows = listed.rows(limit)
+    head = document(
+        "events",
+        watch,
+        P=operand.name,
+        Q=Q,
+        **{"from": None if bounds[0] is None else str(bounds[0])},
+        to=None if bounds[1] is None else str(bounds[1]),
+        kind=chosen,
+        warnings=operand.warnings,
+        output=str(output) if output else None,
+        compute_seconds=listed.seconds,
+        exact_signs=listed.exact_signs,
+        counts={name: listed.kinds.count(name) for name in KINDS_OF_PLACES},
+        count=len(listed.kinds),
+    )
+    if target is not None and target.form == "jsonl":
+        target.write_pieces(json.dumps(row) + "\n" for row in rows)
+    elif target is not None:
+        target.write_pieces(listing(lasting(head), "events", rows))
+    if json_document and target is None:
+        sys.stdout.writelines(listing(head, "events", rows))
+    elif json_document:
+        sys.stdout.write(as_text({**head, "events": None}))
+    elif target is None or not target.is_standard_output:
+        shown = [] if target is not None else list(islice(rows, SHOWN if limit is None else limit))
+        _print(head, shown)
+
+
+class Boundary:
+    """All events in a window of squared radii."""
+
+    def __init__(
+        self, P: _core.PolygonSet, squares: list[str | None], places: Places | None
+    ) -> None:
+        self._found = _core.diagram_events(P, cores(), squares[0], squares[1], places)
+        self.seconds = self._found.seconds
+        self.exact_signs = self._found.exact_signs
+        self.kinds = self._found.kinds()
+
+    def rows(self, limit: int | None) -> Iterator[Row]:
+        """Their numbers are made exact one by one, which takes the most time."""
+        for number in range(len(self.kinds))[:limit]:
+            yield {**event_row(self._found.rows(number, 1)[0]), "changes": None}
+
+
+class Topology:
+    """Those at which holes or components change."""
+
+    def __init__(
+        self, P: _core.PolygonSet, squares: list[str | None], places: Places | None
+    ) -> None:
+        self._index = _core.disc_index(P, cores(), places)
+        self.seconds = self._index.seconds
+        self.exact_signs = self._index.exact_signs
+        changes = self._index.changes()
+        first, last = 1, len(self._index)
+        if squares[0] is not None:
+            place, at_event = self._index.place(squares[0])
+            first = place if at_event else place + 1
+        if squares[1] is not None:
+            last = self._index.place(squares[1])[0]
+        self._changes = [change for change in changes if first <= change[1] <= last]
+        kinds = self._index.kinds()
+        self.kinds = [kinds[change[0]] for change in self._changes]
+
+    def rows(self, limit: int | None) -> Iterator[Row]:
+        for event, _, born, ended, joined in self._changes[:limit]:
+            yield {
+                **event_row(self._index.rows(event, 1)[0]),
+                "changes": {
+                    "born": [{"hole": hole, "of": of} for hole, of in born],
+                    "ended": ended,
+                    "joined": [list(polygons) for polygons in joined],
+                },
+            }
+
+
+def event_row(found: Any) -> Row:
+    kind, square, polynomial, radius, place, features = found
+    return {
+        "kind": kind,
+        "radius": enclosed(radius),
+        "squared_radius": square,
+        "polynomial": polynomial,
+        "place": [c if math.isfinite(c) else None for c in place],
+        "features": [feature_row(*feature) for feature in features],
+    }
+
+
+def feature_row(kind: str, first: str, second: str) -> Row:
+    if kind == "vertex":
+        return {"vertex": [first, second]}
+    return {"edge": [int(first), int(second)]}
+
+
+def _in_words(changes: Row) -> str:
+    told = [
+        f"hole {each['hole']} leaves " + (f"hole {each['of']}" if each["of"] else "the outside")
+        for each in changes["born"]
+    ]
+    told += [f"hole {hole} ends" for hole in changes["ended"]]
+    told += [f"polygons {a} and {b} are in one component" for a, b in changes["joined"]]
+    return "; ".join(told)
+
+
+def _print(head: dict[str, Any], rows: list[Row]) -> None:
+    out = console()
+    counts = ", ".join(f"{name} {n:,}" for name, n in head["counts"].items() if n)
+    out.print(
+        f"{head['P']} + disc: {counted(head['count'], head['kind'] + ' event')}", markup=False
+    )
+    if counts:
+        out.print(counts)
+    for row in rows:
+        features = ", ".join(
+            f"vertex ({', '.join(each['vertex'])})"
+            if "vertex" in each
+            else f"edge {each['edge'][0]}.{each['edge'][1]}"
+            for each in row["features"]
+        )
+        told = between(**row["radius"], digits=9)
+        out.print(f"{told:>14}  {row['kind']}: {features}")
+        if row["changes"]:
+            out.print(f"{'':>14}  {_in_words(row['changes'])}")
+    if len(rows) < head["count"]:
+        out.print(f"... {head['count'] - len(rows):,} more; -o FILE writes all")
+    for warning in head["warnings"]:
+        sys.stderr.write(f"warning: {warning}\n")

@@ -1,0 +1,114 @@
+"""`minkref index P disc`: the outer Voronoi diagram, with events, holes and components."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from minkref import _core
+from minkref.cli.memory import SMALLER, memory_wall
+from minkref.cli.output import give, print_lines
+from minkref.disc.commands.events import event_row, feature_row
+from minkref.disc.commands.index_file import disc_index_of
+from minkref.disc.commands.sum import enclosed
+from minkref.disc.disc import ANY
+from minkref.errors import Refusal
+from minkref.output.documents import Stopwatch, document, lasting, listing, refuse_overwriting
+from minkref.output.output_target import target_of
+from minkref.plane.commands.scale_index import cores
+from minkref.plane.operand import read_operand
+
+Row = dict[str, Any]
+
+
+def index_with_disc(
+    P: str,
+    Q: str,
+    given: dict[str, bool],
+    threads: int | None,
+    output: Path,
+    json_document: bool,
+    memory: int | None,
+) -> None:
+    """The command, its options read but not yet checked. `given`: options that there are not."""
+    watch = Stopwatch()
+    if Q != ANY or P == ANY:
+        mend = "give `minkref index P disc`"
+        raise Refusal("an index is of all radii", f"{P} {Q}", mend)
+    for option, is_given in given.items():
+        if is_given:
+            raise Refusal("an index of all radii does not have this option", option, "leave it out")
+    target = target_of(output, None, ("json",), "json", json_document)
+    assert target is not None
+    operand = read_operand(P)
+    refuse_overwriting(output, [operand.file])
+    with memory_wall(memory, "the index of all radii", P, SMALLER):
+        index = disc_index_of(None, operand, threads)
+    parts = index.graph()
+    value = document(
+        "index",
+        watch,
+        P=operand.name,
+        Q=Q,
+        warnings=operand.warnings,
+        output=str(output),
+        threads=threads or cores(),
+        build_seconds=index.seconds,
+        exact_signs=index.exact_signs,
+        events=len(index.kinds()),
+        radii=len(index),
+        parts=len(parts),
+        holes=[_hole(*hole) for hole in index.holes()],
+        joins=[
+            {"radius": None if radius is None else enclosed(radius), "polygons": [a, b]}
+            for radius, a, b in index.joins()
+        ],
+    )
+    head = {name: value[name] for name in value if name != "events"}  # they come last
+    head["places"] = index.places()
+    head["parts"] = [_part(*part) for part in parts]
+    target.write_pieces(listing(lasting(head), "events", _events(index)))
+    give(value, json_document, _print)
+
+
+def _events(index: _core.DiscIndex) -> Iterator[Row]:
+    for number in range(len(index.kinds())):
+        yield event_row(index.rows(number, 1)[0])
+
+
+def _hole(birth: tuple[float, float] | None, end: tuple[float, float], place: Any, of: int) -> Row:
+    return {
+        "birth": None if birth is None else enclosed(birth),
+        "end": enclosed(end),
+        "place": [c if math.isfinite(c) else None for c in place],
+        "of": of,
+    }
+
+
+def _part(start: Any, end: Any, left: Any, right: Any) -> Row:
+    return {
+        "from": _end(*start),
+        "to": _end(*end),
+        "features": [feature_row(*left), feature_row(*right)],
+    }
+
+
+def _end(kind: str, told: list[str]) -> Row:
+    if kind == "event":
+        return {"event": int(told[0])}
+    points = [told[k : k + 2] for k in range(0, len(told), 2)]
+    return {kind: points[0] if kind == "vertex" else points}
+
+
+def _print(value: Row) -> None:
+    rows = [
+        ("index", f"{value['P']} + disc"),
+        ("events, radii", f"{value['events']:,}, {value['radii']:,}"),
+        ("parts of the diagram", f"{value['parts']:,}"),
+        ("holes", f"{len(value['holes']):,}"),
+        ("build", f"{value['build_seconds']:.3f} s"),
+        ("seconds", f"{value['seconds']:.3f}"),
+    ]
+    print_lines([*rows, ("written", value["output"])], value)

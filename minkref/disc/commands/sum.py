@@ -1,0 +1,231 @@
+"""`minkref sum` with a disc."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Sequence
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+from minkref import _core
+from minkref.certain_digits import between, root
+from minkref.cli.memory import SIMPLER, memory_wall
+from minkref.cli.output import give, print_lines, written_row
+from minkref.disc.commands.index_file import from_places
+from minkref.disc.commands.indexed_sum import IndexedSum
+from minkref.disc.disc import Disc, is_disc, read_disc
+from minkref.disc.polygons import sum_near
+from minkref.errors import Refusal, refusing
+from minkref.exact import digest, read_number, read_scale
+from minkref.output.documents import Stopwatch, document, refuse_overwriting
+from minkref.output.output_target import Target, target_of
+from minkref.plane.commands.scale_index import chosen_route, cores, refuse_overwriting_index
+from minkref.plane.commands.sum_table import passage_rows
+from minkref.plane.operand import Operand, read_operand
+
+FORMATS = ("json", "svg", "dxf", "wkt", "geojson", "poly")
+WITH_ARCS = ("json", "svg", "dxf")
+DISC_ROUTES = ("definition", "paper", "index")
+
+
+def sum_with_disc(
+    P: str,
+    Q: str,
+    scale: str,
+    route: str | None,
+    output: Path | None,
+    form: str | None,
+    only_sum: bool,
+    tolerance: str | None,
+    outside: bool,
+    with_measures: bool,
+    memory: int | None,
+    index: Path | None,
+    json_document: bool,
+) -> None:
+    """The command, its options read but not yet checked: one of the operands names a disc."""
+    watch = Stopwatch()
+    factor = Fraction(read_scale(scale))
+    route = chosen_route(index, route, DISC_ROUTES)
+    if index is not None and factor != 1:
+        mend = "leave out the scale, or the index"
+        raise Refusal("the index is that of P as it is", f"--scale {scale}", mend)
+    offered = FORMATS if tolerance is not None else WITH_ARCS
+    target = target_of(output, form, FORMATS, "json", json_document, offered=offered)
+    within = _tolerance(tolerance, outside, target)
+    if with_measures and not json_document:
+        raise Refusal("the terms are in the document only", "--measures", "add --json")
+    if is_disc(P) and is_disc(Q):
+        raise Refusal("the sum of two discs is one", f"{P} and {Q}", "add their radii")
+    disc = read_disc(P).scaled(factor) if is_disc(P) else read_disc(Q)
+    with memory_wall(memory, "the sum with a disc", f"{P} and {Q}", SIMPLER):
+        operand = read_operand(Q if is_disc(P) else P)
+        if output is not None:
+            refuse_overwriting(output, [operand.file])
+            refuse_overwriting_index(output, index)
+        other = operand.set if is_disc(P) else operand.set.scaled(str(factor))
+        found = _found(operand, other, str(disc.squared_radius), route, index)
+        canonical = found.canonical_json()
+        written = None
+        if target is not None:
+            written = _written(target, found, other, disc, canonical, only_sum, within, outside)
+        if target is not None and written is not None and target.write(*written):
+            return
+        passages = found.tight_passages(cores())
+        terms = found.exact_measures() if with_measures else None
+    value = document(
+        "sum",
+        watch,
+        P=P if is_disc(P) else operand.name,
+        Q=Q if is_disc(Q) else operand.name,
+        scale=str(factor),
+        warnings=operand.warnings,
+        output=str(output) if output else None,
+        output_exact=written[1] if written else None,
+        tolerance=None if within is None else str(within),
+        radius=disc.radius,
+        squared_radius=str(disc.squared_radius),
+        route=route,
+        compute_seconds=found.seconds,
+        **described(found, canonical),
+        tight_passages=[_passage(*row) for row in passages],
+        measures=None if terms is None else _measures(*terms),
+    )
+    give(value, json_document, lambda value: _print(value, operand))
+
+
+def _found(
+    operand: Operand, other: _core.PolygonSet, square: str, route: str, index: Path | None
+) -> _core.Offset | IndexedSum:
+    """`other`: the operand, scaled."""
+    if route != "index":
+        return refusing(operand.name, lambda: _core.offset(other, square, cores(), route))
+    built = from_places(index, operand, lambda places: _core.disc_index(other, cores(), places))
+    return IndexedSum(built, other, square)
+
+
+def described(found: _core.Offset | IndexedSum, canonical: str) -> dict[str, Any]:
+    """What a document says of a sum with a disc."""
+    return {
+        "digest": digest(canonical),
+        "components": found.components,
+        "holes": found.holes,
+        "curves": found.curves,
+        "area": enclosed(found.area),
+        "length": enclosed(found.length),
+        "result": json.loads(canonical),
+        "statistics": dict(found.statistics),
+    }
+
+
+def _passage(
+    points: Sequence[tuple[str, str]],
+    near: Sequence[tuple[float, float]],
+    contacts: Sequence[Sequence[str]],
+) -> dict[str, Any]:
+    return {
+        "points": [list(point) for point in points],
+        "near": [[_finite(x) for x in point] for point in near],
+        "contacts": [list(curve) for curve in contacts],
+    }
+
+
+def _measures(
+    length: dict[str, str],
+    area: dict[str, str],
+    angles: Sequence[tuple[tuple[str, str], tuple[str, str]]],
+) -> dict[str, Any]:
+    def terms(factors: dict[str, str]) -> list[dict[str, str]]:
+        return [{"factor": factor, "root": root or "1"} for root, factor in factors.items()]
+
+    return {
+        "length": terms(length),
+        "area": terms(area),
+        "angles": [{"from": list(start), "to": list(end)} for start, end in angles],
+    }
+
+
+def _finite(x: float) -> float | None:
+    return x if math.isfinite(x) else None
+
+
+def enclosed(bounds: tuple[float, float]) -> dict[str, float | None]:
+    """Two doubles with a number between; beyond doubles: None."""
+    low, high = map(_finite, bounds)
+    return {"low": low, "high": high}
+
+
+def _tolerance(text: str | None, outside: bool, target: Target | None) -> Fraction | None:
+    is_polygon = target is not None and target.form not in WITH_ARCS
+    if not is_polygon:
+        for option, given in (("--tolerance", text is not None), ("--outside", outside)):
+            if given:
+                mend = "write a polygon: -o FILE.wkt, .geojson or .poly"
+                raise Refusal("no arc is replaced", option, mend)
+        return None
+    if text is None:
+        assert target is not None
+        raise Refusal(
+            "this format has no arcs",
+            target.name,
+            "say how far a polygon may be off, as --tolerance 1/1000; .json, .svg and .dxf have "
+            "arcs",
+            "no-arcs",
+        )
+    where = f"--tolerance {text[:40]}"
+    mend = "give a positive number, as 0.001"
+    value = read_number(text.strip(), "tolerance", where, mend)
+    if value <= 0:
+        raise Refusal("the tolerance is not above 0", where, mend)
+    return value
+
+
+def _written(
+    target: Target,
+    found: _core.Offset | IndexedSum,
+    other: _core.PolygonSet,
+    disc: Disc,
+    canonical: str,
+    only_sum: bool,
+    within: Fraction | None,
+    outside: bool,
+) -> tuple[str, bool]:
+    """The text of the output, and whether it is exact."""
+    if target.form == "json":
+        return canonical + "\n", True
+    if target.form == "dxf":
+        from minkref.disc.commands.dxf import dxf_text
+
+        return dxf_text(_drawn(found), target.name), False
+    if target.form == "svg":
+        from minkref.reports.offset_picture import offset_picture
+
+        caption = f"the sum with a disc of radius {root(disc.squared_radius, 6)}"
+        passages = [points for _, points, _ in found.tight_passages(cores())]
+        own = None if only_sum else other
+        return offset_picture(_drawn(found), own, caption, passages), False
+    assert within is not None
+    near = sum_near(other, disc, within, outside)
+    return refusing(target.name, lambda: _core.write(near, target.form)), False
+
+
+def _drawn(found: _core.Offset | IndexedSum) -> _core.Offset:
+    return found.static if isinstance(found, IndexedSum) else found
+
+
+def _print(value: dict[str, Any], operand: Operand) -> None:
+    scaled = "" if value["scale"] == "1" else f"{value['scale']} "
+    rows = [
+        ("sum", f"{scaled}{value['P']} + {value['Q']}"),
+        ("radius of the disc", value["radius"]),
+        ("components, holes", f"{value['components']:,}, {value['holes']:,}"),
+        ("curves", f"{value['curves']:,}"),
+        ("area", between(**value["area"])),
+        ("length of the boundary", between(**value["length"])),
+        ("digest", value["digest"]),
+        *passage_rows(value["tight_passages"], "segment"),
+        ("seconds", f"{value['seconds']:.3f}"),
+    ]
+    print_lines(rows + written_row(value), value)

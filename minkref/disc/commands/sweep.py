@@ -1,0 +1,141 @@
+"""`minkref sweep P disc`: sums with a disc at many radii, read off an index of all radii."""
+
+from __future__ import annotations
+
+import sys
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+from minkref import _core
+from minkref.certain_digits import between, root
+from minkref.cli.memory import SMALLER, memory_wall
+from minkref.cli.output import plain_table
+from minkref.cli.progress import progress
+from minkref.cli.row_spool import Row, RowSpool
+from minkref.disc.commands.index_file import disc_index_of
+from minkref.disc.commands.sum import enclosed
+from minkref.disc.disc import ANY
+from minkref.errors import Refusal
+from minkref.exact import digest
+from minkref.output.documents import Stopwatch, document, listing
+from minkref.output.signals import ending_in_order
+from minkref.output.terminal import escaped
+from minkref.plane.commands.sweep_folder import sweep_folder
+from minkref.plane.commands.sweep_rows import SHOWN, Setting, print_sweep, sweep_rows, write_index
+from minkref.plane.operand import read_operand
+
+FORMATS = ("json", "svg")
+
+
+def sweep_with_disc(
+    P: str,
+    Q: str,
+    radii: list[str],
+    index_file: Path | None,
+    given: dict[str, bool],
+    output: Path | None,
+    form: str | None,
+    json_document: bool,
+    memory: int | None,
+) -> None:
+    """The command, its radii read. `given`: options that there are not."""
+    watch = Stopwatch()
+    if Q != ANY or P == ANY:
+        mend = "give `minkref sweep P disc`, and the radii by --from, --to and --steps or --scales"
+        raise Refusal("the radii of a sweep are not those of an operand", f"{P} {Q}", mend)
+    for option, is_given in given.items():
+        if is_given:
+            raise Refusal("sweeps with a disc do not have this option", option, "leave it out")
+    for radius in radii:
+        if Fraction(radius) <= 0:
+            raise Refusal("the radius is not above 0", radius, "give radii above 0", "bad-radius")
+    folder = sweep_folder(output, form, FORMATS)
+    operand = read_operand(P)
+    if folder is not None:
+        folder.refuse_overwriting([operand.file, *([index_file] if index_file else [])])
+    wall = memory_wall(memory, "the index of all radii", P, SMALLER)
+    with wall, ending_in_order(), progress(len(radii)) as line:
+        line.now("finding all events" if index_file is None else "proving all events again")
+        index = disc_index_of(index_file, operand)
+        setting = Setting[str, tuple[str, str]](
+            lambda radius: escaped(radius)[:20],
+            lambda found, kind: _text(operand.set, *found, kind),
+            lambda found, kind: kind == "json",
+        )
+        rows = sweep_rows(radii, lambda radius: _row(index, radius), setting, folder, line)
+        value = document(
+            "sweep",
+            watch,
+            P=operand.name,
+            Q=Q,
+            warnings=operand.warnings,
+            output=str(output) if output else None,
+            format=folder.form if folder else None,
+            preprocessing_seconds=index.seconds,
+            statistics={
+                "radii_of_events": len(index),
+                "parts_of_the_diagram": index.parts,
+                "exact_signs": index.exact_signs,
+            },
+        )
+        write_index(folder, value, rows)
+    if json_document:
+        sys.stdout.writelines(listing(value, "rows", rows))
+    else:
+        _print(value, rows)
+
+
+def _row(index: _core.DiscIndex, radius: str) -> tuple[Row, tuple[str, str]]:
+    """What is read off at a radius; the radius and the canonical form."""
+    watch = Stopwatch()
+    square = str(Fraction(radius) ** 2)
+    canonical = index.canonical_json(square)
+    components, holes = index.counts(square)
+    area, length = index.measures(square)
+    seconds = watch.seconds()
+    return {
+        "radius": radius,
+        "digest": digest(canonical),
+        "components": components,
+        "holes": holes,
+        "curves": canonical.count('["'),
+        "area": enclosed(area),
+        "length": enclosed(length),
+        "at_event": index.at_event(square),
+        "sum_seconds": seconds,
+    }, (radius, canonical)
+
+
+def _text(P: _core.PolygonSet, radius: str, canonical: str, form: str) -> str:
+    if form == "json":
+        return canonical + "\n"
+    from minkref.reports.offset_picture import offset_picture
+
+    found = _core.offset(P, str(Fraction(radius) ** 2))
+    return offset_picture(
+        found, P, f"the sum with a disc of radius {root(Fraction(radius) ** 2, 6)}"
+    )
+
+
+def _print(value: dict[str, Any], rows: RowSpool) -> None:
+    headings = ("radius", "area", "components", "holes", "curves", "ms")
+    table = plain_table(*headings, "event", right=headings, whole=True)
+    for row in rows.first(SHOWN):
+        table.add_row(
+            row["radius"] if len(row["radius"]) <= 12 else root(Fraction(row["radius"]) ** 2, 10),
+            between(**row["area"], digits=9),
+            *(f"{row[name]:,}" for name in ("components", "holes", "curves")),
+            f"{row['sum_seconds'] * 1000:.3f}",
+            "at it" if row["at_event"] else "",
+        )
+    summary = [
+        (
+            "sweep",
+            f"{value['P']} + disc, {'1 radius' if len(rows) == 1 else f'{len(rows):,} radii'}",
+        ),
+        ("radii of events", f"{value['statistics']['radii_of_events']:,}"),
+        ("all events", f"{value['preprocessing_seconds']:.3f} s"),
+        ("seconds", f"{value['seconds']:.3f}"),
+    ]
+    print_sweep(table, rows, summary, value)

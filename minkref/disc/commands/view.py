@@ -1,0 +1,112 @@
+"""`minkref view P disc`: the sum with a disc at any radius, as a page with a slider."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+from minkref import _core
+from minkref.cli.memory import SMALLER, memory_wall
+from minkref.cli.output import give, print_lines
+from minkref.cli.progress import progress
+from minkref.disc.commands.index_file import disc_index_of
+from minkref.disc.disc import ANY
+from minkref.disc.page.picture import counts, picture, window_around
+from minkref.disc.page.write_page import page
+from minkref.errors import Refusal, refusing
+from minkref.exact import approximate, read_scale
+from minkref.output.documents import Stopwatch, document, refuse_overwriting
+from minkref.output.output_target import Target
+from minkref.output.signals import ending_in_order
+from minkref.plane.commands.scale_index import refuse_overwriting_index
+from minkref.plane.operand import read_operand
+from minkref.plane.page.picture import Window
+
+LEAST_WINDOW = 10  # the last radius over the first, where only one of them is given
+
+
+def view_with_disc(
+    P: str,
+    Q: str,
+    first: str | None,
+    last: str | None,
+    index_file: Path | None,
+    given: list[str],
+    target: Target,
+    json: bool,
+    memory: int | None,
+) -> None:
+    """The command, its options read but not yet checked. `given`: options that there are not."""
+    watch = Stopwatch()
+    if Q != ANY or P == ANY:
+        mend = "give `minkref view P disc`, and the radii by --from and --to"
+        raise Refusal("the radius is that of the slider, and P stays", f"{P} {Q}", mend)
+    if given:
+        what = "the page of a disc does not have these options"
+        raise Refusal(what, ", ".join(given), "leave them out")
+    bounds = [
+        None if bound is None else Fraction(read_scale(bound, option))
+        for bound, option in ((first, "--from"), (last, "--to"))
+    ]
+    operand = read_operand(P)
+    if not target.is_standard_output:
+        refuse_overwriting(target.path, [operand.file])
+        refuse_overwriting_index(target.path, index_file)
+    with memory_wall(memory, "the index of all radii", P, SMALLER), ending_in_order():
+        with progress(1) as line:
+            line.now("finding all events" if index_file is None else "proving all events again")
+            index = disc_index_of(index_file, operand)
+        window = _window(bounds, index, operand.set)
+        data = refusing(operand.name, lambda: picture(index, operand.set, window))
+        count = target.write_pieces([page(operand.name, data)])
+    if target.is_standard_output:
+        return
+    value = document(
+        "view",
+        watch,
+        P=operand.name,
+        Q=Q,
+        **{"from": window.first, "to": window.last},
+        warnings=operand.warnings,
+        output=str(target.path),
+        bytes=count,
+        preprocessing_seconds=index.seconds,
+        **counts(data),
+    )
+    give(value, json, _print)
+
+
+def _window(bounds: list[Fraction | None], index: _core.DiscIndex, P: _core.PolygonSet) -> Window:
+    first, last = bounds
+    if first is None or last is None:
+        begin, end = window_around(index, P)
+        if first is None:
+            first = begin if last is None else min(begin, last / LEAST_WINDOW)
+        if last is None:
+            last = max(end, first * LEAST_WINDOW)
+    if first >= last:
+        raise Refusal(
+            f"the window from {first} to {last} is empty or a single radius",
+            "--from, --to",
+            "give a --from that is smaller than --to",
+            "empty-window",
+        )
+    return Window(str(first), str(last))
+
+
+def _print(value: dict[str, Any]) -> None:
+    kinds = ", ".join(f"{kind} {n:,}" for kind, n in value["events"].items() if n)
+    ends = (f"{approximate(value[name]):.6g}" for name in ("from", "to"))
+    rows = [
+        ("P + disc", f"{value['P']} + {value['Q']}"),
+        ("radii", f"[{', '.join(ends)}]"),
+        ("radii of events", f"{value['radii_of_events']:,}"),
+        ("events", kinds or "none"),
+        ("holes ever", f"{value['holes']:,}"),
+        ("diagram", f"{value['parts_of_the_diagram']:,} parts"),
+        ("all events", f"{value['preprocessing_seconds']:.3f} s"),
+        ("seconds", f"{value['seconds']:.3f}"),
+        ("written", f"{value['output']}, {value['bytes']:,} bytes"),
+    ]
+    print_lines(rows, value)

@@ -1,0 +1,117 @@
+"""What the command line refuses: what is wrong, where, and how to fix it."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Callable, Iterable
+from typing import TypeVar
+
+from minkref import _core
+from minkref.output.terminal import escaped
+
+T = TypeVar("T")
+
+LONGEST_MESSAGE = 2000  # characters that are kept of what somebody else says
+
+
+class Refusal(_core.BadInput):
+    """A wrong use or a bad input. `where` names the file, option or model; `mend` says what to
+    do. It has the attributes of every BadInput: the place stands in `source`."""
+
+    def __init__(self, what: str, where: str, mend: str, code: str = "usage") -> None:
+        super().__init__(f"{where}: {what}")
+        self.what = self.problem = what
+        self.where = self.source = where
+        self.mend = mend
+        self.code = code
+        self.line = self.ring = self.face = None
+        self.other_ring = self.other_face = None
+        self.vertices, self.coordinates, self.other_vertices = [], [], []
+
+    def __reduce__(self) -> tuple[type[Refusal], tuple[str, str, str, str]]:
+        """Whole out of a worker process too."""
+        return type(self), (self.what, self.where, self.mend, self.code)
+
+    def document(self) -> dict[str, object]:
+        return {"code": self.code, "what": self.what, "where": self.where, "mend": self.mend}
+
+
+def nearest(word: str, known: Iterable[str]) -> str:
+    """`did you mean X? ` where another known word is near, in small letters or large; else
+    nothing."""
+    by_small = {each.lower(): each for each in known if each != word}
+    near = difflib.get_close_matches(word.lower(), list(by_small), n=1)
+    return f"did you mean {by_small[near[0]]}? " if near else ""
+
+
+def choice(word: str, known: Iterable[str]) -> str:
+    """What to write in place of a word that is not one of a few."""
+    words = list(known)
+    return f"{nearest(word, words)}choose one of {', '.join(words)}"
+
+
+def refusal_text(error: dict[str, object]) -> str:
+    """The refusal for people; `error` is its document."""
+    text = f"minkref: {escaped(str(error['where']))}: {escaped(str(error['what']))}\n"
+    return text + (f"  fix: {escaped(str(error['mend']))}\n" if error["mend"] else "")
+
+
+def message_of(error: BaseException) -> str:
+    """`Type: text` of an exception of somebody else's code, whatever that does."""
+    name = type(error).__name__
+    try:
+        return cut(f"{name}: {error}")
+    except BaseException:  # noqa: BLE001 its own __str__ raises
+        return f"{name} (its text cannot be read)"
+
+
+def cut(text: str) -> str:
+    """At most LONGEST_MESSAGE characters of the text."""
+    return text if len(text) <= LONGEST_MESSAGE else text[: LONGEST_MESSAGE - 3] + "..."
+
+
+def refusal_of(error: _core.BadInput, source: str = "") -> Refusal:
+    """The refusal that a reader or the validation raised, with ring or face, vertices and
+    coordinates."""
+    if isinstance(error, Refusal):
+        return error
+    where = [str(getattr(error, "source", "") or source)]
+    line = getattr(error, "line", None)
+    ring = getattr(error, "ring", None)
+    vertices = list(getattr(error, "vertices", None) or [])
+    coordinates = list(getattr(error, "coordinates", None) or [])
+    if line is not None:
+        where.append(f"line {line}")
+    if ring is not None:
+        where.append(f"ring {ring}")
+    face = getattr(error, "face", None)
+    if face is not None:
+        where.append(f"face {face}")
+    if vertices:
+        word = "vertex" if len(vertices) == 1 else "vertices"
+        where.append(f"{word} {', '.join(str(v) for v in vertices)}")
+    other = getattr(error, "other_ring", None)
+    if other is not None:
+        others = [str(v) for v in getattr(error, "other_vertices", None) or []]
+        where.append(f"and ring {other}" + (f", vertices {', '.join(others)}" if others else ""))
+    other_face = getattr(error, "other_face", None)
+    if other_face is not None:
+        where.append(f"and face {other_face}")
+    if coordinates:
+        where.append("at " + ", ".join(str(c) for c in coordinates))
+    return Refusal(
+        str(getattr(error, "problem", "") or error),
+        ", ".join(part for part in where if part),
+        str(getattr(error, "mend", "")),
+        str(getattr(error, "code", "bad-input")),
+    )
+
+
+def refusing(source: str, call: Callable[[], T]) -> T:
+    """The value of `call`; a BadInput of the reference becomes a Refusal about `source`."""
+    try:
+        return call()
+    except Refusal:
+        raise
+    except _core.BadInput as error:
+        raise refusal_of(error, source) from error

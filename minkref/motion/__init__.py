@@ -1,0 +1,1 @@
+"""Parts on paths, fits and traps: values and texts."""

@@ -1,0 +1,1 @@
+"""Parts of commands for paths, fits and traps."""

@@ -1,0 +1,326 @@
+"""For which scales a part passes along a path, fits or is trapped, as values."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any, overload
+
+from minkref import _core
+from minkref.argument_types import expect_sets, number
+from minkref.errors import Refusal
+from minkref.motion.scale_ranges import CONTACTS as CONTACTS
+from minkref.motion.scale_ranges import PATH_ROUTES as PATH_ROUTES
+from minkref.motion.scale_ranges import (
+    Number,
+    ScalesInRanges,
+    coordinates,
+    path_of,
+    range_values,
+    window_of,
+    word_of,
+)
+from minkref.motion.scale_ranges import ScaleRange as ScaleRange
+from minkref.motion.space_values import (
+    SpaceFitScales,
+    SpaceValidScales,
+    Surface,
+    fit_at_in_space,
+    valid_scales_in_space,
+)
+
+Place = tuple[Fraction, Fraction]
+
+
+@dataclass(frozen=True)
+class Feature:
+    """A vertex, or the edge that starts at it (`is_edge`), by ring and index."""
+
+    is_edge: bool
+    ring: int
+    index: int
+
+
+@dataclass(frozen=True)
+class PathBound:
+    """Where valid scales end (`blocks`: those just above are not valid) or begin, and the contact
+    that is the cause: the place on the path (the segment, how far along it, the point), the
+    features of part and obstacles that touch there, and where they do."""
+
+    scale: Fraction
+    blocks: bool
+    segment: int
+    t: Fraction
+    at: Place
+    part: Feature
+    obstacle: Feature
+    touching: Place
+
+
+@dataclass(frozen=True)
+class ValidScales(ScalesInRanges):
+    """The scales at which a part passes along a path: `ranges`, ascending; `bounds`, the ends that
+    are no end of the window; whether the part is `star_shaped` about its origin (the ranges are
+    then one that starts at 0); how it was found (`statistics`)."""
+
+    bounds: tuple[PathBound, ...]
+    star_shaped: bool
+    statistics: dict[str, int]
+
+
+@dataclass(frozen=True)
+class BadPolygon:
+    """Places and scales at which a convex piece of the part and one of the obstacles collide on a
+    segment of the path: a convex polygon with corners (t, s), counter-clockwise, t being how far
+    along the segment, s the scale. Pieces have their corners, those of the part at scale 1."""
+
+    segment: int
+    part: tuple[Place, ...]
+    obstacle: tuple[Place, ...]
+    corners: tuple[Place, ...]
+
+
+@dataclass(frozen=True)
+class FreeBound:
+    """Where scales of a fit or a trap end (`ends`) or begin. `event`: "contact" where the part
+    touches at a place that was asked for, as `contact` says; otherwise what happens to a hole of
+    the sum of obstacles and turned part at the place `at`: birth, death, merge, split, touch."""
+
+    scale: Fraction
+    ends: bool
+    event: str
+    at: Place
+    contact: PathBound | None
+
+
+@dataclass(frozen=True)
+class FreeScales(ScalesInRanges):
+    """The scales at which a part fits, passes or is trapped, by translations alone: `ranges`,
+    ascending; `bounds`, their ends; `proofs`, scales at, just below and just above each end and
+    whether the static sum there has the property too."""
+
+    bounds: tuple[FreeBound, ...]
+    proofs: tuple[tuple[Fraction, bool], ...]
+
+
+@overload
+def valid_scales(
+    robot: _core.PolygonSet,
+    obstacles: _core.PolygonSet,
+    path: Sequence[Sequence[Number]],
+    contact: str = ...,
+    from_scale: Number | None = ...,
+    to_scale: Number | None = ...,
+    route: str = ...,
+) -> ValidScales: ...
+@overload
+def valid_scales(
+    robot: Surface,
+    obstacles: Surface,
+    path: Sequence[Sequence[Number]],
+    contact: str = ...,
+    from_scale: Number | None = ...,
+    to_scale: Number | None = ...,
+    route: str = ...,
+) -> SpaceValidScales: ...
+def valid_scales(
+    robot: _core.PolygonSet | Surface,
+    obstacles: _core.PolygonSet | Surface,
+    path: Sequence[Sequence[Number]],
+    contact: str = "allowed",
+    from_scale: Number | None = None,
+    to_scale: Number | None = None,
+    route: str = "pieces",
+) -> ValidScales | SpaceValidScales:
+    """The scales at which the robot, scaled about its origin and carried along the polyline with
+    its origin on it, never turned, does not meet the obstacles: with contact allowed their
+    interiors, with contact forbidden the closed sets. Exact: ranges with open and closed ends, and
+    single scales. Without bounds, all scales above 0. `route`: pieces, contacts or index, which
+    share little.
+
+    Both are sets in the plane, or both polyhedra, of any shape, and the path in space: then
+    `route` is pieces or contacts, and one of them may be a point, a segment or a plane polygon.
+    Both are validated first. Cost: docs/paths.md. Raises BadInput, Refusal."""
+    rule, way = word_of("contact", contact, CONTACTS), word_of("route", route, PATH_ROUTES)
+    window = window_of(from_scale, to_scale)
+    if isinstance(robot, Surface):
+        return valid_scales_in_space(robot, obstacles, path, rule, window, way)
+    return _valid_scales_in_the_plane(robot, obstacles, path, rule, window, way)
+
+
+def _valid_scales_in_the_plane(
+    robot: _core.PolygonSet,
+    obstacles: Any,
+    path: Any,
+    rule: str,
+    window: tuple[str | None, str | None],
+    way: str,
+) -> ValidScales:
+    expect_sets(robot=robot, obstacles=obstacles)
+    places = [(x, y) for x, y in path_of(path, 2)]
+    robot.validate("robot")
+    obstacles.validate("obstacles")
+    rows = _core.valid_scales(robot, obstacles, places, rule, *window, way)
+    return ValidScales(
+        range_values(rows[0]),
+        tuple(_path_bound(row) for row in rows[1]),
+        _core.star_shaped(robot),
+        dict(rows[2]),
+    )
+
+
+def bad_polygons(
+    robot: _core.PolygonSet,
+    obstacles: _core.PolygonSet,
+    path: Sequence[Sequence[Number]],
+    to_scale: Number,
+    contact: str = "allowed",
+    from_scale: Number | None = None,
+    most: int = 100_000,
+) -> tuple[BadPolygon, ...]:
+    """The picture that explains the valid scales up to one: the robot collides at the place t of a
+    segment, 0 < t < 1, and at a scale s inside of the window iff (t, s) is inside of one of these
+    convex polygons (with contact forbidden: inside or on a side). A scale inside of the window is
+    valid iff the line of this s meets none so. Exact. Cost: docs/paths.md, and an exact polygon for
+    each triple of two pieces and a segment that collides. Raises BadInput, Refusal; LimitExceeded
+    for more than `most` polygons."""
+    expect_sets(robot=robot, obstacles=obstacles)
+    robot.validate("robot")
+    obstacles.validate("obstacles")
+    if isinstance(most, bool) or not isinstance(most, int):
+        raise TypeError(f"most has to be an int, and is of type {type(most).__name__}")
+    part_pieces, obstacle_pieces, polygons = _core.path_diagram(
+        robot,
+        obstacles,
+        [(x, y) for x, y in path_of(path, 2)],
+        word_of("contact", contact, CONTACTS),
+        window_of(from_scale, None)[0],
+        number("to_scale", to_scale),
+        max(most, 0),
+    )
+    own, other = (
+        [tuple(map(_place, piece)) for piece in pieces] for pieces in (part_pieces, obstacle_pieces)
+    )
+    return tuple(
+        BadPolygon(segment, own[part], other[obstacle], tuple(map(_place, corners)))
+        for segment, part, obstacle, corners in polygons
+    )
+
+
+@overload
+def largest_fit(
+    part: _core.PolygonSet,
+    container: _core.PolygonSet,
+    at: Sequence[Number] | None = ...,
+    between: Sequence[Sequence[Number]] | None = ...,
+    contact: str = ...,
+) -> FreeScales: ...
+@overload
+def largest_fit(
+    part: Surface,
+    container: Surface,
+    at: Sequence[Number] | None = ...,
+    between: Sequence[Sequence[Number]] | None = ...,
+    contact: str = ...,
+) -> SpaceFitScales: ...
+def largest_fit(
+    part: _core.PolygonSet | Surface,
+    container: _core.PolygonSet | Surface,
+    at: Sequence[Number] | None = None,
+    between: Sequence[Sequence[Number]] | None = None,
+    contact: str = "allowed",
+) -> FreeScales | SpaceFitScales:
+    """The scales at which the part, scaled about its origin, lies in the container: with its origin
+    at a place (`at`), at some place (neither `at` nor `between`), or at two places and all along
+    some way from one to the other (`between`), by translations. `largest` is the scale that is
+    asked for as a rule. Exact. Both sets are validated first. Of polyhedra, `at` alone is answered.
+    Cost: docs/paths.md. Raises BadInput, Refusal."""
+    rule = word_of("contact", contact, CONTACTS)
+    if at is not None and between is not None:
+        what = "a place and two places are different questions"
+        raise Refusal(what, "largest_fit", "give `at` or `between`, or neither")
+    if isinstance(part, Surface):
+        if at is None:
+            what = "in space a fit is found at one place"
+            raise Refusal(what, "largest_fit", "give `at`")
+        return fit_at_in_space(part, container, at, rule)
+    return _fit_in_the_plane(part, container, at, between, rule)
+
+
+def _fit_in_the_plane(
+    part: _core.PolygonSet, container: Any, at: Any, between: Any, rule: str
+) -> FreeScales:
+    expect_sets(part=part, container=container)
+    part.validate("part")
+    container.validate("container")
+    if at is not None:
+        return _free(_core.fit_at(part, container, _point("at", at), rule))
+    if between is None:
+        return _free(_core.fit_anywhere(part, container, rule))
+    if isinstance(between, str) or not isinstance(between, Sequence) or len(between) != 2:
+        raise TypeError(f"between has to be two places, and is of type {type(between).__name__}")
+    start, end = (_point("between", place) for place in between)
+    return _free(_core.fit_between(part, container, start, end, rule))
+
+
+def trapped_scales(
+    part: _core.PolygonSet,
+    assembly: _core.PolygonSet,
+    at: Sequence[Number],
+    contact: str = "allowed",
+    from_scale: Number | None = None,
+    to_scale: Number | None = None,
+) -> FreeScales:
+    """The scales at which the part, scaled about its origin and with it at a place, does not meet
+    the assembly, and no translation takes it away without a collision. A rotation may free it all
+    the same. Exact. Without bounds, all scales above 0. Both sets are validated first. Cost:
+    docs/paths.md. Raises BadInput, Refusal."""
+    expect_sets(part=part, assembly=assembly)
+    part.validate("part")
+    assembly.validate("assembly")
+    place = _point("at", at)
+    window = window_of(from_scale, to_scale)
+    rule = word_of("contact", contact, CONTACTS)
+    return _free(_core.trapped_scales(part, assembly, place, rule, *window))
+
+
+def _point(name: str, value: Any) -> tuple[str, str]:
+    x, y = coordinates(name, value, 2)
+    return x, y
+
+
+def _place(row: tuple[str, str]) -> Place:
+    return Fraction(row[0]), Fraction(row[1])
+
+
+def _path_bound(row: Any) -> PathBound:
+    scale, blocks, segment, t, at, part, obstacle, touching = row
+    return PathBound(
+        Fraction(scale),
+        blocks,
+        segment,
+        Fraction(t),
+        _place(at),
+        Feature(*part),
+        Feature(*obstacle),
+        _place(touching),
+    )
+
+
+def _free(rows: Any) -> FreeScales:
+    ranges, bounds, proofs, _ = rows
+    return FreeScales(
+        range_values(ranges),
+        tuple(
+            FreeBound(
+                Fraction(scale),
+                ends,
+                event,
+                _place(at),
+                None if contact is None else _path_bound(contact),
+            )
+            for scale, ends, event, at, contact in bounds
+        ),
+        tuple((Fraction(scale), holds) for scale, holds in proofs),
+    )

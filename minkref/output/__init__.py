@@ -1,0 +1,1 @@
+"""Streams, documents, files of output, signals and exits of commands."""

@@ -1,0 +1,1 @@
+"""Sets and sums in the plane: operands, values, scales."""

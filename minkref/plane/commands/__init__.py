@@ -1,0 +1,1 @@
+"""Parts of commands for sums in the plane."""

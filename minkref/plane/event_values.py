@@ -1,0 +1,182 @@
+"""Events of a pair of operands, as values: what `minkref events` lists."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any, overload
+
+from minkref import _core
+from minkref.argument_types import expect_sets, number, text_of
+from minkref.errors import Refusal, choice
+from minkref.plane.event_lists import BoundaryEventList, EventList, find_events
+
+KINDS = ("pair", "parallel", "triple", "arrangement", "boundary", "topology")
+PAIR_KINDS = ("pair", "parallel")
+ROUTED_KINDS = ("boundary", "topology")  # those that each of ROUTES finds
+ROUTES = ("dynamic", "index")
+FORMS = ("corrected", "printed")
+Number = str | int | Fraction
+Place = tuple[Fraction, Fraction]
+
+
+@dataclass(frozen=True)
+class Parent:
+    """An edge of the convolution: the kind S or T, ring and index of the edge (of P for S, of Q for
+    T), ring and index of the vertex of the other operand."""
+
+    kind: str
+    edge: tuple[int, int]
+    vertex: tuple[int, int]
+
+
+@dataclass(frozen=True)
+class Event:
+    """What happens at a critical scale, exactly. `rank`: how many different scales of the list lie
+    below. `change`: birth, death, touch, overlap, swap, merge or split. `at`: its place; `to`: the
+    other end where parallel edges share a segment. Of topology events also which feature (hole or
+    component) it is, its numbers before and after, and in how many parts it is at the scale. Terms:
+    docs/definitions.md."""
+
+    scale: Fraction
+    rank: int
+    kind: str
+    change: str
+    parents: tuple[Parent, ...]
+    at: Place
+    to: Place | None = None
+    feature: str | None = None
+    before: tuple[int, ...] = ()
+    after: tuple[int, ...] = ()
+    parts: int | None = None
+
+
+@dataclass(frozen=True)
+class Life:
+    """The scales between which a hole or component lives; None: it begins, or ends, outside of the
+    window. Hole 0 is the outside."""
+
+    number: int
+    birth: Fraction | None
+    death: Fraction | None
+
+
+class Events(Sequence[Event]):
+    """A list of events, ascending by scale. Millions are held as the library has them: an event is
+    made when it is asked for, in some microseconds."""
+
+    def __init__(self, found: EventList, kind: str) -> None:
+        self._found, self.kind = found, kind
+
+    def __len__(self) -> int:
+        return len(self._found)
+
+    @overload
+    def __getitem__(self, index: int) -> Event: ...
+    @overload
+    def __getitem__(self, index: slice) -> list[Event]: ...
+    def __getitem__(self, index: int | slice) -> Event | list[Event]:
+        if isinstance(index, slice):
+            return [self[i] for i in range(*index.indices(len(self)))]
+        place = index + len(self) if index < 0 else index
+        if not 0 <= place < len(self):
+            raise IndexError(f"there are {len(self)} events, and no number {index}")
+        return _event(self._found.events(place, place + 1)[0])
+
+    def __iter__(self) -> Iterator[Event]:
+        for first in range(0, len(self), 1024):
+            yield from map(_event, self._found.events(first, min(first + 1024, len(self))))
+
+    def __repr__(self) -> str:
+        return f"<Events: {len(self)} {self.kind} events at {self.distinct} scales>"
+
+    @property
+    def distinct(self) -> int:
+        """Different scales."""
+        return self._found.distinct
+
+    @property
+    def holes(self) -> list[Life]:
+        """Of topology events: all holes ever, by their numbers."""
+        return self._lives("holes")
+
+    @property
+    def components(self) -> list[Life]:
+        """Of topology events: all components ever, by their numbers."""
+        return self._lives("components")
+
+    def _lives(self, name: str) -> list[Life]:
+        rows = self._found.features()[name]
+        if rows is None:
+            what = f"{self.kind} events know no {name}"
+            raise Refusal(what, name, 'ask for kind="topology"', "unknown-feature")
+        return [Life(row["id"], _scale(row["birth"]), _scale(row["death"])) for row in rows]
+
+
+def events(
+    P: _core.PolygonSet,
+    Q: _core.PolygonSet,
+    kind: str = "boundary",
+    from_scale: Number | None = None,
+    to_scale: Number | None = None,
+    *,
+    route: str = "dynamic",
+    form: str = "corrected",
+    where: str | None = None,
+) -> Events:
+    """All events of one kind in the closed window of scales, exact, ascending: `pair`, `parallel`,
+    `triple` and `arrangement` of the reduced convolution, `boundary` and `topology` of the sum.
+
+    Without bounds, all scales above 0. `route`: `dynamic` or `index`, which give the same boundary
+    and topology events; the index is faster for large operands. `form`: `printed` for the paper's
+    own rule of pair and parallel events. `where`: only those that meet a condition, as `minkref
+    events --where` has it. Pair events take O(n^2 log n) for n edges of the convolution; for the
+    others and the index see docs/scale-index.md. Raises BadInput, Refusal. Behar & Lien 2012,
+    Sec. 4."""
+    expect_sets(P=P, Q=Q)
+    names = (("kind", kind, KINDS), ("route", route, ROUTES), ("form", form, FORMS))
+    for name, word, known in names:
+        if text_of(name, word) not in known:
+            what = f"there is no {name} {word!r}"
+            raise Refusal(what, "events", choice(word, known), f"unknown-{name}")
+    if route != ROUTES[0] and kind not in ROUTED_KINDS:
+        what = f"{kind} events come from the arrangement: there is only one route to them"
+        raise Refusal(what, f"route={route!r}", "leave it out")
+    if form != FORMS[0] and kind not in PAIR_KINDS:
+        what = "the printed form has pair and parallel events only"
+        raise Refusal(what, f"kind={kind!r}", "leave out one of the two")
+    for name, operand in (("P", P), ("Q", Q)):
+        operand.validate(name)
+    bounds = (("from_scale", from_scale), ("to_scale", to_scale))
+    window = [None if bound is None else number(name, bound) for name, bound in bounds]
+    found: EventList
+    if route == "index":
+        found = BoundaryEventList(_core.ScaleIndex(P, Q, window[0], window[1]), kind, window)
+    else:
+        found = find_events(P, Q, window, kind, form)
+    if where is not None:
+        from minkref.plane.event_filter import read_filter  # its parser takes longest to import
+
+        found.keep(read_filter(text_of("where", where), kind))
+    return Events(found, kind)
+
+
+def _event(row: dict[str, Any]) -> Event:
+    parents = (
+        Parent(edge["kind"], tuple(edge["edge"]), tuple(edge["vertex"])) for edge in row["parents"]
+    )
+    return Event(
+        Fraction(row["s"]), row["rank"], row["kind"], row["change"], tuple(parents),
+        _place(row["at"]), _place(row["to"]) if row["to"] else None, row.get("feature"),
+        tuple(row.get("before", ())), tuple(row.get("after", ())), row.get("parts"),
+    )  # fmt: skip
+
+
+def _place(texts: Sequence[str]) -> Place:
+    x, y = map(Fraction, texts)
+    return x, y
+
+
+def _scale(text: str | None) -> Fraction | None:
+    return None if text is None else Fraction(text)

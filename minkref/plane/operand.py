@@ -1,0 +1,150 @@
+"""An operand of the command line: a file, or the name of a model, read exactly and validated."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from minkref import _core
+from minkref.disc.disc import is_disc
+from minkref.errors import Refusal, nearest, refusing
+from minkref.file_text import text_of_file
+from minkref.model_catalogue import PAPER_MODELS, VARIABLE, all_models, shipped_polyhedra
+from minkref.output.terminal import escaped
+from minkref.plane.operand_text import is_text, source_of, text_and_form
+
+FORMATS = tuple(f".{name}" for name, is_read in _core.SET_FORMATS.items() if is_read)
+MESHES = tuple(f".{name}" for name in _core.MESH_FORMATS if name != "json")
+LONGEST_NAME = 255  # characters, which no system's names of files exceed
+
+
+@dataclass(frozen=True)
+class Operand:
+    name: str
+    source: str
+    set: _core.PolygonSet
+    warnings: list[str] = field(default_factory=list)
+
+    @property
+    def file(self) -> Path:
+        """Also of an operand of a case (`case.json#Q`)."""
+        path = Path(self.source)
+        return path if path.exists() else Path(self.source.removesuffix("#P").removesuffix("#Q"))
+
+
+def read_operand(name: str) -> Operand:
+    """A file wins over a model of the same name, and both over a text: `-` is standard input, WKT
+    and JSON are operands themselves. Refuses what does not exist or is not valid."""
+    if not name:
+        raise Refusal("the name is empty", "operand", "name a file or a model", "no-such-file")
+    path = Path(name)
+    if path.suffix.lower() in MESHES:
+        raise _refuse_mesh("the name is that of a polyhedron", name)
+    if is_file(name):
+        return _read(name, path)
+    models = all_models()
+    if name in models:
+        return _read(name, models[name].path)
+    if is_text(name):
+        return _of_text(name)
+    _refuse_special(name, path)
+    if path.suffix in FORMATS or len(path.parts) > 1:
+        raise Refusal("there is no such file", name, "check the path", "no-such-file")
+    if name in {paper for paper, *_ in PAPER_MODELS}:
+        alike = next(look for paper, _, look, _ in PAPER_MODELS if paper == name)
+        raise Refusal(
+            "this model of the paper is not included in minkref",
+            name,
+            f"set {VARIABLE} to the folder that holds it, or use our look-alike {alike}",
+            "no-such-model",
+        )
+    if name in {polyhedron.name for polyhedron in shipped_polyhedra()}:
+        raise _refuse_mesh("this model is a polyhedron", name)
+    if is_disc(name):
+        raise Refusal(
+            "a disc is no operand here",
+            name,
+            "sum takes disc:R, and sweep, events, index and view take `disc`; elsewhere take a "
+            "polygon for it: minkref sum 'POINT (0 0)' disc:R --tolerance T -o disc.wkt, with "
+            "--outside one around it",
+            "no-disc",
+        )
+    hint = nearest(name, models)
+    raise Refusal(
+        "there is neither a file nor a model of this name",
+        name,
+        f"{hint}`minkref models` lists the models",
+        "no-such-model",
+    )
+
+
+def _refuse_mesh(what: str, name: str) -> Refusal:
+    mend = f"give a set of polygons: {', '.join(FORMATS)}, or one of `minkref models`"
+    return Refusal(f"{what}, and this operand lies in the plane", name, mend, "three-dimensional")
+
+
+def _of_text(name: str) -> Operand:
+    text, form = text_and_form(name)
+    source = escaped(source_of(name))
+    operand = refusing(source, lambda: _core.read_text(text, form, source))
+    warnings = list(_core.warnings())
+    refusing(source, lambda: operand.validate(source))
+    return Operand(source, source, operand, warnings)
+
+
+def is_file(name: str) -> bool:
+    """A file that can be read as an operand: a regular one, a pipe with an ending that names its
+    format, or one operand of a case (`case.json#Q`)."""
+    path = Path(name)
+    if name.endswith(("#P", "#Q")) and is_regular(Path(name[:-2])):
+        return True
+    return is_regular(path) or (path.suffix.lower() in FORMATS and path.is_fifo())
+
+
+def is_regular(path: Path) -> bool:
+    """Whether there is a file; a text that is no name of one, as it is too long, names none."""
+    try:
+        return len(path.name) <= LONGEST_NAME and path.is_file()
+    except (OSError, ValueError):
+        return False
+
+
+def read_set(path: Path) -> tuple[_core.PolygonSet, list[str]]:
+    """The set in a file, not validated, and the warnings of its reader."""
+    source = str(path)
+    if is_utf8(source):
+        read = refusing(source, lambda: _core.read_file(source))
+    else:
+        text = text_of_file(path, escaped(source), "name a file that you may read")
+        form = path.suffix.lower().removeprefix(".")
+        read = refusing(escaped(source), lambda: _core.read_text(text, form, escaped(source)))
+    return read, list(_core.warnings())
+
+
+def _read(name: str, path: Path) -> Operand:
+    operand, warnings = read_set(path)
+    source = escaped(str(path))
+    refusing(source, lambda: operand.validate(source))
+    return Operand(name, str(path), operand, warnings)
+
+
+def _refuse_special(name: str, path: Path) -> None:
+    if "\0" in name or not path.exists():
+        return
+    if path.is_dir():
+        raise Refusal("this is a folder", name, "name a file or a model", "not-a-file")
+    raise Refusal(
+        "this is not a regular file",
+        name,
+        f"write it to a file first whose ending names the format: {', '.join(FORMATS)}",
+        "not-a-file",
+    )
+
+
+def is_utf8(name: str) -> bool:
+    try:
+        os.fsencode(name).decode("utf-8")
+    except UnicodeDecodeError:
+        return False
+    return True

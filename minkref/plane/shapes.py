@@ -1,0 +1,235 @@
+"""The parts of a set from what Python programs hold: coordinates in sequences and arrays,
+GeoJSON, objects of other geometry libraries.
+
+Every number counts by its exact value: an int, a Fraction, a Decimal, a float (0.1 is the double
+next to a tenth), a scalar of NumPy, a text (`"0.1"` is a tenth, `"7/5"`).
+"""
+
+from __future__ import annotations
+
+import math
+import struct
+from collections.abc import Mapping, Set
+from decimal import Decimal
+from fractions import Fraction
+from numbers import Integral, Rational, Real
+from typing import Any
+
+from minkref import _core
+from minkref.errors import Refusal
+from minkref.exact import read_number
+from minkref.plane.operand_text import source_of, text_and_form
+
+Ring = list[tuple[str, str]]
+#: What GeoJSON calls it, or RINGS, which need not be closed; and its rings, of which holes are the
+#: second and later ones.
+Part = tuple[str, list[Ring]]
+RINGS = "rings"
+
+ACCEPTED = (
+    "give one point (x, y), a ring of points, a polygon (its outer ring, then its holes), a list "
+    "of polygons, GeoJSON, or an object with __geo_interface__"
+)
+DEEPEST = 4  # levels of sequences: polygons, rings, points, coordinates
+LARGEST_EXPONENT = 10_000  # of a Decimal
+MOST_NESTED = 64  # collections within collections
+_COLLECTIONS = {"FeatureCollection": "features", "GeometryCollection": "geometries"}
+_GEOMETRIES = ("Point", "LineString", "Polygon", "MultiPolygon")
+
+
+def set_or_parts(shape: Any) -> _core.PolygonSet | list[Part]:
+    """What the constructor of PolygonSet makes its set of: a set as it is, that of a text as a
+    command reads it (WKT, GeoJSON, plain JSON), or parts. Raises BadInput."""
+    if isinstance(shape, _core.PolygonSet):
+        return shape
+    if isinstance(shape, str):
+        text, form = text_and_form(shape, inline=True)
+        return _core.read_text(text, form, shape if shape == "-" else source_of(shape))
+    return parts_of(shape)
+
+
+def parts_of(shape: Any) -> list[Part]:
+    """The parts of a shape, their coordinates as exact texts, turned as they are given. Sequences
+    count by their depth: a point, a ring of points, a polygon, polygons; a first point that is
+    repeated at the end of a ring is left out. A mapping is GeoJSON, or the project's JSON. Whether
+    the parts are a set the readers of files say. Linear. Raises Refusal for anything else, naming
+    the place."""
+    if not isinstance(shape, Mapping) and hasattr(shape, "__geo_interface__"):
+        shape = shape.__geo_interface__
+    if isinstance(shape, Mapping):
+        return _of_mapping(shape, 0)
+    levels = _depth(shape)
+    if levels > DEEPEST or levels < 0:
+        raise _no_shape(shape)
+    return _of_sequences(shape, levels) if levels else []
+
+
+def _of_mapping(shape: Mapping[str, Any], depth: int) -> list[Part]:
+    if depth > MOST_NESTED:
+        what = f"collections are nested deeper than {MOST_NESTED}"
+        raise Refusal(what, "PolygonSet", "flatten the collection", "too-deep")
+    if "polygons" in shape:
+        return [
+            (RINGS, _rings([polygon["outer"], *polygon.get("holes", ())], f"polygon {k}, "))
+            for k, polygon in enumerate(_members(shape, "polygons", ("outer",)))
+        ]
+    kind = shape.get("type")
+    if kind == "Feature":
+        geometry = shape.get("geometry")
+        if geometry is None:  # the empty set
+            return []
+        return _of_mapping(_mapping(geometry, "the geometry of the Feature"), depth + 1)
+    if kind in _COLLECTIONS:
+        parts = _members(shape, _COLLECTIONS[kind], ())
+        return [polygon for part in parts for polygon in _of_mapping(part, depth + 1)]
+    if kind not in _GEOMETRIES:
+        what = f"a mapping of the type {kind!r} is no set of polygons"
+        mend = f"give a geometry of {', '.join(_GEOMETRIES)}"
+        raise Refusal(what, "PolygonSet", mend, "no-shape")
+    coordinates = _sequence(shape.get("coordinates"), f"the coordinates of the {kind}")
+    if len(coordinates) == 0:
+        return []
+    if kind == "Point":
+        return [(kind, [[_point(coordinates, "the point")]])]
+    if kind == "LineString":
+        return [(kind, [_points(coordinates, "the line")])]
+    if kind == "Polygon":
+        return [(kind, _rings(coordinates, ""))]
+    return [("Polygon", _rings(each, f"polygon {k}, ")) for k, each in enumerate(coordinates)]
+
+
+def _mapping(given: Any, where: str) -> Mapping[str, Any]:
+    found = getattr(given, "__geo_interface__", given)
+    if not isinstance(found, Mapping):
+        what = f"there is {_a(given)} where a mapping is expected"
+        raise Refusal(what, where, ACCEPTED, "no-shape")
+    return found
+
+
+def _members(shape: Mapping[str, Any], name: str, needed: tuple[str, ...]) -> list[Any]:
+    """A list of mappings that have what is needed."""
+    members = _sequence(shape.get(name), f'"{name}"')
+    for number, member in enumerate(members):
+        if not isinstance(member, Mapping) or any(part not in member for part in needed):
+            what = f"this is no mapping{''.join(f' with {part!r}' for part in needed)}"
+            raise Refusal(what, f'"{name}", number {number}', ACCEPTED, "no-shape")
+    return list(members)
+
+
+def _depth(shape: Any) -> int:
+    """Levels of sequences, looking at the first of each; 0 of an empty one, -1 of a number."""
+    levels = 0
+    while _is_sequence(shape):
+        levels += 1
+        if levels > DEEPEST:
+            return levels
+        if len(shape) == 0:
+            return 0 if levels == 1 else levels
+        shape = shape[0]
+    return levels or -1
+
+
+def _of_sequences(shape: Any, levels: int) -> list[Part]:
+    if levels == 1:
+        return [(RINGS, [[_point(shape, "the point")]])]
+    if levels == 2:
+        return [(RINGS, [_opened(_points(shape, "the ring"))])]
+    polygons = (
+        [("", shape)] if levels == 3 else [(f"polygon {k}, ", p) for k, p in enumerate(shape)]
+    )
+    return [(RINGS, [_opened(ring) for ring in _rings(rings, where)]) for where, rings in polygons]
+
+
+def _rings(rings: Any, where: str) -> list[Ring]:
+    """The outer ring and the holes as they are given."""
+    return [
+        _points(ring, f"{where}{'the outer ring' if r == 0 else f'hole {r}'}")
+        for r, ring in enumerate(_sequence(rings, f"{where}its rings"))
+    ]
+
+
+def _points(points: Any, where: str) -> Ring:
+    return [_point(p, f"{where}, point {i}") for i, p in enumerate(_sequence(points, where))]
+
+
+def _opened(ring: Ring) -> Ring:
+    """Without the repetition of the first point; a ring is left that has three other ones."""
+    return ring[:-1] if len(ring) > 3 and ring[0] == ring[-1] else ring
+
+
+def _point(given: Any, where: str) -> tuple[str, str]:
+    coordinates = _sequence(given, where)
+    if len(coordinates) != 2:
+        what = f"a point of the plane has two coordinates, not {len(coordinates)}"
+        raise Refusal(what, where, "give x and y", "no-shape")
+    x, y = (number_text(c, f"{where}, {name}") for c, name in zip(coordinates, "xy", strict=True))
+    return x, y
+
+
+def _sequence(given: Any, where: str) -> Any:
+    if not _is_sequence(given):
+        what = f"there is {_a(given)} where a sequence is expected"
+        raise Refusal(what, where, ACCEPTED, "no-shape")
+    return given
+
+
+def _is_sequence(given: Any) -> bool:
+    """Also an array, but one without dimensions."""
+    if isinstance(given, (str, bytes, bytearray, Mapping, Set)) or getattr(given, "ndim", 1) == 0:
+        return False
+    return hasattr(given, "__len__") and hasattr(given, "__getitem__")
+
+
+def _a(given: Any) -> str:
+    return f"an object of type {type(given).__name__}"
+
+
+def number_text(value: Any, where: str) -> str:
+    """`n` or `n/d`, the exact value of a number. Raises Refusal for what is none."""
+    if isinstance(value, str):
+        mend = "give a number, as 7/5 or 0.1"
+        return _fraction(read_number(value.strip(), "coordinate", where, mend))
+    if isinstance(value, Integral) and not isinstance(value, bool):
+        return _digits(int(value))
+    if isinstance(value, Rational) and not isinstance(value, bool):
+        return _fraction(Fraction(int(value.numerator), int(value.denominator)))
+    if isinstance(value, (Real, Decimal)) and not isinstance(value, bool):
+        is_finite = value.is_finite() if isinstance(value, Decimal) else math.isfinite(value)
+        if not is_finite:
+            what = f"the coordinate is {value}"
+            raise Refusal(what, where, "give finite numbers", "coordinate-not-a-number")
+        if isinstance(value, Decimal) and abs(value.adjusted()) > LARGEST_EXPONENT:
+            what = f"the exponent is beyond {LARGEST_EXPONENT:,}"
+            raise Refusal(what, where, "give a smaller number", "limit")
+        if isinstance(value, float):
+            return _fraction(_of_bits(value))
+        exact = getattr(value, "as_integer_ratio", None)
+        return _fraction(_of_bits(float(value)) if exact is None else Fraction(*exact()))
+    what = f"the coordinate is {_a(value)}"
+    mend = "give an int, a Fraction, a float or a text as '7/5'"
+    raise Refusal(what, where, mend, "coordinate-not-a-number")
+
+
+def _of_bits(double: float) -> Fraction:
+    """The exact number of a finite double, from its bits: a process that flushes subnormal numbers
+    would compute 0 of them."""
+    (bits,) = struct.unpack("<q", struct.pack("<d", double))
+    exponent, fraction = bits >> 52 & 0x7FF, bits & (1 << 52) - 1
+    magnitude = fraction | (1 << 52 if exponent else 0)
+    shift = max(exponent, 1) - 1075
+    value = Fraction(magnitude << shift) if shift > 0 else Fraction(magnitude, 1 << -shift)
+    return -value if bits < 0 else value
+
+
+def _fraction(value: Fraction) -> str:
+    numerator = _digits(value.numerator)
+    return numerator if value.denominator == 1 else f"{numerator}/{_digits(value.denominator)}"
+
+
+def _digits(value: int) -> str:
+    """Of a number of any length: `str` refuses what has over 4,300 digits."""
+    return str(value) if value.bit_length() < 14_000 else format(Decimal(value), "f")
+
+
+def _no_shape(shape: Any) -> Refusal:
+    return Refusal(f"{_a(shape)} is no set of polygons", "PolygonSet", ACCEPTED, "no-shape")

@@ -1,0 +1,207 @@
+"""`minkref events` of polyhedra."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable, Iterator
+from itertools import chain, islice
+from pathlib import Path
+from typing import Any
+
+from minkref import _core
+from minkref.cli.memory import SMALLER, memory_wall
+from minkref.cli.progress import told_of
+from minkref.errors import Refusal, refusing
+from minkref.exact import read_window
+from minkref.output.documents import (
+    Stopwatch,
+    as_text,
+    document,
+    lasting,
+    listing,
+    refuse_overwriting,
+)
+from minkref.output.output_target import Target, target_of
+from minkref.output.terminal import console, counted
+from minkref.space.commands.event_parts import MOST, OF_MORE, OF_PAIRS, EventParts, Part
+from minkref.space.commands.event_rows import Row, as_lines, in_words, rows_of, write_parquet
+from minkref.space.operand import SpaceOperand, read_summand
+
+FORMATS = ("json", "jsonl", "parquet")
+KINDS = {"pair": OF_PAIRS, "triple": OF_MORE, "arrangement": OF_PAIRS + OF_MORE}
+SHOWN = 10  # events that people see
+
+
+def events_in_space(
+    P: str,
+    Q: str,
+    kind: str,
+    from_scale: str | None,
+    to_scale: str | None,
+    limit: int | None,
+    output: Path | None,
+    form: str | None,
+    json_document: bool,
+    memory: int | None,
+    arithmetic: str,
+    paper_form: str,
+) -> None:
+    """The command, its options read but not yet checked."""
+    watch = Stopwatch()
+    if from_scale is None or to_scale is None:
+        missing = "--from" if from_scale is None else "--to"
+        raise Refusal("in space events are found in a window", missing, "give both --from and --to")
+    target = target_of(output, form, FORMATS, "json", json_document)
+    window = [bound for bound in read_window(from_scale, to_scale) if bound is not None]
+    with memory_wall(memory, "events in space", f"{P} and {Q}", SMALLER):
+        first, second = read_summand(P), read_summand(Q)
+        if output is not None:
+            refuse_overwriting(output, [first.file, second.file])
+        where = f"{first.name} and {second.name}"
+        _refuse_thin(first, second)
+        if target is not None and target.form == "parquet" and target.is_standard_output:
+            raise Refusal(
+                "Parquet is written to a file", "-o -", "name one, or choose --format jsonl"
+            )
+        trial = None
+        if arithmetic != "rational" or paper_form != "corrected":
+            trial = refusing(
+                where,
+                lambda: dict(
+                    _core.facet_contact_trial(first.surface, second.surface, arithmetic, paper_form)
+                ),
+            )
+        began = watch.seconds()
+        streamed = target is not None and target.form != "json"
+        with told_of("finding all events") as tell:
+            parts = EventParts(
+                first.surface,
+                second.surface,
+                (window[0], window[1]),
+                kind != "pair",
+                tell,
+                MOST if streamed else None,
+            )
+            if target is not None and streamed:
+                refusing(where, lambda: _write(target, _rows(parts, kind, limit)))
+            found = refusing(where, lambda: list(parts))  # what is left
+        head = _head(watch, first, second, window, kind, parts, watch.seconds() - began, output)
+        head |= {"form": paper_form, "arithmetic": arithmetic, "trial": trial}
+        if target is not None and not streamed:
+            target.write_pieces(listing(lasting(head), "events", _rows(found, kind, limit)))
+        if json_document and target is None:
+            sys.stdout.writelines(listing(head, "events", _rows(found, kind, limit)))
+        elif json_document:
+            sys.stdout.write(as_text({**head, "events": None}))
+        elif target is None or not target.is_standard_output:
+            _print(head, list(_rows(found, kind, SHOWN if limit is None else limit)))
+
+
+def _rows(parts: Iterable[Part], kind: str, limit: int | None) -> Iterator[Row]:
+    return islice(chain.from_iterable(rows_of(part, kind) for part in parts), limit)
+
+
+def _write(target: Target, rows: Iterator[Row]) -> None:
+    if target.form == "parquet":
+        write_parquet(rows, target.path)
+    else:
+        target.write_pieces(as_lines(rows))
+
+
+def refuse_in_space(
+    kind: str,
+    form: str,
+    arithmetic: str,
+    reading: list[str] | None,
+    least: bool,
+    route: str | None,
+    index: Path | None,
+    where: str | None,
+) -> None:
+    """In space there are the exact events of the arrangement of facets, and no others."""
+    if kind not in KINDS:
+        what = "in space there are events of two facets, and of three or four"
+        raise Refusal(what, f"--kind {kind}", f"choose one of {', '.join(KINDS)}")
+    if kind == "triple" and (form != "corrected" or arithmetic != "rational"):
+        what = "the paper has events of two facets only"
+        raise Refusal(what, f"--kind {kind} --form or --arithmetic", "leave out one of the two")
+    given = {
+        "--reading": bool(reading),
+        "--least-precision": least,
+        "--route": route is not None,
+        "--index": index is not None,
+        "--where": where is not None,
+    }
+    for option, is_given in given.items():
+        if is_given:
+            raise Refusal("this is for events in the plane", option, "leave it out")
+
+
+def _refuse_thin(P: SpaceOperand, Q: SpaceOperand) -> None:
+    for operand in (P, Q):
+        if not operand.is_solid:
+            mend = "give a polyhedron with a volume"
+            raise Refusal("events in space are those of solids", operand.name, mend, "not-solid")
+
+
+def _head(
+    watch: Stopwatch,
+    P: SpaceOperand,
+    Q: SpaceOperand,
+    window: list[str],
+    kind: str,
+    parts: EventParts,
+    seconds: float,
+    output: Path | None,
+) -> dict[str, Any]:
+    counts = dict(parts.counts)
+    signs = {name: counts.pop(name) for name in ("by_float", "by_integer")}
+    every = {name: counts.pop(name) for name in KINDS["arrangement"]}
+    kinds = {name: every[name] for name in KINDS[kind]}
+    distinct = counts.pop("distinct_of_pairs"), counts.pop("distinct_of_more")
+    both = counts.pop("distinct")
+    return document(
+        "events",
+        watch,
+        dimension=3,
+        P=P.name,
+        Q=Q.name,
+        **{"from": window[0], "to": window[1]},
+        kind=kind,
+        warnings=P.warnings + Q.warnings,
+        output=str(output) if output else None,
+        compute_seconds=seconds,
+        count=sum(kinds.values()),
+        distinct={"pair": distinct[0], "triple": distinct[1], "arrangement": both}[kind],
+        kinds=kinds,
+        signs=signs,
+        **counts,
+    )
+
+
+def _print(head: dict[str, Any], shown: list[Row]) -> None:
+    told = console()
+    kinds = ", ".join(f"{number:,} {kind}" for kind, number in head["kinds"].items())
+    told.print(
+        f"{counted(head['count'], 'event')} at {counted(head['distinct'], 'scale')} from "
+        f"{head['from']} to {head['to']}: {kinds}"
+    )
+    told.print(
+        f"{head['facets']:,} facets of the convolution, {head['near_pairs']:,} pairs that may "
+        f"meet, {head['pairs_with_events']:,} with events; {head['compute_seconds']:.3f} s"
+    )
+    if head["trial"] is not None:
+        how = f"the paper's way, {head['form']}, in {head['arithmetic']}"
+        told.print(f"{how}: {_fares(head['trial'])}")
+    for row in shown:
+        told.print(in_words(row))
+    if shown and len(shown) < head["count"]:
+        told.print(f"... and {head['count'] - len(shown):,} more (--limit N, -o FILE)")
+
+
+def _fares(trial: dict[str, int]) -> str:
+    return (
+        f"{trial['false_inconsistent']:,} of {trial['roots']:,} systems with a root called "
+        f"inconsistent; of {counted(trial['events'], 'event')} at all scales {trial['missed']:,} "
+        f"missed, {trial['misplaced']:,} off by more than an ulp, {trial['invented']:,} invented"
+    )

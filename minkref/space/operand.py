@@ -1,0 +1,155 @@
+"""A polyhedron of the command line: a file, or the name of a model, read exactly and validated."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from minkref import _core
+from minkref.errors import Refusal, refusal_of, refusing
+from minkref.file_text import LONGEST, bytes_of_file
+from minkref.model_catalogue import shipped_polyhedra
+from minkref.output.terminal import escaped
+from minkref.plane.operand import LONGEST_NAME, is_regular, is_utf8, read_operand
+
+FORMATS = tuple(f".{name}" for name in _core.MESH_FORMATS if name != "json")
+
+
+CONVEX_ONLY = "give a convex polyhedron; `minkref sum` and `minkref view` take any other"
+
+
+@dataclass(frozen=True)
+class SpaceOperand:
+    """`body` is None of what is not convex, and of the empty set, a point, a segment and a plane
+    polygon, which have no volume."""
+
+    name: str
+    file: Path
+    surface: _core.Polyhedron
+    body: _core.ConvexPolyhedron | None
+    warnings: list[str] = field(default_factory=list)
+
+    @property
+    def is_solid(self) -> bool:
+        """It has a volume."""
+        return self.surface.faces > 1
+
+    @property
+    def is_thin(self) -> bool:
+        """The empty set, a point or a segment."""
+        return self.surface.faces == 0
+
+    def canonical(self) -> _core.Polyhedron:
+        """In canonical form where it is convex and has a volume, else as it was given."""
+        return self.surface if self.body is None else self.body.surface()
+
+
+def in_space(P: str, Q: str) -> bool:
+    """Whether two names mean polyhedra. Refuses one of the plane beside one in space."""
+    kinds = [_is_polyhedron(name) for name in (P, Q)]
+    if kinds[0] != kinds[1]:
+        flat, solid = (P, Q) if kinds[1] else (Q, P)
+        read_operand(flat)  # what is no operand at all lies nowhere: that is said first
+        raise Refusal(
+            f"this operand lies in the plane, but {solid} lies in space",
+            flat,
+            "give two polygon sets, or two polyhedra",
+            "mixed-dimensions",
+        )
+    return kinds[0]
+
+
+def read_space_operand(name: str) -> SpaceOperand:
+    """A file wins over a model of the same name. Refuses what does not exist, is not valid, or is
+    not convex."""
+    operand = read_summand(name, convex=True)
+    if operand.surface.faces == 1:
+        source = escaped(str(operand.file))
+        refusing(source, lambda: operand.surface.validate(source))
+    return operand
+
+
+def read_summand(name: str, convex: bool = False) -> SpaceOperand:
+    """The same, but a polyhedron of any shape, and a plane polygon as well. `convex`: refuses a
+    polyhedron that is not."""
+    path = Path(name)
+    if not path.is_file():
+        path = _models().get(name, path)
+    if not path.exists():
+        raise Refusal("there is no such file", name, "check the path", "no-such-file")
+    if not path.is_file():
+        mend = f"write it to a file first whose ending names the format: {', '.join(FORMATS)}"
+        raise Refusal("this is not a regular file", name, mend, "not-a-file")
+    source = escaped(str(path))
+    surface, warnings = _read(path, source)
+    if surface.faces < 2:
+        refusing(source, lambda: surface.validate_summand(source))
+        return SpaceOperand(name, path, surface, None, warnings)
+    return SpaceOperand(name, path, surface, _body(surface, source, convex), warnings)
+
+
+def _body(surface: _core.Polyhedron, source: str, convex: bool) -> _core.ConvexPolyhedron | None:
+    """Refuses what is not valid; None where it is not convex, which `convex` refuses too."""
+    try:
+        return _core.ConvexPolyhedron(surface, source)
+    except _core.BadInput as error:
+        refusal = refusal_of(error, source)
+        if refusal.code != "not-convex":
+            raise refusal from error
+        if convex:
+            raise Refusal(refusal.what, refusal.where, CONVEX_ONLY, refusal.code) from error
+        return None
+
+
+def refuse_thin(operand: SpaceOperand) -> None:
+    """Refuses the empty set, a point and a segment."""
+    if operand.is_thin:
+        mend = "give a polyhedron by its faces, or a plane polygon"
+        raise Refusal("the operand has no volume", operand.name, mend, "not-solid")
+
+
+def solid(operand: SpaceOperand) -> _core.ConvexPolyhedron:
+    """Refuses what is not convex or has no volume."""
+    if operand.body is None:
+        raise Refusal(
+            "the operand has no volume",
+            operand.name,
+            "give a convex polyhedron by its faces",
+            "not-solid",
+        )
+    return operand.body
+
+
+def _models() -> dict[str, Path]:
+    return {model.name: model.path for model in shipped_polyhedra()}
+
+
+def _is_polyhedron(name: str) -> bool:
+    path = Path(name)
+    if "\0" in name or not name or len(path.name) > LONGEST_NAME:
+        return False
+    if path.suffix.lower() in FORMATS:
+        return True
+    if is_regular(path):
+        return path.suffix.lower() == ".json" and _holds_vertices(path)
+    return name in _models()
+
+
+def _holds_vertices(path: Path) -> bool:
+    """A JSON object with a member `vertices`. What else is wrong with it the reader says."""
+    try:
+        with path.open("rb") as stream:
+            document: Any = json.loads(stream.read(LONGEST), parse_int=str, parse_float=str)
+    except (OSError, ValueError, RecursionError):
+        return False
+    return isinstance(document, dict) and "vertices" in document
+
+
+def _read(path: Path, source: str) -> tuple[_core.Polyhedron, list[str]]:
+    if is_utf8(str(path)):
+        return refusing(source, lambda: _core.read_mesh_file(str(path)))
+    content = bytes_of_file(path, source, "name a file that you may read")
+    form = path.suffix.lower().removeprefix(".")
+    return refusing(source, lambda: _core.read_mesh_text(content, form, source))

@@ -1,0 +1,98 @@
+"""`minkref adapter`: programs that let an implementation be tested."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from minkref.errors import Refusal
+from minkref.fuzz.adapters.template import HEADER, LANGUAGES, template
+from minkref.fuzz.libraries import catalogue
+from minkref.output.terminal import escaped
+from minkref.verbs import adapter_check
+
+NEW_EXAMPLES = """Examples:
+
+minkref adapter new my_library --language python
+
+minkref adapter new my_library --language c++ && minkref verify ./my_library_adapter --seconds 60"""
+
+INSTALL_EXAMPLES = """Examples:
+
+minkref adapter install clipper2 manifold3d
+
+minkref adapter install all"""
+
+app = typer.Typer(
+    no_args_is_help=True,
+    add_completion=False,
+    rich_markup_mode="rich",
+    help="Write, check and install adapters: programs that connect an implementation to the tests.",
+)
+
+
+@app.command("new", epilog=NEW_EXAMPLES)
+def new(
+    name: Annotated[
+        str, typer.Argument(help="Name of the implementation: letters, digits, - and _.")
+    ],
+    language: Annotated[str, typer.Option("--language", help=f"One of {', '.join(LANGUAGES)}.")],
+    output: Annotated[
+        Path, typer.Option("-o", "--output", help="Folder to write to.", metavar="DIR")
+    ] = Path(),
+) -> None:
+    """Write a working adapter, for the sum of two convex polygons. Replace its sum by a call to
+    your own implementation."""
+    path, text, run = template(name, language, output)
+    if path.exists():
+        raise Refusal("this file already exists", str(path), "choose another name")
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with path.open("x", encoding="utf-8") as file:
+            file.write(text)
+        if language == "python":
+            path.chmod(0o755)
+    except OSError as error:
+        what = f"the file cannot be written: {error.strerror}"
+        raise Refusal(what, str(path), "choose another place", "cannot-write") from error
+    sys.stdout.write(escaped(f"{path}") + "\n" + "".join(f"  {line}\n" for line in run))
+
+
+app.command("check", epilog=adapter_check.EXAMPLES)(adapter_check.command)
+
+
+@app.command("header")
+def header() -> None:
+    """Print where minkref_adapter.h is, for a sum as a C function: `so:./library.so:function`.
+
+    cc -shared -fPIC -include "$(minkref adapter header)" mine.c -o libmine.so"""
+    sys.stdout.write(f"{HEADER}\n")
+
+
+@app.command("install", epilog=INSTALL_EXAMPLES)
+def install(
+    names: Annotated[
+        list[str],
+        typer.Argument(help="Names of adapters in `minkref targets`, or all.", metavar="NAME..."),
+    ],
+) -> None:
+    """Install the libraries that these adapters need, each into a folder of its own (in
+    MINKREF_ADAPTERS, build/adapters, or ~/.cache/minkref/adapters)."""
+    wanted = list(catalogue.ADAPTERS) if names == ["all"] else names
+    for name in wanted:
+        catalogue.adapter_named(name)
+    failed: list[Refusal] = []
+    for name in wanted:
+        try:
+            catalogue.install(name)
+        except Refusal as refusal:
+            if len(wanted) == 1:
+                raise
+            failed.append(refusal)
+            sys.stderr.write(escaped(f"{name}: {refusal}") + "\n")
+            continue
+        sys.stdout.write(f"{name}: ready\n")
+    if failed:
+        raise failed[0]

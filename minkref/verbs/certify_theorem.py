@@ -1,0 +1,41 @@
+"""`minkref certify --theorem FILE.v`: a sum as a theorem of Coq (docs/proved.md)."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from minkref.errors import Refusal
+from minkref.output.documents import check_writable, scratch_folder
+from minkref.verbs import check_proved
+from minkref.verbs.certificate_output import Checked
+
+NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*\.v", re.ASCII)
+HOW = "coqc -Q build/proofs Proved"  # in the source tree, after make proofs
+
+
+def check_theorem(path: Path, in_the_plane: bool, about_a_sum: bool) -> None:
+    """Refuses, before any work is done, what cannot be written."""
+    if not in_the_plane:
+        mend = "leave --theorem out"
+        raise Refusal("there are theorems of sums in the plane only", "--theorem", mend)
+    if not about_a_sum:
+        raise Refusal("a theorem is about a sum", "--theorem", "give --scale alone")
+    if not NAME.fullmatch(path.name):
+        mend = "name it FILE.v, of letters, digits and _"
+        raise Refusal("this is not the name of a file of Coq", str(path), mend)
+    check_proved.program("--theorem")
+    check_writable(path)
+
+
+def theorem_of(certificate: Checked) -> bytes:
+    """States the sum of a certificate and proves it by computation. Raises RuntimeError where the
+    proved checker refuses the certificate: a fault of minkref."""
+    with scratch_folder() as folder:
+        for path, content in certificate.contents().items():
+            (folder / path.name).write_bytes(content)
+        name, part = certificate.files.output.name, folder / "theorem.v"
+        found = check_proved.follow(folder / name, f"--theorem={part}")
+        if found.word != "verified":
+            raise RuntimeError(f"no theorem of {name}: {found.word}: {found.why}")
+        return part.read_bytes()

@@ -1,0 +1,136 @@
+"""`minkref check FILE|DIR...`: certificates, by a checker that trusts nobody."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+from minkref.cli.options import Json, Schema
+from minkref.errors import Refusal
+from minkref.oracle.checker import check as checker
+from minkref.output.documents import Stopwatch, as_text, document
+from minkref.output.terminal import escaped
+from minkref.verbs import check_proved
+
+EXAMPLES = """Examples:
+
+minkref check sum.cert.json
+
+minkref check certificates/ --json
+
+minkref check event.cert.json --case event.case.json --seconds 60
+
+minkref check sum.cert.json --proved"""
+
+ENDINGS = ("*.cert.json", "*.cert.json.gz")
+MOST = 1e18
+WORDS = {
+    checker.VERIFIED: "verified",
+    checker.REFUTED: "refuted",
+    checker.MALFORMED: "malformed",
+    checker.OUT_OF_BUDGET: "out of budget",
+    check_proved.DECLINED: "declined",
+}
+WORST = (checker.REFUTED, checker.MALFORMED, checker.OUT_OF_BUDGET, check_proved.DECLINED)
+
+
+def command(
+    files: Annotated[
+        list[Path],
+        typer.Argument(help="Certificates, or folders of *.cert.json.", metavar="FILE|DIR..."),
+    ],
+    case: Annotated[
+        Path | None,
+        typer.Option(
+            "--case",
+            help="Read the case from this file instead of the one that the certificate names.",
+        ),
+    ] = None,
+    seconds: Annotated[
+        float, typer.Option(help="Time limit for one certificate.", min=0, max=MOST)
+    ] = 600.0,
+    tests: Annotated[
+        float, typer.Option(help="Most elementary tests for one certificate.", min=0, max=MOST)
+    ] = 1e10,
+    bytes_: Annotated[
+        float,
+        typer.Option(
+            "--bytes", help="Largest size of a certificate or a case, unpacked.", min=0, max=MOST
+        ),
+    ] = 2**28,
+    proved: Annotated[
+        bool,
+        typer.Option(
+            "--proved",
+            help="Then also by the checker that is proved right in Coq (`make proofs` builds it). "
+            "It declines claims without a theorem: exit code 5.",
+        ),
+    ] = False,
+    json: Json = False,
+    schema: Schema = False,
+) -> None:
+    """Verify certificates (docs/certificates.md) step by step, in exact arithmetic, with none of
+    the code that made them, in the plane, of convex polyhedra (docs/certificates-convex.md) and of
+    any polyhedra (docs/certificates-solids.md), and of paths and traps
+    (docs/certificates-paths.md). The checker is a single file that also runs alone,
+    oracle/checker/check.py. Exits with 0 if all are verified, 1 if one is refuted, 2 if one is
+    malformed or its case is missing, 4 if one is out of budget, with --proved 5 if one has a claim
+    that is not proved; 1 takes precedence over 2, 2 over 4, and 4 over 5. What is proved:
+    docs/proved.md."""
+    watch = Stopwatch()
+    if proved:
+        check_proved.program()
+    rows = []
+    for path in _found(files):
+        code, message, claims = checker.verdict(path, case, seconds, tests, bytes_)
+        row: dict[str, Any] = {"file": str(path), "verdict": WORDS[code]}
+        row |= {"message": message, "claims": claims}
+        if proved and code == checker.VERIFIED:
+            limits = {"--seconds": seconds, "--tests": tests, "--bytes": bytes_}
+            row |= _proved(path, case, limits, claims)
+        rows.append(row)
+        if not json:
+            _print(row)
+    if json:
+        sys.stdout.write(as_text(document("check", watch, files=rows)))
+    verdicts = {row["verdict"] for row in rows}
+    raise typer.Exit(next((code for code in WORST if WORDS[code] in verdicts), checker.VERIFIED))
+
+
+def _proved(
+    path: Path, case: Path | None, limits: dict[str, float], claims: list[str]
+) -> dict[str, Any]:
+    """What the proved checker adds to a row. Its verdict is that of the row."""
+    options = [f"{name}={value!r}" for name, value in limits.items()]
+    options += [] if case is None else [f"--case={case}"]
+    found = check_proved.follow(path, *options)
+    return {
+        "verdict": found.word, "message": found.why, "proved": found.proved,
+        "not_proved": [] if found.word == "verified" else claims,
+    }  # fmt: skip
+
+
+def _found(files: list[Path]) -> list[Path]:
+    found: list[Path] = []
+    for path in files:
+        if not path.is_dir():
+            found.append(path)
+            continue
+        inside = sorted(p for ending in ENDINGS for p in path.rglob(ending) if p.is_file())
+        if not inside:
+            mend = f"name files, or a folder that holds {' or '.join(ENDINGS)}"
+            raise Refusal("there is no certificate in this folder", str(path), mend)
+        found += inside
+    return found
+
+
+def _print(row: dict[str, Any]) -> None:
+    message = f": {escaped(row['message'])}" if row["message"] else ""
+    sys.stdout.write(f"{escaped(row['file'])}: {row['verdict']}{message}\n")
+    for claim in row["claims"]:
+        sys.stdout.write(f"  {escaped(claim)}\n")
+    for name, word in (("proved", "proved"), ("not_proved", "not proved")):
+        for line in row.get(name, ()):
+            sys.stdout.write(f"  {word}: {escaped(line)}\n")

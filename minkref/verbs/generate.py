@@ -1,0 +1,319 @@
+"""`minkref generate FAMILY...|all`: degenerate cases, each with its certificate."""
+
+from __future__ import annotations
+
+import os
+import shlex
+import signal
+import sys
+import time
+from collections import deque
+from collections.abc import Generator, Iterable
+from concurrent.futures import Future, ProcessPoolExecutor
+from contextlib import closing
+from dataclasses import dataclass, field
+from multiprocessing import active_children, get_context
+from multiprocessing.process import BaseProcess
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from minkref import _core
+from minkref.cli.options import Json, Schema
+from minkref.cli.output import plain_table
+from minkref.cli.progress import progress
+from minkref.degeneracies.catalogue import (
+    ALL_FAMILIES,
+    DISC_FAMILIES,
+    FAMILIES,
+    PATH_FAMILIES,
+    SOLID_FAMILIES,
+    SPACE_FAMILIES,
+)
+from minkref.degeneracies.files import (
+    FileRow,
+    Made,
+    made_invalid,
+    made_member,
+    made_path,
+    made_with_disc,
+)
+from minkref.degeneracies.invalid.catalogue import INVALID_FAMILIES, INVALID_MESH_FAMILIES
+from minkref.errors import Refusal, nearest, refusal_of
+from minkref.fuzz.run import child
+from minkref.output.documents import Stopwatch, document, listing
+from minkref.output.output_folder import folder_to_write
+from minkref.output.signals import ending_in_order
+from minkref.output.terminal import console, counted, escaped
+from minkref.verbs.verify_limits import MOST_JOBS
+
+EXAMPLES = """Examples:
+
+minkref generate hole-to-segment --count 100 -o cases
+
+minkref generate fits-hole --seed 7 --index 42
+
+minkref generate rings-touching --size 200 --count 5 -o large
+
+minkref generate all --seed 7 -o cases && minkref check cases
+
+minkref generate space --count 3 -o bodies && minkref check bodies
+
+minkref generate solids --count 2 -o solids
+
+minkref generate disc --count 2 -o discs
+
+minkref generate paths --count 2 -o paths && minkref check paths
+
+minkref generate invalid --count 3 -o bad
+
+minkref verify cgal-reduced --suite corpus --corpus cases"""
+
+ALL, SPACE, SOLIDS, DISC, PATHS = "all", "space", "solids", "disc", "paths"
+INVALID, INVALID_MESH = "invalid", "invalid-mesh"
+REFUSED = INVALID_FAMILIES | INVALID_MESH_FAMILIES
+DEFAULT_FOLDER = "degenerate-cases"
+DEFAULT_COUNT = 10
+MOST_CASES = 10_000_000  # of a family
+LEAST_SIZE, MOST_SIZE = 8, 2000
+AHEAD = 4  # members for each process that are being made, or wait for one before them
+Task = tuple[str, int, int, int | None]  # family, seed, index, size
+
+
+def command(
+    families: Annotated[
+        list[str],
+        typer.Argument(
+            help="Families (`minkref families`). all: the families in the plane with "
+            "certificates; space: those of convex bodies in space; solids: of polyhedra of any "
+            "shape, disc: of a polygon set and a disc, both without certificates; paths: of parts "
+            "on paths, and traps; invalid, invalid-mesh: input that must be refused.",
+            metavar="FAMILY|all|space|solids|disc|paths|invalid|invalid-mesh",
+        ),
+    ],
+    count: Annotated[
+        int | None,
+        typer.Option(
+            "--count",
+            help="Cases of each family.",
+            min=1,
+            max=MOST_CASES,
+            show_default=str(DEFAULT_COUNT),
+        ),
+    ] = None,
+    index: Annotated[
+        int | None,
+        typer.Option(
+            "--index",
+            help="Make only the case with this number, from 0, instead of --count.",
+            min=0,
+        ),
+    ] = None,
+    seed: Annotated[int, typer.Option("--seed", help="Another seed gives other cases.")] = 1,
+    size: Annotated[
+        int | None,
+        typer.Option(
+            "--size",
+            help="About how many vertices both operands have together, for families that can be "
+            "large (combs and spirals up to 96: their sums grow with the fourth power).",
+            min=LEAST_SIZE,
+            max=MOST_SIZE,
+            show_default="drawn for each case, 8 to 24",
+        ),
+    ] = None,
+    output: Annotated[
+        str,
+        typer.Option(
+            "-o",
+            help="Folder for FAMILY/ID.json and its certificate, FAMILY/ID.cert.json.",
+            metavar="DIR",
+        ),
+    ] = DEFAULT_FOLDER,
+    jobs: Annotated[
+        int, typer.Option("--jobs", help="Processes; 0: one per core.", min=0, max=MOST_JOBS)
+    ] = 0,
+    json: Json = False,
+    schema: Schema = False,
+) -> None:
+    """Make hundreds of degenerate cases (docs/degeneracies.md): files with operands, scales, the
+    expected result at each, and why good code gets it wrong, each with a certificate, but those of
+    polyhedra of any shape and of a disc. The same family, seed, number and size give the same bytes
+    on every machine."""
+    watch = Stopwatch()
+    names = _chosen(families)
+    numbers = _numbers(count, index)
+    _check_size(size, names)
+    folder = folder_to_write(output, names)
+    total = len(names) * len(numbers)
+    tasks = ((name, seed, number, size) for name in names for number in numbers)
+    tallies = {name: _Tally() for name in names}
+    rows: list[FileRow] = []
+    began = time.perf_counter()
+    with (
+        ending_in_order(),
+        progress(total) as line,
+        closing(_made(tasks, min(jobs or os.cpu_count() or 1, total))) as members,
+    ):
+        line.now(names[0])
+        for made in members:
+            line.now(made.family)
+            row = tallies[made.family].add(made, folder)
+            if json:
+                rows.append(row)
+            line.done()
+    value = document(
+        "generate",
+        watch,
+        output=output,
+        seed=seed,
+        cases_per_second=round(total / (time.perf_counter() - began), 3),
+        different=sum(tally.different for tally in tallies.values()),
+        bytes=sum(tally.bytes for tally in tallies.values()),
+    )
+    if json:
+        sys.stdout.writelines(listing(value, "cases", rows))
+        return
+    _print_table(tallies)
+    sys.stdout.write(
+        f"{counted(total, 'case')}, {value['different']:,} different, {value['bytes']:,} bytes, "
+        f"{value['cases_per_second']:.1f} a second\n"
+    )
+    if any(name in (*FAMILIES, *SPACE_FAMILIES, *PATH_FAMILIES) for name in names):
+        sys.stdout.write(f"check them: minkref check {_quoted(output)}\n")
+
+
+@dataclass
+class _Tally:
+    """Of a family."""
+
+    cases: int = 0
+    _bytes: dict[str, int] = field(default_factory=dict)  # by id
+
+    @property
+    def different(self) -> int:
+        return len(self._bytes)
+
+    @property
+    def bytes(self) -> int:
+        return sum(self._bytes.values())
+
+    def add(self, made: Made, folder: Path) -> FileRow:
+        """Writes the files, unless an earlier member was the same case."""
+        self.cases += 1
+        row = made.row(folder) if made.id in self._bytes else made.write(folder)
+        row["bytes"] = self._bytes.setdefault(made.id, row["bytes"])
+        return row
+
+
+def _chosen(families: list[str]) -> list[str]:
+    known = {
+        ALL: list(FAMILIES),
+        SPACE: list(SPACE_FAMILIES),
+        SOLIDS: list(SOLID_FAMILIES),
+        DISC: list(DISC_FAMILIES),
+        PATHS: list(PATH_FAMILIES),
+        INVALID: list(INVALID_FAMILIES),
+        INVALID_MESH: list(INVALID_MESH_FAMILIES),
+    }
+    known |= {name: [name] for names in list(known.values()) for name in names}
+    unknown = [name for name in families if name not in known]
+    if unknown:
+        mend = (
+            f"{nearest(unknown[0], known)}`minkref families` lists all families: name some that it "
+            f"says `generate` makes, {ALL}, {SPACE}, {SOLIDS}, {DISC}, {PATHS}, {INVALID} or "
+            f"{INVALID_MESH}"
+        )
+        raise Refusal("there is no such family", escaped(unknown[0]), mend, "unknown-family")
+    return list(dict.fromkeys(name for word in families for name in known[word]))
+
+
+def _numbers(count: int | None, index: int | None) -> range:
+    if index is None:
+        return range(DEFAULT_COUNT if count is None else count)
+    if count is not None:
+        raise Refusal(
+            "the cases are chosen twice",
+            f"--count {count} and --index {index}",
+            "leave out --index to make the first cases, or --count to make one",
+        )
+    return range(index, index + 1)
+
+
+def _check_size(size: int | None, names: list[str]) -> None:
+    sizeless = next((name for name in names if name in REFUSED or name in PATH_FAMILIES), None)
+    if size is not None and sizeless is not None:
+        kind = "invalid input" if sizeless in REFUSED else "paths"
+        what = f"{sizeless} is a family of {kind}, which has no size"
+        raise Refusal(what, f"--size {size}", "leave out --size, or this family")
+
+
+def _made(tasks: Iterable[Task], jobs: int) -> Generator[Made, None, None]:
+    """In the order of the tasks. Processes make members and write nothing, so that they can be
+    killed, and files do not depend on which is faster."""
+    if jobs == 1:
+        yield from map(_make, tasks)
+        return
+    before = set(active_children())
+    pool = ProcessPoolExecutor(jobs, get_context("spawn"), initializer=child.begin)
+    waiting: deque[Future[Made]] = deque()
+    try:
+        for task in tasks:
+            waiting.append(_submitted(pool, task))
+            if len(waiting) >= AHEAD * jobs:
+                yield waiting.popleft().result()
+        while waiting:
+            yield waiting.popleft().result()
+    except BaseException:
+        _kill(pool, set(active_children()) - before)
+        raise
+    finally:
+        pool.shutdown(cancel_futures=True)
+
+
+def _kill(pool: ProcessPoolExecutor, processes: Iterable[BaseProcess]) -> None:
+    """Its processes. Of a result that one had half written the pool would wait for the rest: with
+    its own end of their pipe closed it reads the end instead (CPython has no public way)."""
+    for process in processes:
+        process.kill()
+    pool._result_queue._writer.close()  # type: ignore[attr-defined]
+
+
+def _submitted(pool: ProcessPoolExecutor, task: Task) -> Future[Made]:
+    """A process that starts for it is deaf to Ctrl-C from its first instruction on."""
+    mask = signal.pthread_sigmask(signal.SIG_BLOCK, (signal.SIGINT,))
+    try:
+        return pool.submit(_make, task)
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, mask)
+
+
+def _make(task: Task) -> Made:
+    name, seed, index, size = task
+    member = f"{name} --seed {seed} --index {index}"
+    try:
+        if name in REFUSED:
+            return made_invalid(REFUSED[name], seed, index)
+        if name in PATH_FAMILIES:
+            return made_path(PATH_FAMILIES[name], seed, index)
+        if name in DISC_FAMILIES:
+            return made_with_disc(DISC_FAMILIES[name], seed, index, size)
+        return made_member(ALL_FAMILIES[name], seed, index, size)
+    except Refusal:
+        raise
+    except Exception as error:
+        if size is not None and isinstance(error, _core.BadInput):  # a limit of the readers
+            raise refusal_of(error, f"{member} --size {size}") from error
+        raise RuntimeError(f"member {member}: {error}") from error
+
+
+def _print_table(tallies: dict[str, _Tally]) -> None:
+    counts = ("cases", "different", "bytes")
+    table = plain_table("family", *counts, right=counts)
+    for name, tally in tallies.items():
+        table.add_row(name, f"{tally.cases:,}", f"{tally.different:,}", f"{tally.bytes:,}")
+    console().print(table)
+
+
+def _quoted(folder: str) -> str:
+    """As a word of a shell that is no option."""
+    return escaped(shlex.quote(f"./{folder}" if folder.startswith("-") else folder))

@@ -1,0 +1,243 @@
+"""What `minkref verify` shows: progress, the table of verdicts, the JSON document."""
+
+from __future__ import annotations
+
+import json
+import signal
+import sys
+from collections import Counter
+from typing import Any
+
+from minkref.fuzz.cases.case_list import CaseList
+from minkref.fuzz.isolation.isolation import Isolation
+from minkref.fuzz.run.runner import Finding, Run
+from minkref.fuzz.shrink.finding import SmallFinding
+from minkref.fuzz.shrink.groups import Group
+from minkref.fuzz.targets.catalogue import TargetEntry
+from minkref.fuzz.targets.declaration import Declaration
+from minkref.fuzz.verdicts.verdict import GOOD, Verdict
+from minkref.output.documents import Stopwatch, document
+from minkref.output.terminal import console, counted, escaped
+from minkref.reports.conformance.run_words import (
+    conclusion,
+    counted_cases,
+    describe,
+    left_out,
+    reasons_of,
+    untaken,
+)
+from rich.console import Console
+from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+from rich.table import Table
+
+SMALL = 400  # vertices up to which a finding carries its operands in full
+
+
+class ProgressLine:
+    """A line on the terminal (standard error); nothing in a pipe."""
+
+    def __init__(self, count: int | None) -> None:
+        self._progress = Progress(
+            TextColumn("{task.description}"),
+            BarColumn(),
+            TextColumn("{task.completed:,} cases"),
+            TimeElapsedColumn(),
+            TextColumn("{task.fields[findings]}"),
+            console=Console(stderr=True),
+            transient=True,
+            disable=not sys.stderr.isatty(),
+        )
+        self._task = self._progress.add_task("verify", total=count, findings="")
+
+    def __enter__(self) -> ProgressLine:
+        self._progress.start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._progress.stop()
+
+    def say(self, what: str) -> None:
+        self._progress.update(self._task, description=what)
+
+    def show(self, run: Run) -> None:
+        self._progress.update(
+            self._task,
+            completed=sum(run.cases.values()),
+            description=run.groups[-1] if run.groups else "verify",
+            findings=counted(len(run.findings), "finding") if run.findings else "",
+        )
+
+
+def document_of(
+    run: Run,
+    groups: list[Group],
+    chosen: list[TargetEntry],
+    absent: list[TargetEntry],
+    declared: dict[str, Declaration],
+    cases: CaseList,
+    watch: Stopwatch,
+    code: int,
+    walls: Isolation,
+) -> dict[str, Any]:
+    """The JSON document of a run."""
+    versions = {entry.name: entry.version for entry in chosen}
+    return document(
+        "verify",
+        watch,
+        exit_code=code,
+        ended_by=signal.Signals(run.ended).name if run.ended is not None else None,
+        isolation=walls.document(),
+        seed=cases.seed,
+        targets=[_target_document(entry, declared[entry.name]) for entry in chosen],
+        absent=[{"name": entry.name, "reason": entry.reason} for entry in absent],
+        notes=cases.notes,
+        left_out=dict(untaken(run)),
+        groups=[{"name": name, "cases": run.cases[name]} for name in run.groups],
+        matrix=[
+            {
+                "target": target,
+                "group": group,
+                "verdicts": dict(cell.verdicts),
+                "skips": dict(cell.skips),
+                "seconds": round(cell.seconds, 6),
+            }
+            for (target, group), cell in run.matrix.items()
+        ],
+        findings=[finding_document(finding, versions) for finding in run.findings],
+        shrunk=[
+            shrunk_document(group, small, versions) for group in groups for small in group.small
+        ],
+        report=None,
+    )
+
+
+def _target_document(entry: TargetEntry, declared: Declaration) -> dict[str, Any]:
+    return {
+        "name": entry.name,
+        "version": entry.version,
+        "arithmetic": declared.arithmetic,
+        "tolerance": {"absolute": str(declared.absolute), "relative": str(declared.relative)},
+        "sum": declared.sum,
+        "capabilities": sorted(declared.capabilities),
+    }
+
+
+def finding_document(finding: Finding, versions: dict[str, str | None]) -> dict[str, Any]:
+    outcome, case = finding.outcome, finding.case
+    small = case.size[0] <= SMALL
+    return {
+        "target": outcome.target,
+        "target_version": versions.get(outcome.target),
+        "verdict": str(outcome.verdict),
+        "was": str(outcome.was) if outcome.was else None,
+        "reasons": [str(reason) for reason in outcome.reasons],
+        "message": outcome.message,
+        "signal": outcome.signal,
+        "case": case.name.text,
+        "group": case.name.group,
+        "scale": case.scale,
+        "P": {"name": case.P_name, "set": json.loads(case.P) if small and case.P else None},
+        "Q": {"name": case.Q_name, "set": json.loads(case.Q) if small and case.Q else None},
+        "witness": outcome.witness.document() if outcome.witness else None,
+        "digest": outcome.digest,
+        "expected_digest": outcome.expected_digest,
+        "reproduce": finding.reproduce,
+    }
+
+
+def shrunk_document(
+    group: Group, small: SmallFinding, versions: dict[str, str | None]
+) -> dict[str, Any]:
+    """As a finding, of the shrunk case; `count` of its kind."""
+    finding = Finding(small.outcome, small.result)
+    value = finding_document(finding, versions)
+    value["verdict"] = str(group.example.outcome.verdict)
+    value["was"] = str(group.example.outcome.was) if group.example.outcome.was else None
+    value["message"] = group.example.outcome.message or value["message"]
+    return {
+        **value,
+        "found_as": group.example.case.name.text,
+        "count": group.count,
+        "calls": small.calls,
+        "complete": small.complete,
+        "stable": small.stable,
+        "call_seconds": small.seconds,
+    }
+
+
+def print_tables(run: Run, groups: list[Group], value: dict[str, Any]) -> None:
+    """The smallest findings of each kind, the matrix, what was not asked, and one sentence that
+    says how it ended."""
+    out = console()
+    for group in groups:
+        for line in describe(group):
+            out.print(line, soft_wrap=True)
+        out.print()
+    out.print(_matrix(run))
+    absent: dict[str, list[str]] = {}
+    for row in value["absent"]:
+        absent.setdefault(row["reason"], []).append(row["name"])
+    for reason, names in absent.items():
+        out.print(escaped(f"absent ({', '.join(names)}): {reason}"), soft_wrap=True)
+    for note in value["notes"]:
+        out.print(escaped(note), soft_wrap=True)
+    for line in _skips(run):
+        out.print(escaped(line), soft_wrap=True)
+    out.print()
+    out.print(conclusion(run), soft_wrap=True)
+    if value["report"]:
+        out.print(escaped(f"report: {value['report']}"), soft_wrap=True)
+    out.print(f"{value['seconds']:.1f} s, {value['peak_bytes'] / 2**20:,.0f} MiB at most")
+
+
+def _matrix(run: Run) -> Table:
+    """A row for each target: verdicts over all cases, and the groups with something amiss."""
+    verdicts = [
+        verdict
+        for verdict in Verdict
+        if any(cell.verdicts[verdict] for cell in run.matrix.values())
+    ]
+    title = f"Verdicts on {counted_cases(run.cases.total())}"
+    table = Table(title=title, title_justify="left", pad_edge=False)
+    table.add_column("target")
+    for verdict in verdicts:
+        table.add_column(str(verdict), justify="right")
+    table.add_column("seconds", justify="right")
+    table.add_column("amiss in")
+    for target in run.targets:
+        cells = {group: run.matrix.get((target, group)) for group in run.groups}
+        there = [cell for cell in cells.values() if cell]
+        counts = [sum(cell.verdicts[verdict] for cell in there) for verdict in verdicts]
+        amiss = [
+            group
+            for group, cell in cells.items()
+            if cell
+            and any(v not in (*GOOD, Verdict.SKIPPED) and n for v, n in cell.verdicts.items())
+        ]
+        table.add_row(
+            escaped(target),
+            *(f"{count:,}" if count else "" for count in counts),
+            f"{sum(cell.seconds for cell in there):.2f}",
+            escaped(", ".join(amiss)),
+        )
+    return table
+
+
+def _skips(run: Run) -> list[str]:
+    """A line for each missing capability, and each other reason, with the number of cases; by whom,
+    where others took them. A case that needs several counts for each."""
+    counts: Counter[str] = Counter()
+    targets: dict[str, list[str]] = {}
+    for (target, _), cell in run.matrix.items():
+        for message, count in cell.skips.items():
+            for reason in reasons_of(message):
+                counts[reason] += count
+                if target not in targets.setdefault(reason, []):
+                    targets[reason].append(target)
+    return [
+        f"skipped, {counted_cases(count)}: {reason} ({', '.join(targets[reason])})"
+        for reason, count in counts.most_common()
+    ] + [
+        f"left out, {counted_cases(count)}: {reason} (no target takes them)"
+        for reason, count in left_out(run).most_common()
+    ]
