@@ -7,7 +7,7 @@
 #   make proofs                 the proofs of oracle/proved, and the checker that comes from them
 #   make lint | format
 #   make docs                    the documentation as a site, build/site/index.html
-#   make wheel | sdist           into dist/ [PYTHON=python3.12] [PROJECT=packaging/minkref-cgal] (docs/packages.md)
+#   make wheel | sdist           into dist/ [PYTHON=python3.12] [PROJECT=tools/packaging/minkref-cgal] (docs/packages.md)
 #   make sbom                    the software bill of materials, build/sbom.cdx.json
 #   make lock [UPGRADE=1]        requirements.txt and those of the site and the adapters, with digests
 SHELL := /bin/bash
@@ -15,16 +15,16 @@ SHELL := /bin/bash
 .PHONY: run test test-clang test-flushed evidence proofs lint format docs wheel sdist sbom lock setup environment clean
 
 CXX_SOURCES = $(shell find reference formats certify oracle bindings fuzz tests -name '*.cpp' -o -name '*.hpp')
-PYTHON_SOURCES = minkref certify degeneracies docs/site fuzz oracle reports tests scripts packaging
+PYTHON_SOURCES = minkref certify degeneracies docs/site fuzz oracle reports tests tools
 
 setup:
-	@scripts/set_up.sh
+	@tools/scripts/set_up.sh
 
 environment:  # PYTHON names the one of a wheel, then, and not that of .venv
-	@$(if $(filter wheel sdist,$(MAKECMDGOALS)),env -u PYTHON) scripts/set_up.sh environment
+	@$(if $(filter wheel sdist,$(MAKECMDGOALS)),env -u PYTHON) tools/scripts/set_up.sh environment
 
 run:
-	@scripts/set_up.sh run
+	@tools/scripts/set_up.sh run
 	.venv/bin/minkref verify --baseline fuzz/baseline.json --seconds 30 --report build/report $(ARGS)
 
 test: setup
@@ -32,7 +32,7 @@ test: setup
 	.venv/bin/python -m pytest -n $$(($$(nproc) + 1)) $(ARGS)
 
 test-clang: environment
-	@scripts/require_packages.sh clang
+	@tools/scripts/require_packages.sh clang
 	cmake --preset clang
 	cmake --build --preset clang
 	ctest --preset clang -j $$(nproc)
@@ -45,16 +45,16 @@ evidence: setup
 	.venv/bin/python reports/evidence/run.py $(ONLY) $(if $(QUICK),--quick) $(if $(FULL),--full) $(if $(CHANGED),--changed)
 
 proofs:
-	@scripts/proofs.sh
+	@tools/scripts/proofs.sh
 
 lint: setup
 	.venv/bin/clang-format --dry-run -Werror $(CXX_SOURCES)
 	.venv/bin/ruff check $(PYTHON_SOURCES)
 	.venv/bin/ruff format --check $(PYTHON_SOURCES)
 	.venv/bin/mypy
-	MYPYPATH=models .venv/bin/mypy minkref/models/*.py scripts/*.py packaging/*.py
+	MYPYPATH=minkref/models .venv/bin/mypy minkref/models/*.py tools/scripts/*.py tools/packaging/*.py
 	MYPYPATH=docs/site .venv/bin/mypy docs/site/*.py
-	.venv/bin/python scripts/check_includes.py
+	.venv/bin/python tools/scripts/check_includes.py
 	.venv/bin/lint-imports --no-cache pyproject.toml
 
 format: environment
@@ -63,17 +63,17 @@ format: environment
 	.venv/bin/ruff format $(PYTHON_SOURCES)
 
 docs: setup
-	@scripts/docs.sh
+	@tools/scripts/docs.sh
 
 wheel sdist: environment
-	.venv/bin/python packaging/wheel.py $(if $(PYTHON),--python $(PYTHON)) $(if $(PROJECT),--project $(PROJECT)) \
+	.venv/bin/python tools/packaging/wheel.py $(if $(PYTHON),--python $(PYTHON)) $(if $(PROJECT),--project $(PROJECT)) \
 	  $(if $(filter sdist,$@),--sdist)
 
 sbom: setup
-	.venv/bin/python scripts/sbom.py
+	.venv/bin/python tools/scripts/sbom.py
 
 lock: environment
-	scripts/lock.sh $(if $(UPGRADE),--upgrade)
+	tools/scripts/lock.sh $(if $(UPGRADE),--upgrade)
 
 clean:
 	rm -rf build .venv

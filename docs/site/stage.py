@@ -2,7 +2,7 @@
 FOLDER/mkdocs.yml.
 
 The pages keep the places that they have in the repository; made here are the reference (api/), the
-gallery and the pages of source files. Run by scripts/docs.sh in the
+gallery and the pages of source files. Run by tools/scripts/docs.sh in the
 environment of docs/site/requirements.txt.
 """
 

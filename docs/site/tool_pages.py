@@ -71,7 +71,7 @@ def schema_pages(root: Path) -> Iterator[tuple[Path, str]]:
         text = PATTERN.sub(r"\1", text)
         page = SCHEMAS / f"{path.stem}-json.md"
         listed.append(f"- [{title}]({page.name})")
-        source = f"../../commands/schemas/{path.name}.md"
+        source = f"../../minkref/schemas/{path.name}.md"
         yield page, f"{text.strip()}\n\n[The schema itself]({source})\n"
     yield (
         SCHEMAS / "README.md",

@@ -25,7 +25,7 @@ BINDING = """
 """
 FILES = {
     "CMakeLists.txt": "",
-    "cmake/MinkrefBuild.cmake": "",
+    "tools/cmake/MinkrefBuild.cmake": "",
     "bindings/core.cpp": '#include "bindings/core.hpp"',
     "bindings/core.hpp": "",
     "bindings/core_disc.cpp": BINDING,
@@ -44,7 +44,12 @@ FILES = {
     "quoted.py": 'getattr(_core, "sum")',
     "pure.py": 'core.offset("sum")',
 }
-BUILD = {"CMakeLists.txt", "cmake/MinkrefBuild.cmake", "bindings/core.cpp", "bindings/core.hpp"}
+BUILD = {
+    "CMakeLists.txt",
+    "tools/cmake/MinkrefBuild.cmake",
+    "bindings/core.cpp",
+    "bindings/core.hpp",
+}
 SUM = {"bindings/core_sum.cpp", "reference/sum.hpp", "reference/sum.cpp", "reference/number.hpp"}
 DISC = {"bindings/core_disc.cpp", *(name for name in FILES if name.startswith("reference/disc"))}
 JUDGE = {name for name in FILES if name.startswith("oracle")}

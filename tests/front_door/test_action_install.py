@@ -38,7 +38,7 @@ def calls(folder: Path, **variables: str) -> list[str]:
         "PATH": f"{folder}{os.pathsep}{os.environ['PATH']}",
         "CALLS": str(folder / "log"),
     }
-    script = ROOT / "scripts" / "install_in_ci.sh"
+    script = ROOT / "tools" / "scripts" / "install_in_ci.sh"
     subprocess.run([script], env=environment | variables, check=True, capture_output=True)
     return (folder / "log").read_text(encoding="utf-8").splitlines()
 

@@ -26,7 +26,7 @@ def step(folder: Path, **variables: str) -> subprocess.CompletedProcess[str]:
         **variables,
     }
     return subprocess.run(
-        [ROOT / "scripts" / "verify_in_ci.sh"],
+        [ROOT / "tools" / "scripts" / "verify_in_ci.sh"],
         cwd=folder,
         env=environment,
         capture_output=True,
@@ -98,7 +98,7 @@ def test_step_takes_the_targets_of_the_settings(tmp_path: Path, file: str, head:
 
 def test_action_gives_every_input_to_the_step() -> None:
     text = (ROOT / "action.yml").read_text(encoding="utf-8")
-    script = (ROOT / "scripts" / "verify_in_ci.sh").read_text(encoding="utf-8")
+    script = (ROOT / "tools" / "scripts" / "verify_in_ci.sh").read_text(encoding="utf-8")
     for name in ("TARGETS", "SECONDS_GIVEN", "SEED", "BASELINE", "ARGUMENTS", "REPORT"):
         assert f"{name}: ${{{{ inputs." in text
         assert name in script

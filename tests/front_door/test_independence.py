@@ -10,7 +10,7 @@ import pytest
 
 
 def _check() -> Any:
-    path = Path(__file__).resolve().parents[2] / "scripts" / "check_includes.py"
+    path = Path(__file__).resolve().parents[2] / "tools" / "scripts" / "check_includes.py"
     spec = importlib.util.spec_from_file_location("check_includes", path)
     assert spec and spec.loader
     module = importlib.util.module_from_spec(spec)

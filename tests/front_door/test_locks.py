@@ -15,7 +15,7 @@ from packaging.utils import canonicalize_name
 
 ROOT = Path(__file__).resolve().parents[2]
 ADAPTERS = sorted(ROOT.glob("fuzz/libraries/*/requirements.txt"))
-OTHERS = [ROOT / "docs/site/requirements.txt", ROOT / "packaging/tools.requirements.txt"]
+OTHERS = [ROOT / "docs/site/requirements.txt", ROOT / "tools/packaging/tools.requirements.txt"]
 LOCKS = [ROOT / "requirements.txt", *OTHERS, *ADAPTERS]
 
 
@@ -54,7 +54,7 @@ def test_locks_hold_what_is_asked_for() -> None:
 
 def test_set_up_installs_no_package_without_a_digest(tmp_path: Path) -> None:
     """A checkout of the scripts alone, whose requirements name a package that is at hand."""
-    shutil.copytree(ROOT / "scripts", tmp_path / "scripts")
+    shutil.copytree(ROOT / "tools" / "scripts", tmp_path / "tools" / "scripts")
     with zipfile.ZipFile(tmp_path / "sought-1-py3-none-any.whl", "w") as wheel:
         information = "sought-1.dist-info"
         wheel.writestr(
@@ -64,7 +64,7 @@ def test_set_up_installs_no_package_without_a_digest(tmp_path: Path) -> None:
         wheel.writestr(f"{information}/RECORD", "")
     (tmp_path / "requirements.txt").write_text("sought==1\n", encoding="utf-8")
     done = subprocess.run(
-        [tmp_path / "scripts" / "set_up.sh", "environment"],
+        [tmp_path / "tools" / "scripts" / "set_up.sh", "environment"],
         env={**os.environ, "PIP_NO_INDEX": "1", "PIP_FIND_LINKS": str(tmp_path)},
         capture_output=True,
         text=True,

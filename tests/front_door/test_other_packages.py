@@ -17,7 +17,7 @@ from typing import Any
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-PACKAGING = ROOT / "packaging"
+PACKAGING = ROOT / "tools" / "packaging"
 
 
 def project(folder: Path) -> dict[str, Any]:
@@ -81,7 +81,7 @@ def test_container_installs_what_it_has_built() -> None:
 def test_devcontainer_calls_what_there_is() -> None:
     text = (ROOT / ".devcontainer" / "devcontainer.json").read_text(encoding="utf-8")
     settings = json.loads(text)
-    assert settings["onCreateCommand"].split()[1:] == ["scripts/set_up.sh", "packages"]
+    assert settings["onCreateCommand"].split()[1:] == ["tools/scripts/set_up.sh", "packages"]
     assert settings["postCreateCommand"] == "make setup"
 
 

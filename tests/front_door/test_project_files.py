@@ -66,7 +66,7 @@ def test_hooks_check_what_the_linters_check() -> None:
     rooms = re.search(r"^CXX_SOURCES = \$\(shell find ([a-z ]+) -name", makefile, re.MULTILINE)
     assert rooms is not None
     assert entries["clang-format"]["files"].startswith(f"^({'|'.join(rooms[1].split())})/")
-    assert "scripts/check_includes.py" in makefile and entries["check-includes"]
+    assert "tools/scripts/check_includes.py" in makefile and entries["check-includes"]
 
 
 def test_paths_and_commands_that_contributors_are_told_exist() -> None:

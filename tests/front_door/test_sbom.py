@@ -26,7 +26,7 @@ pytestmark = [
 @pytest.fixture(scope="module")
 def bill(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     file = tmp_path_factory.mktemp("sbom") / "sbom.cdx.json"
-    command = [sys.executable, ROOT / "scripts" / "sbom.py", file]
+    command = [sys.executable, ROOT / "tools" / "scripts" / "sbom.py", file]
     subprocess.run(command, check=True, capture_output=True)
     text = file.read_text(encoding="utf-8")
     assert JsonStrictValidator(SchemaVersion.V1_6).validate_str(text) is None

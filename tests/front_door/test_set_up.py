@@ -22,7 +22,7 @@ def require(folder: Path, *packages: str, uid: int) -> subprocess.CompletedProce
     command(folder, "apt-get", f'echo "$@" >>"{folder}/apt.log"')
     command(folder, "sudo", f'touch "{folder}/sudo_was_called"')
     return subprocess.run(
-        [str(ROOT / "scripts" / "require_packages.sh"), *packages],
+        [str(ROOT / "tools" / "scripts" / "require_packages.sh"), *packages],
         env={**os.environ, "PATH": f"{folder}:{os.environ['PATH']}"},
         capture_output=True,
         text=True,
@@ -58,7 +58,7 @@ def test_nothing_is_done_where_nothing_is_missing(tmp_path: Path) -> None:
 def test_an_interpreter_that_is_too_old_is_passed_over(tmp_path: Path) -> None:
     command(tmp_path, "python3", "exit 1")
     done = subprocess.run(
-        [str(ROOT / "scripts" / "find_python.sh")],
+        [str(ROOT / "tools" / "scripts" / "find_python.sh")],
         env={**os.environ, "PATH": f"{tmp_path}:{os.environ['PATH']}", "PYTHON": ""},
         capture_output=True,
         text=True,

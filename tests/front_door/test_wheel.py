@@ -20,7 +20,7 @@ import pytest
 from minkref.cli.command_group import COMMANDS
 
 ROOT = Path(__file__).resolve().parents[2]
-PACKAGING = ROOT / "packaging"
+PACKAGING = ROOT / "tools" / "packaging"
 
 
 def made(out: Path, *options: str) -> Path:
@@ -116,7 +116,7 @@ def test_source_distribution_holds_what_is_tracked_but_for_the_workplace(tmp_pat
     sources = tmp_path / archive.name.removesuffix(".tar.gz")
     held = {str(path.relative_to(sources)) for path in sources.rglob("*") if path.is_file()}
     assert {"CMakeLists.txt", "LICENSE", "LICENSES/THIRD_PARTY.md", "bindings/core.cpp"} <= held
-    assert {"reference/plane/sum.cpp", "packaging/wheel.py", "tests/CMakeLists.txt"} <= held
+    assert {"reference/plane/sum.cpp", "tools/packaging/wheel.py", "tests/CMakeLists.txt"} <= held
     first = {name.split("/")[0] for name in held}
     assert not first & {"build", "dist", ".venv", ".ci", ".github", ".devcontainer"}
     # Nothing under the GPL, whose expression is another one; CMake does without it.

@@ -80,7 +80,7 @@ def test_steps_call_what_can_be_called_by_hand() -> None:
         if line.startswith("make "):
             goals = re.sub(r'\w+=("[^"]*"|\S+)', "", line).split()[1:]
             assert set(goals) <= set(phony.split()), line
-        for script in re.findall(r"(?:scripts|packaging)/\w+\.sh", line):
+        for script in re.findall(r"tools/(?:scripts|packaging)/\w+\.sh", line):
             assert os.access(ROOT / script, os.X_OK), line
 
 
@@ -89,7 +89,7 @@ def test_parts_and_packages_of_the_nightly_run_exist() -> None:
     for row in evidence["strategy"]["matrix"]["include"]:
         assert all((ROOT / f"reports/evidence/{one}.py").is_file() for one in row["parts"].split())
     others = read(ROOT / ".github/workflows/packages.yml")["jobs"]["others"]
-    script = (ROOT / "packaging/try.sh").read_text(encoding="utf-8")
+    script = (ROOT / "tools/packaging/try.sh").read_text(encoding="utf-8")
     cases = re.findall(r"^  (\w+)\)$", script, re.MULTILINE)
     assert sorted(cases) == sorted(["wheels", *others["strategy"]["matrix"]["package"]])
 
@@ -126,7 +126,7 @@ def test_an_action_has_one_commit_everywhere() -> None:
 
 
 def test_the_wheel_that_the_release_tries_is_one_that_it_builds() -> None:
-    release = (ROOT / "packaging/try.sh").read_text(encoding="utf-8")
+    release = (ROOT / "tools/packaging/try.sh").read_text(encoding="utf-8")
     project = (ROOT / "pyproject.toml").read_text(encoding="utf-8")
     (tag,) = re.findall(r"bare\.py dist/minkref-\*-(cp\d+)-abi3-", release)
     assert f'"wheel.py-api" = "{tag}"' in project and f"{tag}-manylinux_x86_64" in project
@@ -134,7 +134,7 @@ def test_the_wheel_that_the_release_tries_is_one_that_it_builds() -> None:
 
 def test_bubblewrap_may_make_user_namespaces_where_it_is_used(tmp_path: Path) -> None:
     """On ubuntu-24.04, whose AppArmor keeps them from programs without a profile."""
-    script = "scripts/allow_user_namespaces.sh"
+    script = "tools/scripts/allow_user_namespaces.sh"
     for file in [*WORKFLOWS, ROOT / "action.yml"]:
         text = file.read_text(encoding="utf-8")
         assert script in text or not re.search("bubblewrap|privileged", text), file.name

@@ -69,7 +69,7 @@ def test_the_page_names_what_is_there() -> None:
 
 
 def test_all_files_are_compiled() -> None:
-    script = (ROOT / "scripts" / "proofs.sh").read_text(encoding="utf-8")
+    script = (ROOT / "tools" / "scripts" / "proofs.sh").read_text(encoding="utf-8")
     (rooms,) = re.findall(r"^rooms=\(([^)]*)\)", script, re.MULTILINE)
     (programs,) = re.findall(r"^programs=\(([^)]*)\)", script, re.MULTILINE)
     assert set(rooms.split()) == {path.stem for path in ROOM.glob("*/*.v")}

@@ -19,7 +19,7 @@ IMPORTED = re.compile(r"from minkref\._core import \(?([\w\s,]+)")
 INCLUDED = re.compile(r'^\s*#\s*include "([^"]+)"', re.M)
 SOURCES = (".cpp", ".hpp", ".h")
 BINDING = "bindings"  # the folder of the sources of the extension module
-ALWAYS = ("CMakeLists.txt", "cmake/MinkrefBuild.cmake", f"{BINDING}/core.cpp")
+ALWAYS = ("CMakeLists.txt", "tools/cmake/MinkrefBuild.cmake", f"{BINDING}/core.cpp")
 
 
 def reached(files: Iterable[str], root: Path) -> set[str]:

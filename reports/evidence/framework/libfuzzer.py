@@ -54,7 +54,7 @@ def has_fuzzer() -> bool:
 def build(folder: Path, below: str, *arguments: str, target: str = "all") -> list[Path]:
     """Configures and builds in `folder`; the executables `fuzz_*` in it, `below` that path."""
     if not has_fuzzer():
-        subprocess.run(["scripts/require_packages.sh", *PACKAGES], cwd=ROOT, check=True)
+        subprocess.run(["tools/scripts/require_packages.sh", *PACKAGES], cwd=ROOT, check=True)
     configure = ["cmake", "-S", str(ROOT), "-B", str(folder), "-G", "Ninja", *OPTIONS, *arguments]
     subprocess.run(configure, check=True)
     make = ["cmake", "--build", str(folder), "-j", "2", "--target", target]

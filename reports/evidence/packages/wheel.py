@@ -30,7 +30,12 @@ def call(findings: Findings, title: str, *command: str | Path) -> str | None:
 
 def bare(findings: Findings, folder: Path) -> None:
     said = call(
-        findings, "make the wheel", sys.executable, "packaging/wheel.py", "--out", folder / "dist"
+        findings,
+        "make the wheel",
+        sys.executable,
+        "tools/packaging/wheel.py",
+        "--out",
+        folder / "dist",
     )
     if said is None:
         return
@@ -39,7 +44,15 @@ def bare(findings: Findings, folder: Path) -> None:
     if not shutil.which("bwrap"):
         findings.note("no bubblewrap: the wheel was made, its commands were not tried")
         return
-    call(findings, "all commands", sys.executable, "packaging/bare.py", wheel, "--figures", rows)
+    call(
+        findings,
+        "all commands",
+        sys.executable,
+        "tools/packaging/bare.py",
+        wheel,
+        "--figures",
+        rows,
+    )
     if rows.is_file():
         tried = json.loads(rows.read_text(encoding="utf-8"))
         failed = [row["line"] for row in tried if row["faults"]]

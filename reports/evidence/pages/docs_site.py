@@ -31,7 +31,7 @@ SECONDS = 60  # until the search has read its index
 def run(findings: Findings, size: Size) -> None:
     began = time.perf_counter()
     done = subprocess.run(
-        [ROOT / "scripts/docs.sh"], cwd=ROOT, capture_output=True, text=True, check=False
+        [ROOT / "tools/scripts/docs.sh"], cwd=ROOT, capture_output=True, text=True, check=False
     )
     findings.figures["seconds to build"] = round(time.perf_counter() - began)
     said = (done.stdout + done.stderr).strip()

@@ -36,7 +36,7 @@ SPACE_SUITES = ("number", "space", "space/sums", "space/surface")
 DISC_SUITES = ("disc",)
 EVERY_SUITE = (*SUITES, *SPACE_SUITES, *DISC_SUITES)
 RESTS_ON = (
-    "CMakeLists.txt", "CMakePresets.json", "cmake/", "formats/", "reference/",
+    "CMakeLists.txt", "CMakePresets.json", "tools/cmake/", "formats/", "reference/",
     "tests/CMakeLists.txt", *(f"tests/{suite}/" for suite in EVERY_SUITE),
 )  # fmt: skip
 PYTEST_FOLDERS = ("tests/plane", "tests/plane/dynamic")
@@ -74,7 +74,7 @@ def build(targets: tuple[str, ...] = ()) -> None:
     for command in (
         ["cmake", "--preset", "faults", f"-DPython_EXECUTABLE={sys.executable}"],
         [*words, "--target", *targets] if targets else words,
-        *([] if targets else [[sys.executable, "scripts/link_package.py", str(BUILD)]]),
+        *([] if targets else [[sys.executable, "tools/scripts/link_package.py", str(BUILD)]]),
     ):
         done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
         if done.returncode:

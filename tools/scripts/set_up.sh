@@ -3,7 +3,7 @@
 # name). `run` builds what the main job takes, and again what was built before; `build` the tests and all programs too.
 # Each step is skipped when what it depends on has not changed: its key, a hash of contents, stands in a stamp.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 last=${1:-build}
 mkdir -p build/stamps
 exec 9>build/stamps/lock
@@ -21,16 +21,16 @@ while read -r package command; do
   [[ $package == libcgal-dev && -n ${CGAL_DIR:-} ]] && continue
   [[ $command != - ]] && command -v "$command" >/dev/null && continue
   packages+=("$package")
-done <scripts/debian_packages.txt
-if ! scripts/find_python.sh >/dev/null; then
+done <tools/scripts/debian_packages.txt
+if ! tools/scripts/find_python.sh >/dev/null; then
   [[ -z ${PYTHON:-} ]] || { say "PYTHON=$PYTHON is not a Python >= 3.11 with venv and headers" >&2; exit 2; }
   packages+=(python3 python3-venv python3-dev)
 fi
-scripts/require_packages.sh "${packages[@]}"
+tools/scripts/require_packages.sh "${packages[@]}"
 [[ $last == packages ]] && exit 0
 
 # 2. The virtual environment .venv, with pinned packages.
-python=$(scripts/find_python.sh) || { say "no Python >= 3.11 with venv and headers" >&2; exit 2; }
+python=$(tools/scripts/find_python.sh) || { say "no Python >= 3.11 with venv and headers" >&2; exit 2; }
 key=$(key_of "$python" "$("$python" -VV)" "$(content_of requirements.txt)")
 if ! fresh environment "$key" || [[ ! -x .venv/bin/python ]]; then
   say "making .venv with $python"
@@ -76,4 +76,4 @@ if ! cmake --build build/release -j "$(nproc)" ${targets[@]:+--target "${targets
   say "the build failed: build/build.log has all of it" >&2
   exit 2
 fi
-.venv/bin/python scripts/link_package.py
+.venv/bin/python tools/scripts/link_package.py

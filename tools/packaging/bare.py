@@ -21,7 +21,7 @@ from pathlib import Path
 from bare_commands import FUNCTIONS, STEPS, Step, words_of
 from bare_root import BareRoot
 
-ROOT = Path(__file__).resolve().parents[1]
+ROOT = Path(__file__).resolve().parents[2]
 EXTRAS = sorted({step.extra for step in STEPS if step.extra})
 LIMIT = 300.0  # seconds of one command
 HAS = "from minkref.cli.command_group import COMMANDS; print(*COMMANDS)"

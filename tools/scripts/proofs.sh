@@ -4,7 +4,7 @@
 # coqchk follow them again, prints the axioms, and stops with 1 where there is another one than
 # those below. What has not changed is not done again.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 rooms=(Order Definitions Form Predicates Moving Space Sums Crossings Fans Curves Unions Local
   Numbers Checker Figures Rational Values Corners Cancellation Bodies Scaling Trees Theorems
   Components Classes Counting Holes Across Sides Overlaps Differing Canonical Signs Passages Touching
@@ -35,7 +35,7 @@ ocaml-nox ocamlopt
 ocaml-findlib ocamlfind
 libzarith-ocaml-dev -
 LIST
-scripts/require_packages.sh "${packages[@]}"
+tools/scripts/require_packages.sh "${packages[@]}"
 
 mkdir -p build/proofs build/stamps
 exec 9>build/stamps/proofs.lock
@@ -70,7 +70,7 @@ compile() (
     sed 's/^/  /' <<<"$found"
   } >axioms.txt
 )
-key=$({ coqc --version; cat oracle/proved/*/*.v scripts/proofs.sh; } | key_of)
+key=$({ coqc --version; cat oracle/proved/*/*.v tools/scripts/proofs.sh; } | key_of)
 if ! fresh proofs "$key"; then
   rm -rf build/proofs/* build/stamps/proofs build/stamps/proved-checker
   cp oracle/proved/*/*.v build/proofs/
@@ -98,6 +98,6 @@ if ! fresh proved-checker "$key" || [[ ! -x build/proofs/minkref-check-proved ]]
   cp oracle/proved/driver/*.ml build/proofs/
   build
   echo "$key" >build/stamps/proved-checker
-  if [[ -x .venv/bin/python ]]; then .venv/bin/python scripts/link_package.py; fi
+  if [[ -x .venv/bin/python ]]; then .venv/bin/python tools/scripts/link_package.py; fi
 fi
 say "build/proofs/minkref-check-proved, $((SECONDS - began)) s"

@@ -1,4 +1,4 @@
-"""The C++ library as a Conan package: `conan create packaging/conan --build=missing`.
+"""The C++ library as a Conan package: `conan create tools/packaging/conan --build=missing`.
 
 With `-o minkref/*:system=True` GMP, MPFR, Boost and Eigen are those of the system.
 """
@@ -9,8 +9,8 @@ from conan import ConanFile
 from conan.tools.cmake import CMake, CMakeDeps, CMakeToolchain, cmake_layout
 from conan.tools.files import copy, load
 
-ROOT = Path(__file__).resolve().parents[2]
-SOURCES = ("CMakeLists.txt", "pyproject.toml", "LICENSE", "cmake/*", "reference/*")
+ROOT = Path(__file__).resolve().parents[3]
+SOURCES = ("CMakeLists.txt", "pyproject.toml", "LICENSE", "tools/cmake/*", "reference/*")
 PARTS = ("FORMATS", "CGAL", "CHECKER", "SAMPLED", "BOOST", "TESTS", "PCH", "WERROR")
 
 

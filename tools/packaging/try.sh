@@ -2,18 +2,18 @@
 # try.sh wheels|container|vcpkg|conan: makes a package as a release has it, and uses it. All of them fetch what they need: the
 # wheels images by docker, vcpkg (in VCPKG_ROOT) and Conan the sources of what minkref depends on.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 
 tools() {
   python3 -m venv build/tools
-  build/tools/bin/python -m pip install --quiet --require-hashes --only-binary :all: -r packaging/tools.requirements.txt
+  build/tools/bin/python -m pip install --quiet --require-hashes --only-binary :all: -r tools/packaging/tools.requirements.txt
 }
 
 case ${1:-} in
   wheels)
     tools
     build/tools/bin/cibuildwheel --platform linux --output-dir dist
-    build/tools/bin/python packaging/bare.py dist/minkref-*-cp312-abi3-*.whl  # on a machine without compiler and GMP
+    build/tools/bin/python tools/packaging/bare.py dist/minkref-*-cp312-abi3-*.whl  # on a machine without compiler and GMP
     ;;
   container)
     engine=$(command -v podman || command -v docker)
@@ -23,7 +23,7 @@ case ${1:-} in
     ;;
   vcpkg)
     root=${VCPKG_ROOT:-${VCPKG_INSTALLATION_ROOT:?no vcpkg: set VCPKG_ROOT}}
-    "$root/vcpkg" install minkref --classic --overlay-ports=packaging/vcpkg
+    "$root/vcpkg" install minkref --classic --overlay-ports=tools/packaging/vcpkg
     cmake -S tests/consumer -B build/consumer-vcpkg -DCMAKE_TOOLCHAIN_FILE="$root/scripts/buildsystems/vcpkg.cmake"
     cmake --build build/consumer-vcpkg
     build/consumer-vcpkg/consumer
@@ -31,7 +31,7 @@ case ${1:-} in
   conan)
     tools
     build/tools/bin/conan profile detect --exist-ok
-    build/tools/bin/conan create packaging/conan --build=missing  # with its test package
+    build/tools/bin/conan create tools/packaging/conan --build=missing  # with its test package
     ;;
   *)
     sed -n 's/^# //p' "$0" >&2

@@ -1,6 +1,6 @@
-# An overlay port: vcpkg install minkref --overlay-ports=packaging/vcpkg
+# An overlay port: vcpkg install minkref --overlay-ports=tools/packaging/vcpkg
 # It builds the checkout that it stands in. A port for others' registries takes vcpkg_from_git with a tag instead.
-set(SOURCE_PATH "${CMAKE_CURRENT_LIST_DIR}/../../..")
+set(SOURCE_PATH "${CMAKE_CURRENT_LIST_DIR}/../../../..")
 set(VCPKG_BUILD_TYPE release)  # a static library, whose invariants throw in every build
 
 vcpkg_cmake_configure(

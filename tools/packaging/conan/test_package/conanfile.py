@@ -19,7 +19,7 @@ class Consumer(ConanFile):
 
     def build(self):
         cmake = CMake(self)
-        cmake.configure(build_script_folder=str(Path(__file__).parents[3] / "tests" / "consumer"))
+        cmake.configure(build_script_folder=str(Path(__file__).parents[4] / "tests" / "consumer"))
         cmake.build()
 
     def test(self):

@@ -21,7 +21,7 @@ from cyclonedx.schema import SchemaVersion
 from cyclonedx.validation.json import JsonStrictValidator
 from packageurl import PackageURL
 
-ROOT = Path(__file__).resolve().parents[1]
+ROOT = Path(__file__).resolve().parents[2]
 BUILD = ROOT / "build" / "release"
 BINARIES = ("bindings/_core*.so", "oracle/*/minkref-*")  # in BUILD
 MINKREF = "root-component"  # as cyclonedx-bom names what a project file describes

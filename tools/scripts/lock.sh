@@ -1,12 +1,12 @@
 #!/bin/bash
-# lock.sh [UV OPTION...]: writes requirements.txt from requirements.in, and so those of the adapters, of packaging/ and
+# lock.sh [UV OPTION...]: writes requirements.txt from requirements.in, and so those of the adapters, of tools/packaging/ and
 # of the site: each package at one version for all systems, with the digest of every file that its version was published
 # as. Versions stand unless --upgrade, or --upgrade-package NAME, is given. uv asks the package index that it is set up
 # for; its address is not written.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 # What the site shares with the checkout has one version in both.
-for source in requirements.in docs/site/requirements.in fuzz/libraries/*/requirements.in packaging/*.requirements.in; do
+for source in requirements.in docs/site/requirements.in fuzz/libraries/*/requirements.in tools/packaging/*.requirements.in; do
   lock=${source%.in}.txt
   shared=()
   [[ $source != docs/* ]] || shared=(--constraints requirements.txt)

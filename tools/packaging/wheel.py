@@ -21,7 +21,7 @@ from pathlib import Path
 
 import licence
 
-ROOT = Path(__file__).resolve().parents[1]
+ROOT = Path(__file__).resolve().parents[2]
 BUILD = ROOT / "build"
 TOOLS = Path(sysconfig.get_path("scripts"))
 BUILDERS = ("nanobind", "scikit-build-core")

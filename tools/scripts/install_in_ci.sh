@@ -3,7 +3,7 @@
 # attests that it was built from the very commit that the action is used at; otherwise from the sources of the action.
 # Reads ACTION_REPOSITORY (OWNER/minkref), ACTION_REF (a commit, or a tag) and GH_TOKEN.
 set -uo pipefail
-sources=$(cd "$(dirname "$0")/.." && pwd)
+sources=$(cd "$(dirname "$0")/../.." && pwd)
 version=$(sed -n 's/^version = "\(.*\)"$/\1/p' "$sources/pyproject.toml")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -28,5 +28,5 @@ echo "minkref: no wheel of a release fits ${ACTION_REF:-this checkout}; installi
 sudo apt-get update
 # shellcheck disable=SC2046 # one word for each package
 sudo apt-get install --yes --no-install-recommends \
-  $(awk '!/^#/ && $1 != "libcgal-dev" && $1 != "ccache" { print $1 }' "$sources/scripts/debian_packages.txt") &&
+  $(awk '!/^#/ && $1 != "libcgal-dev" && $1 != "ccache" { print $1 }' "$sources/tools/scripts/debian_packages.txt") &&
   python -m pip install "$sources"

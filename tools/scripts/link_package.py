@@ -17,7 +17,7 @@ import tomllib
 from collections.abc import Iterable
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[1]
+ROOT = Path(__file__).resolve().parents[2]
 PACKAGE = ROOT / "minkref"
 BUILD = ROOT / "build" / "release"
 PROVED = "minkref-check-proved"  # of `make proofs`
@@ -64,7 +64,7 @@ def write_metadata(site: Path, project: dict[str, object]) -> None:
         f"Summary: {project['description']}\n",
         encoding="utf-8",
     )
-    (info / "INSTALLER").write_text("scripts/link_package.py\n", encoding="utf-8")
+    (info / "INSTALLER").write_text("tools/scripts/link_package.py\n", encoding="utf-8")
     (info / "RECORD").write_text("", encoding="utf-8")
     (site / "minkref.pth").write_text(f"{ROOT}\n", encoding="utf-8")
 

@@ -3,12 +3,12 @@
 # mode, and the reference, which is made from docstrings, headers, the command line and the schemas. Fetches packages the
 # first time, and when docs/site/requirements.txt has changed; after that it needs no network.
 set -euo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 mkdir -p build/stamps build/docs
 exec 8>build/stamps/docs.lock
 flock 8
 
-command -v doxygen >/dev/null || scripts/require_packages.sh doxygen
+command -v doxygen >/dev/null || tools/scripts/require_packages.sh doxygen
 environment=build/docs/environment
 key=$({ printf '%s\n' "$PWD" "$(.venv/bin/python -VV)"; cat docs/site/requirements.txt; } | sha256sum | cut -d' ' -f1)
 if [[ ! -f build/stamps/docs || $(<build/stamps/docs) != "$key" || ! -x $environment/bin/python ]]; then

@@ -15,14 +15,14 @@ install(DIRECTORY "${PROJECT_SOURCE_DIR}/reference" DESTINATION "${MINKREF_HEADE
 install(EXPORT minkrefTargets NAMESPACE minkref:: DESTINATION "${MINKREF_CMAKE_DIR}"
         COMPONENT development)
 configure_package_config_file(
-  "${PROJECT_SOURCE_DIR}/cmake/minkrefConfig.cmake.in" "${PROJECT_BINARY_DIR}/minkrefConfig.cmake"
+  "${PROJECT_SOURCE_DIR}/tools/cmake/minkrefConfig.cmake.in" "${PROJECT_BINARY_DIR}/minkrefConfig.cmake"
   INSTALL_DESTINATION "${MINKREF_CMAKE_DIR}")
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/minkrefConfigVersion.cmake"
                                  COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/minkrefConfig.cmake"
               "${PROJECT_BINARY_DIR}/minkrefConfigVersion.cmake"
-              "${PROJECT_SOURCE_DIR}/cmake/FindGMP.cmake"
-              "${PROJECT_SOURCE_DIR}/cmake/FindMPFR.cmake"
+              "${PROJECT_SOURCE_DIR}/tools/cmake/FindGMP.cmake"
+              "${PROJECT_SOURCE_DIR}/tools/cmake/FindMPFR.cmake"
         DESTINATION "${MINKREF_CMAKE_DIR}" COMPONENT development)
 # The prefix is told by the place of the file: `cmake --install --prefix` may choose another one.
 set(MINKREF_PC_PREFIX "${CMAKE_INSTALL_PREFIX}")
@@ -32,7 +32,7 @@ if(NOT IS_ABSOLUTE "${CMAKE_INSTALL_LIBDIR}")
 endif()
 cmake_path(APPEND MINKREF_PC_LIBDIR "\${prefix}" "${CMAKE_INSTALL_LIBDIR}")
 cmake_path(APPEND MINKREF_PC_INCLUDEDIR "\${prefix}" "${MINKREF_HEADER_DIR}")
-configure_file("${PROJECT_SOURCE_DIR}/cmake/minkref.pc.in" "${PROJECT_BINARY_DIR}/minkref.pc" @ONLY)
+configure_file("${PROJECT_SOURCE_DIR}/tools/cmake/minkref.pc.in" "${PROJECT_BINARY_DIR}/minkref.pc" @ONLY)
 install(FILES "${PROJECT_BINARY_DIR}/minkref.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig"
         COMPONENT development)
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}"

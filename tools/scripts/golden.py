@@ -27,7 +27,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any, NoReturn
 
-ROOT = Path(__file__).resolve().parents[1]
+ROOT = Path(__file__).resolve().parents[2]
 CORPUS = ROOT / "degeneracies" / "corpus"
 FULL = 400  # characters of a text that are kept; of a longer one a digest
 SCALES = 1  # of each case

@@ -28,7 +28,7 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 # with contraction too, for those who compile our headers with it: reference/paper/trials/float_trial.hpp.)
 add_compile_options(-ffp-contract=off)
 
-# minkref_precompiled(TARGET HEADER...): a precompiled header of these and cmake/precompiled.hpp.
+# minkref_precompiled(TARGET HEADER...): a precompiled header of these and tools/cmake/precompiled.hpp.
 # minkref_precompiled(TARGET AS OTHER): that of another target, compiled with the same flags.
 function(minkref_precompiled target)
   if(NOT MINKREF_PCH)
@@ -42,7 +42,7 @@ function(minkref_precompiled target)
   if(ARGV1 STREQUAL "AS")
     target_precompile_headers(${target} REUSE_FROM ${ARGV2})
   else()
-    target_precompile_headers(${target} PRIVATE "${PROJECT_SOURCE_DIR}/cmake/precompiled.hpp" ${ARGN})
+    target_precompile_headers(${target} PRIVATE "${PROJECT_SOURCE_DIR}/tools/cmake/precompiled.hpp" ${ARGN})
   endif()
 endfunction()
 
