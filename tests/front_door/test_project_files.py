@@ -81,6 +81,23 @@ def test_paths_and_commands_that_contributors_are_told_exist() -> None:
     assert set(re.findall(r"\bmake ([a-z]+)", page)) - {"it"} <= known
 
 
+def test_the_map_of_the_house_names_what_is_there() -> None:
+    """Its folders and files exist, and each line that decides stands where the map says."""
+    page = text("docs/architecture.md")
+    rooms = (
+        "bindings|certify|degeneracies|formats|fuzz|minkref|oracle|reference|reports|tests|tools"
+    )
+    named = re.findall(rf"`((?:{rooms})/[\w./-]*)`", page)
+    assert len(named) > 60
+    assert [name for name in named if not (ROOT / name).exists()] == []
+    for way in re.split(r"^## ", page, flags=re.MULTILINE)[1:]:
+        (found,) = re.findall(r"\*\*`([\w:]+)` in `([\w./]+)`\s+decides", way)
+        function, file = found[0].split("::")[-1], found[1]
+        below = [*ROOT.glob(f"reference/**/{file}"), *ROOT.glob(f"fuzz/**/{file}")]
+        places = [path for path in (ROOT / file, *below) if path.is_file()]
+        assert any(re.search(rf"\b{function}\b", path.read_text("utf-8")) for path in places), found
+
+
 def test_each_room_of_the_tests_stands_in_their_table() -> None:
     rows = re.findall(r"^\| ([\w/]+) \| ", text("tests/README.md"), re.MULTILINE)
     tests = ROOT / "tests"
