@@ -11,8 +11,8 @@ from minkref.fuzz.cases.any_case import AnyCase
 from minkref.fuzz.cases.case_name import CaseName
 
 if TYPE_CHECKING:
-    from minkref.fuzz.run.asking import Asking
     from minkref.fuzz.targets.answer import Answer
+    from minkref.fuzz.targets.asking import Asking
     from minkref.fuzz.targets.declaration import Declaration
 
 

@@ -6,9 +6,9 @@ from typing import Any
 
 from minkref.fuzz.cases.any_case import AnyCase
 from minkref.fuzz.plane.setting import PLANE
-from minkref.fuzz.run.asking import Asking
 from minkref.fuzz.setting import Setting
 from minkref.fuzz.space.setting import SPACE
+from minkref.fuzz.targets.asking import Asking
 
 SETTINGS: tuple[Setting, ...] = (PLANE, SPACE)
 

@@ -15,9 +15,9 @@ from minkref.fuzz.plane.event_judgement import MOST_PAIRS, judge_events, window,
 from minkref.fuzz.plane.judgement import TRUTHS, judge, without_answer
 from minkref.fuzz.plane.law_judgement import judge_law
 from minkref.fuzz.plane.laws import LAWS
-from minkref.fuzz.run.asking import JUDGING, Asking, is_asked_again
 from minkref.fuzz.targets.adapter import AdapterTarget
 from minkref.fuzz.targets.answer import Answer, skipped
+from minkref.fuzz.targets.asking import JUDGING, Asking, is_asked_again
 from minkref.fuzz.targets.catalogue import REFERENCE, size_limit
 from minkref.fuzz.targets.reference import ReferenceTarget
 from minkref.fuzz.verdicts.verdict import BROKEN, GOOD, Outcome, Reason, Verdict

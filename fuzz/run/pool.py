@@ -15,9 +15,9 @@ from typing import Any
 from minkref.fuzz.cases.case_list import Wait
 from minkref.fuzz.isolation.isolation import usual
 from minkref.fuzz.run import child
-from minkref.fuzz.run.asking import JUDGING
 from minkref.fuzz.run.worker import CASE, CaseResult, Job, work
 from minkref.fuzz.targets.answer import Limits
+from minkref.fuzz.targets.asking import JUDGING
 from minkref.fuzz.verdicts.verdict import Outcome, Verdict
 
 START_SECONDS = 60.0  # for the start of a worker, and until it reads its job
