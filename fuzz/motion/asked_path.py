@@ -19,7 +19,7 @@ from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.needs import is_double, needs_of_plane
 from minkref.fuzz.cases.verbs import PATH, RANGES
 from minkref.fuzz.geometry.plane import Point, written_rings
-from minkref.fuzz.judges.motion.path_cases import (
+from minkref.fuzz.motion.path_cases import (
     KINDS,
     PathCase,
     Place,

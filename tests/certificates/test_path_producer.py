@@ -16,7 +16,7 @@ import pytest
 from minkref.certify.motion.path_certificate import PathCertificate
 from minkref.certify.motion.scale_cells import document
 from minkref.certify.plane.certificate import NoProof
-from minkref.fuzz.judges.motion.path_cases import path_case
+from minkref.fuzz.motion.path_cases import path_case
 from minkref.motion.scale_ranges import ScaleRange
 from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, verdicts
 from thoroughness import draws

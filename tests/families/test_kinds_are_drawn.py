@@ -15,14 +15,14 @@ from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.invalid.family import KINDS as INVALID
 from minkref.fuzz.invalid.family import invalid_pair
 from minkref.fuzz.judges.disc.disc_diagram import SETS, drawn_set
-from minkref.fuzz.judges.motion.path_cases import KINDS as PATHS
-from minkref.fuzz.judges.motion.path_cases import path_case
 from minkref.fuzz.judges.motion.space_path_cases import KINDS as SPACE_PATHS
 from minkref.fuzz.judges.motion.space_path_cases import space_path_case
 from minkref.fuzz.judges.motion.trap_cases import KINDS as TRAPS
 from minkref.fuzz.judges.motion.trap_cases import trap_case
 from minkref.fuzz.motion.asked_path import FAMILIES as ASKED
 from minkref.fuzz.motion.asked_path import POSITIONS, drawn_path
+from minkref.fuzz.motion.path_cases import KINDS as PATHS
+from minkref.fuzz.motion.path_cases import path_case
 from minkref.fuzz.plane.families.catalogue import FAMILIES
 from minkref.fuzz.plane.families.drawing import is_valid
 from minkref.fuzz.plane.families.pinched_pairs import pinched_pair

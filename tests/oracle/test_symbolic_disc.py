@@ -6,7 +6,7 @@ import random
 from itertools import combinations, pairwise, product
 
 import sympy as sp
-from minkref.fuzz.judges.plane.small_operands import star
+from minkref.fuzz.plane.families.small_operands import star
 from minkref.oracle.symbolic import solutions
 from minkref.oracle.symbolic.disc.disc import (
     Offset,

@@ -18,8 +18,8 @@ from minkref.errors import Refusal
 from minkref.fuzz.cases import naming
 from minkref.fuzz.cases.case_list import CaseList, Wait
 from minkref.fuzz.cases.case_name import CaseName
-from minkref.fuzz.judges.motion.path_cases import case_in_a_hole
 from minkref.fuzz.motion.asked_path import FAMILIES, AskedPath
+from minkref.fuzz.motion.path_cases import case_in_a_hole
 from minkref.fuzz.motion.path_claim import PathClaim
 from minkref.fuzz.motion.path_judgement import judge_path
 from minkref.fuzz.motion.path_witness import Asked, holds, path_witness

@@ -10,7 +10,7 @@ from typing import Any
 
 import minkref
 import pytest
-from minkref.fuzz.judges.motion.path_cases import path_case, texts
+from minkref.fuzz.motion.path_cases import path_case, texts
 from minkref.motion.path_text import read_path
 from minkref.plane.operand import read_operand
 from minkref.reports.evidence.framework.browser import Browser, absent

@@ -11,7 +11,7 @@ from itertools import pairwise
 
 from minkref import _core
 from minkref.fuzz.geometry.plane import cross, minus
-from minkref.fuzz.judges.plane.small_operands import Corner, as_set, random_rings
+from minkref.fuzz.plane.families.small_operands import Corner, as_set, random_rings
 from minkref.oracle.symbolic.disc.disc import Offset
 from minkref.oracle.symbolic.disc.disc_contact import DiscEvent, Feature, polygon_events
 from minkref.oracle.symbolic.rational import Rational, text

@@ -10,7 +10,7 @@ from fractions import Fraction
 
 from minkref.api import BadInput, PolygonSet
 from minkref.fuzz.geometry.plane import fraction_rings
-from minkref.fuzz.judges.plane.small_operands import as_set, random_rings
+from minkref.fuzz.plane.families.small_operands import as_set, random_rings
 
 Place = tuple[Fraction, Fraction]
 Ring = Sequence[tuple[Fraction | int, Fraction | int]]

@@ -18,7 +18,7 @@ from math import comb
 from typing import Any
 
 from minkref.fuzz.judges.plane.event_rows import compared, show, symbolic_rows
-from minkref.fuzz.judges.plane.small_operands import Rings, random_operand
+from minkref.fuzz.plane.families.small_operands import Rings, random_operand
 from minkref.oracle.symbolic.arrangement import pairwise_events, threefold_events
 from minkref.oracle.symbolic.convolution import reduced_convolution
 from minkref.oracle.symbolic.moving import MovingSegment, parallel

@@ -11,8 +11,8 @@ import sympy as sp
 from minkref import _core
 from minkref.fuzz.geometry.plane import cross, dot, minus, turn
 from minkref.fuzz.judges.disc.paper_disc import circles, ring_touches
-from minkref.fuzz.judges.plane.small_operands import star
 from minkref.fuzz.plane.families.drawing import convex, reflected
+from minkref.fuzz.plane.families.small_operands import star
 from minkref.motion.scale_ranges import PATH_ROUTES
 from minkref.reports.audit.disc import corner, crossing, exact, reflex_pairs, squared_distance
 from minkref.reports.audit.edges import Edge, Interval, answers, written

@@ -10,8 +10,8 @@ from minkref.certify.motion.path_certificate import PathCertificate
 from minkref.degeneracies.catalogue import PATH_FAMILIES
 from minkref.degeneracies.motion.case_document import DegeneratePath
 from minkref.fuzz.judges.motion.certified_paths import PathConfirmation
-from minkref.fuzz.judges.motion.path_cases import path_case
 from minkref.fuzz.judges.motion.trap_cases import trap_case
+from minkref.fuzz.motion.path_cases import path_case
 from minkref.reports.evidence.certificates.mutant_tally import (
     ANOTHER_PROOF,
     OTHER_CLAIMS,

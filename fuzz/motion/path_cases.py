@@ -10,7 +10,7 @@ from fractions import Fraction
 
 from minkref.api import BadInput, PolygonSet
 from minkref.fuzz.geometry.plane import Point, fraction_rings
-from minkref.fuzz.judges.plane.small_operands import as_set, random_rings
+from minkref.fuzz.plane.families.small_operands import as_set, random_rings
 
 SIZE = 4
 SCALES = tuple(map(Fraction, ("1", "2", "1/2", "3/2", "1/3", "7/5")))
