@@ -1,4 +1,4 @@
-"""Cases in the plane that are got from others (`fuzz/cases/naming.py` has their names)."""
+"""Cases in the plane that are got from others (`fuzz/run/naming.py` has their names)."""
 
 from __future__ import annotations
 

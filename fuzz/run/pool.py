@@ -12,9 +12,9 @@ from multiprocessing import resource_tracker
 from multiprocessing.connection import Connection, wait
 from typing import Any
 
-from minkref.fuzz.cases.case_list import Wait
 from minkref.fuzz.isolation.isolation import usual
 from minkref.fuzz.run import child
+from minkref.fuzz.run.case_list import Wait
 from minkref.fuzz.run.worker import CASE, CaseResult, Job, work
 from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.targets.asking import JUDGING

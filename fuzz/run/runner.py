@@ -7,10 +7,10 @@ from collections import Counter
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 
-from minkref.fuzz.cases.case_list import CaseList, Wait
 from minkref.fuzz.cases.verbs import EVENTS, PATH, RANGES, REJECTS, UPDATE, is_path
 from minkref.fuzz.invalid.invalid_case import FAMILY as INVALID
 from minkref.fuzz.plane.judgement import REFEREE
+from minkref.fuzz.run.case_list import CaseList, Wait
 from minkref.fuzz.run.ledger import Ledger
 from minkref.fuzz.run.pool import InternalError, run_cases
 from minkref.fuzz.run.resting import Resting

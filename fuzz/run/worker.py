@@ -8,7 +8,6 @@ import traceback
 from dataclasses import dataclass, field
 from multiprocessing.connection import Connection
 
-from minkref.fuzz.cases import naming
 from minkref.fuzz.cases.any_case import AnyCase
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.no_case import NoCase
@@ -16,7 +15,7 @@ from minkref.fuzz.cases.verbs import is_path
 from minkref.fuzz.cgal import server as cgal_server
 from minkref.fuzz.judges.checks import PREFIX, Check
 from minkref.fuzz.plane.case import Case
-from minkref.fuzz.run import child
+from minkref.fuzz.run import child, naming
 from minkref.fuzz.settings import asking_about
 from minkref.fuzz.targets.answer import Limits, Target, load_limit
 from minkref.fuzz.targets.asking import JUDGING, Asking

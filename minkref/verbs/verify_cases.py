@@ -6,14 +6,14 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from minkref.errors import Refusal, choice, nearest
-from minkref.fuzz.cases import naming
-from minkref.fuzz.cases.case_files import CaseFiles, case_files
-from minkref.fuzz.cases.case_list import CaseList
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.no_case import NoCase
 from minkref.fuzz.cases.verbs import EVENTS, PATH, RANGES, UPDATE
 from minkref.fuzz.plane.families.catalogue import FAMILIES
 from minkref.fuzz.plane.laws import LAWS
+from minkref.fuzz.run import naming
+from minkref.fuzz.run.case_files import CaseFiles, case_files
+from minkref.fuzz.run.case_list import CaseList
 from minkref.fuzz.settings import SETTINGS
 from minkref.fuzz.space.families import SPACE_FAMILIES
 from minkref.fuzz.targets.declaration import Declaration

@@ -8,8 +8,8 @@ import sys
 from collections import Counter
 from typing import Any
 
-from minkref.fuzz.cases.case_list import CaseList
 from minkref.fuzz.isolation.isolation import Isolation
+from minkref.fuzz.run.case_list import CaseList
 from minkref.fuzz.run.runner import Finding, Run
 from minkref.fuzz.shrink.finding import SmallFinding
 from minkref.fuzz.shrink.groups import Group

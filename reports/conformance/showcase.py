@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from minkref import _core
-from minkref.fuzz.cases.case_list import REAL_PAIRS
 from minkref.fuzz.cases.case_name import CaseName
+from minkref.fuzz.run.case_list import REAL_PAIRS
+from minkref.fuzz.run.naming import load_in_plane
 from minkref.model_catalogue import all_models, or_look_alike
 from minkref.reports.drawing import Layer, picture
 
@@ -26,7 +27,7 @@ def showcases() -> list[Showcase]:
 
 
 def show(P: str, Q: str) -> Showcase:
-    case = CaseName(f"{P}+{Q}@1", "").load()
+    case = load_in_plane(CaseName(f"{P}+{Q}@1", ""))
     answer = _core.minkowski_sum(case.P, case.Q, "1")
     segments = _core.convolution_segments(case.P, case.Q, "1", True)
     sizes = answer.statistics

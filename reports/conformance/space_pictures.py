@@ -5,8 +5,8 @@ from __future__ import annotations
 from fractions import Fraction
 
 from minkref.fuzz.cases.case_name import CaseName
-from minkref.fuzz.cases.naming import load
 from minkref.fuzz.geometry.space import scale_of
+from minkref.fuzz.run.naming import load
 from minkref.fuzz.run.worker import CaseResult
 from minkref.fuzz.space.case import SpaceCase
 from minkref.fuzz.space.polyhedron import Polyhedron

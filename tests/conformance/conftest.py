@@ -14,10 +14,10 @@ from typing import Any
 import pytest
 from minkref import _core
 from minkref.fuzz.cases.case_name import CaseName
-from minkref.fuzz.cases.naming import load
 from minkref.fuzz.plane.boundary_sum import decide_boundary
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.comparison import decide
+from minkref.fuzz.run.naming import load
 from minkref.fuzz.run.runner import Cell, Finding, Run
 from minkref.fuzz.run.worker import CaseResult
 from minkref.fuzz.shrink.finding import SmallFinding

@@ -10,7 +10,6 @@ from collections.abc import Callable, Iterable
 from itertools import product
 
 import pytest
-from minkref.fuzz.cases.case_list import FAR_AND_LARGE, CaseList
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.invalid.family import KINDS as INVALID
 from minkref.fuzz.invalid.family import invalid_pair
@@ -27,6 +26,7 @@ from minkref.fuzz.plane.families.catalogue import FAMILIES
 from minkref.fuzz.plane.families.drawing import is_valid
 from minkref.fuzz.plane.families.pinched_pairs import pinched_pair
 from minkref.fuzz.plane.families.random_pairs import GROWTH, random_pair
+from minkref.fuzz.run.case_list import FAR_AND_LARGE, CaseList
 from minkref.fuzz.space.case import LAWS_IN_SPACE
 from minkref.fuzz.space.general_pairs import FAMILIES as SOLIDS
 from minkref.fuzz.space.general_pairs import OF_PARTS

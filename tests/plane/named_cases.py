@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from minkref.fuzz.cases import naming
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.plane.case import Case
+from minkref.fuzz.run import naming
 
 
 def named(text: str) -> Case:

@@ -4,9 +4,9 @@ they are cases of `verify`."""
 from __future__ import annotations
 
 import pytest
-from minkref.fuzz.cases import naming
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.no_case import NoCase
+from minkref.fuzz.run import naming
 from minkref.fuzz.space.case import SpaceCase
 from minkref.fuzz.space.comparison import compare
 from minkref.fuzz.space.exact_sum import DEFINITION, EDGES, exposed_sum, polyhedron_of_planes

@@ -7,9 +7,9 @@ from fractions import Fraction
 
 import pytest
 from minkref import _core
-from minkref.fuzz.cases import naming
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.geometry.space import Point
+from minkref.fuzz.run import naming
 from minkref.fuzz.shrink.shrinker import shrink
 from minkref.fuzz.space.exact_sum import core_polyhedron
 from minkref.fuzz.space.families import GENERAL, drawn_pair

@@ -7,9 +7,9 @@ from collections.abc import Callable
 from fractions import Fraction
 
 import pytest
-from minkref.fuzz.cases import naming
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.geometry.space import Point
+from minkref.fuzz.run import naming
 from minkref.fuzz.space.case import SpaceCase
 from minkref.fuzz.space.comparison import compare
 from minkref.fuzz.space.pair import Truth

@@ -13,11 +13,10 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
-from minkref.fuzz.cases import naming
-from minkref.fuzz.cases.case_list import RANDOM, CaseList
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.isolation.isolation import Isolation
-from minkref.fuzz.run import pool
+from minkref.fuzz.run import naming, pool
+from minkref.fuzz.run.case_list import RANDOM, CaseList
 from minkref.fuzz.run.runner import Run, run
 from minkref.fuzz.settings import asking_about
 from minkref.fuzz.targets.answer import Limits

@@ -9,9 +9,8 @@ import time
 from collections.abc import Callable
 from typing import Any
 
-from minkref.fuzz.cases import naming
 from minkref.fuzz.plane import asking, judgement
-from minkref.fuzz.run import worker
+from minkref.fuzz.run import naming, worker
 
 SPOILT = "py:faulty_sums:right"
 

@@ -202,7 +202,7 @@ def test_slow_target_skips_large_cases_and_says_so(minkref: Any) -> None:
 def test_real_pairs_run_at_five_scales_or_name_the_look_alike(
     minkref: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from minkref.fuzz.cases.case_list import CaseList
+    from minkref.fuzz.run.case_list import CaseList
 
     monkeypatch.delenv("MINKREF_MODELS", raising=False)
     cases = CaseList(pairs=0)

@@ -8,7 +8,6 @@ from math import inf, nextafter
 
 import pytest
 from minkref import _core
-from minkref.fuzz.cases import naming
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.grid import bits_of, unit_for
 from minkref.fuzz.cases.no_case import NoCase
@@ -18,6 +17,7 @@ from minkref.fuzz.invalid.invalid_judgement import judge_invalid
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.event_judgement import judge_events, window
 from minkref.fuzz.plane.witness import holds
+from minkref.fuzz.run import naming
 from minkref.fuzz.targets.answer import Answer, answered
 from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.verdicts.verdict import GOOD, Reason, Verdict

@@ -11,11 +11,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from minkref.fuzz.cases import naming
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.event_judgement import judge_events
 from minkref.fuzz.plane.witness import holds
+from minkref.fuzz.run import naming
 from minkref.fuzz.settings import asking_about
 from minkref.fuzz.targets.adapter import AdapterTarget
 from minkref.fuzz.targets.answer import Limits

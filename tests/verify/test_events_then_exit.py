@@ -9,8 +9,8 @@ from typing import Any
 
 import pytest
 from minkref.fuzz.cases.case_name import CaseName
-from minkref.fuzz.cases.naming import load
 from minkref.fuzz.plane.case import Case
+from minkref.fuzz.run.naming import load
 from minkref.fuzz.settings import asking_about
 from minkref.fuzz.targets.adapter import AdapterTarget
 from minkref.fuzz.targets.answer import Limits

@@ -16,12 +16,11 @@ from pathlib import Path
 import pytest
 from minkref.errors import Refusal
 from minkref.fuzz.adapters.template import HEADER
-from minkref.fuzz.cases import naming
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.isolation import sandbox
 from minkref.fuzz.isolation.isolation import Isolation, choose
 from minkref.fuzz.isolation.leftovers import marked
-from minkref.fuzz.run import pool
+from minkref.fuzz.run import naming, pool
 from minkref.fuzz.run.runner import Run
 from minkref.fuzz.targets.answer import Answer, Limits
 from minkref.fuzz.targets.catalogue import make_target, select_one

@@ -14,13 +14,13 @@ from pathlib import Path
 
 import pytest
 from minkref.errors import Refusal
-from minkref.fuzz.cases import naming
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.isolation import sandbox
 from minkref.fuzz.isolation.control_group import PIDS, find_rooms, remove_stale
 from minkref.fuzz.isolation.environment import NAMES, PREFIXES
 from minkref.fuzz.isolation.isolation import Isolation, choose
 from minkref.fuzz.isolation.leftovers import marked
+from minkref.fuzz.run import naming
 from minkref.fuzz.targets.adapter import AdapterTarget
 from minkref.fuzz.targets.adapter_process import AdapterProcess, Failure
 from minkref.fuzz.targets.answer import Limits

@@ -15,8 +15,6 @@ from typing import Any
 import pytest
 from minkref.cli.cli import run as command
 from minkref.errors import Refusal
-from minkref.fuzz.cases import naming
-from minkref.fuzz.cases.case_list import CaseList, Wait
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.motion.asked_path import FAMILIES, AskedPath
 from minkref.fuzz.motion.path_cases import case_in_a_hole
@@ -24,6 +22,8 @@ from minkref.fuzz.motion.path_claim import PathClaim
 from minkref.fuzz.motion.path_judgement import judge_path
 from minkref.fuzz.motion.path_witness import Asked, holds, path_witness
 from minkref.fuzz.motion.small_path import SmallPath, smaller_paths
+from minkref.fuzz.run import naming
+from minkref.fuzz.run.case_list import CaseList, Wait
 from minkref.fuzz.run.runner import Run, run, verb_of
 from minkref.fuzz.shrink.finding import shrink_finding
 from minkref.fuzz.targets.answer import Limits

@@ -6,8 +6,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from minkref.fuzz.cases.case_list import CaseList
 from minkref.fuzz.cases.case_name import CaseName
+from minkref.fuzz.run.case_list import CaseList
 from minkref.fuzz.run.ledger import Ledger
 from minkref.fuzz.run.resting import MOST_TIME_OUTS, RESTS, Resting
 from minkref.fuzz.run.runner import Run, run

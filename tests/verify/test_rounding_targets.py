@@ -4,7 +4,7 @@ by the sandwich: no case is kept from them for its numbers."""
 from __future__ import annotations
 
 import pytest
-from minkref.fuzz.cases.case_list import CaseList
+from minkref.fuzz.run.case_list import CaseList
 from minkref.fuzz.run.runner import run
 from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.verdicts.baseline import Baseline

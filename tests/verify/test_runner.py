@@ -8,10 +8,9 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from minkref.fuzz.cases import case_list
 from minkref.fuzz.isolation.isolation import choose
 from minkref.fuzz.plane.witness import holds
-from minkref.fuzz.run import pool
+from minkref.fuzz.run import case_list, pool
 from minkref.fuzz.run.runner import Run
 from minkref.fuzz.verdicts.baseline import Baseline, Entry
 from minkref.fuzz.verdicts.verdict import Reason, Verdict

@@ -8,9 +8,9 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import pytest
-from minkref.fuzz.cases import naming
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.plane.case import Case
+from minkref.fuzz.run import naming
 from minkref.fuzz.settings import asking_about
 from minkref.fuzz.space.case import SpaceCase
 from minkref.fuzz.targets.answer import Answer, Limits, Target

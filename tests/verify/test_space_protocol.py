@@ -11,8 +11,8 @@ from typing import Any
 
 import pytest
 from minkref.cli import cli
-from minkref.fuzz.cases import naming
 from minkref.fuzz.cases.case_name import CaseName
+from minkref.fuzz.run import naming
 from minkref.fuzz.space.case import SpaceCase
 from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.targets.catalogue import make_target

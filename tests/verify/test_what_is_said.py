@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 from minkref.cli.cli import run
-from minkref.fuzz.cases import case_list
+from minkref.fuzz.run import case_list
 from thoroughness import draws
 
 Verify = Callable[..., str]

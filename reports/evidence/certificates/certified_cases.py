@@ -10,12 +10,12 @@ from pathlib import Path
 
 from minkref import _core
 from minkref.certify.plane.certificate import Certificate
-from minkref.fuzz.cases import naming
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.families.catalogue import FAMILIES
 from minkref.fuzz.plane.families.drawing import around, shape_text
 from minkref.fuzz.plane.families.outlines import spiral
+from minkref.fuzz.run import naming
 
 # How many vertices the two operands of a small case may have in all.
 SMALL = 60

@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 from collections import Counter
 
-from minkref.fuzz.cases.case_list import CaseList
+from minkref.fuzz.run.case_list import CaseList
 from minkref.fuzz.run.runner import Run
 from minkref.fuzz.run.runner import run as run_cases
 from minkref.fuzz.targets.answer import Limits

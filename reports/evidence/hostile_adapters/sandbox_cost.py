@@ -9,11 +9,11 @@ import time
 from collections.abc import Sequence
 from pathlib import Path
 
-from minkref.fuzz.cases import naming
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.isolation.isolation import NONE, SANDBOX, Isolation, choose
 from minkref.fuzz.isolation.sandbox import absence
 from minkref.fuzz.plane.case import Case
+from minkref.fuzz.run import naming
 from minkref.fuzz.settings import asking_about
 from minkref.fuzz.targets.adapter import AdapterTarget
 from minkref.fuzz.targets.adapter_process import AdapterProcess

@@ -21,6 +21,7 @@ from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.judges.plane.sampled_events import Events, SampledEvents, judge
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.run import child
+from minkref.fuzz.run.naming import load_in_plane
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 
 MINUTES = Minutes(0.1, 1.2, 15)
@@ -151,7 +152,7 @@ def judged(name: str, sampled: SampledEvents) -> Told:
     """Of one pair: counts, disagreements with the judge, intervals certified although they have an
     event."""
     began = time.perf_counter()
-    case = CaseName(name, "lattice").load()
+    case = load_in_plane(CaseName(name, "lattice"))
     counts = Counter({"judged": 1}) + _shape(case)
     try:
         truth = sampled.events(case)

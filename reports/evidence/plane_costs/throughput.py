@@ -9,9 +9,9 @@ import statistics
 import time
 from collections.abc import Callable
 
-from minkref.fuzz.cases import naming
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.plane.case import Case
+from minkref.fuzz.run import naming
 from minkref.fuzz.settings import asking_about
 from minkref.fuzz.targets.answer import Limits, Target
 from minkref.fuzz.targets.catalogue import make_target

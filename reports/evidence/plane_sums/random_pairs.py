@@ -12,6 +12,7 @@ from minkref.fuzz.geometry.plane import contains, read_shape
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.judgement import TRUTHS
 from minkref.fuzz.plane.witness import holds
+from minkref.fuzz.run.naming import load_in_plane
 from minkref.fuzz.targets.catalogue import list_targets
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict
 from minkref.reports.evidence.framework.comparing import Bench
@@ -81,7 +82,7 @@ def work(job: tuple[range, list[str]]) -> dict[str, Any]:
     most: dict[str, int] = {}
     with Bench(targets, seconds=20) as bench:
         for index in indices:
-            case = CaseName(f"random:{SEED}:{index}", "random").load()
+            case = load_in_plane(CaseName(f"random:{SEED}:{index}", "random"))
             form = shape(case)
             hole_free += form["holes"] == 0
             most = {key: max(value, most.get(key, 0)) for key, value in form.items()}

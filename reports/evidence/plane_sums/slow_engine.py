@@ -16,6 +16,7 @@ from minkref.fuzz.judges.plane import slow_points, slow_sums, slow_tight_passage
 from minkref.fuzz.judges.plane.cgal_claims import CgalClaims
 from minkref.fuzz.judges.plane.large_points import decided_otherwise
 from minkref.fuzz.plane.case import Case
+from minkref.fuzz.run.naming import load_in_plane
 from minkref.reports.drawing import Layer, picture
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.operands import case_of, tell_absent
@@ -39,7 +40,7 @@ DRAWN = FOLDER / "slow_engine_and_cgal.html"
 
 def judge(index: int) -> dict[str, Any]:
     """A pair without holes is put before CGAL only, some of whose methods take no others."""
-    case: Case = CaseName(f"random:{SEED}:{index}", "random pairs").load()
+    case: Case = load_in_plane(CaseName(f"random:{SEED}:{index}", "random pairs"))
     holes = case.P.ring_count + case.Q.ring_count > 2
     tally: Counter[str] = Counter()
     faults = []

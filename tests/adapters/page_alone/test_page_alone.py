@@ -13,8 +13,8 @@ from typing import Any
 
 import pytest
 from minkref.cli.cli import run
-from minkref.fuzz.cases import naming
 from minkref.fuzz.cases.case_name import CaseName
+from minkref.fuzz.run import naming
 from minkref.fuzz.settings import asking_about
 from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.targets.catalogue import make_target

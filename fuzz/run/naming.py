@@ -28,11 +28,11 @@ from typing import Any
 from minkref.errors import Refusal, cut
 from minkref.exact import read_scale
 from minkref.fuzz.cases.any_case import AnyCase
-from minkref.fuzz.cases.case_files import case_document, scales_in
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.derived import WAYS
 from minkref.fuzz.plane.laws import LAWS
+from minkref.fuzz.run.case_files import case_document, scales_in
 from minkref.fuzz.settings import SETTINGS, setting_of, setting_of_document, setting_of_operands
 from minkref.model_catalogue import all_models
 from minkref.plane.operand import is_file, read_operand
@@ -61,6 +61,14 @@ def load(name: CaseName) -> AnyCase:
     if generated or text.startswith("random:"):
         raise _no_family(text)
     return _named(name)
+
+
+def load_in_plane(name: CaseName) -> Case:
+    """The case in the plane. Refusal where the text names none."""
+    case = load(name)
+    if not isinstance(case, Case):
+        raise Refusal("this case is in space", f"--case {name.text}", "name one in the plane")
+    return case
 
 
 def _no_family(text: str) -> Refusal:
