@@ -15,11 +15,10 @@ from minkref.fuzz.plane.event_judgement import MOST_PAIRS, judge_events, window,
 from minkref.fuzz.plane.judgement import TRUTHS, judge, without_answer
 from minkref.fuzz.plane.law_judgement import judge_law
 from minkref.fuzz.plane.laws import LAWS
+from minkref.fuzz.plane.reference import ReferenceTarget
 from minkref.fuzz.targets.adapter import AdapterTarget
-from minkref.fuzz.targets.answer import Answer, skipped
+from minkref.fuzz.targets.answer import REFERENCE, Answer, skipped
 from minkref.fuzz.targets.asking import JUDGING, Asking, is_asked_again
-from minkref.fuzz.targets.catalogue import REFERENCE, size_limit
-from minkref.fuzz.targets.reference import ReferenceTarget
 from minkref.fuzz.verdicts.verdict import BROKEN, GOOD, Outcome, Reason, Verdict
 
 
@@ -71,11 +70,11 @@ class PlaneAsking(Asking):
             return Answer(
                 verdict=lost.verdict, message=lost.message, signal=lost.signal, seconds=lost.seconds
             )
-        limit = size_limit(name, self.limits)
+        target = self.target(name)
+        limit = target.most_pairs and (self.limits.size or target.most_pairs)
         if limit is not None and case.vertex_pairs > limit:
             pairs = f"{case.vertex_pairs:,} pairs of vertices"
             return skipped(f"{pairs}, more than {limit:,} (--size-limit)")
-        target = self.target(name)
         return self._in_time(name, lambda: target.sum(case))
 
     def _once_more(self, case: Case, outcome: Outcome) -> Outcome:

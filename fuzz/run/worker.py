@@ -16,10 +16,10 @@ from minkref.fuzz.cgal import server as cgal_server
 from minkref.fuzz.judges.checks import PREFIX, Check
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.run import child, naming
+from minkref.fuzz.run.catalogue import declares_itself, make_target
 from minkref.fuzz.settings import asking_about
 from minkref.fuzz.targets.answer import Limits, Target, load_limit
 from minkref.fuzz.targets.asking import JUDGING, Asking
-from minkref.fuzz.targets.catalogue import declares_itself, make_target
 from minkref.fuzz.verdicts.verdict import GOOD, Outcome, Verdict
 
 CASE = "minkref:case"  # the step before any target: the case is made

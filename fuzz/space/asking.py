@@ -6,11 +6,11 @@ from dataclasses import dataclass, replace
 from functools import partial
 
 from minkref.fuzz.space.case import SpaceCase
+from minkref.fuzz.space.convex_reference import ConvexReferenceTarget
 from minkref.fuzz.space.judgement import judge_in_space
 from minkref.fuzz.targets.adapter import AdapterTarget
+from minkref.fuzz.targets.answer import REFERENCE
 from minkref.fuzz.targets.asking import Asking, is_asked_again
-from minkref.fuzz.targets.catalogue import REFERENCE
-from minkref.fuzz.targets.convex_reference import ConvexReferenceTarget
 from minkref.fuzz.verdicts.verdict import BROKEN, GOOD, Outcome, Reason, Verdict
 
 

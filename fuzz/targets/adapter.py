@@ -41,6 +41,10 @@ class ProgramTarget:
         self._failed_starts = 0
         self._last_failure: Failure | None = None
 
+    @property
+    def most_pairs(self) -> int | None:
+        return None
+
     def sum(self, case: AnyCase) -> Answer:
         """The fresh sum."""
         return self._guarded(case, lambda d: self._at(case, d, "at"))
@@ -147,6 +151,10 @@ class ProgramTarget:
 
 class AdapterTarget(ProgramTarget):
     """Asks for updates, events and paths, too."""
+
+    @property
+    def most_pairs(self) -> int:
+        return 40_000
 
     def updated_sum(self, before: AnyCase, case: AnyCase) -> Answer:
         """The sum by `update` from that of `before`, the same operands at another scale. In every

@@ -18,6 +18,7 @@ JUDGING_BYTES = 2 << 30
 PROCESSES = 512  # of one program
 LOAD_SECONDS = 60.0  # at least, for the import of a module or the start of a program
 REGIONS = Declaration("minkref")
+REFERENCE = "minkref:"  # and a route of our own
 
 
 @dataclass(frozen=True)
@@ -58,7 +59,13 @@ class Answer:
 
 
 class Target(Protocol):
+    """`most_pairs`: m n above which a slow one skips a case (the option --size-limit replaces
+    it); None where it takes any size."""
+
     name: str
+
+    @property
+    def most_pairs(self) -> int | None: ...
 
     def sum(self, case: AnyCase) -> Answer: ...
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 
 def targets(incomplete: str) -> list[str]:
-    from minkref.fuzz.targets.catalogue import list_targets
+    from minkref.fuzz.run.catalogue import list_targets
 
     return [entry.name for entry in list_targets() if entry.name.startswith(incomplete)]
 

@@ -20,12 +20,12 @@ from minkref.cli.target_options import (
 )
 from minkref.fuzz.cases.verbs import PATH, RANGES
 from minkref.fuzz.isolation.isolation import AUTO, Isolation
+from minkref.fuzz.run.catalogue import select_one
+from minkref.fuzz.run.declared import declarations_of
 from minkref.fuzz.shrink.asker import Asker
 from minkref.fuzz.space.cells import Cell, surface_of
 from minkref.fuzz.targets.answer import PROCESSES
-from minkref.fuzz.targets.catalogue import select_one
 from minkref.fuzz.targets.declaration import CAPABILITIES, Declaration
-from minkref.fuzz.targets.declared import declarations_of
 from minkref.fuzz.verdicts.verdict import BROKEN, Outcome, Verdict
 from minkref.output.documents import Stopwatch, document
 from minkref.output.exits import ExitCode

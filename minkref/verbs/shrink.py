@@ -19,6 +19,8 @@ from minkref.cli.target_options import (
 from minkref.errors import Refusal
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.isolation.isolation import AUTO
+from minkref.fuzz.run.catalogue import select_one
+from minkref.fuzz.run.declared import declarations_of
 from minkref.fuzz.run.runner import Finding
 from minkref.fuzz.shrink.asker import Asker
 from minkref.fuzz.shrink.case_file import case_text, has_case_file
@@ -26,8 +28,6 @@ from minkref.fuzz.shrink.finding import SmallFinding, shrink_finding
 from minkref.fuzz.shrink.groups import Group
 from minkref.fuzz.shrink.shrinker import MOST_CALLS
 from minkref.fuzz.targets.answer import PROCESSES
-from minkref.fuzz.targets.catalogue import select_one
-from minkref.fuzz.targets.declared import declarations_of
 from minkref.fuzz.verdicts.verdict import GOOD, Verdict
 from minkref.output.documents import Stopwatch, document
 from minkref.output.exits import ExitCode

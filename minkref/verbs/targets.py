@@ -6,7 +6,7 @@ from typing import Any
 
 from minkref.cli.options import Json, Schema
 from minkref.cli.output import give, plain_table
-from minkref.fuzz.targets.catalogue import TargetEntry, list_targets
+from minkref.fuzz.run.catalogue import TargetEntry, list_targets
 from minkref.output.documents import Stopwatch, document
 from minkref.output.terminal import console, escaped
 

@@ -23,6 +23,8 @@ from minkref.cli.target_options import (
 )
 from minkref.errors import refusal_text
 from minkref.fuzz.isolation.isolation import AUTO, choose
+from minkref.fuzz.run.catalogue import declares_itself, select
+from minkref.fuzz.run.declared import declarations_of
 from minkref.fuzz.run.ledger import Ledger
 from minkref.fuzz.run.pool import InternalError
 from minkref.fuzz.run.runner import Run, run
@@ -30,8 +32,6 @@ from minkref.fuzz.run.unasked import not_asked, resting_notes, unproven_notes
 from minkref.fuzz.shrink.groups import shrunk_groups
 from minkref.fuzz.shrink.shrinker import MOST_CALLS
 from minkref.fuzz.targets.answer import JUDGING_BYTES, PROCESSES, Limits
-from minkref.fuzz.targets.catalogue import declares_itself, select
-from minkref.fuzz.targets.declared import declarations_of
 from minkref.fuzz.verdicts.baseline import Baseline, read_baseline, unused
 from minkref.output.documents import Stopwatch, as_text, check_writable, write_together
 from minkref.output.exits import ExitCode

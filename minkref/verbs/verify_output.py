@@ -10,10 +10,10 @@ from typing import Any
 
 from minkref.fuzz.isolation.isolation import Isolation
 from minkref.fuzz.run.case_list import CaseList
+from minkref.fuzz.run.catalogue import TargetEntry
 from minkref.fuzz.run.runner import Finding, Run
 from minkref.fuzz.shrink.finding import SmallFinding
 from minkref.fuzz.shrink.groups import Group
-from minkref.fuzz.targets.catalogue import TargetEntry
 from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.verdicts.verdict import GOOD, Verdict
 from minkref.output.documents import Stopwatch, document

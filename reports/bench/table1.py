@@ -11,7 +11,7 @@ from typing import Any
 from minkref import _core
 from minkref.errors import refusing
 from minkref.fuzz.cgal.oracle import CgalOracle
-from minkref.fuzz.targets.catalogue import list_targets
+from minkref.fuzz.run.catalogue import list_targets
 from minkref.reports.bench.baselines import (
     CGAL,
     INTERSECTIONS,

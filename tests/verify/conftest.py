@@ -17,10 +17,10 @@ from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.isolation.isolation import Isolation
 from minkref.fuzz.run import naming, pool
 from minkref.fuzz.run.case_list import RANDOM, CaseList
+from minkref.fuzz.run.catalogue import make_target
 from minkref.fuzz.run.runner import Run, run
 from minkref.fuzz.settings import asking_about
 from minkref.fuzz.targets.answer import Limits
-from minkref.fuzz.targets.catalogue import make_target
 from minkref.fuzz.verdicts.baseline import Baseline
 from minkref.fuzz.verdicts.verdict import Outcome
 from minkref.schemas import schema

@@ -17,9 +17,9 @@ from minkref.cli.cli import run
 from minkref.errors import Refusal
 from minkref.fuzz.isolation.isolation import choose
 from minkref.fuzz.isolation.leftovers import marked
+from minkref.fuzz.run.catalogue import select
+from minkref.fuzz.run.declared import declarations_of
 from minkref.fuzz.targets.answer import Limits
-from minkref.fuzz.targets.catalogue import select
-from minkref.fuzz.targets.declared import declarations_of
 from minkref.fuzz.verdicts.verdict import GOOD, Outcome, Verdict
 from thoroughness import THOROUGH, draws, some
 

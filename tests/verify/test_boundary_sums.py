@@ -10,10 +10,10 @@ from minkref import _core
 from minkref.fuzz.plane.boundary_sum import boundary_sum, decide_boundary
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.judgement import judge
+from minkref.fuzz.plane.reference import ReferenceTarget
 from minkref.fuzz.plane.witness import holds
 from minkref.fuzz.targets.answer import answered
 from minkref.fuzz.targets.declaration import Declaration
-from minkref.fuzz.targets.reference import ReferenceTarget
 from minkref.fuzz.verdicts.verdict import Outcome, Verdict
 from named_cases import named
 

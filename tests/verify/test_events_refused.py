@@ -16,10 +16,10 @@ from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.event_judgement import judge_events
 from minkref.fuzz.plane.witness import holds
 from minkref.fuzz.run import naming
+from minkref.fuzz.run.catalogue import make_target
 from minkref.fuzz.settings import asking_about
 from minkref.fuzz.targets.adapter import AdapterTarget
 from minkref.fuzz.targets.answer import Limits
-from minkref.fuzz.targets.catalogue import make_target
 from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict
 

@@ -21,10 +21,10 @@ from minkref.fuzz.isolation import sandbox
 from minkref.fuzz.isolation.isolation import Isolation, choose
 from minkref.fuzz.isolation.leftovers import marked
 from minkref.fuzz.run import naming, pool
+from minkref.fuzz.run.catalogue import make_target, select_one
+from minkref.fuzz.run.declared import declarations_of
 from minkref.fuzz.run.runner import Run
 from minkref.fuzz.targets.answer import Answer, Limits
-from minkref.fuzz.targets.catalogue import make_target, select_one
-from minkref.fuzz.targets.declared import declarations_of
 from minkref.fuzz.verdicts.verdict import Verdict
 from thoroughness import some
 

@@ -9,9 +9,9 @@ from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.families.drawing import shape_text
 from minkref.fuzz.plane.law_judgement import judge_law
 from minkref.fuzz.plane.laws import LAWS
+from minkref.fuzz.plane.reference import ReferenceTarget
 from minkref.fuzz.plane.witness import holds
 from minkref.fuzz.targets.answer import Answer, answered
-from minkref.fuzz.targets.reference import ReferenceTarget
 from minkref.fuzz.verdicts.verdict import Outcome, Verdict
 from named_cases import named
 

@@ -11,11 +11,11 @@ import pytest
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.run import naming
+from minkref.fuzz.run.catalogue import make_target
 from minkref.fuzz.settings import asking_about
 from minkref.fuzz.space.case import SpaceCase
 from minkref.fuzz.targets.answer import Answer, Limits, Target
 from minkref.fuzz.targets.asking import ASKED_TWICE
-from minkref.fuzz.targets.catalogue import make_target
 from minkref.fuzz.verdicts.verdict import BROKEN, Outcome, Reason, Verdict
 
 LIMITS = Limits()

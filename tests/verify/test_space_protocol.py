@@ -13,9 +13,9 @@ import pytest
 from minkref.cli import cli
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.run import naming
+from minkref.fuzz.run.catalogue import make_target
 from minkref.fuzz.space.case import SpaceCase
 from minkref.fuzz.targets.answer import Limits
-from minkref.fuzz.targets.catalogue import make_target
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict
 
 Outcomes = Callable[..., list[Outcome]]

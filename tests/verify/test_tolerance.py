@@ -13,11 +13,11 @@ from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.exact_shapes import shape_of
 from minkref.fuzz.plane.families.drawing import shape_text
 from minkref.fuzz.plane.judgement import judge
+from minkref.fuzz.plane.reference import ReferenceTarget
 from minkref.fuzz.plane.tolerance import grown, shrunk
 from minkref.fuzz.plane.witness import holds
 from minkref.fuzz.targets.answer import Answer, answered
 from minkref.fuzz.targets.declaration import Declaration
-from minkref.fuzz.targets.reference import ReferenceTarget
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict, Witness
 from named_cases import named
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.judgement import judge
+from minkref.fuzz.run.catalogue import list_targets, make_target
 from minkref.fuzz.targets.answer import Limits, Target
-from minkref.fuzz.targets.catalogue import list_targets, make_target
 from minkref.fuzz.verdicts.verdict import Outcome
 from minkref.reports.evidence.framework.part import Findings
 

@@ -8,7 +8,7 @@ from typing import Any
 from minkref.fuzz.judges.witness_check import confirmed
 from minkref.fuzz.libraries import catalogue
 from minkref.fuzz.plane.judgement import TRUTHS
-from minkref.fuzz.targets.catalogue import list_targets
+from minkref.fuzz.run.catalogue import list_targets
 from minkref.reports.evidence.framework.command import counts_of, told, verify
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 from minkref.reports.evidence.framework.places import FOLDER

@@ -12,9 +12,9 @@ from collections.abc import Callable
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.run import naming
+from minkref.fuzz.run.catalogue import make_target
 from minkref.fuzz.settings import asking_about
 from minkref.fuzz.targets.answer import Limits, Target
-from minkref.fuzz.targets.catalogue import make_target
 from minkref.reports.evidence.framework.command import searched
 from minkref.reports.evidence.framework.of_tests import SEEDED, seeded_adapter
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size

@@ -12,8 +12,8 @@ from minkref.fuzz.geometry.plane import contains, read_shape
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.judgement import TRUTHS
 from minkref.fuzz.plane.witness import holds
+from minkref.fuzz.run.catalogue import list_targets
 from minkref.fuzz.run.naming import load_in_plane
-from minkref.fuzz.targets.catalogue import list_targets
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict
 from minkref.reports.evidence.framework.comparing import Bench
 from minkref.reports.evidence.framework.in_processes import in_processes

@@ -15,9 +15,9 @@ import pytest
 from minkref.cli.cli import run
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.run import naming
+from minkref.fuzz.run.catalogue import make_target
 from minkref.fuzz.settings import asking_about
 from minkref.fuzz.targets.answer import Limits
-from minkref.fuzz.targets.catalogue import make_target
 from minkref.fuzz.verdicts.verdict import Verdict
 from thoroughness import THOROUGH
 

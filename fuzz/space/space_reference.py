@@ -34,6 +34,7 @@ class SpaceReferenceTarget:
 
     name: str
     route: str
+    most_pairs = None
 
     @property
     def declaration(self) -> Declaration:

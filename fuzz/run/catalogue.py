@@ -17,20 +17,15 @@ from minkref.fuzz.cgal.executables import (
 )
 from minkref.fuzz.judges import checks
 from minkref.fuzz.libraries import catalogue as adapters
+from minkref.fuzz.plane.cgal_method import CgalMethod
+from minkref.fuzz.plane.reference import ROUTES, ReferenceTarget
+from minkref.fuzz.space.convex_reference import CONVEX_ROUTES, ConvexReferenceTarget
+from minkref.fuzz.space.space_reference import SPACE_ROUTES, SpaceReferenceTarget
 from minkref.fuzz.targets.adapter import AdapterTarget
 from minkref.fuzz.targets.adapter_process import named_command
-from minkref.fuzz.targets.answer import Limits, Target
-from minkref.fuzz.targets.cgal_method import SLOW_LIMIT, CgalMethod, is_fast
-from minkref.fuzz.targets.convex_reference import CONVEX_ROUTES, ConvexReferenceTarget
+from minkref.fuzz.targets.answer import REFERENCE, Limits, Target
 from minkref.fuzz.targets.function import FunctionTarget, host_command
-from minkref.fuzz.targets.reference import ROUTES, ReferenceTarget
-from minkref.fuzz.targets.space_reference import SPACE_ROUTES, SpaceReferenceTarget
 from minkref.version import version
-
-REFERENCE = "minkref:"
-# m n above which a slow target skips a case (the option --size-limit replaces it).
-SIZE_LIMITS = {"minkref:definition": 7_000, "minkref:dynamic": 40_000, "minkref:index": 40_000}
-PROGRAM_LIMIT = 40_000
 
 
 @dataclass(frozen=True)
@@ -177,14 +172,3 @@ def make_target(name: str, limits: Limits) -> Target:
             raise Refusal(f"this target is absent: {adapters.absence(name)}", name, "install it")
         return AdapterTarget(name, command, limits)
     return CgalMethod(name, limits)
-
-
-def size_limit(name: str, limits: Limits) -> int | None:
-    """m n above which the target skips a case; None where it takes any size."""
-    if is_adapter(name):
-        default: int | None = PROGRAM_LIMIT
-    elif name.startswith("cgal-"):
-        default = None if is_fast(name) else SLOW_LIMIT
-    else:
-        default = SIZE_LIMITS.get(name)
-    return limits.size if default is not None and limits.size is not None else default

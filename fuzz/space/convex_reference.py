@@ -38,6 +38,7 @@ class ConvexReferenceTarget:
 
     name: str
     route: str
+    most_pairs = None
 
     @property
     def declaration(self) -> Declaration:

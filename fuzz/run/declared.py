@@ -7,14 +7,14 @@ from dataclasses import replace
 
 from minkref.errors import Refusal, cut
 from minkref.fuzz.isolation.isolation import SANDBOX, usual
+from minkref.fuzz.plane.reference import UPDATING
+from minkref.fuzz.run.catalogue import TargetEntry, declares_itself, is_function, make_target
+from minkref.fuzz.space.convex_reference import CONVEX_DECLARATIONS
+from minkref.fuzz.space.space_reference import SPACE_DECLARATIONS
 from minkref.fuzz.targets.adapter import ProgramTarget
 from minkref.fuzz.targets.answer import REGIONS, Limits
-from minkref.fuzz.targets.catalogue import TargetEntry, declares_itself, is_function, make_target
-from minkref.fuzz.targets.convex_reference import CONVEX_DECLARATIONS
 from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.targets.function import mend_of
-from minkref.fuzz.targets.reference import UPDATING
-from minkref.fuzz.targets.space_reference import SPACE_DECLARATIONS
 
 _OURS = {
     one.name: one

@@ -21,6 +21,7 @@ ROUTES = {
     DYNAMIC: "dynamic update, from one scale to another",
     INDEX: "read off the boundary of the swept sum, built for all scales of a window",
 }
+MOST_PAIRS = {"definition": 7_000, DYNAMIC: 40_000, INDEX: 40_000}
 UPDATING = {
     route: Declaration(f"minkref:{route}", capabilities=PLANE | {"update"})
     for route in (DYNAMIC, INDEX)
@@ -31,6 +32,10 @@ UPDATING = {
 class ReferenceTarget:
     name: str
     route: str
+
+    @property
+    def most_pairs(self) -> int | None:
+        return MOST_PAIRS.get(self.route)
 
     @property
     def declaration(self) -> Declaration:

@@ -9,7 +9,6 @@ from minkref.fuzz.plane.case import Case
 from minkref.fuzz.targets.answer import Answer, Limits, answered, skipped
 from minkref.fuzz.verdicts.verdict import Verdict
 
-# m n above which all but the fast ones skip a case (the option --size-limit replaces it).
 SLOW_LIMIT = 10_000
 FAST = ("reduced",)
 
@@ -21,6 +20,10 @@ class CgalMethod:
         self._oracle = CgalOracle(
             method, executable_of_target(name), raw=raw, seconds=limits.seconds, bytes=limits.bytes
         )
+
+    @property
+    def most_pairs(self) -> int | None:
+        return None if method_of_target(self.name)[0] in FAST else SLOW_LIMIT
 
     def sum(self, case: AnyCase) -> Answer:
         if not isinstance(case, Case):
@@ -37,7 +40,3 @@ class CgalMethod:
 
     def close(self) -> None:
         self._oracle.close()
-
-
-def is_fast(name: str) -> bool:
-    return method_of_target(name)[0] in FAST
