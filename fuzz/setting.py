@@ -11,9 +11,7 @@ from minkref.fuzz.cases.any_case import AnyCase
 from minkref.fuzz.cases.case_name import CaseName
 
 if TYPE_CHECKING:
-    from minkref.fuzz.targets.answer import Answer
     from minkref.fuzz.targets.asking import Asking
-    from minkref.fuzz.targets.declaration import Declaration
 
 
 class SmallCase(Protocol):
@@ -35,7 +33,6 @@ class Setting(ABC):
     target: ClassVar[str]  # a route of the reference that takes its cases
     verbs: ClassVar[tuple[str, ...]]  # beside `at`; where a target declares them
     never: ClassVar[frozenset[str]] = frozenset()  # capabilities that none of its cases asks for
-    answer_is_no: ClassVar[str]  # what the answer of a function is not, that cannot be read
 
     # Cases.
 
@@ -78,19 +75,6 @@ class Setting(ABC):
     ) -> AnyCase | None:
         """What an operation makes of a case; None where it knows none of that name. NoCase where
         there is nothing to be made."""
-
-    # Targets.
-
-    @abstractmethod
-    def sent(self, text: str, declaration: Declaration) -> Any:
-        """The JSON value of an operand as a target wants it."""
-
-    @abstractmethod
-    def sent_scale(self, text: str) -> str | list[str]: ...
-
-    @abstractmethod
-    def received(self, value: dict[str, Any], declaration: Declaration, seconds: float) -> Answer:
-        """What a target answered. Raises Unreadable."""
 
     @property
     @abstractmethod

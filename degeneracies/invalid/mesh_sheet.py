@@ -9,11 +9,11 @@ from random import Random
 
 from minkref.degeneracies.invalid.member import PREFIX, Invalid
 from minkref.degeneracies.invalid.sheet import told
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.plane.families.drawing import convex
 from minkref.fuzz.space.generators.convex import random_hull
 from minkref.fuzz.space.hull import convex_hull
-from minkref.fuzz.space.polyhedron import Polyhedron
 
 MESH = f"{PREFIX}mesh-"
 FORMS = ("off", "obj", "ply", "json")

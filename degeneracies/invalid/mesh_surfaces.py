@@ -17,9 +17,9 @@ from minkref.degeneracies.invalid.mesh_sheet import (
     shuffled,
     vertex_text,
 )
+from minkref.fuzz.geometry.polyhedron import Face, Polyhedron
 from minkref.fuzz.geometry.space import Point, dot, normal
 from minkref.fuzz.plane.families.drawing import convex
-from minkref.fuzz.space.polyhedron import Face, Polyhedron
 
 FAMILIES = Families(MESH)
 

@@ -16,10 +16,10 @@ from minkref.degeneracies.solids.proofs import (
 )
 from minkref.degeneracies.solids.ties import Tie
 from minkref.degeneracies.space.vectors import vector
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.space.generators import machined
 from minkref.fuzz.space.generators.any_solid import walls
 from minkref.fuzz.space.hull import convex_hull
-from minkref.fuzz.space.polyhedron import Polyhedron
 
 
 def box(dice: Random, most: int = 3) -> Polyhedron:

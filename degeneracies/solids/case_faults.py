@@ -11,7 +11,7 @@ from minkref import _core
 from minkref.degeneracies.plane.case_faults import of_place, of_scales
 from minkref.degeneracies.solids.mesh import Mesh
 from minkref.degeneracies.space.case_document import content_in_space
-from minkref.fuzz.space.polyhedron import Polyhedron
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 
 
 def case_faults(path: Path, value: dict[str, Any], seen: dict[str, Path]) -> Iterator[str]:

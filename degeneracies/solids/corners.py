@@ -18,6 +18,7 @@ from minkref.degeneracies.solids.placing import placed, under
 from minkref.degeneracies.solids.proofs import faces_alone, sides_of
 from minkref.degeneracies.solids.ties import Tie, determinant
 from minkref.degeneracies.space.vectors import vector
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point, cross, dot
 from minkref.fuzz.space.generators import machined
 from minkref.fuzz.space.generators.any_solid import ORIGIN
@@ -25,7 +26,6 @@ from minkref.fuzz.space.generators.convex import random_hull
 from minkref.fuzz.space.generators.mapped import mapped, random_matrix, unimodular
 from minkref.fuzz.space.generators.tube import lattice_torus
 from minkref.fuzz.space.hull import convex_hull
-from minkref.fuzz.space.polyhedron import Polyhedron
 
 LEAST, MOST = Fraction(1, 2), Fraction(2)  # scales
 CELL = 3  # a body of a crowd is in a cube of this side

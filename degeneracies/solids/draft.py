@@ -14,9 +14,9 @@ from minkref.degeneracies.solids.convolution import Convolution, sum_at
 from minkref.degeneracies.solids.euler import euler_of_meeting
 from minkref.degeneracies.solids.mesh import Mesh
 from minkref.degeneracies.solids.ties import Predicates, Tie
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.meeting import Contact, Meeting
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.thin_meeting import ThinMeeting
 
 WIDE = Fraction(1, 4)  # of the scale: the siblings beside it

@@ -7,9 +7,9 @@ from bisect import bisect_left
 from fractions import Fraction
 from itertools import product
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.cells import cells_of
-from minkref.fuzz.space.polyhedron import Polyhedron
 
 Box = tuple[Point, Point]
 

@@ -18,9 +18,9 @@ from minkref.degeneracies.solids.proofs import (
 )
 from minkref.degeneracies.solids.ties import Tie
 from minkref.degeneracies.space.vectors import vector
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point, middle
 from minkref.fuzz.space.generators import machined
-from minkref.fuzz.space.polyhedron import Polyhedron
 
 THIRD = Fraction(1, 3)
 

@@ -9,9 +9,9 @@ from itertools import pairwise
 
 from minkref import _core
 from minkref.degeneracies.space.vectors import crossed, difference, direction
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Whole, area_vector, cross, dot
 from minkref.fuzz.judges.space.space_routes import core_polyhedron
-from minkref.fuzz.space.polyhedron import Polyhedron
 
 Corners = tuple[int, ...]
 

@@ -15,10 +15,10 @@ from minkref.degeneracies.solids.placing import placed, swapped, times, under
 from minkref.degeneracies.solids.proofs import face_and_edge, fills
 from minkref.degeneracies.solids.ties import Tie
 from minkref.degeneracies.space.vectors import vector
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.generators.any_solid import ORIGIN
 from minkref.fuzz.space.generators.mapped import Matrix, determinant
-from minkref.fuzz.space.polyhedron import Polyhedron
 
 BITS = 60
 TINY = Fraction(1, 2**180 + 45)

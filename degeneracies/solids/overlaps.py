@@ -6,9 +6,9 @@ from fractions import Fraction
 from itertools import product
 
 from minkref.degeneracies.solids.convolution import Convolution, ConvolutionFacet
+from minkref.fuzz.geometry.face_triangles import face_triangles
 from minkref.fuzz.geometry.plane import turn
 from minkref.fuzz.geometry.space import Point, Whole, denominator_of, longest_axis, whole
-from minkref.fuzz.space.face_triangles import face_triangles
 
 Flat = tuple[Fraction, Fraction]
 Triangle = tuple[Flat, Flat, Flat]

@@ -9,9 +9,9 @@ from random import Random
 
 from minkref.degeneracies.solids.draft import Probe, SolidDraft
 from minkref.degeneracies.space.vectors import vector
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.generators.mapped import Matrix, mapped, unimodular
-from minkref.fuzz.space.polyhedron import Polyhedron
 
 SCALES = tuple(Fraction(text) for text in ("1", "1", "1", "2", "1/2", "3/2", "2/3"))
 FAR = 3  # translations are up to this long along each axis

@@ -6,8 +6,8 @@ from fractions import Fraction
 from itertools import pairwise
 from random import Random
 
+from minkref.fuzz.geometry.polyhedron import Face, Polyhedron
 from minkref.fuzz.geometry.space import Point, area_vector, cross, dot, middle, minus
-from minkref.fuzz.space.polyhedron import Face, Polyhedron
 
 SHARES = tuple(Fraction(text) for text in ("1/2", "1/3", "3/4"))
 

@@ -10,11 +10,11 @@ from minkref.degeneracies.solids.draft import SolidDraft, SolidFacts, SolidFamil
 from minkref.degeneracies.solids.placing import placed, swapped
 from minkref.degeneracies.solids.refined import refined
 from minkref.degeneracies.solids.ties import Tie
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.generators import machined
 from minkref.fuzz.space.generators.any_solid import ORIGIN, any_of_one, walls
 from minkref.fuzz.space.generators.assembled import hollow_box
-from minkref.fuzz.space.polyhedron import Polyhedron
 
 SHOWN = 4  # ties of one kind
 

@@ -23,7 +23,7 @@ from minkref.degeneracies.space.coincidences import (
     parallel_facets,
 )
 from minkref.degeneracies.space.draft import Coincidence, SpaceDraft, SpaceFacts, SpaceFamily, SumAt
-from minkref.fuzz.space.polyhedron import Polyhedron
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 
 DIRECTIONS = ((1, 0), (0, 1), (1, 1), (2, -1), (1, 3))
 

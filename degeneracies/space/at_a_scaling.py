@@ -15,8 +15,8 @@ from minkref.degeneracies.space.coincidences import (
 )
 from minkref.degeneracies.space.draft import Coincidence, SpaceDraft, SpaceFacts, SpaceFamily
 from minkref.degeneracies.space.vectors import crossed, shrunk, stretched, vector
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point
-from minkref.fuzz.space.polyhedron import Polyhedron
 
 REACH = 12
 

@@ -13,10 +13,10 @@ from minkref.degeneracies.plane.draft import NothingDrawn
 from minkref.degeneracies.space.draft import SpaceDraft
 from minkref.degeneracies.space.vectors import inverse, moved, stretched, vector
 from minkref.degeneracies.space.vectors import product as dotted
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.plane.families.drawing import convex
 from minkref.fuzz.space.hull import convex_hull
-from minkref.fuzz.space.polyhedron import Polyhedron
 
 FACTORS = tuple(Fraction(n, d) for n, d in ((1, 1), (1, 1), (2, 1), (1, 3), (7, 5), (3, 4), (5, 1)))
 FAR_SCALINGS = tuple(

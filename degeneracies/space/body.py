@@ -9,8 +9,8 @@ from itertools import combinations, pairwise
 
 from minkref import _core
 from minkref.degeneracies.space.vectors import Vector, crossed, difference, direction, product
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point, Whole
-from minkref.fuzz.space.polyhedron import Polyhedron
 
 Corners = tuple[int, ...]  # of a face, ascending
 

@@ -15,8 +15,8 @@ from minkref.degeneracies.space.draft import Coincidence, SpaceFacts, SpaceFamil
 from minkref.degeneracies.space.flags import flags_in_space
 from minkref.degeneracies.space.generate import member_in_space
 from minkref.exact import digest
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point
-from minkref.fuzz.space.polyhedron import Polyhedron
 
 SHOWN = 12  # coincidences of many
 

@@ -11,7 +11,7 @@ from minkref.certify.space.convex_certificate import ConvexCertificate
 from minkref.degeneracies.plane.case_faults import of_certificate, of_place
 from minkref.degeneracies.space.body import Body
 from minkref.degeneracies.space.case_document import content_in_space
-from minkref.fuzz.space.polyhedron import Polyhedron
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 
 NAMES = {name: name for name in ("vertices", "facets", "volume", "digest")} | {"scale": "scaling"}
 

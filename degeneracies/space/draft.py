@@ -16,8 +16,8 @@ from minkref.degeneracies.plane.draft import Subject
 from minkref.degeneracies.space.body import Body, Corners, Facet
 from minkref.degeneracies.space.doubles import signs_in_doubles
 from minkref.degeneracies.space.vectors import direction, inverse
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point, Whole, cross, dot
-from minkref.fuzz.space.polyhedron import Polyhedron
 
 LARGEST_GAP = 8000  # 2^-k beside a factor is looked at down to this k
 FINE = 60  # bits: a sibling is this near, where neighbouring doubles are 52 or 53 bits apart

@@ -35,8 +35,8 @@ from minkref.degeneracies.space.coincidences import (
 from minkref.degeneracies.space.draft import Coincidence, SpaceDraft, SpaceFacts, SpaceFamily
 from minkref.degeneracies.space.vectors import vector
 from minkref.exact import digest
+from minkref.fuzz.geometry.polyhedron import Face, Polyhedron
 from minkref.fuzz.geometry.space import Point
-from minkref.fuzz.space.polyhedron import Face, Polyhedron
 
 MANY = 8  # facets at a vertex, corners of a facet
 MOST_CORNERS = 120

@@ -3,9 +3,25 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import Protocol
+from typing import Any, Protocol
 
 from minkref.fuzz.cases.case_name import CaseName
+
+
+class Exchange(Protocol):
+    """How operands and scales of a setting go to a target, as its declaration says, and how its
+    answer is read. `answer_is_no`: what an answer of a function is not, that cannot be read."""
+
+    @property
+    def answer_is_no(self) -> str: ...
+    def sent(self, text: str, declaration: Any) -> Any: ...
+    def sent_scale(self, text: str) -> str | list[str]: ...
+    def received(self, value: dict[str, Any], declaration: Any, seconds: float) -> Any:
+        """An Answer. Raises Unreadable."""
+
+    def received_of_function(
+        self, value: dict[str, Any], declaration: Any, seconds: float
+    ) -> Any: ...
 
 
 class AnyCase(Protocol):
@@ -19,6 +35,8 @@ class AnyCase(Protocol):
     def name(self) -> CaseName: ...
     @property
     def dimension(self) -> int: ...
+    @property
+    def exchange(self) -> Exchange: ...
     @property
     def P_name(self) -> str: ...
     @property

@@ -10,6 +10,7 @@ from typing import ClassVar
 from minkref import _core
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.invalid.family import invalid_pair
+from minkref.fuzz.plane.protocol import IN_THE_PLANE
 
 FAMILY = "invalid"
 NEEDS = frozenset(("plane", "rejects-invalid"))
@@ -33,6 +34,7 @@ class InvalidCase:
     Q_name: str = "Q"
 
     dimension = 2
+    exchange = IN_THE_PLANE
     needs = NEEDS
     is_valid = False
     sent: ClassVar[list[Fraction]] = []

@@ -41,8 +41,8 @@ def scaled_operands(finding: Finding, dimension: int | None = None) -> tuple[str
     """P scaled, and Q, as JSON texts; None where the finding is of no two operands, or of another
     dimension than the one given."""
     from minkref import _core
+    from minkref.fuzz.geometry.polyhedron import Polyhedron
     from minkref.fuzz.geometry.space import scale_of
-    from minkref.fuzz.space.polyhedron import Polyhedron
 
     case = finding.case
     if case.P is None or case.Q is None or dimension not in (None, case.dimension):

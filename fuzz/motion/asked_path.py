@@ -29,6 +29,7 @@ from minkref.fuzz.motion.path_cases import (
     path_case,
 )
 from minkref.fuzz.plane.exact_shapes import set_of, shape_of
+from minkref.fuzz.plane.protocol import IN_THE_PLANE
 from minkref.motion.scale_ranges import CONTACTS
 
 GRID = "-grid"  # at the end of a family: coordinates are multiples of UNIT
@@ -69,6 +70,7 @@ class AskedPath:
     position: str = "given"
 
     dimension = 2
+    exchange = IN_THE_PLANE
     is_valid = True
     scale = "1"
     P_name, Q_name = "part", "obstacles"

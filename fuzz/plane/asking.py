@@ -8,8 +8,10 @@ from functools import partial
 from minkref.fuzz.cases.verbs import EVENTS, UPDATE
 from minkref.fuzz.invalid.invalid_case import InvalidCase
 from minkref.fuzz.invalid.invalid_judgement import judge_invalid
+from minkref.fuzz.motion.asked_claim import asked_claim
 from minkref.fuzz.motion.asked_path import AskedPath
 from minkref.fuzz.motion.path_judgement import judge_path, without_claim
+from minkref.fuzz.plane.asked_events import asked_events
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.event_judgement import MOST_PAIRS, judge_events, window, without_scales
 from minkref.fuzz.plane.judgement import TRUTHS, judge, without_answer
@@ -153,7 +155,7 @@ class PlaneAsking(Asking):
             message = "of two operands without area no events are known"
             return Outcome(name, Verdict.SKIPPED, message=message)
         self.begin(name)
-        claimed = target.events(case, *window(case))
+        claimed = asked_events(target, case, *window(case))
         if isinstance(claimed, Answer):
             return without_scales(case, name, claimed)
         if JUDGING + name in self.lost:
@@ -177,7 +179,7 @@ class PlaneAsking(Asking):
             message = f"{pairs:,} pairs of vertices, more than {MOST_PAIRS:,}"
             return [Outcome(name, Verdict.SKIPPED, message=message)]
         self.begin(name)
-        claimed = target.path(case)
+        claimed = asked_claim(target, case)
         if JUDGING + name in self.lost:
             return [without_answer(name, self._judgeable(name, Answer()))]
         self._judging(name)

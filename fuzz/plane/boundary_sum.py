@@ -17,9 +17,9 @@ from minkref.fuzz.geometry.plane import (
     segments_meet,
     turn,
 )
+from minkref.fuzz.geometry.region import Region
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.exact_shapes import set_of
-from minkref.fuzz.plane.region import Region
 from minkref.fuzz.verdicts.verdict import Witness
 
 MOST_PAIRS = 10_000  # of edges

@@ -11,6 +11,7 @@ from minkref import _core
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.needs import is_double, needs_of_plane
 from minkref.fuzz.geometry.plane import written_rings
+from minkref.fuzz.plane.protocol import IN_THE_PLANE
 
 
 @dataclass
@@ -26,6 +27,7 @@ class Case:
     law: tuple[str, Case] | None = None  # the law by which it was changed, and what it was
 
     dimension = 2
+    exchange = IN_THE_PLANE
     is_valid = True
 
     @cached_property

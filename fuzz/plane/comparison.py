@@ -7,10 +7,10 @@ from fractions import Fraction
 
 from minkref import _core
 from minkref.fuzz.geometry.plane import Point
+from minkref.fuzz.geometry.region import Region
 from minkref.fuzz.plane.boundary_sum import decide_boundary
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.exact_shapes import shape_of
-from minkref.fuzz.plane.region import Region
 from minkref.fuzz.plane.tolerance import grown, shrunk
 from minkref.fuzz.plane.witness import holds
 from minkref.fuzz.verdicts.verdict import Reason, Witness

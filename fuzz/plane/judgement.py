@@ -6,10 +6,10 @@ from collections.abc import Callable
 
 from minkref import _core
 from minkref.errors import cut
+from minkref.fuzz.geometry.region import Region
 from minkref.fuzz.plane.boundary_sum import MOST_PAIRS, boundary_sum
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.comparison import WitnessRefuted, decide, settle, some_point
-from minkref.fuzz.plane.region import Region
 from minkref.fuzz.targets.answer import Answer
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict, Witness
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from minkref import _core
+from minkref.fuzz.geometry.region import Region, region_of_polygons
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.comparison import WitnessRefuted, settle
 from minkref.fuzz.plane.exact_shapes import shape_of
 from minkref.fuzz.plane.judgement import too_large
 from minkref.fuzz.plane.laws import LAWS, applies
-from minkref.fuzz.plane.region import Region, region_of_polygons
 from minkref.fuzz.targets.answer import Answer
 from minkref.fuzz.verdicts.verdict import Outcome, Verdict
 

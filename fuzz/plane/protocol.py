@@ -6,8 +6,8 @@ import json
 from dataclasses import replace
 from typing import Any
 
-from minkref.fuzz.plane.region import TextRing, region_of_polygons
-from minkref.fuzz.targets.answer import Answer, no_set
+from minkref.fuzz.geometry.region import TextRing, region_of_polygons
+from minkref.fuzz.targets.answer import Answer, answered, no_set
 from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.targets.numbers import MOST_VERTICES, Unreadable, double, list_in, received
 from minkref.fuzz.verdicts.verdict import Verdict
@@ -56,6 +56,34 @@ def plane_answer(value: dict[str, Any], declaration: Declaration, seconds: float
         answer = no_set(error, seconds)
         answer.declaration = declaration
         return answer
+
+
+class PlaneExchange:
+    """How cases in the plane are sent, and answers to them read."""
+
+    answer_is_no = "not a polygon set"
+
+    def sent(self, text: str, declaration: Declaration) -> Any:
+        return sent_set(text, declaration)
+
+    def sent_scale(self, text: str) -> str:
+        return text
+
+    def received(self, value: dict[str, Any], declaration: Declaration, seconds: float) -> Answer:
+        return plane_answer(value, declaration, seconds)
+
+    def received_of_function(
+        self, value: dict[str, Any], declaration: Declaration, seconds: float
+    ) -> Answer:
+        """Its rings may run either way."""
+        if declaration.numbers != "text":
+            return plane_answer(value, declaration, seconds)
+        answer = answered(value, seconds, turned=True)
+        answer.declaration = declaration
+        return answer
+
+
+IN_THE_PLANE = PlaneExchange()
 
 
 def _polygon(polygon: Any, declaration: Declaration) -> list[TextRing]:

@@ -9,8 +9,8 @@ from fractions import Fraction
 from minkref import _core
 from minkref.errors import message_of
 from minkref.fuzz.cases.any_case import AnyCase
+from minkref.fuzz.geometry.region import region_of_sum
 from minkref.fuzz.plane.case import Case
-from minkref.fuzz.plane.region import region_of_sum
 from minkref.fuzz.targets.answer import REGIONS, Answer, skipped
 from minkref.fuzz.targets.declaration import PLANE, Declaration
 from minkref.fuzz.verdicts.verdict import Verdict

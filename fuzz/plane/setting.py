@@ -14,6 +14,7 @@ from minkref.fuzz.cases.any_case import AnyCase
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.no_case import NoCase
 from minkref.fuzz.cases.verbs import EVENTS, PATH, RANGES, REJECTS, UPDATE, is_path
+from minkref.fuzz.geometry.number_text import number_of
 from minkref.fuzz.invalid.invalid_case import FAMILY, InvalidCase, load_invalid
 from minkref.fuzz.motion import asked_path
 from minkref.fuzz.motion.asked_path import AskedPath, drawn_path, named_path
@@ -21,12 +22,8 @@ from minkref.fuzz.motion.small_path import SmallPath, smaller_paths
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.derived import derived
 from minkref.fuzz.plane.families.catalogue import FAMILIES
-from minkref.fuzz.plane.protocol import plane_answer, sent_set
 from minkref.fuzz.plane.small_case import PlaneCase, smaller_in_plane
 from minkref.fuzz.setting import Setting
-from minkref.fuzz.targets.answer import Answer
-from minkref.fuzz.targets.declaration import Declaration
-from minkref.fuzz.targets.number_text import number_of
 from minkref.plane.operand import read_operand
 
 if TYPE_CHECKING:
@@ -40,7 +37,6 @@ class Plane(Setting):
     target = "minkref:paper"
     verbs = (UPDATE, EVENTS, REJECTS, PATH, RANGES)
     never = frozenset({"non-uniform"})
-    answer_is_no = "not a polygon set"
 
     def holds(self, operands: list[Any]) -> bool:
         return all(isinstance(each, dict) and "polygons" in each for each in operands)
@@ -88,15 +84,6 @@ class Plane(Setting):
         if not isinstance(base, Case):
             raise NoCase("nothing is got from a case of invalid operands, or of a path")
         return derived(base, name, operation, number)
-
-    def sent(self, text: str, declaration: Declaration) -> Any:
-        return sent_set(text, declaration)
-
-    def sent_scale(self, text: str) -> str:
-        return text
-
-    def received(self, value: dict[str, Any], declaration: Declaration, seconds: float) -> Answer:
-        return plane_answer(value, declaration, seconds)
 
     @property
     def asking(self) -> type[PlaneAsking]:

@@ -15,6 +15,7 @@ from minkref.exact import read_scale
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.needs import is_double
 from minkref.fuzz.cases.no_case import NoCase
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Scale, factors
 from minkref.fuzz.space.cells import cells_of
 from minkref.fuzz.space.families import drawn_pair
@@ -22,7 +23,7 @@ from minkref.fuzz.space.fault_search import decided
 from minkref.fuzz.space.hull import is_convex
 from minkref.fuzz.space.laws import transformed_pairs
 from minkref.fuzz.space.pair import SpacePair, Truth
-from minkref.fuzz.space.polyhedron import Polyhedron
+from minkref.fuzz.space.protocol import IN_SPACE
 from minkref.fuzz.space.self_crossing import self_crossing
 from minkref.fuzz.verdicts.verdict import Witness
 
@@ -61,6 +62,7 @@ class SpaceCase:
     before: SpaceCase | None = None  # at another scale, from which this one is reached by `update`
 
     dimension = 3
+    exchange = IN_SPACE
     is_valid = True
 
     @staticmethod

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from itertools import product
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point, Scale, Whole, factors
-from minkref.fuzz.space.polyhedron import Polyhedron
 
 Cell = tuple[int, int, int]  # the cube from here to here + (1, 1, 1)
 Cells = Set[Cell]

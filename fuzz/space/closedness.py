@@ -7,8 +7,8 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from itertools import pairwise
 
+from minkref.fuzz.geometry.polyhedron import Face, Polyhedron
 from minkref.fuzz.geometry.space import Point, Whole, cross, dot, minus, primitive
-from minkref.fuzz.space.polyhedron import Face, Polyhedron
 
 Line = tuple[Whole, Whole]
 

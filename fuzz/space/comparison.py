@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Literal
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.boundary_faces import boundary_test
 from minkref.fuzz.space.cells import grid_cells
@@ -14,7 +15,6 @@ from minkref.fuzz.space.cross_section import cross_sections, differing_points, s
 from minkref.fuzz.space.differing_cells import cell_reasons
 from minkref.fuzz.space.fault_search import FaultSearch, decided
 from minkref.fuzz.space.pair import SpacePair, Truth
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.sampling import points_near, sums_of_points
 from minkref.fuzz.space.stray_faces import TooMany, changes
 from minkref.fuzz.space.sum_faces import SumFaces

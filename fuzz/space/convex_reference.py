@@ -9,10 +9,10 @@ from dataclasses import dataclass
 from minkref import _core
 from minkref.errors import message_of
 from minkref.fuzz.cases.any_case import AnyCase
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Scale
 from minkref.fuzz.space.case import SpaceCase
 from minkref.fuzz.space.convex_sum import body_of, polyhedron_of, reference_sum, scaling_of
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.targets.answer import Answer, lacking, skipped
 from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.verdicts.verdict import Verdict

@@ -5,9 +5,9 @@ from __future__ import annotations
 from fractions import Fraction
 
 from minkref import _core
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Scale, factors
 from minkref.fuzz.space.hull import sum_of_convex
-from minkref.fuzz.space.polyhedron import Polyhedron
 
 MOST_BY_HULL = 400  # sums of two vertices, up to which the hull in plain fractions is quick
 

@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Whole, cross, dot, normal, primitive
 from minkref.fuzz.space.boxes import Box, BoxTree, box_of
 from minkref.fuzz.space.face_pieces import (
@@ -19,7 +20,6 @@ from minkref.fuzz.space.face_pieces import (
     polygon_of,
 )
 from minkref.fuzz.space.membership import Surface
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.shells import shells_of
 from minkref.fuzz.space.sides import both_sides
 

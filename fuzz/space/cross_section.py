@@ -7,8 +7,8 @@ from fractions import Fraction
 from itertools import pairwise
 
 from minkref import _core
+from minkref.fuzz.geometry.region import Region, region_of_polygons
 from minkref.fuzz.geometry.space import Point
-from minkref.fuzz.plane.region import Region, region_of_polygons
 from minkref.fuzz.plane.tolerance import grown
 from minkref.fuzz.space.membership import Surface
 from minkref.fuzz.space.prism import Prism

@@ -13,10 +13,10 @@ from types import FrameType
 
 from minkref import _core
 from minkref.errors import message_of
+from minkref.fuzz.geometry.polyhedron import Face, Polyhedron
 from minkref.fuzz.geometry.space import Point, Scale, Whole
 from minkref.fuzz.space.convex_sum import scaling_of
 from minkref.fuzz.space.membership import Surface
-from minkref.fuzz.space.polyhedron import Face, Polyhedron
 from minkref.fuzz.space.sites import sites
 from minkref.fuzz.space.trapezoids import trapezoids
 from minkref.oracle.slow.space.exposed import (

@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.known_sum import known_sum
 from minkref.fuzz.space.membership import Surface
 from minkref.fuzz.space.pair import SpacePair
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.witness import holds
 from minkref.fuzz.verdicts.verdict import Reason, Witness
 

@@ -10,9 +10,9 @@ from pathlib import Path
 from typing import Any
 
 from minkref.fuzz.cases.no_case import NoCase
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import scale_of
 from minkref.fuzz.space.pair import SpacePair
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.verdicts.verdict import Witness
 
 FAMILY = "space-found"

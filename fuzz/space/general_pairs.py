@@ -11,13 +11,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.space.cells import Cell, surface_of
 from minkref.fuzz.space.generators import assembled, machined, tube
 from minkref.fuzz.space.generators.any_solid import ORIGIN, any_of_one, any_solid, any_torus, walls
 from minkref.fuzz.space.generators.convex import random_hull
 from minkref.fuzz.space.generators.mapped import IDENTITY, Matrix, mapped, random_matrix, unimodular
 from minkref.fuzz.space.generators.polycube import bodies_apart, frame, hollow_box, random_polycube
-from minkref.fuzz.space.polyhedron import Polyhedron
 
 SCALES = tuple(Fraction(text) for text in ("1", "1", "1", "2", "1/2", "3/2", "2/3", "5/7"))
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 from collections.abc import Iterable
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import (
     Point,
     Scale,
@@ -18,7 +19,6 @@ from minkref.fuzz.geometry.space import (
     primitive,
     whole,
 )
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.plane.rings import from_least
 
 Triple = tuple[int, int, int]

@@ -7,12 +7,12 @@ from itertools import product
 from math import lcm
 from typing import Protocol
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point, Whole, normal, whole
 from minkref.fuzz.space.cells import CellSum
 from minkref.fuzz.space.meeting import Meeting, cube_inside
 from minkref.fuzz.space.membership import Surface
 from minkref.fuzz.space.pair import SpacePair, Truth
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.prism import Prism
 
 MOST_CELLS = 4096  # of a cube that is looked at cell by cell

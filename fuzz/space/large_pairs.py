@@ -10,6 +10,7 @@ import random
 from collections.abc import Callable
 from fractions import Fraction
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.space.general_pairs import GeneralPair
 from minkref.fuzz.space.generators.convex import random_hull
 from minkref.fuzz.space.generators.machined import plate
@@ -23,7 +24,6 @@ from minkref.fuzz.space.generators.workshop import (
     rounded_bracket,
     spur_gear,
 )
-from minkref.fuzz.space.polyhedron import Polyhedron
 
 LEAST, MOST = 100, 500  # triangles of P and Q together
 ONE = Fraction(1)

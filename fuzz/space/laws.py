@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import permutations, product
 
+from minkref.fuzz.geometry.polyhedron import Face, Polyhedron
 from minkref.fuzz.geometry.space import Point, factors
 from minkref.fuzz.space.pair import SpacePair, Truth
-from minkref.fuzz.space.polyhedron import Face, Polyhedron
 
 ONE: Point = (Fraction(1), Fraction(1), Fraction(1))
 SHIFT: Point = (Fraction(7, 3), Fraction(-5), Fraction(11, 2))

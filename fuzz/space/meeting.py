@@ -9,11 +9,11 @@ from fractions import Fraction
 from math import lcm
 from typing import Literal
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point, Scale, Whole, dot, factors, middle, normal, whole
 from minkref.fuzz.space.boxes import BoxTree, box_of, box_pairs
 from minkref.fuzz.space.face_pieces import inside, pieces, polygon_of
 from minkref.fuzz.space.membership import Surface, in_triangle
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.triangle_contact import Triangle, as_point, contact, farther_than
 
 Contact = Literal["empty", "touch", "overlap"]

@@ -7,6 +7,7 @@ from fractions import Fraction
 from functools import cached_property
 from math import ceil, floor, inf, isfinite, isqrt, lcm
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import (
     Point,
     Whole,
@@ -17,7 +18,6 @@ from minkref.fuzz.geometry.space import (
     whole,
 )
 from minkref.fuzz.space.boxes import Box, BoxTree, box_of
-from minkref.fuzz.space.polyhedron import Polyhedron
 
 MOST_COLUMNS = 64  # along one axis
 FEW = 64  # triangles whose planes are asked for

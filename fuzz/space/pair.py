@@ -6,12 +6,12 @@ from dataclasses import dataclass
 from enum import StrEnum
 from functools import cached_property
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Scale
 from minkref.fuzz.space.cells import Cell, CellSum, sum_of_cells
 from minkref.fuzz.space.convex_sum import true_sum
 from minkref.fuzz.space.exact_sum import EDGES, ExactSum, exact_sum
 from minkref.fuzz.space.meeting import Meeting
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.prism import Prism, sum_of_prisms
 from minkref.fuzz.space.thin_meeting import ThinMeeting
 

@@ -6,6 +6,7 @@ import random
 from collections.abc import Callable
 from fractions import Fraction
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point, Scale
 from minkref.fuzz.space.cells import Cell, surface_of
 from minkref.fuzz.space.generators.convex import box, cube, random_hull, sphere
@@ -20,7 +21,6 @@ from minkref.fuzz.space.generators.polycube import (
 from minkref.fuzz.space.generators.star import star
 from minkref.fuzz.space.generators.torus import torus
 from minkref.fuzz.space.pair import SpacePair, Truth
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.prism import Prism
 
 GROWTH = 10  # pairs after which operands grow by a step

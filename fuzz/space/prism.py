@@ -8,11 +8,11 @@ from functools import cached_property
 from math import lcm
 
 from minkref import _core
+from minkref.fuzz.geometry.face_triangles import Corner, ring_triangles
 from minkref.fuzz.geometry.plane import in_box, mapped, turn
+from minkref.fuzz.geometry.polyhedron import Face, Polyhedron
 from minkref.fuzz.geometry.space import Point, Scale, factors
 from minkref.fuzz.plane.exact_shapes import set_of, shape_of
-from minkref.fuzz.space.face_triangles import Corner, ring_triangles
-from minkref.fuzz.space.polyhedron import Face, Polyhedron
 
 Flat = tuple[Fraction, Fraction]
 Ring = list[Flat]

@@ -6,7 +6,7 @@ import json
 from fractions import Fraction
 from typing import Any
 
-from minkref.fuzz.space.polyhedron import Polyhedron
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.targets.answer import Answer
 from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.targets.numbers import MOST_VERTICES, Unreadable, double, list_in, received
@@ -49,3 +49,23 @@ def solid_answer(value: dict[str, Any], declaration: Declaration, seconds: float
         faces.append(tuple(face))
     solid = Polyhedron(tuple(vertices), tuple(faces))
     return Answer(solid=solid, seconds=seconds, declaration=declaration)
+
+
+class SpaceExchange:
+    """How cases in space are sent, and answers to them read."""
+
+    answer_is_no = "not a polyhedron"
+
+    def sent(self, text: str, declaration: Declaration) -> Any:
+        return sent_solid(text, declaration)
+
+    def sent_scale(self, text: str) -> str | list[str]:
+        return sent_scale(text)
+
+    def received(self, value: dict[str, Any], declaration: Declaration, seconds: float) -> Answer:
+        return solid_answer(value, declaration, seconds)
+
+    received_of_function = received
+
+
+IN_SPACE = SpaceExchange()

@@ -8,11 +8,11 @@ from fractions import Fraction
 from math import lcm
 from typing import TypeVar
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point, Whole, dot, middle
 from minkref.fuzz.space.meeting import cube_inside
 from minkref.fuzz.space.membership import Surface, in_triangle
 from minkref.fuzz.space.pair import SpacePair, Truth
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.sides import both_sides
 
 T = TypeVar("T")

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from minkref.fuzz.geometry.plane import in_box, turn
+from minkref.fuzz.geometry.polyhedron import Face, Polyhedron
 from minkref.fuzz.geometry.space import Whole, area_vector, dot, flattened, longest_axis
 from minkref.fuzz.space.boxes import BoxTree, box_of
-from minkref.fuzz.space.polyhedron import Face, Polyhedron
 
 Flat = tuple[int, int]
 Edge = tuple[int, int]

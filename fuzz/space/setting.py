@@ -11,16 +11,13 @@ from minkref.fuzz.cases.any_case import AnyCase
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.no_case import NoCase
 from minkref.fuzz.cases.verbs import UPDATE
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.setting import Setting
 from minkref.fuzz.space.case import LAWS_IN_SPACE, SpaceCase, load_space
 from minkref.fuzz.space.case_file import DIMENSION, is_in_space, read_space_case, scalings_in
 from minkref.fuzz.space.families import SPACE_FAMILIES
 from minkref.fuzz.space.hull import is_convex
-from minkref.fuzz.space.polyhedron import Polyhedron
-from minkref.fuzz.space.protocol import sent_scale, sent_solid, solid_answer
 from minkref.fuzz.space.small_case import SolidCase, smaller_in_space
-from minkref.fuzz.targets.answer import Answer
-from minkref.fuzz.targets.declaration import Declaration
 
 if TYPE_CHECKING:
     from minkref.fuzz.space.asking import SpaceAsking
@@ -34,7 +31,6 @@ class Space(Setting):
     name, where, dimension = "space", "in space", DIMENSION
     target = "minkref:convex"
     verbs = (UPDATE,)
-    answer_is_no = "not a polyhedron"
 
     def holds(self, operands: list[Any]) -> bool:
         return all(isinstance(each, dict) and "faces" in each for each in operands)
@@ -66,15 +62,6 @@ class Space(Setting):
         if number is None and operation == UPDATE:
             return base.updated(name)
         raise NoCase("a case in space has no probes and no mutants, and other laws")
-
-    def sent(self, text: str, declaration: Declaration) -> Any:
-        return sent_solid(text, declaration)
-
-    def sent_scale(self, text: str) -> str | list[str]:
-        return sent_scale(text)
-
-    def received(self, value: dict[str, Any], declaration: Declaration, seconds: float) -> Answer:
-        return solid_answer(value, declaration, seconds)
 
     @property
     def asking(self) -> type[SpaceAsking]:

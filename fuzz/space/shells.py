@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from minkref.fuzz.geometry.parts import Parts
+from minkref.fuzz.geometry.polyhedron import Face, Polyhedron
 from minkref.fuzz.geometry.space import Whole
 from minkref.fuzz.space.closedness import open_stretch
-from minkref.fuzz.space.parts import Parts
-from minkref.fuzz.space.polyhedron import Face, Polyhedron
 
 Faces = tuple[Face, ...]
 

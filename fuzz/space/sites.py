@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point, Whole, dot
 from minkref.fuzz.space.boxes import Box, BoxTree, box_of
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.oracle.slow.space.exposed import lifted, seen, viewing_axis
 from minkref.oracle.slow.space.solid import plane_of
 

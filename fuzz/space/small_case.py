@@ -10,12 +10,12 @@ from functools import cached_property
 from itertools import product
 from math import gcd, lcm
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point, Scale, factors, scale_of
 from minkref.fuzz.space.case import scale_text
 from minkref.fuzz.space.cells import Cell, cells_of, is_manifold, surface_of
 from minkref.fuzz.space.hull import convex_hull, is_convex
 from minkref.fuzz.space.laws import ONE
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.smaller_solids import convex_parts, drawn_together, fewer_shells, is_valid
 
 MOST_CELLS = 400

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from minkref import _core
+from minkref.fuzz.geometry.polyhedron import Face, Polyhedron
 from minkref.fuzz.geometry.space import area_vector, dot
 from minkref.fuzz.space.convex_sum import polyhedron_of
 from minkref.fuzz.space.exact_sum import core_polyhedron
 from minkref.fuzz.space.hull import convex_hull, is_convex
-from minkref.fuzz.space.polyhedron import Face, Polyhedron
 from minkref.fuzz.space.self_crossing import self_crossing
 
 MOST_PIECES = 16

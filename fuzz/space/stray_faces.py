@@ -6,11 +6,11 @@ import random
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point, Whole
 from minkref.fuzz.space.covered_faces import CoveredFaces
 from minkref.fuzz.space.face_pieces import Polygon, Triangle, inside, pieces
 from minkref.fuzz.space.membership import Surface
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.sides import both_sides
 
 PLACES = 3  # tried in a piece of a face that bounds the set

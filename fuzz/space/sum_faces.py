@@ -6,6 +6,7 @@ from collections import defaultdict
 from dataclasses import dataclass
 from fractions import Fraction
 
+from minkref.fuzz.geometry.polyhedron import Face, Polyhedron
 from minkref.fuzz.geometry.space import (
     Whole,
     cross,
@@ -17,7 +18,6 @@ from minkref.fuzz.geometry.space import (
     whole,
 )
 from minkref.fuzz.space.face_pieces import Plane, Polygon, Triangle, halves, heights, polygon_of
-from minkref.fuzz.space.polyhedron import Face, Polyhedron
 
 
 @dataclass(frozen=True)

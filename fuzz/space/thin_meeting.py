@@ -5,9 +5,9 @@ from __future__ import annotations
 from fractions import Fraction
 from itertools import pairwise
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point, Scale, Whole, denominator_of, dot, whole
 from minkref.fuzz.space.meeting import Decision, Meeting, cube_inside
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.triangle_contact import farther_than
 
 Probe = tuple[Point, Point]  # ends of a segment in the coordinates of the other operand

@@ -13,8 +13,8 @@ from fractions import Fraction
 from itertools import product
 from math import lcm
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point, Scale, factors
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.verdicts.verdict import Witness
 
 Number = int | Fraction

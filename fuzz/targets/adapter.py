@@ -5,25 +5,19 @@ from __future__ import annotations
 import json
 import zlib
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
-from fractions import Fraction
-from itertools import pairwise
-from typing import Any
+from dataclasses import dataclass, field
+from typing import Any, TypeVar
 
 from minkref.errors import cut, message_of
 from minkref.fuzz.cases.any_case import AnyCase
-from minkref.fuzz.motion.asked_path import AskedPath
-from minkref.fuzz.motion.path_claim import PathClaim
-from minkref.fuzz.plane.case import Case
-from minkref.fuzz.settings import setting_of
 from minkref.fuzz.targets.adapter_process import AdapterProcess, Failure
 from minkref.fuzz.targets.answer import REGIONS, Answer, Limits, lacking, skipped
 from minkref.fuzz.targets.declaration import Declaration
-from minkref.fuzz.targets.numbers import Unreadable, double, received
+from minkref.fuzz.targets.numbers import Unreadable
 from minkref.fuzz.verdicts.verdict import Verdict
-from minkref.motion.scale_ranges import ScaleRange
 
 MOST_FAILED_STARTS = 3
+T = TypeVar("T")
 
 
 @dataclass
@@ -96,13 +90,13 @@ class ProgramTarget:
         if self._loaded == key:
             return
         self._loaded = None
-        setting = setting_of(case.dimension)
+        exchange = case.exchange
         value = self._process.ask(
             "load",
             self.limits.seconds,
             dimension=case.dimension,
-            P=setting.sent(case.P_json, declaration),
-            Q=setting.sent(case.Q_json, declaration),
+            P=exchange.sent(case.P_json, declaration),
+            Q=exchange.sent(case.Q_json, declaration),
         )
         if value["status"] != "result":
             raise Refused(value)
@@ -116,12 +110,12 @@ class ProgramTarget:
             self._load(case, declaration)
         except Refused as refused:
             return self._without_result(case, refused.value, declaration)
-        setting = setting_of(case.dimension)
+        exchange = case.exchange
         value = self._process.ask(
             verb,
             self.limits.seconds,
-            scale=setting.sent_scale(case.scale),
-            sP=setting.sent(case.scaled_P_json, declaration),
+            scale=exchange.sent_scale(case.scale),
+            sP=exchange.sent(case.scaled_P_json, declaration),
         )
         seconds = time.perf_counter() - since
         if value["status"] != "result":
@@ -131,7 +125,8 @@ class ProgramTarget:
     def _read(
         self, case: AnyCase, value: dict[str, Any], declaration: Declaration, seconds: float
     ) -> Answer:
-        return setting_of(case.dimension).received(value, declaration, seconds)
+        answer: Answer = case.exchange.received(value, declaration, seconds)
+        return answer
 
     def _without_result(
         self, case: AnyCase, value: dict[str, Any], declaration: Declaration
@@ -175,54 +170,30 @@ class AdapterTarget(ProgramTarget):
 
         return self._guarded(case, ask, "update")
 
-    def events(
-        self, case: Case, start: str, end: str
-    ) -> tuple[list[Fraction], Declaration] | Answer:
-        """Scales of topology events in [start, end] as the target has them, and what it declares;
-        else why not."""
-        found: list[Fraction] = []
+    def asked(
+        self,
+        case: AnyCase,
+        verb: str,
+        fields: Callable[[Declaration], dict[str, Any]],
+        read: Callable[[dict[str, Any], Declaration], T],
+        *more: str,
+    ) -> tuple[T, Declaration] | Answer:
+        """What `read` makes of the answer to another verb, and what the target declares; else why
+        there is nothing. `fields` of the request; `more` capabilities that it takes."""
+        found: list[T] = []
 
         def ask(declaration: Declaration) -> Answer:
             try:
                 self._load(case, declaration)
             except Refused as refused:
                 return self._without_result(case, refused.value, declaration)
-            value = self._process.ask("events", self.limits.seconds, **{"from": start, "to": end})
+            value = self._process.ask(verb, self.limits.seconds, **fields(declaration))
             if value["status"] != "result":
                 return self._without_result(case, value, declaration)
-            scales = value.get("scales")
-            if not isinstance(scales, list):
-                raise Unreadable("scales is not a list")
-            found.extend(Fraction(_scale(scale, declaration)) for scale in scales)
-            if any(a > b for a, b in pairwise(found)):
-                raise Unreadable("scales do not ascend")
+            found.append(read(value, declaration))
             return Answer(declaration=declaration)
 
-        answer = self._guarded(case, ask, "events")
-        return (found, answer.declaration) if answer.verdict is None else answer
-
-    def path(self, case: AskedPath) -> tuple[PathClaim, Declaration] | Answer:
-        """What the target says of the scales of a path, and what it declares; else why nothing."""
-        found: list[PathClaim] = []
-
-        def ask(declaration: Declaration) -> Answer:
-            try:
-                self._load(case, declaration)
-            except Refused as refused:
-                return self._without_result(case, refused.value, declaration)
-            value = self._process.ask(
-                "path",
-                self.limits.seconds,
-                path=[[_sent(axis, declaration) for axis in point] for point in case.path],
-                contact=case.contact,
-                **case.asked,
-            )
-            if value["status"] != "result":
-                return self._without_result(case, value, declaration)
-            found.append(_claim(case, value, declaration))
-            return Answer(declaration=declaration)
-
-        answer = self._guarded(case, ask)
+        answer = self._guarded(case, ask, *more)
         return (found[0], answer.declaration) if answer.verdict is None else answer
 
 
@@ -242,46 +213,3 @@ def _failed(failure: Failure, declaration: Declaration) -> Answer:
         declaration=declaration,
         log=failure.log,
     )
-
-
-def _sent(axis: Fraction, declaration: Declaration) -> str | float:
-    return str(axis) if declaration.numbers == "text" else double(str(axis))
-
-
-def _claim(case: AskedPath, value: dict[str, Any], declaration: Declaration) -> PathClaim:
-    """Raises Unreadable for what is none."""
-    if case.window is None:
-        valid = value.get("valid")
-        if not isinstance(valid, list) or not all(isinstance(one, bool) for one in valid):
-            raise Unreadable("valid is not a list of true and false")
-        if len(valid) != len(case.scales):
-            raise Unreadable(f"valid has {len(valid)} entries for {len(case.scales)} scales")
-        return PathClaim(tuple(valid))
-    ranges = value.get("ranges")
-    if not isinstance(ranges, list) or not all(isinstance(one, dict) for one in ranges):
-        raise Unreadable("ranges is not a list of objects")
-    return PathClaim(ranges=tuple(_range(one, declaration) for one in ranges))
-
-
-def _range(value: dict[str, Any], declaration: Declaration) -> ScaleRange:
-    """Ends belong to it unless it says that they do not; without an end it is that of the
-    window."""
-    if "from" not in value:
-        raise Unreadable("a range has no from")
-    low, high = (
-        None if value.get(word) is None else Fraction(_scale(value[word], declaration))
-        for word in ("from", "to")
-    )
-    ends_in = [value.get(word, True) for word in ("from_in", "to_in")]
-    if low is None or not all(isinstance(one, bool) for one in ends_in):
-        raise Unreadable("a range has from, to, from_in and to_in")
-    if high is not None and high < low:
-        raise Unreadable("a range ends before it begins")
-    return ScaleRange(low, high, ends_in[0], ends_in[1])
-
-
-def _scale(value: Any, declaration: Declaration) -> str:
-    """A scale may be a text where numbers are doubles too."""
-    if isinstance(value, str):
-        return received(value, replace(declaration, numbers="text"))
-    return received(value, declaration)

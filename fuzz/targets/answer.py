@@ -8,9 +8,9 @@ from typing import Any, Protocol
 
 from minkref.errors import message_of
 from minkref.fuzz.cases.any_case import AnyCase
+from minkref.fuzz.geometry.polyhedron import Polyhedron
+from minkref.fuzz.geometry.region import Region, plain_polygons, region_of_polygons
 from minkref.fuzz.isolation.isolation import Isolation
-from minkref.fuzz.plane.region import Region, plain_polygons, region_of_polygons
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.verdicts.verdict import Verdict
 

@@ -9,7 +9,7 @@ from fractions import Fraction
 from typing import Any
 
 from minkref.fuzz.cases.grid import bits_of
-from minkref.fuzz.targets.number_text import number_of
+from minkref.fuzz.geometry.number_text import number_of
 
 # What the cases have that need each.
 CAPABILITIES = {

@@ -13,12 +13,10 @@ from typing import Any
 
 from minkref.errors import Refusal, message_of
 from minkref.fuzz.cases.any_case import AnyCase
-from minkref.fuzz.invalid.invalid_case import InvalidCase
+from minkref.fuzz.cases.verbs import REJECTS
 from minkref.fuzz.isolation.sandbox import EMPTIED
-from minkref.fuzz.plane.setting import PLANE
-from minkref.fuzz.settings import setting_of
 from minkref.fuzz.targets.adapter import ProgramTarget
-from minkref.fuzz.targets.answer import Answer, answered, skipped
+from minkref.fuzz.targets.answer import Answer, skipped
 from minkref.fuzz.targets.declaration import Declaration
 from minkref.fuzz.verdicts.verdict import Verdict
 
@@ -42,15 +40,11 @@ class FunctionTarget(ProgramTarget):
     def _read(
         self, case: AnyCase, value: dict[str, Any], declaration: Declaration, seconds: float
     ) -> Answer:
-        setting = setting_of(case.dimension)
-        if declaration.numbers == "text" and setting is PLANE:
-            answer = answered(value, seconds, turned=True)
-            answer.declaration = declaration
-            return answer
         try:
-            return setting.received(value, declaration, seconds)
+            answer: Answer = case.exchange.received_of_function(value, declaration, seconds)
+            return answer
         except ValueError as error:
-            message = f"the answer is {setting.answer_is_no}: {message_of(error)}"
+            message = f"the answer is {case.exchange.answer_is_no}: {message_of(error)}"
             return Answer(verdict=Verdict.ERRORED, message=message, declaration=declaration)
 
     def _without_result(
@@ -59,7 +53,7 @@ class FunctionTarget(ProgramTarget):
         if value["status"] == "skipped":  # None: no broken promise
             return skipped("outside the capabilities of the target", declaration)
         is_fault = value["status"] == "rejected" and self.name.startswith(f"{PYTHON}:")
-        if is_fault and not isinstance(case, InvalidCase):
+        if is_fault and REJECTS not in case.needs:
             value = {**value, "status": "errored"}  # any ValueError
         return super()._without_result(case, value, declaration)
 

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
+from minkref.fuzz.geometry.number_text import GRAMMAR, LONGEST_NUMBER, is_number
 from minkref.fuzz.targets.declaration import Declaration
-from minkref.fuzz.targets.number_text import GRAMMAR, LONGEST_NUMBER, is_number
 
 MOST_VERTICES = 400_000  # of an answer: what can be compared in time
 
@@ -59,3 +60,14 @@ def list_in(value: dict[str, Any], field: str) -> list[Any]:
     if not isinstance(found, list):
         raise Unreadable(f"{field} is not a list")
     return found
+
+
+def sent_number(number: Fraction, declaration: Declaration) -> str | float:
+    return str(number) if declaration.numbers == "text" else double(str(number))
+
+
+def received_scale(value: Any, declaration: Declaration) -> Fraction:
+    """It may be a text where numbers are doubles, too."""
+    if isinstance(value, str):
+        declaration = replace(declaration, numbers="text")
+    return Fraction(received(value, declaration))

@@ -10,9 +10,9 @@ from fractions import Fraction
 from functools import cached_property
 from itertools import pairwise
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Whole, cross, dot, minus, normal, primitive
 from minkref.fuzz.space.hull import convex_hull
-from minkref.fuzz.space.polyhedron import Polyhedron
 
 __all__ = [
     "ONE",

@@ -10,10 +10,10 @@ from collections.abc import Sequence
 from fractions import Fraction
 from itertools import combinations
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import cross
 from minkref.fuzz.judges.space import paper_space
 from minkref.fuzz.space.meeting import Meeting
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.reports.audit.bodies import Body, compatible_pairs, dot, hull, minus, support
 from minkref.reports.audit.space import Facet, Vector, determinant, vector
 

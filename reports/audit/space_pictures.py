@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from itertools import pairwise
 
-from minkref.fuzz.space.polyhedron import Polyhedron
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.reports.audit.space import Vector
 from minkref.reports.conformance.solid_drawing import projected, solid_layers, wire_layer
 from minkref.reports.drawing import Layer, Segment, picture

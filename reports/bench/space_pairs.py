@@ -11,6 +11,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.space.generators.machined import plate
 from minkref.fuzz.space.generators.placed import around_origin
 from minkref.fuzz.space.generators.round import clutch, geodesic_sphere, triangulated_torus
@@ -21,7 +22,6 @@ from minkref.fuzz.space.generators.workshop import (
     rounded_bracket,
     spur_gear,
 )
-from minkref.fuzz.space.polyhedron import Polyhedron
 
 SEED = 2012
 Solids = tuple[Polyhedron, Polyhedron]

@@ -16,12 +16,12 @@ from pathlib import Path
 from statistics import median
 
 from minkref import _core
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.isolation.process_tree import tree_seconds
 from minkref.fuzz.judges.space.space_manifold import MANIFOLD, ManifoldJudge
 from minkref.fuzz.judges.space.space_nef import NEF, NefJudge
 from minkref.fuzz.judges.space.space_routes import core_polyhedron
 from minkref.fuzz.space.generators.machined import plate
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.targets.answer import Limits
 
 THREADS = 2

@@ -9,13 +9,13 @@ from typing import Any
 from minkref import _core
 from minkref.errors import cut
 from minkref.fuzz.cases.case_name import CaseName
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.libraries.program import Program
 from minkref.fuzz.libraries.programs import program, why_none
 from minkref.fuzz.plane.boundary_sum import MOST_PAIRS, boundary_sum
 from minkref.fuzz.run.runner import Finding
 from minkref.fuzz.run.worker import CaseResult
 from minkref.fuzz.shrink.groups import Group
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.verdicts.verdict import Outcome, Reason
 from minkref.output.terminal import counted, escaped
 from minkref.reports.conformance.argument import argument_in_plane, point_text

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from fractions import Fraction
 
-from minkref.fuzz.space.polyhedron import Polyhedron
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.reports.axes import axis
 from minkref.reports.conformance.solid_drawing import place_of, projected
 from minkref.reports.drawing import Box, Label, Layer, bounds

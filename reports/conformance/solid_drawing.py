@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from minkref.exact import approximate
-from minkref.fuzz.space.polyhedron import Polyhedron
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.reports.drawing import Layer, Segment
 
 MOST_FACES = 1500

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point, scale_of
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.verdicts.verdict import Witness
 from minkref.reports.conformance.argument import around, inside, outside, point_text
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from fractions import Fraction
 
 from minkref.fuzz.cases.case_name import CaseName
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import scale_of
 from minkref.fuzz.run.naming import load
 from minkref.fuzz.run.worker import CaseResult
 from minkref.fuzz.space.case import SpaceCase
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.verdicts.verdict import Outcome
 from minkref.reports.conformance.argument import point_text
 from minkref.reports.conformance.plane_pictures import Picture

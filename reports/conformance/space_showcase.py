@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from minkref import _core
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.judges.space.space_nef import NEF, NefJudge
 from minkref.fuzz.judges.space.space_planes import planes_of_solid, planes_of_text
 from minkref.fuzz.judges.space.space_routes import core_polyhedron
@@ -17,7 +18,6 @@ from minkref.fuzz.space.generators.machined import cup, plate, prism_over, u_sol
 from minkref.fuzz.space.generators.round import geodesic_sphere, triangulated_torus
 from minkref.fuzz.space.generators.tube import knot_tube
 from minkref.fuzz.space.generators.workshop import hollow_block, rounded_bracket, spur_gear
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.output.terminal import counted
 from minkref.reports.conformance.showcase import Showcase
 from minkref.reports.conformance.solid_view import solid_view

@@ -10,9 +10,9 @@ import json
 from fractions import Fraction
 from typing import Any
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point, Whole, area_vector, dot
 from minkref.fuzz.space.hull import sum_of_convex
-from minkref.fuzz.space.polyhedron import Polyhedron
 
 Value = dict[str, Any]
 RINGS = [[0, 1, 3, 2], [0, 2, 6, 4], [0, 4, 5, 1], [1, 5, 7, 3], [2, 3, 7, 6], [4, 6, 7, 5]]

@@ -10,10 +10,10 @@ from typing import Any
 
 from minkref import _core
 from minkref.certify.space.solid_certificate import SolidCertificate
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.space.cells import surface_of
 from minkref.fuzz.space.generators import machined
 from minkref.fuzz.space.generators.convex import box
-from minkref.fuzz.space.polyhedron import Polyhedron
 
 Scaling = tuple[str, str, str]
 ONE: Scaling = ("1", "1", "1")

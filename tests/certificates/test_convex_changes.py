@@ -10,9 +10,9 @@ from pathlib import Path
 
 import cubes
 import pytest
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.space.generators.convex import random_hull
 from minkref.fuzz.space.hull import convex_hull, is_convex
-from minkref.fuzz.space.polyhedron import Polyhedron
 from replacing import Change, Value, changed, replaced, sample, verdicts_on
 
 SCALINGS = [cubes.whole_scaling(1, 1, 1), cubes.whole_scaling("1/2", 3, "7/5")]

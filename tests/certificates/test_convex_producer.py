@@ -16,10 +16,10 @@ import pytest
 from minkref import _core
 from minkref.certify.space.convex_certificate import ConvexCertificate, Texts, convex_certificate
 from minkref.cli.cli import run
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.generators.convex import box, random_hull, sphere
 from minkref.fuzz.space.hull import sum_of_convex
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.reports.evidence.certificates.checkers import in_cpp
 from thoroughness import draws
 

@@ -9,9 +9,9 @@ from typing import Any
 
 import pytest
 import solid_pairs
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.judges.space.certified_solids import SolidConfirmation
 from minkref.fuzz.space.cells import surface_of
-from minkref.fuzz.space.polyhedron import Polyhedron
 from replacing import sample, verdicts_on
 from test_convex_changes import changes
 

@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.space.generators.convex import box
-from minkref.fuzz.space.polyhedron import Polyhedron
 
 Minkref = Callable[..., Any]
 

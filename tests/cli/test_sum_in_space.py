@@ -12,9 +12,9 @@ from typing import Any
 import jsonschema
 import pytest
 from minkref.exact import digest
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.space.generators.convex import box, random_hull
 from minkref.fuzz.space.hull import convex_hull, sum_of_convex
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.schemas import schema
 
 Minkref = Callable[..., Any]

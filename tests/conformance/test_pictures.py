@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 import pytest
-from minkref.fuzz.space.polyhedron import Polyhedron
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.verdicts.verdict import Reason
 from minkref.plane.exact_frame import ExactPolygons
 from minkref.reports.axes import axis

@@ -11,8 +11,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.space.hull import convex_hull
-from minkref.fuzz.space.polyhedron import Polyhedron
 
 MODELS = Path(__file__).resolve().parents[2] / "models"
 INDEX = json.loads((MODELS / "index.json").read_text(encoding="ascii"))["polyhedra"]

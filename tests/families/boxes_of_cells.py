@@ -8,8 +8,8 @@ from fractions import Fraction
 from itertools import product
 from math import prod
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.space.cells import cells_of
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.oracle.slow import of_faces
 from minkref.oracle.slow.space.solid_cells import side
 

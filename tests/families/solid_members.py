@@ -10,7 +10,7 @@ from typing import Any
 from minkref.degeneracies.catalogue import SOLID_FAMILIES
 from minkref.degeneracies.lint import CORPUS, case_paths
 from minkref.degeneracies.solids.case_document import DegenerateSolids
-from minkref.fuzz.space.polyhedron import Polyhedron
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from thoroughness import THOROUGH
 
 SEED = 911

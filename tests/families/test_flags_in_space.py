@@ -17,8 +17,8 @@ from minkref.degeneracies.space.case_document import DegenerateInSpace
 from minkref.degeneracies.space.draft import SpaceDraft, SpaceFacts
 from minkref.degeneracies.space.flags import FLAGS_IN_SPACE, flags_in_space
 from minkref.degeneracies.space.vectors import vector
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.space.hull import convex_hull, sum_of_convex
-from minkref.fuzz.space.polyhedron import Polyhedron
 from thoroughness import draws, some
 
 SEED, COUNT = 31, draws(1, 2)

@@ -8,13 +8,13 @@ from fractions import Fraction
 
 import pytest
 from minkref import _core
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.cells import surface_of
 from minkref.fuzz.space.general_pairs import FAMILIES, OF_PARTS, general_pair
 from minkref.fuzz.space.generators.machined import cup, gear, plate, square_ring, u_solid
 from minkref.fuzz.space.generators.mapped import determinant, mapped, random_matrix, unimodular
 from minkref.fuzz.space.generators.tube import knot_tube, lattice_torus
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.self_crossing import self_crossing
 
 SEED = 8241

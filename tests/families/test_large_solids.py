@@ -10,6 +10,7 @@ import pytest
 
 pytest.importorskip("minkref._core", reason="the extension module is not built")
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.judges.space.space_routes import core_polyhedron
 from minkref.fuzz.space.generators.machined import plate
 from minkref.fuzz.space.generators.placed import around_origin
@@ -24,7 +25,6 @@ from minkref.fuzz.space.generators.workshop import (
 from minkref.fuzz.space.hull import is_convex
 from minkref.fuzz.space.large_pairs import FAMILIES, LEAST, MOST, large_pair
 from minkref.fuzz.space.membership import winding_number
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.self_crossing import self_crossing
 from minkref.reports.bench.space_pairs import GROWING, PAIRS, SIZES, TimedPair
 from thoroughness import draws

@@ -25,11 +25,11 @@ from minkref.degeneracies.space.case_document import SHOWN, DegenerateInSpace
 from minkref.degeneracies.space.shapes import SOLIDS
 from minkref.degeneracies.space.vectors import vector
 from minkref.exact import digest
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.plane.families.catalogue import FAMILIES as FUZZED
 from minkref.fuzz.space.families import SPACE_FAMILIES as FUZZED_IN_SPACE
 from minkref.fuzz.space.hull import convex_hull, sum_of_convex
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.reports.evidence.certificates.checkers import in_cpp, in_python, verdicts
 from thoroughness import THOROUGH, draws
 

@@ -13,8 +13,8 @@ from minkref import _core
 from minkref.degeneracies.catalogue import SOLID_FAMILIES
 from minkref.degeneracies.solids.generate import drawn_solids
 from minkref.exact import digest
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.judges.space.space_routes import core_polyhedron, routes
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.oracle.slow import (
     SolidSum,
     exposed_from_json,

@@ -8,10 +8,10 @@ from dataclasses import replace
 from fractions import Fraction
 
 import pytest
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.space.cells import surface_of
 from minkref.fuzz.space.generators.polycube import random_polycube
 from minkref.fuzz.space.pairs import space_pair
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.oracle.slow import (
     CellSum,
     Exposed,

@@ -8,13 +8,13 @@ from fractions import Fraction
 from functools import cache
 
 import pytest
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.judges.space.space_laws import LAWS
 from minkref.fuzz.judges.space.space_nef import NefJudge
 from minkref.fuzz.judges.space.space_sums import SpaceSums, moved
 from minkref.fuzz.space.general_pairs import GeneralPair, general_pair
 from minkref.fuzz.space.generators.machined import cup, plate
 from minkref.fuzz.space.generators.mapped import unimodular
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.oracle.slow import (
     SolidSum,
     exposed_from_json,

@@ -10,6 +10,7 @@ from itertools import product
 
 import pytest
 from members import turn
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.cells import surface_of
 from minkref.fuzz.space.comparison import compare
@@ -19,7 +20,6 @@ from minkref.fuzz.space.hull import convex_hull, sum_of_convex
 from minkref.fuzz.space.laws import refined
 from minkref.fuzz.space.pair import SpacePair, Truth
 from minkref.fuzz.space.pairs import pair_of_cells, space_pair
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.witness import holds
 from minkref.fuzz.verdicts.verdict import Reason, Witness
 from thoroughness import THOROUGH, draws

@@ -8,6 +8,7 @@ from fractions import Fraction
 from itertools import product
 
 import pytest
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space import comparison
 from minkref.fuzz.space.comparison import compare
@@ -17,7 +18,6 @@ from minkref.fuzz.space.generators.convex import box
 from minkref.fuzz.space.hull import convex_hull
 from minkref.fuzz.space.pair import SpacePair
 from minkref.fuzz.space.pairs import pair_of_cells, space_pair
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.verdicts.verdict import Reason
 
 NOTHING = Polyhedron((), ())

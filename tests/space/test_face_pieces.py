@@ -7,12 +7,12 @@ from fractions import Fraction
 from itertools import pairwise
 
 import pytest
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point, Whole, cross, dot, minus
 from minkref.fuzz.space import membership
 from minkref.fuzz.space.face_pieces import Polygon, inside, pieces, polygon_of
 from minkref.fuzz.space.hull import convex_hull
 from minkref.fuzz.space.membership import Surface
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.sides import both_sides
 
 PLACES = 4

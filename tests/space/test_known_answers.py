@@ -8,6 +8,7 @@ from itertools import product
 
 import pytest
 from minkref import PolygonSet
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.cells import cavities, cells_of, is_manifold, sum_of_cells, surface_of
 from minkref.fuzz.space.closedness import open_edge
@@ -19,7 +20,6 @@ from minkref.fuzz.space.hull import sum_of_convex
 from minkref.fuzz.space.meeting import Meeting, decide
 from minkref.fuzz.space.membership import Surface, winding_number
 from minkref.fuzz.space.pairs import pair_of_cells, pair_of_prisms, space_pair
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.prism import Prism
 
 UNIT = frozenset({(0, 0, 0)})

@@ -7,6 +7,7 @@ from fractions import Fraction
 
 import pytest
 from minkref import _core
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.comparison import compare
 from minkref.fuzz.space.families import SPACE_FAMILIES, drawn_pair
@@ -15,7 +16,6 @@ from minkref.fuzz.space.laws import refined, rotations, transformed_pairs
 from minkref.fuzz.space.meeting import decide
 from minkref.fuzz.space.pair import Truth
 from minkref.fuzz.space.pairs import FAMILIES, space_pair
-from minkref.fuzz.space.polyhedron import Polyhedron
 from thoroughness import draws
 
 

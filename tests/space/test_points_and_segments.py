@@ -8,6 +8,7 @@ from fractions import Fraction
 import pytest
 from minkref.errors import Refusal
 from minkref.fuzz.cases.case_name import CaseName
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.case import SpaceCase
 from minkref.fuzz.space.cells import surface_of
@@ -18,7 +19,6 @@ from minkref.fuzz.space.generators.convex import cube
 from minkref.fuzz.space.generators.polycube import random_polycube
 from minkref.fuzz.space.pair import SpacePair
 from minkref.fuzz.space.pairs import space_pair
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.witness import holds
 from minkref.fuzz.verdicts.verdict import Witness
 

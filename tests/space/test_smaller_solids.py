@@ -8,6 +8,7 @@ from fractions import Fraction
 import pytest
 from minkref import _core
 from minkref.fuzz.cases.case_name import CaseName
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.run import naming
 from minkref.fuzz.shrink.shrinker import shrink
@@ -15,7 +16,6 @@ from minkref.fuzz.space.exact_sum import core_polyhedron
 from minkref.fuzz.space.families import GENERAL, drawn_pair
 from minkref.fuzz.space.generators.convex import box, cube
 from minkref.fuzz.space.hull import is_convex
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.small_case import SolidCase, smaller_in_space
 from minkref.fuzz.space.smaller_solids import convex_parts, drawn_together, fewer_shells, is_valid
 from thoroughness import draws

@@ -6,10 +6,10 @@ from fractions import Fraction
 
 import minkref
 import pytest
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.judges.motion.space_path_cases import SpacePathCase
 from minkref.fuzz.judges.motion.space_path_collisions import StaticSum, by_slow_engine
 from minkref.fuzz.space.generators.machined import plate
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.reports.evidence.space_paths.paths import CONTACTS, SEED, judge
 from thoroughness import draws
 

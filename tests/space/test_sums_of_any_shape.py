@@ -10,6 +10,7 @@ from itertools import pairwise
 
 import pytest
 from members import turn
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space import exact_sum as limits
 from minkref.fuzz.space.comparison import Comparison, compare
@@ -18,7 +19,6 @@ from minkref.fuzz.space.general_pairs import FAMILIES, OF_PARTS, GeneralPair, ge
 from minkref.fuzz.space.generators.convex import box, cube
 from minkref.fuzz.space.hull import convex_hull
 from minkref.fuzz.space.pair import SpacePair, Truth
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.sites import sites
 from minkref.fuzz.space.trapezoids import trapezoids
 from minkref.fuzz.space.witness import holds

@@ -8,13 +8,13 @@ from fractions import Fraction
 
 import pytest
 from minkref.fuzz.cases.case_name import CaseName
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.run import naming
 from minkref.fuzz.space.case import SpaceCase
 from minkref.fuzz.space.comparison import compare
 from minkref.fuzz.space.pair import Truth
 from minkref.fuzz.space.pairs import space_pair
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.verdicts.verdict import Reason
 from thoroughness import THOROUGH
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from fractions import Fraction
 from typing import Any
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.space.exact_sum import EDGES, exposed_sum, polyhedron_of_planes
 from minkref.fuzz.space.hull import convex_hull, sum_of_convex
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.smaller_solids import fewer_shells
 
 Solid = dict[str, Any]

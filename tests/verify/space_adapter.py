@@ -13,8 +13,8 @@ import json
 import sys
 from typing import Any
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.space.convex_sum import true_sum
-from minkref.fuzz.space.polyhedron import Polyhedron
 
 CUBE = {
     "vertices": [["0", "0", "0"], ["1", "0", "0"], ["1", "1", "0"], ["0", "1", "0"],

@@ -16,10 +16,10 @@ import pytest
 from minkref.cli.cli import run
 from minkref.degeneracies import lint
 from minkref.degeneracies.catalogue import SOLID_FAMILIES
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.space.case import known_pair
 from minkref.fuzz.space.cells import surface_of
 from minkref.fuzz.space.pair import Truth
-from minkref.fuzz.space.polyhedron import Polyhedron
 
 CUBE = (
     f"cmd:{sys.executable} {Path(__file__).parent / 'bad_adapters' / 'bad_adapter.py'} space-cube"

@@ -9,10 +9,10 @@ from typing import Any
 import pytest
 from minkref import _core
 from minkref.fuzz.cases.case_name import CaseName
+from minkref.fuzz.geometry.region import region_of_rings
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.comparison import settle
 from minkref.fuzz.plane.judgement import judge
-from minkref.fuzz.plane.region import region_of_rings
 from minkref.fuzz.plane.witness import holds
 from minkref.fuzz.targets.answer import Answer
 from minkref.fuzz.verdicts.verdict import Reason, Verdict

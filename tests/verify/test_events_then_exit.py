@@ -9,7 +9,6 @@ from typing import Any
 
 import pytest
 from minkref.fuzz.cases.case_name import CaseName
-from minkref.fuzz.plane.case import Case
 from minkref.fuzz.run.naming import load
 from minkref.fuzz.settings import asking_about
 from minkref.fuzz.targets.adapter import AdapterTarget
@@ -37,8 +36,8 @@ PLANE = ["plane", "non-convex", "holes", "components", "touching", "empty", "poi
 class SlowToLook(AdapterTarget):
     """By the time that its answer is looked at, the program has ended."""
 
-    def events(self, case: Case, start: str, end: str) -> Any:
-        found = super().events(case, start, end)
+    def asked(self, *about: Any) -> Any:
+        found = super().asked(*about)
         time.sleep(1)
         return found
 

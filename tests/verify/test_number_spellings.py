@@ -14,10 +14,10 @@ import pytest
 from minkref import _core
 from minkref.errors import Refusal
 from minkref.exact import read_point, read_scale
+from minkref.fuzz.geometry.polyhedron import Polyhedron
+from minkref.fuzz.geometry.region import region_of_rings
 from minkref.fuzz.plane.protocol import plane_answer
-from minkref.fuzz.plane.region import region_of_rings
 from minkref.fuzz.run.case_files import scales_in
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.protocol import solid_answer
 from minkref.fuzz.targets.adapter import _scale
 from minkref.fuzz.targets.declaration import PLANE, Declaration, DeclarationError, read_declaration

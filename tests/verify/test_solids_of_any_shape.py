@@ -8,12 +8,12 @@ from collections.abc import Callable
 from fractions import Fraction
 
 import pytest
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.run.runner import Run
 from minkref.fuzz.run.unasked import unproven_notes
 from minkref.fuzz.shrink.finding import shrink_finding
 from minkref.fuzz.space.families import GENERAL
 from minkref.fuzz.space.generators.convex import cube
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.witness import holds
 from minkref.fuzz.targets.answer import Limits
 from minkref.fuzz.verdicts.verdict import Outcome, Reason, Verdict

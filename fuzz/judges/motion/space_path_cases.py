@@ -6,10 +6,10 @@ import random
 from dataclasses import dataclass
 from fractions import Fraction
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point, middle
 from minkref.fuzz.space.general_pairs import general_pair
 from minkref.fuzz.space.generators.machined import plate
-from minkref.fuzz.space.polyhedron import Polyhedron
 
 KINDS = (
     "along an edge",

@@ -9,11 +9,11 @@ from fractions import Fraction
 from itertools import pairwise
 
 from minkref import _core
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point, cross, dot, minus
 from minkref.fuzz.judges.motion.space_path_cases import SpacePathCase
 from minkref.fuzz.space.exact_sum import EDGES, core_polyhedron, exposed_sum, polyhedron_of_planes
 from minkref.fuzz.space.membership import Surface
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.oracle.slow.space.exposed import Exposed, exposed_from_json, lifted, rings_of
 from minkref.oracle.slow.space.solid import Solid, solid_from_json
 from minkref.oracle.slow.space.solid_sum import SolidSum, uniform

@@ -17,9 +17,9 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from minkref import _core
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.judges.space.space_routes import core_polyhedron
 from minkref.fuzz.space.general_pairs import FAMILIES, GeneralPair, pair_of_family
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.oracle.symbolic.rational import rational
 from minkref.oracle.symbolic.space.facet_pairs import FacetEvents, facet_events
 from minkref.oracle.symbolic.space.space_moving import MovingFacet, facet

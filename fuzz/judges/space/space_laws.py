@@ -7,6 +7,7 @@ import random
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.judges.space.space_routes import Route
 from minkref.fuzz.judges.space.space_sums import moved
@@ -15,7 +16,6 @@ from minkref.fuzz.space.general_pairs import GeneralPair
 from minkref.fuzz.space.generators.mapped import IDENTITY, Matrix, mapped, unimodular
 from minkref.fuzz.space.hull import convex_hull
 from minkref.fuzz.space.laws import refined
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.oracle.slow import Exposed, exposed_from_json
 from minkref.oracle.slow.space.exposed import lifted, rings_of
 from minkref.oracle.slow.space.solid_claim import inner_point, winding

@@ -6,8 +6,8 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import Any
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.libraries.catalogue import absence, command
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.targets.adapter_process import AdapterProcess, Failure
 from minkref.fuzz.targets.answer import Limits, load_limit
 

@@ -7,8 +7,8 @@ import json
 from dataclasses import dataclass
 from fractions import Fraction
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point, Whole
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.oracle.slow import Exposed, exposed_from_json, of_faces
 from minkref.oracle.slow.space.exposed import lifted, rings_of
 

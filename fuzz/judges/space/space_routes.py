@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Any
 
 from minkref import _core
-from minkref.fuzz.space.polyhedron import Polyhedron
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 
 # The name of a route, and that of its function in the module: (P, Q, scaling) to a set with
 # canonical_json().

@@ -10,12 +10,12 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from minkref import _core
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.judges.space.space_nef import NefJudge
 from minkref.fuzz.judges.space.space_routes import Route
 from minkref.fuzz.space.general_pairs import GeneralPair
 from minkref.fuzz.space.meeting import decide
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.thin_meeting import ThinMeeting
 from minkref.fuzz.space.witness import holds
 from minkref.fuzz.verdicts.verdict import Witness

@@ -6,11 +6,11 @@ import random
 from collections.abc import Callable
 from fractions import Fraction
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.generators import assembled, machined
 from minkref.fuzz.space.generators.convex import random_hull
 from minkref.fuzz.space.generators.tube import lattice_torus
-from minkref.fuzz.space.polyhedron import Polyhedron
 
 ORIGIN: Point = (Fraction(0), Fraction(0), Fraction(0))
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import random
 from fractions import Fraction
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point, area_vector, middle, primitive
 from minkref.fuzz.space.generators.convex import box, random_hull
-from minkref.fuzz.space.polyhedron import Polyhedron
 
 GRID = 24  # of what spikes and dents are put on, so that they end in integers
 

@@ -10,6 +10,7 @@ from math import cos, pi, sin
 
 from minkref import _core
 from minkref.fuzz.geometry.plane import turn
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.plane.families.integer_rings import (
     Ring,
@@ -18,7 +19,6 @@ from minkref.fuzz.plane.families.integer_rings import (
     scattered,
     untangled,
 )
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.prism import Prism
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import random
 from itertools import permutations, product
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Whole, cross, dot
-from minkref.fuzz.space.polyhedron import Polyhedron
 
 Matrix = tuple[Whole, Whole, Whole]  # rows
 IDENTITY: Matrix = ((1, 0, 0), (0, 1, 0), (0, 0, 1))

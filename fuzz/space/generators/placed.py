@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import area_vector, middle
 from minkref.fuzz.space.membership import winding_number
-from minkref.fuzz.space.polyhedron import Polyhedron
 
 
 def around_origin(solid: Polyhedron) -> Polyhedron:

@@ -6,8 +6,8 @@ import random
 from fractions import Fraction
 from math import cos, pi, sin, sqrt
 
+from minkref.fuzz.geometry.polyhedron import Face, Polyhedron
 from minkref.fuzz.geometry.space import Point
-from minkref.fuzz.space.polyhedron import Face, Polyhedron
 
 # Floats only choose points of the grid.
 Place = tuple[float, float, float]

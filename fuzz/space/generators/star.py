@@ -5,9 +5,9 @@ from __future__ import annotations
 import random
 from fractions import Fraction
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.space.generators.convex import sphere
 from minkref.fuzz.space.hull import is_convex
-from minkref.fuzz.space.polyhedron import Polyhedron
 
 
 def star(dice: random.Random, count: int, size: int) -> Polyhedron:

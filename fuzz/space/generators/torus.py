@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from fractions import Fraction
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.space.generators.circle import circle
-from minkref.fuzz.space.polyhedron import Polyhedron
 
 
 def torus(around: int, section: int, radius: Fraction, thickness: Fraction) -> Polyhedron:

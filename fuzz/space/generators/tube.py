@@ -6,8 +6,8 @@ import random
 from fractions import Fraction
 from math import cos, pi, sin
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.fuzz.space.self_crossing import self_crossing
 
 # Directions of corners of lattice polygons around the origin.

@@ -6,10 +6,10 @@ from __future__ import annotations
 from fractions import Fraction
 from math import cos, pi, sin
 
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.plane.families.integer_rings import Ring
 from minkref.fuzz.space.generators.machined import plate, prism_over
 from minkref.fuzz.space.generators.round import geodesic_sphere
-from minkref.fuzz.space.polyhedron import Polyhedron
 
 
 def bore(x: int, y: int, radius: int, corners: int) -> Ring:

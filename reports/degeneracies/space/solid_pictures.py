@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from minkref.fuzz.space.polyhedron import Polyhedron
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.reports.conformance.solid_drawing import projected, solid_layers
 from minkref.reports.degeneracies.pictures import Drawn
 from minkref.reports.drawing import Layer, picture

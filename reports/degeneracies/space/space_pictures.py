@@ -10,9 +10,9 @@ from fractions import Fraction
 from typing import Any
 
 from minkref import _core
+from minkref.fuzz.geometry.polyhedron import Face, Polyhedron
 from minkref.fuzz.geometry.space import Point, Whole, area_vector, dot
 from minkref.fuzz.space.convex_sum import body_of, polyhedron_of
-from minkref.fuzz.space.polyhedron import Face, Polyhedron
 from minkref.reports.conformance.solid_drawing import projected, shade
 from minkref.reports.degeneracies.pictures import Drawn
 from minkref.reports.drawing import Layer, Segment, bounds, picture

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from minkref import _core
 from minkref.certify.space.solid_certificate import SolidCertificate
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.space.general_pairs import GeneralPair, general_pair
-from minkref.fuzz.space.polyhedron import Polyhedron
 
 
 def solid_pairs(seed: int) -> Iterator[GeneralPair]:

@@ -10,7 +10,7 @@ from typing import Any
 from minkref import _core
 from minkref.degeneracies.catalogue import FAMILIES
 from minkref.degeneracies.plane.case_document import Degenerate
-from minkref.fuzz.plane.region import region_of_rings
+from minkref.fuzz.geometry.region import region_of_rings
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.of_tests import SEEDED, module, seeded_faults
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size

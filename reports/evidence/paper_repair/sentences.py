@@ -11,6 +11,7 @@ from fractions import Fraction
 from itertools import combinations, product
 
 from minkref import _core
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import Point
 from minkref.fuzz.judges.space.convex_claims import (
     ClaimComparison,
@@ -20,7 +21,6 @@ from minkref.fuzz.judges.space.convex_claims import (
 from minkref.fuzz.space.convex_sum import body_of, reference_sum
 from minkref.fuzz.space.generators.convex import box, random_hull
 from minkref.fuzz.space.hull import convex_hull
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.reports.evidence.framework.in_processes import in_processes
 from minkref.reports.evidence.framework.part import Counts, Findings, Minutes, Size
 

@@ -21,10 +21,10 @@ from pathlib import Path
 from minkref import _core
 from minkref.certify.plane.certificate import Certificate, NoProof
 from minkref.certify.space.convex_certificate import convex_certificate
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.judges.plane.certified_claims import Confirmation
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.space.generators.convex import random_hull, sphere
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.reports.evidence.certificates.certified_cases import (
     cases,
     events,

@@ -11,9 +11,9 @@ from pathlib import Path
 from minkref import _core
 from minkref.certify.space.convex_certificate import ConvexCertificate
 from minkref.exact import digest
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.judges.space.convex_facets import convex_facets
 from minkref.fuzz.space.generators.convex import random_hull
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.reports.bench.cgal_space_service import NEF, CgalSpaceService
 from minkref.reports.bench.table2 import is_sum_of_cgal
 from minkref.reports.evidence.certificates.checkers import in_cpp, timed

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 import seeded_sums
-from minkref.fuzz.plane.region import region_of_rings
+from minkref.fuzz.geometry.region import region_of_rings
 from plain_sum import PlainSum, Set
 from seeded_sums import CALLABLE, FAULTS, sound
 from time_limit import limited

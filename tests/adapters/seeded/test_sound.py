@@ -6,8 +6,8 @@ import json
 
 import pytest
 from minkref import _core
+from minkref.fuzz.geometry.region import region_of_rings, region_of_sum
 from minkref.fuzz.plane.families.catalogue import FAMILIES
-from minkref.fuzz.plane.region import region_of_rings, region_of_sum
 from plain_geometry import area
 from plain_sum import PlainSum
 from seeded_sums import sound

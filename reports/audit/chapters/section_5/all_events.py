@@ -9,12 +9,12 @@ from math import comb
 
 import sympy as sp
 from minkref import _core
+from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.geometry.space import area_vector, cross, dot, minus
 from minkref.fuzz.judges.space import paper_space
 from minkref.fuzz.judges.space.space_routes import core_polyhedron
 from minkref.fuzz.space.generators.star import star
 from minkref.fuzz.space.meeting import Meeting
-from minkref.fuzz.space.polyhedron import Polyhedron
 from minkref.reports.audit import cavity
 from minkref.reports.audit.bodies import hull
 from minkref.reports.audit.entry import Chapter, Shown, Status

@@ -9,7 +9,7 @@ from typing import Any
 
 from minkref import _core
 from minkref.exact import digest
-from minkref.fuzz.targets.number_text import GRAMMAR, is_number
+from minkref.fuzz.geometry.number_text import GRAMMAR, is_number
 
 TextRing = list[list[str]]
 

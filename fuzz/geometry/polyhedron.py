@@ -10,6 +10,8 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any
 
+from minkref.fuzz.geometry.face_triangles import face_triangles
+from minkref.fuzz.geometry.parts import Parts
 from minkref.fuzz.geometry.space import (
     Point,
     Scale,
@@ -21,8 +23,6 @@ from minkref.fuzz.geometry.space import (
     factors,
     whole,
 )
-from minkref.fuzz.space.face_triangles import face_triangles
-from minkref.fuzz.space.parts import Parts
 from minkref.plane.rings import from_least
 
 _NUMBER = re.compile(r"[+-]?\d+(/\d+)?", re.ASCII)
