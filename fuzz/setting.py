@@ -5,13 +5,11 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar, Protocol
+from typing import Any, ClassVar, Protocol
 
 from minkref.fuzz.cases.any_case import AnyCase
 from minkref.fuzz.cases.case_name import CaseName
-
-if TYPE_CHECKING:
-    from minkref.fuzz.targets.asking import Asking
+from minkref.fuzz.targets.asking import Asking
 
 
 class SmallCase(Protocol):
@@ -32,6 +30,7 @@ class Setting(ABC):
     dimension: ClassVar[int]
     target: ClassVar[str]  # a route of the reference that takes its cases
     verbs: ClassVar[tuple[str, ...]]  # beside `at`; where a target declares them
+    asking: ClassVar[type[Asking]]  # how targets are asked, and their answers judged
     never: ClassVar[frozenset[str]] = frozenset()  # capabilities that none of its cases asks for
 
     # Cases.
@@ -47,11 +46,6 @@ class Setting(ABC):
     @abstractmethod
     def case_of(self, name: CaseName, operands: list[Any], scale: Any, where: str) -> AnyCase:
         """Of two sets as JSON values. Refuses what is no set."""
-
-    def question(self, name: CaseName, value: dict[str, Any], where: str) -> AnyCase | None:
-        """A case in another form than two operands and a scale, of its JSON value; None where it
-        is none. Refuses what is wrong with one."""
-        return None
 
     @abstractmethod
     def scales_in(self, value: dict[str, Any], path: Path) -> list[str]:
@@ -76,16 +70,11 @@ class Setting(ABC):
         """What an operation makes of a case; None where it knows none of that name. NoCase where
         there is nothing to be made."""
 
-    @property
-    @abstractmethod
-    def asking(self) -> type[Asking]:
-        """How targets are asked about a case, and their answers judged."""
-
     # Shrinking.
 
     @abstractmethod
-    def small_case(self, P: str, Q: str, scale: str, literal: str) -> SmallCase:
-        """Of operands as JSON texts, or of the text that names a case in another form."""
+    def small_case(self, P: str, Q: str, scale: str) -> SmallCase:
+        """Of operands as JSON texts."""
 
     @property
     @abstractmethod
@@ -99,3 +88,31 @@ class Setting(ABC):
     def has_case_file(self, literal: str) -> bool:
         """Whether a case can be written as a case file."""
         return True
+
+
+class Question(ABC):
+    """About sets of a setting, other than for their sum: the cases that ask it, and how they are
+    made smaller."""
+
+    cases: ClassVar[type]
+    asking: ClassVar[type[Asking]]
+
+    @abstractmethod
+    def drawn(self, name: CaseName, family: str, seed: int, index: int) -> AnyCase | None:
+        """What a generator makes; None where it has none of that name."""
+
+    def named(self, name: CaseName, value: dict[str, Any], where: str) -> AnyCase | None:
+        """Of the JSON value of a case; None where it asks something else. Refuses what is wrong
+        with it."""
+        return None
+
+    def is_asked(self, literal: str) -> bool:
+        """Whether the text that names a case asks this, and can be made smaller."""
+        return False
+
+    def small_case(self, literal: str) -> SmallCase:
+        raise NotImplementedError
+
+    def smaller(self, case: Any) -> Iterator[Any]:
+        """Valid candidates, the boldest first."""
+        raise NotImplementedError

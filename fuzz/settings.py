@@ -1,16 +1,21 @@
-"""The settings that there are. One more is a folder and a line here."""
+"""The settings that there are, and questions other than for a sum. One more is a folder and a line
+here."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
 from typing import Any
 
 from minkref.fuzz.cases.any_case import AnyCase
+from minkref.fuzz.invalid.question import REFUSALS
+from minkref.fuzz.motion.question import PATHS
 from minkref.fuzz.plane.setting import PLANE
-from minkref.fuzz.setting import Setting
+from minkref.fuzz.setting import Question, Setting, SmallCase
 from minkref.fuzz.space.setting import SPACE
 from minkref.fuzz.targets.asking import Asking
 
 SETTINGS: tuple[Setting, ...] = (PLANE, SPACE)
+QUESTIONS: tuple[Question, ...] = (PATHS, REFUSALS)
 
 
 def setting_of(dimension: int) -> Setting:
@@ -27,6 +32,23 @@ def setting_of_operands(operands: list[Any]) -> Setting:
     return next((s for s in reversed(SETTINGS) if s.holds(operands)), PLANE)
 
 
+def question_of(literal: str) -> Question | None:
+    """That of the text that names a case; None where it is that for a sum."""
+    return next((question for question in QUESTIONS if question.is_asked(literal)), None)
+
+
 def asking_about(case: AnyCase, *how: Any) -> Asking:
-    """What Asking takes, in the setting of the case."""
-    return setting_of(case.dimension).asking(case, *how)
+    """What Asking takes, for the question or in the setting of the case."""
+    own = (question.asking for question in QUESTIONS if isinstance(case, question.cases))
+    return next(own, setting_of(case.dimension).asking)(case, *how)
+
+
+def small_case(
+    dimension: int, P: str, Q: str, scale: str, literal: str
+) -> tuple[SmallCase, Callable[[Any], Iterator[Any]]]:
+    """A case to be made smaller, and the valid candidates of one, the boldest first."""
+    question = question_of(literal)
+    if question is not None:
+        return question.small_case(literal), question.smaller
+    setting = setting_of(dimension)
+    return setting.small_case(P, Q, scale), setting.smaller

@@ -6,15 +6,10 @@ from dataclasses import dataclass, replace
 from functools import partial
 
 from minkref.fuzz.cases.verbs import EVENTS, UPDATE
-from minkref.fuzz.invalid.invalid_case import InvalidCase
-from minkref.fuzz.invalid.invalid_judgement import judge_invalid
-from minkref.fuzz.motion.asked_claim import asked_claim
-from minkref.fuzz.motion.asked_path import AskedPath
-from minkref.fuzz.motion.path_judgement import judge_path, without_claim
 from minkref.fuzz.plane.asked_events import asked_events
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.event_judgement import MOST_PAIRS, judge_events, window, without_scales
-from minkref.fuzz.plane.judgement import TRUTHS, judge, without_answer
+from minkref.fuzz.plane.judgement import TRUTHS, judge
 from minkref.fuzz.plane.law_judgement import judge_law
 from minkref.fuzz.plane.laws import LAWS
 from minkref.fuzz.plane.reference import ReferenceTarget
@@ -31,10 +26,6 @@ class PlaneAsking(Asking):
     def outcomes(self, names: list[str]) -> list[Outcome]:
         if not names:
             return []
-        if isinstance(self.case, InvalidCase):
-            return [self._refused(self.case, name) for name in names]
-        if isinstance(self.case, AskedPath):
-            return [outcome for name in names for outcome in self._passing(self.case, name)]
         if self.case.law is not None:
             return self._by_law(self.case, names)
         for name in dict.fromkeys([*TRUTHS, *names]):
@@ -47,8 +38,8 @@ class PlaneAsking(Asking):
     def coverage(self) -> str | None:
         """Family, position of the scale, shape of the sum, needs. None where no route of ours has a
         sum."""
-        case = self.case
-        if not isinstance(case, Case) or case.law is not None:
+        case: Case = self.case
+        if case.law is not None:
             return None
         region = next((self.answers[n].region for n in TRUTHS if n in self.answers), None)
         if region is None:
@@ -166,34 +157,3 @@ class PlaneAsking(Asking):
             message = "of the sum of the boundaries no events are known"
             return Outcome(name, Verdict.SKIPPED, message=message)
         return judge_events(case, name, scales, declared)
-
-    def _passing(self, case: AskedPath, name: str) -> list[Outcome]:
-        """The scales at which a part passes along a path, as a target has them."""
-        if name in self.lost:
-            return [self.lost[name]]
-        target = self.target(name)
-        if not isinstance(target, AdapterTarget):
-            return [Outcome(name, Verdict.SKIPPED, message=f"does not declare {case.verb}")]
-        pairs = case.part.vertices * case.obstacles.vertices
-        if pairs > MOST_PAIRS:
-            message = f"{pairs:,} pairs of vertices, more than {MOST_PAIRS:,}"
-            return [Outcome(name, Verdict.SKIPPED, message=message)]
-        self.begin(name)
-        claimed = asked_claim(target, case)
-        if JUDGING + name in self.lost:
-            return [without_answer(name, self._judgeable(name, Answer()))]
-        self._judging(name)
-        if isinstance(claimed, Answer):
-            return [without_claim(case, name, claimed)]
-        claim, declared = claimed
-        if declared.boundary:
-            message = "of the sum of the boundaries no paths are known"
-            return [Outcome(name, Verdict.SKIPPED, message=message)]
-        return judge_path(case, name, claim, declared)
-
-    def _refused(self, case: InvalidCase, name: str) -> Outcome:
-        if name in self.lost:
-            return self.lost[name]
-        target = self.target(name)
-        self.begin(name)
-        return judge_invalid(case, name, target.sum(case))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from minkref import _core
 from minkref.errors import refusing
@@ -13,12 +13,9 @@ from minkref.exact import read_scale
 from minkref.fuzz.cases.any_case import AnyCase
 from minkref.fuzz.cases.case_name import CaseName
 from minkref.fuzz.cases.no_case import NoCase
-from minkref.fuzz.cases.verbs import EVENTS, PATH, RANGES, REJECTS, UPDATE, is_path
+from minkref.fuzz.cases.verbs import EVENTS, PATH, RANGES, REJECTS, UPDATE
 from minkref.fuzz.geometry.number_text import number_of
-from minkref.fuzz.invalid.invalid_case import FAMILY, InvalidCase, load_invalid
-from minkref.fuzz.motion import asked_path
-from minkref.fuzz.motion.asked_path import AskedPath, drawn_path, named_path
-from minkref.fuzz.motion.small_path import SmallPath, smaller_paths
+from minkref.fuzz.plane.asking import PlaneAsking
 from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.derived import derived
 from minkref.fuzz.plane.families.catalogue import FAMILIES
@@ -26,15 +23,13 @@ from minkref.fuzz.plane.small_case import PlaneCase, smaller_in_plane
 from minkref.fuzz.setting import Setting
 from minkref.plane.operand import read_operand
 
-if TYPE_CHECKING:
-    from minkref.fuzz.plane.asking import PlaneAsking
-
 
 class Plane(Setting):
     """Sets of polygons and uniform scales."""
 
     name, where, dimension = "plane", "in the plane", 2
     target = "minkref:paper"
+    asking = PlaneAsking
     verbs = (UPDATE, EVENTS, REJECTS, PATH, RANGES)
     never = frozenset({"non-uniform"})
 
@@ -47,9 +42,6 @@ class Plane(Setting):
     def case_of(self, name: CaseName, operands: list[Any], scale: Any, where: str) -> Case:
         P, Q = (_valid(json.dumps(each), where) for each in operands)
         return Case(name, P, Q, read_scale(str(scale), where), "P", "Q", "named")
-
-    def question(self, name: CaseName, value: dict[str, Any], where: str) -> AskedPath | None:
-        return named_path(name, value, where) if "path" in value else None
 
     def scales_in(self, value: dict[str, Any], path: Path) -> list[str]:
         scales = value.get("scales")
@@ -65,13 +57,7 @@ class Plane(Setting):
         for part in "PQ":
             read_operand(f"{path}#{part}")
 
-    def drawn(
-        self, name: CaseName, family: str, seed: int, index: int
-    ) -> Case | InvalidCase | AskedPath | None:
-        if family == FAMILY:
-            return load_invalid(name, seed, index)
-        if family in asked_path.FAMILIES:
-            return drawn_path(name, family, seed, index)
+    def drawn(self, name: CaseName, family: str, seed: int, index: int) -> Case | None:
         if family not in FAMILIES:
             return None
         pair = FAMILIES[family].pair(seed, index)
@@ -85,28 +71,15 @@ class Plane(Setting):
             raise NoCase("nothing is got from a case of invalid operands, or of a path")
         return derived(base, name, operation, number)
 
-    @property
-    def asking(self) -> type[PlaneAsking]:
-        from minkref.fuzz.plane.asking import PlaneAsking  # it takes the targets, which take this
-
-        return PlaneAsking
-
-    def small_case(self, P: str, Q: str, scale: str, literal: str) -> PlaneCase | SmallPath:
-        return SmallPath.read(literal) if is_path(literal) else PlaneCase.read(P, Q, scale)
+    def small_case(self, P: str, Q: str, scale: str) -> PlaneCase:
+        return PlaneCase.read(P, Q, scale)
 
     @property
-    def smaller(self) -> Callable[[Any], Iterator[Any]]:
-        return _smaller
-
-    def has_case_file(self, literal: str) -> bool:
-        return not is_path(literal)
+    def smaller(self) -> Callable[[PlaneCase], Iterator[PlaneCase]]:
+        return smaller_in_plane
 
     def scales_of_file(self, scale: str) -> list[str]:
         return [scale]
-
-
-def _smaller(case: PlaneCase | SmallPath) -> Iterator[PlaneCase | SmallPath]:
-    return smaller_paths(case) if isinstance(case, SmallPath) else smaller_in_plane(case)
 
 
 def _valid(text: str, where: str) -> _core.PolygonSet:

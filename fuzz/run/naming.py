@@ -33,7 +33,13 @@ from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.derived import WAYS
 from minkref.fuzz.plane.laws import LAWS
 from minkref.fuzz.run.case_files import case_document, scales_in
-from minkref.fuzz.settings import SETTINGS, setting_of, setting_of_document, setting_of_operands
+from minkref.fuzz.settings import (
+    QUESTIONS,
+    SETTINGS,
+    setting_of,
+    setting_of_document,
+    setting_of_operands,
+)
 from minkref.model_catalogue import all_models
 from minkref.plane.operand import is_file, read_operand
 
@@ -54,7 +60,7 @@ def load(name: CaseName) -> AnyCase:
     generated = _GENERATED.fullmatch(text)
     if generated:
         family, seed, index = generated[1], int(generated[2]), int(generated[3])
-        drawn = (setting.drawn(name, family, seed, index) for setting in SETTINGS)
+        drawn = (each.drawn(name, family, seed, index) for each in (*SETTINGS, *QUESTIONS))
         found = next((case for case in drawn if case is not None), None)
         if found is not None:
             return found
@@ -103,8 +109,8 @@ def _literal(name: CaseName) -> AnyCase:
     mend = 'write {"P":{"polygons":[...]},"Q":{"polygons":[...]},"scale":"3/2"}'
     try:
         value: Any = json.loads(name.text, parse_float=str)
-        for setting in SETTINGS:
-            if (asked := setting.question(name, value, where)) is not None:
+        for question in QUESTIONS:
+            if (asked := question.named(name, value, where)) is not None:
                 return asked
         operands = [value["P"], value["Q"]]
         scale = value.get("scale", "1")

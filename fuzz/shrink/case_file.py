@@ -5,12 +5,13 @@ from __future__ import annotations
 import hashlib
 import json
 
-from minkref.fuzz.settings import setting_of
+from minkref.fuzz.settings import question_of, setting_of
 from minkref.fuzz.shrink.finding import SmallFinding
 
 
 def has_case_file(small: SmallFinding) -> bool:
-    return setting_of(small.result.dimension).has_case_file(small.literal)
+    setting = setting_of(small.result.dimension)
+    return question_of(small.literal) is None and setting.has_case_file(small.literal)
 
 
 def case_text(small: SmallFinding, target: str) -> str:

@@ -8,7 +8,7 @@ from minkref.fuzz.cases.verbs import REJECTS
 from minkref.fuzz.run.runner import Finding, verb_of
 from minkref.fuzz.run.worker import CaseResult
 from minkref.fuzz.setting import SmallCase
-from minkref.fuzz.settings import setting_of
+from minkref.fuzz.settings import small_case
 from minkref.fuzz.shrink.asker import Asker, same_fault
 from minkref.fuzz.shrink.shrinker import MOST_CALLS, shrink
 from minkref.fuzz.targets.answer import Limits
@@ -67,9 +67,11 @@ def shrink_finding(
                 return True
             return False
 
-        case, setting = finding.case, setting_of(finding.case.dimension)
-        small = setting.small_case(finding.case.P, finding.case.Q, case.scale, literal)
-        made = shrink(small, setting.smaller, still, most_calls)
+        case = finding.case
+        small, smaller = small_case(
+            case.dimension, finding.case.P, finding.case.Q, case.scale, literal
+        )
+        made = shrink(small, smaller, still, most_calls)
         again = asker.ask(kept[0].name.text) if not silent else None
     if again is None:
         with Asker(finding.outcome.target, limits) as asker:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from minkref.fuzz.cases.any_case import AnyCase
 from minkref.fuzz.cases.case_name import CaseName
@@ -13,14 +13,12 @@ from minkref.fuzz.cases.no_case import NoCase
 from minkref.fuzz.cases.verbs import UPDATE
 from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.setting import Setting
+from minkref.fuzz.space.asking import SpaceAsking
 from minkref.fuzz.space.case import LAWS_IN_SPACE, SpaceCase, load_space
 from minkref.fuzz.space.case_file import DIMENSION, is_in_space, read_space_case, scalings_in
 from minkref.fuzz.space.families import SPACE_FAMILIES
 from minkref.fuzz.space.hull import is_convex
 from minkref.fuzz.space.small_case import SolidCase, smaller_in_space
-
-if TYPE_CHECKING:
-    from minkref.fuzz.space.asking import SpaceAsking
 
 SOME_SCALING = "1"  # operands are read before a run, scalings when their turn comes
 
@@ -30,6 +28,7 @@ class Space(Setting):
 
     name, where, dimension = "space", "in space", DIMENSION
     target = "minkref:convex"
+    asking = SpaceAsking
     verbs = (UPDATE,)
 
     def holds(self, operands: list[Any]) -> bool:
@@ -63,13 +62,7 @@ class Space(Setting):
             return base.updated(name)
         raise NoCase("a case in space has no probes and no mutants, and other laws")
 
-    @property
-    def asking(self) -> type[SpaceAsking]:
-        from minkref.fuzz.space.asking import SpaceAsking  # it takes the targets, which take this
-
-        return SpaceAsking
-
-    def small_case(self, P: str, Q: str, scale: str, literal: str) -> SolidCase:
+    def small_case(self, P: str, Q: str, scale: str) -> SolidCase:
         return SolidCase.read(P, Q, scale)
 
     @property
