@@ -33,6 +33,7 @@ from minkref.fuzz.plane.case import Case
 from minkref.fuzz.plane.derived import WAYS
 from minkref.fuzz.plane.laws import LAWS
 from minkref.fuzz.run.case_files import case_document, scales_in
+from minkref.fuzz.setting import Question, Setting
 from minkref.fuzz.settings import (
     QUESTIONS,
     SETTINGS,
@@ -60,7 +61,8 @@ def load(name: CaseName) -> AnyCase:
     generated = _GENERATED.fullmatch(text)
     if generated:
         family, seed, index = generated[1], int(generated[2]), int(generated[3])
-        drawn = (each.drawn(name, family, seed, index) for each in (*SETTINGS, *QUESTIONS))
+        draws: tuple[Setting | Question, ...] = (*SETTINGS, *QUESTIONS)
+        drawn = (each.drawn(name, family, seed, index) for each in draws)
         found = next((case for case in drawn if case is not None), None)
         if found is not None:
             return found

@@ -13,6 +13,7 @@ from minkref.fuzz.geometry.polyhedron import Polyhedron
 from minkref.fuzz.libraries.program import Program
 from minkref.fuzz.libraries.programs import program, why_none
 from minkref.fuzz.plane.boundary_sum import MOST_PAIRS, boundary_sum
+from minkref.fuzz.run.naming import load_in_plane
 from minkref.fuzz.run.runner import Finding
 from minkref.fuzz.run.worker import CaseResult
 from minkref.fuzz.shrink.groups import Group
@@ -182,7 +183,7 @@ def _expected(case: CaseResult, P: str, Q: str, boundary: bool) -> str | None:
         return None
     if boundary:
         text = json.dumps({"P": json.loads(P), "Q": json.loads(Q), "scale": case.scale})
-        return boundary_sum(CaseName(text, "report").load()).json
+        return boundary_sum(load_in_plane(CaseName(text, "report"))).json
     try:
         region = _core.minkowski_sum(first, second, case.scale).region
     except (ValueError, RuntimeError):
