@@ -12,7 +12,7 @@ from typing import Any
 
 from minkref.errors import Refusal, choice
 from minkref.fuzz.isolation import control_group, leftovers, other_user, sandbox
-from minkref.fuzz.run.ledger_chain import state_folder
+from minkref.fuzz.isolation.own_folders import state_folder
 
 AUTO, SANDBOX, NONE = "auto", "sandbox", "none"
 KINDS = (AUTO, SANDBOX, NONE)

@@ -19,6 +19,8 @@ import sys
 from collections.abc import Iterable
 from pathlib import Path
 
+from minkref.fuzz.isolation.own_folders import adapters_folder
+
 PROGRAM = "bwrap"
 LIMITER = "prlimit"  # of util-linux
 COUNTING_LINUX = (5, 14)  # the first that counts processes in each user space
@@ -76,10 +78,9 @@ def readable(command: tuple[str, ...], named: tuple[str, ...], here: str) -> tup
 def _ours() -> list[Path]:
     """This package, with what it is linked to, and the folder of installed adapters."""
     import minkref
-    from minkref.fuzz.libraries.catalogue import default_folder
 
     here = Path(__file__).resolve()
-    rooms = [here.parents[2], *(Path(place) for place in minkref.__path__), default_folder()]
+    rooms = [here.parents[2], *(Path(place) for place in minkref.__path__), adapters_folder()]
     return [place.absolute() for place in rooms]
 
 

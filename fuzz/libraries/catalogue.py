@@ -15,6 +15,7 @@ from pathlib import Path
 
 from minkref.errors import Refusal, choice
 from minkref.fuzz.cgal.executables import BUILD_COMMAND, search_folders
+from minkref.fuzz.isolation.own_folders import adapters_folder
 from minkref.fuzz.libraries import installation
 from minkref.fuzz.libraries.library import Adapter, Library
 
@@ -33,17 +34,6 @@ def _libraries() -> dict[str, Library]:
 
 LIBRARIES = _libraries()
 ADAPTERS = {adapter.name: adapter for library in LIBRARIES.values() for adapter in library.adapters}
-
-
-def default_folder() -> Path:
-    """MINKREF_ADAPTERS, else build/adapters of the checkout, else below ~/.cache."""
-    given = os.environ.get("MINKREF_ADAPTERS")
-    if given:
-        return Path(given)
-    checkout = HERE.resolve().parents[1]
-    if (checkout / "pyproject.toml").is_file():
-        return checkout / "build" / "adapters"
-    return Path.home() / ".cache" / "minkref" / "adapters"
 
 
 def adapter_named(name: str) -> Adapter:
@@ -95,7 +85,7 @@ def absence(name: str, folder: Path | None = None) -> str | None:
 
 
 def _home(adapter: Adapter, folder: Path | None) -> Path:
-    return (folder or default_folder()).absolute() / adapter.home
+    return (folder or adapters_folder()).absolute() / adapter.home
 
 
 def _cgal_program(adapter: Adapter) -> Path | None:

@@ -19,6 +19,7 @@ import secrets
 from pathlib import Path
 
 from minkref.errors import Refusal
+from minkref.fuzz.isolation.own_folders import state_folder
 
 KEY_BYTES = 32
 _DIGITS = 32  # of a code, hexadecimal
@@ -54,13 +55,6 @@ class Chain:
 
     def _code(self, data: bytes) -> bytes:
         return hmac.new(self._key, data, hashlib.sha256).hexdigest()[:_DIGITS].encode()
-
-
-def state_folder() -> Path:
-    """What minkref keeps of a user from run to run, and no target may see."""
-    given = Path(os.environ.get("XDG_STATE_HOME", ""))
-    base = given if given.is_absolute() else Path(os.path.expanduser("~"), ".local", "state")
-    return base / "minkref"
 
 
 def ledger_key() -> bytes:

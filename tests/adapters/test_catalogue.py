@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 from minkref.errors import Refusal
+from minkref.fuzz.isolation import own_folders
 from minkref.fuzz.libraries import catalogue, installation
 
 PROGRAM = "toy.cpp"
@@ -152,9 +153,9 @@ def test_an_unknown_name_is_refused() -> None:
 
 def test_the_default_folder(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setenv("MINKREF_ADAPTERS", str(tmp_path))
-    assert catalogue.default_folder() == tmp_path
+    assert own_folders.adapters_folder() == tmp_path
     monkeypatch.delenv("MINKREF_ADAPTERS")
     root = Path(__file__).resolve().parents[2]
-    assert catalogue.default_folder() == root / "build" / "adapters"
-    monkeypatch.setattr(catalogue, "HERE", tmp_path / "site" / "minkref" / "fuzz" / "libraries")
-    assert catalogue.default_folder() == Path.home() / ".cache" / "minkref" / "adapters"
+    assert own_folders.adapters_folder() == root / "build" / "adapters"
+    monkeypatch.setattr(own_folders, "HERE", tmp_path / "site" / "minkref" / "fuzz" / "isolation")
+    assert own_folders.adapters_folder() == Path.home() / ".cache" / "minkref" / "adapters"

@@ -13,7 +13,8 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from minkref.fuzz.libraries.catalogue import absence, default_folder
+from minkref.fuzz.isolation.own_folders import adapters_folder
+from minkref.fuzz.libraries.catalogue import absence
 from minkref.fuzz.libraries.installation import interpreter
 from minkref.fuzz.libraries.program import Program
 from minkref.fuzz.libraries.programs import program, why_none
@@ -42,7 +43,7 @@ CGAL = Path("/usr/include/CGAL/version.h")
 def built_and_run(made: Program, target: str, folder: Path) -> tuple[int, str]:
     """Exit code and output, with the library of the adapter."""
     (folder / made.file).write_text(made.text, encoding="utf-8")
-    home = default_folder()
+    home = adapters_folder()
     if made.file.endswith(".py"):
         words = [str(interpreter(home / target.removesuffix("-space"))), made.file]
     elif made.file.endswith(".scad"):

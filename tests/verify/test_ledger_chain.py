@@ -13,8 +13,9 @@ from pathlib import Path
 import pytest
 from minkref.errors import Refusal
 from minkref.fuzz.cases.case_name import CaseName
+from minkref.fuzz.isolation.own_folders import state_folder
 from minkref.fuzz.run.ledger import Ledger
-from minkref.fuzz.run.ledger_chain import Chain, ledger_key, state_folder
+from minkref.fuzz.run.ledger_chain import Chain, ledger_key
 from minkref.fuzz.run.worker import CaseResult
 from minkref.fuzz.verdicts.verdict import Outcome, Verdict
 
